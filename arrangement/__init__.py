@@ -1,0 +1,10 @@
+"""Exact arrangements of planes: faces, counts and dual polyhedra, with no floating point.
+
+The names below are loaded when first used; `__init__.pyi` is their one list.
+"""
+
+import lazy_loader
+
+__version__ = "0.1.0"
+
+__getattr__, __dir__, __all__ = lazy_loader.attach_stub(__name__, __file__)

@@ -1,0 +1,10 @@
+"""Claims about slip states, each checked by two routes that share no code.
+
+The names below are loaded when first used; `__init__.pyi` is their one list.
+"""
+
+import lazy_loader
+
+from arrangement import __version__ as __version__
+
+__getattr__, __dir__, __all__ = lazy_loader.attach_stub(__name__, __file__)
