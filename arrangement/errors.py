@@ -1,0 +1,13 @@
+"""Errors of the package: each message says the value, the rule it broke, and the remedy."""
+
+
+class ArrangementError(ValueError):
+    """Base class of every error that this package raises on purpose."""
+
+
+class InputError(ArrangementError):
+    """A value from outside breaks a rule; the command line turns it into exit code 2."""
+
+
+class MissingExtraError(ArrangementError, ImportError):
+    """An optional library is absent; the message names the extra that installs it."""

@@ -1,0 +1,186 @@
+"""Exact numbers: how rationals come in, how they go out, and primitive integer vectors.
+
+Inside the package a number is a :class:`fractions.Fraction` or a Python integer. Everything
+from outside passes through :func:`rational`, which never turns a float into a rational
+silently and never evaluates text.
+"""
+
+from __future__ import annotations
+
+import math
+import numbers
+import re
+import reprlib
+from collections.abc import Iterable, Sequence
+from fractions import Fraction
+from typing import Any, TypeAlias, Union
+
+from .errors import InputError
+
+IntegerVector: TypeAlias = tuple[int, ...]
+RationalVector: TypeAlias = tuple[Fraction, ...]
+#: What :func:`rational` accepts (sympy, numpy and flint numbers are recognised by their interface).
+Rational: TypeAlias = Union[int, Fraction, str, numbers.Rational, Any]
+
+#: Longest text accepted as one number; int() of longer text costs quadratic time.
+MAX_TEXT_LENGTH = 4000
+
+_INTEGER_OR_RATIO = re.compile(r"([+-]?[0-9]+)(?:/([0-9]+))?")
+_DECIMAL = re.compile(r"[+-]?(?:[0-9]+\.[0-9]*|\.[0-9]+)")
+
+
+def rational(value: Rational, name: str = "number") -> Fraction:
+    """Return `value` as an exact rational, or refuse it.
+
+    Accepted: ``int``, ``Fraction``, sympy ``Rational``, numpy integers, flint and gmpy rationals,
+    and text such as ``"7/3"`` or ``"-0.25"`` (ASCII digits, no exponent, at most
+    4000 characters). Refused: floats, Booleans, NaN, everything else.
+
+    Raises:
+        InputError: the message has `name`, the value, the rule and the remedy.
+
+    >>> rational("7/3"), rational("-0.25"), rational(5)
+    (Fraction(7, 3), Fraction(-1, 4), Fraction(5, 1))
+    """
+    if isinstance(value, bool) or type(value).__name__ in ("bool_", "bool"):
+        raise InputError(f"{name} is the Boolean {value}; write 0 or 1 if a number is meant")
+    if isinstance(value, Fraction):
+        return value
+    if isinstance(value, int):
+        return Fraction(value)
+    if isinstance(value, str):
+        return _from_text(value, name)
+    if isinstance(value, numbers.Rational):
+        return Fraction(int(value.numerator), int(value.denominator))
+    if isinstance(value, numbers.Real):
+        raise InputError(
+            f"{name} is the float {shown(value)}, and exact numbers are due; write a string "
+            'such as "7/3" or "-0.25", or convert on purpose with arrangement.from_floats'
+        )
+    if hasattr(value, "p") and hasattr(value, "q"):  # python-flint's fmpq
+        return Fraction(int(value.p), int(value.q))
+    if hasattr(value, "__index__"):  # python-flint's fmpz, gmpy2's mpz
+        return Fraction(value.__index__())
+    raise InputError(
+        f"{name} is {shown(value)} of type {type(value).__name__}; give an integer, a Fraction, "
+        'a sympy Rational or a string such as "7/3"'
+    )
+
+
+def _from_text(text: str, name: str) -> Fraction:
+    """Parse a rational from text with two fixed patterns; nothing is ever evaluated."""
+    if len(text) > MAX_TEXT_LENGTH:
+        raise InputError(
+            f"{name} is a text of {len(text)} characters ({shown(text)}); "
+            f"at most {MAX_TEXT_LENGTH} are read as one number"
+        )
+    ratio = _INTEGER_OR_RATIO.fullmatch(text)
+    if ratio is not None:
+        denominator = int(ratio[2]) if ratio[2] else 1
+        if denominator == 0:
+            raise InputError(f"{name} is {shown(text)}, which divides by zero")
+        return Fraction(int(ratio[1]), denominator)
+    if _DECIMAL.fullmatch(text):
+        whole, _, decimals = text.partition(".")
+        return Fraction(int(whole + decimals), 10 ** len(decimals))
+    raise InputError(
+        f'{name} is {shown(text)}, which is not an exact number; write "7/3", "-0.25" or "12" '
+        "(no exponents, no spaces, no expressions)"
+    )
+
+
+class _Short(reprlib.Repr):
+    """A representation of bounded length and depth that never fails on huge integers."""
+
+    def repr_int(self, x: int, level: int) -> str:
+        if x.bit_length() > 2000:
+            return f"<integer of {x.bit_length()} bits>"
+        return super().repr_int(x, level)
+
+
+_short = _Short()
+_short.maxlevel = 2
+_short.maxstring = _short.maxlong = _short.maxother = 60
+
+
+def shown(value: object) -> str:
+    """Return a short form of a rejected value for an error message, however large or deep."""
+    text = _short.repr(value)
+    return text if len(text) <= 60 else f"{text[:40]}...{text[-10:]}"
+
+
+def from_floats(values: Any) -> Any:
+    """Convert binary floats to the rationals that they are, exactly and on purpose.
+
+    Args:
+        values: a number, or a sequence or array of any depth. Integers and rationals pass
+            through.
+
+    Returns:
+        A `Fraction`, or nested tuples of them in the shape of `values`.
+
+    Raises:
+        InputError: for NaN or an infinite value.
+
+    >>> from_floats([0.5, 0.1])
+    (Fraction(1, 2), Fraction(3602879701896397, 36028797018963968))
+    """
+    if hasattr(values, "tolist"):  # numpy arrays and scalars
+        values = values.tolist()
+    if isinstance(values, float):
+        if not math.isfinite(values):
+            raise InputError(f"float {values} is no number; only finite floats can be converted")
+        return Fraction(values)
+    if isinstance(values, Iterable) and not isinstance(values, (str, bytes)):
+        return tuple(from_floats(value) for value in values)
+    return rational(values, "value to convert")
+
+
+def rational_vector(values: Any, name: str = "vector") -> RationalVector:
+    """Return a sequence of accepted numbers as a tuple of `Fraction`; errors name the entry."""
+    if isinstance(values, (str, bytes)) or not isinstance(values, Iterable):
+        raise InputError(f"{name} is {shown(values)}; give a sequence of exact numbers")
+    return tuple(rational(value, f"{name}[{i}]") for i, value in enumerate(values))
+
+
+def primitive(vector: Sequence[Fraction | int]) -> IntegerVector:
+    """Return the positive multiple of a rational vector with coprime integer entries.
+
+    The direction is kept, so ``v`` and ``-v`` stay different; the zero vector stays zero.
+
+    >>> primitive([Fraction(1, 2), Fraction(-1, 3), 0])
+    (3, -2, 0)
+    """
+    scale = math.lcm(*(x.denominator for x in vector))
+    integers = [x.numerator * (scale // x.denominator) for x in vector]
+    divisor = math.gcd(*integers)
+    return tuple(integers) if divisor <= 1 else tuple(x // divisor for x in integers)
+
+
+def to_text(value: Fraction | int) -> str:
+    """Return the canonical text of a rational of any size: ``"7/3"``, ``"2"``, ``"-1/2"``."""
+    numerator = _integer_text(value.numerator)
+    return (
+        numerator if value.denominator == 1 else f"{numerator}/{_integer_text(value.denominator)}"
+    )
+
+
+def _integer_text(value: int) -> str:
+    """Return the decimal digits of an integer, in halves: str() refuses very long ones."""
+    if value.bit_length() <= 2000:
+        return str(value)
+    if value < 0:
+        return "-" + _integer_text(-value)
+    half = value.bit_length() * 3 // 20
+    upper, lower = divmod(value, 10**half)
+    return _integer_text(upper) + _integer_text(lower).zfill(half)
+
+
+def sign(value: Fraction | int) -> int:
+    """Return -1, 0 or 1."""
+    return (value > 0) - (value < 0)
+
+
+def dot(left: Sequence[Any], right: Sequence[Any]) -> Any:
+    """Return the scalar product of two exact vectors of equal length."""
+    return sum(a * b for a, b in zip(left, right, strict=True))
