@@ -13,14 +13,14 @@ import re
 import reprlib
 from collections.abc import Iterable, Sequence
 from fractions import Fraction
-from typing import Any, TypeAlias, Union
+from typing import Any, TypeAlias
 
 from .errors import InputError
 
 IntegerVector: TypeAlias = tuple[int, ...]
 RationalVector: TypeAlias = tuple[Fraction, ...]
 #: What :func:`rational` accepts (sympy, numpy and flint numbers are recognised by their interface).
-Rational: TypeAlias = Union[int, Fraction, str, numbers.Rational, Any]
+Rational: TypeAlias = int | Fraction | str | numbers.Rational | Any
 
 #: Longest text accepted as one number; int() of longer text costs quadratic time.
 MAX_TEXT_LENGTH = 4000
