@@ -1,0 +1,135 @@
+"""Oriented-matroid data of an arrangement, from determinants of its normals.
+
+Signs are over the input planes in input order, as everywhere. Nothing here uses an enumerator:
+cocircuits are read off the chirotope, and covectors are their compositions.
+Source: A. Bjoerner, M. Las Vergnas, B. Sturmfels, N. White, G. Ziegler, Oriented Matroids
+(2nd ed. 1999), sections 3.5 and 3.7.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from itertools import combinations
+
+from arrangement.errors import InputError
+from arrangement.exact import sign
+from arrangement.planes import Arrangement
+
+from .configuration import determinant, pivot_columns
+from .operations import cone
+
+SignVector = tuple[int, ...]
+#: A sign vector as two masks: the planes with sign +, the planes with sign -.
+_Masks = tuple[int, int]
+
+
+def chirotope(arrangement: Arrangement) -> Mapping[tuple[int, ...], int]:
+    """Return the sign of the determinant of every r normals, r the rank, in increasing order.
+
+    Defined up to one common sign: if r < d, the determinants are those of the pivot columns.
+    For an affine arrangement take the chirotope of its `cone`.
+
+    Complexity: C(m, r) determinants.
+
+    Raises:
+        InputError: if the arrangement is not central.
+
+    >>> dict(chirotope(Arrangement([[1, 0], [0, 1], [1, 1]])))
+    {(0, 1): 1, (0, 2): 1, (1, 2): -1}
+    """
+    if not arrangement.is_central:
+        raise InputError("the arrangement is not central; take the chirotope of its cone")
+    normals = [plane[:-1] for plane in arrangement.integer_planes]
+    columns = pivot_columns(normals)
+    rows = [[normal[j] for j in columns] for normal in normals]
+    return {
+        chosen: sign(determinant([rows[i] for i in chosen]))
+        for chosen in combinations(range(len(rows)), len(columns))
+    }
+
+
+def cocircuits(arrangement: Arrangement) -> frozenset[SignVector]:
+    """Return the cocircuits: the sign vectors of the rays, nonzero and of least support.
+
+    For every r - 1 independent planes S, the sign at plane e is chi(S, e). For an affine
+    arrangement these are the cocircuits of its cone, whose last sign is that of z.
+
+    >>> sorted(cocircuits(Arrangement([[1, 0], [0, 1]])))
+    [(-1, 0), (0, -1), (0, 1), (1, 0)]
+    """
+    central = arrangement if arrangement.is_central else cone(arrangement)
+    return frozenset(_as_signs(masks, len(central)) for masks in _cocircuit_masks(central))
+
+
+def covectors(arrangement: Arrangement) -> frozenset[SignVector]:
+    """Return the sign vectors of all faces: the compositions of cocircuits.
+
+    An affine arrangement has the covectors of its cone on the side z > 0, without that sign.
+
+    Complexity: (covectors) times (cocircuits).
+
+    >>> len(covectors(Arrangement([[1, 0], [0, 1], [1, 1]], [0, 0, 1])))
+    19
+    """
+    central = arrangement if arrangement.is_central else cone(arrangement)
+    size = len(central)
+    signs = {_as_signs(masks, size) for masks in _compositions(_cocircuit_masks(central))}
+    if arrangement.is_central:
+        return frozenset(signs)
+    return frozenset(vector[:-1] for vector in signs if vector[-1] > 0)
+
+
+def topes(arrangement: Arrangement) -> frozenset[SignVector]:
+    """Return the sign vectors of the regions: the covectors without zeros.
+
+    >>> sorted(topes(Arrangement([[1, 0], [0, 1]])))
+    [(-1, -1), (-1, 1), (1, -1), (1, 1)]
+    """
+    return frozenset(vector for vector in covectors(arrangement) if all(vector))
+
+
+def _cocircuit_masks(central: Arrangement) -> set[_Masks]:
+    """Return the cocircuits of a central arrangement from its chirotope."""
+    chi = chirotope(central)
+    size, rank = len(central), central.rank
+    found: set[_Masks] = set()
+    if rank == 0:
+        return found
+    for chosen in combinations(range(size), rank - 1):
+        plus = minus = 0
+        for plane in range(size):
+            value = _sign_with(chi, chosen, plane)
+            plus |= (value > 0) << plane
+            minus |= (value < 0) << plane
+        if plus or minus:
+            found |= {(plus, minus), (minus, plus)}
+    return found
+
+
+def _sign_with(chi: Mapping[tuple[int, ...], int], chosen: tuple[int, ...], plane: int) -> int:
+    """Return chi(S, e): the sign changes with each element of S that e has to pass."""
+    if plane in chosen:
+        return 0
+    value = chi[tuple(sorted((*chosen, plane)))]
+    return -value if sum(other > plane for other in chosen) % 2 else value
+
+
+def _compositions(generators: set[_Masks]) -> set[_Masks]:
+    """Return all compositions of sign vectors, the zero vector included."""
+    found: set[_Masks] = {(0, 0)}
+    waiting = [(0, 0)]
+    while waiting:
+        plus, minus = waiting.pop()
+        free = ~(plus | minus)
+        for more_plus, more_minus in generators:
+            new = (plus | (more_plus & free), minus | (more_minus & free))
+            if new not in found:
+                found.add(new)
+                waiting.append(new)
+    return found
+
+
+def _as_signs(masks: _Masks, size: int) -> SignVector:
+    """Return a sign vector as a tuple of -1, 0, 1."""
+    plus, minus = masks
+    return tuple((plus >> i & 1) - (minus >> i & 1) for i in range(size))
