@@ -1,0 +1,105 @@
+"""The command ``arrangement``: count the faces of an arrangement, list them, list built-in names."""
+
+from __future__ import annotations
+
+import argparse
+import json
+from collections.abc import Sequence
+
+from . import console, files
+from .exact import to_text
+from .planes import Arrangement, Face
+
+_SYMBOLS = {1: "+", 0: "0", -1: "-"}
+
+
+def main(argv: Sequence[str] | None = None) -> int:
+    """Run the command; return its exit code."""
+    return console.run(_parser(), argv)
+
+
+def _parser() -> console.Parser:
+    parser = console.command_parser(
+        "arrangement", "Exact arrangements of planes: faces of every dimension, with witnesses."
+    )
+    commands = parser.add_subparsers(required=True, metavar="COMMAND")
+
+    count = commands.add_parser("count", help="count planes and faces")
+    _add_file(count)
+    count.set_defaults(command=_count)
+
+    faces = commands.add_parser("faces", help="list sign vectors with dimension and witness")
+    _add_file(faces)
+    faces.add_argument("--dimension", type=int, metavar="K", help="only faces of dimension K")
+    faces.set_defaults(command=_faces)
+
+    names = commands.add_parser("list", help="list the built-in documents")
+    names.set_defaults(command=_list)
+
+    for command in (count, faces, names):
+        console.add_json_option(command)
+    return parser
+
+
+def _add_file(parser: argparse.ArgumentParser) -> None:
+    parser.add_argument(
+        "file",
+        metavar="FILE",
+        help="an arrangement or a grasp: a path, - for standard input, or a built-in name",
+    )
+
+
+def _count(arguments: argparse.Namespace) -> int:
+    arrangement = files.read_arrangement(arguments.file)
+    counts = {
+        "planes": len(arrangement),
+        "distinct_planes": len(arrangement.distinct),
+        "rank": arrangement.rank,
+        "f_vector": list(arrangement.f_vector),
+        "states": sum(arrangement.f_vector),
+    }
+    if arguments.json:
+        console.print_json(counts)
+        return console.YES
+    print(f"planes           {counts['planes']}")
+    print(f"distinct planes  {counts['distinct_planes']}")
+    print(f"rank             {counts['rank']}")
+    for dimension, number in enumerate(arrangement.f_vector):
+        print(f"faces of dim {dimension}   {number}")
+    print(f"states           {counts['states']}")
+    return console.YES
+
+
+def _faces(arguments: argparse.Namespace) -> int:
+    arrangement: Arrangement = files.read_arrangement(arguments.file)
+    for face in arrangement.iter_faces(arguments.dimension):
+        if arguments.json:
+            console.print_json(
+                {"signs": face.signs, "dimension": face.dimension, "witness": face.witness}
+            )
+        else:
+            print(_line(face))
+    return console.YES
+
+
+def _line(face: Face) -> str:
+    signs = "".join(_SYMBOLS[sign] for sign in face.signs)
+    return f"{signs}  dim {face.dimension}  ({', '.join(to_text(x) for x in face.witness)})"
+
+
+def _list(arguments: argparse.Namespace) -> int:
+    documents = {name: json.loads(path.read_bytes()) for name, path in files.instances().items()}
+    described = {name: document.get("description", "") for name, document in documents.items()}
+    if arguments.json:
+        console.print_json(
+            {"names": [{"name": name, "description": text} for name, text in described.items()]}
+        )
+        return console.YES
+    width = max(map(len, described), default=0)
+    for name, text in described.items():
+        print(f"{name:<{width}}  {text}".rstrip())
+    return console.YES
+
+
+if __name__ == "__main__":
+    raise SystemExit(main())

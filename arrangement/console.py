@@ -1,0 +1,138 @@
+"""What the three commands share: arguments, one JSON object a line, errors, exit codes.
+
+Exit codes: 0 yes (or done), 1 no (or refuted), 2 bad input or output that cannot be written.
+Answers go to stdout, everything else to stderr. With ``--json``, stdout carries nothing but JSON.
+This module imports no numerical library, so that ``--help`` answers at once.
+"""
+
+from __future__ import annotations
+
+import argparse
+import json
+import os
+import re
+import sys
+from collections.abc import Sequence
+from fractions import Fraction
+from typing import Any, NoReturn
+
+from .errors import InputError, MissingExtraError
+from .exact import rational, to_text
+
+YES = 0
+NO = 1
+BAD_INPUT = 2
+#: What a shell reports for a program that SIGINT or SIGPIPE ended (128 + the signal's number).
+INTERRUPTED = 130
+BROKEN_PIPE = 141
+
+_NEGATIVE_NUMBER = re.compile(r"-\.?[0-9]")
+
+
+class Parser(argparse.ArgumentParser):
+    """An argument parser that takes ``-1/2`` and ``-0.25`` as values, not as options.
+
+    A subcommand's parser names its function with ``set_defaults(command=function)``; the function
+    takes the parsed arguments and returns an exit code (see `run`).
+    """
+
+    def __init__(self, **options: Any) -> None:
+        options.setdefault("allow_abbrev", False)
+        super().__init__(**options)
+        # argparse asks this pattern which words that start with "-" are values.
+        self._negative_number_matcher = _NEGATIVE_NUMBER
+
+    def error(self, message: str) -> NoReturn:
+        """Print the usage and one line with the error to stderr; exit with 2."""
+        self.print_usage(sys.stderr)
+        self.exit(BAD_INPUT, f"error: {printable(message)}\n")
+
+
+class _Version(argparse.Action):
+    """Print the version of the distribution, read only when it is asked for."""
+
+    def __init__(self, option_strings: Sequence[str], dest: str, **options: Any) -> None:
+        super().__init__(option_strings, argparse.SUPPRESS, nargs=0, help="print the version")
+
+    def __call__(self, parser: argparse.ArgumentParser, *_: Any) -> NoReturn:
+        from . import __version__
+
+        print(f"{parser.prog} {__version__}")
+        parser.exit(YES)
+
+
+def command_parser(prog: str, description: str) -> Parser:
+    """Return the parser of one program, with ``--version`` and no subcommand yet."""
+    parser = Parser(prog=prog, description=description)
+    parser.add_argument("--version", action=_Version)
+    return parser
+
+
+def add_json_option(parser: argparse.ArgumentParser) -> None:
+    """Add ``--json``, which every command has."""
+    parser.add_argument(
+        "--json", action="store_true", help="print JSON on stdout, and nothing else"
+    )
+
+
+def rational_argument(text: str) -> Fraction:
+    """Read an exact number from the command line (the ``type=`` of an argument)."""
+    try:
+        return rational(text, "value")
+    except InputError as error:
+        raise argparse.ArgumentTypeError(str(error)) from None
+
+
+def run(parser: Parser, argv: Sequence[str] | None = None) -> int:
+    """Parse the arguments, call the subcommand, and return its exit code.
+
+    Bad input ends with one line ``error: ...`` on stderr and exit code 2, without a traceback.
+    A reader that closes the pipe (``| head``) ends the command quietly.
+    """
+    try:
+        arguments = parser.parse_args(argv)
+        code: int = arguments.command(arguments)
+        sys.stdout.flush()
+    except (InputError, MissingExtraError) as error:
+        return _refuse(str(error))
+    except BrokenPipeError:
+        _discard_stdout()
+        return BROKEN_PIPE
+    except OSError as error:
+        _discard_stdout()
+        return _refuse(f"cannot write the output: {error.strerror or error}")
+    except KeyboardInterrupt:
+        return INTERRUPTED
+    return code
+
+
+def print_json(value: Any) -> None:
+    """Print one JSON value on one line of stdout; rationals become strings such as ``"7/3"``."""
+    print(json.dumps(value, default=_encode, allow_nan=False))
+
+
+def printable(text: str) -> str:
+    """Return text that is safe on a terminal: control characters and stray bytes are escaped."""
+    return "".join(c if c.isprintable() else ascii(c)[1:-1] for c in text)
+
+
+def _encode(value: Any) -> str:
+    if isinstance(value, Fraction):
+        return to_text(value)
+    raise TypeError(f"{type(value).__name__} has no JSON form")
+
+
+def _refuse(message: str) -> int:
+    print(f"error: {printable(message)}", file=sys.stderr)
+    return BAD_INPUT
+
+
+def _discard_stdout() -> None:
+    """Send what is still buffered nowhere, so that the interpreter does not complain at exit."""
+    try:
+        descriptor = sys.stdout.fileno()
+    except (OSError, ValueError):
+        return
+    devnull = os.open(os.devnull, os.O_WRONLY)
+    os.dup2(devnull, descriptor)
+    os.close(devnull)
