@@ -1,4 +1,4 @@
-"""The command ``arrangement``: count the faces of an arrangement, list them, list built-in names."""
+"""The command ``arrangement``: count faces, list faces, list the built-in documents."""
 
 from __future__ import annotations
 
