@@ -9,6 +9,14 @@ from .exact import (
     rational as rational,
     to_text as to_text,
 )
+from .files import (
+    read_arrangement as read_arrangement,
+    write_text_atomically as write_text_atomically,
+)
 from .planes import Arrangement as Arrangement, Face as Face
+from .published import (
+    PublishedEnumeration as PublishedEnumeration,
+    published_enumeration as published_enumeration,
+)
 
 __version__: str

@@ -19,8 +19,8 @@ from .exact import (
     RationalVector,
     dot,
     primitive,
-    rational,
     rational_vector,
+    shown,
     sign,
     to_text,
 )
@@ -62,7 +62,8 @@ class Arrangement:
     (1, 6, 12, 8)
     """
 
-    __slots__ = ("__dict__", "_integer_planes", "dimension")
+    dimension: int
+    _integer_planes: tuple[IntegerVector, ...]
 
     def __init__(
         self,
@@ -81,15 +82,26 @@ class Arrangement:
                 f"there are {len(rows)} normals and {len(constants)} offsets; give one offset "
                 "for each normal, or none at all"
             )
-        self.dimension: int = _common_length(rows, dimension)
+        d = _common_length(rows, dimension)
         for i, row in enumerate(rows):
             if not any(row):
                 raise InputError(
                     f"normals[{i}] is the zero vector, which defines no plane; remove plane {i}"
                 )
-        self._integer_planes: tuple[IntegerVector, ...] = tuple(
-            primitive((*row, b)) for row, b in zip(rows, constants, strict=True)
+        planes = tuple(primitive((*row, b)) for row, b in zip(rows, constants, strict=True))
+        self.__dict__.update(dimension=d, _integer_planes=planes)
+
+    def __setattr__(self, name: str, value: object) -> None:
+        raise AttributeError(
+            f"an Arrangement is immutable, so {name} cannot be set; build a new one"
         )
+
+    def __delattr__(self, name: str) -> None:
+        raise AttributeError(f"an Arrangement is immutable, so {name} cannot be deleted")
+
+    def __getstate__(self) -> dict[str, Any]:
+        """Copies and pickles carry the planes, not what was computed from them."""
+        return {"dimension": self.dimension, "_integer_planes": self._integer_planes}
 
     @property
     def integer_planes(self) -> tuple[IntegerVector, ...]:
@@ -193,8 +205,10 @@ class Arrangement:
         """Return every face, or those of one dimension, lowest dimension first."""
         if dimension is None:
             return tuple(face for level in self._faces for face in level)
-        if not 0 <= dimension <= self.dimension:
-            raise InputError(f"dimension is {dimension}; faces have 0 to {self.dimension}")
+        if type(dimension) is not int or not 0 <= dimension <= self.dimension:
+            raise InputError(
+                f"dimension is {shown(dimension)}; faces have dimension 0 to {self.dimension}"
+            )
         return self._faces[dimension]
 
     @cached_property
@@ -220,6 +234,8 @@ class Arrangement:
         }
         if not self.is_central:
             document["offsets"] = [to_text(plane[-1]) for plane in self._integer_planes]
+        if not self._integer_planes:
+            document["dimension"] = self.dimension
         return document
 
 
@@ -236,17 +252,15 @@ def _common_length(rows: list[RationalVector], dimension: int | None) -> int:
         if not rows:
             raise InputError("no planes are given, so d is unknown; pass dimension=d")
         dimension = len(rows[0])
-    elif isinstance(dimension, bool) or rational(dimension, "dimension").denominator != 1:
-        raise InputError(f"dimension is {dimension}; give an integer")
-    if dimension < 1:
-        raise InputError(f"dimension is {dimension}; it must be at least 1")
+    if type(dimension) is not int or dimension < 1:
+        raise InputError(f"the dimension is {shown(dimension)}; give an integer, at least 1")
     for i, row in enumerate(rows):
         if len(row) != dimension:
             raise InputError(
                 f"normals[{i}] has {len(row)} entries and the dimension is {dimension}; "
                 "all normals need one entry for each coordinate"
             )
-    return int(dimension)
+    return dimension
 
 
 def _unoriented(plane: IntegerVector) -> IntegerVector:

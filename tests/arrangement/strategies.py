@@ -1,0 +1,60 @@
+"""Random arrangements for property tests: small entries, so that degenerate ones are common."""
+
+from __future__ import annotations
+
+from fractions import Fraction
+from typing import Any
+
+from hypothesis import strategies as st
+
+from arrangement import Arrangement
+
+SMALL = st.integers(-2, 2)
+RATIONALS = st.fractions(-3, 3, max_denominator=4)
+NONZERO_RATIONALS = RATIONALS.filter(bool)
+
+
+@st.composite
+def arrangements(
+    draw: st.DrawFn,
+    *,
+    dimensions: tuple[int, int] = (1, 4),
+    planes: tuple[int, int] = (0, 6),
+    central: bool | None = None,
+) -> Arrangement:
+    """Draw an arrangement with entries in {-2..2}: any rank, coincident planes included."""
+    d = draw(st.integers(*dimensions))
+    m = draw(st.integers(*planes))
+    normal = st.lists(SMALL, min_size=d, max_size=d).filter(any)
+    normals = draw(st.lists(normal, min_size=m, max_size=m))
+    if central is None:
+        central = draw(st.booleans())
+    offsets = None if central else draw(st.lists(SMALL, min_size=m, max_size=m))
+    return Arrangement(normals, offsets, dimension=d)
+
+
+@st.composite
+def invertible_matrices(draw: st.DrawFn, d: int) -> list[list[Fraction]]:
+    """Draw an invertible rational matrix: lower times upper triangular, diagonals not zero."""
+
+    def triangle(lower: bool) -> list[list[Fraction]]:
+        rows = []
+        for i in range(d):
+            row = [Fraction(0)] * d
+            for j in range(d):
+                if i == j:
+                    row[j] = draw(NONZERO_RATIONALS)
+                elif (j < i) == lower:
+                    row[j] = draw(RATIONALS)
+            rows.append(row)
+        return rows
+
+    return product(triangle(True), triangle(False))
+
+
+def product(left: list[list[Any]], right: list[list[Any]]) -> list[list[Any]]:
+    """Return the product of two matrices."""
+    columns = list(zip(*right, strict=True))
+    return [
+        [sum(a * b for a, b in zip(row, column, strict=True)) for column in columns] for row in left
+    ]

@@ -1,0 +1,161 @@
+"""Arrangements as values: validated, canonical, immutable, in input order."""
+
+from __future__ import annotations
+
+import copy
+import pickle
+from fractions import Fraction
+from typing import Any
+
+import pytest
+import sympy
+from hypothesis import given, settings, strategies as st
+
+from arrangement import Arrangement, InputError, read_arrangement
+
+from .oracle import rank
+from .strategies import NONZERO_RATIONALS, RATIONALS, arrangements
+
+
+def test_positive_multiples_are_equal_and_opposite_ones_are_not() -> None:
+    assert Arrangement([[2, 0, 0]]) == Arrangement([["1/3", 0, 0]])
+    assert hash(Arrangement([[2, 0, 0]])) == hash(Arrangement([["1/3", 0, 0]]))
+    assert Arrangement([[1, 0, 0]]) != Arrangement([[-1, 0, 0]])
+    assert Arrangement([[2, 0]], [3]) == Arrangement([["2/3", 0]], [1])
+    assert Arrangement([[1, 0]], [0]) == Arrangement([[1, 0]])
+    assert Arrangement([[1, 0], [0, 1]]) != Arrangement([[0, 1], [1, 0]])
+    assert Arrangement([], dimension=2) != Arrangement([], dimension=3)
+
+
+@pytest.mark.ground_types
+def test_sympy_numbers_and_text_give_the_same_planes() -> None:
+    half = sympy.Rational(1, 2)
+    assert Arrangement([[half, sympy.Integer(1)]], [half]) == Arrangement([["1/2", 1]], ["0.5"])
+
+
+@pytest.mark.parametrize(
+    ("arguments", "message"),
+    [
+        (([[1, 0], [0, 0]],), r"normals\[1\] is the zero vector"),
+        (([[0.5, 0]],), "from_floats"),
+        (([[1, 0], [1]],), r"normals\[1\] has 1 entries"),
+        (([[1, 0]], [1, 2]), "1 normals and 2 offsets"),
+        (([[1, 0]], [None]), r"offsets\[0\]"),
+        (([[1, "x"]],), r"normals\[0\]\[1\]"),
+        (([[True, 0]],), "Boolean"),
+        ((["12"],), r"normals\[0\]"),
+        (("12",), "sequence"),
+        ((5,), "sequence"),
+        (([5],), r"normals\[0\]"),
+        (([],), "dimension"),
+        (([[]],), "dimension"),
+    ],
+)
+def test_bad_planes_are_refused_with_their_place(arguments: tuple[Any, ...], message: str) -> None:
+    with pytest.raises(InputError, match=message):
+        Arrangement(*arguments)
+
+
+@pytest.mark.parametrize("dimension", [0, -1, True, 2.0, "3", "x", Fraction(1, 2)])
+def test_a_dimension_that_is_no_positive_integer_is_refused(dimension: Any) -> None:
+    with pytest.raises(InputError, match="dimension"):
+        Arrangement([], dimension=dimension)
+
+
+def test_a_dimension_that_contradicts_the_normals_is_refused() -> None:
+    with pytest.raises(InputError, match="dimension is 3"):
+        Arrangement([[1, 0]], dimension=3)
+
+
+def test_classes_keep_input_order_and_orientation() -> None:
+    planes = Arrangement([[0, 1], [1, 0], [0, -2], [3, 0], [0, 1]], [1, 0, -2, 0, 2])
+    assert planes.distinct == ((0, 2), (1, 3), (4,))
+    assert planes.class_of == (0, 1, 0, 1, 2)
+    assert planes.orientation == (1, 1, -1, 1, 1)
+
+
+def test_arrangements_cannot_be_changed() -> None:
+    planes = Arrangement([[1, 0]])
+    for name in ("normals", "integer_planes", "dimension", "offsets"):
+        with pytest.raises((AttributeError, TypeError)):
+            setattr(planes, name, 5)
+    face = planes.faces()[0]
+    with pytest.raises(AttributeError):
+        face.dimension = 5  # type: ignore[misc]
+
+
+def test_copies_are_equal() -> None:
+    planes = Arrangement([[1, 0], [1, 1]], [0, 1])
+    assert copy.copy(planes) == copy.deepcopy(planes) == planes
+    assert pickle.loads(pickle.dumps(planes)) == planes
+
+
+@pytest.mark.parametrize(
+    ("normals", "offsets", "simple"),
+    [
+        ([[1, 0, 0], [0, 1, 0], [0, 0, 1], [1, 1, 1]], None, True),
+        ([[1, 0, 0], [0, 1, 0], [0, 0, 1], [1, 1, 0]], None, False),
+        ([[1, 0, 0], [0, 1, 0], [2, 0, 0]], None, True),  # the distinct planes are meant
+        ([[1, 0, 0], [0, 1, 0], [1, 1, 0]], None, False),
+        ([[1, 0], [0, 1], [1, 1]], [0, 0, 1], True),
+        ([[1, 0], [0, 1], [1, 1]], [1, 1, 2], False),  # three lines in one point
+        ([[1, 0], [1, 0]], [0, 1], False),  # parallel
+        ([[1], [1]], [0, 1], True),
+    ],
+)
+def test_simple_means_general_position_of_the_distinct_planes(
+    normals: list[list[int]], offsets: list[int] | None, simple: bool
+) -> None:
+    assert Arrangement(normals, offsets).is_simple is simple
+
+
+def test_signs_at_a_point_follow_the_stated_convention() -> None:
+    planes = Arrangement([[1, 0], [-1, 0], [0, 2]], [1, -1, 1])
+    assert planes.signs_at([2, "1/2"]) == (1, -1, 0)
+
+
+@pytest.mark.parametrize("point", [[1], [1, 2, 3], [0.5, 0], "12x", None])
+def test_a_point_of_the_wrong_kind_is_refused(point: Any) -> None:
+    with pytest.raises(InputError, match="point"):
+        Arrangement([[1, 0]]).signs_at(point)
+
+
+@pytest.mark.parametrize("dimension", [-1, 4, True, "2", 1.0])
+def test_faces_of_an_impossible_dimension_are_refused(dimension: Any) -> None:
+    with pytest.raises(InputError, match="dimension"):
+        Arrangement([[1, 0, 0]]).faces(dimension)
+
+
+@given(arrangements())
+def test_rank_is_that_of_the_normals(planes: Arrangement) -> None:
+    assert planes.rank == rank(planes.normals)
+
+
+@given(arrangements())
+def test_the_file_form_reads_back(planes: Arrangement) -> None:
+    assert read_arrangement(planes.to_dict()) == planes
+
+
+@settings(max_examples=60)
+@given(st.data(), arrangements(planes=(1, 5)))
+def test_signs_at_a_point_are_those_of_the_definition(
+    data: st.DataObject, planes: Arrangement
+) -> None:
+    size = planes.dimension
+    point = data.draw(st.lists(RATIONALS, min_size=size, max_size=size))
+    values = [
+        sum(a * x for a, x in zip(normal, point, strict=True)) - offset
+        for normal, offset in zip(planes.normals, planes.offsets, strict=True)
+    ]
+    assert planes.signs_at(point) == tuple((v > 0) - (v < 0) for v in values)
+
+
+@settings(max_examples=60)
+@given(st.data(), arrangements(planes=(1, 5)))
+def test_scaling_by_positive_numbers_changes_nothing(
+    data: st.DataObject, planes: Arrangement
+) -> None:
+    factors = [abs(data.draw(NONZERO_RATIONALS)) for _ in range(len(planes))]
+    normals = [[f * x for x in n] for f, n in zip(factors, planes.normals, strict=True)]
+    offsets = [f * b for f, b in zip(factors, planes.offsets, strict=True)]
+    assert Arrangement(normals, offsets) == planes
