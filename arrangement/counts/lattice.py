@@ -83,13 +83,15 @@ class IntersectionLattice:
     @cached_property
     def whitney_matrix(self) -> WhitneyMatrix:
         """The sums V[k][j] of |mu(X, Y)| over all flats X <= Y of rank k and j."""
-        size = len(self.masks)
-        matrix = [[0] * size for _ in range(size)]
-        for k, level in enumerate(self.masks):
-            for position in range(len(level)):
-                for j, values in enumerate(self._moebius_above(k, position)):
-                    matrix[k][j + k] += sum(map(abs, values.values()))
-        return tuple(tuple(row) for row in matrix)
+        return tuple(self.whitney_row(k) for k in range(len(self.masks)))
+
+    def whitney_row(self, rank: int) -> tuple[int, ...]:
+        """Return one row of `whitney_matrix`; the row of rank 0 is by far the cheapest."""
+        row = [0] * len(self.masks)
+        for position in range(len(self.masks[rank])):
+            for j, values in enumerate(self._moebius_above(rank, position)):
+                row[rank + j] += sum(map(abs, values.values()))
+        return tuple(row)
 
     def closure(self, planes: Iterable[int]) -> Flat | None:
         """Return the intersection of some input planes as a flat, or None if it is empty."""

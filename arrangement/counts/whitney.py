@@ -51,9 +51,14 @@ def whitney_numbers(arrangement: Arrangement) -> WhitneyNumbers:
     >>> whitney_numbers(Arrangement([[1, 0], [0, 1], [1, 1]]))
     WhitneyNumbers(first=(1, -3, 2), second=(1, 3, 1))
     """
-    table = doubly_indexed_whitney_numbers(arrangement)
-    first = tuple((-1) ** j * value for j, value in enumerate(table[0]))
-    return WhitneyNumbers(first, tuple(row[k] for k, row in enumerate(table)))
+    config = configuration(arrangement)
+    if config.rank <= MAX_RANK:
+        table = whitney_matrix(config)
+        unsigned, second = table[0], tuple(row[k] for k, row in enumerate(table))
+    else:
+        lattice = intersection_lattice(arrangement)
+        unsigned, second = lattice.whitney_row(0), tuple(map(len, lattice.masks))
+    return WhitneyNumbers(tuple((-1) ** j * value for j, value in enumerate(unsigned)), second)
 
 
 def characteristic_polynomial(arrangement: Arrangement) -> sympy.Poly:
@@ -79,7 +84,7 @@ def region_count(arrangement: Arrangement) -> int:
     >>> region_count(Arrangement([[1, 0], [0, 1], [1, 1]], [0, 0, 1]))
     7
     """
-    return sum(doubly_indexed_whitney_numbers(arrangement)[0])
+    return sum(map(abs, whitney_numbers(arrangement).first))
 
 
 def bounded_region_count(arrangement: Arrangement, *, relative: bool = False) -> int:

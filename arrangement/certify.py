@@ -1,0 +1,95 @@
+"""Completeness of an enumeration, certified by Zaslavsky's theorem.
+
+If every listed face exists, no face is listed twice, and there are as many as the theorem says,
+then none is missing. The count comes from `arrangement.counts`, which shares no code with any
+enumerator; each face's existence is its own witness.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+
+from .counts import f_vector
+from .counts.configuration import rank
+from .planes import Arrangement, Face
+
+_MAX_PROBLEMS = 20
+
+
+@dataclass(frozen=True)
+class CompletenessEvidence:
+    """What an enumeration was compared with, and what is wrong with it.
+
+    Attributes:
+        enumerated: numbers of listed faces of dimension 0, ..., d.
+        theorem: the same numbers by Zaslavsky's theorem over all restrictions.
+        problems: what failed, in words (the first 20); empty if and only if the list is complete
+            and correct.
+    """
+
+    enumerated: tuple[int, ...]
+    theorem: tuple[int, ...]
+    problems: tuple[str, ...]
+
+    @property
+    def complete(self) -> bool:
+        """Whether the list has every face exactly once, and nothing else."""
+        return not self.problems
+
+    def __bool__(self) -> bool:
+        return self.complete
+
+
+def certify_complete(
+    arrangement: Arrangement, faces: Iterable[Face] | None = None
+) -> CompletenessEvidence:
+    """Check that a list of faces is the whole list, each face once.
+
+    For every face: its witness has its signs, and its dimension is d minus the rank of the
+    planes through it. Together: no sign vector twice, and the f-vector of the theorem.
+
+    Args:
+        arrangement: any arrangement.
+        faces: a list to check; left out, the one that `Arrangement.faces` gives.
+
+    Complexity: O(m d) exact operations for each face, and the count (`counts.f_vector`).
+
+    >>> evidence = certify_complete(Arrangement([[1, 0], [0, 1], [1, 1]]))
+    >>> evidence.complete, evidence.theorem
+    (True, (1, 6, 6))
+    """
+    listed = arrangement.faces() if faces is None else tuple(faces)
+    theorem = f_vector(arrangement)
+    problems: list[str] = []
+    counted = [0] * (arrangement.dimension + 1)
+    ranks: dict[tuple[int, ...], int] = {}
+    seen: set[tuple[int, ...]] = set()
+    for face in listed:
+        problem = _problem(arrangement, face, ranks)
+        if problem is None and face.signs in seen:
+            problem = "is listed twice"
+        seen.add(face.signs)
+        if problem is None:
+            counted[face.dimension] += 1
+        else:
+            problems.append(f"face {face.signs} {problem}")
+    for k, (here, there) in enumerate(zip(counted, theorem, strict=True)):
+        if here != there:
+            problems.append(f"{here} faces of dimension {k} hold; there are {there}")
+    return CompletenessEvidence(tuple(counted), theorem, tuple(problems[:_MAX_PROBLEMS]))
+
+
+def _problem(arrangement: Arrangement, face: Face, ranks: dict[tuple[int, ...], int]) -> str | None:
+    """Return what is wrong with one face, or None."""
+    if len(face.witness) != arrangement.dimension:
+        return f"has a witness with {len(face.witness)} coordinates"
+    if arrangement.signs_at(face.witness) != tuple(face.signs):
+        return f"has a witness {tuple(map(str, face.witness))} with other signs"
+    zero = tuple(i for i, sign in enumerate(face.signs) if sign == 0)
+    if zero not in ranks:
+        ranks[zero] = rank(arrangement.integer_planes[i][:-1] for i in zero)
+    dimension = arrangement.dimension - ranks[zero]
+    if face.dimension != dimension:
+        return f"has dimension {dimension}, not {face.dimension}"
+    return None

@@ -1,0 +1,35 @@
+"""Named arrangements, each with its source and its known counts.
+
+The counts in the docstrings are statements of the literature. No function uses them; the tests
+compare them with what `arrangement.counts` and the enumerators find.
+"""
+
+from .classical import braid, coordinate, generic, h3, near_pencil, pencil, type_b, type_d
+from .combinatorial import graphical, resonance, threshold, threshold_functions
+from .deformations import catalan, linial, semiorder, shi
+from .randoms import random_degenerate, random_integer, random_sphere
+from .simplicial import simplicial, simplicial_entries
+
+__all__ = [
+    "braid",
+    "catalan",
+    "coordinate",
+    "generic",
+    "graphical",
+    "h3",
+    "linial",
+    "near_pencil",
+    "pencil",
+    "random_degenerate",
+    "random_integer",
+    "random_sphere",
+    "resonance",
+    "semiorder",
+    "shi",
+    "simplicial",
+    "simplicial_entries",
+    "threshold",
+    "threshold_functions",
+    "type_b",
+    "type_d",
+]

@@ -1,0 +1,14 @@
+"""Argument checks that all families share."""
+
+from __future__ import annotations
+
+from arrangement.errors import InputError
+
+
+def at_least(value: int, least: int, name: str) -> int:
+    """Return an integer argument, or refuse it."""
+    if isinstance(value, bool) or not isinstance(value, int):
+        raise InputError(f"{name} is {value!r}; give an integer")
+    if value < least:
+        raise InputError(f"{name} is {value}; it must be at least {least}")
+    return value

@@ -1,0 +1,147 @@
+"""Generic arrangements, pencils, near-pencils and coordinate planes."""
+
+from __future__ import annotations
+
+from arrangement.errors import InputError
+from arrangement.planes import Arrangement
+
+from .checks import at_least
+
+
+def generic(m: int, d: int = 3, *, affine: bool = False) -> Arrangement:
+    """Return m planes in general position, with normals on the moment curve (1, t, ..., t^(d-1)).
+
+    t = 1, ..., m. Any d normals are independent, because their Vandermonde determinant is not
+    zero. With `affine`, plane t has offset t^d, so that no d + 1 planes share a point.
+
+    Known counts: the affine one attains the bound `counts.fukuda_bound` in every dimension; the
+    central one has 2 sum_{i < d} C(m-1, i) regions, in R^3 m^2 - m + 2.
+    Source: L. Schlaefli, Theorie der vielfachen Kontinuitaet (1852); R. Buck, American
+    Mathematical Monthly 50 (1943).
+
+    >>> generic(4).f_vector
+    (1, 12, 24, 14)
+    """
+    at_least(m, 0, "m")
+    at_least(d, 1, "d")
+    normals = [[t**power for power in range(d)] for t in range(1, m + 1)]
+    offsets = [t**d for t in range(1, m + 1)] if affine else None
+    return Arrangement(normals, offsets, dimension=d)
+
+
+def pencil(m: int, d: int = 3) -> Arrangement:
+    """Return m planes through one subspace of codimension 2: normals (1, t, 0, ...), t = 0..m-1.
+
+    Known counts: 2m regions; chi(t) = t^(d-2) (t - 1)(t - m + 1), for m >= 1.
+    Source: B. Gruenbaum, Arrangements and Spreads (1972), chapter 1 (trivial arrangements).
+
+    >>> pencil(5).f_vector
+    (0, 1, 10, 10)
+    """
+    at_least(m, 0, "m")
+    at_least(d, 2, "d")
+    return Arrangement([[1, t, *(0,) * (d - 2)] for t in range(m)], dimension=d)
+
+
+def near_pencil(m: int, d: int = 3) -> Arrangement:
+    """Return m - 1 planes of a pencil and one plane across it (the last).
+
+    In R^3 it is Gruenbaum's simplicial arrangement A(m, 0).
+
+    Known counts: 4(m - 1) regions; chi(t) = t^(d-3) (t - 1)^2 (t - m + 2).
+    Source: B. Gruenbaum, A catalogue of simplicial arrangements in the real projective plane,
+    Ars Mathematica Contemporanea 2 (2009), family R(0).
+
+    >>> near_pencil(5).f_vector
+    (1, 10, 24, 16)
+    """
+    at_least(m, 3, "m")
+    at_least(d, 3, "d")
+    rows = [[1, t, *(0,) * (d - 2)] for t in range(m - 1)]
+    return Arrangement([*rows, [0, 0, 1, *(0,) * (d - 3)]])
+
+
+def coordinate(d: int) -> Arrangement:
+    """Return the coordinate planes x_i = 0 of R^d, also called Boolean.
+
+    Known counts: 2^k C(d, k) faces of dimension k, so 2^d regions;
+    chi(t) = (t - 1)^d.
+    Source: R. Stanley, An Introduction to Hyperplane Arrangements (2007), lecture 1.
+
+    >>> coordinate(3).f_vector
+    (1, 6, 12, 8)
+    """
+    at_least(d, 1, "d")
+    return Arrangement([[int(i == j) for j in range(d)] for i in range(d)])
+
+
+def braid(n: int) -> Arrangement:
+    """Return the braid arrangement x_i = x_j (i < j) in R^n: the mirrors of type A_(n-1).
+
+    Known counts: n! regions; chi(t) = t (t - 1) ... (t - n + 1).
+    Source: R. Stanley, An Introduction to Hyperplane Arrangements (2007), lecture 1.
+
+    >>> braid(3).f_vector
+    (0, 1, 6, 6)
+    """
+    at_least(n, 1, "n")
+    return Arrangement(differences(n), dimension=n)
+
+
+def type_b(n: int) -> Arrangement:
+    """Return the mirrors of type B_n: x_i = 0, x_i = x_j and x_i = -x_j in R^n.
+
+    Known counts: 2^n n! regions; chi(t) = (t - 1)(t - 3) ... (t - 2n + 1).
+    Source: R. Stanley, An Introduction to Hyperplane Arrangements (2007), lecture 5.
+
+    >>> type_b(3).f_vector
+    (1, 26, 72, 48)
+    """
+    at_least(n, 1, "n")
+    axes = [[int(i == j) for j in range(n)] for i in range(n)]
+    return Arrangement([*axes, *differences(n), *sums(n)])
+
+
+def type_d(n: int) -> Arrangement:
+    """Return the mirrors of type D_n: x_i = x_j and x_i = -x_j in R^n, for n >= 2.
+
+    Known counts: 2^(n-1) n! regions; chi(t) = (t - 1)(t - 3) ... (t - 2n + 3) (t - n + 1).
+    Source: R. Stanley, An Introduction to Hyperplane Arrangements (2007), lecture 5.
+
+    >>> type_d(3).f_vector
+    (1, 14, 36, 24)
+    """
+    at_least(n, 2, "n")
+    return Arrangement([*differences(n), *sums(n)])
+
+
+def h3() -> Arrangement:
+    """Refuse: the 15 mirrors of type H_3 (the icosahedron) have no rational normals.
+
+    Five of the mirrors pass through each fivefold axis. Up to a linear change of coordinates
+    their five directions have cross-ratios with the golden ratio, which no rational lines have.
+
+    Raises:
+        InputError: always.
+    """
+    raise InputError(
+        "H_3 is irrational: its 15 mirrors have cross-ratios with the golden ratio, so no exact "
+        "rational normals exist; type_b(3) and the simplicial arrangements are rational relatives"
+    )
+
+
+def differences(n: int) -> list[list[int]]:
+    """Return the vectors e_i - e_j for i < j."""
+    return [_pair(n, i, j, -1) for i in range(n) for j in range(i + 1, n)]
+
+
+def sums(n: int) -> list[list[int]]:
+    """Return the vectors e_i + e_j for i < j."""
+    return [_pair(n, i, j, 1) for i in range(n) for j in range(i + 1, n)]
+
+
+def _pair(n: int, i: int, j: int, sign: int) -> list[int]:
+    """Return e_i + sign e_j."""
+    row = [0] * n
+    row[i], row[j] = 1, sign
+    return row

@@ -1,0 +1,87 @@
+"""Arrangements of graphs, thresholds and subset sums."""
+
+from __future__ import annotations
+
+from itertools import product
+from typing import TYPE_CHECKING
+
+from arrangement.errors import InputError
+from arrangement.planes import Arrangement
+
+from .checks import at_least
+from .classical import sums
+
+if TYPE_CHECKING:
+    import networkx as nx
+
+
+def graphical(graph: nx.Graph) -> Arrangement:
+    """Return x_u = x_v for every edge uv of a graph, coordinates and planes in the graph's order.
+
+    Known counts: chi is the chromatic polynomial; as many regions as acyclic orientations.
+    Parallel edges give coincident planes.
+    Source: C. Greene, T. Zaslavsky, Trans. AMS 280 (1983); R. Stanley, Discrete Mathematics 5
+    (1973).
+
+    Raises:
+        InputError: for a directed graph, a loop, or a graph without vertices.
+
+    >>> import networkx as nx
+    >>> graphical(nx.path_graph(3)).integer_planes
+    ((1, -1, 0, 0), (0, 1, -1, 0))
+    """
+    if graph.is_directed():
+        raise InputError("the graph is directed; give graph.to_undirected()")
+    place = {node: i for i, node in enumerate(graph.nodes)}
+    if not place:
+        raise InputError("the graph has no vertices; give at least one")
+    normals = []
+    for tail, head in graph.edges():
+        if tail == head:
+            raise InputError(f"the graph has a loop at {tail!r}, which gives no plane; remove it")
+        row = [0] * len(place)
+        row[place[tail]], row[place[head]] = 1, -1
+        normals.append(row)
+    return Arrangement(normals, dimension=len(place))
+
+
+def threshold(n: int) -> Arrangement:
+    """Return the threshold arrangement x_i + x_j = 0 for i < j in R^n.
+
+    Known counts: as many regions as labelled threshold graphs, 1, 2, 8, 46, 332, 2874, ...
+    Source: R. Stanley, An Introduction to Hyperplane Arrangements (2007), exercises of
+    lecture 5; OEIS A005840.
+
+    >>> threshold(4).f_vector[-1]
+    46
+    """
+    at_least(n, 1, "n")
+    return Arrangement(sums(n), dimension=n)
+
+
+def threshold_functions(n: int) -> Arrangement:
+    """Return w_0 + w . x = 0 for all x in {0, 1}^n, in the space R^(n+1) of (w_0, w).
+
+    Known counts: as many regions as linear threshold functions of n variables, 2, 4, 14, 104,
+    1882, ...
+    Source: T. Cover, IEEE Transactions on Electronic Computers 14 (1965); OEIS A000609.
+
+    >>> threshold_functions(2).f_vector[-1]
+    14
+    """
+    at_least(n, 0, "n")
+    return Arrangement([(1, *x) for x in product((0, 1), repeat=n)])
+
+
+def resonance(n: int) -> Arrangement:
+    """Return the resonance arrangement sum_{i in I} x_i = 0, over all nonempty I, in R^n.
+
+    Known counts: 2, 6, 32, 370, 11292, ... regions.
+    Source: H. Kamiya, A. Takemura, H. Terao, Ranking patterns of unfolding models of
+    codimension one, Advances in Applied Mathematics 47 (2011); OEIS A034997.
+
+    >>> resonance(3).f_vector[-1]
+    32
+    """
+    at_least(n, 1, "n")
+    return Arrangement([x for x in product((0, 1), repeat=n) if any(x)])
