@@ -39,10 +39,10 @@ def realisable(arrangement: Arrangement, signs: Sequence[int]) -> bool:
             equal.append((*normal, -offset))
         else:
             positive.append(tuple(sign * x for x in (*normal, -offset)))
-    return _satisfiable(equal, positive, arrangement.dimension)
+    return satisfiable(equal, positive, arrangement.dimension)
 
 
-def _satisfiable(equal: list[Row], positive: list[Row], unknowns: int) -> bool:
+def satisfiable(equal: list[Row], positive: list[Row], unknowns: int) -> bool:
     """Decide ``a . x + b = 0`` for rows of `equal` and ``a . x + b > 0`` for rows of `positive`."""
     for j in range(unknowns):
         pivot = next((row for row in equal if row[j]), None)

@@ -1,0 +1,213 @@
+"""Exact linear programs: every answer proves itself, and SymPy's simplex agrees."""
+
+from __future__ import annotations
+
+from fractions import Fraction
+from typing import Any
+
+import pytest
+import sympy
+from hypothesis import given, settings, strategies as st
+from sympy.solvers.simplex import InfeasibleLPError, UnboundedLPError, lpmin
+
+from arrangement.errors import ArrangementError
+from arrangement.linprog import Infeasible, Optimal, Unbounded, feasible_point, minimize
+
+from . import oracle
+
+Rows = list[tuple[Fraction, ...]]
+Problem = tuple[list[Fraction], Rows, Rows]
+
+ENTRIES = st.one_of(st.integers(-2, 2).map(Fraction), st.fractions(-3, 3, max_denominator=3))
+
+
+@st.composite
+def problems(draw: st.DrawFn, most: int = 6) -> Problem:
+    n = draw(st.integers(1, 4))
+    row = st.lists(ENTRIES, min_size=n + 1, max_size=n + 1).map(tuple)
+    objective = draw(st.lists(ENTRIES, min_size=n, max_size=n))
+    inequalities = draw(st.lists(row, max_size=most))
+    equalities = draw(st.lists(row, max_size=3))
+    return objective, inequalities, equalities
+
+
+def at(row: Any, point: Any) -> Any:
+    return sum(a * x for a, x in zip(row[:-1], point, strict=True)) + row[-1]
+
+
+def combination(multipliers: Any, rows: Rows, n: int) -> list[Any]:
+    return [sum(y * row[j] for y, row in zip(multipliers, rows, strict=True)) for j in range(n + 1)]
+
+
+def check(problem: Problem, answer: Optimal | Infeasible | Unbounded) -> None:
+    """Re-check an answer by its certificate, from the definitions alone."""
+    objective, inequalities, equalities = problem
+    n = len(objective)
+    if isinstance(answer, (Optimal, Unbounded)):
+        assert all(at(row, answer.point) >= 0 for row in inequalities)
+        assert all(at(row, answer.point) == 0 for row in equalities)
+    if isinstance(answer, Unbounded):
+        assert all(at((*row[:-1], 0), answer.ray) >= 0 for row in inequalities)
+        assert all(at((*row[:-1], 0), answer.ray) == 0 for row in equalities)
+        assert at((*objective, 0), answer.ray) < 0
+        return
+    y, z = answer.inequality_multipliers, answer.equality_multipliers
+    assert all(value >= 0 for value in y)
+    left = combination(y, inequalities, n)
+    right = combination(z, equalities, n)
+    total = [a + b for a, b in zip(left, right, strict=True)]
+    if isinstance(answer, Infeasible):
+        assert total == [0] * n + [-1]
+    else:
+        assert total == [*objective, -answer.value]
+        assert at((*objective, 0), answer.point) == answer.value
+
+
+def by_sympy(problem: Problem) -> Any:
+    """Return SymPy's optimal value, or the name of what else it finds."""
+    objective, inequalities, equalities = problem
+    unknowns = sympy.symbols(f"x:{len(objective)}", real=True)
+
+    def form(row: Any) -> Any:
+        numbers = [sympy.Rational(a.numerator, a.denominator) for a in row]
+        return sum(a * x for a, x in zip(numbers, (*unknowns, 1), strict=True))
+
+    constraints = [form(row) >= 0 for row in inequalities]
+    constraints += [sympy.Eq(form(row), 0) for row in equalities]
+    if sympy.false in constraints:  # SymPy refuses a constraint that is plainly false
+        return "infeasible"
+    try:
+        value, _ = lpmin(
+            form((*objective, Fraction(0))), [c for c in constraints if c is not sympy.true]
+        )
+    except InfeasibleLPError:
+        return "infeasible"
+    except UnboundedLPError:
+        return "unbounded"
+    return Fraction(int(value.p), int(value.q))
+
+
+@settings(max_examples=250, deadline=None)
+@given(problems())
+def test_every_answer_proves_itself(problem: Problem) -> None:
+    check(problem, minimize(*problem))
+
+
+@settings(max_examples=100, deadline=None)
+@given(problems())
+def test_answers_are_those_of_sympy(problem: Problem) -> None:
+    answer = minimize(*problem)
+    expected = by_sympy(problem)
+    if isinstance(answer, Optimal):
+        assert answer.value == expected
+    else:
+        assert expected == type(answer).__name__.lower()
+
+
+@settings(max_examples=100, deadline=None)
+@given(problems(most=10))
+def test_a_feasible_point_exists_or_is_refuted(problem: Problem) -> None:
+    objective, inequalities, equalities = problem
+    n = len(objective)
+    answer = feasible_point(n, inequalities, equalities)
+    if isinstance(answer, Infeasible):
+        check(problem, answer)
+    else:
+        assert all(at(row, answer) >= 0 for row in inequalities)
+        assert all(at(row, answer) == 0 for row in equalities)
+
+
+@settings(max_examples=60, deadline=None)
+@given(problems(), st.integers(10**29, 10**30))
+def test_thirty_digit_scalings_of_rows_change_no_verdict(problem: Problem, scale: int) -> None:
+    objective, inequalities, equalities = problem
+    scaled = (
+        objective,
+        [tuple(scale * a for a in row) for row in inequalities],
+        [tuple(Fraction(a, scale) for a in row) for row in equalities],
+    )
+    answer = minimize(*scaled)
+    check(scaled, answer)
+    assert type(answer) is type(minimize(*problem))
+
+
+@pytest.mark.parametrize(
+    ("problem", "kind"),
+    [
+        (([1], [], []), Unbounded),
+        (([0], [], []), Optimal),
+        (([1], [(1, -1)], []), Optimal),
+        (([1], [(1, -1), (-1, 0)], []), Infeasible),
+        (([0], [(0, -1)], []), Infeasible),
+        (([0], [], [(0, 1)]), Infeasible),
+        (([0], [], [(0, -1)]), Infeasible),
+        (([1, 1], [], [(1, 1, -3), (2, 2, -6)]), Optimal),
+        (([1, 0], [], [(1, 1, -3)]), Unbounded),
+        (([1, 1], [], [(1, 1, -3), (1, 1, -4)]), Infeasible),
+        (([0, 1], [(1, 0, 0)], [(0, 1, "5")]), Optimal),
+    ],
+)
+def test_small_programs(problem: Any, kind: type) -> None:
+    objective, inequalities, equalities = (
+        [Fraction(a) for a in problem[0]],
+        *([tuple(Fraction(a) for a in row) for row in rows] for rows in problem[1:]),
+    )
+    answer = minimize(objective, inequalities, equalities)
+    assert type(answer) is kind
+    check((objective, inequalities, equalities), answer)
+
+
+def test_cycling_examples_end() -> None:
+    """Beale 1955: the textbook rule cycles here; the optimum is -1/20."""
+    quarter = Fraction(1, 4)
+    objective = [Fraction(-3, 4), Fraction(150), Fraction(-1, 50), Fraction(6)]
+    rows: Rows = [
+        (-quarter, Fraction(60), Fraction(1, 25), Fraction(-9), Fraction(0)),
+        (Fraction(-1, 2), Fraction(90), Fraction(1, 50), Fraction(-3), Fraction(0)),
+        (Fraction(0), Fraction(0), Fraction(-1), Fraction(0), Fraction(1)),
+        *(tuple(Fraction(int(i == j)) for j in range(5)) for i in range(4)),
+    ]
+    answer = minimize(objective, rows)
+    check((objective, rows, []), answer)
+    assert isinstance(answer, Optimal)
+    assert answer.value == Fraction(-1, 20)
+
+
+def test_klee_minty_cube() -> None:
+    """Klee and Minty 1972, d = 6: maximise sum 2^(d-j) x_j; the optimum is 5^d."""
+    d = 6
+    rows: Rows = []
+    for i in range(1, d + 1):
+        row = [Fraction(0)] * (d + 1)
+        for j in range(1, i):
+            row[j - 1] = Fraction(-(2 ** (i - j + 1)))
+        row[i - 1] = Fraction(-1)
+        row[d] = Fraction(5**i)
+        rows.append(tuple(row))
+        rows.append(tuple(Fraction(int(k == i - 1)) for k in range(d + 1)))
+    answer = minimize([Fraction(-(2 ** (d - j))) for j in range(1, d + 1)], rows)
+    assert isinstance(answer, Optimal)
+    assert answer.value == -(5**d)
+
+
+def test_a_row_of_the_wrong_length_is_refused() -> None:
+    with pytest.raises(ArrangementError, match="need 3"):
+        minimize([1, 1], [[1, 0]])
+
+
+def test_a_hair_decides() -> None:
+    """x <= 1 and x >= 1 + 10^-30 contradict each other; with 1 they meet."""
+    tiny = Fraction(1, 10**30)
+    upper = (Fraction(-1), Fraction(1))
+    assert feasible_point(1, [upper, (Fraction(1), Fraction(-1))]) == (Fraction(1),)
+    assert isinstance(feasible_point(1, [upper, (Fraction(1), -1 - tiny)]), Infeasible)
+
+
+@settings(max_examples=60, deadline=None)
+@given(st.lists(st.lists(st.integers(-2, 2), min_size=3, max_size=3), min_size=1, max_size=6))
+def test_strict_cones_agree_with_elimination(normals: list[list[int]]) -> None:
+    """A cone n_i . x > 0 is empty exactly when n_i . x >= 1 has no solution."""
+    rows = [tuple(map(Fraction, (*normal, 0))) for normal in normals]
+    expected = oracle.satisfiable([], rows, 3)
+    answer = feasible_point(3, [(*row[:-1], Fraction(-1)) for row in rows])
+    assert (not isinstance(answer, Infeasible)) is expected
