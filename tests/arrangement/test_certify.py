@@ -1,0 +1,77 @@
+"""Completeness certificates: true lists pass, every damaged list is refused."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from fractions import Fraction
+
+import pytest
+from hypothesis import given, settings, strategies as st
+
+from arrangement import Arrangement, Face, counts
+from arrangement.certify import certify_complete
+
+from .strategies import arrangements
+
+
+@settings(max_examples=40, deadline=None)
+@given(arrangements(dimensions=(1, 4), planes=(0, 6)))
+def test_the_enumeration_is_certified(planes: Arrangement) -> None:
+    evidence = certify_complete(planes)
+    assert evidence.complete
+    assert bool(evidence)
+    assert evidence.problems == ()
+    assert evidence.enumerated == evidence.theorem == counts.f_vector(planes)
+
+
+@settings(max_examples=40, deadline=None)
+@given(arrangements(dimensions=(1, 3), planes=(1, 5)), st.data())
+def test_one_face_missing_is_noticed(planes: Arrangement, data: st.DataObject) -> None:
+    faces = planes.faces()
+    gone = data.draw(st.integers(0, len(faces) - 1))
+    evidence = certify_complete(planes, faces[:gone] + faces[gone + 1 :])
+    assert not evidence.complete
+    assert f"of dimension {faces[gone].dimension}" in evidence.problems[0]
+
+
+@settings(max_examples=40, deadline=None)
+@given(arrangements(dimensions=(1, 3), planes=(1, 5)), st.data())
+def test_one_face_twice_in_place_of_another_is_noticed(
+    planes: Arrangement, data: st.DataObject
+) -> None:
+    regions = [i for i, face in enumerate(planes.faces()) if face.dimension == planes.dimension]
+    gone, again = data.draw(st.permutations(regions))[:2]
+    faces = list(planes.faces())
+    faces[gone] = faces[again]
+    assert "is listed twice" in certify_complete(planes, faces).problems[0]
+
+
+@settings(max_examples=40, deadline=None)
+@given(arrangements(dimensions=(1, 3), planes=(1, 5)), st.data())
+def test_a_flipped_sign_is_noticed(planes: Arrangement, data: st.DataObject) -> None:
+    faces = list(planes.faces())
+    chosen = data.draw(st.integers(0, len(faces) - 1))
+    plane = data.draw(st.integers(0, len(planes) - 1))
+    signs = list(faces[chosen].signs)
+    signs[plane] = 1 if signs[plane] < 1 else -1
+    faces[chosen] = replace(faces[chosen], signs=tuple(signs))
+    assert "with other signs" in certify_complete(planes, faces).problems[0]
+
+
+SQUARE = Arrangement([[1, 0], [0, 1]])
+CORNER = Face((1, 1), 2, (Fraction(1), Fraction(1)))
+
+
+@pytest.mark.parametrize(
+    ("face", "message"),
+    [
+        (replace(CORNER, dimension=1), "has dimension 2, not 1"),
+        (replace(CORNER, witness=(Fraction(1),)), "1 coordinates"),
+        (replace(CORNER, witness=(Fraction(1), Fraction(0))), "other signs"),
+    ],
+)
+def test_a_wrong_face_says_what_is_wrong(face: Face, message: str) -> None:
+    faces = [face if f.signs == (1, 1) else f for f in SQUARE.faces()]
+    evidence = certify_complete(SQUARE, faces)
+    assert not evidence
+    assert any(message in problem for problem in evidence.problems)

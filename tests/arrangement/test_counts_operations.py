@@ -1,0 +1,123 @@
+"""Deletion, restriction, localization, cone, essentialization."""
+
+from __future__ import annotations
+
+from fractions import Fraction
+from typing import Any
+
+import pytest
+from hypothesis import given, settings, strategies as st
+
+from arrangement import Arrangement, InputError, counts
+from arrangement.counts.operations import flat_chart
+from arrangement.exact import dot
+
+from . import oracle
+from .strategies import RATIONALS, arrangements
+
+
+@settings(max_examples=40, deadline=None)
+@given(arrangements(dimensions=(1, 4), planes=(1, 6)), st.data())
+def test_deletion_keeps_the_others_in_order(planes: Arrangement, data: st.DataObject) -> None:
+    gone = data.draw(st.sets(st.integers(0, len(planes) - 1)))
+    kept = [p for i, p in enumerate(planes.integer_planes) if i not in gone]
+    assert list(counts.deletion(planes, gone).integer_planes) == kept
+    assert counts.deletion(planes, gone).dimension == planes.dimension
+
+
+@settings(max_examples=60, deadline=None)
+@given(arrangements(dimensions=(2, 4), planes=(1, 6)), st.data())
+def test_restriction_sees_the_signs_of_the_flat(planes: Arrangement, data: st.DataObject) -> None:
+    chosen = data.draw(st.integers(0, len(planes) - 1))
+    chart = flat_chart(planes, chosen)
+    y = data.draw(st.lists(RATIONALS, min_size=len(chart.basis), max_size=len(chart.basis)))
+    x = [
+        start + sum((c * v[j] for c, v in zip(y, chart.basis, strict=True)), Fraction(0))
+        for j, start in enumerate(chart.origin)
+    ]
+    everywhere = planes.signs_at(x)
+    assert everywhere[chosen] == 0
+    crossing = [
+        sign
+        for sign, plane in zip(everywhere, planes.integer_planes, strict=True)
+        if any(dot(plane[:-1], v) for v in chart.basis)
+    ]
+    assert list(counts.restriction(planes, chosen).signs_at(y)) == crossing
+
+
+@settings(max_examples=40, deadline=None)
+@given(arrangements(dimensions=(2, 4), planes=(1, 6)))
+def test_faces_are_the_regions_of_the_restrictions(planes: Arrangement) -> None:
+    faces = counts.f_vector(planes)
+    for level in counts.intersection_lattice(planes).flats:
+        if level[0].dimension:
+            regions = [counts.region_count(counts.restriction(planes, f.planes)) for f in level]
+            assert sum(regions) == faces[level[0].dimension]
+
+
+@settings(max_examples=40, deadline=None)
+@given(arrangements(dimensions=(1, 4), planes=(1, 6)))
+def test_localization_is_the_flat_and_carries_its_moebius_value(planes: Arrangement) -> None:
+    for flat, value in counts.moebius(planes).items():
+        local = counts.localization(planes, flat.planes)
+        assert local.integer_planes == tuple(planes.integer_planes[i] for i in flat.planes)
+        assert counts.whitney_numbers(local).first[-1] == value
+
+
+@settings(max_examples=40, deadline=None)
+@given(arrangements(dimensions=(1, 4), planes=(1, 6)), st.data())
+def test_cone_repeats_the_arrangement_at_height_one(
+    planes: Arrangement, data: st.DataObject
+) -> None:
+    d = planes.dimension
+    x = data.draw(st.lists(RATIONALS, min_size=d, max_size=d))
+    cone = counts.cone(planes)
+    assert cone.is_central
+    assert cone.signs_at([*x, 1]) == (*planes.signs_at(x), 1)
+
+
+@settings(max_examples=40, deadline=None)
+@given(arrangements(dimensions=(1, 4), planes=(1, 6)))
+def test_essentialization_has_full_rank_and_the_same_faces(planes: Arrangement) -> None:
+    essential = counts.essentialization(planes)
+    assert essential.dimension == essential.rank == planes.rank
+    assert {f.signs for f in essential.faces()} == {f.signs for f in planes.faces()}
+    shift = planes.dimension - planes.rank
+    assert counts.f_vector(planes) == (0,) * shift + counts.f_vector(essential)
+
+
+def test_restriction_keeps_coincident_traces() -> None:
+    planes = Arrangement([[1, 0, 0], [0, 1, 0], [1, 1, 0]])
+    assert counts.restriction(planes, 0).integer_planes == ((1, 0, 0), (1, 0, 0))
+
+
+def test_chart_solves_the_equations_of_the_flat() -> None:
+    planes = Arrangement([[2, 1, 0, 1], [1, 0, 3, 1]], [3, 4])
+    chart = flat_chart(planes, [0, 1])
+    assert planes.signs_at(chart.origin) == (0, 0)
+    assert oracle.rank([[Fraction(x) for x in v] for v in chart.basis]) == 2
+    assert all(dot(n, v) == 0 for n in planes.normals for v in chart.basis)
+
+
+@pytest.mark.parametrize(
+    ("operation", "arguments", "message"),
+    [
+        (counts.restriction, ([0, 1],), "no common point"),
+        (counts.localization, ([0, 1],), "no common point"),
+        (counts.restriction, ([0, 2],), "meet in a point"),
+        (counts.restriction, (3,), "does not exist"),
+        (counts.deletion, (-1,), "does not exist"),
+        (counts.deletion, (True,), "does not exist"),
+    ],
+)
+def test_impossible_operations_say_why(
+    operation: Any, arguments: tuple[Any, ...], message: str
+) -> None:
+    planes = Arrangement([[1, 0], [1, 0], [0, 1]], [0, 1, 0])
+    with pytest.raises(InputError, match=message):
+        operation(planes, *arguments)
+
+
+def test_nothing_to_essentialize_without_planes() -> None:
+    with pytest.raises(InputError, match="no planes"):
+        counts.essentialization(Arrangement([], dimension=2))
