@@ -1,0 +1,303 @@
+"""Families of arrangements against the counts that the literature gives for them."""
+
+from __future__ import annotations
+
+import math
+from collections import Counter
+from collections.abc import Callable
+from itertools import combinations
+from typing import Any
+
+import networkx as nx
+import pytest
+import sympy
+
+from arrangement import Arrangement, InputError, counts, families
+from arrangement.certify import certify_complete
+
+T = sympy.Symbol("t")
+
+
+def roots(*values: int) -> sympy.Expr:
+    return sympy.prod([T - value for value in values])
+
+
+def linial_chi(n: int) -> sympy.Expr:
+    total = sum(math.comb(n, k) * (T - k) ** (n - 1) for k in range(n + 1))
+    return T * sympy.Rational(1, 2**n) * sympy.expand(total)
+
+
+# characteristic polynomials as printed in the sources that the docstrings name
+POLYNOMIALS: dict[str, tuple[Callable[[int], Arrangement], Callable[[int], Any], range]] = {
+    "coordinate": (families.coordinate, lambda n: (T - 1) ** n, range(1, 6)),
+    "pencil": (families.pencil, lambda m: T * roots(1, m - 1), range(1, 8)),
+    "near-pencil": (families.near_pencil, lambda m: roots(1, 1, m - 2), range(3, 9)),
+    "braid": (families.braid, lambda n: roots(*range(n)), range(1, 7)),
+    "B": (families.type_b, lambda n: roots(*range(1, 2 * n, 2)), range(1, 6)),
+    "D": (families.type_d, lambda n: roots(n - 1, *range(1, 2 * n - 2, 2)), range(2, 6)),
+    "Shi": (families.shi, lambda n: T * (T - n) ** (n - 1), range(1, 6)),
+    "Catalan": (families.catalan, lambda n: T * roots(*range(n + 1, 2 * n)), range(1, 6)),
+    "Linial": (families.linial, linial_chi, range(1, 6)),
+}
+
+
+@pytest.mark.parametrize(
+    ("name", "n"), [(name, n) for name, (_, _, sizes) in POLYNOMIALS.items() for n in sizes]
+)
+def test_characteristic_polynomials(name: str, n: int) -> None:
+    family, chi, _ = POLYNOMIALS[name]
+    assert counts.characteristic_polynomial(family(n)) == sympy.Poly(chi(n), T, domain=sympy.ZZ)
+
+
+# region counts for n = first, first + 1, ...; sequences of the OEIS where a number is given
+REGIONS: dict[str, tuple[Callable[[int], Arrangement], int, list[int]]] = {
+    "coordinate": (families.coordinate, 1, [2**n for n in range(1, 6)]),
+    "braid": (families.braid, 1, [math.factorial(n) for n in range(1, 7)]),
+    "B": (families.type_b, 1, [2**n * math.factorial(n) for n in range(1, 6)]),
+    "D": (families.type_d, 2, [2 ** (n - 1) * math.factorial(n) for n in range(2, 6)]),
+    "Shi, A000272": (families.shi, 1, [1, 3, 16, 125, 1296]),
+    "Catalan, A001761": (families.catalan, 1, [1, 4, 30, 336, 5040]),
+    "Linial, A007889": (families.linial, 1, [1, 2, 7, 36, 246, 2104]),
+    "semiorder, A006531": (families.semiorder, 1, [1, 3, 19, 183, 2371]),
+    "threshold, A005840": (families.threshold, 1, [1, 2, 8, 46, 332, 2874]),
+    "threshold functions, A000609": (families.threshold_functions, 0, [2, 4, 14, 104, 1882]),
+    "resonance, A034997": (families.resonance, 1, [2, 6, 32, 370, 11292]),
+    "pencil": (families.pencil, 1, [2 * m for m in range(1, 8)]),
+    "near-pencil": (families.near_pencil, 3, [4 * (m - 1) for m in range(3, 9)]),
+    "great circles": (families.generic, 3, [m * m - m + 2 for m in range(3, 12)]),
+}
+
+
+@pytest.mark.parametrize("name", REGIONS)
+def test_region_counts(name: str) -> None:
+    family, first, known = REGIONS[name]
+    assert [counts.region_count(family(first + i)) for i in range(len(known))] == known
+
+
+@pytest.mark.parametrize(("n", "bounded"), [(n, (n - 1) ** (n - 1)) for n in range(2, 6)])
+def test_bounded_regions_of_the_shi_arrangement(n: int, bounded: int) -> None:
+    assert counts.bounded_region_count(families.shi(n), relative=True) == bounded
+    assert counts.bounded_region_count(families.shi(n)) == 0  # all contain (1, ..., 1)
+
+
+@pytest.mark.parametrize(
+    "planes",
+    [
+        families.generic(6),
+        families.generic(5, 4),
+        families.generic(5, 2, affine=True),
+        families.near_pencil(6, 4),
+        families.pencil(4, 2),
+        families.type_b(3),
+        families.type_d(3),
+        families.shi(3),
+        families.catalan(3),
+        families.linial(4),
+        families.semiorder(3),
+        families.threshold(4),
+        families.threshold_functions(3),
+        families.resonance(3),
+        families.graphical(nx.petersen_graph().subgraph(range(6))),
+        families.simplicial(13, 3),
+        families.random_sphere(6, seed=3, bits=8),
+        families.random_degenerate(9, 3, seed=5, affine=True),
+    ],
+    ids=str,
+)
+def test_enumeration_of_members_is_certified_complete(planes: Arrangement) -> None:
+    assert certify_complete(planes)
+
+
+@pytest.mark.parametrize(
+    "graph",
+    [
+        nx.path_graph(5),
+        nx.cycle_graph(6),
+        nx.complete_graph(5),
+        nx.petersen_graph().subgraph(range(8)),
+        nx.complete_bipartite_graph(3, 3),
+        nx.disjoint_union(nx.cycle_graph(3), nx.path_graph(2)),
+        nx.empty_graph(3),
+        nx.Graph([("c", "a"), ("a", "b")]),
+    ],
+    ids=str,
+)
+def test_graphical_arrangements_have_the_chromatic_polynomial(graph: nx.Graph) -> None:
+    chromatic = nx.chromatic_polynomial(graph)
+    symbols = list(chromatic.free_symbols)
+    expected = sympy.Poly(chromatic.subs(symbols[0], T) if symbols else chromatic, T)
+    planes = families.graphical(graph)
+    assert counts.characteristic_polynomial(planes).as_expr() == expected.as_expr()
+
+
+def test_parallel_edges_are_coincident_planes() -> None:
+    planes = families.graphical(nx.MultiGraph([(0, 1), (0, 1), (1, 2)]))
+    assert planes.distinct == ((0, 1), (2,))
+
+
+# t_2, t_3, ...: vertices by the number of planes through them; then planes by the number of
+# vertices on them, from 2: Cuntz, Elia, Labbe (2022), table 5
+CATALOGUE: dict[tuple[int, int], tuple[tuple[int, ...], tuple[int, ...]]] = {
+    (6, 1): ((3, 4), (0, 6)),
+    (7, 1): ((3, 6), (0, 4, 3)),
+    (8, 1): ((4, 6, 1), (0, 2, 6)),
+    (9, 1): ((6, 4, 3), (0, 0, 9)),
+    (10, 2): ((6, 7, 3), (0, 0, 6, 3, 1)),
+    (10, 3): ((6, 7, 3), (0, 1, 3, 6)),
+    (11, 1): ((7, 8, 4), (0, 0, 4, 4, 3)),
+    (12, 1): ((6, 15, 0, 0, 1), (0, 0, 3, 3, 6)),
+    (12, 2): ((8, 10, 3, 1), (0, 0, 3, 3, 6)),
+    (12, 3): ((9, 7, 6), (0, 0, 3, 3, 6)),
+    (13, 1): ((9, 12, 3, 0, 1), (0, 0, 3, 0, 10)),
+    (13, 2): ((12, 4, 9), (0, 0, 3, 0, 10)),
+    (13, 3): ((10, 10, 3, 2), (0, 0, 1, 4, 8)),
+}
+
+
+def tally(numbers: list[int]) -> tuple[int, ...]:
+    found = Counter(numbers)
+    return tuple(found[k] for k in range(2, max(found) + 1))
+
+
+@pytest.mark.parametrize("entry", CATALOGUE, ids=str)
+def test_catalogue_entries_have_their_vertices(entry: tuple[int, int]) -> None:
+    planes = families.simplicial(*entry)
+    vertices = [flat.planes for flat in counts.intersection_lattice(planes).flats[2]]
+    on_planes = Counter(plane for vertex in vertices for plane in vertex)
+    assert len(planes) == len(planes.distinct) == entry[0]
+    assert tally([len(vertex) for vertex in vertices]) == CATALOGUE[entry][0]
+    assert tally(list(on_planes.values())) == CATALOGUE[entry][1]
+
+
+def walls(planes: Arrangement) -> list[int]:
+    """Return the number of facets of every region, from the enumerated faces."""
+    facets = [face.signs for face in planes.faces(planes.dimension - 1)]
+    sides: Counter[tuple[int, ...]] = Counter()
+    for signs in facets:
+        plane = signs.index(0)
+        for side in (-1, 1):
+            sides[(*signs[:plane], side, *signs[plane + 1 :])] += 1
+    return [sides[region.signs] for region in planes.regions()]
+
+
+@pytest.mark.parametrize("entry", families.simplicial_entries(), ids=str)
+def test_every_region_of_a_catalogue_entry_is_a_triangle(entry: tuple[int, int]) -> None:
+    planes = families.simplicial(*entry)
+    assert set(walls(planes)) == {3}
+    assert 2 * counts.f_vector(planes)[2] == 3 * counts.f_vector(planes)[3]
+
+
+@pytest.mark.parametrize("m", range(3, 8))
+def test_near_pencils_are_simplicial(m: int) -> None:
+    assert set(walls(families.near_pencil(m))) == {3}
+
+
+def test_generic_planes_are_not_simplicial() -> None:
+    assert set(walls(families.generic(5))) != {3}
+
+
+def test_catalogue_has_every_rational_entry_up_to_13_planes() -> None:
+    assert set(families.simplicial_entries()) == set(CATALOGUE)
+
+
+@pytest.mark.parametrize("entry", [(10, 1), (13, 4)])
+def test_irrational_entries_say_so(entry: tuple[int, int]) -> None:
+    with pytest.raises(InputError, match="irrational"):
+        families.simplicial(*entry)
+
+
+def test_unknown_entries_name_the_known_ones() -> None:
+    with pytest.raises(InputError, match=r"A\(6, 1\)"):
+        families.simplicial(5, 1)
+
+
+def test_h3_says_that_it_is_irrational() -> None:
+    with pytest.raises(InputError, match="golden ratio"):
+        families.h3()
+
+
+@pytest.mark.parametrize(("m", "d"), [(0, 1), (4, 1), (5, 2), (7, 3), (7, 4), (3, 5)])
+def test_generic_planes_are_in_general_position(m: int, d: int) -> None:
+    assert families.generic(m, d).is_simple
+    assert families.generic(m, d, affine=True).is_simple
+
+
+@pytest.mark.parametrize("make", [families.random_integer, families.random_degenerate])
+def test_random_planes_depend_on_the_seed_alone(make: Callable[..., Arrangement]) -> None:
+    assert make(8, seed=1, affine=True) == make(8, seed=1, affine=True)
+    assert make(8, seed=1) != make(8, seed=2)
+
+
+def test_random_integer_normals_keep_their_bound() -> None:
+    planes = families.random_integer(200, 3, bound=5, seed=4)
+    entries = [x for plane in planes.integer_planes for x in plane]
+    assert max(entries) == 5
+    assert min(entries) == -5
+
+
+@pytest.mark.parametrize(("d", "bits"), [(1, 5), (2, 20), (3, 4), (3, 20), (5, 12)])
+def test_sphere_normals_are_exactly_unit_up_to_scale(d: int, bits: int) -> None:
+    planes = families.random_sphere(20, d, bits=bits, seed=9)
+    assert planes == families.random_sphere(20, d, bits=bits, seed=9)
+    for plane in planes.integer_planes:
+        square = sum(x * x for x in plane)
+        assert math.isqrt(square) ** 2 == square
+
+
+def test_sphere_normals_are_spread_evenly() -> None:
+    # in every octant about 1/8 of the points: 4000 draws, five standard deviations
+    planes = families.random_sphere(4000, seed=0)
+    octants = Counter(tuple(x > 0 for x in plane[:3]) for plane in planes.integer_planes)
+    spread = 5 * math.sqrt(4000 * 7 / 64)
+    assert len(octants) == 8
+    assert all(abs(n - 500) < spread for n in octants.values())
+    # Archimedes: each coordinate is even on [-1, 1]; so |x| < 1/2 for half of the points
+    for k in range(3):
+        central = sum(4 * p[k] ** 2 < sum(x * x for x in p) for p in planes.integer_planes)
+        assert abs(central - 2000) < 5 * math.sqrt(1000)
+
+
+@pytest.mark.parametrize(
+    "call",
+    [
+        lambda: families.braid(0),
+        lambda: families.type_d(1),
+        lambda: families.near_pencil(2),
+        lambda: families.pencil(3, 1),
+        lambda: families.generic(-1),
+        lambda: families.random_integer(3, bound=0),
+        lambda: families.shi(0),
+    ],
+)
+def test_sizes_below_the_family_are_refused(call: Callable[[], object]) -> None:
+    with pytest.raises(InputError, match="must be at least"):
+        call()
+
+
+@pytest.mark.parametrize("size", [2.0, "3", True, None])
+def test_sizes_that_are_no_integers_are_refused(size: Any) -> None:
+    with pytest.raises(InputError, match="give an integer"):
+        families.braid(size)
+
+
+@pytest.mark.parametrize(
+    ("graph", "message"),
+    [
+        (nx.DiGraph([(0, 1)]), "directed"),
+        (nx.Graph([(0, 0)]), "loop"),
+        (nx.Graph(), "no vertices"),
+    ],
+)
+def test_graphs_without_an_arrangement_are_refused(graph: nx.Graph, message: str) -> None:
+    with pytest.raises(InputError, match=message):
+        families.graphical(graph)
+
+
+def test_braid_planes_are_the_complete_graph() -> None:
+    assert families.braid(5) == families.graphical(nx.complete_graph(5))
+
+
+def test_resonance_planes_are_the_nonempty_subset_sums() -> None:
+    rows = {plane[:-1] for plane in families.resonance(4).integer_planes}
+    subsets = [s for size in range(1, 5) for s in combinations(range(4), size)]
+    assert rows == {tuple(int(i in s) for i in range(4)) for s in subsets}
