@@ -200,7 +200,8 @@ def _read_bytes(source: str | os.PathLike[str], name: str, max_bytes: int) -> by
     except (OSError, ValueError) as error:
         if isinstance(error, InputError):
             raise
-        raise InputError(f"cannot read {name}: {_reason(error)}") from None
+        names = "" if os.sep in str(source) else " (built-in names: see `arrangement list`)"
+        raise InputError(f"cannot read {name}: {_reason(error)}{names}") from None
 
 
 def _limited(stream: BinaryIO, name: str, max_bytes: int) -> bytes:

@@ -1,0 +1,129 @@
+"""The published enumeration does what its text says, and how that differs from the truth."""
+
+from __future__ import annotations
+
+from collections import Counter
+
+import pytest
+from hypothesis import given, settings
+
+from arrangement import Arrangement, InputError, published_enumeration
+
+from .strategies import arrangements
+
+
+def generic(m: int) -> Arrangement:
+    return Arrangement([[1, t, t * t] for t in range(m)], dimension=3)
+
+
+def true_states(planes: Arrangement) -> set[tuple[int, ...]]:
+    return {face.signs for face in planes.faces()}
+
+
+FOUR_CONTACTS = Arrangement([(0, 1, -1), (0, 1, -1), (0, -1, -1), (0, -1, -1)])
+
+
+@pytest.mark.parametrize(
+    ("m", "states"), [(2, 10), (3, 26), (4, 50), (5, 82), (6, 122), (7, 170), (8, 226), (9, 290)]
+)
+def test_the_published_table_of_counts(m: int, states: int) -> None:
+    """[HaasHeger2018], the table with the number of slip states for 2 to 9 contacts."""
+    assert len(published_enumeration(generic(m)).states) == states
+
+
+@pytest.mark.parametrize("m", [3, 4, 5, 6])
+def test_generic_planes_give_every_state_once_except_the_origin(m: int) -> None:
+    found = published_enumeration(generic(m))
+    assert len(found.distinct_states) == len(found.states)
+    assert set(found.states) == true_states(generic(m)) - {(0,) * m}
+    dimensions = {face.signs: face.dimension for face in generic(m).faces()}
+    for part, dimension in ((found.regions, 3), (found.facets, 2), (found.lines, 1)):
+        assert all(dimensions[signs] == dimension for signs in part)
+
+
+def test_two_planes_list_their_line_twice() -> None:
+    found = published_enumeration(generic(2))
+    assert found.lines == ((0, 0), (0, 0))
+    assert (len(found.states), len(found.distinct_states)) == (10, 9)
+    assert set(found.distinct_states) == true_states(generic(2))
+
+
+def test_one_plane_has_an_edge_and_no_cycle() -> None:
+    found = published_enumeration(generic(1))
+    assert (found.regions, found.facets, found.lines) == (((1,), (-1,)), ((0,),), ())
+
+
+def test_no_plane_has_one_region() -> None:
+    assert published_enumeration(generic(0)).states == ((),)
+
+
+def test_coincident_planes_leave_no_edges_on_the_four_contact_grasp() -> None:
+    found = published_enumeration(FOUR_CONTACTS)
+    assert len(found.regions) == 4
+    assert found.facets == found.lines == found.cycles == ()
+    assert len(true_states(FOUR_CONTACTS)) == 9
+
+
+def test_merging_repairs_the_four_contact_grasp() -> None:
+    found = published_enumeration(FOUR_CONTACTS, merge=True)
+    assert (len(found.regions), len(found.facets), len(found.lines)) == (4, 4, 2)
+    assert set(found.distinct_states) == true_states(FOUR_CONTACTS)
+
+
+def test_a_doubled_plane_among_generic_ones_cuts_the_graph_in_two() -> None:
+    """The cube loses the four edges of one direction: two squares, and their sum is both."""
+    planes = Arrangement([[1, 0, 0], [0, 1, 0], [0, 0, 1], [-2, 0, 0]])
+    found = published_enumeration(planes)
+    assert [len(cycle) for cycle in found.cycles] == [4, 4, 8]
+    assert Counter(found.lines[:2]) == Counter({(1, 0, 0, -1): 1, (-1, 0, 0, 1): 1})
+    assert found.lines[2] in found.lines[:2]
+    missing = true_states(planes) - set(found.states)
+    assert missing == {signs for signs in true_states(planes) if signs[0] == 0}
+
+
+@settings(max_examples=40, deadline=None)
+@given(arrangements(dimensions=(3, 3), planes=(0, 6), central=True))
+def test_merged_the_published_steps_are_complete_except_for_the_origin(
+    planes: Arrangement,
+) -> None:
+    found = published_enumeration(planes, merge=True)
+    truth = true_states(planes)
+    if planes.rank == 3:
+        assert len(found.states) == len(found.distinct_states)
+        truth -= {(0,) * len(planes)}
+    elif planes.rank == 2:
+        assert len(found.states) == len(found.distinct_states) + 1
+    assert set(found.states) == truth
+
+
+@settings(max_examples=40, deadline=None)
+@given(arrangements(dimensions=(3, 3), planes=(0, 6), central=True))
+def test_unmerged_regions_are_true_and_edges_never_cross_coincident_planes(
+    planes: Arrangement,
+) -> None:
+    found = published_enumeration(planes)
+    assert set(found.regions) == {face.signs for face in planes.regions()}
+    for _, _, crossed in found.graph.edges(data="planes"):
+        assert len(crossed) == 1
+        assert planes.distinct[planes.class_of[crossed[0]]] == crossed
+
+
+@settings(max_examples=40, deadline=None)
+@given(arrangements(dimensions=(3, 3), planes=(0, 6), central=True))
+def test_cycles_are_closed_and_sum_to_nothing(planes: Arrangement) -> None:
+    found = published_enumeration(planes, merge=True)
+    total = Counter(edge for cycle in found.cycles for edge in cycle)
+    assert all(times % 2 == 0 for times in total.values())
+    for cycle in found.cycles:
+        degrees = Counter(node for edge in cycle for node in edge)
+        assert set(degrees.values()) == {2}
+        assert all(found.graph.has_edge(*edge) for edge in cycle)
+    assert [found.graph.nodes[k]["signs"] for k in found.graph] == list(found.regions)
+
+
+@pytest.mark.parametrize(
+    "planes", [Arrangement([[1, 0]]), Arrangement([[1, 0, 0]], [1]), Arrangement([[1, 0, 0, 0]])]
+)
+def test_only_central_planes_of_space_are_meant(planes: Arrangement) -> None:
+    with pytest.raises(InputError, match="R\\^3"):
+        published_enumeration(planes)
