@@ -1,3 +1,8 @@
+from . import counts as counts, families as families
+from .certify import (
+    CompletenessEvidence as CompletenessEvidence,
+    certify_complete as certify_complete,
+)
 from .errors import (
     ArrangementError as ArrangementError,
     InputError as InputError,

@@ -27,7 +27,7 @@ the sums ``V[k][j]`` of |mu(X, Y)| over flats X <= Y of ranks k and j are
 ``V[k][r] = sum_{j < r} (-1)^(r-1-j) V[k][j]``.
 
 **Exactness.** The numbers compared are minors of order at most 3, at most 6 B^3 in size, partial
-sums included, for entries up to B. Up to that bound they are int64 (B up to 1,154,000; in rank 3
+sums included, for entries up to B. Up to that bound they are int64 (B up to 1,154,107; in rank 3
 the bound is 2 B^2, so B up to 2 * 10^9), else Python integers in the same arrays.
 """
 

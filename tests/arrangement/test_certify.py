@@ -75,3 +75,13 @@ def test_a_wrong_face_says_what_is_wrong(face: Face, message: str) -> None:
     evidence = certify_complete(SQUARE, faces)
     assert not evidence
     assert any(message in problem for problem in evidence.problems)
+
+
+def test_faces_of_huge_planes_are_checked_exactly() -> None:
+    huge = 10**30
+    planes = Arrangement([[huge, 1, 0], [huge, 0, 1], [huge + 1, 1, 0], [1, huge, -1]])
+    assert certify_complete(planes)
+    # the witness misses the third plane by one in 10^30, and claims to be on it
+    line = Face((0, 0, 0, -1), 1, (Fraction(1), Fraction(-huge), Fraction(-huge)))
+    wrong = [line if f.signs[:2] == (0, 0) and f.dimension == 1 else f for f in planes.faces()]
+    assert any("other signs" in problem for problem in certify_complete(planes, wrong).problems)
