@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections import Counter
 from collections.abc import Callable
+from fractions import Fraction
 from itertools import combinations
 from typing import Any
 
@@ -295,6 +296,24 @@ def test_graphs_without_an_arrangement_are_refused(graph: nx.Graph, message: str
 
 def test_braid_planes_are_the_complete_graph() -> None:
     assert families.braid(5) == families.graphical(nx.complete_graph(5))
+
+
+@pytest.mark.parametrize(
+    ("family", "offsets"),
+    [
+        (families.shi, (0, 1)),
+        (families.catalan, (-1, 0, 1)),
+        (families.linial, (1,)),
+        (families.semiorder, (-1, 1)),
+    ],
+)
+def test_sides_of_the_deformations_are_those_of_their_definition(
+    family: Callable[[int], Arrangement], offsets: tuple[int, ...]
+) -> None:
+    x = [Fraction(5, 2), Fraction(3, 2), 0, Fraction(-1, 3)]
+    differences = [a - b for a, b in combinations(x, 2)]
+    expected = [(d > b) - (d < b) for d in differences for b in offsets]
+    assert list(family(4).signs_at(x)) == expected
 
 
 def test_resonance_planes_are_the_nonempty_subset_sums() -> None:
