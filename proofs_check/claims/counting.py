@@ -1,0 +1,244 @@
+"""Claims on the number of slip states: regions, bounds, and the published row of counts."""
+
+from __future__ import annotations
+
+import random
+from collections.abc import Iterator
+from typing import Any
+
+from arrangement import counts
+from arrangement.planes import Arrangement
+from arrangement.published import published_enumeration
+
+from ..claim import Case, Claim, Hypothesis, Kind, Route, Verdict
+from ..instances import (
+    arrangement_case,
+    mixed_cases,
+    random_arrangement,
+    simple_arrangement,
+    smallest_arrangements,
+)
+from ..printed import STATE_COUNTS
+
+ENUMERATION = "enumeration of all faces"
+THEOREM = "Zaslavsky's theorem on the intersection lattice"
+
+
+def _f_enumerated(planes: Arrangement) -> tuple[int, ...]:
+    return planes.f_vector
+
+
+def _states_enumerated(planes: Arrangement) -> int:
+    return len({face.signs for face in planes.faces()})
+
+
+def _states_counted(planes: Arrangement) -> int:
+    return sum(counts.f_vector(planes))
+
+
+def _published_listed(planes: Arrangement) -> int:
+    return len(published_enumeration(planes).states)
+
+
+def _published_predicted(planes: Arrangement) -> int:
+    """Regions V, facets E, and E - V + 2 cycles, from the theorem alone."""
+    _, _, edges, vertices = counts.f_vector(planes)
+    return vertices + edges + (edges - vertices + 2)
+
+
+def _general_position(rng: random.Random) -> Iterator[Case]:
+    for m in STATE_COUNTS:
+        yield arrangement_case(simple_arrangement(rng, m), f"m = {m}")
+
+
+def _great_circles(rng: random.Random) -> Iterator[Case]:
+    yield from mixed_cases(rng, range(1, 13), per_count=4)
+
+
+def _region_maximum(planes: Arrangement, regions: int) -> bool:
+    """At most m^2 - m + 2, with equality exactly for distinct planes in general position."""
+    m = len(planes)
+    simple = planes.is_simple and len(planes.distinct) == m
+    return regions <= m * m - m + 2 and (regions == m * m - m + 2) == simple
+
+
+def _bound_cases(rng: random.Random) -> Iterator[Case]:
+    largest = {1: 8, 2: 8, 3: 7, 4: 6}
+    for d, most in largest.items():
+        for m in range(1, most + 1):
+            for size in (1, 2, 9):
+                for affine in (False, True):
+                    planes = random_arrangement(rng, m, d, size, affine=affine)
+                    yield arrangement_case(planes, f"d = {d}, {planes!r}")
+
+
+def _simple_affine(rng: random.Random) -> Iterator[Case]:
+    largest = {1: 8, 2: 8, 3: 7, 4: 6}
+    for d, most in largest.items():
+        for m in range(2, most + 1):
+            planes = simple_arrangement(rng, m, d, affine=True)
+            yield arrangement_case(planes, f"d = {d}, m = {m}, simple affine")
+
+
+def _bound(planes: Arrangement) -> tuple[int, ...]:
+    d, m = planes.dimension, len(planes)
+    return tuple(counts.fukuda_bound(m, d, k) for k in range(d + 1))
+
+
+def _below_bound(planes: Arrangement, f: tuple[int, ...]) -> bool:
+    return all(number <= bound for number, bound in zip(f, _bound(planes), strict=True))
+
+
+def _explain_count(planes: Arrangement, states: Any) -> str:
+    m, printed = len(planes), STATE_COUNTS.get(len(planes))
+    if states == printed:
+        return ""
+    if m == 2:
+        return f"printed {printed}: the steps list the one line twice, once for each cycle"
+    return f"printed {printed}: the steps leave out the origin, where all contacts stick"
+
+
+def _explain_published(planes: Arrangement, listed: Any) -> str:
+    printed = STATE_COUNTS[len(planes)]
+    true = _states_counted(planes)
+    return f"printed {printed}; different states of rigid motion: {true}"
+
+
+CLAIMS = (
+    Claim(
+        id="great-circle-regions",
+        locator="Section IV-A",
+        statement="m great circles cut the sphere into at most m^2 - m + 2 regions, with equality "
+        "exactly when no two coincide and no three pass through one point.",
+        quantity="number of regions",
+        routes=(
+            Route(ENUMERATION, lambda planes: planes.f_vector[3]),
+            Route("|chi(-1)| of the characteristic polynomial", counts.region_count),
+        ),
+        cases=_great_circles,
+        judge=_region_maximum,
+        kind=Kind.SAMPLED,
+        over="central arrangements of 1 to 12 planes in R^3, degenerate ones included",
+        expected=Verdict.HOLDS,
+        meaning="The quadratic bound on slip states rests on this.",
+    ),
+    Claim(
+        id="slip-state-counts",
+        locator="Table II",
+        statement="For m = 2, ..., 9 contacts in general position the published Steps 1 to 3 list "
+        "10, 26, 50, 82, 122, 170, 226, 290 slip states.",
+        hypotheses=("the m tangential planes are in general position",),
+        quantity="number of states listed, repeats counted",
+        routes=(
+            Route("Steps 1 to 3 as published, run", _published_listed),
+            Route("V + E + (E - V + 2) from Zaslavsky's theorem", _published_predicted),
+        ),
+        cases=_general_position,
+        judge=lambda planes, listed: listed == STATE_COUNTS[len(planes)],
+        kind=Kind.EXHAUSTIVE,
+        over="the 8 printed columns, one arrangement in general position each",
+        expected=Verdict.HOLDS,
+        explain=_explain_published,
+        meaning="The printed row is what the published steps list. It is 4m^2 - 4m + 2.",
+        rows=True,
+    ),
+    Claim(
+        id="different-slip-states",
+        locator="Table II; Section IV-A",
+        statement="The printed numbers are the numbers of different slip states that rigid motion "
+        "allows for m = 2, ..., 9 contacts in general position.",
+        hypotheses=("the m tangential planes are in general position",),
+        quantity="number of different sign vectors",
+        routes=(Route(ENUMERATION, _states_enumerated), Route(THEOREM, _states_counted)),
+        cases=_general_position,
+        judge=lambda planes, states: states == STATE_COUNTS[len(planes)],
+        kind=Kind.EXHAUSTIVE,
+        over="the 8 printed columns, one arrangement in general position each",
+        expected=Verdict.REFUTED,
+        search=lambda: smallest_arrangements(range(2, 4), distinct=True),
+        explain=_explain_count,
+        meaning="There are 4m^2 - 4m + 3 for m >= 3: the all-stick state is missing from the "
+        "printed count. The order of growth stays.",
+        rows=True,
+    ),
+    Claim(
+        id="state-formula",
+        locator="Section IV-A",
+        statement="m >= 3 planes through the origin of R^3 in general position have "
+        "4m^2 - 4m + 3 slip states: 1 origin, m(m-1) rays, 2m(m-1) facets, m^2 - m + 2 regions.",
+        hypotheses=("m >= 3", "general position"),
+        quantity="f-vector",
+        routes=(Route(ENUMERATION, _f_enumerated), Route(THEOREM, counts.f_vector)),
+        cases=lambda rng: (arrangement_case(simple_arrangement(rng, m)) for m in range(3, 16)),
+        judge=lambda planes, f: f == _general_f(len(planes)),
+        kind=Kind.SAMPLED,
+        over="one arrangement in general position for each m = 3, ..., 15",
+        expected=Verdict.HOLDS,
+        meaning="The number of slip states is quadratic in the number of contacts, as stated.",
+    ),
+    Claim(
+        id="fukuda-bound",
+        locator="Eq. 11",
+        statement="n planes in R^d have at most C(n, d-k) * sum_{i<=k} C(n-d+k, i) faces of "
+        "dimension k.",
+        quantity="f-vector",
+        routes=(Route(ENUMERATION, _f_enumerated), Route(THEOREM, counts.f_vector)),
+        cases=_bound_cases,
+        judge=_below_bound,
+        kind=Kind.SAMPLED,
+        over="central and affine arrangements in R^1 to R^4, degenerate ones included",
+        expected=Verdict.HOLDS,
+    ),
+    Claim(
+        id="fukuda-bound-attained",
+        locator="Eq. 11",
+        statement="Affine arrangements in general position attain the bound for every k.",
+        hypotheses=("affine", "general position"),
+        quantity="f-vector",
+        routes=(Route(ENUMERATION, _f_enumerated), Route(THEOREM, counts.f_vector)),
+        cases=_simple_affine,
+        judge=lambda planes, f: f == _bound(planes),
+        kind=Kind.SAMPLED,
+        over="one simple affine arrangement for each d = 1, ..., 4 and m up to 8, 8, 7, 6",
+        expected=Verdict.HOLDS,
+    ),
+    Claim(
+        id="bound-not-attained",
+        locator="Section IV-A, after Eq. 11",
+        statement="The upper bound is not attained by the tangential planes of m contacts.",
+        hypotheses=("the planes pass through the origin of R^3",),
+        quantity="f-vector",
+        routes=(Route(ENUMERATION, _f_enumerated), Route(THEOREM, counts.f_vector)),
+        cases=lambda rng: mixed_cases(rng, range(1, 11), per_count=3),
+        judge=lambda planes, f: sum(f) < sum(_bound(planes)),
+        kind=Kind.SAMPLED,
+        over="central arrangements of 1 to 10 planes in R^3, degenerate ones included",
+        expected=Verdict.HOLDS_UNDER_HYPOTHESIS,
+        hypothesis=Hypothesis("m >= 4", lambda planes: len(planes) >= 4),
+        search=lambda: smallest_arrangements(range(1, 4), 1),
+        meaning="Independent planes, of which there are at most three here, attain the bound.",
+    ),
+    Claim(
+        id="step-1-square-bound",
+        locator="Section IV-B, running time of Step 1",
+        statement="After Step 1 there are at most m^2 states.",
+        quantity="number of regions",
+        routes=(
+            Route(ENUMERATION, lambda planes: planes.f_vector[3]),
+            Route("|chi(-1)| of the characteristic polynomial", counts.region_count),
+        ),
+        cases=lambda rng: mixed_cases(rng, range(1, 13), per_count=3),
+        judge=lambda planes, regions: regions <= len(planes) ** 2,
+        kind=Kind.SAMPLED,
+        over="central arrangements of 1 to 12 planes in R^3, degenerate ones included",
+        expected=Verdict.HOLDS_UNDER_HYPOTHESIS,
+        hypothesis=Hypothesis("m >= 2", lambda planes: len(planes) >= 2),
+        search=lambda: smallest_arrangements(range(1, 4), 1),
+        meaning="One contact has two slip states in Step 1. The order of growth stays.",
+    ),
+)
+
+
+def _general_f(m: int) -> tuple[int, ...]:
+    """The closed form of the f-vector in general position, m >= 3."""
+    return (1, m * (m - 1), 2 * m * (m - 1), m * m - m + 2)

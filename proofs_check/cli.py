@@ -1,0 +1,153 @@
+"""The command ``proofs-check``: list the claims, show one, run some or all."""
+
+from __future__ import annotations
+
+import argparse
+import shutil
+import sys
+import textwrap
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
+
+from arrangement import console
+
+if TYPE_CHECKING:
+    from .claim import Claim, Record, Result
+
+
+def main(argv: Sequence[str] | None = None) -> int:
+    """Run the command; return its exit code.
+
+    Exit codes: 0 every verdict is the expected one, 1 some verdict differs, 2 bad input.
+    """
+    return console.run(_parser(), argv)
+
+
+def _parser() -> console.Parser:
+    parser = console.command_parser(
+        "proofs-check", "Claims about slip states, each checked by two routes that share no code."
+    )
+    commands = parser.add_subparsers(required=True, metavar="COMMAND")
+
+    listing = commands.add_parser("list", help="list the claims")
+    listing.set_defaults(command=_list)
+
+    show = commands.add_parser("show", help="say what one claim states and how it is checked")
+    show.add_argument("id", metavar="ID")
+    show.set_defaults(command=_show)
+
+    run = commands.add_parser("run", help="check claims and print the verdicts")
+    run.add_argument("ids", nargs="*", metavar="ID", help="claims to check (default: all)")
+    run.add_argument("--seed", type=int, default=0, help="of the random instances (default: 0)")
+    run.add_argument(
+        "--report", metavar="FILE", help="also write a report: FILE.json, FILE.md, else text"
+    )
+    run.set_defaults(command=_run)
+
+    for command in (listing, show, run):
+        console.add_json_option(command)
+    return parser
+
+
+def _list(arguments: argparse.Namespace) -> int:
+    from . import report
+    from .claims import registry
+
+    claims = list(registry())
+    if arguments.json:
+        console.print_json({"claims": [report.claim_record(claim) for claim in claims]})
+        return console.YES
+    rows = [(claim.id, claim.locator, claim.statement) for claim in claims]
+    print("\n".join(report.table(rows, _width())))
+    return console.YES
+
+
+def _show(arguments: argparse.Namespace) -> int:
+    from . import report
+    from .claims import registry
+
+    claim = registry()[arguments.id]
+    if arguments.json:
+        console.print_json(report.claim_record(claim))
+    else:
+        print(_described(claim, _width()))
+    return console.YES
+
+
+def _described(claim: Claim, width: int) -> str:
+    entries = [
+        ("id", claim.id),
+        ("locator", claim.locator),
+        ("statement", claim.statement),
+        *(("hypothesis", text) for text in claim.hypotheses),
+        ("quantity", claim.quantity),
+        *((f"route {i}", route.name) for i, route in enumerate(claim.routes, 1)),
+        ("evidence", f"{claim.kind.value}: {claim.over}"),
+        ("expected", claim.expected.value),
+    ]
+    if claim.hypothesis is not None:
+        entries.append(("holds when", claim.hypothesis.text))
+    if claim.meaning:
+        entries.append(("meaning", claim.meaning))
+    lines = []
+    for name, text in entries:
+        lines += textwrap.wrap(f"{name:<12}{text}", width, subsequent_indent=" " * 12)
+    return "\n".join(lines)
+
+
+def _run(arguments: argparse.Namespace) -> int:
+    from . import report
+    from .claim import evaluate
+    from .claims import registry
+
+    known = registry()
+    chosen = [known[id] for id in dict.fromkeys(arguments.ids)] or list(known)
+    progress = _Progress(len(chosen))
+    results: list[Result] = []
+    for claim in chosen:
+        progress.start(claim)
+        results.append(evaluate(claim, arguments.seed, progress.tick))
+    progress.clear()
+    if arguments.report:
+        report.write_report(arguments.report, results, arguments.seed)
+    if arguments.json:
+        console.print_json(report.json_record(results, arguments.seed))
+    else:
+        print(report.text_report(results, _width()))
+    return console.YES if all(result.as_expected for result in results) else console.NO
+
+
+def _width() -> int:
+    """Return the width to write for: of the terminal, at least 60 characters, at most 160."""
+    return min(max(shutil.get_terminal_size((110, 24)).columns, 60), 160)
+
+
+class _Progress:
+    """One line on stderr that says which claim is being checked; only on a terminal."""
+
+    def __init__(self, total: int) -> None:
+        self.total, self.done, self.cases = total, 0, 0
+        self.claim = ""
+        self.visible = sys.stderr.isatty()
+
+    def start(self, claim: Claim) -> None:
+        self.done, self.cases, self.claim = self.done + 1, 0, claim.id
+        self._draw()
+
+    def tick(self, _record: Record) -> None:
+        self.cases += 1
+        if self.cases % 20 == 0:
+            self._draw()
+
+    def clear(self) -> None:
+        if self.visible:
+            print("\r\x1b[K", end="", file=sys.stderr, flush=True)
+
+    def _draw(self) -> None:
+        if self.visible:
+            text = f"{self.done}/{self.total} {self.claim}: {self.cases} cases"
+            print(f"\r\x1b[K{text}", end="", file=sys.stderr, flush=True)
+
+
+if __name__ == "__main__":
+    raise SystemExit(main())
