@@ -91,7 +91,8 @@ def topes(arrangement: Arrangement) -> frozenset[SignVector]:
 def _cocircuit_masks(central: Arrangement) -> set[_Masks]:
     """Return the cocircuits of a central arrangement from its chirotope."""
     chi = chirotope(central)
-    size, rank = len(central), central.rank
+    size = len(central)
+    rank = len(next(iter(chi)))
     found: set[_Masks] = set()
     if rank == 0:
         return found

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, NamedTuple
 from arrangement.errors import InputError
 from arrangement.planes import Arrangement
 
-from .configuration import configuration
+from .configuration import configuration, rank
 from .lattice import intersection_lattice
 from .lowrank import MAX_RANK, WhitneyMatrix, whitney_matrix
 
@@ -98,7 +98,8 @@ def bounded_region_count(arrangement: Arrangement, *, relative: bool = False) ->
     >>> bounded_region_count(Arrangement([[1, 0], [0, 1], [1, 1]], [0, 0, 1]))
     1
     """
-    if not relative and arrangement.rank < arrangement.dimension:
+    normals = [plane[:-1] for plane in arrangement.integer_planes]
+    if not relative and rank(normals) < arrangement.dimension:
         return 0
     return abs(sum(whitney_numbers(arrangement).first))
 
