@@ -1,0 +1,87 @@
+# Each target creates .venv on first use and installs again when pyproject.toml or
+# constraints.txt change. PYTHON=... picks the interpreter, ARGS=... goes to pytest.
+
+.PHONY: help verify test check bench docs clean
+.DEFAULT_GOAL := help
+.DELETE_ON_ERROR:
+
+VENV := .venv
+BIN := $(VENV)/bin
+JOBS ?= 2
+ARGS ?=
+
+# The first interpreter that is new enough, runs, and can make an environment.
+USABLE := import ensurepip, sys; sys.exit(sys.version_info < (3, 11))
+FOUND = $(shell for p in python3.13 python3.12 python3.11 python3; do \
+  if $$p -c '$(USABLE)' >/dev/null 2>&1; then echo $$p; break; fi; done)
+PYTHON ?= $(FOUND)
+
+help:
+	@echo "make verify   check the claims of the paper and print a verdict for each"
+	@echo "make test     run every test, doctests included"
+	@echo "make check    all that must be true of a commit: lint, types, tests, docs"
+	@echo "make bench    measure speed"
+	@echo "make docs     build the documentation in docs/_build/html"
+	@echo "make clean    remove what the targets made"
+	@echo "PYTHON=python3.12 picks the interpreter, ARGS='-k faces' goes to pytest."
+
+$(BIN)/python:
+	@python="$(PYTHON)"; \
+	if [ -z "$$python" ]; then \
+	  echo "error: no Python >= 3.11 with ensurepip was found; install one, or name it: make PYTHON=/path/to/python" >&2; exit 1; fi; \
+	if ! "$$python" -c '$(USABLE)' >/dev/null 2>&1; then \
+	  echo "error: $$python does not run, is older than 3.11, or lacks ensurepip (Debian: python3-venv)" >&2; exit 1; fi; \
+	echo "creating $(VENV) with $$("$$python" --version)"; \
+	"$$python" -m venv --clear $(VENV)
+
+INSTALL = $(BIN)/python -m pip install --quiet --disable-pip-version-check --constraint constraints.txt --editable
+
+$(VENV)/.stamp-run: pyproject.toml constraints.txt | $(BIN)/python
+	@echo "installing the package"
+	@$(INSTALL) .
+	@touch $@
+
+$(VENV)/.stamp-test: pyproject.toml constraints.txt | $(BIN)/python
+	@echo "installing the package and its test tools"
+	@$(INSTALL) '.[test]'
+	@touch $@ $(VENV)/.stamp-run
+
+$(VENV)/.stamp-docs: pyproject.toml constraints.txt | $(BIN)/python
+	@echo "installing the package and its documentation tools"
+	@$(INSTALL) '.[docs]'
+	@touch $@ $(VENV)/.stamp-run
+
+$(VENV)/.stamp-check: pyproject.toml constraints.txt | $(BIN)/python
+	@echo "installing the package and all of its development tools"
+	@$(INSTALL) '.[test,lint,docs,figures,igraph,parallel]'
+	@touch $@ $(VENV)/.stamp-run $(VENV)/.stamp-test $(VENV)/.stamp-docs
+
+$(VENV)/.stamp-bench: pyproject.toml constraints.txt | $(BIN)/python
+	@echo "installing the package and what it is measured against"
+	@$(INSTALL) '.[bench]'
+	@touch $@ $(VENV)/.stamp-run
+
+verify: $(VENV)/.stamp-run
+	$(BIN)/proofs-check run
+
+test: $(VENV)/.stamp-test
+	$(BIN)/python -m pytest -n $(JOBS) $(ARGS)
+
+check: $(VENV)/.stamp-check
+	$(BIN)/ruff check .
+	$(BIN)/ruff format --check .
+	$(BIN)/mypy
+	SYMPY_GROUND_TYPES=python $(BIN)/python -m pytest -n $(JOBS) $(ARGS)
+	SYMPY_GROUND_TYPES=flint $(BIN)/python -m pytest -n $(JOBS) -m ground_types $(ARGS)
+	$(MAKE) docs
+
+bench: $(VENV)/.stamp-bench
+	$(BIN)/python tests/benchmarks/run.py $(ARGS)
+
+docs: $(VENV)/.stamp-docs
+	$(BIN)/python -m sphinx -q -W --keep-going -b html docs docs/_build/html
+	@echo "docs/_build/html/index.html"
+
+clean:
+	rm -rf $(VENV) build dist docs/_build docs/reference .hypothesis .mypy_cache .pytest_cache .ruff_cache .import_linter_cache
+	find . -name __pycache__ -type d -prune -exec rm -rf {} +
