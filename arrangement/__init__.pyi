@@ -3,6 +3,15 @@ from .certify import (
     CompletenessEvidence as CompletenessEvidence,
     certify_complete as certify_complete,
 )
+from .dual import (
+    DualPolygon as DualPolygon,
+    DualPolyhedron as DualPolyhedron,
+    DualSegment as DualSegment,
+    dual_polygon as dual_polygon,
+    dual_polyhedron as dual_polyhedron,
+    dual_segment as dual_segment,
+    dual_zonotope as dual_zonotope,
+)
 from .errors import (
     ArrangementError as ArrangementError,
     InputError as InputError,

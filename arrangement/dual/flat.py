@@ -1,0 +1,122 @@
+"""Duals of rank 2 and rank 1: a centrally symmetric polygon, and a segment."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+from fractions import Fraction
+from typing import Any
+
+from arrangement.exact import RationalVector
+from arrangement.planes import Arrangement
+
+from .generators import Generators, generators, require_rank
+
+_REMEDIES = {
+    0: "a single point; there are no planes",
+    1: "a segment; use dual_segment",
+    2: "a polygon; use dual_polygon",
+    3: "a polyhedron; use dual_polyhedron",
+}
+
+
+@dataclass(frozen=True, slots=True)
+class DualPolygon:
+    """The dual of a pencil of k distinct planes: a centrally symmetric polygon of 2k corners.
+
+    It lies in the plane spanned by the normals. It is no polyhedron: its graph is one cycle, and
+    it has two sides instead of faces, so nothing of `DualPolyhedron` applies to it.
+
+    Attributes:
+        arrangement: the planes, in R^d, of rank 2.
+        signs: the sign vector of each corner's region, in cyclic order.
+        vertices: the exact corners ``sum_i s_i g_i``, in the same order.
+    """
+
+    arrangement: Arrangement
+    signs: tuple[tuple[int, ...], ...]
+    vertices: tuple[RationalVector, ...]
+
+    dimension = 2
+
+
+@dataclass(frozen=True, slots=True)
+class DualSegment:
+    """The dual of one plane, given once or more often: a segment through the origin.
+
+    Attributes:
+        arrangement: the planes, all coincident.
+        signs: the sign vectors of the two sides.
+        vertices: the exact ends ``sum_i s_i g_i``.
+    """
+
+    arrangement: Arrangement
+    signs: tuple[tuple[int, ...], ...]
+    vertices: tuple[RationalVector, ...]
+
+    dimension = 1
+
+
+def dual_polygon(arrangement: Arrangement, lengths: Iterable[Any] | None = None) -> DualPolygon:
+    """Return the dual of an arrangement of rank 2, in R^d for any d >= 2.
+
+    Args:
+        arrangement: central planes whose normals span a plane.
+        lengths: a positive factor for each normal; 1 if left out.
+
+    Raises:
+        InputError: another rank, an affine arrangement, or bad lengths.
+
+    >>> polygon = dual_polygon(Arrangement([[1, 0], [0, 1], [1, 1]]))
+    >>> len(polygon.vertices)
+    6
+    """
+    spans = generators(arrangement, lengths)
+    require_rank(arrangement, 2, _REMEDIES)
+    signs = _in_cyclic_order(arrangement)
+    return DualPolygon(arrangement, signs, tuple(_sum(spans, row) for row in signs))
+
+
+def dual_segment(arrangement: Arrangement, lengths: Iterable[Any] | None = None) -> DualSegment:
+    """Return the dual of an arrangement of rank 1, in R^d for any d.
+
+    Args and errors: as for `dual_polygon`.
+
+    >>> dual_segment(Arrangement([[2, 0, 0]])).vertices[0]
+    (Fraction(1, 1), Fraction(0, 1), Fraction(0, 1))
+    """
+    spans = generators(arrangement, lengths)
+    require_rank(arrangement, 1, _REMEDIES)
+    positive = arrangement.orientation
+    signs = (positive, tuple(-s for s in positive))
+    return DualSegment(arrangement, signs, tuple(_sum(spans, row) for row in signs))
+
+
+def _in_cyclic_order(arrangement: Arrangement) -> tuple[tuple[int, ...], ...]:
+    """Walk from region to region of a pencil, never back through the wall just crossed."""
+    remaining = {face.signs for face in arrangement.regions()}
+    current = max(remaining)
+    order = [current]
+    remaining.remove(current)
+    while remaining:
+        crossings = (_across(current, members) for members in arrangement.distinct)
+        current = next(signs for signs in crossings if signs in remaining)
+        remaining.remove(current)
+        order.append(current)
+    return tuple(order)
+
+
+def _across(signs: tuple[int, ...], members: tuple[int, ...]) -> tuple[int, ...]:
+    """Return the sign vector on the other side of one class of coincident planes."""
+    changed = list(signs)
+    for plane in members:
+        changed[plane] = -changed[plane]
+    return tuple(changed)
+
+
+def _sum(spans: Generators, signs: tuple[int, ...]) -> RationalVector:
+    """Return ``sum_i s_i g_i``."""
+    return tuple(
+        Fraction(sum(s * x for s, x in zip(signs, column, strict=True)), spans.denominator)
+        for column in zip(*spans.vectors, strict=True)
+    )
