@@ -1,0 +1,242 @@
+"""Great-circle arrangements: the geometry beside the half-edge structure.
+
+Seen from outside the unit sphere, the planes of a central arrangement in R^3 are great circles.
+Vertices are rays of the arrangement, arcs its facets, regions its regions.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from functools import cached_property
+from typing import TypeAlias
+
+import numpy as np
+
+from arrangement.errors import InputError
+from arrangement.exact import IntegerVector, primitive
+from arrangement.planes import Arrangement, Face
+
+from .crossings import Crossings, sort_crossings
+from .incidence import Incidence, Indices
+from .predicates import Integers, integer_array
+from .signs import PackedSigns, SignPacker
+from .tracing import build_incidence
+
+SignVector: TypeAlias = tuple[int, ...]
+
+
+class SphereArrangement:
+    """All vertices, arcs and regions of a central arrangement in R^3, with their incidence.
+
+    Made by `sphere_arrangement`. Everything is numbered as `Incidence` says. Sign vectors are
+    over all input planes in input order; coincident planes share a circle.
+
+    Attributes:
+        arrangement: the input.
+        incidence: the half-edge structure (topology only).
+        circle_normals: the primitive integer normal of each distinct circle, oriented so that its
+            first nonzero entry is positive.
+        rays: (V, 3); an integer direction vector of each vertex, not always primitive. int64
+            where that is proven to be exact, else Python integers.
+    """
+
+    def __init__(
+        self,
+        arrangement: Arrangement,
+        incidence: Incidence,
+        crossings: Crossings,
+        circle_normals: tuple[IntegerVector, ...],
+        rays: Integers,
+    ) -> None:
+        self.arrangement = arrangement
+        self.incidence = incidence
+        self.circle_normals = circle_normals
+        self.rays = rays
+        self._crossings = crossings
+        rays.flags.writeable = False
+
+    def __repr__(self) -> str:
+        return (
+            f"<SphereArrangement: {self.circle_count} circles, {self.vertex_count} vertices, "
+            f"{self.arc_count} arcs, {self.region_count} regions>"
+        )
+
+    @property
+    def circle_count(self) -> int:
+        """The number of distinct circles."""
+        return self.incidence.circle_count
+
+    @property
+    def vertex_count(self) -> int:
+        """The number of vertices (2 in rank 2, none in rank 1)."""
+        return self.incidence.vertex_count
+
+    @property
+    def arc_count(self) -> int:
+        """The number of arcs."""
+        return self.incidence.arc_count
+
+    @property
+    def region_count(self) -> int:
+        """The number of regions."""
+        return self.incidence.region_count
+
+    @property
+    def rank(self) -> int:
+        """The dimension of the span of the normals."""
+        return min(self.circle_count, 2) if self.vertex_count <= 2 else 3
+
+    @cached_property
+    def plane_circle(self) -> Indices:
+        """(m); the circle of each input plane."""
+        return np.array(self.arrangement.class_of, np.int32)
+
+    def ray(self, vertex: int) -> IntegerVector:
+        """Return the primitive integer direction of a vertex."""
+        return primitive([int(x) for x in self.rays[vertex]])
+
+    def arc_witness(self, arc: int) -> IntegerVector:
+        """Return a primitive integer vector in the relative interior of an arc's cone."""
+        if self.rank >= 3:  # an arc is shorter than half a circle
+            ends = self.incidence.origin[2 * arc : 2 * arc + 2].tolist()
+            return _sum(self.ray(end) for end in ends)
+        a, b, c = self.circle_normals[int(self.incidence.arc_circle[arc])]
+        if self.rank == 1:
+            return primitive((b, -a, 0) if a or b else (1, 0, 0))
+        x, y, z = self.ray(int(self.incidence.origin[2 * arc]))
+        return primitive((b * z - c * y, c * x - a * z, a * y - b * x))
+
+    def region_witness(self, region: int) -> IntegerVector:
+        """Return a primitive integer vector in the interior of a region's cone.
+
+        Three consecutive vertices of a spherical polygon span a triangle inside it; in rank 2 the
+        middles of the two arcs of a lune have their sum inside.
+        """
+        half_edge = int(self.incidence.leader[region])
+        if self.rank == 0:
+            return (0, 0, 0)
+        if self.rank == 1:
+            a, b, c = self.circle_normals[0]
+            return (a, b, c) if half_edge == 0 else (-a, -b, -c)
+        following = self.incidence.next
+        if self.rank == 2:
+            arcs = (half_edge >> 1, int(following[half_edge]) >> 1)
+            return _sum(self.arc_witness(arc) for arc in arcs)
+        second = int(following[half_edge])
+        corners = self.incidence.origin[[half_edge, second, int(following[second])]].tolist()
+        return _sum(self.ray(corner) for corner in corners)
+
+    def vertex_signs(self, vertex: int) -> SignVector:
+        """Return the sign vector of a vertex. O(m) exact operations."""
+        return self.arrangement.signs_at(self.ray(vertex))
+
+    def arc_signs(self, arc: int) -> SignVector:
+        """Return the sign vector of an arc. O(m) exact operations."""
+        return self.arrangement.signs_at(self.arc_witness(arc))
+
+    def region_signs(self, region: int) -> SignVector:
+        """Return the sign vector of a region. O(m) exact operations."""
+        return self.arrangement.signs_at(self.region_witness(region))
+
+    @cached_property
+    def _packer(self) -> SignPacker:
+        firsts = [self.circle_normals[circle] for circle in self.arrangement.class_of]
+        planes = self.arrangement.integer_planes
+        same = [plane[:3] == first for plane, first in zip(planes, firsts, strict=True)]
+        orientation = np.where(np.array(same, bool), 1, -1).astype(np.int8)
+        return SignPacker(self.incidence, self._crossings, self.plane_circle, orientation)
+
+    @cached_property
+    def packed_region_signs(self) -> PackedSigns:
+        """(F, ceil(m / 8)); bit 1 for +, bit 0 for -, plane 0 in the highest bit of byte 0.
+
+        Computed when first asked for, by flipping bits along the circles: O(F m / 64).
+        """
+        return self._packer.regions()
+
+    @cached_property
+    def packed_arc_signs(self) -> tuple[PackedSigns, PackedSigns]:
+        """Where the signs of each arc are +, and where they are -; each (E, ceil(m / 8))."""
+        return self._packer.arcs()
+
+    @cached_property
+    def packed_vertex_signs(self) -> tuple[PackedSigns, PackedSigns]:
+        """Where the signs of each vertex are +, and where they are -; each (V, ceil(m / 8))."""
+        return self._packer.vertices()
+
+    def faces(self) -> tuple[tuple[Face, ...], ...]:
+        """Return the same faces as `Arrangement.faces`, by dimension 0 to 3, each with a witness.
+
+        A pencil has one line, not two rays: both its vertices have the same sign vector.
+        """
+        from .listing import list_faces
+
+        return list_faces(self)
+
+    def validate(self) -> None:
+        """Check the topology, then the geometry; raise `ArrangementError` naming what failed.
+
+        Complexity: O(E) exact operations and O(E log E) time.
+        """
+        from .validation import validate
+
+        validate(self)
+
+
+def sphere_arrangement(arrangement: Arrangement) -> SphereArrangement:
+    """Return the great-circle arrangement of a central arrangement in R^3.
+
+    Any rank from 0 to 3; pencils and coincident planes are ordinary input.
+
+    Raises:
+        InputError: the space is not R^3, or a plane misses the origin.
+
+    Complexity: with c distinct planes, O(c^2 log c) time and O(c^2) memory. Entries of the
+    primitive normals up to 1 154 000 are handled in int64, larger ones in Python integers.
+
+    >>> sphere_arrangement(Arrangement([[1, 0, 0], [0, 1, 0], [0, 0, 1], [1, 1, 1]]))
+    <SphereArrangement: 4 circles, 12 vertices, 24 arcs, 14 regions>
+    """
+    if arrangement.dimension != 3:
+        raise InputError(
+            f"the arrangement is in R^{arrangement.dimension}; great circles need R^3: "
+            "use Arrangement.faces for other dimensions"
+        )
+    if not arrangement.is_central:
+        plane = next(i for i, offset in enumerate(arrangement.offsets) if offset)
+        raise InputError(
+            f"plane {plane} misses the origin (offset {arrangement.offsets[plane]}); great "
+            "circles need offsets 0: use Arrangement.faces for affine planes"
+        )
+    planes = arrangement.integer_planes
+    circle_normals = tuple(_positive(planes[members[0]][:3]) for members in arrangement.distinct)
+    normals = integer_array(circle_normals)
+    crossings = sort_crossings(normals)
+    incidence = build_incidence(crossings)
+    return SphereArrangement(
+        arrangement, incidence, crossings, circle_normals, _rays(normals, incidence)
+    )
+
+
+def _rays(normals: Integers, incidence: Incidence) -> Integers:
+    """Return a direction for each vertex: the first circle of a line turns into the second."""
+    first = incidence.line_offsets[:-1]
+    left, right = (
+        normals[incidence.slot_circle[incidence.line_slots[first + place]]] for place in (0, 1)
+    )
+    rays = np.empty((2 * len(first), 3), normals.dtype)
+    positive = rays[: len(first)]
+    for k, (i, j) in enumerate(((1, 2), (2, 0), (0, 1))):
+        positive[:, k] = left[:, i] * right[:, j] - left[:, j] * right[:, i]
+    np.negative(positive, out=rays[len(first) :])
+    return rays
+
+
+def _positive(normal: IntegerVector) -> IntegerVector:
+    """Return the normal or its negative, whichever has a positive first nonzero entry."""
+    leading = next(x for x in normal if x)
+    return normal if leading > 0 else tuple(-x for x in normal)
+
+
+def _sum(vectors: Iterable[IntegerVector]) -> IntegerVector:
+    return primitive([sum(column) for column in zip(*vectors, strict=True)])

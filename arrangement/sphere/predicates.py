@@ -1,0 +1,99 @@
+"""The three predicates of a great-circle arrangement, with the bounds that make int64 exact.
+
+Every circle is the trace on the unit sphere of the plane ``n . x = 0``. A vector is *positive* if
+its first nonzero coordinate is positive; of a vector and its negative exactly one is. All normals
+here are integer and positive, and no two are equal.
+
+With ``d_ij = n_i x n_j`` and ``turn_ij`` = +1 or -1 so that ``turn_ij d_ij`` is positive:
+
+* ``turn_ij`` says on which side of circle i the positive crossing with circle j leaves: seen
+  from outside, circle j runs counterclockwise of circle i at their positive crossing exactly
+  when ``turn_ij = +1``. Moving counterclockwise about ``n_i`` through that crossing, the sign of
+  ``n_j . x`` changes from ``turn_ij`` to ``-turn_ij``.
+* ``det(n_i, n_j, n_k) turn_ij turn_ik`` is positive exactly when, counterclockwise about ``n_i``,
+  the positive crossing with k comes less than half a turn after that with j, because
+  ``(n_i x n_j) x (n_i x n_k) = n_i det(n_i, n_j, n_k)``.
+* the slope of a crossing (`slope_terms`) grows counterclockwise along the positive half circle.
+
+Bounds. Let B be the largest absolute value of an entry. Then ``|d_ij| <= 2 B^2`` in each
+coordinate; a determinant ``n_k . d_ij`` and each partial sum of it is at most ``6 B^3``; the
+numerator of a slope is at most ``4 B^3``. All are exact in int64 if ``6 B^3 < 2^63``.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any, TypeAlias
+
+import numpy as np
+from numpy.typing import NDArray
+
+#: int64, or Python integers in an object array where int64 could overflow.
+Integers: TypeAlias = NDArray[Any]
+Signs: TypeAlias = NDArray[np.int8]
+Components: TypeAlias = tuple[Integers, Integers, Integers]
+
+
+def integer_array(
+    rows: Sequence[tuple[int, ...]], degree_bound: int = 3, factor: int = 6
+) -> Integers:
+    """Return integer rows as int64 if ``factor * B^degree_bound < 2^63``, else as Python integers.
+
+    The default is the bound proven above. The choice depends on the largest entry B alone.
+    """
+    largest = max((abs(x) for row in rows for x in row), default=0)
+    exact_in_int64 = factor * largest**degree_bound < 2**63
+    array = np.empty((len(rows), 3), dtype=np.int64 if exact_in_int64 else object)
+    array[...] = np.array(rows, dtype=array.dtype).reshape(-1, 3)
+    return array
+
+
+def signs_of(values: Integers) -> Signs:
+    """Return the sign of every entry as int8."""
+    positive: NDArray[np.bool_] = values > 0
+    negative: NDArray[np.bool_] = values < 0
+    return positive.view(np.int8) - negative.view(np.int8)
+
+
+def cross_products(left: Integers, right: Integers) -> Components:
+    """Return the coordinates of all ``left[i] x right[j]``, rows i and columns j."""
+    ax, ay, az = (left[:, k, None] for k in range(3))
+    bx, by, bz = (right[None, :, k] for k in range(3))
+    return ay * bz - az * by, az * bx - ax * bz, ax * by - ay * bx
+
+
+def turns(directions: Components) -> Signs:
+    """Return +1 where a vector is positive, -1 where its negative is, 0 where it is zero."""
+    x, y, z = directions
+    found = signs_of(x)
+    undecided = np.nonzero(found == 0)
+    if len(undecided[0]):
+        second, third = signs_of(y[undecided]), signs_of(z[undecided])
+        found[undecided] = np.where(second != 0, second, third)
+    return found
+
+
+def slope_terms(normals: Integers, directions: Components) -> tuple[Integers, Integers]:
+    """Return numerators p and denominators q of the slopes of crossings, before orientation.
+
+    In the plane of circle i take the frame ``e1`` (projected) and ``n_i x e1``; then a positive
+    vector d has ``q = d . e1 >= 0`` and ``p = d . (n_i x e1)``. The one circle with normal e1 uses
+    e2 and e3 instead. For ``-d`` both change sign.
+    """
+    x, y, z = directions
+    p = y * normals[:, 2, None] - z * normals[:, 1, None]
+    polar = np.nonzero((normals[:, 1] == 0) & (normals[:, 2] == 0))[0]
+    if len(polar):
+        q = x.copy()
+        p[polar], q[polar] = z[polar], y[polar]
+        return p, q
+    return p, x
+
+
+def exact_slope_terms(normal: tuple[int, ...], other: tuple[int, ...]) -> tuple[int, int]:
+    """Return (p, q) of the positive crossing of two circles in Python integers, ``q >= 0``."""
+    (a, b, c), (u, v, w) = normal, other
+    x, y, z = b * w - c * v, c * u - a * w, a * v - b * u
+    leading = x or y or z
+    p, q = (z, y) if b == c == 0 else (y * c - z * b, x)
+    return (p, q) if leading > 0 else (-p, -q)
