@@ -11,7 +11,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
 from itertools import combinations
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from .errors import InputError
 from .exact import (
@@ -25,6 +25,9 @@ from .exact import (
     to_text,
 )
 from .linear import rank
+
+if TYPE_CHECKING:
+    from .certify import CompletenessEvidence
 
 
 @dataclass(frozen=True, slots=True)
@@ -225,6 +228,12 @@ class Arrangement:
     def f_vector(self) -> tuple[int, ...]:
         """The number of faces of dimension 0, 1, ..., d, by enumeration."""
         return tuple(len(level) for level in self._faces)
+
+    def certify_complete(self) -> CompletenessEvidence:
+        """Compare `faces` with Zaslavsky's theorem, face by face and in number."""
+        from .certify import certify_complete
+
+        return certify_complete(self)
 
     def to_dict(self) -> dict[str, Any]:
         """Return the file form (see `arrangement.read_arrangement`)."""
