@@ -13,6 +13,7 @@ import textwrap
 from collections.abc import Iterable, Mapping, Sequence
 from fractions import Fraction
 from importlib.metadata import PackageNotFoundError, version
+from pathlib import Path
 from typing import Any
 
 from arrangement.exact import to_text
@@ -273,7 +274,7 @@ def write_report(path: str | os.PathLike[str], results: Sequence[Result], seed: 
 
     The file is written whole or not at all.
     """
-    ending = os.path.splitext(os.fspath(path))[1].lower()
+    ending = Path(path).suffix.lower()
     if ending == ".json":
         text = json.dumps(json_record(results, seed), indent=1) + "\n"
     elif ending == ".md":

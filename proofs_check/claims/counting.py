@@ -9,16 +9,15 @@ from typing import Any
 from arrangement import counts
 from arrangement.planes import Arrangement
 from arrangement.published import published_enumeration
-
-from ..claim import Case, Claim, Hypothesis, Kind, Route, Verdict
-from ..instances import (
+from proofs_check.claim import Case, Claim, Hypothesis, Kind, Route, Verdict
+from proofs_check.instances import (
     arrangement_case,
     mixed_cases,
     random_arrangement,
     simple_arrangement,
     smallest_arrangements,
 )
-from ..printed import STATE_COUNTS
+from proofs_check.printed import STATE_COUNTS
 
 ENUMERATION = "enumeration of all faces"
 THEOREM = "Zaslavsky's theorem on the intersection lattice"

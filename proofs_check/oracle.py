@@ -1,0 +1,302 @@
+"""Brute force on small grasps: every choice of contact states, by Fourier-Motzkin elimination.
+
+This is the second route of the claims on grasps. It shares no code with the solver: it takes
+numbers as they stand in a question, writes the model out afresh, and decides each of the 4^m
+systems by eliminating variables one at a time. Exact, exponential, meant for m <= 4.
+
+Signs: normals point into the object, the tangent is the normal turned by +90 degrees, forces act
+on the object, and ``forces + wrench = 0``.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+from itertools import product
+from typing import Any, TypeAlias
+
+#: Coefficients, then a constant: the linear form ``row . (x, 1)``.
+Row: TypeAlias = tuple[Fraction, ...]
+#: A closed interval of the line; None where it has no end.
+Interval: TypeAlias = tuple[Fraction | None, Fraction | None]
+
+ATTACHED = ("slip+", "slip-", "stick")
+STATES = ("detached", *ATTACHED)
+
+
+@dataclass(frozen=True)
+class Touch:
+    """One contact in numbers: wrenches of unit forces, stiffness, preload, friction."""
+
+    normal: Row
+    tangential: Row
+    stiffness: Fraction
+    preload: Fraction
+    friction: Fraction
+
+
+@dataclass(frozen=True)
+class Question:
+    """A grasp under a wrench.
+
+    Attributes:
+        contacts: (point x, point y, normal x, normal y, friction, stiffness, preload) of each.
+        wrench: force x, force y, torque.
+    """
+
+    contacts: tuple[Row, ...]
+    wrench: Row
+
+    @property
+    def touches(self) -> tuple[Touch, ...]:
+        """The contacts with the wrenches of unit forces along their normals and tangents."""
+        return tuple(
+            Touch((a, b, x * b - y * a), (-b, a, x * a + y * b), k, q, mu)
+            for x, y, a, b, mu, k, q in self.contacts
+        )
+
+    def to_dict(self) -> dict[str, Any]:
+        """Return the file form of the grasp, with the wrench."""
+        return {
+            "schema_version": 1,
+            "contacts": [
+                {
+                    "point": [str(x), str(y)],
+                    "normal": [str(a), str(b)],
+                    "friction": str(mu),
+                    "stiffness": str(k),
+                    "preload": str(q),
+                }
+                for x, y, a, b, mu, k, q in self.contacts
+            ],
+            "wrench": [str(x) for x in self.wrench],
+        }
+
+
+@dataclass(frozen=True)
+class Reading:
+    """Which of the conditions are meant; each one can be taken as the paper prints it.
+
+    Attributes:
+        detachment: a contact may let go (printed: the spring equation always holds).
+        preload: the spring equation has a preload term (printed: none).
+        friction_opposes: slip in + direction gives ``c_t = -mu c_n``. The printed signs, with
+            Eqs. 1 and 4 in one frame, come out the other way round.
+        cell_check: the motion must slip as the state says (printed: never checked).
+    """
+
+    detachment: bool = True
+    preload: bool = True
+    friction_opposes: bool = True
+    cell_check: bool = True
+
+    @property
+    def states(self) -> tuple[str, ...]:
+        """The states that a contact can be in."""
+        return STATES if self.detachment else ATTACHED
+
+
+MODEL = Reading()
+
+
+def stable(
+    question: Question, reading: Reading = MODEL, states: Iterable[Sequence[str]] | None = None
+) -> bool:
+    """Return whether some choice of states (all, or the given ones) has a solution."""
+    listed = all_states(question, reading) if states is None else states
+    return any(not _contradiction(system(question, s, reading)) for s in listed)
+
+
+def all_states(question: Question, reading: Reading = MODEL) -> Iterable[tuple[str, ...]]:
+    """Return every choice of contact states, without regard to rigid motion."""
+    return product(reading.states, repeat=len(question.contacts))
+
+
+def violations(
+    question: Question, motion: Sequence[Fraction], forces: Sequence[Sequence[Fraction]]
+) -> tuple[str, ...]:
+    """Return the conditions of the model that a motion with given forces breaks, by name."""
+    broken = []
+    total = list(question.wrench)
+    for i, (touch, (normal, tangential)) in enumerate(
+        zip(question.touches, forces, strict=True), 1
+    ):
+        spring = touch.preload - touch.stiffness * _dot(touch.normal, motion)
+        slip = _dot(touch.tangential, motion)
+        if normal != max(Fraction(0), spring):
+            broken.append(f"spring of contact {i}")
+        if abs(tangential) > touch.friction * normal:
+            broken.append(f"cone of contact {i}")
+        if slip and tangential != (-1 if slip > 0 else 1) * touch.friction * normal:
+            broken.append(f"dissipation at contact {i}")
+        for j in range(3):
+            total[j] += normal * touch.normal[j] + tangential * touch.tangential[j]
+    if any(total):
+        broken.append("balance")
+    return tuple(broken)
+
+
+def resistible(question: Question, reading: Reading = MODEL) -> tuple[Interval, ...]:
+    """Return all factors t for which the grasp holds t times the wrench, as closed intervals."""
+    found = []
+    for states in all_states(question, reading):
+        equalities, inequalities = system(question, states, reading, scaled=True)
+        kept = 3 + len(question.contacts)
+        rows = project(equalities, inequalities, kept)
+        interval = None if rows is None else _interval(rows, kept)
+        if interval is not None:
+            found.append(interval)
+    return _united(found)
+
+
+def system(
+    question: Question, states: Sequence[str], reading: Reading = MODEL, *, scaled: bool = False
+) -> tuple[list[Row], list[Row]]:
+    """Return equalities and inequalities (``>= 0``) in the motion and the tangential forces.
+
+    With `scaled` there is one more variable t, after these, and the wrench is t times the given.
+    """
+    m = len(question.contacts)
+    size = 3 + m + int(scaled) + 1
+    balance = [[Fraction(0)] * size for _ in range(3)]
+    equalities: list[Row] = []
+    inequalities: list[Row] = []
+    for i, (touch, state) in enumerate(zip(question.touches, states, strict=True)):
+        normal = _spring(touch, reading, size)
+        tangential = _unit(3 + i, size)
+        slip = (*touch.tangential, *[Fraction(0)] * (size - 3))
+        if state == "detached":
+            equalities.append(tangential)
+            inequalities.append(_times(normal, -1))
+            continue
+        inequalities.append(normal)
+        equal, bounds = _friction(state, normal, tangential, slip, touch.friction, reading)
+        equalities.append(equal)
+        inequalities += bounds
+        for j in range(3):
+            force = _plus(_times(normal, touch.normal[j]), _times(tangential, touch.tangential[j]))
+            balance[j] = list(_plus(balance[j], force))
+    for j in range(3):
+        balance[j][-2 if scaled else -1] += question.wrench[j]
+    return [*equalities, *map(tuple, balance)], inequalities
+
+
+def _friction(
+    state: str, normal: Row, tangential: Row, slip: Row, friction: Fraction, reading: Reading
+) -> tuple[Row, list[Row]]:
+    """Return the equality and the inequalities of friction in one state of an attached contact."""
+    limit = _times(normal, friction)
+    if state == "stick":
+        return slip, [_plus(limit, tangential), _plus(limit, _times(tangential, -1))]
+    way = 1 if state == "slip+" else -1
+    against = way if reading.friction_opposes else -way
+    return _plus(tangential, _times(limit, against)), (
+        [_times(slip, way)] if reading.cell_check else []
+    )
+
+
+def _spring(touch: Touch, reading: Reading, size: int) -> Row:
+    """Return the normal force ``q - k N . d`` as a linear form."""
+    preload = touch.preload if reading.preload else Fraction(0)
+    zeros = [Fraction(0)] * (size - 4)
+    return (*(-touch.stiffness * x for x in touch.normal), *zeros, preload)
+
+
+def project(equalities: Sequence[Row], inequalities: Sequence[Row], keep: int) -> list[Row] | None:
+    """Eliminate all variables but number `keep` (a number past the last keeps none).
+
+    Returns:
+        The inequalities that remain, or None when there is no solution.
+    """
+    rows = [_primitive(row) for row in inequalities]
+    left = [_primitive(row) for row in equalities]
+    variables = range(len(left[0]) - 1 if left else len(rows[0]) - 1 if rows else 0)
+    for j in variables:
+        pivot = next((row for row in left if row[j]), None) if j != keep else None
+        if pivot is not None:
+            left = [_cancel(row, pivot, j) for row in left if row is not pivot]
+            rows = [_cancel(row, pivot, j) for row in rows]
+    for row in left:
+        rows += [row, _times(row, -1)]
+    for j in variables:
+        if j != keep:
+            rows = _eliminated(rows, j)
+        if any(not any(row[:-1]) and row[-1] < 0 for row in rows):
+            return None
+    return [row for row in rows if any(row[:-1])]
+
+
+def _contradiction(rows: tuple[list[Row], list[Row]]) -> bool:
+    return project(*rows, keep=-1) is None
+
+
+def _eliminated(rows: Iterable[Row], j: int) -> list[Row]:
+    """One step of Fourier-Motzkin elimination; equal rows are kept once."""
+    groups: dict[int, list[Row]] = {-1: [], 0: [], 1: []}
+    for row in dict.fromkeys(rows):
+        groups[(row[j] > 0) - (row[j] < 0)].append(row)
+    pairs = (
+        _primitive(_plus(_times(up, -down[j]), _times(down, up[j])))
+        for up, down in product(groups[1], groups[-1])
+    )
+    return list(dict.fromkeys([*groups[0], *pairs]))
+
+
+def _cancel(row: Row, pivot: Row, j: int) -> Row:
+    """Return the row without variable j, by a multiple of the pivot equality."""
+    if not row[j]:
+        return row
+    return _primitive(_plus(row, _times(pivot, -Fraction(row[j]) / pivot[j])))
+
+
+def _primitive(row: Sequence[Fraction]) -> Row:
+    """Return a positive multiple with coprime integer entries."""
+    scale = math.lcm(*(Fraction(x).denominator for x in row))
+    whole = [int(x * scale) for x in row]
+    divisor = math.gcd(*whole) or 1
+    return tuple(Fraction(x // divisor) for x in whole)
+
+
+def _interval(rows: Sequence[Row], j: int) -> Interval | None:
+    """Return the numbers t with ``row[j] t + constant >= 0`` for all rows, or None."""
+    low: Fraction | None = None
+    high: Fraction | None = None
+    for row in rows:
+        end = -row[-1] / row[j]
+        if row[j] > 0:
+            low = end if low is None else max(low, end)
+        else:
+            high = end if high is None else min(high, end)
+    return None if low is not None and high is not None and low > high else (low, high)
+
+
+def _united(intervals: Iterable[Interval]) -> tuple[Interval, ...]:
+    """Return the union as disjoint intervals in increasing order."""
+    united: list[Interval] = []
+    for low, high in sorted(intervals, key=lambda i: (i[0] is not None, i[0] or 0)):
+        if united:
+            last = united[-1]
+            if last[1] is None or low is None or low <= last[1]:
+                top = None if last[1] is None or high is None else max(last[1], high)
+                united[-1] = (last[0], top)
+                continue
+        united.append((low, high))
+    return tuple(united)
+
+
+def _dot(left: Sequence[Fraction], right: Sequence[Fraction]) -> Fraction:
+    return sum((a * b for a, b in zip(left, right, strict=True)), Fraction(0))
+
+
+def _plus(left: Sequence[Fraction], right: Sequence[Fraction]) -> Row:
+    return tuple([a + b for a, b in zip(left, right, strict=True)])
+
+
+def _times(row: Sequence[Fraction], factor: Fraction | int) -> Row:
+    return tuple([x * factor for x in row])
+
+
+def _unit(j: int, size: int) -> Row:
+    return tuple(Fraction(int(i == j)) for i in range(size))
