@@ -2,12 +2,17 @@
 
 from __future__ import annotations
 
+import itertools
+from collections.abc import Iterator
+from contextlib import contextmanager
 from fractions import Fraction
 from typing import Any
+from unittest import mock
 
 import pytest
 import sympy
-from hypothesis import given, settings, strategies as st
+from hypothesis import assume, given, settings, strategies as st
+from sympy.solvers import simplex
 from sympy.solvers.simplex import InfeasibleLPError, UnboundedLPError, lpmin
 
 from arrangement.errors import ArrangementError
@@ -63,6 +68,20 @@ def check(problem: Problem, answer: Optimal | Infeasible | Unbounded) -> None:
         assert at((*objective, 0), answer.point) == answer.value
 
 
+@contextmanager
+def few_pivots() -> Iterator[None]:
+    """Drop the example when SymPy's simplex cycles, which it does on some degenerate programs."""
+    pivots = itertools.count()
+
+    def counted(*arguments: Any) -> Any:
+        assume(next(pivots) < 300)
+        return pivot(*arguments)
+
+    pivot = simplex._pivot
+    with mock.patch.object(simplex, "_pivot", counted):
+        yield
+
+
 def by_sympy(problem: Problem) -> Any:
     """Return SymPy's optimal value, or the name of what else it finds."""
     objective, inequalities, equalities = problem
@@ -77,9 +96,10 @@ def by_sympy(problem: Problem) -> Any:
     if sympy.false in constraints:  # SymPy refuses a constraint that is plainly false
         return "infeasible"
     try:
-        value, _ = lpmin(
-            form((*objective, Fraction(0))), [c for c in constraints if c is not sympy.true]
-        )
+        with few_pivots():
+            value, _ = lpmin(
+                form((*objective, Fraction(0))), [c for c in constraints if c is not sympy.true]
+            )
     except InfeasibleLPError:
         return "infeasible"
     except UnboundedLPError:
