@@ -1,0 +1,73 @@
+"""What must stay true of the project as a whole."""
+
+from __future__ import annotations
+
+import importlib
+import importlib.metadata
+import importlib.util
+import re
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+import arrangement
+
+ROOT = Path(__file__).resolve().parent.parent
+PACKAGES = ("arrangement", "equilibrium", "proofs_check")
+SLOW = ("dask", "igraph", "joblib", "matplotlib", "networkx", "numpy", "scipy", "sympy", "trimesh")
+
+
+@pytest.mark.parametrize("package", PACKAGES)
+def test_every_exported_name_loads(package: str) -> None:
+    module = importlib.import_module(package)
+    assert [name for name in module.__all__ if getattr(module, name, None) is None] == []
+
+
+@pytest.mark.parametrize("package", PACKAGES)
+def test_every_package_says_that_it_is_typed(package: str) -> None:
+    assert (ROOT / package / "py.typed").is_file()
+
+
+@pytest.mark.parametrize("package", PACKAGES)
+def test_help_and_version_need_no_slow_import(package: str) -> None:
+    if importlib.util.find_spec(f"{package}.cli") is None:
+        pytest.skip(f"{package} has no command yet")
+    program = f"""
+import sys
+sys.argv = [{package!r}, sys.argv[1]]
+from {package}.cli import main
+try:
+    main()
+except SystemExit:
+    pass
+print("loaded:", *sorted(set({SLOW!r}) & set(sys.modules)))
+"""
+    for option in ("--help", "--version"):
+        result = subprocess.run(
+            [sys.executable, "-c", program, option], capture_output=True, text=True, check=True
+        )
+        assert result.stdout.splitlines()[-1].split() == ["loaded:"], result.stdout
+
+
+def test_the_version_is_the_same_everywhere() -> None:
+    version = arrangement.__version__
+    citation = (ROOT / "CITATION.cff").read_text(encoding="utf-8")
+    assert importlib.metadata.version("slipstates") == version
+    assert re.findall(r"^version: (.*)$", citation, re.MULTILINE) == [version]
+    assert f"[{version}]" in (ROOT / "CHANGELOG.md").read_text(encoding="utf-8")
+
+
+def test_every_entry_point_of_the_project_resolves_or_is_not_written_yet() -> None:
+    groups = ("console_scripts", "slipstates.documents", "slipstates.instances")
+    points = [
+        point
+        for group in groups
+        for point in importlib.metadata.entry_points(group=group)
+        if point.module.split(".")[0] in PACKAGES
+    ]
+    assert len(points) >= 6
+    for point in points:
+        if importlib.util.find_spec(point.module) is not None:
+            point.load()
