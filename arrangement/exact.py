@@ -57,6 +57,9 @@ def rational(value: Rational, name: str = "number") -> Fraction:
             f"{name} is the float {shown(value)}, and exact numbers are due; write a string "
             'such as "7/3" or "-0.25", or convert on purpose with arrangement.from_floats'
         )
+    numerator, denominator = (getattr(value, k, None) for k in ("numerator", "denominator"))
+    if isinstance(numerator, int) and isinstance(denominator, int):  # sympy's PythonMPQ
+        return Fraction(numerator, denominator)
     if hasattr(value, "p") and hasattr(value, "q"):  # python-flint's fmpq
         return Fraction(int(value.p), int(value.q))
     if hasattr(value, "__index__"):  # python-flint's fmpz, gmpy2's mpz

@@ -189,6 +189,13 @@ def test_reading_leaves_the_mapping_alone() -> None:
     assert given == {"schema_version": 1, "planes": [["1", "0"]]}
 
 
+@pytest.mark.parametrize("text", ["0.5", "1e999999999", "1.0", "NaN", "-Infinity", "9" * 5000])
+def test_inexact_numbers_are_refused_wherever_they_stand(write: Write, text: str) -> None:
+    path = write('{"schema_version": 1, "planes": [], "else": {"deep": [' + text + "]}}")
+    with pytest.raises(InputError, match="document.json"):
+        read_document(path, ["planes"])
+
+
 def test_a_larger_limit_can_be_asked_for(write: Write) -> None:
     path = write(json.dumps({"schema_version": 1, "planes": [], "description": "x" * MAX_BYTES}))
     assert read_document(path, ["planes"], max_bytes=2 * MAX_BYTES)["planes"] == []
