@@ -19,6 +19,8 @@ from typing import Any, TypeAlias
 
 #: Coefficients, then a constant: the linear form ``row . (x, 1)``.
 Row: TypeAlias = tuple[Fraction, ...]
+#: The same, as coprime integers.
+Whole: TypeAlias = tuple[int, ...]
 #: A closed interval of the line; None where it has no end.
 Interval: TypeAlias = tuple[Fraction | None, Fraction | None]
 
@@ -106,7 +108,7 @@ def stable(
 ) -> bool:
     """Return whether some choice of states (all, or the given ones) has a solution."""
     listed = all_states(question, reading) if states is None else states
-    return any(not _contradiction(system(question, s, reading)) for s in listed)
+    return any(project(*system(question, s, reading), keep=-1) is not None for s in listed)
 
 
 def all_states(question: Question, reading: Reading = MODEL) -> Iterable[tuple[str, ...]]:
@@ -148,7 +150,27 @@ def resistible(question: Question, reading: Reading = MODEL) -> tuple[Interval, 
         interval = None if rows is None else _interval(rows, kept)
         if interval is not None:
             found.append(interval)
-    return _united(found)
+    return united(found)
+
+
+def normal_forces(question: Question) -> tuple[tuple[Interval, ...], ...]:
+    """Return for every contact all normal forces that occur in equilibria, as closed intervals."""
+    m = len(question.contacts)
+    found: list[list[Interval]] = [[] for _ in range(m)]
+    for states in all_states(question):
+        equalities, inequalities = system(question, states)
+        if project(equalities, inequalities, keep=-1) is None:
+            continue
+        rows = [(*row[:-1], Fraction(0), row[-1]) for row in inequalities]
+        for i, (touch, state) in enumerate(zip(question.touches, states, strict=True)):
+            size = 3 + m + 2
+            force = _times(_spring(touch, MODEL, size), 0 if state == "detached" else 1)
+            named = _plus(force, _times(_unit(3 + m, size), -1))
+            known = [(*row[:-1], Fraction(0), row[-1]) for row in equalities]
+            remaining = project([*known, named], rows, keep=3 + m)
+            interval = None if remaining is None else _interval(remaining, 3 + m)
+            found[i] += [] if interval is None else [interval]
+    return tuple(united(intervals) for intervals in found)
 
 
 def system(
@@ -204,67 +226,68 @@ def _spring(touch: Touch, reading: Reading, size: int) -> Row:
     return (*(-touch.stiffness * x for x in touch.normal), *zeros, preload)
 
 
-def project(equalities: Sequence[Row], inequalities: Sequence[Row], keep: int) -> list[Row] | None:
-    """Eliminate all variables but number `keep` (a number past the last keeps none).
+def project(
+    equalities: Sequence[Row], inequalities: Sequence[Row], keep: int
+) -> list[Whole] | None:
+    """Eliminate all variables but number `keep` (-1 keeps none).
 
     Returns:
         The inequalities that remain, or None when there is no solution.
     """
-    rows = [_primitive(row) for row in inequalities]
-    left = [_primitive(row) for row in equalities]
-    variables = range(len(left[0]) - 1 if left else len(rows[0]) - 1 if rows else 0)
+    rows = [_whole(row) for row in inequalities]
+    left = [_whole(row) for row in equalities]
+    variables = range(len([*left, *rows][0]) - 1 if left or rows else 0)
     for j in variables:
         pivot = next((row for row in left if row[j]), None) if j != keep else None
         if pivot is not None:
-            left = [_cancel(row, pivot, j) for row in left if row is not pivot]
-            rows = [_cancel(row, pivot, j) for row in rows]
-    for row in left:
-        rows += [row, _times(row, -1)]
+            left = [_cancelled(row, pivot, j) for row in left if row is not pivot]
+            rows = [_cancelled(row, pivot, j) for row in rows]
+    rows += [way for row in left for way in (row, tuple([-x for x in row]))]
     for j in variables:
         if j != keep:
             rows = _eliminated(rows, j)
-        if any(not any(row[:-1]) and row[-1] < 0 for row in rows):
+        if any(row[-1] < 0 and not any(row[:-1]) for row in rows):
             return None
     return [row for row in rows if any(row[:-1])]
 
 
-def _contradiction(rows: tuple[list[Row], list[Row]]) -> bool:
-    return project(*rows, keep=-1) is None
-
-
-def _eliminated(rows: Iterable[Row], j: int) -> list[Row]:
+def _eliminated(rows: Iterable[Whole], j: int) -> list[Whole]:
     """One step of Fourier-Motzkin elimination; equal rows are kept once."""
-    groups: dict[int, list[Row]] = {-1: [], 0: [], 1: []}
+    groups: dict[int, list[Whole]] = {-1: [], 0: [], 1: []}
     for row in dict.fromkeys(rows):
         groups[(row[j] > 0) - (row[j] < 0)].append(row)
     pairs = (
-        _primitive(_plus(_times(up, -down[j]), _times(down, up[j])))
+        _reduced([a * -down[j] + b * up[j] for a, b in zip(up, down, strict=True)])
         for up, down in product(groups[1], groups[-1])
     )
     return list(dict.fromkeys([*groups[0], *pairs]))
 
 
-def _cancel(row: Row, pivot: Row, j: int) -> Row:
-    """Return the row without variable j, by a multiple of the pivot equality."""
+def _cancelled(row: Whole, pivot: Whole, j: int) -> Whole:
+    """Return a positive multiple of the row minus the multiple of an equality that cancels j."""
     if not row[j]:
         return row
-    return _primitive(_plus(row, _times(pivot, -Fraction(row[j]) / pivot[j])))
+    p, r = abs(pivot[j]), row[j] if pivot[j] > 0 else -row[j]
+    return _reduced([a * p - b * r for a, b in zip(row, pivot, strict=True)])
 
 
-def _primitive(row: Sequence[Fraction]) -> Row:
+def _whole(row: Sequence[Fraction]) -> Whole:
     """Return a positive multiple with coprime integer entries."""
-    scale = math.lcm(*(Fraction(x).denominator for x in row))
-    whole = [int(x * scale) for x in row]
-    divisor = math.gcd(*whole) or 1
-    return tuple(Fraction(x // divisor) for x in whole)
+    scale = math.lcm(*(x.denominator for x in row))
+    return _reduced([x.numerator * (scale // x.denominator) for x in row])
 
 
-def _interval(rows: Sequence[Row], j: int) -> Interval | None:
+def _reduced(row: Sequence[int]) -> Whole:
+    divisor = math.gcd(*row)
+    return tuple(row) if divisor <= 1 else tuple([x // divisor for x in row])
+
+
+def _interval(rows: Sequence[Whole], j: int) -> Interval | None:
     """Return the numbers t with ``row[j] t + constant >= 0`` for all rows, or None."""
     low: Fraction | None = None
     high: Fraction | None = None
     for row in rows:
-        end = -row[-1] / row[j]
+        end = Fraction(-row[-1], row[j])
         if row[j] > 0:
             low = end if low is None else max(low, end)
         else:
@@ -272,7 +295,7 @@ def _interval(rows: Sequence[Row], j: int) -> Interval | None:
     return None if low is not None and high is not None and low > high else (low, high)
 
 
-def _united(intervals: Iterable[Interval]) -> tuple[Interval, ...]:
+def united(intervals: Iterable[Interval]) -> tuple[Interval, ...]:
     """Return the union as disjoint intervals in increasing order."""
     united: list[Interval] = []
     for low, high in sorted(intervals, key=lambda i: (i[0] is not None, i[0] or 0)):

@@ -84,3 +84,11 @@ def _last_number(text: str) -> str:
     if found is None:
         raise ValueError(f"{text!r} cannot be read as a number")
     return found[0]
+
+
+#: The grasps of the figures in numbers: (point x, point y, normal x, normal y) of each contact.
+#: The paper draws them and prints none of these; with friction 1/2 (printed) and stiffness 1 they
+#: give the printed forces and motions.
+THREE_CONTACT_GRASP = ((-1, 0, 1, 0), (0, -1, 0, 1), (1, 0, -1, 0))
+FOUR_CONTACT_GRASP = ((-1, 1, 1, 0), (-1, -1, 1, 0), (1, -1, -1, 0), (1, 1, -1, 0))
+FRICTION = Fraction(1, 2)

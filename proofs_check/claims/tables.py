@@ -1,0 +1,254 @@
+"""Claims on the two result tables, every printed verdict, force and motion, and their text."""
+
+from __future__ import annotations
+
+import random
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+from functools import partial
+
+from equilibrium.passive import solve
+from proofs_check import oracle, printed
+from proofs_check.claim import Case, Claim, Kind, Route, Verdict
+from proofs_check.grasps import grasp_case, grasp_of, paper_question
+from proofs_check.oracle import Question, Row
+
+BRUTE_FORCE = "substitution into the model, and brute force over 4^m states by elimination"
+SOLVER = "the solver with its certificate, and its pieces of solutions"
+TINY = Fraction(1, 10**30)
+
+
+@dataclass(frozen=True)
+class TableRow:
+    """A printed row in numbers."""
+
+    question: Question
+    stable: bool
+    forces: tuple[Row, ...] = ()
+    motion: Row = ()
+
+
+def _rows(
+    contacts: Iterable[Sequence[int]], rows: Iterable[printed.PrintedRow], _rng: random.Random
+) -> Iterator[Case]:
+    listed = tuple(contacts)
+    for row in rows:
+        cells = (row.wrench, *row.forces, *([row.motion] if row.motion else []))
+        readings = [printed.read_vector(cell) for cell in cells]
+        wrench, *forces = [numbers for numbers, _ in readings]
+        motion = forces.pop() if row.motion else ()
+        question = paper_question(listed, wrench, Fraction(row.preload))
+        subject = TableRow(question, row.stable == "Yes", tuple(forces), motion)
+        label = f"w={row.wrench.replace(' ', '')} P={row.preload} {row.stable}"
+        assumed = "; ".join(text for _, text in readings if text)
+        yield Case(label, subject, question.to_dict(), assumed)
+
+
+def _substituted(row: TableRow) -> str:
+    if not oracle.stable(row.question):
+        return "No"
+    fits = row.motion and not oracle.violations(row.question, row.motion, row.forces)
+    return "Yes, numbers fit" if fits else "Yes, numbers do not fit"
+
+
+def _solved(row: TableRow) -> str:
+    verdict = solve(grasp_of(row.question), row.question.wrench)
+    if not verdict.verify():
+        return "the certificate is not valid"
+    if not verdict.stable:
+        return "No"
+    fits = row.motion and any(p.contains(row.motion, row.forces) for p in verdict.equilibria)
+    return "Yes, numbers fit" if fits else "Yes, numbers do not fit"
+
+
+def _as_printed(row: TableRow, value: str) -> bool:
+    return value == ("Yes, numbers fit" if row.stable else "No")
+
+
+def _explain_row(row: TableRow, _value: str) -> str:
+    if not row.motion:
+        return ""
+    broken = oracle.violations(row.question, row.motion, row.forces)
+    if broken:
+        return f"printed numbers break: {', '.join(broken)}"
+    forces = " ".join(_vector(force) for force in row.forces)
+    return f"f = {forces}, d = {_vector(row.motion)}"
+
+
+def _vector(values: Iterable[Fraction]) -> str:
+    return f"({','.join(str(value) for value in values)})"
+
+
+@dataclass(frozen=True)
+class Probes:
+    """A question with factors t, and the printed statement on t times its wrench."""
+
+    question: Question
+    factors: tuple[Fraction, ...]
+    holds: tuple[bool, ...]
+
+
+def _ray(
+    contacts: Iterable[Sequence[int]], preload: int, low: Fraction | None, high: Fraction
+) -> Case:
+    """The statement that exactly the forces (0, t, 0) with low <= t <= high are held."""
+    factors = {Fraction(-(10**6)), Fraction(-1), Fraction(0), Fraction(1), high, high + TINY}
+    factors |= {high - TINY} | (set() if low is None else {low, low - TINY, low + TINY})
+    ordered = tuple(sorted(factors))
+    held = tuple((low is None or low <= t) and t <= high for t in ordered)
+    question = paper_question(contacts, (Fraction(0), Fraction(1), Fraction(0)), preload)
+    name = "three" if len(question.contacts) == 3 else "four"
+    return Case(
+        f"{name} contacts, P = {preload}, w = (0, t, 0)",
+        Probes(question, ordered, held),
+        question.to_dict(),
+    )
+
+
+def _rays(_rng: random.Random) -> Iterator[Case]:
+    zero, two = Fraction(0), Fraction(2)
+    yield _ray(printed.THREE_CONTACT_GRASP, 0, None, zero)
+    yield _ray(printed.THREE_CONTACT_GRASP, 1, None, Fraction(1))
+    yield _ray(printed.FOUR_CONTACT_GRASP, 0, zero, zero)
+    yield _ray(printed.FOUR_CONTACT_GRASP, 1, -two, two)
+
+
+def _held_exactly(probes: Probes) -> tuple[bool, ...]:
+    intervals = oracle.resistible(probes.question)
+    return tuple(
+        any((a is None or a <= t) and (b is None or t <= b) for a, b in intervals)
+        for t in probes.factors
+    )
+
+
+def _held_solved(probes: Probes) -> tuple[bool, ...]:
+    grasp = grasp_of(probes.question)
+    return tuple(
+        solve(grasp, [t * x for x in probes.question.wrench]).stable for t in probes.factors
+    )
+
+
+def _downward(_rng: random.Random) -> Iterator[Case]:
+    zero = Fraction(0)
+    for force in map(Fraction, ("0", "-1/3", "-1", "-2", "-17", "-1000000")):
+        question = paper_question(printed.THREE_CONTACT_GRASP, (zero, force, zero), 0)
+        none = (zero, zero)
+        row = TableRow(question, True, (none, (-force, zero), none), (zero, force, zero))
+        yield Case(f"w = (0, {force}, 0)", row, question.to_dict())
+
+
+def _normal_forces_solved(question: Question) -> tuple[tuple[oracle.Interval, ...], ...]:
+    verdict = solve(grasp_of(question), question.wrench)
+    return tuple(
+        oracle.united(piece.force_ranges[i][0] for piece in verdict.equilibria)
+        for i in range(len(question.contacts))
+    )
+
+
+def _single(_question: Question, forces: tuple[tuple[oracle.Interval, ...], ...]) -> bool:
+    """At most one value for every normal force."""
+    return all(len(found) <= 1 and all(low == high for low, high in found) for found in forces)
+
+
+def _table_questions(_rng: random.Random) -> Iterator[Case]:
+    for contacts, rows in (
+        (printed.THREE_CONTACT_GRASP, printed.THREE_CONTACTS),
+        (printed.FOUR_CONTACT_GRASP, printed.FOUR_CONTACTS),
+    ):
+        for row in rows:
+            wrench, _ = printed.read_vector(row.wrench)
+            question = paper_question(contacts, wrench, Fraction(row.preload))
+            yield grasp_case(question, f"w = {row.wrench}, P = {row.preload}, m = {len(contacts)}")
+
+
+_ROUTES = (Route(BRUTE_FORCE, _substituted), Route(SOLVER, _solved))
+
+CLAIMS = (
+    Claim(
+        id="table-three-contacts",
+        locator="Table I",
+        statement="The three-contact grasp is stable or not as printed, and the printed forces and "
+        "motion of each stable row are an equilibrium.",
+        hypotheses=("the corrected model", "friction 1/2, stiffness 1"),
+        quantity="verdict, and whether the printed forces and motion satisfy the model exactly",
+        routes=_ROUTES,
+        cases=partial(_rows, printed.THREE_CONTACT_GRASP, printed.THREE_CONTACTS),
+        judge=_as_printed,
+        kind=Kind.EXHAUSTIVE,
+        over="all 7 printed rows",
+        expected=Verdict.HOLDS,
+        explain=_explain_row,
+        rows=True,
+    ),
+    Claim(
+        id="table-four-contacts",
+        locator="Table III",
+        statement="The four-contact grasp is stable or not as printed, and the printed forces and "
+        "motion of each stable row are an equilibrium.",
+        hypotheses=("the corrected model", "friction 1/2, stiffness 1"),
+        quantity="verdict, and whether the printed forces and motion satisfy the model exactly",
+        routes=_ROUTES,
+        cases=partial(_rows, printed.FOUR_CONTACT_GRASP, printed.FOUR_CONTACTS),
+        judge=_as_printed,
+        kind=Kind.EXHAUSTIVE,
+        over="all 10 printed rows",
+        expected=Verdict.HOLDS_UNDER_HYPOTHESIS,
+        explain=_explain_row,
+        meaning="The last row has a number with two points in it; read in the only way that "
+        "satisfies the model, it fits too.",
+        rows=True,
+    ),
+    Claim(
+        id="downward-forces",
+        locator="Section VI",
+        statement="For any w = (0, w_y, 0) with w_y <= 0 and no preload the three-contact grasp "
+        "has the equilibrium with force (-w_y, 0) at contact 2 and none at contacts 1 and 3.",
+        hypotheses=("the corrected model",),
+        quantity="verdict, and whether these forces satisfy the model exactly",
+        routes=_ROUTES,
+        cases=_downward,
+        judge=_as_printed,
+        kind=Kind.SAMPLED,
+        over="six magnitudes from 0 to 10^6",
+        expected=Verdict.HOLDS,
+    ),
+    Claim(
+        id="vertical-limits",
+        locator="Section VI",
+        statement="Under w = (0, t, 0) the three-contact grasp holds exactly t <= 0 without "
+        "preload and t <= 1 with preload 1; the four-contact grasp exactly t = 0 without preload and "
+        "|t| <= 4 mu = 2 with preload 1.",
+        hypotheses=("the corrected model",),
+        quantity="whether t times the wrench is held, for t around the stated ends (10^-30 beside)",
+        routes=(
+            Route("exact set of all t by elimination over 4^m states", _held_exactly),
+            Route("the solver at each t", _held_solved),
+        ),
+        cases=_rays,
+        judge=lambda probes, held: held == probes.holds,
+        kind=Kind.EXHAUSTIVE,
+        over="both grasps with both preloads; all t by the first route",
+        expected=Verdict.HOLDS,
+        meaning="The table's 1.1 lies above the exact limit 1 of the three-contact grasp.",
+    ),
+    Claim(
+        id="single-solution",
+        locator="Section II",
+        statement="Compliance reduces the solutions to at most a single one: the normal forces "
+        "of an equilibrium are determined by grasp and wrench.",
+        hypotheses=("the corrected model",),
+        quantity="exact set of values of every normal force over all equilibria",
+        routes=(
+            Route("elimination over 4^m states", oracle.normal_forces),
+            Route("ranges over the solver's pieces", _normal_forces_solved),
+        ),
+        cases=_table_questions,
+        judge=_single,
+        kind=Kind.EXHAUSTIVE,
+        over="the 17 questions of the two tables",
+        expected=Verdict.REFUTED,
+        meaning="An algorithm that stops at the first solution may report other forces than "
+        "the ones that arise; the verdict on stability is not touched.",
+    ),
+)

@@ -1,0 +1,64 @@
+"""Grasps to check claims on: those of the paper, and small ones in order of size."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Sequence
+from fractions import Fraction
+from itertools import combinations, product
+
+from equilibrium.grasp import Grasp
+
+from . import printed
+from .claim import Case
+from .oracle import Question, Row
+
+#: Unit normals along the axes, and one of the smallest that is not.
+AXES = ((1, 0), (0, 1), (-1, 0), (0, -1))
+
+
+def paper_question(
+    contacts: Iterable[Sequence[int]], wrench: Sequence[Fraction], preload: Fraction | int
+) -> Question:
+    """Return a grasp of the paper under a wrench, with one preload at all contacts."""
+    rows = tuple(
+        (*map(Fraction, contact), printed.FRICTION, Fraction(1), Fraction(preload))
+        for contact in contacts
+    )
+    return Question(rows, tuple(map(Fraction, wrench)))
+
+
+def grasp_of(question: Question) -> Grasp:
+    """Return the grasp of a question in the types of the solver."""
+    document = dict(question.to_dict())
+    del document["wrench"]
+    return Grasp.from_dict(document)
+
+
+def grasp_case(question: Question, label: str = "") -> Case:
+    """Return a question as a case with its file form."""
+    return Case(label or f"m = {len(question.contacts)}", question, question.to_dict())
+
+
+def smallest_questions(
+    contacts: range,
+    wrenches: Sequence[Sequence[int]],
+    *,
+    frictions: Sequence[Fraction] = (Fraction(1),),
+    preloads: Sequence[int] = (0, 1),
+    reach: int = 1,
+) -> Iterator[Case]:
+    """Yield questions with few contacts first, then with small numbers first.
+
+    Contacts at different points of the integer grid up to `reach`, or with different normals
+    along the axes; one friction coefficient and one preload for all contacts, stiffness 1.
+    """
+    grid = sorted(
+        product(range(-reach, reach + 1), repeat=2), key=lambda p: (abs(p[0]) + abs(p[1]), p)
+    )
+    places = [(*point, *normal) for point in grid for normal in AXES]
+    for m in contacts:
+        for chosen in combinations(places, m):
+            for friction, preload, wrench in product(frictions, preloads, wrenches):
+                rest: Row = (friction, Fraction(1), Fraction(preload))
+                rows = tuple((*map(Fraction, place), *rest) for place in chosen)
+                yield grasp_case(Question(rows, tuple(map(Fraction, wrench))))
