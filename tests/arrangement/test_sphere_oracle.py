@@ -1,0 +1,55 @@
+"""Random degenerate arrangements: engine, brute force, general engine and theorem agree."""
+
+from __future__ import annotations
+
+import random
+
+import pytest
+
+from arrangement import Arrangement
+from arrangement.counts import f_vector
+from arrangement.sphere import sphere_arrangement
+from tests.arrangement.sphere_oracle import covectors
+
+
+def degenerate(generator: random.Random) -> list[tuple[int, ...]]:
+    """Return up to 14 normals with entries in {-2..2}: pencils and coincident planes abound."""
+    entries = generator.choice([(-1, 0, 1), (-2, -1, 0, 1, 2), (0, 1), (0, 0, 1, -2)])
+    normals = [tuple(generator.choices(entries, k=3)) for _ in range(generator.randint(0, 14))]
+    return [normal for normal in normals if any(normal)]
+
+
+def check_all(normals: list[tuple[int, ...]]) -> None:
+    planes = Arrangement(normals, dimension=3)
+    sphere = sphere_arrangement(planes)
+    sphere.validate()
+    levels = sphere.faces()
+    assert tuple(map(len, levels)) == f_vector(planes), normals
+    assert tuple({face.signs for face in level} for level in levels) == covectors(normals), normals
+
+
+@pytest.mark.parametrize("seed", range(6))
+def test_random_degenerate_arrangements_have_the_faces_of_brute_force_and_theorem(seed):
+    generator = random.Random(seed)
+    for _ in range(40):
+        check_all(degenerate(generator))
+
+
+@pytest.mark.slow
+@pytest.mark.skipif("'slow' not in config.getoption('-m')", reason="minutes; run with -m slow")
+@pytest.mark.parametrize("seed", range(100, 110))
+def test_ten_thousand_random_degenerate_arrangements(seed):
+    generator = random.Random(seed)
+    for _ in range(1000):
+        check_all(degenerate(generator))
+
+
+@pytest.mark.parametrize("seed", range(20))
+def test_witnesses_and_faces_agree_with_the_general_engine(seed):
+    normals = degenerate(random.Random(1000 + seed))
+    planes = Arrangement(normals, dimension=3)
+    for dimension, level in enumerate(sphere_arrangement(planes).faces()):
+        for face in level:
+            assert planes.signs_at(face.witness) == face.signs
+        expected = {face.signs for face in planes.faces(dimension)}
+        assert {face.signs for face in level} == expected
