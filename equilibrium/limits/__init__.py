@@ -1,0 +1,1 @@
+"""Which wrenches a grasp resists: exact intervals, polygons and polyhedra, and margins."""

@@ -1,0 +1,150 @@
+"""Closed convex polyhedra with exact half-spaces, vertices and rays.
+
+Everything is homogeneous: a condition ``(a, b)`` means ``a . x + b >= 0`` (or ``= 0``); a generator
+``(x, h)`` with h > 0 is the point ``x / h``, with h = 0 the direction x.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+from functools import cached_property
+from typing import Any
+
+from arrangement.exact import IntegerVector, RationalVector, dot, primitive, to_text
+from arrangement.linear import unit_vectors
+
+from .cones import generators
+from .intervals import LINE, Interval, where_positive
+
+
+@dataclass(frozen=True)
+class Polyhedron:
+    """A non-empty polyhedron in R^n; no condition and no generator is redundant.
+
+    Attributes:
+        inequalities, equalities: conditions, primitive integers with the constant last.
+        points: of a polyhedron without lines the vertices, else one point of each minimal face.
+        rays, lines: the directions in which it has no end, one way or both ways.
+    """
+
+    inequalities: tuple[IntegerVector, ...]
+    equalities: tuple[IntegerVector, ...]
+    points: tuple[RationalVector, ...]
+    rays: tuple[IntegerVector, ...]
+    lines: tuple[IntegerVector, ...]
+
+    @property
+    def dimension(self) -> int:
+        """The dimension of the affine hull."""
+        return len(self.points[0]) - len(self.equalities)
+
+    @property
+    def bounded(self) -> bool:
+        """Whether there is an end in every direction."""
+        return not self.rays and not self.lines
+
+    @cached_property
+    def homogeneous(self) -> tuple[tuple[IntegerVector, ...], tuple[IntegerVector, ...]]:
+        """The points and rays, then the lines, as homogeneous generators."""
+        points = [primitive((*point, Fraction(1))) for point in self.points]
+        return (*points, *((*ray, 0) for ray in self.rays)), tuple((*x, 0) for x in self.lines)
+
+    def contains(self, point: Sequence[Fraction | int]) -> bool:
+        """Return whether a point lies in the polyhedron, its boundary included."""
+        x = (*point, 1)
+        return all(dot(row, x) == 0 for row in self.equalities) and all(
+            dot(row, x) >= 0 for row in self.inequalities
+        )
+
+    def surrounds(self, point: Sequence[Fraction | int]) -> bool:
+        """Return whether a point lies in the interior (of a polyhedron of full dimension)."""
+        x = (*point, 1)
+        return not self.equalities and all(dot(row, x) > 0 for row in self.inequalities)
+
+    def within(self, other: Polyhedron) -> bool:
+        """Return whether this polyhedron is a part of the other."""
+        rays, lines = self.homogeneous
+        return all(
+            all(dot(row, x) >= 0 for x in rays) and not any(dot(row, x) for x in lines)
+            for row in other.inequalities
+        ) and not any(dot(row, x) for row in other.equalities for x in (*rays, *lines))
+
+    def along(
+        self, start: Sequence[Fraction | int], direction: Sequence[Fraction | int]
+    ) -> Interval | None:
+        """Return all s with ``start + s direction`` inside; None when there is none."""
+        x, u = (*start, 1), (*direction, 0)
+        rows = [(dot(row, u), dot(row, x)) for row in self.inequalities]
+        for row in self.equalities:
+            slope, constant = dot(row, u), dot(row, x)
+            rows += [(slope, constant), (-slope, -constant)]
+        return where_positive(rows) if rows else LINE
+
+    def cut(
+        self, origin: Sequence[Fraction], spans: Sequence[Sequence[Fraction]]
+    ) -> Polyhedron | None:
+        """Return all parameters p with ``origin + sum p_j spans_j`` inside; None when none.
+
+        The rows of `spans` need not be independent.
+        """
+        if self._misses(origin, spans):
+            return None
+        frame = [*((*span, 0) for span in spans), (*origin, 1)]
+        pulled = [
+            [primitive([Fraction(dot(row, column)) for column in frame]) for row in rows]
+            for rows in (self.inequalities, self.equalities)
+        ]
+        return from_conditions(pulled[0], pulled[1], len(spans))
+
+    def _misses(self, origin: Sequence[Fraction], spans: Sequence[Sequence[Fraction]]) -> bool:
+        """Return whether a plane in space leaves all points strictly on one side (quick)."""
+        if len(origin) != 3 or len(spans) != 2 or self.lines:
+            return False
+        (a, b, c), (d, e, f) = spans
+        normal = (b * f - c * e, c * d - a * f, a * e - b * d)
+        height = dot(normal, origin)
+        points = [dot(normal, point) - height for point in self.points]
+        rays = [dot(normal, ray) for ray in self.rays]
+        return any(
+            all(side * x > 0 for x in points) and all(side * x >= 0 for x in rays)
+            for side in (1, -1)
+        )
+
+    def to_dict(self) -> dict[str, Any]:
+        """Return a JSON form; numbers are strings, a condition has its constant last."""
+        names = ("inequalities", "equalities", "points", "rays", "lines")
+        return {name: [list(map(to_text, row)) for row in getattr(self, name)] for name in names}
+
+
+def from_conditions(
+    inequalities: Iterable[Sequence[int]], equalities: Iterable[Sequence[int]], dimension: int
+) -> Polyhedron | None:
+    """Return the polyhedron of conditions ``(a, b)``; None when they have no solution."""
+    finite = unit_vectors(dimension + 1)[-1]
+    rays, lines = generators([*inequalities, finite], equalities, dimension + 1)
+    return from_generators(rays, lines, dimension)
+
+
+def from_generators(
+    rays: Iterable[Sequence[int]], lines: Iterable[Sequence[int]], dimension: int
+) -> Polyhedron | None:
+    """Return the polyhedron that homogeneous generators span; None when none is a point.
+
+    Generators may be redundant. The last entry of each is at least 0, and 0 for lines.
+    """
+    listed = list(rays)
+    if not any(ray[-1] for ray in listed):
+        return None
+    facets, equalities = generators(listed, lines, dimension + 1)
+    extreme, straight = generators(facets, equalities, dimension + 1)
+    points = tuple(tuple(Fraction(x, ray[-1]) for x in ray[:-1]) for ray in extreme if ray[-1])
+    return Polyhedron(
+        # The condition h >= 0 of homogeneous coordinates says nothing about points.
+        tuple(facet for facet in facets if any(facet[:-1])),
+        equalities,
+        points,
+        tuple(ray[:-1] for ray in extreme if not ray[-1]),
+        tuple(line[:-1] for line in straight),
+    )
