@@ -1,4 +1,4 @@
-from . import counts as counts, families as families
+from . import census as census, counts as counts, families as families
 from .certify import (
     CompletenessEvidence as CompletenessEvidence,
     certify_complete as certify_complete,
@@ -26,6 +26,11 @@ from .exact import (
 from .files import (
     read_arrangement as read_arrangement,
     write_text_atomically as write_text_atomically,
+)
+from .inscribed import (
+    Inscribability as Inscribability,
+    inscribability as inscribability,
+    representative_hull as representative_hull,
 )
 from .planes import Arrangement as Arrangement, Face as Face
 from .published import (

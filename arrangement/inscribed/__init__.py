@@ -1,0 +1,51 @@
+"""The dual and the unit sphere: points in the regions, their hull, and which duals can be inscribed.
+
+[HaasHeger2018], section IV.A, takes a point of the unit sphere in each region and says that the
+dual polyhedron with these vertices is convex. Two questions follow, and both are decided exactly:
+
+* *These points:* the hull of given points is convex, but are its edges the adjacencies? See
+  `representative_hull`.
+* *Any points:* is there a convex polyhedron at all that has the graph of the dual and its vertices
+  on a sphere? `inscribability` answers by Rivin's criterion. A "no" rules out every choice of
+  points. A "yes" gives some inscribed polyhedron with this graph; that its vertices can also be
+  placed in their regions is a further condition, which `representative_hull` checks for points
+  at hand.
+
+Rooms: `points`, `hull`, `certificates` (the criterion and its checkers), `search` (finds weights or
+a refutation; shares no code with the checkers), `report`.
+"""
+
+from .certificates import (
+    FarkasCertificate,
+    IndependentSetCertificate,
+    PolyhedralGraph,
+    WeightCertificate,
+)
+from .hull import RepresentativeHull, SphereHull, representative_hull, sphere_hull
+from .points import sphere_points
+from .report import (
+    Inscribability,
+    InscribabilityRow,
+    inscribability,
+    inscribability_table,
+    small_arrangements,
+)
+from .search import decide
+
+__all__ = [
+    "FarkasCertificate",
+    "IndependentSetCertificate",
+    "Inscribability",
+    "InscribabilityRow",
+    "PolyhedralGraph",
+    "RepresentativeHull",
+    "SphereHull",
+    "WeightCertificate",
+    "decide",
+    "inscribability",
+    "inscribability_table",
+    "representative_hull",
+    "small_arrangements",
+    "sphere_hull",
+    "sphere_points",
+]

@@ -1,0 +1,276 @@
+"""Rivin's criterion, and certificates for both answers that check themselves.
+
+**Theorem** (Rivin). Let G be a planar, 3-connected graph. There is a convex polyhedron with graph
+G and all vertices on a sphere if and only if the edges e of G have weights w(e) with
+
+1. ``0 < w(e) < 1/2`` for every edge,
+2. ``sum of w(e) over the edges at v = 1`` for every vertex v,
+3. ``sum of w(e) over C > 1`` for every minimal cutset C that is not the set of edges at a vertex.
+
+``2 pi w(e)`` is then the exterior dihedral angle at e of an ideal polyhedron of hyperbolic space. A
+minimal cutset is the set of all edges between S and its complement, where both span connected
+graphs; it is the set of edges at a vertex exactly if S or its complement is one vertex.
+
+Sources: I. Rivin, A characterization of ideal polyhedra in hyperbolic 3-space, Annals of
+Mathematics 143 (1996); C. Hodgson, I. Rivin, W. Smith, A characterization of convex hyperbolic
+polyhedra and of convex polyhedra inscribed in the sphere, Bulletin of the AMS 27 (1992); in the
+form above M. Dillencourt, W. Smith, Graph-theoretical conditions for inscribability and Delaunay
+realizability, Discrete Mathematics 161 (1996).
+
+The checks below share no code with the search. They use integers and rationals only.
+"""
+
+from __future__ import annotations
+
+import math
+from collections import deque
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
+from fractions import Fraction
+from functools import cached_property
+from typing import TypeAlias
+
+import networkx as nx
+
+from arrangement.errors import ArrangementError, InputError
+
+Edge: TypeAlias = tuple[int, int]
+
+
+@dataclass(frozen=True)
+class PolyhedralGraph:
+    """A simple graph on 0..n-1, its edges sorted as (smaller, larger).
+
+    By Steinitz' theorem it is the graph of a convex polyhedron exactly if `require_polyhedral`
+    passes.
+    """
+
+    vertex_count: int
+    edges: tuple[Edge, ...]
+
+    @classmethod
+    def of(cls, vertex_count: int, edges: Iterable[Iterable[int]]) -> PolyhedralGraph:
+        """Return the graph with edges in canonical order; refuse loops and repeated edges."""
+        ordered = sorted((min(pair), max(pair)) for pair in (tuple(edge) for edge in edges))
+        if len(set(ordered)) < len(ordered) or any(u == v for u, v in ordered):
+            raise InputError("the graph has a loop or a repeated edge; it must be simple")
+        if any(u < 0 or v >= vertex_count for u, v in ordered):
+            raise InputError(f"an edge leaves the vertices 0 to {vertex_count - 1}")
+        return cls(vertex_count, tuple(ordered))
+
+    def to_networkx(self) -> nx.Graph:
+        """Return the graph as networkx."""
+        graph = nx.Graph()
+        graph.add_nodes_from(range(self.vertex_count))
+        graph.add_edges_from(self.edges)
+        return graph
+
+    @cached_property
+    def neighbours(self) -> tuple[tuple[int, ...], ...]:
+        """For each vertex the vertices next to it."""
+        lists: list[list[int]] = [[] for _ in range(self.vertex_count)]
+        for u, v in self.edges:
+            lists[u].append(v)
+            lists[v].append(u)
+        return tuple(map(tuple, lists))
+
+    def require_polyhedral(self) -> None:
+        """Raise `ArrangementError` unless the graph is planar and 3-connected. O(V E)."""
+        graph = self.to_networkx()
+        if self.vertex_count < 4 or not nx.check_planarity(graph)[0]:
+            raise ArrangementError("the graph is not planar, or has fewer than 4 vertices")
+        for v in range(self.vertex_count):
+            if not nx.is_biconnected(graph.subgraph(set(graph) - {v})):
+                raise ArrangementError(f"the graph is not 3-connected: see vertex {v}")
+
+    def is_connected_part(self, part: Iterable[int]) -> bool:
+        """Whether a nonempty set of vertices spans a connected graph."""
+        remaining = set(part)
+        if not remaining:
+            return False
+        stack = [remaining.pop()]
+        while stack:
+            ahead = remaining.intersection(self.neighbours[stack.pop()])
+            remaining -= ahead
+            stack.extend(ahead)
+        return not remaining
+
+
+@dataclass(frozen=True)
+class WeightCertificate:
+    """Weights as in Rivin's theorem: the graph can be inscribed."""
+
+    graph: PolyhedralGraph
+    weights: tuple[Fraction, ...]
+
+    inscribable = True
+    kind = "weights"
+
+    def verify(self) -> None:
+        """Check all conditions; every cutset is covered by maximum flows.
+
+        A cutset of condition 3 has a fixed vertex r on one side, with a neighbour of r on the same
+        side and an edge on the other one. So it is enough that every flow from {r, neighbour} to
+        the ends of an edge elsewhere can exceed 1: at most deg(r) E flows.
+
+        Raises:
+            ArrangementError: the condition that fails.
+        """
+        self.graph.require_polyhedral()
+        if len(self.weights) != len(self.graph.edges):
+            raise ArrangementError("there is not one weight for each edge")
+        for edge, weight in zip(self.graph.edges, self.weights, strict=True):
+            if not 0 < weight < Fraction(1, 2):
+                raise ArrangementError(f"the weight {weight} of edge {edge} is not inside (0, 1/2)")
+        unit = math.lcm(*(Fraction(weight).denominator for weight in self.weights))
+        capacity: list[dict[int, int]] = [{} for _ in range(self.graph.vertex_count)]
+        for (u, v), weight in zip(self.graph.edges, self.weights, strict=True):
+            capacity[u][v] = capacity[v][u] = int(weight * unit)
+        for v, around in enumerate(capacity):
+            if sum(around.values()) != unit:
+                raise ArrangementError(f"the weights at vertex {v} do not sum to 1")
+        root = min(range(len(capacity)), key=lambda v: len(capacity[v]))
+        for neighbour in capacity[root]:
+            for u, v in self.graph.edges:
+                if {u, v}.isdisjoint((root, neighbour)) and not _flow_exceeds(
+                    capacity, (root, neighbour), (u, v), unit
+                ):
+                    raise ArrangementError(
+                        f"a cutset between edges {(root, neighbour)} and {(u, v)} weighs at most 1"
+                    )
+
+
+@dataclass(frozen=True)
+class FarkasCertificate:
+    """Multipliers that make the conditions of Rivin's theorem contradict: no polyhedron exists.
+
+    With ``y`` for the vertices (any sign) and ``a, b, c >= 0`` for edges and cutsets, the sum
+
+    ``sum_v y_v (w(at v) - 1) + sum_e a_e w(e) + sum_e b_e (1/2 - w(e)) + sum_S c_S (w(S) - 1)``
+
+    has no term in w left and a constant <= 0. Conditions 1 to 3 make it positive (or zero if
+    a, b and c are all zero; then the constant must be negative).
+
+    Attributes:
+        graph: the graph.
+        vertex_multipliers: y, one for each vertex.
+        lower_multipliers: a, for some edges.
+        upper_multipliers: b, for some edges.
+        cuts: pairs (S, c_S).
+    """
+
+    graph: PolyhedralGraph
+    vertex_multipliers: tuple[Fraction, ...]
+    lower_multipliers: Mapping[Edge, Fraction]
+    upper_multipliers: Mapping[Edge, Fraction]
+    cuts: tuple[tuple[frozenset[int], Fraction], ...]
+
+    inscribable = False
+    kind = "Farkas"
+
+    def verify(self) -> None:
+        """Check signs, cutsets and the identity.
+
+        Raises:
+            ArrangementError: what fails.
+        """
+        graph = self.graph
+        graph.require_polyhedral()
+        if len(self.vertex_multipliers) != graph.vertex_count:
+            raise ArrangementError("there is not one multiplier for each vertex")
+        if not {*self.lower_multipliers, *self.upper_multipliers} <= set(graph.edges):
+            raise ArrangementError("a multiplier belongs to no edge")
+        for side, _ in self.cuts:
+            self._check_cut(side)
+        bounds = [*self.lower_multipliers.values(), *self.upper_multipliers.values()]
+        positive = [*bounds, *(c for _, c in self.cuts)]
+        if any(x < 0 for x in positive):
+            raise ArrangementError("a multiplier of an inequality is negative")
+        y = self.vertex_multipliers
+        for u, v in graph.edges:
+            term = y[u] + y[v] + self.lower_multipliers.get((u, v), Fraction(0))
+            term -= self.upper_multipliers.get((u, v), Fraction(0))
+            term += sum(c for side, c in self.cuts if (u in side) != (v in side))
+            if term:
+                raise ArrangementError(f"a multiple {term} of the weight of {(u, v)} remains")
+        constant = -sum(y) + sum(self.upper_multipliers.values()) / Fraction(2)
+        constant -= sum(c for _, c in self.cuts)
+        if constant > 0 or (constant == 0 and not any(positive)):
+            raise ArrangementError(f"the constant {constant} contradicts nothing")
+
+    def _check_cut(self, side: frozenset[int]) -> None:
+        """Both sides of a cutset have two vertices or more, and are connected."""
+        everything = set(range(self.graph.vertex_count))
+        if not side <= everything or len(side) < 2 or len(everything - side) < 2:
+            raise ArrangementError("a cutset is that of a single vertex, or none")
+        if not all(map(self.graph.is_connected_part, (side, everything - side))):
+            raise ArrangementError("a cutset is not minimal")
+
+
+@dataclass(frozen=True)
+class IndependentSetCertificate:
+    """More than half of the vertices, no two of them adjacent: no inscribed polyhedron exists.
+
+    Condition 2 summed over these vertices gives their number, for no edge is counted twice. All
+    weights together are V/2, which is less. For a bipartite graph with unequal sides the larger
+    side will do (Steinitz' argument; see B. Gruenbaum, Convex polytopes, section 13.5).
+    """
+
+    graph: PolyhedralGraph
+    vertices: frozenset[int]
+
+    inscribable = False
+    kind = "parity"
+
+    def verify(self) -> None:
+        """Check that the set is independent and has more than half of the vertices.
+
+        Raises:
+            ArrangementError: what fails.
+        """
+        self.graph.require_polyhedral()
+        if not self.vertices <= set(range(self.graph.vertex_count)):
+            raise ArrangementError("the set has vertices that the graph lacks")
+        for u, v in self.graph.edges:
+            if u in self.vertices and v in self.vertices:
+                raise ArrangementError(f"the set has both ends of edge {(u, v)}")
+        if 2 * len(self.vertices) <= self.graph.vertex_count:
+            raise ArrangementError("the set has at most half of the vertices")
+
+
+Certificate: TypeAlias = WeightCertificate | FarkasCertificate | IndependentSetCertificate
+
+
+def _flow_exceeds(capacity: list[dict[int, int]], sources: Edge, sinks: Edge, bound: int) -> bool:
+    """Whether a flow between two pairs of vertices can exceed `bound` (shortest paths first)."""
+    residual = [dict(around) for around in capacity]
+    value = 0
+    while value <= bound:
+        path = _augmenting_path(residual, sources, sinks)
+        if not path:
+            return False
+        amount = min(residual[u][v] for u, v in path)
+        for u, v in path:
+            residual[u][v] -= amount
+            residual[v][u] += amount
+        value += amount
+    return True
+
+
+def _augmenting_path(residual: list[dict[int, int]], sources: Edge, sinks: Edge) -> list[Edge]:
+    """Return the steps of a shortest path with room left, or none."""
+    parent = {source: source for source in sources}
+    queue = deque(sources)
+    while queue:
+        u = queue.popleft()
+        for v, room in residual[u].items():
+            if room and v not in parent:
+                parent[v] = u
+                queue.append(v)
+                if v in sinks:
+                    path = []
+                    while parent[v] != v:
+                        path.append((parent[v], v))
+                        v = parent[v]
+                    return path
+    return []
