@@ -1,0 +1,146 @@
+"""Exactness: hostile float proposals, cuts at 0 and pi, overflow, long and close entries."""
+
+from __future__ import annotations
+
+import random
+
+import numpy as np
+import pytest
+
+from arrangement import Arrangement
+from arrangement.counts import region_count
+from arrangement.sphere import crossings, sphere_arrangement
+from arrangement.sphere.predicates import integer_array, signs_of, turns
+from tests.arrangement.test_sphere import B3, GENERIC, NEAR_PENCIL, PENCIL
+
+Normals = list[tuple[int, ...]]
+
+
+def sorted_as(normals: Normals, dtype: type) -> crossings.Crossings:
+    return crossings.sort_crossings(np.array(normals, dtype=dtype))
+
+
+def assert_same_crossings(normals: Normals) -> None:
+    fast, slow = sorted_as(normals, np.int64), sorted_as(normals, object)
+    assert np.array_equal(fast.tied, slow.tied)
+    place = np.cumsum(~fast.tied, axis=1).tolist()
+    for fast_row, slow_row, places in zip(fast.order, slow.order, place, strict=True):
+        assert set(zip(places, fast_row, strict=True)) == set(zip(places, slow_row, strict=True))
+
+
+@pytest.mark.parametrize("normals", [B3, GENERIC, NEAR_PENCIL, PENCIL])
+@pytest.mark.parametrize("seed", range(3))
+def test_any_float_proposal_leads_to_the_same_arrangement(normals, seed, monkeypatch):
+    expected = vars(sphere_arrangement(Arrangement(normals)).incidence)
+    generator = np.random.default_rng(seed)
+
+    def hostile(_, directions, turn):
+        return generator.permuted(np.tile(np.arange(turn.shape[1] * 1.0), (len(turn), 1)), axis=1)
+
+    monkeypatch.setattr(crossings, "_proposal", hostile)
+    found = vars(sphere_arrangement(Arrangement(normals)).incidence)
+    for name, array in expected.items():
+        assert np.array_equal(array, found[name]), name
+
+
+def test_angular_cut_at_zero_and_pi_is_decided_exactly():
+    """Crossings at the ends of the half circle, and others a hair away on both sides."""
+    tiny = 10**6
+    normals = [(0, 0, 1), (1, 0, 0), (0, 1, 0)]
+    normals += [(tiny, sign, 0) for sign in (1, -1)] + [(tiny - 1, sign, 0) for sign in (1, -1)]
+    normals += [(tiny, sign, 1) for sign in (1, -1)] + [(1, sign * tiny, 0) for sign in (1, -1)]
+    assert_same_crossings(normals)
+    planes = Arrangement(normals)
+    made = sphere_arrangement(planes)
+    made.validate()
+    assert made.region_count == region_count(planes)
+    scaled = [tuple(x * 10**30 + (x != 0) for x in normal) for normal in normals]
+    far = sphere_arrangement(Arrangement(scaled))
+    far.validate()
+    assert far.region_count == region_count(Arrangement(scaled))
+
+
+def test_degenerate_vertices_do_not_overflow_at_the_largest_int64_entries():
+    """Products of four entries near 10^6 would pass 2^63; only products of three are formed."""
+    u, w = (1000, 999, -998), (-997, 1001, 995)
+    axis = np.cross(u, w).tolist()
+    pencil = [tuple(500 * a + t * b for a, b in zip(u, w, strict=True)) for t in range(-99, 100, 9)]
+    others = [(999_983, -999_979, 999_961), (-999_959, 3, 999_953), (7, 999_931, 999_917)]
+    normals = [*pencil, *others]
+    assert integer_array(normals).dtype == np.int64
+    assert any((24 * max(map(abs, normal)) ** 4) > 2**63 for normal in normals)
+    planes = Arrangement(normals)
+    made = sphere_arrangement(planes)
+    made.validate()
+    assert made.region_count == region_count(planes)
+    poles = [v for v in range(made.vertex_count) if not any(np.cross(made.ray(v), axis))]
+    assert [len(made.incidence.circles_at(pole)) for pole in poles] == [len(pencil)] * 2
+
+
+def test_int64_is_used_up_to_its_proven_bound_and_not_beyond():
+    largest = max(b for b in range(1_150_000, 1_160_000) if 6 * b**3 < 2**63)
+    extreme = [(largest, largest, -largest), (largest, -largest, largest)]
+    assert integer_array(extreme).dtype == np.int64
+    assert integer_array([(largest + 1, 0, 0)]).dtype == object
+
+
+@pytest.mark.parametrize("seed", range(3))
+def test_int64_and_python_integers_give_the_same_crossings_at_the_bound(seed):
+    generator = random.Random(seed)
+    largest = 1_154_000
+    normals = [
+        (
+            generator.randint(largest - 3, largest),
+            *generator.choices([-largest, largest - 1, 7], k=2),
+        )
+        for _ in range(25)
+    ]
+    normals = list(dict.fromkeys(normals))
+    assert integer_array(normals).dtype == np.int64
+    assert_same_crossings(normals)
+
+
+def test_thirty_digit_entries_are_exact():
+    generator = random.Random(30)
+    digits = 10**30
+    normals = [tuple(generator.randint(-digits, digits) for _ in range(3)) for _ in range(40)]
+    made = sphere_arrangement(Arrangement(normals))
+    made.validate()
+    assert made.rays.dtype == object
+    assert made.region_count == 40 * 39 + 2
+    for region in generator.sample(range(made.region_count), 20):
+        bits = np.unpackbits(made.packed_region_signs[region], count=40)
+        assert [1 if bit else -1 for bit in bits] == list(made.region_signs(region))
+
+
+@pytest.mark.parametrize("scale", [10**9, 10**30, 10**400])
+def test_differences_of_one_part_in_a_scale_are_seen(scale):
+    """Planes as close as 1 / scale: three through one line, then one of them moved by a hair."""
+    pencil = [(scale, 1, 0), (scale, 2, 0), (scale, 3, 0), (0, 0, 1), (0, 1, 5)]
+    moved = [*pencil[:2], (scale, 3, 1), *pencil[3:]]
+    for normals, vertices in ((pencil, 16), (moved, 20)):
+        made = sphere_arrangement(Arrangement(normals))
+        made.validate()
+        assert made.region_count == region_count(Arrangement(normals))
+        assert made.vertex_count == vertices
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_near_degenerate_clusters_agree_with_the_theorem(seed):
+    generator = random.Random(seed)
+    scale = 10**30
+    base = [(1, 0, 1), (0, 1, 1), (1, 1, 2), (1, -1, 0)]  # all through one line
+    normals = [
+        tuple(scale * x + generator.randint(-1, 1) for x in generator.choice(base))
+        for _ in range(14)
+    ]
+    planes = Arrangement(normals)
+    made = sphere_arrangement(planes)
+    made.validate()
+    assert made.region_count == region_count(planes)
+
+
+def test_turns_are_lexicographic_signs():
+    x, y, z = np.array([[0, 0, 0], [0, 0, -5], [0, 2, -5], [-1, 9, 9], [3, -1, 0]]).T
+    assert turns((x, y, z)).tolist() == [0, -1, 1, -1, 1]
+    assert signs_of(np.array([10**40, 0, -(10**40)], dtype=object)).tolist() == [1, 0, -1]
