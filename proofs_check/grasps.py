@@ -49,8 +49,9 @@ def smallest_questions(
 ) -> Iterator[Case]:
     """Yield questions with few contacts first, then with small numbers first.
 
-    Contacts at different points of the integer grid up to `reach`, or with different normals
-    along the axes; one friction coefficient and one preload for all contacts, stiffness 1.
+    Contacts at different points of the integer grid up to `reach`, with normals along the axes
+    (at one point two contacts would be a corner); one friction coefficient and one preload for
+    all contacts, stiffness 1.
     """
     grid = sorted(
         product(range(-reach, reach + 1), repeat=2), key=lambda p: (abs(p[0]) + abs(p[1]), p)
@@ -58,6 +59,8 @@ def smallest_questions(
     places = [(*point, *normal) for point in grid for normal in AXES]
     for m in contacts:
         for chosen in combinations(places, m):
+            if len({place[:2] for place in chosen}) < m:
+                continue
             for friction, preload, wrench in product(frictions, preloads, wrenches):
                 rest: Row = (friction, Fraction(1), Fraction(preload))
                 rows = tuple((*map(Fraction, place), *rest) for place in chosen)

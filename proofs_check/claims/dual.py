@@ -1,0 +1,265 @@
+"""Claims on the dual polyhedron: its graph, its bounds, its faces as a minimum cycle basis."""
+
+from __future__ import annotations
+
+import random
+from collections.abc import Iterator
+from functools import lru_cache
+from typing import Any
+
+import networkx as nx
+
+from arrangement import counts
+from arrangement.planes import Arrangement
+from arrangement.published import published_enumeration
+from proofs_check.claim import Case, Claim, Hypothesis, Kind, Route, Verdict
+from proofs_check.dualgraph import (
+    DualGraph,
+    distances,
+    from_covectors,
+    from_faces,
+    is_sphere,
+    is_three_connected,
+    minimum_cycle_lengths,
+)
+from proofs_check.instances import mixed_cases, smallest_arrangements
+
+FACES = "enumerated faces"
+COVECTORS = "covectors composed from the chirotope"
+#: What a slip state contributes to V, E and F of the dual.
+_VEF_ROUTES = (
+    Route("enumeration of all faces", lambda planes: _vef(planes.f_vector)),
+    Route("Zaslavsky's theorem", lambda planes: _vef(counts.f_vector(planes))),
+)
+RANK_3 = Hypothesis("the normals have rank 3", lambda planes: planes.rank == 3)
+
+
+@lru_cache(maxsize=64)
+def _faces_graph(planes: Arrangement) -> DualGraph:
+    return from_faces(planes)
+
+
+@lru_cache(maxsize=64)
+def _covector_graph(planes: Arrangement) -> DualGraph:
+    return from_covectors(planes)
+
+
+def _vef(f: tuple[int, ...]) -> tuple[int, int, int]:
+    """Regions, facets and lines: vertices, edges and faces of the dual."""
+    return (f[3], f[2], f[1])
+
+
+def _any_rank(rng: random.Random) -> Iterator[Case]:
+    yield from mixed_cases(rng, range(1, 11), per_count=4)
+
+
+def _small(rng: random.Random) -> Iterator[Case]:
+    yield from mixed_cases(rng, range(1, 7), per_count=3)
+
+
+def _rank_three(rng: random.Random) -> Iterator[Case]:
+    yield from mixed_cases(rng, range(3, 13), per_count=4, rank=3)
+
+
+def _smallest() -> Iterator[Case]:
+    return smallest_arrangements(range(1, 4), 1)
+
+
+def _planar_by_networkx(planes: Arrangement) -> tuple[bool, bool]:
+    graph = nx.Graph([tuple(edge) for edge in _faces_graph(planes).edges])
+    graph.add_nodes_from(_faces_graph(planes).vertices)
+    planar, _ = nx.check_planarity(graph)
+    return bool(planar), len(graph) > 3 and nx.node_connectivity(graph) >= 3
+
+
+def _planar_by_sphere(planes: Arrangement) -> tuple[bool, bool]:
+    graph = _covector_graph(planes)
+    planar = is_sphere(graph) or _cycle_or_edge(graph)
+    return planar, is_three_connected(graph)
+
+
+def _cycle_or_edge(graph: DualGraph) -> bool:
+    """In rank 1 and 2 the graph is an edge or a cycle, which is planar."""
+    return all(len(near) <= 2 for near in graph.neighbours.values())
+
+
+def _hamming(graph: DualGraph) -> tuple[int, int, bool]:
+    """Facets; pairs of regions that differ in one sign; whether distances are Hamming distances."""
+    ordered = sorted(graph.vertices)
+    pairs = sum(_differing(a, b) == 1 for i, a in enumerate(ordered) for b in ordered[:i])
+    isometric = all(
+        length == _differing(start, end)
+        for start in ordered
+        for end, length in distances(graph, start).items()
+    )
+    return len(graph.edges), pairs, isometric
+
+
+def _differing(a: tuple[int, ...], b: tuple[int, ...]) -> int:
+    return sum(x != y for x, y in zip(a, b, strict=True))
+
+
+def _published_cycles(planes: Arrangement) -> tuple[tuple[int, ...], bool]:
+    """Lengths in the basis that Step 3 finds, and whether its cycles are the face boundaries."""
+    found = published_enumeration(planes, merge=True)
+    lines = sorted(found.lines)
+    true = sorted(face.signs for face in planes.faces(1))
+    return tuple(sorted(map(len, found.cycles[:-1]))), bool(lines) and lines == true
+
+
+def _horton_cycles(planes: Arrangement) -> tuple[tuple[int, ...], bool]:
+    """The same from covectors and Horton's algorithm.
+
+    The basis consists of faces exactly when its total length is that of all faces but a longest
+    one, its size is F - 1, and the faces have the cycle space as their span.
+    """
+    graph = _covector_graph(planes)
+    lengths = minimum_cycle_lengths(graph)
+    faces = sorted(map(len, graph.faces))
+    return tuple(sorted(lengths)), len(faces) > 1 and lengths == tuple(faces[:-1])
+
+
+def _colours(vertices: Any) -> tuple[int, int]:
+    """Regions with an even and an odd number of planes below them, the larger class first."""
+    odd = sum(list(signs).count(-1) % 2 for signs in vertices)
+    return max(odd, len(vertices) - odd), min(odd, len(vertices) - odd)
+
+
+def _simple_small(rng: random.Random) -> Iterator[Case]:
+    yield from mixed_cases(rng, range(3, 9), per_count=1, rank=3)
+
+
+CLAIMS = (
+    Claim(
+        id="euler",
+        locator="Section IV-B, Step 3",
+        statement="V - E + F = 2 for the regions, facets and lines of the planes.",
+        quantity="(V, E, F)",
+        routes=_VEF_ROUTES,
+        cases=_any_rank,
+        judge=lambda planes, vef: vef[0] - vef[1] + vef[2] == 2,
+        kind=Kind.SAMPLED,
+        over="central arrangements of 1 to 10 planes in R^3 of every rank",
+        expected=Verdict.HOLDS_UNDER_HYPOTHESIS,
+        hypothesis=RANK_3,
+        search=_smallest,
+        meaning="With fewer independent planes there is no polyhedron. The paper's own "
+        "four-contact grasp has rank 2.",
+    ),
+    Claim(
+        id="dual-edge-and-face-bounds",
+        locator="Section IV-A",
+        statement="The dual has at most 3V - 6 edges and at most 2V - 4 faces.",
+        quantity="(V, E, F)",
+        routes=_VEF_ROUTES,
+        cases=_any_rank,
+        judge=lambda planes, vef: vef[1] <= 3 * vef[0] - 6 and vef[2] <= 2 * vef[0] - 4,
+        kind=Kind.SAMPLED,
+        over="central arrangements of 1 to 10 planes in R^3 of every rank",
+        expected=Verdict.HOLDS_UNDER_HYPOTHESIS,
+        hypothesis=Hypothesis("two planes differ", lambda planes: planes.rank >= 2),
+        search=_smallest,
+        meaning="The linear bound by V stands; only one plane alone is too small for it.",
+    ),
+    Claim(
+        id="dual-bipartite-bounds",
+        locator="Section IV-A, sharper",
+        statement="In rank 3 the dual has at most 2V - 4 edges and at most V - 2 faces, with "
+        "equality exactly when the different planes are in general position.",
+        hypotheses=("the normals have rank 3",),
+        quantity="(V, E, F)",
+        routes=_VEF_ROUTES,
+        cases=_rank_three,
+        judge=lambda planes, vef: (
+            vef[1] <= 2 * vef[0] - 4
+            and vef[2] <= vef[0] - 2
+            and (vef[1] == 2 * vef[0] - 4) == planes.is_simple == (vef[2] == vef[0] - 2)
+        ),
+        kind=Kind.SAMPLED,
+        over="central arrangements of 3 to 12 planes of rank 3",
+        expected=Verdict.HOLDS,
+        meaning="Changing one sign changes the parity, so the graph is bipartite; a face has at "
+        "least four edges. The printed 3V - 6 and 2V - 4 can be sharpened.",
+    ),
+    Claim(
+        id="dual-planar-3-connected",
+        locator="Section IV-A",
+        statement="The graph of regions and facets is planar and 3-connected.",
+        quantity="(planar, 3-connected)",
+        routes=(
+            Route(f"{FACES}; networkx planarity and node connectivity", _planar_by_networkx),
+            Route(f"{COVECTORS}; faces close to a sphere, removal of pairs", _planar_by_sphere),
+        ),
+        cases=_small,
+        judge=lambda planes, value: value == (True, True),
+        kind=Kind.SAMPLED,
+        over="central arrangements of 1 to 6 planes in R^3 of every rank",
+        expected=Verdict.HOLDS_UNDER_HYPOTHESIS,
+        hypothesis=RANK_3,
+        search=_smallest,
+        meaning="In rank 2 the graph is a cycle: planar, but not 3-connected.",
+    ),
+    Claim(
+        id="hamming-edges",
+        locator="Section IV-B, Step 2",
+        statement="Two regions share a facet exactly when they differ in a single sign, and the "
+        "graph is a partial cube.",
+        quantity="(facets, pairs of regions that differ in one sign, distances are Hamming)",
+        routes=(
+            Route(FACES, lambda planes: _hamming(_faces_graph(planes))),
+            Route(COVECTORS, lambda planes: _hamming(_covector_graph(planes))),
+        ),
+        cases=_small,
+        judge=lambda planes, value: value[0] == value[1] and value[2],
+        kind=Kind.SAMPLED,
+        over="central arrangements of 1 to 6 planes in R^3, coincident planes included",
+        expected=Verdict.HOLDS_UNDER_HYPOTHESIS,
+        hypothesis=Hypothesis(
+            "no two planes coincide", lambda planes: len(planes.distinct) == len(planes)
+        ),
+        search=_smallest,
+        meaning="On the paper's four-contact grasp contacts 1, 2 and contacts 3, 4 give one plane "
+        "each, so Step 2 finds no edge. Coincident planes must be merged first.",
+    ),
+    Claim(
+        id="cycle-basis-faces",
+        locator="Section IV-B, Step 3",
+        statement="A minimum cycle basis of the graph consists of F - 1 face boundaries, and the "
+        "symmetric sum of its cycles is the last face.",
+        hypotheses=("coincident planes are merged",),
+        quantity="(lengths in the basis, whether they and the last one are the faces)",
+        routes=(
+            Route("Steps 1 to 3 run (networkx), against enumerated faces", _published_cycles),
+            Route(f"Horton's algorithm on {COVECTORS}", _horton_cycles),
+        ),
+        cases=_small,
+        judge=lambda planes, value: value[1],
+        kind=Kind.SAMPLED,
+        over="central arrangements of 1 to 6 planes in R^3 of every rank",
+        expected=Verdict.HOLDS_UNDER_HYPOTHESIS,
+        hypothesis=RANK_3,
+        search=_smallest,
+        meaning="In rank 2 the one cycle is counted twice: that is the 10 at m = 2.",
+    ),
+    Claim(
+        id="sphere-dual-convex",
+        locator="Section IV-A",
+        statement="Points of the unit sphere, one in each region, make the dual convex: a "
+        "polyhedron inscribed in a sphere with the regions as vertices and the facets as edges.",
+        hypotheses=("the normals have rank 3", "general position"),
+        quantity="sizes of the two colour classes of the graph",
+        routes=(
+            Route(FACES, lambda planes: _colours(_faces_graph(planes).vertices)),
+            Route(COVECTORS, lambda planes: _colours(counts.topes(planes))),
+        ),
+        cases=_simple_small,
+        judge=lambda planes, classes: classes[0] == classes[1],
+        kind=Kind.SAMPLED,
+        over="one simple arrangement for each m = 3, ..., 8; only a necessary condition is checked",
+        expected=Verdict.REFUTED,
+        search=lambda: smallest_arrangements(range(3, 5), 1, distinct=True, rank=3),
+        meaning="A bipartite polyhedron whose vertices lie on a sphere has colour classes of equal "
+        "size (Steinitz), and four planes give 8 and 6. The bounds survive, because the "
+        "zonohedron of the normals is convex and has the same graph.",
+    ),
+)

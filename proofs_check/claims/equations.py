@@ -1,0 +1,270 @@
+"""Claims on the equations and algorithms as printed: where they differ from the tables.
+
+The model of the tables has contacts that can detach, a preload term, friction against the motion,
+and a check that the motion lies in the cell of its slip state. Each of these can be taken as
+printed, alone or together.
+"""
+
+from __future__ import annotations
+
+import random
+from collections.abc import Callable, Iterator
+from dataclasses import replace
+from fractions import Fraction
+from functools import partial
+from typing import Any
+
+from equilibrium.passive import solve
+from proofs_check import oracle, printed, programs
+from proofs_check.claim import Case, Claim, Kind, Route, Verdict
+from proofs_check.grasps import grasp_of, paper_question, smallest_questions
+from proofs_check.oracle import MODEL, Interval, Question, Reading
+
+#: The four deviations, each as the reading in which it alone is taken as printed.
+DEVIATIONS = {
+    "detachment": replace(MODEL, detachment=False),
+    "preload": replace(MODEL, preload=False),
+    "signs": replace(MODEL, friction_opposes=False),
+}
+AS_PRINTED = Reading(detachment=False, preload=False, friction_opposes=False)
+WRENCHES = ((0, 0, 0), (0, -1, 0), (0, 1, 0), (-1, 0, 0), (1, 0, 0), (0, 0, 1), (0, 0, -1))
+
+
+def _table_cases(_rng: random.Random) -> Iterator[Case]:
+    for contacts, rows in (
+        (printed.THREE_CONTACT_GRASP, printed.THREE_CONTACTS),
+        (printed.FOUR_CONTACT_GRASP, printed.FOUR_CONTACTS),
+    ):
+        for row in rows:
+            wrench, _ = printed.read_vector(row.wrench)
+            question = paper_question(contacts, wrench, Fraction(row.preload))
+            label = f"m={len(contacts)} w={row.wrench.replace(' ', '')} P={row.preload}"
+            yield Case(f"{label} {row.stable}", question, question.to_dict())
+
+
+def _printed_verdict(question: Question) -> str:
+    """The verdict of the table for one of its questions."""
+    rows = printed.THREE_CONTACTS if len(question.contacts) == 3 else printed.FOUR_CONTACTS
+    preload = question.contacts[0][-1]
+    for row in rows:
+        wrench, _ = printed.read_vector(row.wrench)
+        if wrench == question.wrench and Fraction(row.preload) == preload:
+            return row.stable
+    raise LookupError("the question is in no table")
+
+
+def _word(stable: bool) -> str:
+    return "Yes" if stable else "No"
+
+
+def _by_oracle(reading: Reading, question: Question) -> str:
+    return _word(oracle.stable(question, reading))
+
+
+def _by_programs(reading: Reading, question: Question) -> str:
+    grasp = grasp_of(question)
+    states = programs.listed_states(grasp, detachment=reading.detachment, all_stick=True)
+    return _word(programs.stable(grasp, question.wrench, reading, states))
+
+
+def _routes(reading: Reading) -> tuple[Route, Route]:
+    return (
+        Route("elimination over all choices of states", partial(_by_oracle, reading)),
+        Route(
+            "linear programs in 3 + 2m unknowns over the rigid states",
+            partial(_by_programs, reading),
+        ),
+    )
+
+
+def _explain_printed(question: Question, value: str) -> str:
+    if value == _printed_verdict(question):
+        return ""
+    alone = [
+        name
+        for name, reading in DEVIATIONS.items()
+        if _by_oracle(reading, question) != _printed_verdict(question)
+    ]
+    return f"enough alone: {', '.join(alone)}" if alone else "only several together do this"
+
+
+def _printed_claim(name: str, locator: str, what: str, reading: Reading, meaning: str) -> Claim:
+    return Claim(
+        id=f"printed-{name}",
+        locator=locator,
+        statement=f"{what}, the verdicts of both result tables come out.",
+        quantity="verdict",
+        routes=_routes(reading),
+        cases=_table_cases,
+        judge=lambda question, value: value == _printed_verdict(question),
+        kind=Kind.EXHAUSTIVE,
+        over="the 17 questions of the two tables",
+        expected=Verdict.REFUTED,
+        explain=_explain_printed if reading == AS_PRINTED else None,
+        meaning=meaning,
+        rows=reading == AS_PRINTED,
+    )
+
+
+Pair = tuple[str, str]
+
+
+def _algorithm_pair(reading: Reading, all_stick: bool, by_solver: bool, question: Question) -> Pair:
+    """The verdict of Algorithm 2 over its list of states, and the verdict of the model."""
+    grasp = grasp_of(question)
+    states = programs.listed_states(grasp, detachment=reading.detachment, all_stick=all_stick)
+    if by_solver:
+        found = programs.stable(grasp, question.wrench, reading, states)
+        return _word(found), _word(solve(grasp, question.wrench).stable)
+    return _word(oracle.stable(question, reading, states)), _word(oracle.stable(question))
+
+
+def _algorithm_routes(reading: Reading, all_stick: bool) -> tuple[Route, Route]:
+    def route(name: str, by_solver: bool) -> Route:
+        return Route(name, partial(_algorithm_pair, reading, all_stick, by_solver))
+
+    return route("elimination", False), route("linear programs, and the solver", True)
+
+
+def _normal_forces_solved(question: Question) -> tuple[tuple[Interval, ...], ...]:
+    verdict = solve(grasp_of(question), question.wrench)
+    return tuple(
+        oracle.united(piece.force_ranges[i][0] for piece in verdict.equilibria)
+        for i in range(len(question.contacts))
+    )
+
+
+def _single(_question: Question, forces: tuple[tuple[Interval, ...], ...]) -> bool:
+    """At most one value for every normal force."""
+    return all(len(found) <= 1 and all(low == high for low, high in found) for found in forces)
+
+
+def _counted(case: tuple[int, int]) -> int:
+    """Count the equations of the system of l slipping contacts of m by writing them down."""
+    m, slipping = case
+    states = ("slip+",) * slipping + ("stick",) * (m - slipping)
+    question = paper_question([(i, 0, 0, 1) for i in range(m)], [Fraction(0)] * 3, 1)
+    equalities, _ = oracle.system(question, states)
+    return len(equalities) + m  # the oracle has put the m spring equations in already
+
+
+def _added(case: tuple[int, int]) -> int:
+    """Balance, springs, friction at slipping contacts, no motion at sticking ones."""
+    m, slipping = case
+    return sum((3, m, *(1 for _ in range(slipping)), *(1 for _ in range(slipping, m))))
+
+
+def _constraint_cases(largest: int, _rng: Any = None) -> Iterator[Case]:
+    for m in range(1, largest + 1):
+        for slipping in range(m + 1):
+            yield Case(f"m = {m}, l = {slipping} slipping", (m, slipping), {"m": m, "l": slipping})
+
+
+def _search(contacts: range, **options: Any) -> Callable[[], Iterator[Case]]:
+    return lambda: smallest_questions(contacts, WRENCHES, **options)
+
+
+CLAIMS = (
+    _printed_claim(
+        "equations",
+        "Eqs. 1-7",
+        "With the equations as printed (no detachment, no preload term, printed signs)",
+        AS_PRINTED,
+        "The tables were computed with other equations than the printed ones.",
+    ),
+    _printed_claim(
+        "detachment",
+        "Eqs. 2 and 4",
+        "With the spring equation as an equality, so that no contact can let go",
+        DEVIATIONS["detachment"],
+        "The four-contact grasp turns under (0, 0, +-3) and two contacts let go; the printed "
+        "equations forbid that.",
+    ),
+    _printed_claim(
+        "preload",
+        "Eq. 4",
+        "With no preload term in the spring equation",
+        DEVIATIONS["preload"],
+        "Both tables use a preload that no printed equation has.",
+    ),
+    _printed_claim(
+        "signs",
+        "Eqs. 1, 4 and 6",
+        "With the signs of balance, springs and friction taken together in one frame",
+        DEVIATIONS["signs"],
+        "Eqs. 1 and 4 agree when normals point outwards; then Eq. 6 has friction act along the "
+        "motion of the table's rows.",
+    ),
+    Claim(
+        id="constraint-count",
+        locator="Section V-A",
+        statement="The system of a slip state with l slipping contacts has 3 + m + (m - l) "
+        "equations from balance, springs and slip, and m - l more from sticking.",
+        quantity="number of equations",
+        routes=(
+            Route("writing the system down and counting rows", _counted),
+            Route("adding up one equation for each contact and kind", _added),
+        ),
+        cases=partial(_constraint_cases, 6),
+        judge=lambda case, count: count == 3 + case[0] + 2 * (case[0] - case[1]),
+        kind=Kind.EXHAUSTIVE,
+        over="all l <= m <= 6",
+        expected=Verdict.REFUTED,
+        search=partial(_constraint_cases, 2),
+        meaning="A slip of the pen: l is first the number of slipping contacts and then of "
+        "sticking ones. There are 3 + m + l and m - l, in all 3 + 2m, as many as unknowns.",
+    ),
+    Claim(
+        id="algorithm-2-sound",
+        locator="Algorithm 2",
+        statement="A grasp that Algorithm 2 calls stable has an equilibrium.",
+        hypotheses=("equations corrected", "all-stick state added", "no check of the cell"),
+        quantity="(verdict of Algorithm 2, verdict of the model)",
+        routes=_algorithm_routes(replace(MODEL, cell_check=False), all_stick=True),
+        cases=_table_cases,
+        judge=lambda question, pair: pair != ("Yes", "No"),
+        kind=Kind.EXHAUSTIVE,
+        over="the 17 questions of the two tables",
+        expected=Verdict.REFUTED,
+        search=_search(range(1, 3)),
+        meaning="Algorithm 2 never checks that the motion it finds slips as its slip state says; "
+        "then friction may push the object along.",
+    ),
+    Claim(
+        id="all-stick-listed",
+        locator="Algorithm 2; Section IV-B",
+        statement="The states that Steps 1 to 3 list are enough: if a grasp has an equilibrium, "
+        "one is found in a listed state.",
+        hypotheses=("equations corrected", "cell checked", "coincident planes merged"),
+        quantity="(verdict over the listed states, verdict of the model)",
+        routes=_algorithm_routes(MODEL, all_stick=False),
+        cases=_table_cases,
+        judge=lambda question, pair: pair[0] == pair[1],
+        kind=Kind.EXHAUSTIVE,
+        over="the 17 questions of the two tables",
+        expected=Verdict.REFUTED,
+        search=lambda: smallest_questions(range(3, 4), WRENCHES[:1], preloads=(1,)),
+        meaning="With preload the object often just stays, and d = 0 is in no listed state "
+        "once three tangential planes are independent.",
+    ),
+    Claim(
+        id="single-solution",
+        locator="Section II",
+        statement="Compliance reduces the solutions to at most a single one: the normal forces "
+        "of an equilibrium are determined by grasp and wrench.",
+        hypotheses=("the corrected model",),
+        quantity="exact set of values of every normal force over all equilibria",
+        routes=(
+            Route("elimination over 4^m states", oracle.normal_forces),
+            Route("ranges over the solver's pieces", _normal_forces_solved),
+        ),
+        cases=_table_cases,
+        judge=_single,
+        kind=Kind.EXHAUSTIVE,
+        over="the 17 questions of the two tables",
+        expected=Verdict.REFUTED,
+        search=_search(range(1, 3), preloads=(1,)),
+        meaning="An algorithm that stops at the first solution may report other forces than "
+        "the ones that arise; the verdict on stability is not touched.",
+    ),
+)

@@ -1,0 +1,199 @@
+"""The dual graph of an arrangement, twice: from enumerated faces, and from covectors.
+
+Vertices are regions, edges are facets, faces are rays (of a rank 3 arrangement). The first
+builder takes the faces of the geometric engine; the second composes cocircuits read off the
+chirotope. The graph functions of this module are its own, so that they can stand against networkx.
+"""
+
+from __future__ import annotations
+
+from collections import deque
+from collections.abc import Iterable
+from dataclasses import dataclass
+from itertools import combinations
+
+from arrangement import counts
+from arrangement.planes import Arrangement
+
+Signs = tuple[int, ...]
+Edge = frozenset[Signs]
+
+
+@dataclass(frozen=True)
+class DualGraph:
+    """Regions, the pairs of them on both sides of a facet, and the boundary of each ray.
+
+    Attributes:
+        vertices: sign vectors of the regions.
+        edges: the two regions beside each facet.
+        faces: for each covector of the lowest level above the origin, the edges around it.
+    """
+
+    vertices: frozenset[Signs]
+    edges: frozenset[Edge]
+    faces: tuple[frozenset[Edge], ...]
+
+    @property
+    def neighbours(self) -> dict[Signs, set[Signs]]:
+        """The adjacent regions of every region."""
+        found: dict[Signs, set[Signs]] = {vertex: set() for vertex in self.vertices}
+        for edge in self.edges:
+            a, b = edge
+            found[a].add(b)
+            found[b].add(a)
+        return found
+
+
+def from_faces(planes: Arrangement) -> DualGraph:
+    """Return the dual graph by enumeration of all faces of R^3."""
+    return _graph(
+        [face.signs for face in planes.faces(3)],
+        [face.signs for face in planes.faces(2)],
+        [face.signs for face in planes.faces(1)],
+    )
+
+
+def from_covectors(planes: Arrangement) -> DualGraph:
+    """Return the dual graph from the covectors, whose ranks are read off their zero sets."""
+    vectors = counts.covectors(planes)
+    levels: dict[int, list[Signs]] = {0: [], 1: [], 2: [], 3: []}
+    for signs in vectors:
+        zero = [planes.integer_planes[i][:-1] for i, s in enumerate(signs) if s == 0]
+        levels[_rank(zero)].append(signs)
+    return _graph(levels[0], levels[1], levels[2])
+
+
+def _graph(regions: list[Signs], facets: list[Signs], lines: list[Signs]) -> DualGraph:
+    vertices = frozenset(regions)
+    beside = {facet: [r for r in regions if _below(facet, r)] for facet in facets}
+    edges = {facet: frozenset(pair) for facet, pair in beside.items()}
+    around = (frozenset(edges[f] for f in facets if _below(line, f)) for line in lines)
+    return DualGraph(vertices, frozenset(edges.values()), tuple(around))
+
+
+def _below(small: Signs, large: Signs) -> bool:
+    """Whether one covector is a face of another: equal wherever it is not zero."""
+    return all(a in (0, b) for a, b in zip(small, large, strict=True))
+
+
+def _rank(vectors: list[tuple[int, ...]]) -> int:
+    """Return the rank of vectors in Z^3 by cross products and one triple product."""
+    first = next((v for v in vectors if any(v)), None)
+    if first is None:
+        return 0
+    cross = next((c for c in (_cross(first, v) for v in vectors) if any(c)), None)
+    if cross is None:
+        return 1
+    return 3 if any(sum(a * b for a, b in zip(cross, v, strict=True)) for v in vectors) else 2
+
+
+def _cross(u: tuple[int, ...], v: tuple[int, ...]) -> tuple[int, ...]:
+    return (u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0])
+
+
+def distances(graph: DualGraph, start: Signs, removed: Iterable[Signs] = ()) -> dict[Signs, int]:
+    """Return the number of edges on a shortest way from one region to each that is reached."""
+    neighbours = graph.neighbours
+    found = {start: 0}
+    closed = set(removed)
+    waiting = deque([start])
+    while waiting:
+        here = waiting.popleft()
+        for there in neighbours[here] - closed:
+            if there not in found:
+                found[there] = found[here] + 1
+                waiting.append(there)
+    return found
+
+
+def is_sphere(graph: DualGraph) -> bool:
+    """Return whether the faces close up to a sphere; then the graph is planar.
+
+    Every edge in exactly two faces, the faces around every vertex in one cycle, every face one
+    cycle, the graph connected, and V - E + F = 2.
+    """
+    incident: dict[Edge, list[int]] = {edge: [] for edge in graph.edges}
+    for k, face in enumerate(graph.faces):
+        for edge in face:
+            incident[edge].append(k)
+    if not graph.vertices or any(len(found) != 2 for found in incident.values()):
+        return False
+    if len(distances(graph, next(iter(graph.vertices)))) < len(graph.vertices):
+        return False
+    around_faces = all(_is_cycle([tuple(edge) for edge in face]) for face in graph.faces)
+    around_vertices = all(
+        _is_cycle([tuple(incident[edge]) for edge in graph.edges if vertex in edge])
+        for vertex in graph.vertices
+    )
+    euler = len(graph.vertices) - len(graph.edges) + len(graph.faces)
+    return around_faces and around_vertices and euler == 2
+
+
+def _is_cycle(pairs: list[tuple[object, ...]]) -> bool:
+    """Return whether pairs, taken as edges, form one single cycle."""
+    neighbours: dict[object, list[object]] = {}
+    for a, b in pairs:
+        neighbours.setdefault(a, []).append(b)
+        neighbours.setdefault(b, []).append(a)
+    if not pairs or any(len(found) != 2 for found in neighbours.values()):
+        return False
+    start = next(iter(neighbours))
+    previous, here, steps = start, neighbours[start][0], 1
+    while here != start:
+        one, other = neighbours[here]
+        previous, here = here, (other if one == previous else one)
+        steps += 1
+    return steps == len(neighbours)
+
+
+def is_three_connected(graph: DualGraph) -> bool:
+    """Return whether the graph has over three vertices and no two of them separate it."""
+    if len(graph.vertices) < 4:
+        return False
+    for pair in combinations(sorted(graph.vertices), 2):
+        left = graph.vertices - set(pair)
+        if len(distances(graph, next(iter(left)), pair)) < len(left):
+            return False
+    return True
+
+
+def minimum_cycle_lengths(graph: DualGraph) -> tuple[int, ...]:
+    """Return the sorted lengths of the cycles of a minimum cycle basis, by Horton's algorithm.
+
+    Candidates: for a vertex v and an edge xy, a shortest way v to x, the edge, and a shortest way
+    back. Shortest candidates that are independent modulo 2 form a minimum basis.
+    Source: J. Horton, SIAM Journal on Computing 16 (1987).
+    """
+    index = {edge: 1 << k for k, edge in enumerate(sorted(graph.edges, key=sorted))}
+    candidates: set[tuple[int, int]] = set()
+    for vertex in graph.vertices:
+        ways = _shortest_ways(graph, vertex, index)
+        for edge, bit in index.items():
+            a, b = edge
+            if a in ways and b in ways:
+                cycle = ways[a] ^ ways[b] ^ bit
+                candidates.add((cycle.bit_count(), cycle))
+    pivots: dict[int, int] = {}
+    lengths = []
+    for length, cycle in sorted(candidates):
+        rest = cycle
+        while rest and rest.bit_length() in pivots:
+            rest ^= pivots[rest.bit_length()]
+        if rest:
+            pivots[rest.bit_length()] = rest
+            lengths.append(length)
+    return tuple(lengths)
+
+
+def _shortest_ways(graph: DualGraph, start: Signs, index: dict[Edge, int]) -> dict[Signs, int]:
+    """Return one shortest way to every vertex, as a set of edges."""
+    neighbours = graph.neighbours
+    ways = {start: 0}
+    waiting = deque([start])
+    while waiting:
+        here = waiting.popleft()
+        for there in sorted(neighbours[here]):
+            if there not in ways:
+                ways[there] = ways[here] | index[frozenset((here, there))]
+                waiting.append(there)
+    return ways
