@@ -44,9 +44,12 @@ PLANTED = [
     ("arrangement/counts/planted.py", "import arrangement.linear", "their own linear algebra"),
     ("equilibrium/grasp.py", "import equilibrium.cli", "Inside equilibrium"),
     ("equilibrium/certificate.py", "import equilibrium.passive", "Inside equilibrium"),
+    ("equilibrium/conditions.py", "import equilibrium.states", "contact conditions on its own"),
     ("equilibrium/certificate.py", "import equilibrium.states", "with the solver: states"),
     ("equilibrium/certificate.py", "import arrangement.linprog", "with the solver: linprog"),
     ("equilibrium/certificate.py", "import arrangement.faces", "with the solver: faces"),
+    ("proofs_check/oracle.py", "import equilibrium.passive", "brute-force route"),
+    ("proofs_check/oracle.py", "import arrangement.counts", "brute-force route"),
     ("proofs_check/claim.py", "import proofs_check.report", "Inside proofs_check"),
 ]
 

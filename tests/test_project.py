@@ -71,3 +71,16 @@ def test_every_entry_point_of_the_project_resolves_or_is_not_written_yet() -> No
     for point in points:
         if importlib.util.find_spec(point.module) is not None:
             point.load()
+
+
+def test_every_cited_work_is_in_the_bibliography() -> None:
+    key = re.compile(r"\[([A-Z][A-Za-z]+[12]\d{3}[a-z]?)\]")
+    listed = set(key.findall((ROOT / "docs" / "bibliography.rst").read_text(encoding="utf-8")))
+    assert "HaasHeger2018" in listed
+    cited = {
+        found: path
+        for package in PACKAGES
+        for path in (ROOT / package).rglob("*.py")
+        for found in key.findall(path.read_text(encoding="utf-8"))
+    }
+    assert {found: path for found, path in cited.items() if found not in listed} == {}

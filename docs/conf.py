@@ -1,0 +1,61 @@
+"""Configuration of the documentation; it builds and reads without a network."""
+
+import re
+
+import arrangement
+
+project = "slipstates"
+author = "The slipstates authors"
+copyright = "2026, the slipstates authors"
+version = release = arrangement.__version__
+
+extensions = [
+    "sphinx.ext.apidoc",
+    "sphinx.ext.autodoc",
+    "sphinx.ext.mathjax",
+    "sphinx.ext.napoleon",
+    "sphinx.ext.viewcode",
+    "sphinx-mathjax-offline",
+]
+exclude_patterns = ["_build"]
+default_role = "code"
+highlight_language = "python"
+nitpicky = False
+# The bibliography is a list to cite from; docstrings name its keys in plain text.
+suppress_warnings = ["ref.citation"]
+
+# One reference page per module, made from what exists.
+apidoc_modules = [
+    {
+        "path": f"../{package}",
+        "destination": f"reference/{package}",
+        "separate_modules": True,
+        "module_first": True,
+        "exclude_patterns": ["**/__main__.py"],
+        "automodule_options": {"members", "show-inheritance"},
+    }
+    for package in ("arrangement", "equilibrium", "proofs_check")
+]
+autodoc_default_options = {"ignore-module-all": True}
+autodoc_member_order = "bysource"
+autodoc_typehints = "signature"
+napoleon_use_ivar = True
+
+html_theme = "furo"
+html_title = f"slipstates {release}"
+html_copy_source = False
+html_show_sphinx = False
+
+
+def escape_mathematics(app, what, name, obj, options, lines):
+    """Keep |x| and a * b in docstrings as they are written: they are no markup there."""
+    for number, line in enumerate(lines):
+        if not line.lstrip().startswith((">>>", "...")):
+            _, bullet, text = re.split(r"^(\s*[*-] |)", line, maxsplit=1)
+            parts = re.split(r"(`+[^`]*`+)", text)
+            parts[::2] = [re.sub(r"(?<!\\)([|*])", r"\\\1", part) for part in parts[::2]]
+            lines[number] = bullet + "".join(parts)
+
+
+def setup(app):
+    app.connect("autodoc-process-docstring", escape_mathematics, priority=400)
