@@ -1,4 +1,4 @@
-"""The dual and the unit sphere: points in the regions, their hull, and which duals can be inscribed.
+"""The dual and the unit sphere: points in the regions, their hull, and duals that are inscribed.
 
 [HaasHeger2018], section IV.A, takes a point of the unit sphere in each region and says that the
 dual polyhedron with these vertices is convex. Two questions follow, and both are decided exactly:

