@@ -1,0 +1,15 @@
+"""Errors of the package; bad input is also an `arrangement.errors.InputError` (exit code 2)."""
+
+from arrangement.errors import InputError
+
+
+class EquilibriumError(ValueError):
+    """Base class of every error that this package raises on purpose."""
+
+
+class GraspError(EquilibriumError, InputError):
+    """A contact, grasp, wrench or option breaks a rule; the message says value, rule, remedy."""
+
+
+class CertificateError(EquilibriumError, InputError):
+    """A certificate document has no readable form (this is not the same as a wrong proof)."""

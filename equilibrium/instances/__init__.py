@@ -1,0 +1,14 @@
+"""Named grasps that ship with the package, for users, tests and figures."""
+
+from __future__ import annotations
+
+from importlib.resources import files
+from importlib.resources.abc import Traversable
+
+
+def paths() -> dict[str, Traversable]:
+    """Return the built-in grasps: their files by name."""
+    found = {path.name: path for path in files(__name__).iterdir()}
+    return {
+        name.removesuffix(".json"): found[name] for name in sorted(found) if name.endswith(".json")
+    }

@@ -1,0 +1,110 @@
+"""Exactly unit rational vectors near a given direction.
+
+The rational points of the unit circle are ``((1 - u^2) / (1 + u^2), 2u / (1 + u^2))`` with u the
+tangent of half the angle. A direction that already has a rational length is returned exactly.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable
+from fractions import Fraction
+from typing import Any, NamedTuple
+
+from arrangement.exact import RationalVector, from_floats
+
+from .errors import GraspError
+
+
+class UnitNormal(NamedTuple):
+    """An exactly unit vector, and the error made.
+
+    Attributes:
+        normal: rational, with ``x^2 + y^2 = 1`` exactly.
+        angle_error: the tangent of the signed angle (radians, counter-clockwise) from the wanted
+            direction to `normal`, an exact rational. As ``|angle| <= |tan(angle)|`` below a
+            right angle, its absolute value is an upper bound of the angle itself.
+    """
+
+    normal: RationalVector
+    angle_error: Fraction
+
+
+def unit_normal(direction: Iterable[Any], tolerance: Any = Fraction(1, 10**6)) -> UnitNormal:
+    """Return an exactly unit rational vector within an angle of a direction, and the error.
+
+    The direction need not have length 1. Converting is the purpose here, so finite floats are
+    accepted as well as rationals; they stand for the binary fractions that they are.
+
+    Args:
+        direction: two numbers, not both zero.
+        tolerance: the largest accepted tangent of the angle error, ``0 < tolerance <= 1``.
+
+    Returns:
+        The unit vector of the smallest half-angle denominator that halving bounds finds within
+        the tolerance; error 0 whenever the direction has a rational length.
+
+    Raises:
+        GraspError: a zero direction, or a tolerance out of range.
+
+    >>> unit_normal([3, 4])
+    UnitNormal(normal=(Fraction(3, 5), Fraction(4, 5)), angle_error=Fraction(0, 1))
+    >>> unit_normal([1, 1], "1/100").normal
+    (Fraction(12, 17), Fraction(12, 17))
+    """
+    wanted = from_floats(list(direction))
+    bound = from_floats(tolerance)
+    if len(wanted) != 2 or not any(wanted):
+        raise GraspError(f"direction is {direction!r}; give two numbers, not both zero")
+    if not 0 < bound <= 1:
+        raise GraspError(f"tolerance is {tolerance!r}; it must be above 0 and at most 1 (radians)")
+    exact = _exact_unit(wanted)
+    if exact is not None:
+        return UnitNormal(exact, Fraction(0))
+    limit = 1
+    while True:
+        normal = _near(wanted, limit)
+        error = _tangent(wanted, normal)
+        if error is not None and abs(error) <= bound:
+            return UnitNormal(normal, error)
+        limit *= 2
+
+
+def _exact_unit(v: RationalVector) -> RationalVector | None:
+    """Return v / |v| when |v| is rational."""
+    square = v[0] * v[0] + v[1] * v[1]
+    top, bottom = math.isqrt(square.numerator), math.isqrt(square.denominator)
+    if top * top != square.numerator or bottom * bottom != square.denominator:
+        return None
+    length = Fraction(top, bottom)
+    return (v[0] / length, v[1] / length)
+
+
+def _near(v: RationalVector, limit: int) -> RationalVector:
+    """Return the unit vector whose half-angle tangent is v's with denominator at most limit.
+
+    The octant of v is folded onto angles in (0, pi/4] first, so that the half-angle tangent is
+    in (0, 1/2) and the same limit means the same fineness in every quadrant.
+    """
+    large, small = max(abs(v[0]), abs(v[1])), min(abs(v[0]), abs(v[1]))
+    u = _half_tangent(large, small, limit).limit_denominator(limit)
+    cosine, sine = (1 - u * u) / (1 + u * u), 2 * u / (1 + u * u)
+    if abs(v[0]) < abs(v[1]):
+        cosine, sine = sine, cosine
+    return (cosine if v[0] > 0 else -cosine, sine if v[1] > 0 else -sine)
+
+
+def _half_tangent(large: Fraction, small: Fraction, limit: int) -> Fraction:
+    """Return ``small / (large + sqrt(large^2 + small^2))`` to well within ``1 / limit^2``."""
+    slope = small / large
+    digits = 4 * limit.bit_length() + 16 + slope.denominator.bit_length()
+    scaled = (1 + slope * slope) * (1 << (2 * digits))
+    root = Fraction(math.isqrt(scaled.numerator // scaled.denominator), 1 << digits)
+    return slope / (1 + root)
+
+
+def _tangent(wanted: RationalVector, found: RationalVector) -> Fraction | None:
+    """Return the tangent of the angle from wanted to found; None at a right angle or beyond."""
+    cosine = wanted[0] * found[0] + wanted[1] * found[1]
+    sine = wanted[0] * found[1] - wanted[1] * found[0]
+    return sine / cosine if cosine > 0 else None
