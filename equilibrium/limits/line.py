@@ -14,11 +14,11 @@ from typing import Any
 
 from arrangement import linprog
 from arrangement.exact import RationalVector, dot, to_text
+from equilibrium.elimination import gauss_jordan
+from equilibrium.errors import GraspError
+from equilibrium.grasp import Grasp, read_wrench
+from equilibrium.states import States, StateSystem, contact_states, state_system
 
-from ..elimination import gauss_jordan
-from ..errors import GraspError
-from ..grasp import Grasp, read_wrench
-from ..states import States, StateSystem, contact_states, state_system
 from .intervals import Interval, holds, intersection, union, where_positive
 
 _MAGNITUDES: Interval = (Fraction(0), None)
@@ -44,7 +44,7 @@ class Magnitudes:
 
     @property
     def from_zero(self) -> bool:
-        """Whether the set is one interval that starts at 0, as a binary search takes for granted."""
+        """Whether the set is one interval that starts at 0, as a binary search assumes."""
         return len(self.intervals) == 1 and self.intervals[0][0] == 0
 
     def contains(self, magnitude: Fraction) -> bool:
@@ -104,7 +104,7 @@ def _interval(
 
 
 def _by_programs(system: StateSystem, equalities: list[RationalVector]) -> Interval | None:
-    """Return the least and largest magnitude when the equalities leave more than one number free."""
+    """Return the least and largest magnitude when the equalities leave more than t free."""
     n = system.size
     inequalities = [(*row[:-1], Fraction(0), row[-1]) for row in system.inequalities]
     objective = [Fraction(0)] * n + [Fraction(1)]

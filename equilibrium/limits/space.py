@@ -16,9 +16,9 @@ from functools import lru_cache
 from typing import Any
 
 from arrangement.exact import IntegerVector, RationalVector, dot, primitive
+from equilibrium.grasp import Contact, Grasp, read_wrench
+from equilibrium.states import DIRECTION, State, States, contact_states
 
-from ..grasp import Contact, Grasp, read_wrench
-from ..states import DIRECTION, State, States, contact_states
 from .cones import generators
 from .intervals import Interval, union
 from .polyhedron import Polyhedron, from_generators

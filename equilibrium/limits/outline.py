@@ -1,0 +1,143 @@
+"""The exact boundary of a finite union of convex polygons, bounded or not, flat ones included.
+
+A generic point of an edge is a boundary point of the union exactly when no polygon covers the
+other side of the edge there. Which part of the edge's line a polygon covers is one interval. So the
+border is what is left of every edge after these intervals are taken away: no overlay is built.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+from typing import Any
+
+from arrangement.exact import IntegerVector, RationalVector, dot, to_text
+
+from .intervals import Interval, is_long, remainder, union
+from .polyhedron import Polyhedron
+
+
+@dataclass(frozen=True)
+class Segment:
+    """A closed part of a line: a segment, a ray or the whole line.
+
+    Attributes:
+        normal: ``normal . x + constant = 0`` on the line, primitive; where there is a region on
+            one side, ``>= 0`` there.
+        start, end: None for no end; from start to end the region is on the left.
+        direction: the direction from start to end, primitive.
+    """
+
+    normal: IntegerVector
+    constant: int
+    start: RationalVector | None
+    end: RationalVector | None
+
+    @property
+    def direction(self) -> IntegerVector:
+        """The direction from start to end; a region on the side of `normal` is on the left."""
+        return (self.normal[1], -self.normal[0])
+
+    def to_dict(self) -> dict[str, Any]:
+        """Return a JSON form; null means no end."""
+        return {
+            "start": _point_text(self.start),
+            "end": _point_text(self.end),
+            "direction": [str(x) for x in self.direction],
+        }
+
+
+@dataclass(frozen=True)
+class Outline:
+    """The boundary of a union of polygons.
+
+    Attributes:
+        border: where the two-dimensional part ends, the region on the left.
+        whiskers: one-dimensional parts that stick out of it.
+        points: isolated points.
+    """
+
+    border: tuple[Segment, ...]
+    whiskers: tuple[Segment, ...]
+    points: tuple[RationalVector, ...]
+
+    def to_dict(self) -> dict[str, Any]:
+        """Return a JSON form; numbers are strings of rationals."""
+        return {
+            "border": [segment.to_dict() for segment in self.border],
+            "whiskers": [segment.to_dict() for segment in self.whiskers],
+            "points": [_point_text(point) for point in self.points],
+        }
+
+
+def outline_of(polygons: Sequence[Polyhedron]) -> Outline:
+    """Return the boundary of the union of polygons in the plane (dimensions 0, 1 and 2).
+
+    Complexity: O(n e) intervals for n polygons with e edges in all, and sorting.
+    """
+    solid = [p for p in polygons if p.dimension == 2]
+    thin = [p for p in polygons if p.dimension == 1]
+    border: list[Segment] = []
+    for row in sorted({row for p in solid for row in p.inequalities}):
+        line = _Line(row)
+        edges = [line.part(p) for p in solid if row in p.inequalities]
+        covered = [line.part(p) for p in solid if line.covers_beyond(p)]
+        border += line.segments(edges, covered)
+    whiskers: list[Segment] = []
+    for row in sorted({max(p.equalities[0], _opposite(p.equalities[0])) for p in thin}):
+        line = _Line(row)
+        edges = [line.part(p) for p in thin if line.carries(p)]
+        whiskers += line.segments(edges, [line.part(p) for p in solid])
+    single = (p.points[0] for p in polygons if p.dimension == 0)
+    larger = [*solid, *thin]
+    points = sorted({x for x in single if not any(p.contains(x) for p in larger)})
+    return Outline(tuple(border), tuple(whiskers), tuple(points))
+
+
+class _Line:
+    """An oriented line ``normal . x + constant = 0`` with a parameter along it."""
+
+    def __init__(self, row: IntegerVector) -> None:
+        self.normal, self.constant = row[:2], row[2]
+        square = dot(self.normal, self.normal)
+        self.base = tuple(Fraction(-self.constant * x, square) for x in self.normal)
+        self.direction = (self.normal[1], -self.normal[0])
+
+    def part(self, polygon: Polyhedron) -> Interval | None:
+        """Return the part of the line in a polygon."""
+        return polygon.along(self.base, self.direction)
+
+    def covers_beyond(self, polygon: Polyhedron) -> bool:
+        """Return whether a polygon is not only on the positive side of the line."""
+        return (*self.normal, self.constant) not in polygon.inequalities
+
+    def carries(self, polygon: Polyhedron) -> bool:
+        """Return whether a flat polygon lies in the line."""
+        row = (*self.normal, self.constant)
+        return polygon.equalities[0] in (row, _opposite(row))
+
+    def segments(
+        self, edges: Iterable[Interval | None], covered: Iterable[Interval | None]
+    ) -> list[Segment]:
+        """Return what is left of the edges after the covered parts are taken away."""
+        cover = [part for part in covered if part is not None and is_long(part)]
+        whole = union(part for part in edges if part is not None and is_long(part))
+        left = (rest for part in whole for rest in remainder(part, cover))
+        return [
+            Segment(self.normal, self.constant, self._point(low), self._point(high))
+            for low, high in left
+        ]
+
+    def _point(self, parameter: Fraction | None) -> RationalVector | None:
+        if parameter is None:
+            return None
+        return tuple(b + parameter * u for b, u in zip(self.base, self.direction, strict=True))
+
+
+def _opposite(row: IntegerVector) -> IntegerVector:
+    return tuple(-x for x in row)
+
+
+def _point_text(point: RationalVector | None) -> list[str] | None:
+    return None if point is None else [to_text(x) for x in point]
