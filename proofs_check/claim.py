@@ -225,20 +225,29 @@ def evaluate(
         records.append(check(claim, case))
         if progress:
             progress(records[-1])
-    searched, smallest = 0, None
-    if claim.search is not None:
-        for case in claim.search():
-            searched += 1
-            record = check(claim, case)
-            if progress:
-                progress(record)
-            if not record.holds:
-                smallest = record
-                break
+    searched, smallest = _smallest_failure(claim, progress)
     if smallest is None:
         smallest = next((record for record in records if not record.holds), None)
     evidence = Evidence(claim.kind, claim.over, seed, tuple(records), searched, smallest)
     return Result(claim, evidence)
+
+
+def _smallest_failure(
+    claim: Claim, progress: Callable[[Record], None] | None
+) -> tuple[int, Record | None]:
+    """Return how many instances were tried, and the first on which the statement is false.
+
+    The first route alone looks; what it finds is checked by both.
+    """
+    searched = 0
+    for case in claim.search() if claim.search else ():
+        searched += 1
+        if not claim.judge(case.subject, claim.routes[0].compute(case.subject)):
+            record = check(claim, case)
+            if progress:
+                progress(record)
+            return searched, record
+    return searched, None
 
 
 class Registry:

@@ -14,6 +14,7 @@ import math
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
+from functools import cached_property
 from itertools import product
 from typing import Any, TypeAlias
 
@@ -51,7 +52,7 @@ class Question:
     contacts: tuple[Row, ...]
     wrench: Row
 
-    @property
+    @cached_property
     def touches(self) -> tuple[Touch, ...]:
         """The contacts with the wrenches of unit forces along their normals and tangents."""
         return tuple(
@@ -314,11 +315,11 @@ def _dot(left: Sequence[Fraction], right: Sequence[Fraction]) -> Fraction:
 
 
 def _plus(left: Sequence[Fraction], right: Sequence[Fraction]) -> Row:
-    return tuple([a + b for a, b in zip(left, right, strict=True)])
+    return tuple([a + b if a and b else a or b for a, b in zip(left, right, strict=True)])
 
 
 def _times(row: Sequence[Fraction], factor: Fraction | int) -> Row:
-    return tuple([x * factor for x in row])
+    return tuple([x * factor if x else x for x in row])
 
 
 def _unit(j: int, size: int) -> Row:
