@@ -8,11 +8,12 @@ dual polyhedron with these vertices is convex. Two questions follow, and both ar
 * *Any points:* is there a convex polyhedron at all that has the graph of the dual and its vertices
   on a sphere? `inscribability` answers by Rivin's criterion. A "no" rules out every choice of
   points. A "yes" gives some inscribed polyhedron with this graph; that its vertices can also be
-  placed in their regions is a further condition, which `representative_hull` checks for points
-  at hand.
+  placed in their regions is a further condition: `representative_hull` checks it for points at
+  hand, and `inscribed_zonotope` finds such points by an exact linear program where a zonotope has
+  them.
 
-Rooms: `points`, `hull`, `certificates` (the criterion and its checkers), `search` (finds weights or
-a refutation; shares no code with the checkers), `report`.
+Rooms: `points`, `hull`, `certificates` (the criterion and its checkers), `search` and `cuts` (find
+weights or a refutation; share no code with the checkers), `zonotope`, `report`.
 """
 
 from .certificates import (
@@ -31,12 +32,14 @@ from .report import (
     small_arrangements,
 )
 from .search import decide
+from .zonotope import InscribedZonotope, inscribed_zonotope
 
 __all__ = [
     "FarkasCertificate",
     "IndependentSetCertificate",
     "Inscribability",
     "InscribabilityRow",
+    "InscribedZonotope",
     "PolyhedralGraph",
     "RepresentativeHull",
     "SphereHull",
@@ -44,6 +47,7 @@ __all__ = [
     "decide",
     "inscribability",
     "inscribability_table",
+    "inscribed_zonotope",
     "representative_hull",
     "small_arrangements",
     "sphere_hull",
