@@ -192,7 +192,9 @@ def _kind(document: Mapping[str, Any]) -> str:
     """Check version, kind and keys of a document; return the kind."""
     version = document.get("schema_version")
     if type(version) is not int or version != SCHEMA_VERSION:
-        raise CertificateError(f"schema_version is {version!r}; this version reads {SCHEMA_VERSION}")
+        raise CertificateError(
+            f"schema_version is {version!r}; this version reads {SCHEMA_VERSION}"
+        )
     kind = document.get("certificate")
     if not isinstance(kind, str) or kind not in _KEYS:
         raise CertificateError('certificate must be "stable" or "unstable"')
@@ -227,7 +229,8 @@ def _unstable_lines(
 ) -> list[Line]:
     """Check that the faces are all faces, and that each of their states is refuted."""
     faces = [
-        _face(entry, f"faces[{i}]") for i, entry in enumerate(check_list(document["faces"], "faces"))
+        _face(entry, f"faces[{i}]")
+        for i, entry in enumerate(check_list(document["faces"], "faces"))
     ]
     evidence = certify_complete(_planes(grasp), faces)
     lines = [Line("faces", evidence.complete, "; ".join(evidence.problems[:1]))]
@@ -277,6 +280,9 @@ def _branch(entry: Any, index: int) -> Branch:
     states = check_list(entry["states"], f"{name}: states")
     if not all(isinstance(state, str) for state in states):
         raise CertificateError(f"{name}: states must be texts")
-    vectors = (rational_vector(check_list(entry[k], f"{name}: {k}"), name) for k in ("inequalities", "equalities"))
+    vectors = (
+        rational_vector(check_list(entry[k], f"{name}: {k}"), name)
+        for k in ("inequalities", "equalities")
+    )
     y, x = vectors
     return tuple(states), y, x

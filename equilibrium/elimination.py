@@ -74,9 +74,7 @@ def _refuted_by(system: StateSystem, index: int, margin: Fraction) -> Refutation
     """Return the Farkas vector of an inequality that fails by `margin` < 0 at the only point."""
     n = system.size
     failing = system.inequalities[index]
-    transposed = [
-        [*(row[j] for row in system.equalities), failing[j] / -margin] for j in range(n)
-    ]
+    transposed = [[*(row[j] for row in system.equalities), failing[j] / -margin] for j in range(n)]
     rows, _, scale = gauss_jordan(transposed)
     chosen = [Fraction(0)] * len(system.inequalities)
     chosen[index] = 1 / -margin
@@ -121,9 +119,7 @@ def gauss_jordan(
         for i, row in enumerate(rows):
             if i != done:
                 factor = row[column]
-                rows[i] = [
-                    (pivot * a - factor * b) // scale for a, b in zip(row, top, strict=True)
-                ]
+                rows[i] = [(pivot * a - factor * b) // scale for a, b in zip(row, top, strict=True)]
         scale = pivot
         pivots.append(column)
     return rows, pivots, scale

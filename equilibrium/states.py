@@ -33,9 +33,7 @@ DIRECTION = {"slip+": -1, "slip-": 1}
 def states_of_face(face: Face) -> States:
     """Return the state of every contact on a face of ``grasp.motion_arrangement()``."""
     m = len(face.signs) // 2
-    return tuple(
-        "detached" if face.signs[m + i] >= 0 else _SLIP[face.signs[i]] for i in range(m)
-    )
+    return tuple("detached" if face.signs[m + i] >= 0 else _SLIP[face.signs[i]] for i in range(m))
 
 
 @lru_cache(maxsize=64)
