@@ -9,8 +9,9 @@ and from nothing else: there is no way to set it.
 from __future__ import annotations
 
 import random
+import time
 from collections.abc import Callable, Iterable, Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from difflib import get_close_matches
 from enum import Enum
 from typing import Any
@@ -61,6 +62,16 @@ class Route:
 
     name: str
     compute: Callable[[Any], Any]
+
+
+@dataclass(frozen=True)
+class Failure:
+    """What stands in place of a value when a route raised an error."""
+
+    text: str
+
+    def __str__(self) -> str:
+        return self.text
 
 
 @dataclass(frozen=True)
@@ -131,8 +142,8 @@ class Record:
 
     @property
     def agree(self) -> bool:
-        """Whether both routes gave the same value."""
-        return bool(self.values[0] == self.values[1])
+        """Whether both routes gave a value, and the same one."""
+        return _agree(*self.values)
 
 
 @dataclass(frozen=True)
@@ -153,7 +164,7 @@ class Evidence:
 
     @property
     def disagreement(self) -> Record | None:
-        """The first case on which the routes differ: then the check itself is broken."""
+        """The first case on which the routes differ or fail: then the check itself is broken."""
         checked = (*self.records, *filter(None, [self.counterexample]))
         return next((record for record in checked if not record.agree), None)
 
@@ -165,10 +176,11 @@ class Evidence:
 
 @dataclass(frozen=True)
 class Result:
-    """A claim with its evidence. The verdict follows from the evidence."""
+    """A claim with its evidence, and the time it took. The verdict follows from the evidence."""
 
     claim: Claim
     evidence: Evidence
+    milliseconds: int | None = field(default=None, compare=False)
 
     @property
     def verdict(self) -> Verdict | None:
@@ -203,12 +215,26 @@ def verdict_of(evidence: Evidence) -> Verdict | None:
 
 
 def check(claim: Claim, case: Case) -> Record:
-    """Run both routes on one case."""
-    first, second = (route.compute(case.subject) for route in claim.routes)
-    holds = bool(first == second) and claim.judge(case.subject, first)
+    """Run both routes on one case. A route that raises an error has no value to agree on."""
+    first, second = (_value(route, case.subject) for route in claim.routes)
+    holds = _agree(first, second) and claim.judge(case.subject, first)
     covered = claim.hypothesis is None or claim.hypothesis.covers(case.subject)
-    note = claim.explain(case.subject, first) if claim.explain else ""
+    explained = claim.explain is not None and not isinstance(first, Failure)
+    note = claim.explain(case.subject, first) if claim.explain and explained else ""
     return Record(case.label, (first, second), holds, covered, note, case.assumption, case.document)
+
+
+def _value(route: Route, subject: Any) -> Any:
+    """Return the value of a route, or its error as a value that agrees with nothing."""
+    try:
+        return route.compute(subject)
+    except Exception as error:
+        return Failure(f"{type(error).__name__}: {error}")
+
+
+def _agree(first: Any, second: Any) -> bool:
+    broken = isinstance(first, Failure) or isinstance(second, Failure)
+    return not broken and bool(first == second)
 
 
 def evaluate(
@@ -219,6 +245,7 @@ def evaluate(
     The random generator depends on the seed and the id alone, so that claims can run in any
     order, or alone, with the same result.
     """
+    started = time.perf_counter()
     generator = random.Random(f"{seed}/{claim.id}")
     records = []
     for case in claim.cases(generator):
@@ -229,7 +256,7 @@ def evaluate(
     if smallest is None:
         smallest = next((record for record in records if not record.holds), None)
     evidence = Evidence(claim.kind, claim.over, seed, tuple(records), searched, smallest)
-    return Result(claim, evidence)
+    return Result(claim, evidence, round(1000 * (time.perf_counter() - started)))
 
 
 def _smallest_failure(
@@ -242,7 +269,8 @@ def _smallest_failure(
     searched = 0
     for case in claim.search() if claim.search else ():
         searched += 1
-        if not claim.judge(case.subject, claim.routes[0].compute(case.subject)):
+        value = _value(claim.routes[0], case.subject)
+        if isinstance(value, Failure) or not claim.judge(case.subject, value):
             record = check(claim, case)
             if progress:
                 progress(record)

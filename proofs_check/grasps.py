@@ -10,7 +10,8 @@ from equilibrium.grasp import Grasp
 
 from . import printed
 from .claim import Case
-from .oracle import Question, Row
+from .fouriermotzkin import Row
+from .oracle import Question
 
 #: Unit normals along the axes, and one of the smallest that is not.
 AXES = ((1, 0), (0, 1), (-1, 0), (0, -1))

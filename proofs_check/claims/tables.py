@@ -11,8 +11,9 @@ from functools import partial
 from equilibrium.passive import solve
 from proofs_check import oracle, printed
 from proofs_check.claim import Case, Claim, Kind, Route, Verdict
+from proofs_check.fouriermotzkin import Row
 from proofs_check.grasps import grasp_of, paper_question
-from proofs_check.oracle import Question, Row
+from proofs_check.oracle import Question
 
 BRUTE_FORCE = "substitution into the model, and brute force over 4^m states by elimination"
 SOLVER = "the solver with its certificate, and its pieces of solutions"

@@ -1,0 +1,172 @@
+"""The verdict follows from the evidence, and from nothing else."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from random import Random
+
+import pytest
+from hypothesis import given, settings, strategies as st
+
+from proofs_check import (
+    Case,
+    Claim,
+    ClaimError,
+    Evidence,
+    Hypothesis,
+    Kind,
+    Record,
+    Registry,
+    Route,
+    UnknownClaimError,
+    Verdict,
+    evaluate,
+    registry,
+    verdict_of,
+)
+
+
+def numbers(last: int) -> list[Case]:
+    return [Case(f"n = {n}", n, {"n": n}) for n in range(last + 1)]
+
+
+def claim(**changes: object) -> Claim:
+    """A claim on squares; every attribute can be changed."""
+    base = Claim(
+        id="squares",
+        locator="Section 0",
+        statement="n^2 is at least n.",
+        quantity="n^2",
+        routes=(
+            Route("multiplication", lambda n: n * n),
+            Route("sum of odd numbers", lambda n: sum(range(1, 2 * n, 2))),
+        ),
+        cases=lambda rng: numbers(9),
+        judge=lambda n, square: square >= n,
+        kind=Kind.EXHAUSTIVE,
+        over="n up to 9",
+        expected=Verdict.HOLDS,
+    )
+    return replace(base, **changes)  # type: ignore[arg-type]
+
+
+def test_a_true_statement_holds() -> None:
+    assert evaluate(claim()).verdict is Verdict.HOLDS
+
+
+def test_a_planted_false_claim_is_refuted_with_its_smallest_counterexample() -> None:
+    false = claim(judge=lambda n, square: square < 20, search=lambda: numbers(20))
+    result = evaluate(false)
+    assert result.verdict is Verdict.REFUTED
+    assert not result.as_expected
+    assert result.evidence.counterexample is not None
+    assert result.evidence.counterexample.document == {"n": 5}
+
+
+def test_a_search_beyond_the_cases_can_refute() -> None:
+    result = evaluate(claim(judge=lambda n, square: n < 15, search=lambda: numbers(20)))
+    assert result.evidence.failures == ()
+    assert result.verdict is Verdict.REFUTED
+
+
+def test_a_hypothesis_saves_only_what_it_covers() -> None:
+    strict = claim(judge=lambda n, square: square > n)
+    assert evaluate(strict).verdict is Verdict.REFUTED
+    saved = replace(strict, hypothesis=Hypothesis("n >= 2", lambda n: n >= 2))
+    assert evaluate(saved).verdict is Verdict.HOLDS_UNDER_HYPOTHESIS
+    wrong = replace(strict, hypothesis=Hypothesis("n >= 1", lambda n: n >= 1))
+    assert evaluate(wrong).verdict is Verdict.REFUTED
+
+
+def test_a_hypothesis_that_covers_no_case_saves_nothing() -> None:
+    empty = claim(judge=lambda n, square: False, hypothesis=Hypothesis("never", lambda n: False))
+    assert evaluate(empty).verdict is Verdict.REFUTED
+
+
+def test_a_case_read_by_an_assumption_gives_no_plain_holds() -> None:
+    assumed = claim(cases=lambda rng: [Case("n", 3, None, assumption="3 is meant")])
+    assert evaluate(assumed).verdict is Verdict.HOLDS_UNDER_HYPOTHESIS
+
+
+def test_routes_that_disagree_give_no_verdict() -> None:
+    broken = claim(
+        routes=(Route("right", lambda n: n * n), Route("wrong", lambda n: n * n + (n == 7)))
+    )
+    result = evaluate(broken)
+    assert result.verdict is None
+    assert not result.as_expected
+    assert result.evidence.disagreement is not None
+    assert result.evidence.disagreement.label == "n = 7"
+
+
+def test_a_route_that_fails_gives_no_verdict() -> None:
+    broken = claim(
+        routes=(Route("right", lambda n: n * n), Route("fails", lambda n: n * n * n // n))
+    )
+    result = evaluate(broken)
+    assert result.verdict is None
+    assert str(result.evidence.records[0].values[1]).startswith("ZeroDivisionError")
+
+
+def test_no_evidence_gives_no_verdict() -> None:
+    nothing = claim(cases=lambda rng: [])
+    assert evaluate(nothing).verdict is None
+    assert verdict_of(Evidence(Kind.PROVED, "nothing", 0, ())) is None
+
+
+records = st.builds(
+    Record,
+    label=st.just("case"),
+    values=st.tuples(st.integers(0, 1), st.integers(0, 1)),
+    holds=st.booleans(),
+    covered=st.booleans(),
+)
+
+
+@given(st.lists(records, max_size=5), st.none() | records)
+@settings(max_examples=200)
+def test_holds_needs_evidence_without_any_failure_or_disagreement(
+    checked: list[Record], extra: Record | None
+) -> None:
+    evidence = Evidence(Kind.SAMPLED, "records", 0, tuple(checked), counterexample=extra)
+    if verdict_of(evidence) is Verdict.HOLDS:
+        assert checked
+        assert all(record.holds and record.agree for record in checked)
+        assert extra is None or (extra.holds and extra.agree)
+
+
+def test_evaluation_depends_on_the_seed_and_the_id_alone() -> None:
+    def cases(rng: Random) -> list[Case]:
+        return [Case("n", rng.randrange(10**9))]
+
+    values = [evaluate(claim(cases=cases), seed).evidence.records[0].values for seed in (1, 1, 2)]
+    assert values[0] == values[1] != values[2]
+    other = evaluate(claim(id="others", cases=cases), 1).evidence.records[0].values
+    assert other != values[0]
+
+
+def test_ids_are_unique() -> None:
+    with pytest.raises(ClaimError, match="two claims have the id 'squares'"):
+        Registry([claim(), claim()])
+
+
+def test_one_route_cannot_be_both() -> None:
+    route = Route("multiplication", lambda n: n * n)
+    with pytest.raises(ClaimError, match="two different"):
+        Registry([claim(routes=(route, route))])
+
+
+def test_an_unknown_id_names_the_nearest() -> None:
+    with pytest.raises(UnknownClaimError, match="the nearest are table-four-contacts"):
+        registry()["table-for-contact"]
+
+
+def test_every_claim_says_what_it_states_and_where() -> None:
+    for entry in registry():
+        assert entry.statement.endswith("."), entry.id
+        assert entry.locator, entry.id
+        assert entry.quantity, entry.id
+        assert entry.over, entry.id
+        assert entry.expected is not Verdict.HOLDS_UNDER_HYPOTHESIS or (
+            entry.hypothesis or entry.id == "table-four-contacts"
+        ), entry.id

@@ -1,0 +1,110 @@
+"""The command: output, exit codes, reports."""
+
+from __future__ import annotations
+
+import json
+from dataclasses import replace
+from pathlib import Path
+
+import pytest
+
+import proofs_check.claims
+from proofs_check import Registry, Verdict, registry
+from proofs_check.cli import main
+
+QUICK = ("step-1-square-bound", "table-three-contacts")
+
+
+def test_list_names_every_claim(capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["list"]) == 0
+    text = capsys.readouterr().out
+    assert all(claim.id in text for claim in registry())
+    assert main(["list", "--json"]) == 0
+    claims = json.loads(capsys.readouterr().out)["claims"]
+    assert [claim["id"] for claim in claims] == [claim.id for claim in registry()]
+    assert all(len(set(claim["routes"])) == 2 for claim in claims)
+
+
+def test_show_says_statement_routes_and_meaning(capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["show", "step-1-square-bound"]) == 0
+    text = capsys.readouterr().out
+    assert "at most m^2" in text
+    assert "holds when  m >= 2" in text
+    assert main(["show", "step-1-square-bound", "--json"]) == 0
+    assert json.loads(capsys.readouterr().out)["saving_hypothesis"] == "m >= 2"
+
+
+def test_run_prints_every_row_of_a_table(capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["run", *QUICK]) == 0
+    captured = capsys.readouterr()
+    assert captured.out.count("Yes, numbers fit  Yes, numbers fit") == 5
+    assert "smallest counterexample: m = 1" in captured.out
+    assert captured.err == ""
+
+
+def test_run_json_has_both_values_side_by_side(capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["run", *QUICK, "--json", "--seed", "3"]) == 0
+    record = json.loads(capsys.readouterr().out)
+    assert record["seed"] == 3
+    assert record["as_expected"] is True
+    assert [result["id"] for result in record["results"]] == list(QUICK)
+    rows = record["results"][1]["records"]
+    assert [row["values"] for row in rows].count(["No", "No"]) == 2
+    assert record["results"][0]["counterexample"]["instance"]["planes"] == [["1", "0", "0"]]
+
+
+def test_two_runs_with_one_seed_give_the_same_record(capsys: pytest.CaptureFixture[str]) -> None:
+    texts = []
+    for _ in range(2):
+        main(["run", "great-circle-regions", "--json"])
+        texts.append(capsys.readouterr().out)
+    assert texts[0] == texts[1]
+
+
+def test_exit_code_one_when_a_verdict_is_not_the_expected_one(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    wrong = replace(registry()["step-1-square-bound"], expected=Verdict.HOLDS)
+    monkeypatch.setattr(proofs_check.claims, "registry", lambda: Registry([wrong]))
+    assert main(["run"]) == 1
+    assert "not as expected: step-1-square-bound" in capsys.readouterr().out
+
+
+@pytest.mark.parametrize("command", ["run", "show"])
+def test_an_unknown_id_is_bad_input(command: str, capsys: pytest.CaptureFixture[str]) -> None:
+    assert main([command, "table-three"]) == 2
+    captured = capsys.readouterr()
+    assert captured.out == ""
+    assert captured.err.startswith("error: no claim has the id 'table-three'")
+    assert "table-three-contacts" in captured.err
+
+
+@pytest.mark.parametrize("ending", ["json", "md", "txt"])
+def test_reports_are_written(
+    ending: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    path = tmp_path / f"verdicts.{ending}"
+    assert main(["run", QUICK[1], "--report", str(path)]) == 0
+    text = path.read_text(encoding="utf-8")
+    assert "table-three-contacts" in text
+    assert "Yes, numbers fit" in text
+    if ending == "json":
+        assert json.loads(text)["results"][0]["verdict"] == "holds"
+    if ending == "md":
+        assert len({line.count("|") for line in text.splitlines() if line.startswith("| ")}) == 1
+
+
+def test_a_report_that_cannot_be_written_is_bad_input(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    path = tmp_path / "nowhere" / "verdicts.json"
+    assert main(["run", "step-1-square-bound", "--report", str(path)]) == 2
+    assert "cannot write" in capsys.readouterr().err
+
+
+def test_text_keeps_to_the_width(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.setenv("COLUMNS", "72")
+    assert main(["run", "step-1-square-bound", "euler"]) == 0
+    assert max(map(len, capsys.readouterr().out.splitlines())) <= 72

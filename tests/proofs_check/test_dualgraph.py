@@ -1,0 +1,65 @@
+"""The dual graph: both builders agree, and the graph functions agree with networkx."""
+
+from __future__ import annotations
+
+from random import Random
+
+import networkx as nx
+import pytest
+
+from arrangement.planes import Arrangement
+from proofs_check.dualgraph import (
+    DualGraph,
+    from_covectors,
+    from_faces,
+    is_sphere,
+    is_three_connected,
+    minimum_cycle_lengths,
+)
+from proofs_check.instances import mixed_cases, random_arrangement, smallest_arrangements
+
+SMALL = [case.subject for case in mixed_cases(Random(5), range(1, 6), per_count=3)]
+
+
+def as_networkx(graph: DualGraph) -> nx.Graph:
+    found = nx.Graph()
+    found.add_nodes_from(graph.vertices)
+    found.add_edges_from(tuple(edge) for edge in graph.edges)
+    return found
+
+
+@pytest.mark.parametrize("planes", SMALL, ids=repr)
+def test_both_builders_agree(planes: Arrangement) -> None:
+    one, other = from_faces(planes), from_covectors(planes)
+    assert one.vertices == other.vertices
+    assert one.edges == other.edges
+    assert sorted(map(sorted, (map(sorted, f) for f in one.faces))) == sorted(
+        map(sorted, (map(sorted, f) for f in other.faces))
+    )
+
+
+@pytest.mark.parametrize("planes", SMALL, ids=repr)
+def test_graph_functions_agree_with_networkx(planes: Arrangement) -> None:
+    graph = from_faces(planes)
+    peer = as_networkx(graph)
+    connected = len(peer) > 3 and nx.node_connectivity(peer) >= 3
+    assert is_three_connected(graph) == connected
+    lengths = sorted(map(len, nx.minimum_cycle_basis(peer)))
+    assert list(minimum_cycle_lengths(graph)) == lengths
+
+
+@pytest.mark.parametrize("planes", SMALL, ids=repr)
+def test_the_faces_close_to_a_sphere_exactly_in_rank_three(planes: Arrangement) -> None:
+    assert is_sphere(from_faces(planes)) == (planes.rank == 3)
+
+
+def test_a_sphere_with_a_face_left_out_is_none() -> None:
+    graph = from_faces(random_arrangement(Random(1), 4))
+    assert is_sphere(graph)
+    assert not is_sphere(DualGraph(graph.vertices, graph.edges, graph.faces[1:]))
+
+
+def test_small_arrangements_come_in_order_of_size() -> None:
+    cases = [case.subject for case in smallest_arrangements(range(1, 4), 1)]
+    assert [len(planes) for planes in cases] == sorted(len(planes) for planes in cases)
+    assert len([p for p in cases if len(p) == 1]) == 13

@@ -1,0 +1,92 @@
+"""The brute force over contact states: known rows, laws, and agreement with the solver."""
+
+from __future__ import annotations
+
+from fractions import Fraction
+
+from hypothesis import given, settings, strategies as st
+
+from equilibrium.passive import solve
+from proofs_check.fouriermotzkin import project
+from proofs_check.grasps import grasp_of, paper_question
+from proofs_check.oracle import Question, normal_forces, resistible, stable, violations
+from proofs_check.printed import FOUR_CONTACT_GRASP, THREE_CONTACT_GRASP
+
+ZERO, ONE, HALF = Fraction(0), Fraction(1), Fraction(1, 2)
+NORMALS = [(1, 0), (0, 1), (-1, 0), (0, -1), (Fraction(3, 5), Fraction(4, 5))]
+
+small = st.integers(-2, 2).map(Fraction)
+contacts = st.builds(
+    lambda x, y, normal, mu, k, q: (x, y, *map(Fraction, normal), mu, k, q),
+    small,
+    small,
+    st.sampled_from(NORMALS),
+    st.sampled_from([ZERO, HALF, ONE]),
+    st.sampled_from([ONE, Fraction(2)]),
+    st.sampled_from([ZERO, ONE]),
+)
+questions = st.builds(
+    lambda chosen, wrench: Question(tuple(chosen), wrench),
+    st.lists(contacts, min_size=1, max_size=3),
+    st.tuples(small, small, small),
+)
+
+
+def test_a_boundary_is_decided_exactly() -> None:
+    tiny = Fraction(1, 10**30)
+    assert stable(paper_question(THREE_CONTACT_GRASP, (ZERO, ONE, ZERO), 1))
+    assert not stable(paper_question(THREE_CONTACT_GRASP, (ZERO, ONE + tiny, ZERO), 1))
+
+
+def test_the_resistible_set_is_the_one_of_the_text() -> None:
+    up = (ZERO, ONE, ZERO)
+    assert resistible(paper_question(FOUR_CONTACT_GRASP, up, 1)) == ((Fraction(-2), Fraction(2)),)
+    assert resistible(paper_question(FOUR_CONTACT_GRASP, up, 0)) == ((ZERO, ZERO),)
+
+
+@given(questions)
+@settings(max_examples=40, deadline=None)
+def test_the_solver_agrees(question: Question) -> None:
+    verdict = solve(grasp_of(question), question.wrench)
+    assert stable(question) == verdict.stable
+    for piece in verdict.equilibria:
+        assert violations(question, piece.motion, piece.forces) == ()
+
+
+@given(questions)
+@settings(max_examples=15, deadline=None)
+def test_normal_forces_exist_exactly_when_stable(question: Question) -> None:
+    found = normal_forces(question)
+    assert all(bool(intervals) == stable(question) for intervals in found)
+    assert all(low is not None and low >= 0 for values in found for low, _ in values)
+
+
+def test_every_condition_is_noticed() -> None:
+    question = paper_question(THREE_CONTACT_GRASP, (ZERO, ONE, ZERO), 1)
+    motion = (ZERO, ONE, ZERO)
+    forces = [[ONE, -HALF], [ZERO, ZERO], [ONE, HALF]]
+    assert violations(question, motion, forces) == ()
+    assert violations(question, motion, [[ONE, -ONE], *forces[1:]]) == (
+        "cone of contact 1",
+        "dissipation at contact 1",
+        "balance",
+    )
+    assert violations(question, motion, [[ONE, HALF], *forces[1:]]) == (
+        "dissipation at contact 1",
+        "balance",
+    )
+    assert "spring of contact 2" in violations(
+        question, motion, [forces[0], [ONE, ZERO], forces[2]]
+    )
+
+
+def test_elimination_finds_ends_and_contradictions() -> None:
+    def row(*values: int) -> tuple[Fraction, ...]:
+        return tuple(map(Fraction, values))
+
+    box = [row(1, 0, 0), row(-1, 0, 1), row(0, 1, 0), row(0, -1, 1)]
+    assert project([row(1, 1, -3)], box, keep=-1) is None
+    assert project([row(1, 1, -2)], box, keep=-1) == []
+    ends = project([row(1, 1, -1)], box, keep=0)
+    assert ends is not None
+    assert sorted(ends) == [(-1, 0, 1), (1, 0, 0)]
