@@ -29,8 +29,8 @@ from .predicates import (
     turns,
 )
 
-#: Entries handled at once: temporary arrays of this size stay in the processor's cache.
-BLOCK = 1 << 15
+#: Entries handled at once: temporary arrays this small stay in the cache and are used again.
+BLOCK = 1 << 12
 
 
 @dataclass(frozen=True, slots=True)

@@ -1,0 +1,190 @@
+"""One measurement in a process of its own: ``python job.py NAME PLANES`` prints one JSON line.
+
+The same random planes for everybody: integer normals in [-1000, 1000], seeded by their number.
+Libraries are imported before the clock starts, and only those of the job. The clock counts
+processor time, user and system together: all jobs are single-threaded, and other work on the
+machine matters less. "first" is the first run, "seconds" the median of the later ones (or the
+first, if it is the only one), "peak_mb" the largest resident memory of the process, "count" a
+number that others must reproduce (regions where nothing else is said).
+"""
+
+from __future__ import annotations
+
+import json
+import random
+import resource
+import statistics
+import sys
+import time
+from collections.abc import Callable
+from typing import Any
+
+Normals = list[list[int]]
+Work = Callable[[], int]
+
+
+def random_normals(planes: int, largest: int = 1000) -> Normals:
+    generator = random.Random(planes)
+    return [[generator.randint(-largest, largest) for _ in range(3)] for _ in range(planes)]
+
+
+def incidence(planes: int) -> Work:
+    """Ours: normals to vertices, arcs, regions and half-edges."""
+    return _sphere(random_normals(planes), lambda made: None)
+
+
+def region_signs(planes: int) -> Work:
+    """Ours: the same, and packed sign vectors of all regions."""
+    return _sphere(random_normals(planes), lambda made: made.packed_region_signs)
+
+
+def all_signs(planes: int) -> Work:
+    """Ours: the same, and packed sign vectors of all vertices, arcs and regions."""
+
+    def ask(made: Any) -> Any:
+        return made.packed_region_signs, made.packed_arc_signs, made.packed_vertex_signs
+
+    return _sphere(random_normals(planes), ask)
+
+
+def thirty_digits(planes: int) -> Work:
+    """Ours: entries of 30 digits, with packed sign vectors of all regions."""
+    return _sphere(random_normals(planes, 10**30), lambda made: made.packed_region_signs)
+
+
+def _sphere(normals: Normals, ask: Callable[[Any], Any]) -> Work:
+    from arrangement import Arrangement
+    from arrangement.sphere import sphere_arrangement
+
+    def work() -> int:
+        made = sphere_arrangement(Arrangement(normals))
+        ask(made)
+        return made.region_count
+
+    return work
+
+
+def counting(planes: int) -> Work:
+    """Ours: characteristic polynomial, Whitney numbers and Moebius values; |chi(-1)|."""
+    from arrangement import Arrangement
+    from arrangement.counts import characteristic_polynomial, moebius, whitney_numbers
+
+    def work() -> int:
+        made = Arrangement(random_normals(planes))
+        moebius(made)
+        whitney_numbers(made)
+        return abs(int(characteristic_polynomial(made).eval(-1)))
+
+    return work
+
+
+def polynomial(planes: int) -> Work:
+    """Ours: the characteristic polynomial alone; |chi(-1)|."""
+    from arrangement import Arrangement
+    from arrangement.counts import characteristic_polynomial
+
+    normals = random_normals(planes)
+    return lambda: abs(int(characteristic_polynomial(Arrangement(normals)).eval(-1)))
+
+
+def published(planes: int) -> Work:
+    """The published Steps 1 to 3; the number of regions."""
+    from arrangement import Arrangement
+    from arrangement.published import published_enumeration
+
+    normals = random_normals(planes)
+    return lambda: len(published_enumeration(Arrangement(normals)).regions)
+
+
+def _dual_edges(planes: int) -> tuple[int, list[tuple[int, int]]]:
+    from arrangement import Arrangement
+    from arrangement.sphere import sphere_arrangement
+
+    made = sphere_arrangement(Arrangement(random_normals(planes))).incidence
+    return made.region_count, list(zip(*made.region.reshape(-1, 2).T.tolist(), strict=True))
+
+
+def networkx_cycle_basis(planes: int) -> Work:
+    """networkx's minimum cycle basis of the dual graph; its number of cycles, plus one."""
+    import networkx as nx
+
+    graph = nx.Graph(_dual_edges(planes)[1])
+    return lambda: len(nx.minimum_cycle_basis(graph)) + 1
+
+
+def igraph_cycle_basis(planes: int) -> Work:
+    """igraph's minimum cycle basis of the dual graph; its number of cycles, plus one."""
+    import igraph
+
+    graph = igraph.Graph(*_dual_edges(planes))
+    return lambda: len(graph.minimum_cycle_basis()) + 1
+
+
+def sage_regions(planes: int) -> Work:
+    """Sage's list of regions, as polyhedra."""
+    made = _sage(planes)
+    return lambda: len(made().regions())
+
+
+def sage_polynomial(planes: int) -> Work:
+    """Sage's characteristic polynomial; |chi(-1)|."""
+    made = _sage(planes)
+    return lambda: abs(int(made().characteristic_polynomial()(-1)))
+
+
+def _sage(planes: int) -> Callable[[], Any]:
+    import sage.all__sagemath_polyhedra  # noqa: F401
+    from sage.geometry.hyperplane_arrangement.arrangement import HyperplaneArrangements
+    from sage.rings.rational_field import QQ
+
+    space = HyperplaneArrangements(QQ, names=("x", "y", "z"))
+    rows = [[normal, 0] for normal in random_normals(planes)]
+    return lambda: space(rows)
+
+
+def sign_vectors_topes(planes: int) -> Work:
+    """The topes of the sign-vectors package."""
+    import sage.all__sagemath_symbolics  # noqa: F401
+    from sage.matrix.constructor import matrix
+    from sage.rings.rational_field import QQ
+    from sign_vectors import OrientedMatroid
+
+    columns = matrix(QQ, random_normals(planes)).transpose()
+    return lambda: len(OrientedMatroid(columns).topes())
+
+
+JOBS: dict[str, Callable[[int], Work]] = {
+    job.__name__: job
+    for job in (
+        incidence,
+        region_signs,
+        all_signs,
+        thirty_digits,
+        counting,
+        polynomial,
+        published,
+        networkx_cycle_basis,
+        igraph_cycle_basis,
+        sage_regions,
+        sage_polynomial,
+        sign_vectors_topes,
+    )
+}
+
+
+def measure(work: Work, budget: float = 5.0, most: int = 15) -> dict[str, float]:
+    """Repeat until the budget of seconds is spent, once at least."""
+    times: list[float] = []
+    count = 0
+    while not times or (sum(times) < budget and len(times) < most):
+        start = time.process_time()
+        count = work()
+        times.append(time.process_time() - start)
+    peak = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024
+    warm = statistics.median(times[1:] or times)
+    return {"first": times[0], "seconds": warm, "peak_mb": peak, "count": count}
+
+
+if __name__ == "__main__":
+    name, planes = sys.argv[1:]
+    print(json.dumps(measure(JOBS[name](int(planes)))))

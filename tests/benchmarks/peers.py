@@ -1,0 +1,114 @@
+"""Who is measured beside us: how each is found, started, and said to be absent."""
+
+from __future__ import annotations
+
+import json
+import shutil
+import subprocess
+import sys
+from dataclasses import dataclass
+from pathlib import Path
+
+from job import random_normals
+
+HERE = Path(__file__).resolve().parent
+ROOT = HERE.parents[1]
+ENVIRONMENT = ROOT / ".bench-venv"
+BUILD = ROOT / "build" / "benchmarks"
+#: The second line is what sign-vectors imports without saying so.
+PEER_PACKAGES = (
+    ("numpy", "igraph", "passagemath-polyhedra", "sign-vectors"),
+    ("passagemath-symbolics", "passagemath-combinat", "passagemath-graphs"),
+)
+
+
+@dataclass(frozen=True)
+class Measured:
+    """Processor seconds (first run, later runs), megabytes, a count; or why there are none."""
+
+    first: float = 0.0
+    seconds: float = 0.0
+    peak_mb: float = 0.0
+    count: int = 0
+    absent: str = ""
+
+
+def ours(job: str, planes: int, timeout: float = 900) -> Measured:
+    """Run a job of `job.py` with this interpreter."""
+    return _run_job(Path(sys.executable), job, planes, timeout)
+
+
+def peer(job: str, planes: int, timeout: float = 900) -> Measured:
+    """Run a job of `job.py` in the peers' environment."""
+    python = ENVIRONMENT / "bin" / "python"
+    if not python.exists():
+        return Measured(absent="no .bench-venv (run with --install)")
+    return _run_job(python, job, planes, timeout)
+
+
+def _run_job(python: Path, job: str, planes: int, timeout: float) -> Measured:
+    command = [str(python), str(HERE / "job.py"), job, str(planes)]
+    try:
+        done = subprocess.run(
+            command, capture_output=True, text=True, timeout=timeout, cwd=ROOT, check=False
+        )
+    except subprocess.TimeoutExpired:
+        return Measured(absent=f"not finished in {timeout:.0f} s")
+    if done.returncode:
+        reason = (done.stderr.strip().splitlines() or ["no message"])[-1]
+        return Measured(absent=f"does not run here: {reason[:90]}")
+    found = json.loads(done.stdout.splitlines()[-1])
+    return Measured(**found)
+
+
+def install_peers() -> str:
+    """Create the peers' environment; return an empty text, or why it could not be done."""
+    if not (ENVIRONMENT / "bin" / "python").exists():
+        subprocess.run([sys.executable, "-m", "venv", str(ENVIRONMENT)], check=True)
+    pip = [str(ENVIRONMENT / "bin" / "python"), "-m", "pip", "install", "--quiet"]
+    for packages in PEER_PACKAGES:
+        done = subprocess.run([*pip, *packages], capture_output=True, text=True, check=False)
+        if done.returncode:
+            return (done.stderr.strip().splitlines() or ["pip failed"])[-1]
+    return ""
+
+
+def build_cgal() -> str:
+    """Compile the CGAL program; return an empty text, or why it is absent."""
+    program = BUILD / "cgal_arrangement"
+    source = HERE / "cgal_arrangement.cpp"
+    if program.exists() and program.stat().st_mtime >= source.stat().st_mtime:
+        return ""
+    compiler = shutil.which("g++") or shutil.which("clang++")
+    if compiler is None:
+        return "no C++ compiler"
+    BUILD.mkdir(parents=True, exist_ok=True)
+    command = [compiler, "-O2", "-DNDEBUG", "-std=c++17", str(source), "-o", str(program)]
+    done = subprocess.run(
+        [*command, "-lgmp", "-lmpfr"], capture_output=True, text=True, check=False
+    )
+    return "libcgal-dev is not installed" if done.returncode else ""
+
+
+def cgal(mode: str, planes: int, timeout: float = 900) -> Measured:
+    """Run the CGAL program in one of its modes; the count is its number of faces."""
+    absent = build_cgal()
+    if absent:
+        return Measured(absent=absent)
+    rows = random_normals(planes)
+    text = "\n".join([str(planes), *(" ".join(map(str, row)) for row in rows)])
+    try:
+        done = subprocess.run(
+            [str(BUILD / "cgal_arrangement"), mode],
+            input=text,
+            capture_output=True,
+            text=True,
+            timeout=timeout,
+            check=False,
+        )
+    except subprocess.TimeoutExpired:
+        return Measured(absent=f"not finished in {timeout:.0f} s")
+    if done.returncode:
+        return Measured(absent=f"stopped with code {done.returncode}")
+    seconds, peak, _, _, faces = done.stdout.split()
+    return Measured(float(seconds), float(seconds), float(peak), int(faces))

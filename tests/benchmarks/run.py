@@ -1,0 +1,136 @@
+"""Speed and memory, ours beside the peers', in one run: ``make bench``.
+
+Each number comes from a process of its own, in processor time. What is absent is said. Other
+work on the machine still moves the times; the ratios within one run are what to quote.
+
+    run.py             ours at all sizes, and the peers that are quick
+    run.py --peers     the slow peers too (minutes; several gigabytes for CGAL at 2000)
+    run.py --install   first create .bench-venv with the peers that pip can install
+"""
+
+from __future__ import annotations
+
+import argparse
+import math
+import shutil
+import sys
+from collections.abc import Iterable
+
+from peers import Measured, cgal, install_peers, ours, peer
+
+SIZES = (9, 50, 100, 200, 500, 1000, 2000)
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("--peers", action="store_true", help="run the slow peers too")
+    parser.add_argument("--install", action="store_true", help="create .bench-venv first")
+    options = parser.parse_args()
+    if options.install and (reason := install_peers()):
+        print(f"peers not installed: {reason}")
+    own = own_table()
+    against_cgal(own, (200, 1000, 2000) if options.peers else (200,))
+    against_published(options.peers)
+    against_sage(options.peers)
+    remaining()
+
+
+def own_table() -> dict[tuple[str, int], Measured]:
+    """Ours at all sizes, with the growth exponent between neighbouring sizes."""
+    head("Great circles, random integer normals in [-1000, 1000], from normals to half-edges")
+    print(
+        f"{'planes':>7} {'regions':>9} {'first run':>10} {'warm':>10} {'growth':>7} {'peak':>8}"
+        f" {'with region signs':>19} {'peak':>8}"
+    )
+    found: dict[tuple[str, int], Measured] = {}
+    for place, planes in enumerate(SIZES):
+        for job in ("incidence", "region_signs"):
+            found[job, planes] = ours(job, planes)
+        plain, signed = found["incidence", planes], found["region_signs", planes]
+        growth = ""
+        if place:
+            smaller = SIZES[place - 1]
+            ratio = plain.seconds / found["incidence", smaller].seconds
+            growth = f"m^{math.log(ratio) / math.log(planes / smaller):.2f}"
+        print(
+            f"{planes:>7} {plain.count:>9} {shown(plain.first):>10} {shown(plain.seconds):>10}"
+            f" {growth:>7} {megabytes(plain):>8} {shown(signed.seconds):>11}"
+            f" ({signed.seconds / plain.seconds:.2f}x) {megabytes(signed):>8}",
+            flush=True,
+        )
+    line("everything with all sign vectors", 9, ours("all_signs", 9))
+    line("30-digit entries, with region signs", 100, ours("thirty_digits", 100))
+    return found
+
+
+def against_cgal(own: dict[tuple[str, int], Measured], sizes: Iterable[int]) -> None:
+    head("CGAL (a sweep; on the sphere it cuts each circle at one meridian)")
+    for planes in sizes:
+        mine = own["incidence", planes]
+        line("ours, incidence", planes, mine)
+        line("CGAL, geodesic arcs on the sphere", planes, cgal("sphere", planes), mine)
+        line("CGAL, lines in one chart (half the sphere)", planes, cgal("chart", planes), mine)
+
+
+def against_published(slow: bool) -> None:
+    head("The published steps, and minimum cycle bases of the dual graph")
+    mine = ours("all_signs", 9)
+    line("ours, all faces and all sign vectors", 9, mine)
+    line("published Steps 1-3, exact", 9, ours("published", 9), mine)
+    line("networkx minimum cycle basis alone", 9, ours("networkx_cycle_basis", 9), mine)
+    line("igraph minimum cycle basis alone", 9, ours("igraph_cycle_basis", 9), mine)
+    if slow:
+        mine = ours("all_signs", 20)
+        line("ours, all faces and all sign vectors", 20, mine)
+        line("igraph minimum cycle basis alone", 20, ours("igraph_cycle_basis", 20), mine)
+
+
+def against_sage(slow: bool) -> None:
+    head("Sage (passagemath) and the sign-vectors package")
+    planes = 50 if slow else 12
+    mine = ours("region_signs", planes)
+    line("ours, regions with packed signs", planes, mine)
+    line("Sage, regions", planes, peer("sage_regions", planes), mine)
+    line("sign-vectors, topes", planes, peer("sign_vectors_topes", planes), mine)
+    planes = 100 if slow else 20
+    mine = ours("counting", planes)
+    line("ours, polynomial, Whitney, Moebius", planes, mine)
+    only = ours("polynomial", planes)
+    line("ours, characteristic polynomial", planes, only)
+    line("Sage, characteristic polynomial", planes, peer("sage_polynomial", planes), only)
+
+
+def remaining() -> None:
+    print()
+    if shutil.which("polymake") is None:
+        print("polymake: absent (not installed), so not measured")
+    else:
+        print("polymake: present, but not measured by this script")
+
+
+def head(title: str) -> None:
+    print(f"\n{title}", flush=True)
+
+
+def line(what: str, planes: int, measured: Measured, reference: Measured | None = None) -> None:
+    """Print one measurement, and how many times longer it took than the reference."""
+    if measured.absent:
+        print(f"  {what:<44} m={planes:<5} absent: {measured.absent}", flush=True)
+        return
+    text = f"  {what:<44} m={planes:<5} {shown(measured.seconds):>10} {megabytes(measured):>8}"
+    if reference is not None and not reference.absent:
+        text += f"  {measured.seconds / reference.seconds:>9.1f} times ours"
+    print(f"{text}  [{measured.count}]", flush=True)
+
+
+def shown(value: float) -> str:
+    """Return a time with three digits."""
+    return f"{1000 * value:.3g} ms" if value < 1 else f"{value:.3g} s"
+
+
+def megabytes(measured: Measured) -> str:
+    return f"{measured.peak_mb:.0f} MB"
+
+
+if __name__ == "__main__":
+    sys.exit(main())
