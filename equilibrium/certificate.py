@@ -11,9 +11,9 @@ in the order of the multipliers, in the unknowns d and one tangential force for 
 contact:
 
 * equalities: balance of force x, force y, torque; then ``T . d = 0`` for each sticking contact;
-* inequalities (``>= 0``), contact by contact: detached: ``stiffness N . d - preload``. Otherwise the
-  normal force ``c_n = preload - stiffness N . d``, and then for slip ``T . d`` or ``-T . d``, for
-  stick ``friction c_n - c_t`` and ``friction c_n + c_t``.
+* inequalities (``>= 0``), contact by contact: detached: ``stiffness N . d - preload``. Otherwise
+  the normal force ``c_n = preload - stiffness N . d``, and then for slip ``T . d`` or ``-T . d``,
+  for stick ``friction c_n - c_t`` and ``friction c_n + c_t``.
 
 A SHA-256 digest of the canonical content guards what mathematics alone would let pass, such as
 another witness in the same face.

@@ -122,7 +122,7 @@ class Grasp:
 
     def motion_arrangement(self) -> Arrangement:
         """Return the m planes ``T . d = 0``, then the m planes ``stiffness N . d = preload``."""
-        normals = [[c.stiffness * x for x in c.normal_wrench] for c in self]
+        normals = [tuple(c.stiffness * x for x in c.normal_wrench) for c in self]
         return Arrangement(
             [c.tangential_wrench for c in self] + normals,
             [Fraction(0)] * len(self) + [c.preload for c in self],

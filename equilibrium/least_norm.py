@@ -86,7 +86,7 @@ def _settle(corral: list[_Atom]) -> None:
             for atom, weight in zip(corral, wanted, strict=True):
                 atom.weight = weight
             return
-        # An atom that just entered gets a positive weight, so the weights divided here are positive.
+        # An atom that just entered gets a positive weight, so no division by zero happens here.
         step = min(
             atom.weight / (atom.weight - weight)
             for atom, weight in zip(corral, wanted, strict=True)

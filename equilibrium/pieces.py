@@ -73,8 +73,7 @@ class Equilibrium:
             return False
         equalities, inequalities = _conditions(self.system, other.system)
         return all(_always_zero(self.system, row) for row in equalities) and all(
-            _least(self.system, row) is not None and _least(self.system, row) >= 0  # type: ignore[operator]
-            for row in inequalities
+            _never_negative(self.system, row) for row in inequalities
         )
 
     def to_dict(self) -> dict[str, Any]:
@@ -156,8 +155,14 @@ def _range(system: StateSystem, row: RationalVector) -> Range:
     return low, None if high is None else -high
 
 
+def _never_negative(system: StateSystem, row: RationalVector) -> bool:
+    low = _least(system, row)
+    return low is not None and low >= 0
+
+
 def _always_zero(system: StateSystem, row: RationalVector) -> bool:
-    return _range(system, row) == (0, 0)
+    low, high = _range(system, row)
+    return low == 0 and high == 0
 
 
 def _conditions(

@@ -55,7 +55,7 @@ class StateSystem:
     Rows have one coefficient for each variable and the constant last. Equalities (``= 0``): the
     three balances, then ``T . d`` of each sticking contact. Inequalities (``>= 0``), contact by
     contact: the spring (``stiffness N . d - preload`` when detached, else the normal force); then
-    for slip the direction of ``T . d``; for stick ``friction c_n - c_t`` and ``friction c_n + c_t``.
+    for slip the direction of ``T . d``, for stick ``friction c_n - c_t`` and the same with ``+``.
 
     Attributes:
         forces: for each contact the (normal, tangential) force as two rows in the variables.
