@@ -84,8 +84,6 @@ def _check_supporting_planes(dual: DualPolyhedron) -> None:
     for start in range(0, len(normals), step):
         heights = normals[start : start + step] @ points
         top = heights.max(axis=1)
-        if (top <= 0).any():
-            raise ArrangementError("the origin is not strictly inside a face plane")
         rows, columns = np.nonzero(heights == top[:, None])
         cycles = dual.faces[start : start + step]
         claimed = [np.sort(np.array(cycle)) for cycle in cycles]

@@ -205,6 +205,9 @@ def broken(dual: DualPolyhedron) -> dict[str, DualPolyhedron]:
         "corners exchanged": replace(dual, faces=(turned, *others)),
         "face twice": replace(dual, faces=(*dual.faces, first)),
         "vertex moved": replace(dual, integer_vertices=((x + 1, y, z), *rest)),
+        "all vertices shifted": replace(
+            dual, integer_vertices=tuple((a + 1, b, c) for a, b, c in dual.integer_vertices)
+        ),
         "vertices exchanged": replace(dual, integer_vertices=(rest[0], (x, y, z), *rest[1:])),
         "sign changed": replace(dual, signs=signs),
         "edge class changed": replace(dual, edge_classes=classes),

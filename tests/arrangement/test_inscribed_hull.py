@@ -134,6 +134,18 @@ def test_a_proposal_with_a_flipped_edge_is_refused() -> None:
     assert hull_module._flat_edges_if_hull(points, flipped) is None
 
 
+def test_a_surface_that_winds_twice_around_is_refused() -> None:
+    """A pyramid over a pentagram, on both sides: closed, oriented and convex at every edge."""
+    half_angles = [Fraction(0), Fraction(3, 4), Fraction(3), Fraction(-3), Fraction(-3, 4)]
+    ring = [((1 - t * t) / (1 + t * t), 2 * t / (1 + t * t), Fraction(0)) for t in half_angles]
+    poles = [(Fraction(0), Fraction(0), Fraction(s)) for s in (1, -1)]
+    points = [hull_module._homogeneous(k, p) for k, p in enumerate([*ring, *poles])]
+    for step, accepted in ((1, True), (2, False)):
+        sides = [(k, (k + step) % 5) for k in range(5)]
+        triangles = [(a, b, 5) for a, b in sides] + [(b, a, 6) for a, b in sides]
+        assert (hull_module._flat_edges_if_hull(points, triangles) is not None) is accepted
+
+
 def reflection_orbit(dual: DualPolyhedron, point: tuple[int, ...], length: int) -> list[Point]:
     """Return the images of a point under all signed permutations, in the order of the regions."""
     images = {
