@@ -14,7 +14,9 @@ _AXES: tuple[IntegerVector, ...] = ((1, 0), (0, 1), (-1, 0), (0, -1))
 
 @dataclass(frozen=True)
 class Sector:
-    """The directions from `start` counter-clockwise to `end`, both primitive.
+    """The directions from `start` counter-clockwise to `end`.
+
+    With equal ends it is this one direction, or, if the ends do not belong, all but this one.
 
     Attributes:
         has_start, has_end: whether the ends belong to it.

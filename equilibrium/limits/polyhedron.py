@@ -139,12 +139,12 @@ def from_generators(
         return None
     facets, equalities = generators(listed, lines, dimension + 1)
     extreme, straight = generators(facets, equalities, dimension + 1)
-    points = tuple(tuple(Fraction(x, ray[-1]) for x in ray[:-1]) for ray in extreme if ray[-1])
+    finite = [ray for ray in extreme if ray[-1]]
     return Polyhedron(
-        # The condition h >= 0 of homogeneous coordinates says nothing about points.
-        tuple(facet for facet in facets if any(facet[:-1])),
+        # A facet without a point is the one at infinity, which says nothing about points.
+        tuple(facet for facet in facets if any(dot(facet, ray) == 0 for ray in finite)),
         equalities,
-        points,
+        tuple(tuple(Fraction(x, ray[-1]) for x in ray[:-1]) for ray in finite),
         tuple(ray[:-1] for ray in extreme if not ray[-1]),
         tuple(line[:-1] for line in straight),
     )

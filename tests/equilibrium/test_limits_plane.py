@@ -1,0 +1,277 @@
+from fractions import Fraction
+from itertools import pairwise
+
+import pytest
+from hypothesis import given, settings, strategies as st
+
+from equilibrium.errors import GraspError
+from equilibrium.files import read_grasp
+from equilibrium.grasp import Contact, Grasp
+from equilibrium.limits.directions import counter_clockwise, sectors
+from equilibrium.limits.intervals import holds, remainder, union
+from equilibrium.limits.outline import outline_of
+from equilibrium.limits.plane import polygon_cycle, resistible_region
+from equilibrium.limits.polyhedron import from_conditions
+from equilibrium.passive import solve
+
+from .limits_oracle import grasps, small, wrenches
+
+TINY = Fraction(1, 10**30)
+planar = st.tuples(small, small)
+numbers = st.fractions(-4, 4, max_denominator=3)
+
+
+def square(x, y, side=1):
+    rows = [(1, 0, -x), (-1, 0, x + side), (0, 1, -y), (0, -1, y + side)]
+    return from_conditions(rows, [], 2)
+
+
+def ends(segments):
+    return {(s.start, s.end) for s in segments}
+
+
+def test_touching_squares_have_no_border_between_them():
+    outline = outline_of([square(0, 0), square(1, 0)])
+    assert ends(outline.border) == {
+        ((0, 0), (2, 0)),
+        ((2, 0), (2, 1)),
+        ((2, 1), (0, 1)),
+        ((0, 1), (0, 0)),
+    }
+
+
+def test_overlapping_squares():
+    outline = outline_of([square(0, 0, 2), square(1, 1, 2)])
+    assert ends(outline.border) == {
+        ((0, 0), (2, 0)),
+        ((2, 0), (2, 1)),
+        ((2, 1), (3, 1)),
+        ((3, 1), (3, 3)),
+        ((3, 3), (1, 3)),
+        ((1, 3), (1, 2)),
+        ((1, 2), (0, 2)),
+        ((0, 2), (0, 0)),
+    }
+
+
+def test_four_quadrants_have_no_border():
+    quadrants = [from_conditions([(a, 0, 0), (0, b, 0)], [], 2) for a in (1, -1) for b in (1, -1)]
+    assert outline_of(quadrants).border == ()
+    assert len(outline_of(quadrants[:3]).border) == 2
+
+
+def test_flat_parts_stick_out_and_points_stand_alone():
+    whisker = from_conditions([(1, 0, 0), (-1, 0, 5)], [(0, 1, 0)], 2)
+    inner = from_conditions([], [(4, 0, -1), (4, 0, -1), (0, 4, -1)], 2)
+    alone = from_conditions([], [(1, 0, 3), (0, 1, 3)], 2)
+    outline = outline_of([square(0, 0), whisker, inner, alone])
+    assert ends(outline.whiskers) in ({((1, 0), (5, 0))}, {((5, 0), (1, 0))})
+    assert outline.points == ((-3, -3),)
+
+
+def test_three_contacts_without_preload_resist_the_lower_half_plane():
+    """[HaasHeger2018], the map without preload: forces with w_y <= 0, the border on top only."""
+    region = resistible_region(read_grasp("paper-three-contacts"))
+    (border,) = region.outline.border
+    assert (border.start, border.end, border.direction) == (None, None, (-1, 0))
+    assert border.constant == 0
+    (sector,) = region.unlimited
+    assert (sector.start, sector.end) == ((-1, 0), (1, 0))
+    assert sector.has_start
+    assert sector.has_end
+
+
+def test_three_contacts_with_preload_resist_more_only_near_the_top():
+    """The same, preload 1: unlimited where w_y <= 0, and upward exactly to w_y = 1."""
+    region = resistible_region(read_grasp("paper-three-contacts-preload-1"))
+    assert region.along((0, 1)) == ((0, 1),)
+    assert not region.contains((0, 1 + TINY))
+    assert all(region.contains((x, -y)) for x in (-50, 0, 50) for y in (0, 1, 50))
+    corners = {p for s in region.outline.border for p in (s.start, s.end) if p is not None}
+    assert max(y for _, y in corners) == 1
+    assert (0, 1) in corners
+    assert [(s.start, s.end) for s in region.unlimited] == [((-1, 0), (1, 0))]
+
+
+def test_four_contacts_resist_pushes_inside_the_cones():
+    """Without preload only one pair of contacts can push, within its friction cone of slope 1/2."""
+    region = resistible_region(read_grasp("paper-four-contacts"))
+    assert region.contains((2, 1))
+    assert region.contains((-2, -1))
+    assert not region.contains((2, 1 + TINY))
+    assert not region.contains((0, TINY))
+    assert [(s.start, s.end) for s in region.unlimited] == [((-2, 1), (-2, -1)), ((2, -1), (2, 1))]
+
+
+def test_a_contact_without_friction_resists_a_ray():
+    grasp = Grasp([Contact((0, 0), (0, 1), 0)])
+    region = resistible_region(grasp)
+    assert region.outline.border == ()
+    (whisker,) = region.outline.whiskers
+    assert {whisker.start, whisker.end} == {(0, 0), None}
+    (sector,) = region.unlimited
+    assert sector.start == sector.end == (0, -1)
+    assert resistible_region(Grasp()).outline.points == ((0, 0),)
+
+
+@settings(max_examples=40)
+@given(grasps(), st.tuples(numbers, numbers))
+def test_membership_is_the_verdict_of_the_solver(grasp, point):
+    region = resistible_region(grasp)
+    assert region.contains(point) == solve(grasp, (*point, 0)).stable
+    assert bool(region.states_at(point)) == region.contains(point)
+
+
+@settings(max_examples=25)
+@given(grasps(), wrenches, st.tuples(numbers, numbers))
+def test_any_plane_of_wrenches(grasp, origin, point):
+    spans = ((1, 0, 2), (0, 1, -1))
+    a, b = point
+    wrench = [o + a * u + b * v for o, u, v in zip(origin, *spans, strict=True)]
+    region = resistible_region(grasp, spans, origin)
+    assert region.contains(point) == solve(grasp, wrench).stable
+
+
+@settings(max_examples=20)
+@given(grasps(least=2))
+def test_resistance_ends_at_the_border_and_nowhere_else(grasp):
+    region = resistible_region(grasp)
+    for segment in region.outline.border:
+        middle = _middle(segment)
+        outside = tuple(x - TINY * n for x, n in zip(middle, segment.normal, strict=True))
+        inside = tuple(x + TINY * n for x, n in zip(middle, segment.normal, strict=True))
+        assert solve(grasp, (*middle, 0)).stable
+        assert solve(grasp, (*inside, 0)).stable
+        assert not solve(grasp, (*outside, 0)).stable
+
+
+@settings(max_examples=25)
+@given(grasps(least=2), planar, planar.filter(any))
+def test_every_end_along_a_line_lies_on_the_outline(grasp, start, direction):
+    """Between the outline's parts the region does not change, seen along any line."""
+    region = resistible_region(grasp)
+    parts = [p.polyhedron.along(start, direction) for p in region.polygons]
+    for end in {x for part in union(p for p in parts if p) for x in part if x is not None}:
+        point = tuple(a + end * u for a, u in zip(start, direction, strict=True))
+        assert _on_outline(region.outline, point)
+
+
+@settings(max_examples=25)
+@given(grasps(), planar.filter(any))
+def test_unlimited_directions_have_an_interval_without_end(grasp, direction):
+    region = resistible_region(grasp)
+    parts = region.along(direction)
+    unlimited = bool(parts) and parts[-1][1] is None
+    assert any(_in_sector(sector, direction) for sector in region.unlimited) == unlimited
+
+
+@settings(max_examples=25)
+@given(grasps(least=2))
+def test_cycles_turn_left(grasp):
+    for piece in resistible_region(grasp).polygons:
+        cycle = polygon_cycle(piece.polyhedron)
+        assert sorted(cycle) == sorted(piece.polyhedron.points)
+        if len(cycle) > 2:
+            for a, b, c in zip(cycle, cycle[1:], cycle[2:], strict=False):
+                assert (b[0] - a[0]) * (c[1] - b[1]) > (b[1] - a[1]) * (c[0] - b[0])
+
+
+def test_parallel_spans_are_refused():
+    with pytest.raises(GraspError):
+        resistible_region(Grasp(), ((1, 0, 0), (2, 0, 0)))
+    with pytest.raises(GraspError):
+        resistible_region(Grasp(), ((1, 0, 0),))
+
+
+def test_sectors_across_the_first_axis_and_open_ends():
+    (right,) = sectors([(1, 1), (1, -1)], lambda u: u[0] > abs(u[1]))
+    assert (right.start, right.end) == ((1, -1), (1, 1))
+    assert not right.has_start
+    assert not right.has_end
+    (whole,) = sectors([], lambda u: True)
+    assert whole.whole
+    assert sectors([(2, 1)], lambda u: False) == ()
+    (single,) = sectors([(2, 1)], lambda u: u == (2, 1))
+    assert single.start == single.end == (2, 1)
+
+
+def test_order_of_directions():
+    order = [(1, 0), (2, 1), (0, 1), (-1, 1), (-1, 0), (-1, -1), (0, -1), (1, -1)]
+    assert counter_clockwise(reversed(order)) == order
+
+
+bounded = st.tuples(small, small).map(lambda p: (Fraction(min(p)), Fraction(max(p))))
+intervals = st.one_of(
+    bounded,
+    bounded.map(lambda p: (p[0], None)),
+    bounded.map(lambda p: (None, p[1])),
+)
+
+
+@given(st.lists(intervals, max_size=5), st.fractions(-3, 3, max_denominator=2))
+def test_union_keeps_membership_and_is_disjoint(parts, value):
+    merged = union(parts)
+    assert holds(merged, value) == holds(parts, value)
+    for (_, high), (low, _) in pairwise(merged):
+        assert high < low
+
+
+@given(intervals, st.lists(intervals, max_size=4), st.fractions(-3, 3, max_denominator=7))
+def test_remainder_and_removed_parts_make_the_whole(whole, removed, value):
+    value += Fraction(1, 1009)  # not an end
+    expected = holds([whole], value) and not holds(removed, value)
+    assert holds(remainder(whole, removed), value) == expected
+
+
+def _middle(segment):
+    """A point of the segment that is no end, and generic."""
+    u = segment.direction
+    if segment.start is None and segment.end is None:
+        n, square = segment.normal, sum(x * x for x in segment.normal)
+        base = tuple(Fraction(-segment.constant * x, square) for x in n)
+        return tuple(b + Fraction(1, 97) * x for b, x in zip(base, u, strict=True))
+    if segment.start is None:
+        return tuple(b - Fraction(1, 97) * x for b, x in zip(segment.end, u, strict=True))
+    if segment.end is None:
+        return tuple(b + Fraction(1, 97) * x for b, x in zip(segment.start, u, strict=True))
+    return tuple(
+        (a + Fraction(96) * b) / 97 for a, b in zip(segment.start, segment.end, strict=True)
+    )
+
+
+def _on_outline(outline, point):
+    if point in outline.points:
+        return True
+    return any(_on(segment, point) for segment in (*outline.border, *outline.whiskers))
+
+
+def _on(segment, point):
+    n, u = segment.normal, segment.direction
+    if n[0] * point[0] + n[1] * point[1] + segment.constant != 0:
+        return False
+    place = u[0] * point[0] + u[1] * point[1]
+    after = segment.start is None or place >= u[0] * segment.start[0] + u[1] * segment.start[1]
+    before = segment.end is None or place <= u[0] * segment.end[0] + u[1] * segment.end[1]
+    return after and before
+
+
+def _in_sector(sector, u):
+    """Whether a direction lies in a sector, by cross products only."""
+    if sector.whole:
+        return True
+    for end, belongs in ((sector.start, sector.has_start), (sector.end, sector.has_end)):
+        if _cross(end, u) == 0 and end[0] * u[0] + end[1] * u[1] > 0:
+            return belongs
+    left, right = _cross(sector.start, u) > 0, _cross(u, sector.end) > 0
+    turn = _cross(sector.start, sector.end)
+    if sector.start == sector.end:
+        return not sector.has_start  # all but one direction
+    if turn > 0:
+        return left and right
+    if turn == 0:
+        return left
+    return left or right
+
+
+def _cross(a, b):
+    return a[0] * b[1] - a[1] * b[0]

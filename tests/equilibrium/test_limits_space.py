@@ -1,0 +1,151 @@
+from fractions import Fraction
+from itertools import combinations, product
+
+import sympy
+from hypothesis import given, settings, strategies as st
+
+from arrangement import linprog
+from arrangement.exact import dot
+from equilibrium.files import read_grasp
+from equilibrium.grasp import Contact, Grasp
+from equilibrium.limits.cones import generators
+from equilibrium.limits.line import resisted_magnitudes
+from equilibrium.limits.polyhedron import from_conditions, from_generators
+from equilibrium.limits.space import resisted_with, resistible_set
+from equilibrium.passive import solve
+
+from .limits_oracle import directions, grasps, wrenches
+
+entries = st.integers(-3, 3)
+rows4 = st.lists(st.tuples(entries, entries, entries, entries).filter(any), max_size=7)
+
+
+def test_the_positive_octant_is_its_own_polar():
+    octant = [(1, 0, 0), (0, 1, 0), (0, 0, 1)]
+    rays, lines = generators(octant, [], 3)
+    assert sorted(rays) == sorted(octant)
+    assert lines == ()
+
+
+def test_a_cube_has_eight_vertices_and_six_faces():
+    conditions = [(*(s * (i == j) for j in range(3)), 1) for i in range(3) for s in (1, -1)]
+    cube = from_conditions([*conditions, (1, 1, 1, 3), (1, 0, 0, 5)], [], 3)
+    assert sorted(cube.points) == sorted(product((-1, 1), repeat=3))
+    assert sorted(cube.inequalities) == sorted(conditions)
+    assert cube.bounded
+    assert cube.dimension == 3
+
+
+def test_contradicting_conditions_have_no_polyhedron():
+    assert from_conditions([(1, -2), (-1, 1)], [], 1) is None
+    assert from_conditions([(0, -1)], [], 1) is None
+
+
+@settings(max_examples=60)
+@given(rows4)
+def test_rays_are_the_tight_solutions_of_rank_three(rows):
+    """Oracle for pointed cones: every extreme ray is the null space of three of the rows."""
+    rays, lines = generators(rows, [], 4)
+    rank = sympy.Matrix(rows).rank() if rows else 0
+    assert len(lines) == 4 - rank
+    if rank < 4:
+        return
+    expected = set()
+    for chosen in combinations(rows, 3):
+        null = sympy.Matrix(chosen).nullspace()
+        if len(null) == 1:
+            scale = sympy.ilcm(*(x.q for x in null[0]))
+            whole = [int(x * scale) for x in null[0]]
+            divisor = int(sympy.igcd(*whole))
+            for sign in (1, -1):
+                ray = tuple(sign * x // divisor for x in whole)
+                if all(dot(row, ray) >= 0 for row in rows):
+                    expected.add(ray)
+    assert set(rays) == expected
+
+
+@settings(max_examples=60)
+@given(rows4)
+def test_polar_of_the_polar_is_the_cone(rows):
+    rays, lines = generators(rows, [], 4)
+    again = generators(*generators(rays, lines, 4), 4)
+    assert again == (rays, lines)
+
+
+@settings(max_examples=40)
+@given(rows4.map(lambda rows: [(*row[:3], abs(row[3])) for row in rows]))
+def test_no_condition_of_a_polyhedron_is_redundant(generating):
+    shape = from_generators(generating, (), 3)
+    if shape is None:
+        return
+    for i, row in enumerate(shape.inequalities):
+        others = [*shape.inequalities[:i], *shape.inequalities[i + 1 :]]
+        answer = linprog.minimize(row[:3], others, shape.equalities)
+        assert isinstance(answer, linprog.Unbounded) or answer.value + row[3] < 0
+
+
+@settings(max_examples=40)
+@given(grasps(), wrenches)
+def test_membership_is_the_verdict_of_the_solver(grasp, wrench):
+    assert resistible_set(grasp).contains(wrench) == solve(grasp, wrench).stable
+
+
+@settings(max_examples=15)
+@given(grasps(), st.data())
+def test_vertices_are_resisted_with_the_states_of_their_piece(grasp, data):
+    pieces = resistible_set(grasp).pieces
+    piece = data.draw(st.sampled_from(pieces)) if pieces else None
+    for vertex in piece.polyhedron.points if piece else ():
+        assert solve(grasp, vertex).stable
+        assert piece.states in resistible_set(grasp).states_at(vertex)
+
+
+@settings(max_examples=30)
+@given(grasps(most=5), directions, wrenches)
+def test_lines_through_the_polyhedra_are_the_intervals(grasp, direction, base):
+    found = resisted_magnitudes(grasp, direction, base).intervals
+    assert resistible_set(grasp).along(direction, base) == found
+
+
+@settings(max_examples=20)
+@given(grasps(most=2), wrenches)
+def test_states_that_no_motion_has_add_nothing(grasp, wrench):
+    """Every one of the 4^m choices gives resisted wrenches only."""
+    everything = product(("detached", "slip+", "slip-", "stick"), repeat=len(grasp))
+    shapes = (resisted_with(grasp, states) for states in everything)
+    whole = resistible_set(grasp)
+    for shape in shapes:
+        if shape is not None:
+            assert all(whole.contains(point) for point in shape.points)
+            assert not shape.contains(wrench) or whole.contains(wrench)
+
+
+@settings(max_examples=20)
+@given(grasps(preload=st.just(0)))
+def test_without_preload_every_piece_is_a_cone(grasp):
+    for piece in resistible_set(grasp).pieces:
+        assert all(row[3] == 0 for row in piece.polyhedron.inequalities)
+        assert piece.polyhedron.contains((0, 0, 0))
+
+
+def test_many_contacts_that_stick_at_once():
+    """The redundancy removal on the way must not lose a wrench: a ring of equal contacts.
+
+    With no motion all contacts stick, each with normal force 1; so the wrenches of that state are
+    a sum of segments, and its extent in y is 2 friction times the sum of |t_y|.
+    """
+    units = [(1, 0), (Fraction(3, 5), Fraction(4, 5)), (Fraction(-3, 5), Fraction(4, 5)), (0, 1)]
+    ring = [(x, y) for x, y in units] + [(-x, -y) for x, y in units]
+    grasp = Grasp(Contact((-x, -y), (x, y), Fraction(1, 2), 1, 1) for x, y in ring)
+    shape = resisted_with(grasp, ("stick",) * len(grasp))
+    heights = [point[1] for point in shape.points]
+    assert max(heights) == Fraction(1, 2) * sum(abs(c.tangent[1]) for c in grasp)
+    assert min(heights) == -max(heights)
+    assert solve(grasp, max(shape.points, key=lambda p: p[1])).stable
+
+
+def test_the_whole_set_in_json_has_strings_only():
+    document = resistible_set(read_grasp("paper-three-contacts")).to_dict()
+    for piece in document["polyhedra"]:
+        assert all(isinstance(x, str) for row in piece["inequalities"] for x in row)
+        assert all(len(row) == 4 for row in piece["inequalities"])
