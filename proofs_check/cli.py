@@ -11,6 +11,8 @@ from typing import TYPE_CHECKING
 
 from arrangement import console
 
+from . import options
+
 if TYPE_CHECKING:
     from .claim import Claim, Record, Result
 
@@ -37,14 +39,19 @@ def _parser() -> console.Parser:
     show.set_defaults(command=_show)
 
     run = commands.add_parser("run", help="check claims and print the verdicts")
-    run.add_argument("ids", nargs="*", metavar="ID", help="claims to check (default: all)")
+    run.add_argument(
+        "ids", nargs="*", metavar="ID", help="claims to check (default: all), or FILE.py"
+    )
     run.add_argument("--seed", type=int, default=0, help="of the random instances (default: 0)")
     run.add_argument(
-        "--report", metavar="FILE", help="also write a report: FILE.json, FILE.md, else text"
+        "--report",
+        metavar="FILE",
+        help="also write a report: FILE.json, FILE.md, FILE.html, FILE.tex, else text",
     )
+    options.add_run_options(run)
     run.set_defaults(command=_run)
 
-    for command in (listing, show, run):
+    for command in (listing, show, run, *options.add_commands(commands)):
         console.add_json_option(command)
     return parser
 
@@ -96,6 +103,8 @@ def _described(claim: Claim, width: int) -> str:
 
 
 def _run(arguments: argparse.Namespace) -> int:
+    if any(name.endswith(".py") for name in arguments.ids):
+        return options.run_files(arguments, _width())
     from . import report
     from .claim import evaluate
     from .claims import registry

@@ -9,3 +9,15 @@ class ClaimError(ValueError):
 
 class UnknownClaimError(ClaimError, InputError):
     """An id that no claim has; the command line turns it into exit code 2."""
+
+
+class UnknownDomainError(ClaimError, InputError):
+    """A name that no domain of instances has."""
+
+
+class OwnClaimError(ClaimError, InputError):
+    """A file with own claims that cannot be run, or a claim in it that is not well formed."""
+
+
+class SweepError(ClaimError, InputError):
+    """A sweep that cannot be started, continued or read."""

@@ -1,28 +1,27 @@
-"""Reports of results: a table for the terminal, the JSON record, Markdown.
+"""Reports of results: a table for the terminal, and the JSON record.
 
-The JSON record is complete: every case with the values of both routes side by side. The other
-forms are made from the same results and leave things out.
+The JSON record is complete: every case with the values of both routes side by side. Markdown,
+HTML and LaTeX are made from it in `pages`.
 """
 
 from __future__ import annotations
 
 import json
 import os
-import platform
 import textwrap
 from collections.abc import Iterable, Mapping, Sequence
 from fractions import Fraction
-from importlib.metadata import PackageNotFoundError, version
 from pathlib import Path
 from typing import Any
 
 from arrangement.exact import to_text
 from arrangement.files import write_text_atomically
 
-from .claim import Claim, Evidence, Record, Result
+from . import pages
+from .claim import Claim, Evidence, Failure, Record, Result
+from .environment import environment
 from .errors import ClaimError
 
-LIBRARIES = ("slipstates", "networkx", "numpy", "scipy", "sympy")
 SCHEMA_VERSION = 1
 
 
@@ -194,7 +193,10 @@ def result_record(result: Result) -> dict[str, Any]:
         **claim_record(result.claim),
         "verdict": result.verdict.value if result.verdict else None,
         "as_expected": result.as_expected,
+        "evidence": evidence_text(result),
+        "rows": result.claim.rows,
         "seed": evidence.seed,
+        "milliseconds": result.milliseconds,
         "searched": evidence.searched,
         "records": [_record(record) for record in evidence.records],
         "counterexample": _record(smallest) if smallest else None,
@@ -219,6 +221,8 @@ def plain(value: Any) -> Any:
         return value
     if isinstance(value, Fraction):
         return to_text(value)
+    if isinstance(value, Failure):
+        return {"error": value.text}
     if isinstance(value, (set, frozenset)):
         return sorted((plain(item) for item in value), key=json.dumps)
     if isinstance(value, (tuple, list)):
@@ -230,66 +234,31 @@ def plain(value: Any) -> Any:
 
 def json_record(results: Iterable[Result], seed: int) -> dict[str, Any]:
     """Return the complete record of a run."""
-    listed = list(results)
+    return record_of([result_record(result) for result in results], seed, [environment()])
+
+
+def record_of(
+    results: list[dict[str, Any]], seed: int, environments: list[dict[str, Any]]
+) -> dict[str, Any]:
+    """Return a record with the results of any kind of run, and with what they were found."""
     return {
         "schema_version": SCHEMA_VERSION,
         "seed": seed,
-        "python": platform.python_version(),
-        "versions": {name: _version(name) for name in LIBRARIES},
-        "as_expected": all(result.as_expected for result in listed),
-        "results": [result_record(result) for result in listed],
+        "environments": environments,
+        "as_expected": all(result["as_expected"] for result in results),
+        "results": results,
     }
 
 
-def markdown_report(results: Sequence[Result]) -> str:
-    """Return the verdict table, and the row tables, as Markdown."""
-    lines = [
-        "# Verdicts",
-        "",
-        "| claim | locator | verdict | evidence |",
-        "| --- | --- | --- | --- |",
-    ]
-    for r in results:
-        cells = (r.claim.id, r.claim.locator, verdict_text(r), evidence_text(r))
-        lines.append(_markdown_row(cells))
-    for r in results:
-        lines += ["", f"## {r.claim.id}", "", f"{r.claim.locator}. {r.claim.statement}"]
-        if r.claim.meaning:
-            lines += ["", r.claim.meaning]
-        if r.claim.rows:
-            names = (route.name for route in r.claim.routes)
-            lines += ["", _markdown_row(("case", *names, "remark")), "| --- | --- | --- | --- |"]
-            for record in r.evidence.records:
-                values = (value_text(value) for value in record.values)
-                lines.append(_markdown_row((record.label, *values, _remark(record))))
-    return "\n".join([*lines, "", summary_text(results), ""])
-
-
-def _markdown_row(cells: Iterable[str]) -> str:
-    return f"| {' | '.join(cell.replace('|', chr(92) + '|') for cell in cells)} |"
-
-
 def write_report(path: str | os.PathLike[str], results: Sequence[Result], seed: int) -> None:
-    """Write a report in the form that the ending of the name says: .json, .md, else text.
+    """Write a report in the form that the ending of the name says: see `pages.FORMS`, else text.
 
     The file is written whole or not at all.
     """
-    ending = Path(path).suffix.lower()
-    if ending == ".json":
-        text = json.dumps(json_record(results, seed), indent=1) + "\n"
-    elif ending == ".md":
-        text = markdown_report(results)
-    else:
-        text = text_report(results) + "\n"
+    make = pages.FORMS.get(Path(path).suffix.lower())
+    text = make(json_record(results, seed)) if make else text_report(results) + "\n"
     write_text_atomically(path, text)
 
 
 def _number(count: int, noun: str) -> str:
     return f"{count} {noun}" if count == 1 else f"{count} {noun}s"
-
-
-def _version(name: str) -> str:
-    try:
-        return version(name)
-    except PackageNotFoundError:
-        return "not installed"

@@ -1,0 +1,1 @@
+"""Files with claims, to run with ``proofs-check run`` and to copy from."""

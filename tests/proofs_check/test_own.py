@@ -1,0 +1,291 @@
+"""Claims of a user's file: what is checked, how failures shrink, what is saved."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Callable
+from importlib.resources import files
+from pathlib import Path
+from random import Random
+
+import pytest
+from hypothesis import given, settings, strategies as st
+
+from arrangement import Arrangement, dual_polyhedron, read_arrangement
+from arrangement.census import census
+from equilibrium.files import read_grasp
+from equilibrium.grasp import Grasp
+from proofs_check import ownrun
+from proofs_check.claim import Verdict
+from proofs_check.cli import main
+from proofs_check.domains import DOMAINS, domain, known_families, size
+from proofs_check.errors import OwnClaimError, UnknownDomainError
+from proofs_check.own import claim
+from proofs_check.shrink import shrink, smaller_instances
+
+HEAD = "from proofs_check.own import claim\n"
+
+
+@pytest.fixture
+def write(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Callable[[str], str]:
+    monkeypatch.chdir(tmp_path)
+
+    def writer(body: str) -> str:
+        path = tmp_path / "mine.py"
+        path.write_text(HEAD + body, encoding="utf-8")
+        return str(path)
+
+    return writer
+
+
+def triangles(planes: Arrangement) -> int:
+    """Regions with three facets, counted on the faces themselves."""
+    facets = [face.signs for face in planes.faces(2)]
+    sides = (
+        sum(all(a in (0, b) for a, b in zip(f, r.signs, strict=True)) for f in facets)
+        for r in planes.regions()
+    )
+    return sum(number == 3 for number in sides)
+
+
+def test_the_documented_example_finds_the_smallest_counterexample(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    example = files("proofs_check.examples") / "triangles.py"
+    code = main(["run", str(example), "--save", str(tmp_path), "--json"])
+    found = json.loads(capsys.readouterr().out)
+    assert code == 0
+    assert [r["verdict"] for r in found["results"]] == ["refuted", "holds"]
+    planes = read_arrangement(str(tmp_path / "twice-as-many-triangles.json"))
+    assert planes.is_simple
+    assert triangles(planes) != 2 * len(planes)
+    # All types in general position with fewer planes have twice as many triangles.
+    assert all(triangles(p) == 2 * m for m in (4, 5) for p in census(m, simple=True))
+    assert len(planes) == 6
+    assert not (tmp_path / "at-least-twice-as-many-triangles.json").exists()
+
+
+def test_a_planted_false_claim_is_refuted_by_the_smallest_instance_there_is(
+    write: Callable[[str], str], tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    path = write(
+        '@claim("No two planes coincide.", of="central")\n'
+        "def different(planes):\n"
+        '    return len(planes.distinct) == len(planes) or "two coincide"\n'
+    )
+    assert main(["run", path]) == 1
+    out = capsys.readouterr().out
+    assert "refuted (expected: holds)" in out
+    saved = tmp_path / "counterexamples" / "different.json"
+    assert str(saved.relative_to(tmp_path)) in out
+    planes = read_arrangement(str(saved))
+    first, second = planes.integer_planes
+    assert first == second
+    assert sorted(first) == [0, 0, 0, 1]
+    assert "two coincide" in json.loads(saved.read_text(encoding="utf-8"))["description"]
+
+
+def test_a_wrong_claim_on_grasps_is_saved_as_a_grasp_file(
+    write: Callable[[str], str], tmp_path: Path
+) -> None:
+    path = write(
+        '@claim("Preloads are at most 1.", of="grasp", samples=60)\n'
+        "def small_preload(grasp):\n"
+        '    return all(c.preload <= 1 for c in grasp) or "a large preload"\n'
+    )
+    assert main(["run", path]) == 1
+    grasp = read_grasp(str(tmp_path / "counterexamples" / "small-preload.json"))
+    (contact,) = grasp
+    assert contact.point == (0, 0)
+    assert (contact.friction, contact.stiffness, contact.preload) == (0, 1, 2)
+
+
+def test_a_failure_that_only_many_planes_show_does_not_shrink_below_them(
+    write: Callable[[str], str], tmp_path: Path
+) -> None:
+    path = write(
+        '@claim("At most 20 regions.", of="distinct")\n'
+        "def few(planes):\n"
+        '    return planes.f_vector[3] <= 20 or "more"\n'
+    )
+    assert main(["run", path]) == 1
+    found = read_arrangement(str(tmp_path / "counterexamples" / "few.json"))
+    least = min(m for m in range(3, 7) for p in census(m) if p.f_vector[3] > 20)
+    assert len(found) == least
+    assert found.f_vector[3] > 20
+
+
+@pytest.mark.parametrize(
+    ("body", "message"),
+    [
+        ("x = 1\n", "has no claims"),
+        ("def f(:\n", "SyntaxError"),
+        ("1 / 0\n", "ZeroDivisionError"),
+        ('@claim("")\ndef f(p): return True\n', "in words"),
+        ('@claim("s", of="cubes")\ndef f(p): return True\n', "no domain is called 'cubes'"),
+        ('@claim("s", census=9)\ndef f(p): return True\n', "census is 9"),
+        ('@claim("s", samples=-1)\ndef f(p): return True\n', "samples is -1"),
+        ('@claim("s", planes=(2, 5))\ndef f(p): return True\n', "at least 3"),
+        ('@claim("s", expected="yes")\ndef f(p): return True\n', "expected is 'yes'"),
+        ('@claim("s")\ndef f(p): return None\n', "returned None"),
+        ('@claim("s", id="a b")\ndef f(p): return True\n', "'a b' is no id"),
+        (
+            '@claim("s", id="x")\ndef f(p): return True\n@claim("t", id="x")\ndef g(p): return 1\n',
+            "have the id 'x'",
+        ),
+    ],
+)
+def test_bad_files_end_with_one_line_and_exit_code_2(
+    write: Callable[[str], str], capsys: pytest.CaptureFixture[str], body: str, message: str
+) -> None:
+    assert main(["run", write(body)]) == 2
+    captured = capsys.readouterr()
+    assert captured.out == ""
+    assert message in captured.err
+    assert captured.err.count("\n") == 1
+
+
+def test_a_missing_file_and_a_mixture_of_ids_and_files_are_bad_input(
+    write: Callable[[str], str], capsys: pytest.CaptureFixture[str]
+) -> None:
+    path = write('@claim("s")\ndef f(p): return True\n')
+    assert main(["run", "nowhere.py"]) == 2
+    assert main(["run", "euler", path]) == 2
+    assert "cannot read nowhere.py" in capsys.readouterr().err
+
+
+def test_an_error_in_the_function_gives_no_verdict(
+    write: Callable[[str], str], capsys: pytest.CaptureFixture[str]
+) -> None:
+    path = write('@claim("s", samples=5)\ndef f(p): return 1 // (len(p) - 4) < 9\n')
+    assert main(["run", path, "--json"]) == 1
+    (result,) = json.loads(capsys.readouterr().out)["results"]
+    assert result["verdict"] is None
+    assert "ZeroDivisionError" in result["counterexample"]["note"]
+
+
+def test_a_failed_assertion_is_a_reason(
+    write: Callable[[str], str], capsys: pytest.CaptureFixture[str]
+) -> None:
+    path = write(
+        '@claim("s", census=3)\ndef f(p):\n    assert p.rank < 3, "rank 3"\n    return True\n'
+    )
+    assert main(["run", path, "--json"]) == 1
+    (result,) = json.loads(capsys.readouterr().out)["results"]
+    assert result["verdict"] == "refuted"
+    assert result["counterexample"]["note"] == "rank 3"
+
+
+def test_a_decorated_function_can_still_be_called() -> None:
+    @claim("s")
+    def rank_3(planes: Arrangement) -> bool:
+        return planes.rank == 3
+
+    assert rank_3(Arrangement([[1, 0, 0]])) is False
+
+
+def test_instances_outside_the_hypothesis_are_passed_over_and_counted() -> None:
+    @claim("s", when=lambda p: p.is_simple, census=5, families=False, samples=0)
+    def all_simple(planes: Arrangement) -> bool:
+        return planes.is_simple
+
+    result = ownrun.run(all_simple)
+    assert result.verdict is Verdict.HOLDS
+    (part,) = result.parts
+    assert (part.checked, part.passed_over) == (3, 4)
+
+    @claim("s", when=lambda p: False, samples=3)
+    def nothing(_planes: Arrangement) -> bool:
+        return True
+
+    assert ownrun.run(nothing).verdict is None
+
+
+def test_a_dual_claim_gets_the_dual_polyhedron() -> None:
+    seen = []
+
+    @claim("s", of="dual", census=3, families=False, samples=0)
+    def cube(dual: object) -> bool:
+        seen.append(dual)
+        return True
+
+    assert ownrun.run(cube).verdict is Verdict.HOLDS
+    assert [type(d) for d in seen] == [type(dual_polyhedron(census(3)[0]))]
+
+
+def test_the_same_seed_gives_the_same_result_and_another_seed_other_instances() -> None:
+    @claim("s", of="central", census=0, families=False, samples=20)
+    def small(planes: Arrangement) -> bool:
+        return max(abs(x) for p in planes.integer_planes for x in p) < 9
+
+    one, same = ownrun.run(small, 1), ownrun.run(small, 1)
+    assert (one.parts, one.smallest) == (same.parts, same.smallest)
+    drawn = [[ownrun.sample(small, seed, k, 3, 8) for k in range(20)] for seed in (1, 1, 2)]
+    assert drawn[0] == drawn[1] != drawn[2]
+
+
+def _many(planes: Arrangement) -> bool:
+    return len(planes.distinct) >= 3 and planes.rank == 3
+
+
+@settings(max_examples=15, deadline=None)
+@given(st.integers(0, 10**9))
+def test_shrinking_keeps_the_failure_and_leaves_no_plane_to_spare(seed: int) -> None:
+    planes = DOMAINS["rank-3"].draw(Random(seed), 5)
+    found, _ = shrink(planes, _many)
+    assert _many(found)
+    assert len(found) == 3
+    assert size(found) <= size(planes)
+    assert max(abs(x) for p in found.integer_planes for x in p) == 1
+
+
+@settings(max_examples=15, deadline=None)
+@given(st.integers(0, 10**9))
+def test_shrinking_a_grasp_keeps_the_failure(seed: int) -> None:
+    grasp = DOMAINS["grasp"].draw(Random(seed), 4)
+
+    def fails(candidate: Grasp) -> bool:
+        return any(c.friction > 0 for c in candidate)
+
+    if fails(grasp):
+        found, _ = shrink(grasp, fails)
+        assert fails(found)
+        assert len(found) == 1
+        assert found.contacts[0].point == (0, 0)
+
+
+def test_equal_planes_shrink_together() -> None:
+    planes = Arrangement([[5, 3, 2], [1, 1, 1], [5, 3, 2]])
+    found, _ = shrink(planes, lambda p: len(p.distinct) < len(p))
+    assert found.integer_planes == ((1, 0, 0, 0), (1, 0, 0, 0))
+
+
+def test_shrinking_stops_at_the_limit() -> None:
+    planes = DOMAINS["simple"].draw(Random(1), 7)
+    assert shrink(planes, lambda _: True, tries=3)[1] == 3
+
+
+@pytest.mark.parametrize("name", sorted(DOMAINS))
+def test_what_a_domain_draws_belongs_to_it(name: str) -> None:
+    chosen = domain(name)
+    for m in range(chosen.least, 7):
+        for seed in range(4):
+            subject = chosen.draw(Random(seed), m)
+            assert chosen.contains(subject)
+            assert subject == chosen.draw(Random(seed), m)
+    assert all(chosen.contains(found) for _, found in known_families(chosen))
+
+
+def test_smaller_instances_hold_every_type_and_come_in_order_of_size() -> None:
+    found = list(smaller_instances(6))
+    sizes = [len(planes) for planes in found]
+    assert sizes == sorted(sizes)
+    assert max(sizes) == 5
+    assert set(census(5)) <= set(found)
+
+
+def test_errors_name_the_remedy() -> None:
+    with pytest.raises(UnknownDomainError, match="there are central"):
+        domain("nothing")
+    with pytest.raises(OwnClaimError, match="smallest and a largest"):
+        claim("s", planes=[3])
