@@ -76,7 +76,7 @@ def frictionless_slip(
     """
     if len(grasp) > MAX_CONTACTS:
         raise GraspError(
-            f"{len(grasp)} contacts give 3^{len(grasp)} choices; {MAX_CONTACTS} is most"
+            f"{len(grasp)} contacts are too many for 3^m choices; at most {MAX_CONTACTS} are tried"
         )
     applied = read_wrench(wrench)
     stiffnesses = tangential_stiffnesses(grasp, tangential_stiffness)

@@ -1,0 +1,253 @@
+"""Laws of the other methods, and oracles that share no code with them."""
+
+from itertools import product
+
+import numpy as np
+import pytest
+from hypothesis import given, settings, strategies as st
+from scipy.optimize import linprog
+from scipy.spatial import ConvexHull
+
+from arrangement.exact import dot
+from equilibrium.grasp import Contact, Grasp
+from equilibrium.others.cones import cones
+from equilibrium.others.form_closure import form_closure
+from equilibrium.others.frictionless_slip import frictionless_slip
+from equilibrium.others.grasp_wrench_space import GraspWrenchSpace, cone_edges
+from equilibrium.others.hull import convex_hull
+from equilibrium.others.linear_compliance import linear_compliance
+from equilibrium.others.weak_strong import mass_matrix, weak_strong
+from equilibrium.passive import solve
+
+from .others_strategies import frictions, grasps, small, turned, wrenches
+
+points = st.lists(st.tuples(small, small, small), min_size=1, max_size=14)
+
+
+def balances(grasp, forces, wrench):
+    return all(
+        sum(
+            n * c.normal_wrench[k] + t * c.tangential_wrench[k]
+            for c, (n, t) in zip(grasp, forces, strict=True)
+        )
+        + wrench[k]
+        == 0
+        for k in range(3)
+    )
+
+
+def in_cones(grasp, forces):
+    return all(n >= 0 and abs(t) <= c.friction * n for c, (n, t) in zip(grasp, forces, strict=True))
+
+
+class TestHull:
+    @given(points)
+    @settings(max_examples=80)
+    def test_every_facet_supports_and_every_vertex_is_extreme(self, cloud):
+        hull = convex_hull(cloud)
+        assert set(hull.vertices) <= set(cloud)
+        for facet in hull.facets:
+            heights = [dot(facet.normal, p) for p in cloud]
+            assert max(heights) == facet.offset
+        rank = np.linalg.matrix_rank(np.array(cloud) - np.array(cloud[0]))
+        assert hull.dimension == rank
+        # An extreme point is no convex combination of the other points (scipy as oracle).
+        for p in set(cloud):
+            others = [q for q in set(cloud) if q != p]
+            rows = np.vstack([np.array(others, dtype=float).reshape(-1, 3).T, np.ones(len(others))])
+            inside = others and linprog(np.zeros(len(others)), A_eq=rows, b_eq=[*p, 1]).status == 0
+            assert (p in hull.vertices) == (not inside)
+
+    @given(points)
+    @settings(max_examples=60)
+    def test_volume_is_qhulls(self, cloud):
+        hull = convex_hull(cloud)
+        if hull.dimension < 3:
+            assert hull.volume == 0
+            return
+        assert float(hull.volume) == pytest.approx(ConvexHull(cloud).volume)
+        edges = sum(len(f.vertices) for f in hull.facets) // 2
+        assert len(hull.vertices) - edges + len(hull.facets) == 2
+
+
+class TestWrenchSpace:
+    @given(grasps(), wrenches)
+    @settings(max_examples=60)
+    def test_membership_by_program_is_membership_in_the_hull(self, grasp, wrench):
+        for norm in ("L1", "Linf"):
+            space = GraspWrenchSpace(grasp, norm)
+            verdict = space.verdict(wrench)
+            if space.hull.dimension == 3:
+                target = [-x for x in wrench]
+                inside = all(dot(f.normal, target) <= f.offset for f in space.hull.facets)
+                assert inside == (verdict.accepts and verdict.least_force <= 1)
+            if verdict.accepts:
+                assert balances(grasp, verdict.forces, wrench)
+                assert in_cones(grasp, verdict.forces)
+                total = [n for n, _ in verdict.forces]
+                assert verdict.least_force == (sum(total) if norm == "L1" else max(total))
+            else:
+                motion = verdict.separating_motion
+                assert dot(motion, wrench) == 1
+                assert all(dot(motion, e) >= 0 for c in grasp for e in cone_edges(c))
+
+    @given(grasps())
+    @settings(max_examples=40)
+    def test_hull_is_the_brute_force_sum(self, grasp):
+        corners = [
+            [tuple(map(sum, zip(*choice, strict=True)))]
+            for choice in product(*[((0, 0, 0), *cone_edges(c)) for c in grasp])
+        ]
+        assert GraspWrenchSpace(grasp, "Linf").hull == convex_hull(p for (p,) in corners)
+
+    @given(grasps())
+    @settings(max_examples=40)
+    def test_force_closure_has_three_equal_tests(self, grasp):
+        expected = GraspWrenchSpace(grasp).force_closure
+        assert GraspWrenchSpace(grasp, "Linf").force_closure == expected
+        assert (form_closure(grasp, friction=True).accepts is True) == expected
+        units = [tuple(s * (i == k) for i in range(3)) for k in range(3) for s in (1, -1)]
+        space = GraspWrenchSpace(grasp)
+        assert all(space.verdict(w).accepts for w in units) == expected
+
+    @given(grasps(), wrenches)
+    @settings(max_examples=40)
+    def test_a_rigid_motion_changes_no_verdict(self, grasp, wrench):
+        moved, move = turned(grasp)
+        one = GraspWrenchSpace(grasp).verdict(wrench)
+        assert GraspWrenchSpace(moved).verdict(move(wrench)).least_force == one.least_force
+        assert GraspWrenchSpace(moved).volume == GraspWrenchSpace(grasp).volume
+        assert form_closure(moved).accepts == form_closure(grasp).accepts
+        assert cones(moved, move(wrench)).accepts == cones(grasp, wrench).accepts
+
+    @given(grasps())
+    @settings(max_examples=30)
+    def test_slice_corners_lie_on_the_boundary(self, grasp):
+        space = GraspWrenchSpace(grasp)
+        for u, v in space.slice():
+            verdict = space.verdict((u, v, 0))
+            assert verdict.accepts
+            assert verdict.least_force <= 1
+
+
+class TestFormClosure:
+    @given(grasps(most=6, friction=st.just(0)))
+    @settings(max_examples=80)
+    def test_each_answer_has_its_proof(self, grasp):
+        found = form_closure(grasp)
+        normals = [c.normal_wrench for c in grasp]
+        if found.accepts:
+            assert min(found.multipliers) >= 1
+            total = [
+                sum(x * w[k] for x, w in zip(found.multipliers, normals, strict=True))
+                for k in range(3)
+            ]
+            assert total == [0, 0, 0]
+            assert np.linalg.matrix_rank(np.array(normals, dtype=float)) == 3
+        else:
+            assert any(found.free_motion)
+            assert all(dot(w, found.free_motion) >= 0 for w in normals)
+
+    @given(grasps(most=6), wrenches)
+    @settings(max_examples=30, deadline=None)
+    def test_form_closure_holds_every_wrench_in_the_full_model(self, grasp, wrench):
+        # A turn or shift presses some spring, so d . F(d) grows without bound: a zero exists.
+        if form_closure(grasp).accepts:
+            assert solve(grasp, wrench).stable
+
+
+class TestOrderOfTheMethods:
+    @given(grasps(most=3), wrenches)
+    @settings(max_examples=40, deadline=None)
+    def test_each_weaker_method_accepts_too(self, grasp, wrench):
+        ours = solve(grasp, wrench).stable
+        compliance = linear_compliance(grasp, wrench).accepts
+        slip = frictionless_slip(grasp, wrench).accepts
+        loose = cones(grasp, wrench).accepts
+        load = weak_strong(grasp, wrench)
+        assert compliance <= slip <= loose
+        assert ours <= loose <= load.weak
+        assert load.frictionless <= load.strong <= load.weak
+        assert load.weak == GraspWrenchSpace(grasp).verdict(wrench).accepts
+        assert cones(grasp, wrench, printed=True).accepts <= loose
+
+    @given(grasps(most=3, friction=st.just(0)), wrenches)
+    @settings(max_examples=40, deadline=None)
+    def test_without_friction_the_spring_models_agree(self, grasp, wrench):
+        ours = solve(grasp, wrench).stable
+        assert frictionless_slip(grasp, wrench).accepts == ours
+        assert cones(grasp, wrench).accepts == ours
+
+    @given(grasps(most=3), wrenches)
+    @settings(max_examples=40)
+    def test_accepted_forces_balance_inside_the_cones(self, grasp, wrench):
+        for verdict in (
+            linear_compliance(grasp, wrench),
+            frictionless_slip(grasp, wrench),
+            cones(grasp, wrench),
+        ):
+            if verdict.accepts:
+                assert balances(grasp, verdict.forces, wrench)
+                assert in_cones(grasp, verdict.forces)
+
+
+def cones_by_brute_force(grasp, wrench):
+    """Try all 2^m sets of attached contacts with scipy, in floats."""
+    m = len(grasp)
+    for attached in product((True, False), repeat=m):
+        balance = np.zeros((3, 3 + m))
+        rest = -np.array([float(x) for x in wrench])
+        upper, bounds = [], []
+        for i, (c, touches) in enumerate(zip(grasp, attached, strict=True)):
+            n = np.array(c.normal_wrench, dtype=float)
+            t = np.array(c.tangential_wrench, dtype=float)
+            k, q, mu = float(c.stiffness), float(c.preload), float(c.friction)
+            row = np.concatenate([k * n, np.zeros(m)])
+            upper.append(row if touches else -row)
+            bounds.append(q if touches else -q)
+            if touches:
+                balance[:, :3] -= k * np.outer(n, n)
+                balance[:, 3 + i] = t
+                rest -= q * n
+                for side in (1, -1):
+                    edge = mu * row
+                    edge[3 + i] = side
+                    upper.append(edge)
+                    bounds.append(mu * q)
+            else:
+                pin = np.zeros(3 + m)
+                pin[3 + i] = 1
+                upper += [pin, -pin]
+                bounds += [0, 0]
+        free = [(None, None)] * (3 + m)
+        if linprog(np.zeros(3 + m), upper, bounds, balance, rest, bounds=free).status == 0:
+            return True
+    return False
+
+
+@given(grasps(most=3), wrenches)
+@settings(max_examples=40, deadline=None)
+def test_cones_agree_with_brute_force(grasp, wrench):
+    assert cones(grasp, wrench).accepts == cones_by_brute_force(grasp, wrench)
+
+
+class TestStrongStability:
+    @given(grasps(most=3), wrenches, st.integers(1, 3), st.tuples(small, small))
+    @settings(max_examples=40, deadline=None)
+    def test_a_start_obeys_the_energy_balance(self, grasp, wrench, inertia, centre):
+        found = weak_strong(grasp, wrench, inertia=inertia, centre=centre)
+        if found.acceleration is None:
+            return
+        a = found.acceleration
+        assert any(a)
+        assert all(dot(c.normal_wrench, a) >= 0 for c in grasp)
+        matrix = mass_matrix(1, inertia, centre)
+        kinetic = dot(a, [dot(row, a) for row in matrix])
+        assert 0 < kinetic <= dot(wrench, a)  # friction only brakes
+
+    @given(grasps(most=3), wrenches, frictions)
+    @settings(max_examples=30, deadline=None)
+    def test_frictionless_stable_loads_are_strong_for_every_friction(self, grasp, wrench, friction):
+        other = Grasp(Contact(c.point, c.normal, friction) for c in grasp)
+        if weak_strong(grasp, wrench).frictionless:
+            assert weak_strong(other, wrench).strong
