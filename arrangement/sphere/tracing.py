@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass
 
 import numpy as np
@@ -9,6 +10,9 @@ from numpy.typing import NDArray
 
 from .crossings import Crossings
 from .incidence import Incidence, Indices
+
+#: Slots or regions handled at once.
+CHUNK = 1 << 16
 
 _ONE = np.int32(1)
 
@@ -51,38 +55,56 @@ def _lines(crossings: Crossings) -> tuple[Indices, Indices, Indices, Indices]:
 
     Returns:
         circle_offsets; the line of each slot; the rank of each slot's circle in the ring of its
-        line; the number of circles through each line. All circles of one line leave its positive
-        vertex within half a turn, so the rank of circle i is the number of circles j of the line
-        with ``turn_ij < 0``: nothing is sorted here.
+        line; the number of circles through each line.
     """
     count, width = crossings.order.shape
-    starts = ~crossings.tied.ravel()
-    first_entry = np.nonzero(starts)[0]
     circle_offsets = np.zeros(count + 1, np.int32)
-    np.cumsum(starts.reshape(count, width).sum(axis=1), out=circle_offsets[1:])
-    slot_circle = np.repeat(np.arange(count, dtype=np.int32), np.diff(circle_offsets))
-    others = crossings.order.ravel()
-    least = np.minimum.reduceat(others, first_entry)
-    rank = np.add.reduceat(crossings.turn.ravel() < 0, first_entry, dtype=np.int32)
-    size = np.diff(first_entry, append=len(others)).astype(np.int32)
-    owns = least > slot_circle  # the least circle of a line numbers it
-    number = np.cumsum(owns, dtype=np.int32) - _ONE
-    entry_slot = np.cumsum(starts, dtype=np.int32) - _ONE
+    np.cumsum(width - crossings.tied.sum(axis=1), out=circle_offsets[1:])
+    slot_line, rank = (np.empty(circle_offsets[-1], np.int32) for _ in range(2))
+    multiplicity: list[Indices] = []
     table = np.empty((count, count), np.int32)
-    np.put_along_axis(
-        table, crossings.order.astype(np.intp), number[entry_slot].reshape(count, width), axis=1
-    )
-    slot_line = np.where(owns, number, table[least, slot_circle])
-    return circle_offsets, slot_line, rank, size[owns] + _ONE
+    lines = 0
+    for rows in _chunks(count, max(1, CHUNK // width)):
+        slots = slice(*circle_offsets[[rows.start, rows.stop]].tolist())
+        numbers, rank[slots], sizes = _lines_of_rows(crossings, rows, table, lines)
+        slot_line[slots] = numbers
+        multiplicity.append(sizes)
+        lines += len(sizes)
+    return circle_offsets, slot_line, rank, np.concatenate(multiplicity)
+
+
+def _lines_of_rows(
+    crossings: Crossings, rows: slice, table: Indices, lines: int
+) -> tuple[Indices, Indices, Indices]:
+    """Return line and rank of the slots of some circles, and the sizes of the lines they number.
+
+    The least circle of a line numbers it; `table[i, j]` is the line of circles i and j where i
+    has numbered it. All circles of one line leave its positive vertex within half a turn, so the
+    rank of circle i is the number of circles j of the line with ``turn_ij < 0``: nothing is
+    sorted here.
+    """
+    order, starts = crossings.order[rows], ~crossings.tied[rows]
+    first_entry = np.nonzero(starts.ravel())[0]
+    least = np.minimum.reduceat(order.ravel(), first_entry)
+    rank = np.add.reduceat(crossings.turn[rows].ravel() < 0, first_entry, dtype=np.int32)
+    size = np.diff(first_entry, append=order.size).astype(np.int32)
+    circle = rows.start + first_entry // order.shape[1]
+    owns = least > circle
+    number = np.cumsum(owns, dtype=np.int32) + np.int32(lines - 1)
+    of_entry = np.repeat(number, size).reshape(order.shape)
+    np.put_along_axis(table[rows], order.astype(np.intp), of_entry, axis=1)
+    return np.where(owns, number, table[least, circle]), rank, size[owns] + _ONE
 
 
 @dataclass(frozen=True, slots=True)
 class _Ends:
-    """For each slot: the arcs that enter and leave its positive and its negative crossing."""
+    """For each slot: the arcs that enter and leave its crossing, and that leave the antipode.
+
+    The arc that enters the antipode is the one before.
+    """
 
     entering: Indices
     leaving: Indices
-    entering_antipode: Indices
     leaving_antipode: Indices
 
     @classmethod
@@ -93,7 +115,7 @@ class _Ends:
         opposite = leaving + np.repeat(size, size)
         entering = leaving - _ONE
         entering[circle_offsets[:-1]] += 2 * size
-        return cls(entering, leaving, opposite - _ONE, opposite)
+        return cls(entering, leaving, opposite)
 
 
 @dataclass(frozen=True, slots=True)
@@ -116,11 +138,13 @@ class _Ring:
 def _origin(ends: _Ends, slot_line: Indices, lines: int) -> Indices:
     """Return the start of every half-edge: forward ones leave a crossing, their twins enter it."""
     origin = np.empty(4 * len(slot_line), np.int32)
-    antipode = slot_line + np.int32(lines)
-    origin[2 * ends.leaving] = slot_line
-    origin[2 * ends.entering + 1] = slot_line
-    origin[2 * ends.leaving_antipode] = antipode
-    origin[2 * ends.entering_antipode + 1] = antipode
+    forward, backward = origin[0::2], origin[1::2]
+    for slots in _chunks(len(slot_line), CHUNK):
+        here, there = slot_line[slots], slot_line[slots] + np.int32(lines)
+        forward[ends.leaving[slots]] = here
+        backward[ends.entering[slots]] = here
+        forward[ends.leaving_antipode[slots]] = there
+        backward[ends.leaving_antipode[slots] - _ONE] = there
     return origin
 
 
@@ -132,14 +156,17 @@ def _next(ends: _Ends, ring: _Ring) -> Indices:
     half is reversed.
     """
     following = np.empty(4 * len(ring.before), np.int32)
-    onward, back = 2 * ends.leaving, 2 * ends.entering + 1
-    forward, backward = onward[ring.before], back[ring.before]
-    following[2 * ends.entering] = np.where(ring.first, forward, backward)
-    following[2 * ends.leaving + 1] = np.where(ring.first, backward, forward)
-    onward, back = 2 * ends.leaving_antipode, 2 * ends.entering_antipode + 1
-    forward, backward = onward[ring.after], back[ring.after]
-    following[2 * ends.entering_antipode] = np.where(ring.last, forward, backward)
-    following[2 * ends.leaving_antipode + 1] = np.where(ring.last, backward, forward)
+    after_forward, after_backward = following[0::2], following[1::2]
+    for slots in _chunks(len(ring.before), CHUNK):
+        wraps, other = ring.first[slots], ring.before[slots]
+        onward, back = 2 * ends.leaving[other], 2 * ends.entering[other] + _ONE
+        after_forward[ends.entering[slots]] = np.where(wraps, onward, back)
+        after_backward[ends.leaving[slots]] = np.where(wraps, back, onward)
+        wraps, other = ring.last[slots], ring.after[slots]
+        onward = 2 * ends.leaving_antipode[other]
+        back, leaving = onward - _ONE, ends.leaving_antipode[slots]
+        after_forward[leaving - _ONE] = np.where(wraps, onward, back)
+        after_backward[leaving] = np.where(wraps, back, onward)
     return following
 
 
@@ -153,19 +180,31 @@ def _regions(ends: _Ends, ring: _Ring, following: Indices) -> tuple[Indices, Ind
     positive side of all circles (region 0), and on the negative side of all (the last).
     """
     leads = np.zeros(len(following) // 2, bool)
-    leads[ends.leaving] = ~ring.last
-    leads[ends.leaving_antipode] = ~ring.first
-    swept = np.nonzero(leads)[0].astype(np.int32)
+    leads[ends.leaving[~ring.last]] = True
+    leads[ends.leaving_antipode[~ring.first]] = True
+    swept = 2 * np.nonzero(leads)[0].astype(np.int32)
     region = np.full(len(following), -1, np.int32)
-    number = np.arange(1, len(swept) + 1, dtype=np.int32)
-    start = current = 2 * swept
+    for part in _chunks(len(swept), CHUNK):
+        _walk(following, region, swept[part], part.start + 1)
+    positive, negative = region[0::2], region[1::2]
+    at_ends = [2 * int(positive.argmin()), 2 * int(negative.argmin()) + 1]
+    _walk(following, region, np.array(at_ends[:1], np.int32), 0)
+    _walk(following, region, np.array(at_ends[1:], np.int32), len(swept) + 1)
+    return np.concatenate([at_ends[:1], swept, at_ends[1:]], dtype=np.int32), region
+
+
+def _walk(following: Indices, region: Indices, start: Indices, number: int) -> None:
+    """Go around many regions in step, and write their consecutive numbers on the half-edges."""
+    numbers = np.arange(number, number + len(start), dtype=np.int32)
+    current = start
     while len(current):
-        region[current] = number
+        region[current] = numbers
         current = following[current]
-        open_ = current != start
-        current, start, number = current[open_], start[open_], number[open_]
-    ends_of_axis = [2 * int(region[0::2].argmin()), 2 * int(region[1::2].argmin()) + 1]
-    region[0::2][region[0::2] < 0] = 0
-    region[1::2][region[1::2] < 0] = len(swept) + 1
-    leader = np.concatenate([ends_of_axis[:1], 2 * swept, ends_of_axis[1:]]).astype(np.int32)
-    return leader, region
+        unfinished = current != start
+        current, start, numbers = current[unfinished], start[unfinished], numbers[unfinished]
+
+
+def _chunks(total: int, size: int) -> Iterator[slice]:
+    """Yield consecutive slices: temporary arrays stay small, whatever the input."""
+    for start in range(0, total, size):
+        yield slice(start, min(start + size, total))
