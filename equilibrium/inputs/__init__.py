@@ -1,0 +1,25 @@
+"""Ways to a grasp: from a polygon, a circle, float data, a CSV file, or at random.
+
+Everything that had to be rounded is rounded here, once, on purpose, and the error is reported
+exactly; the grasp that comes out is exact.
+"""
+
+from .conversion import Conversion, simplest_between, snapped
+from .csvfile import read_csv
+from .floats import from_float_data
+from .polygon import OnEdge, from_polygon
+from .random import random_grasp, random_wrench
+from .round import on_circle
+
+__all__ = [
+    "Conversion",
+    "OnEdge",
+    "from_float_data",
+    "from_polygon",
+    "on_circle",
+    "random_grasp",
+    "random_wrench",
+    "read_csv",
+    "simplest_between",
+    "snapped",
+]

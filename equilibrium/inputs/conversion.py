@@ -1,0 +1,124 @@
+"""Exact numbers near given ones, and the record of what the rounding cost."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+from typing import Any
+
+from arrangement.exact import RationalVector, from_floats, to_text
+from equilibrium.errors import GraspError
+from equilibrium.grasp import Contact, Grasp
+from equilibrium.units import UnitNormal, unit_normal
+
+DEFAULT_TOLERANCE = Fraction(1, 10**6)
+
+
+@dataclass(frozen=True)
+class Conversion:
+    """An exact grasp and how far it is from what was given.
+
+    Attributes:
+        grasp: the result.
+        point_errors: for each contact the largest change of a coordinate (length).
+        angle_errors: for each contact the tangent of the angle from the given normal to the one
+            used (radians, counter-clockwise); see `unit_normal`.
+        value_error: the largest change of a friction coefficient, stiffness or preload.
+    """
+
+    grasp: Grasp
+    point_errors: RationalVector
+    angle_errors: RationalVector
+    value_error: Fraction = Fraction(0)
+
+    @property
+    def exact(self) -> bool:
+        """Whether nothing was rounded."""
+        return not (any(self.point_errors) or any(self.angle_errors) or self.value_error)
+
+    def to_dict(self) -> dict[str, Any]:
+        """Return a JSON form: the grasp file, and the errors as strings of rationals."""
+        return {
+            "grasp": self.grasp.to_dict(),
+            "point_errors": [to_text(x) for x in self.point_errors],
+            "angle_errors": [to_text(x) for x in self.angle_errors],
+            "value_error": to_text(self.value_error),
+        }
+
+
+def simplest_between(low: Fraction, high: Fraction) -> Fraction:
+    """Return the rational of least denominator in a closed interval (then of least size).
+
+    >>> simplest_between(Fraction(31, 100), Fraction(34, 100))
+    Fraction(1, 3)
+    """
+    if low > high:
+        raise GraspError(f"the interval from {low} to {high} is empty")
+    if low <= 0 <= high:
+        return Fraction(0)
+    if high < 0:
+        return -simplest_between(-high, -low)
+    whole = -(-low.numerator // low.denominator)
+    if whole <= high:
+        return Fraction(whole)
+    floor = low.numerator // low.denominator
+    return floor + 1 / simplest_between(1 / (high - floor), 1 / (low - floor))
+
+
+def snapped(value: Any, tolerance: Any = DEFAULT_TOLERANCE) -> tuple[Fraction, Fraction]:
+    """Return the simplest rational within a tolerance of a number, and the change made.
+
+    Args:
+        value: a float or anything exact.
+        tolerance: at least 0; 0 keeps the binary value of a float.
+
+    >>> snapped(0.1)
+    (Fraction(1, 10), Fraction(-1, 180143985094819840))
+    """
+    exact: Fraction = from_floats(value)
+    bound: Fraction = from_floats(tolerance)
+    if bound < 0:
+        raise GraspError(f"tolerance is {tolerance!r}; it must be at least 0")
+    found = simplest_between(exact - bound, exact + bound)
+    return found, found - exact
+
+
+def assembled(
+    places: Sequence[tuple[RationalVector, Fraction]],
+    normals: Sequence[UnitNormal],
+    values: Sequence[dict[str, Fraction]],
+    value_error: Fraction = Fraction(0),
+) -> Conversion:
+    """Put contacts together from points with errors, unit normals with errors, and values."""
+    contacts = [
+        Contact(point, normal.normal, **value)
+        for (point, _), normal, value in zip(places, normals, values, strict=True)
+    ]
+    return Conversion(
+        Grasp(contacts),
+        tuple(error for _, error in places),
+        tuple(normal.angle_error for normal in normals),
+        value_error,
+    )
+
+
+def for_each(value: Any, number: int, name: str) -> list[Any]:
+    """Return one value for each contact, from one for all or a sequence of them."""
+    if isinstance(value, Iterable) and not isinstance(value, (str, bytes)):
+        found = list(value)
+        if len(found) != number:
+            raise GraspError(f"{name} has {len(found)} values for {number} contacts")
+        return found
+    return [value] * number
+
+
+def unit_normals(directions: Iterable[Any], tolerance: Any) -> list[UnitNormal]:
+    """Return exactly unit vectors; errors name the contact."""
+    found = []
+    for i, direction in enumerate(directions):
+        try:
+            found.append(unit_normal(direction, tolerance))
+        except ValueError as error:
+            raise GraspError(f"normals[{i}]: {error}") from None
+    return found

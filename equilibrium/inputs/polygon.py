@@ -1,0 +1,182 @@
+"""Contacts on the boundary of a polygon, with normals from its edges."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from fractions import Fraction
+from typing import Any, NamedTuple
+
+from arrangement.exact import RationalVector, rational, rational_vector, sign
+from equilibrium.errors import GraspError
+
+from .conversion import DEFAULT_TOLERANCE, Conversion, assembled, for_each, unit_normals
+
+
+class OnEdge(NamedTuple):
+    """A place on a polygon: the point ``(1 - at) vertices[edge] + at vertices[edge + 1]``.
+
+    Attributes:
+        edge: 0 for the edge from vertex 0 to vertex 1.
+        at: from 0 to 1.
+    """
+
+    edge: int
+    at: Any
+
+
+def from_polygon(
+    vertices: Iterable[Iterable[Any]],
+    places: Iterable[OnEdge | Iterable[Any]],
+    friction: Any,
+    *,
+    stiffness: Any = 1,
+    preload: Any = 0,
+    angle_tolerance: Any = DEFAULT_TOLERANCE,
+) -> Conversion:
+    """Return contacts on a simple polygon; the object is its inside.
+
+    Args:
+        vertices: at least three corners in either orientation, exact (see `from_floats`).
+        places: for each contact an `OnEdge`, or its coordinates, which must lie exactly on the
+            boundary and not in a corner.
+        friction, stiffness, preload: one for all or one for each contact.
+        angle_tolerance: an edge whose length is no rational has no exactly unit rational normal;
+            the nearest simple one within this is taken and the error reported.
+
+    Raises:
+        GraspError: the polygon crosses or touches itself or has no area; a contact is off the
+            boundary, or in a corner and without an edge.
+
+    >>> triangle = [[0, 0], [4, 0], [0, 3]]
+    >>> from_polygon(triangle, [OnEdge(1, "1/2")], 1).grasp.contacts[0].normal
+    (Fraction(-3, 5), Fraction(-4, 5))
+    """
+    corners = [_corner(v, i) for i, v in enumerate(vertices)]
+    inside = orientation(corners)
+    found = [
+        _placed(corners, place, i) if isinstance(place, OnEdge) else _located(corners, place, i)
+        for i, place in enumerate(places)
+    ]
+    directions = []
+    for edge, _ in found:
+        along = _minus(corners[(edge + 1) % len(corners)], corners[edge])
+        directions.append((-inside * along[1], inside * along[0]))
+    values = _values(len(found), friction, stiffness, preload)
+    return assembled(
+        [(point, Fraction(0)) for _, point in found],
+        unit_normals(directions, angle_tolerance),
+        values,
+    )
+
+
+def orientation(corners: Sequence[RationalVector]) -> int:
+    """Return 1 for a counter-clockwise simple polygon, -1 for a clockwise one.
+
+    Raises:
+        GraspError: fewer than three corners, or the boundary meets itself.
+    """
+    n = len(corners)
+    if n < 3:
+        raise GraspError(f"a polygon has at least three corners; {n} are given")
+    for i in range(n):
+        for j in range(i + 1, n):
+            if _clash(corners, i, j):
+                raise GraspError(
+                    f"edges {i} and {j} of the polygon meet outside a common corner; "
+                    "list the corners of a simple polygon in order"
+                )
+    area = sum(_cross(a, b) for a, b in zip(corners, [*corners[1:], corners[0]], strict=True))
+    return sign(area)
+
+
+def _clash(corners: Sequence[RationalVector], i: int, j: int) -> bool:
+    """Return whether two edges, i < j, share more than the corner that neighbours share."""
+    n = len(corners)
+    a, b = corners[i], corners[(i + 1) % n]
+    c, d = corners[j], corners[(j + 1) % n]
+    if a == b or c == d:
+        return True
+    if j == i + 1 or (i == 0 and j == n - 1):
+        first, shared, last = (a, b, d) if j == i + 1 else (c, a, b)
+        back, ahead = _minus(first, shared), _minus(last, shared)
+        return _cross(back, ahead) == 0 and back[0] * ahead[0] + back[1] * ahead[1] > 0
+    return _segments_meet(a, b, c, d)
+
+
+def _segments_meet(
+    a: RationalVector, b: RationalVector, c: RationalVector, d: RationalVector
+) -> bool:
+    turns = [sign(_cross(_minus(q, p), _minus(r, p))) for p, q, r in (
+        (a, b, c), (a, b, d), (c, d, a), (c, d, b)
+    )]  # fmt: skip
+    if turns[0] * turns[1] < 0 and turns[2] * turns[3] < 0:
+        return True
+    return any(
+        turn == 0 and _parameter(p, q, r) is not None
+        for turn, (p, q, r) in zip(turns, ((a, b, c), (a, b, d), (c, d, a), (c, d, b)), strict=True)
+    )
+
+
+def _parameter(
+    start: RationalVector, end: RationalVector, point: RationalVector
+) -> Fraction | None:
+    """Return where a point lies on a segment, 0 to 1, or None."""
+    along, away = _minus(end, start), _minus(point, start)
+    if _cross(along, away) != 0:
+        return None
+    s = (along[0] * away[0] + along[1] * away[1]) / (along[0] ** 2 + along[1] ** 2)
+    return s if 0 <= s <= 1 else None
+
+
+def _located(
+    corners: Sequence[RationalVector], place: Iterable[Any], index: int
+) -> tuple[int, RationalVector]:
+    """Return the edge that a point lies on."""
+    point = rational_vector(place, f"places[{index}]")
+    if len(point) != 2:
+        raise GraspError(f"places[{index}] has {len(point)} coordinates; give two, or an OnEdge")
+    if point in corners:
+        raise GraspError(
+            f"places[{index}] is corner {corners.index(point)}, where two normals meet; "
+            "name the edge with OnEdge(edge, at)"
+        )
+    for edge, start in enumerate(corners):
+        if _parameter(start, corners[(edge + 1) % len(corners)], point) is not None:
+            return edge, point
+    raise GraspError(f"places[{index}] is not on the boundary; name the edge with OnEdge(edge, at)")
+
+
+def _placed(
+    corners: Sequence[RationalVector], place: OnEdge, index: int
+) -> tuple[int, RationalVector]:
+    """Return the point at a parameter of an edge."""
+    edge, s = place.edge, rational(place.at, f"places[{index}].at")
+    if type(edge) is not int or not 0 <= edge < len(corners):
+        raise GraspError(f"places[{index}].edge is {edge!r}; edges are 0 to {len(corners) - 1}")
+    if not 0 <= s <= 1:
+        raise GraspError(f"places[{index}].at is {s}; it must be from 0 to 1")
+    start, end = corners[edge], corners[(edge + 1) % len(corners)]
+    return edge, tuple(x + s * (y - x) for x, y in zip(start, end, strict=True))
+
+
+def _values(number: int, friction: Any, stiffness: Any, preload: Any) -> list[dict[str, Fraction]]:
+    columns = {
+        name: [rational(x, name) for x in for_each(given, number, name)]
+        for name, given in (("friction", friction), ("stiffness", stiffness), ("preload", preload))
+    }
+    return [{name: column[i] for name, column in columns.items()} for i in range(number)]
+
+
+def _corner(values: Iterable[Any], index: int) -> RationalVector:
+    corner = rational_vector(values, f"vertices[{index}]")
+    if len(corner) != 2:
+        raise GraspError(f"vertices[{index}] has {len(corner)} coordinates; give two")
+    return corner
+
+
+def _minus(a: RationalVector, b: RationalVector) -> RationalVector:
+    return (a[0] - b[0], a[1] - b[1])
+
+
+def _cross(a: RationalVector, b: RationalVector) -> Fraction:
+    return a[0] * b[1] - a[1] * b[0]
