@@ -9,6 +9,8 @@ from typing import TYPE_CHECKING, Any
 from arrangement import console
 from arrangement.exact import to_text
 
+from . import limits_cli
+
 if TYPE_CHECKING:
     from .pieces import Equilibrium
 
@@ -36,6 +38,7 @@ def _parser() -> console.Parser:
     commands = parser.add_subparsers(required=True, metavar="COMMAND")
     _add_solve(commands)
     _add_verify(commands)
+    limits_cli.add_commands(commands)
     return parser
 
 

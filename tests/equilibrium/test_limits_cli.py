@@ -1,0 +1,130 @@
+import json
+from fractions import Fraction
+
+import pytest
+
+from equilibrium.cli import main
+
+THREE = "paper-three-contacts-preload-1"
+
+
+def answer(capsys, *argv):
+    code = main([*argv, "--json"])
+    return code, json.loads(capsys.readouterr().out)
+
+
+def test_limit_prints_the_agreed_document(capsys):
+    assert answer(capsys, "limit", THREE, "--direction", "0", "1", "0") == (
+        0,
+        {"intervals": [["0", "1"]]},
+    )
+    assert answer(capsys, "limit", THREE, "--direction", "0", "-1/2", "0") == (
+        0,
+        {"intervals": [["0", None]]},
+    )
+
+
+def test_limit_of_nothing_exits_with_one(capsys):
+    arguments = ("--direction", "0", "1", "0", "--base", "0", "1", "0", "--preload", "0")
+    assert answer(capsys, "limit", THREE, *arguments) == (1, {"intervals": []})
+
+
+@pytest.mark.parametrize(
+    "arguments",
+    [
+        ("limit", THREE, "--direction", "0", "0", "0"),
+        ("limit", THREE, "--direction", "0", "1"),
+        ("limit", THREE, "--direction", "0", "1e5", "0"),
+        ("limit", THREE),
+        ("limit", "no-such-grasp", "--direction", "0", "1", "0"),
+        ("region", THREE, "--second", "2", "0", "0"),
+        ("map", THREE, "--directions", "0"),
+        ("margin", THREE, "--wrench", "0", "1", "0", "--width", "0"),
+    ],
+)
+def test_bad_input_exits_with_two(capsys, arguments):
+    try:
+        code = main(arguments)
+    except SystemExit as stop:
+        code = stop.code
+    output = capsys.readouterr()
+    assert code == 2
+    assert "error:" in output.err
+    assert output.out == ""
+
+
+def test_region_as_json(capsys):
+    code, region = answer(capsys, "region", "paper-three-contacts")
+    assert code == 0
+    assert region["plane"]["spans"] == [["1", "0", "0"], ["0", "1", "0"]]
+    assert region["outline"]["border"] == [{"start": None, "end": None, "direction": ["-1", "0"]}]
+    assert {"states", "points", "rays", "lines"} <= set(region["polygons"][0])
+
+
+def test_the_figure_has_three_parts(capsys):
+    """[HaasHeger2018], the three-part figure: the upper ends of the parts at w_x = 0."""
+    code, data = answer(capsys, "figure", "paper-three-contacts")
+    assert code == 0
+    assert set(data) == {"grasp_wrench_space", "no_preload", "preload_1"}
+    # Normal forces that sum to 1: contacts 1 and 3 hold w_y = 1/2 with friction 1/2, contact 2
+    # holds w_y = -1.
+    corners = data["grasp_wrench_space"]["corners"]
+    assert ["0", "1/2"] in corners
+    assert ["0", "-1"] in corners
+    ends = [s[end] for s in data["preload_1"]["outline"]["border"] for end in ("start", "end")]
+    assert ["0", "1"] in ends
+
+
+def test_margin_and_its_remedies(capsys):
+    code, found = answer(capsys, "margin", THREE, "--wrench", "0", "2", "0")
+    assert code == 1
+    assert found["nearest"] == "1/2"
+    assert found["preload"]["least"] == "2"
+    assert found["friction"]["high"] == "1"
+
+
+def test_map_says_where_it_errs(capsys, tmp_path):
+    code, found = answer(capsys, "map", THREE, "--directions", "4")
+    assert (code, found["disagreements"]) == (0, 0)
+    _, gaps = answer(capsys, "gaps", "--seed", "29", "--tries", "12")
+    path = tmp_path / "gap.json"
+    path.write_text(json.dumps(gaps["gaps"][0]["grasp"]))
+    code, found = answer(capsys, "map", str(path), "--directions", "4")
+    assert code == 1
+    assert found["disagreements"] > 0
+
+
+@pytest.mark.parametrize(
+    "arguments",
+    [
+        ("limit", THREE, "--direction", "0", "-1", "0"),
+        ("region", THREE),
+        ("polyhedra", THREE),
+        ("margin", THREE, "--wrench", "0", "1", "0"),
+        ("map", THREE, "--directions", "4"),
+        ("figure", THREE),
+        ("gaps", "--tries", "12"),
+    ],
+)
+def test_every_command_prints_for_people_too(capsys, arguments):
+    assert main(arguments) == 0
+    assert capsys.readouterr().out.strip()
+
+
+def test_polyhedra_hold_the_known_wrenches(capsys):
+    _, document = answer(capsys, "polyhedra", THREE)
+
+    def holds(wrench):
+        point = [*map(Fraction, wrench), 1]
+        return any(
+            all(_dot(row, point) >= 0 for row in piece["inequalities"])
+            and all(_dot(row, point) == 0 for row in piece["equalities"])
+            for piece in document["polyhedra"]
+        )
+
+    assert holds((0, 1, 0))
+    assert not holds((0, "11/10", 0))
+
+
+def _dot(row, point):
+    return sum(Fraction(a) * b for a, b in zip(row, point, strict=True))
