@@ -32,7 +32,7 @@ def sphere(normals: list[tuple[int, ...]]) -> SphereArrangement:
         pytest.param(COORDINATES, 6, 12, 8, id="octants"),
         # Coxeter arrangements: the order of the group is the number of regions [Humphreys1990]
         pytest.param(A3, 14, 36, 24, id="A3, 4! regions"),
-        pytest.param(B3, 26, 72, 48, id="B3, 2^3 3! regions; CGAL 5.5 one by one gives 24"),
+        pytest.param(B3, 26, 72, 48, id="B3, 2^3 3! regions; CGAL 5.5 one by one gives fewer"),
         # m(m-1) rays, 2m(m-1) facets, m^2-m+2 regions in general position
         pytest.param(GENERIC, 42, 84, 44, id="seven generic planes"),
         pytest.param(NEAR_PENCIL, 12, 30, 20, id="near-pencil: 4(m-1) regions"),

@@ -6,10 +6,9 @@ import json
 import shutil
 import subprocess
 import sys
+from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
-
-from job import random_normals
 
 HERE = Path(__file__).resolve().parent
 ROOT = HERE.parents[1]
@@ -90,13 +89,12 @@ def build_cgal() -> str:
     return "libcgal-dev is not installed" if done.returncode else ""
 
 
-def cgal(mode: str, planes: int, timeout: float = 900) -> Measured:
-    """Run the CGAL program in one of its modes; the count is its number of faces."""
+def cgal(mode: str, rows: Sequence[Sequence[int]], timeout: float = 900) -> Measured:
+    """Run the CGAL program on normals in one of its modes; the count is its number of faces."""
     absent = build_cgal()
     if absent:
         return Measured(absent=absent)
-    rows = random_normals(planes)
-    text = "\n".join([str(planes), *(" ".join(map(str, row)) for row in rows)])
+    text = "\n".join([str(len(rows)), *(" ".join(map(str, row)) for row in rows)])
     try:
         done = subprocess.run(
             [str(BUILD / "cgal_arrangement"), mode],
