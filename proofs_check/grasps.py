@@ -4,8 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
 from fractions import Fraction
+from functools import lru_cache
 from itertools import combinations, product
 
+from arrangement.planes import Arrangement
+from arrangement.published import published_enumeration
 from equilibrium.grasp import Grasp
 
 from . import printed
@@ -13,8 +16,9 @@ from .claim import Case
 from .fouriermotzkin import Row
 from .oracle import Question
 
-#: Unit normals along the axes, and one of the smallest that is not.
+#: Unit normals along the axes.
 AXES = ((1, 0), (0, 1), (-1, 0), (0, -1))
+_SLIP = {1: "slip+", -1: "slip-", 0: "stick"}
 
 
 def paper_question(
@@ -33,6 +37,31 @@ def grasp_of(question: Question) -> Grasp:
     document = dict(question.to_dict())
     del document["wrench"]
     return Grasp.from_dict(document)
+
+
+def listed_states(
+    grasp: Grasp, *, detachment: bool, all_stick: bool
+) -> tuple[tuple[str, ...], ...]:
+    """Return the slip states of the published Steps 1 to 3, coincident planes merged.
+
+    Args:
+        grasp: its tangential planes are enumerated.
+        detachment: let any of the contacts be detached instead.
+        all_stick: add the state in which every contact sticks, if the steps leave it out.
+    """
+    signs = _published(grasp.tangential_arrangement())
+    slips = [tuple(_SLIP[s] for s in state) for state in signs]
+    if all_stick:
+        slips.append(("stick",) * len(grasp))
+    if detachment:
+        choices = (product(*((state, "detached") for state in states)) for states in slips)
+        slips = [states for chosen in choices for states in chosen]
+    return tuple(dict.fromkeys(slips))
+
+
+@lru_cache(maxsize=256)
+def _published(planes: Arrangement) -> tuple[tuple[int, ...], ...]:
+    return published_enumeration(planes, merge=True).distinct_states
 
 
 def grasp_case(question: Question, label: str = "") -> Case:

@@ -106,7 +106,8 @@ def stable(
 ) -> bool:
     """Return whether some choice of states (all, or the given ones) has a solution."""
     listed = all_states(question, reading) if states is None else states
-    return any(project(*system(question, s, reading), keep=-1) is not None for s in listed)
+    systems = Systems(question, reading)
+    return any(project(*systems.rows(chosen), keep=-1) is not None for chosen in listed)
 
 
 def all_states(question: Question, reading: Reading = MODEL) -> Iterable[tuple[str, ...]]:
@@ -141,8 +142,9 @@ def violations(
 def resistible(question: Question, reading: Reading = MODEL) -> tuple[Interval, ...]:
     """Return all factors t for which the grasp holds t times the wrench, as closed intervals."""
     found = []
+    systems = Systems(question, reading, scaled=True)
     for states in all_states(question, reading):
-        equalities, inequalities = system(question, states, reading, scaled=True)
+        equalities, inequalities = systems.rows(states)
         kept = 3 + len(question.contacts)
         rows = project(equalities, inequalities, kept)
         interval = None if rows is None else _interval(rows, kept)
@@ -155,8 +157,9 @@ def normal_forces(question: Question) -> tuple[tuple[Interval, ...], ...]:
     """Return for every contact all normal forces that occur in equilibria, as closed intervals."""
     m = len(question.contacts)
     found: list[list[Interval]] = [[] for _ in range(m)]
+    systems = Systems(question)
     for states in all_states(question):
-        equalities, inequalities = system(question, states)
+        equalities, inequalities = systems.rows(states)
         if project(equalities, inequalities, keep=-1) is None:
             continue
         rows = [(*row[:-1], Fraction(0), row[-1]) for row in inequalities]
@@ -171,36 +174,55 @@ def normal_forces(question: Question) -> tuple[tuple[Interval, ...], ...]:
     return tuple(united(intervals) for intervals in found)
 
 
-def system(
-    question: Question, states: Sequence[str], reading: Reading = MODEL, *, scaled: bool = False
-) -> tuple[list[Row], list[Row]]:
-    """Return equalities and inequalities (``>= 0``) in the motion and the tangential forces.
+@dataclass(frozen=True)
+class _Part:
+    """What one contact in one state adds to a system: conditions, and its three force rows."""
 
-    With `scaled` there is one more variable t, after these, and the wrench is t times the given.
+    equality: Row
+    inequalities: tuple[Row, ...]
+    force: tuple[Row, ...]
+
+
+class Systems:
+    """The linear systems of one question, for every choice of states.
+
+    The variables are the motion, then the tangential force of each contact. With `scaled` there
+    is one more, t, after these, and the wrench is t times the given one.
     """
-    m = len(question.contacts)
-    size = 3 + m + int(scaled) + 1
-    balance = [[Fraction(0)] * size for _ in range(3)]
-    equalities: list[Row] = []
-    inequalities: list[Row] = []
-    for i, (touch, state) in enumerate(zip(question.touches, states, strict=True)):
-        normal = _spring(touch, reading, size)
-        tangential = _unit(3 + i, size)
-        slip = (*touch.tangential, *[Fraction(0)] * (size - 3))
-        if state == "detached":
-            equalities.append(tangential)
-            inequalities.append(_times(normal, -1))
-            continue
-        inequalities.append(normal)
-        equal, bounds = _friction(state, normal, tangential, slip, touch.friction, reading)
-        equalities.append(equal)
-        inequalities += bounds
+
+    def __init__(self, question: Question, reading: Reading = MODEL, *, scaled: bool = False):
+        self.size = 3 + len(question.contacts) + int(scaled) + 1
+        place = -2 if scaled else -1
+        self.wrench = [_times(_unit(place % self.size, self.size), x) for x in question.wrench]
+        self.parts = [
+            {state: self._part(i, touch, state, reading) for state in reading.states}
+            for i, touch in enumerate(question.touches)
+        ]
+
+    def rows(self, states: Sequence[str]) -> tuple[list[Row], list[Row]]:
+        """Return equalities, those of the contacts first, and inequalities (``>= 0``)."""
+        chosen = [parts[state] for parts, state in zip(self.parts, states, strict=True)]
+        equalities = [part.equality for part in chosen]
         for j in range(3):
-            force = _plus(_times(normal, touch.normal[j]), _times(tangential, touch.tangential[j]))
-            balance[j] = list(_plus(balance[j], force))
-    for j in range(3):
-        balance[j][-2 if scaled else -1] += question.wrench[j]
-    return [*equalities, *map(tuple, balance)], inequalities
+            total = self.wrench[j]
+            for part in chosen:
+                if part.force:
+                    total = _plus(total, part.force[j])
+            equalities.append(total)
+        return equalities, [row for part in chosen for row in part.inequalities]
+
+    def _part(self, i: int, touch: Touch, state: str, reading: Reading) -> _Part:
+        normal = _spring(touch, reading, self.size)
+        tangential = _unit(3 + i, self.size)
+        if state == "detached":
+            return _Part(tangential, (_times(normal, -1),), ())
+        slip = (*touch.tangential, *[Fraction(0)] * (self.size - 3))
+        equality, bounds = _friction(state, normal, tangential, slip, touch.friction, reading)
+        force = tuple(
+            _plus(_times(normal, touch.normal[j]), _times(tangential, touch.tangential[j]))
+            for j in range(3)
+        )
+        return _Part(equality, (normal, *bounds), force)
 
 
 def _friction(

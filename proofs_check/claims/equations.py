@@ -8,26 +8,31 @@ printed, alone or together.
 from __future__ import annotations
 
 import random
-from collections.abc import Callable, Iterator
-from dataclasses import replace
+from collections.abc import Callable, Collection, Iterable, Iterator
 from fractions import Fraction
 from functools import partial
 from typing import Any
 
+from equilibrium.literal import solve_literal
 from equilibrium.passive import solve
-from proofs_check import oracle, printed, programs
+from proofs_check import oracle, printed
 from proofs_check.claim import Case, Claim, Kind, Route, Verdict
-from proofs_check.grasps import grasp_of, paper_question, smallest_questions
-from proofs_check.oracle import MODEL, Interval, Question, Reading
+from proofs_check.grasps import grasp_of, listed_states, paper_question, smallest_questions
+from proofs_check.oracle import Interval, Question, Reading
 
-#: The four deviations, each as the reading in which it alone is taken as printed.
-DEVIATIONS = {
-    "detachment": replace(MODEL, detachment=False),
-    "preload": replace(MODEL, preload=False),
-    "signs": replace(MODEL, friction_opposes=False),
-}
-AS_PRINTED = Reading(detachment=False, preload=False, friction_opposes=False)
+#: The deviations of the printed equations, by the names of `equilibrium.literal`.
+DEVIATIONS = ("detachment", "preload", "signs")
 WRENCHES = ((0, 0, 0), (0, -1, 0), (0, 1, 0), (-1, 0, 0), (1, 0, 0), (0, 0, 1), (0, 0, -1))
+
+
+def _reading(options: Collection[str]) -> Reading:
+    """Return the model with the named points taken as printed."""
+    return Reading(
+        detachment="detachment" not in options,
+        preload="preload" not in options,
+        friction_opposes="signs" not in options,
+        cell_check="cell-check" not in options,
+    )
 
 
 def _table_cases(_rng: random.Random) -> Iterator[Case]:
@@ -61,19 +66,15 @@ def _by_oracle(reading: Reading, question: Question) -> str:
     return _word(oracle.stable(question, reading))
 
 
-def _by_programs(reading: Reading, question: Question) -> str:
-    grasp = grasp_of(question)
-    states = programs.listed_states(grasp, detachment=reading.detachment, all_stick=True)
-    return _word(programs.stable(grasp, question.wrench, reading, states))
+def _by_literal(options: frozenset[str], question: Question) -> str:
+    return _word(solve_literal(grasp_of(question), question.wrench, options).stable)
 
 
-def _routes(reading: Reading) -> tuple[Route, Route]:
+def _routes(options: Iterable[str]) -> tuple[Route, Route]:
+    chosen = frozenset(options)
     return (
-        Route("elimination over all choices of states", partial(_by_oracle, reading)),
-        Route(
-            "linear programs in 3 + 2m unknowns over the rigid states",
-            partial(_by_programs, reading),
-        ),
+        Route("elimination over all choices of states", partial(_by_oracle, _reading(chosen))),
+        Route("the solver's literal reading", partial(_by_literal, chosen)),
     )
 
 
@@ -82,48 +83,57 @@ def _explain_printed(question: Question, value: str) -> str:
         return ""
     alone = [
         name
-        for name, reading in DEVIATIONS.items()
-        if _by_oracle(reading, question) != _printed_verdict(question)
+        for name in DEVIATIONS
+        if _by_oracle(_reading([name]), question) != _printed_verdict(question)
     ]
     return f"enough alone: {', '.join(alone)}" if alone else "only several together do this"
 
 
-def _printed_claim(name: str, locator: str, what: str, reading: Reading, meaning: str) -> Claim:
+def _printed_claim(
+    name: str, locator: str, what: str, options: Collection[str], meaning: str
+) -> Claim:
     return Claim(
         id=f"printed-{name}",
         locator=locator,
         statement=f"{what}, the verdicts of both result tables come out.",
         quantity="verdict",
-        routes=_routes(reading),
+        routes=_routes(options),
         cases=_table_cases,
         judge=lambda question, value: value == _printed_verdict(question),
         kind=Kind.EXHAUSTIVE,
         over="the 17 questions of the two tables",
         expected=Verdict.REFUTED,
-        explain=_explain_printed if reading == AS_PRINTED else None,
+        explain=_explain_printed if len(options) > 1 else None,
         meaning=meaning,
-        rows=reading == AS_PRINTED,
+        rows=len(options) > 1,
     )
 
 
 Pair = tuple[str, str]
 
 
-def _algorithm_pair(reading: Reading, all_stick: bool, by_solver: bool, question: Question) -> Pair:
-    """The verdict of Algorithm 2 over its list of states, and the verdict of the model."""
+def _pair_by_oracle(options: Collection[str], question: Question) -> Pair:
+    """The verdict of Algorithm 2 over the states of Steps 1 to 3, and that of the model."""
+    states = listed_states(
+        grasp_of(question),
+        detachment="detachment" not in options,
+        all_stick="all-stick" not in options,
+    )
+    found = oracle.stable(question, _reading(options), states)
+    return _word(found), _word(oracle.stable(question))
+
+
+def _pair_by_solver(options: Collection[str], question: Question) -> Pair:
     grasp = grasp_of(question)
-    states = programs.listed_states(grasp, detachment=reading.detachment, all_stick=all_stick)
-    if by_solver:
-        found = programs.stable(grasp, question.wrench, reading, states)
-        return _word(found), _word(solve(grasp, question.wrench).stable)
-    return _word(oracle.stable(question, reading, states)), _word(oracle.stable(question))
+    found = solve_literal(grasp, question.wrench, options)
+    return _word(found.stable), _word(solve(grasp, question.wrench).stable)
 
 
-def _algorithm_routes(reading: Reading, all_stick: bool) -> tuple[Route, Route]:
-    def route(name: str, by_solver: bool) -> Route:
-        return Route(name, partial(_algorithm_pair, reading, all_stick, by_solver))
-
-    return route("elimination", False), route("linear programs, and the solver", True)
+def _algorithm_routes(*options: str) -> tuple[Route, Route]:
+    return (
+        Route("elimination over the states of Steps 1 to 3", partial(_pair_by_oracle, options)),
+        Route("the solver and its literal reading", partial(_pair_by_solver, options)),
+    )
 
 
 def _normal_forces_solved(question: Question) -> tuple[tuple[Interval, ...], ...]:
@@ -144,7 +154,7 @@ def _counted(case: tuple[int, int]) -> int:
     m, slipping = case
     states = ("slip+",) * slipping + ("stick",) * (m - slipping)
     question = paper_question([(i, 0, 0, 1) for i in range(m)], [Fraction(0)] * 3, 1)
-    equalities, _ = oracle.system(question, states)
+    equalities, _ = oracle.Systems(question).rows(states)
     return len(equalities) + m  # the oracle has put the m spring equations in already
 
 
@@ -169,14 +179,14 @@ CLAIMS = (
         "equations",
         "Eqs. 1-7",
         "With the equations as printed (no detachment, no preload term, printed signs)",
-        AS_PRINTED,
+        DEVIATIONS,
         "The tables were computed with other equations than the printed ones.",
     ),
     _printed_claim(
         "detachment",
         "Eqs. 2 and 4",
         "With the spring equation as an equality, so that no contact can let go",
-        DEVIATIONS["detachment"],
+        ["detachment"],
         "The four-contact grasp turns under (0, 0, +-3) and two contacts let go; the printed "
         "equations forbid that.",
     ),
@@ -184,14 +194,14 @@ CLAIMS = (
         "preload",
         "Eq. 4",
         "With no preload term in the spring equation",
-        DEVIATIONS["preload"],
+        ["preload"],
         "Both tables use a preload that no printed equation has.",
     ),
     _printed_claim(
         "signs",
         "Eqs. 1, 4 and 6",
         "With the signs of balance, springs and friction taken together in one frame",
-        DEVIATIONS["signs"],
+        ["signs"],
         "Eqs. 1 and 4 agree when normals point outwards; then Eq. 6 has friction act along the "
         "motion of the table's rows.",
     ),
@@ -218,9 +228,9 @@ CLAIMS = (
         id="algorithm-2-sound",
         locator="Algorithm 2",
         statement="A grasp that Algorithm 2 calls stable has an equilibrium.",
-        hypotheses=("equations corrected", "all-stick state added", "no check of the cell"),
+        hypotheses=("preload term and signs corrected", "all-stick state added"),
         quantity="(verdict of Algorithm 2, verdict of the model)",
-        routes=_algorithm_routes(replace(MODEL, cell_check=False), all_stick=True),
+        routes=_algorithm_routes("cell-check", "detachment"),
         cases=_table_cases,
         judge=lambda question, pair: pair != ("Yes", "No"),
         kind=Kind.EXHAUSTIVE,
@@ -231,13 +241,29 @@ CLAIMS = (
         "then friction may push the object along.",
     ),
     Claim(
+        id="algorithm-2-complete",
+        locator="Algorithm 2; Section V-B",
+        statement="If Algorithm 2 finds no solution, the grasp has no equilibrium.",
+        hypotheses=("preload term and signs corrected", "all-stick state added"),
+        quantity="(verdict of Algorithm 2, verdict of the model)",
+        routes=_algorithm_routes("cell-check", "detachment"),
+        cases=_table_cases,
+        judge=lambda question, pair: pair != ("No", "Yes"),
+        kind=Kind.EXHAUSTIVE,
+        over="the 17 questions of the two tables",
+        expected=Verdict.REFUTED,
+        search=_search(range(1, 3)),
+        meaning="Relative to its own equations the algorithm is complete; relative to contacts "
+        "that can let go it is not.",
+    ),
+    Claim(
         id="all-stick-listed",
         locator="Algorithm 2; Section IV-B",
         statement="The states that Steps 1 to 3 list are enough: if a grasp has an equilibrium, "
         "one is found in a listed state.",
         hypotheses=("equations corrected", "cell checked", "coincident planes merged"),
         quantity="(verdict over the listed states, verdict of the model)",
-        routes=_algorithm_routes(MODEL, all_stick=False),
+        routes=_algorithm_routes("all-stick"),
         cases=_table_cases,
         judge=lambda question, pair: pair[0] == pair[1],
         kind=Kind.EXHAUSTIVE,
