@@ -7,16 +7,14 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
-from fractions import Fraction
 from typing import Any
+
+from arrangement.exact import rational
 
 _RADIUS = 90.0
 _BOX = 200
 _STEPS = 48
-_OPEN = (
-    f'<svg viewBox="0 0 {_BOX} {_BOX}" '
-    f'width="{_BOX}" height="{_BOX}" role="img" aria-label='
-)
+_OPEN = f'<svg viewBox="0 0 {_BOX} {_BOX}" width="{_BOX}" height="{_BOX}" role="img" aria-label='
 
 
 def picture(document: Mapping[str, Any] | None) -> str:
@@ -88,7 +86,7 @@ def _grasp(contacts: Sequence[Mapping[str, Any]]) -> str:
 
 def _number(text: Any) -> float:
     """Return a float near an exact number of any size, scaled into the range of floats."""
-    value = Fraction(text)
+    value = rational(text)
     try:
         return float(value)
     except OverflowError:

@@ -1,0 +1,137 @@
+"""The commands of sweeps: sweep, status, merge, and report (of stores and of records)."""
+
+from __future__ import annotations
+
+import argparse
+from pathlib import Path
+from typing import Any
+
+from arrangement import console
+from arrangement.errors import InputError
+from arrangement.files import read_document, write_text_atomically
+
+from . import pages, store, sweepreport
+from .progress import Bar, duration
+from .sweep import Plan, merge, plan_sweep, sweep
+
+#: A record of all claims with every case is large; a limit there is nevertheless.
+MAX_RECORD_BYTES = 256 * 2**20
+_SQLITE = b"SQLite format 3\x00"
+
+
+def run_sweep(arguments: argparse.Namespace) -> int:
+    """Do what is left of a sweep, then say what it found."""
+    plan = plan_sweep(
+        arguments.claim, arguments.planes, arguments.samples, arguments.seed, arguments.chunk
+    )
+    bar = _ChunkBar(plan)
+    try:
+        sweep(
+            plan,
+            arguments.store,
+            jobs=arguments.jobs,
+            shard=arguments.shard,
+            dask=arguments.dask,
+            progress=bar.update,
+        )
+    finally:
+        bar.close()
+    with store.read(arguments.store) as opened:
+        record = sweepreport.record(opened)
+    if arguments.json:
+        console.print_json(record)
+    else:
+        print(_summary(record))
+    return console.YES if record["as_expected"] else console.NO
+
+
+class _ChunkBar:
+    """Progress in instances, of a sweep that counts in chunks."""
+
+    def __init__(self, plan: Plan) -> None:
+        self._plan = plan
+        self._bar: Bar | None = None
+
+    def update(self, done: int, due: int) -> None:
+        size = self._plan.chunk
+        if self._bar is None:
+            self._bar = Bar(due * size, "samples", done * size)
+        self._bar.update(done * size)
+
+    def close(self) -> None:
+        if self._bar is not None:
+            self._bar.close()
+
+
+def _summary(record: dict[str, Any]) -> str:
+    (result,) = record["results"]
+    lines = [f"{result['id']} ({result['locator']}): {pages.verdict(result)}"]
+    lines += [f"  {part}" for part in result["evidence"].split("; ")]
+    return "\n".join(lines)
+
+
+def run_status(arguments: argparse.Namespace) -> int:
+    """Say how far a sweep is; exit code 0 when it is complete."""
+    with store.read(arguments.store) as opened:
+        found = sweepreport.status(opened)
+    if arguments.json:
+        console.print_json(found)
+        return console.YES if found["complete"] else console.NO
+    outcomes = ", ".join(f"{kind} {number}" for kind, number in found["outcomes"].items())
+    print(f"claim    {found['claim']}")
+    print(f"chunks   {found['chunks']} of {found['chunks_due']}")
+    print(f"samples  {found['samples']} of {found['samples_due']}: {outcomes}")
+    print(f"work     {duration(found['milliseconds'] / 1000)} of one process")
+    return console.YES if found["complete"] else console.NO
+
+
+def run_merge(arguments: argparse.Namespace) -> int:
+    """Put the chunks of several stores into one."""
+    new = merge(arguments.store, arguments.parts)
+    with store.read(arguments.store) as opened:
+        found = sweepreport.status(opened)
+    if arguments.json:
+        console.print_json({"new": new, **found})
+    else:
+        print(f"{new} new chunks; {found['chunks']} of {found['chunks_due']} are there")
+    return console.YES
+
+
+def run_report(arguments: argparse.Namespace) -> int:
+    """Make a report from the store of a sweep or from a JSON record of a run."""
+    record = _read(arguments.source)
+    ending = Path(arguments.output).suffix if arguments.output else ".md"
+    text = _made(pages.form(ending), record, arguments.source)
+    if arguments.output:
+        write_text_atomically(arguments.output, text)
+    if arguments.json:
+        console.print_json(record)
+    elif not arguments.output:
+        print(text, end="")
+    return console.YES if record["as_expected"] is True else console.NO
+
+
+def _read(source: str) -> dict[str, Any]:
+    """Return the record of a store, or the one in a JSON file."""
+    try:
+        with Path(source).open("rb") as stream:
+            is_store = stream.read(len(_SQLITE)) == _SQLITE
+    except OSError:
+        is_store = False
+    if is_store:
+        with store.read(source) as opened:
+            return sweepreport.record(opened)
+    return read_document(source, ("results",), max_bytes=MAX_RECORD_BYTES)
+
+
+def _made(make: Any, record: dict[str, Any], source: str) -> str:
+    try:
+        text: str = make(record)
+        _ = record["as_expected"]
+    except InputError:
+        raise
+    except (AttributeError, IndexError, KeyError, TypeError, ValueError, RecursionError):
+        raise InputError(
+            f"{source} is no complete record; proofs-check run --report FILE.json writes one"
+        ) from None
+    return text
