@@ -104,9 +104,16 @@ def equilibrium_of(system: StateSystem, outcome: Point | Continuum) -> Equilibri
 
 
 def maximal(pieces: Sequence[Equilibrium]) -> tuple[Equilibrium, ...]:
-    """Return the pieces that lie in no other one; of equal pieces the first."""
+    """Return the pieces that lie in no other one.
+
+    Of equal pieces the one with most detached, then most sticking contacts stays: for a single
+    point these are the states of its own motion, and the others are on their boundary.
+    """
+    specific = sorted(
+        pieces, key=lambda piece: (-piece.states.count("detached"), -piece.states.count("stick"))
+    )
     kept: list[Equilibrium] = []
-    for piece in pieces:
+    for piece in specific:
         if any(piece.within(other) for other in kept):
             continue
         kept = [other for other in kept if not other.within(piece)]
