@@ -20,7 +20,7 @@ from .crossings import Crossings, sort_crossings
 from .incidence import Incidence, Indices
 from .predicates import Integers, integer_array
 from .signs import PackedSigns, SignPacker
-from .tracing import build_incidence
+from .tracing import CHUNK, build_incidence, chunks
 
 SignVector: TypeAlias = tuple[int, ...]
 
@@ -220,15 +220,16 @@ def sphere_arrangement(arrangement: Arrangement) -> SphereArrangement:
 
 def _rays(normals: Integers, incidence: Incidence) -> Integers:
     """Return a direction for each vertex: the first circle of a line turns into the second."""
-    first = incidence.line_offsets[:-1]
-    left, right = (
-        normals[incidence.slot_circle[incidence.line_slots[first + place]]] for place in (0, 1)
-    )
-    rays = np.empty((2 * len(first), 3), normals.dtype)
-    positive = rays[: len(first)]
-    for k, (i, j) in enumerate(((1, 2), (2, 0), (0, 1))):
-        positive[:, k] = left[:, i] * right[:, j] - left[:, j] * right[:, i]
-    np.negative(positive, out=rays[len(first) :])
+    lines = incidence.vertex_count // 2
+    rays = np.empty((2 * lines, 3), normals.dtype)
+    for part in chunks(lines, CHUNK):
+        first = incidence.line_offsets[part]
+        left, right = (
+            normals[incidence.slot_circle[incidence.line_slots[first + place]]] for place in (0, 1)
+        )
+        for k, (i, j) in enumerate(((1, 2), (2, 0), (0, 1))):
+            rays[part, k] = left[:, i] * right[:, j] - left[:, j] * right[:, i]
+    np.negative(rays[:lines], out=rays[lines:])
     return rays
 
 

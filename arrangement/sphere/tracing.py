@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass
+from typing import TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
@@ -15,6 +16,7 @@ from .incidence import Incidence, Indices
 CHUNK = 1 << 16
 
 _ONE = np.int32(1)
+_Flags: TypeAlias = NDArray[np.bool_]
 
 
 def build_incidence(crossings: Crossings) -> Incidence:
@@ -28,13 +30,12 @@ def build_incidence(crossings: Crossings) -> Incidence:
     circle_offsets, slot_line, rank, multiplicity = _lines(crossings)
     line_offsets = np.zeros(len(multiplicity) + 1, np.int32)
     np.cumsum(multiplicity, out=line_offsets[1:])
-    line_slots = np.empty(len(slot_line), np.int32)
-    line_slots[line_offsets[slot_line] + rank] = np.arange(len(slot_line), dtype=np.int32)
+    ring = _Ring.of(slot_line, rank, multiplicity, line_offsets)
     ends = _Ends.of(circle_offsets)
-    ring = _Ring.of(rank, multiplicity[slot_line], line_offsets[slot_line], line_slots)
     origin = _origin(ends, slot_line, len(multiplicity))
-    following = _next(ends, ring)
-    leader, region = _regions(ends, ring, following)
+    following, leads = _next(ends, ring)
+    leader, region = _regions(following, leads)
+    line_slots = ring.line_slots
     return Incidence(
         circle_offsets, slot_line, line_offsets, line_slots, origin, following, region, leader
     )
@@ -64,7 +65,7 @@ def _lines(crossings: Crossings) -> tuple[Indices, Indices, Indices, Indices]:
     multiplicity: list[Indices] = []
     table = np.empty((count, count), np.int32)
     lines = 0
-    for rows in _chunks(count, max(1, CHUNK // width)):
+    for rows in chunks(count, max(1, CHUNK // width)):
         slots = slice(*circle_offsets[[rows.start, rows.stop]].tolist())
         numbers, rank[slots], sizes = _lines_of_rows(crossings, rows, table, lines)
         slot_line[slots] = numbers
@@ -120,26 +121,40 @@ class _Ends:
 
 @dataclass(frozen=True, slots=True)
 class _Ring:
-    """For each slot: its neighbours in the ring of its line, and whether it is first or last."""
+    """The rings of slots around the lines: rank and size for each slot, and all in ring order."""
 
-    before: Indices
-    after: Indices
-    first: NDArray[np.bool_]
-    last: NDArray[np.bool_]
+    rank: Indices
+    size: Indices
+    place: Indices
+    line_slots: Indices
 
     @classmethod
-    def of(cls, rank: Indices, size: Indices, start: Indices, line_slots: Indices) -> _Ring:
+    def of(
+        cls, slot_line: Indices, rank: Indices, multiplicity: Indices, line_offsets: Indices
+    ) -> _Ring:
+        size, place = np.empty_like(rank), np.empty_like(rank)
+        line_slots = np.empty_like(rank)
+        for slots in chunks(len(rank), CHUNK):
+            lines = slot_line[slots]
+            size[slots] = multiplicity[lines]
+            place[slots] = line_offsets[lines] + rank[slots]
+            line_slots[place[slots]] = np.arange(slots.start, slots.stop, dtype=np.int32)
+        return cls(rank, size, place, line_slots)
+
+    def around(self, slots: slice) -> tuple[_Flags, Indices, _Flags, Indices]:
+        """Return which slots are first, the slots before them, which are last, those after."""
+        rank, size, place = self.rank[slots], self.size[slots], self.place[slots]
         first, last = rank == 0, rank == size - _ONE
-        before = line_slots[start + np.where(first, size, rank) - _ONE]
-        after = line_slots[start + np.where(last, -1, rank) + _ONE]
-        return cls(before, after, first, last)
+        before = self.line_slots[place + np.where(first, size, 0) - _ONE]
+        after = self.line_slots[place - np.where(last, size, 0) + _ONE]
+        return first, before, last, after
 
 
 def _origin(ends: _Ends, slot_line: Indices, lines: int) -> Indices:
     """Return the start of every half-edge: forward ones leave a crossing, their twins enter it."""
     origin = np.empty(4 * len(slot_line), np.int32)
     forward, backward = origin[0::2], origin[1::2]
-    for slots in _chunks(len(slot_line), CHUNK):
+    for slots in chunks(len(slot_line), CHUNK):
         here, there = slot_line[slots], slot_line[slots] + np.int32(lines)
         forward[ends.leaving[slots]] = here
         backward[ends.entering[slots]] = here
@@ -148,43 +163,43 @@ def _origin(ends: _Ends, slot_line: Indices, lines: int) -> Indices:
     return origin
 
 
-def _next(ends: _Ends, ring: _Ring) -> Indices:
-    """Return the successor of every half-edge: the one just clockwise of its twin.
+def _next(ends: _Ends, ring: _Ring) -> tuple[Indices, _Flags]:
+    """Return the successor of every half-edge, and which arcs lead a region (see `_regions`).
 
-    From a positive vertex with the ring ``g_0 .. g_(r-1)`` the half-edges leave counterclockwise
-    as forward g_0 .. forward g_(r-1), backward g_0 .. backward g_(r-1); from its antipode each
-    half is reversed.
+    The successor is the half-edge just clockwise of the twin. From a positive vertex with the
+    ring ``g_0 .. g_(r-1)`` the half-edges leave counterclockwise as forward g_0 .. forward
+    g_(r-1), backward g_0 .. backward g_(r-1); from its antipode each half is reversed.
     """
-    following = np.empty(4 * len(ring.before), np.int32)
+    following = np.empty(4 * len(ring.rank), np.int32)
     after_forward, after_backward = following[0::2], following[1::2]
-    for slots in _chunks(len(ring.before), CHUNK):
-        wraps, other = ring.first[slots], ring.before[slots]
-        onward, back = 2 * ends.leaving[other], 2 * ends.entering[other] + _ONE
-        after_forward[ends.entering[slots]] = np.where(wraps, onward, back)
-        after_backward[ends.leaving[slots]] = np.where(wraps, back, onward)
-        wraps, other = ring.last[slots], ring.after[slots]
-        onward = 2 * ends.leaving_antipode[other]
-        back, leaving = onward - _ONE, ends.leaving_antipode[slots]
-        after_forward[leaving - _ONE] = np.where(wraps, onward, back)
-        after_backward[leaving] = np.where(wraps, back, onward)
-    return following
+    leads = np.zeros(len(after_forward), bool)
+    for slots in chunks(len(ring.rank), CHUNK):
+        first, before, last, after = ring.around(slots)
+        leaving, opposite = ends.leaving[slots], ends.leaving_antipode[slots]
+        onward, back = 2 * ends.leaving[before], 2 * ends.entering[before] + _ONE
+        after_forward[ends.entering[slots]] = np.where(first, onward, back)
+        after_backward[leaving] = np.where(first, back, onward)
+        onward = 2 * ends.leaving_antipode[after]
+        back = onward - _ONE
+        after_forward[opposite - _ONE] = np.where(last, onward, back)
+        after_backward[opposite] = np.where(last, back, onward)
+        leads[leaving], leads[opposite] = ~last, ~first
+    return following, leads
 
 
-def _regions(ends: _Ends, ring: _Ring, following: Indices) -> tuple[Indices, Indices]:
+def _regions(following: Indices, leads: _Flags) -> tuple[Indices, Indices]:
     """Return a leading half-edge for each region, and the region of each half-edge.
 
     Sweep a half plane around the first coordinate axis, tilted by an infinitesimal so that no
     circle contains the axis. All normals are positive, so every circle is swept forward, and a
     region without an end of the axis inside is met first at one vertex, between two neighbouring
-    forward half-edges. The two remaining regions contain an end of the axis: they lie on the
-    positive side of all circles (region 0), and on the negative side of all (the last).
+    forward half-edges; the right one of them leads it. The two remaining regions contain an end
+    of the axis: they lie on the positive side of all circles (region 0), and on the negative side
+    of all (the last).
     """
-    leads = np.zeros(len(following) // 2, bool)
-    leads[ends.leaving[~ring.last]] = True
-    leads[ends.leaving_antipode[~ring.first]] = True
     swept = 2 * np.nonzero(leads)[0].astype(np.int32)
     region = np.full(len(following), -1, np.int32)
-    for part in _chunks(len(swept), CHUNK):
+    for part in chunks(len(swept), CHUNK):
         _walk(following, region, swept[part], part.start + 1)
     positive, negative = region[0::2], region[1::2]
     at_ends = [2 * int(positive.argmin()), 2 * int(negative.argmin()) + 1]
@@ -204,7 +219,7 @@ def _walk(following: Indices, region: Indices, start: Indices, number: int) -> N
         current, start, numbers = current[unfinished], start[unfinished], numbers[unfinished]
 
 
-def _chunks(total: int, size: int) -> Iterator[slice]:
+def chunks(total: int, size: int) -> Iterator[slice]:
     """Yield consecutive slices: temporary arrays stay small, whatever the input."""
     for start in range(0, total, size):
         yield slice(start, min(start + size, total))
