@@ -52,20 +52,24 @@ def own_table() -> dict[tuple[str, int], Measured]:
         for job in ("incidence", "region_signs"):
             found[job, planes] = ours(job, planes)
         plain, signed = found["incidence", planes], found["region_signs", planes]
-        growth = ""
-        if place:
-            smaller = SIZES[place - 1]
-            ratio = plain.seconds / found["incidence", smaller].seconds
-            growth = f"m^{math.log(ratio) / math.log(planes / smaller):.2f}"
+        growth = exponent(found, SIZES[place - 1], planes) if place else ""
         print(
             f"{planes:>7} {plain.count:>9} {shown(plain.first):>10} {shown(plain.seconds):>10}"
             f" {growth:>7} {megabytes(plain):>8} {shown(signed.seconds):>11}"
             f" ({signed.seconds / plain.seconds:.2f}x) {megabytes(signed):>8}",
             flush=True,
         )
+    overall = exponent(found, 100, SIZES[-1])
+    print(f"  growth from 100 to {SIZES[-1]} planes: {overall}")
     line("everything with all sign vectors", 9, ours("all_signs", 9))
     line("30-digit entries, with region signs", 100, ours("thirty_digits", 100))
     return found
+
+
+def exponent(found: dict[tuple[str, int], Measured], small: int, large: int) -> str:
+    """Return by which power of the number of planes the warm incidence time grows."""
+    ratio = found["incidence", large].seconds / found["incidence", small].seconds
+    return f"m^{math.log(ratio) / math.log(large / small):.2f}"
 
 
 def against_cgal(own: dict[tuple[str, int], Measured], sizes: Iterable[int]) -> None:
