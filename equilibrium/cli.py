@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 from arrangement import console
 from arrangement.exact import to_text
 
-from . import limits_cli
+from . import inputs_cli, limits_cli, others_cli
 
 if TYPE_CHECKING:
     from .pieces import Equilibrium
@@ -39,6 +39,8 @@ def _parser() -> console.Parser:
     _add_solve(commands)
     _add_verify(commands)
     limits_cli.add_commands(commands)
+    others_cli.add_commands(commands)
+    inputs_cli.add_commands(commands)
     return parser
 
 

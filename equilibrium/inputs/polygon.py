@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from fractions import Fraction
 from typing import Any, NamedTuple
 
 from arrangement.exact import RationalVector, rational, rational_vector, sign
+from arrangement.files import Source, check_keys, check_list, read_document
 from equilibrium.errors import GraspError
 
 from .conversion import DEFAULT_TOLERANCE, Conversion, assembled, for_each, unit_normals
@@ -180,3 +181,33 @@ def _minus(a: RationalVector, b: RationalVector) -> RationalVector:
 
 def _cross(a: RationalVector, b: RationalVector) -> Fraction:
     return a[0] * b[1] - a[1] * b[0]
+
+
+def read_polygon(source: Source, *, angle_tolerance: Any = DEFAULT_TOLERANCE) -> Conversion:
+    """Read contacts on a polygon from a JSON document.
+
+    The form is ``{"schema_version": 1, "polygon": [["0","0"], ...], "places": [{"edge": 0, "at":
+    "1/2", "friction": "1/2"}, {"point": ["2","0"], "friction": "1/2", "preload": "1"}]}``.
+
+    Raises:
+        InputError: for anything else.
+    """
+    document = read_document(source, ("polygon",))
+    check_keys(document, ("schema_version", "polygon", "places"), ("description",), "the document")
+    vertices = [
+        check_list(v, f"polygon[{i}]", 2)
+        for i, v in enumerate(check_list(document["polygon"], "polygon"))
+    ]
+    places: list[OnEdge | list[Any]] = []
+    columns: dict[str, list[Any]] = {"friction": [], "stiffness": [], "preload": []}
+    for i, entry in enumerate(check_list(document["places"], "places")):
+        name = f"places[{i}]"
+        on_edge = isinstance(entry, Mapping) and "edge" in entry
+        required = ("edge", "at", "friction") if on_edge else ("point", "friction")
+        check_keys(entry, required, ("stiffness", "preload"), name)
+        places.append(
+            OnEdge(entry["edge"], entry["at"]) if on_edge else check_list(entry["point"], name, 2)
+        )
+        for column, default in (("friction", None), ("stiffness", 1), ("preload", 0)):
+            columns[column].append(entry.get(column, default))
+    return from_polygon(vertices, places, **columns, angle_tolerance=angle_tolerance)

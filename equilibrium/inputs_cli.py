@@ -1,0 +1,105 @@
+"""The subcommands ``equilibrium make ...``: grasp files from other data.
+
+Each prints a grasp file on stdout, and what had to be rounded on stderr; with ``--json`` one object
+with the grasp and the errors.
+"""
+
+from __future__ import annotations
+
+import argparse
+import json
+import sys
+from typing import TYPE_CHECKING, Any
+
+from arrangement import console
+
+if TYPE_CHECKING:
+    from .inputs import Conversion
+
+
+def add_commands(commands: Any) -> None:
+    """Add make csv, make polygon, make circle and make random."""
+    make = commands.add_parser("make", help="a grasp file from a CSV file, a polygon, a circle ...")
+    kinds = make.add_subparsers(required=True, metavar="KIND")
+
+    table = kinds.add_parser("csv", help="one contact a line; columns x, y, normal_x, ...")
+    table.add_argument("file", metavar="FILE.csv")
+    _finish(table, _csv)
+
+    polygon = kinds.add_parser("polygon", help="places on the boundary of a polygon (JSON)")
+    polygon.add_argument("file", metavar="FILE.json", help="a path, or - for stdin")
+    _finish(polygon, _polygon)
+
+    circle = kinds.add_parser("circle", help="contacts on a circle, normals to its centre")
+    circle.add_argument("--angles", nargs="+", type=float, metavar="DEGREES", required=True)
+    circle.add_argument("--radius", type=console.rational_argument, default=1)
+    circle.add_argument("--friction", type=console.rational_argument, required=True)
+    circle.add_argument("--preload", type=console.rational_argument, default=0)
+    _finish(circle, _circle)
+
+    randoms = kinds.add_parser("random", help="contacts around an object, the same for each seed")
+    randoms.add_argument("--contacts", type=int, required=True, metavar="M")
+    randoms.add_argument("--seed", type=int, default=0)
+    randoms.set_defaults(command=_random)
+    console.add_json_option(randoms)
+
+
+def _finish(parser: argparse.ArgumentParser, command: Any) -> None:
+    parser.add_argument(
+        "--angle-tolerance",
+        type=console.rational_argument,
+        default="1/1000000",
+        metavar="RADIANS",
+        help="largest error of a normal that has no exact unit form (default: 1/1000000)",
+    )
+    console.add_json_option(parser)
+    parser.set_defaults(command=command)
+
+
+def _csv(arguments: argparse.Namespace) -> int:
+    from .inputs import read_csv
+
+    return _show(read_csv(arguments.file, angle_tolerance=arguments.angle_tolerance), arguments)
+
+
+def _polygon(arguments: argparse.Namespace) -> int:
+    from .inputs import read_polygon
+
+    return _show(read_polygon(arguments.file, angle_tolerance=arguments.angle_tolerance), arguments)
+
+
+def _circle(arguments: argparse.Namespace) -> int:
+    from .inputs import on_circle
+
+    found = on_circle(
+        arguments.angles,
+        arguments.friction,
+        radius=arguments.radius,
+        preload=arguments.preload,
+        angle_tolerance=arguments.angle_tolerance,
+    )
+    return _show(found, arguments)
+
+
+def _random(arguments: argparse.Namespace) -> int:
+    from .inputs import random_grasp
+
+    document = random_grasp(arguments.contacts, arguments.seed).to_dict()
+    if arguments.json:
+        console.print_json({"grasp": document})
+    else:
+        print(json.dumps(document, indent=2))
+    return console.YES
+
+
+def _show(found: Conversion, arguments: argparse.Namespace) -> int:
+    document = found.to_dict()
+    if arguments.json:
+        console.print_json(document)
+        return console.YES
+    print(json.dumps(document["grasp"], indent=2))
+    if not found.exact:
+        point = float(max(map(abs, found.point_errors), default=0))
+        angle = float(max(map(abs, found.angle_errors), default=0))
+        print(f"rounded: points by {point:.2g}, normals by {angle:.2g} radians", file=sys.stderr)
+    return console.YES
