@@ -1,0 +1,283 @@
+"""Grasps from polygons, circles, float data, CSV files and at random."""
+
+import math
+from fractions import Fraction
+
+import pytest
+from hypothesis import given, settings, strategies as st
+
+from arrangement.errors import InputError
+from equilibrium.errors import GraspError
+from equilibrium.inputs import (
+    OnEdge,
+    from_float_data,
+    from_polygon,
+    on_circle,
+    random_grasp,
+    random_wrench,
+    read_csv,
+    read_polygon,
+    simplest_between,
+    snapped,
+)
+from equilibrium.inputs.csvfile import parse_csv
+
+TRIANGLE = [(0, 0), (4, 0), (0, 3)]
+HEADER = "x,y,normal_x,normal_y,friction"
+
+
+def test_every_input_error_is_an_input_error():
+    assert issubclass(GraspError, InputError)
+
+
+class TestSnapping:
+    @given(st.fractions(max_denominator=200), st.fractions(0, 1, max_denominator=50))
+    @settings(max_examples=100)
+    def test_simplest_is_inside_and_of_least_denominator(self, low, width):
+        found = simplest_between(low, low + width)
+        assert low <= found <= low + width
+        for d in range(1, found.denominator):
+            assert math.ceil(low * d) > (low + width) * d
+
+    @given(st.floats(-1e6, 1e6))
+    def test_error_is_exact_and_within_the_tolerance(self, x):
+        found, error = snapped(x, Fraction(1, 1000))
+        assert found - error == Fraction(x)
+        assert abs(error) <= Fraction(1, 1000)
+
+    def test_decimal_texts_come_back(self):
+        assert [snapped(x)[0] for x in (0.1, 0.25, -1.5, 1 / 3)] == [
+            Fraction(1, 10),
+            Fraction(1, 4),
+            Fraction(-3, 2),
+            Fraction(1, 3),
+        ]
+
+    def test_tolerance_zero_keeps_the_binary_value(self):
+        assert snapped(0.1, 0) == (Fraction(0.1), 0)
+
+    def test_an_empty_interval_is_refused(self):
+        with pytest.raises(GraspError, match="empty"):
+            simplest_between(Fraction(1), Fraction(0))
+
+
+class TestFloatData:
+    def test_numbers_normals_and_errors(self):
+        found = from_float_data([[0.1, -1.0]], [[1.0, 1.0]], [0.3], preload=2.0)
+        (contact,) = found.grasp.contacts
+        assert contact.point == (Fraction(1, 10), -1)
+        assert (contact.friction, contact.preload) == (Fraction(3, 10), 2)
+        assert 0 < abs(found.angle_errors[0]) <= Fraction(1, 10**6)
+        assert found.point_errors == (abs(Fraction(1, 10) - Fraction(0.1)),)
+        assert found.value_error == abs(Fraction(3, 10) - Fraction(0.3))
+        assert not found.exact
+
+    @pytest.mark.parametrize(
+        ("points", "normals", "options", "word"),
+        [
+            ([[0.0, 0.0]], [], {}, "normals"),
+            ([[0.0]], [[1.0, 0.0]], {}, "coordinates"),
+            ([[0.0, 0.0]], [[0.0, 0.0]], {}, r"normals\[0\]"),
+            ([[math.nan, 0.0]], [[1.0, 0.0]], {}, "nan"),
+            ([[0.0, 0.0]], [[1.0, 0.0]], {"tolerance": -1}, "tolerance"),
+            ([[0.0, 0.0]], [[1.0, 0.0]], {"stiffness": [1, 2]}, "stiffness"),
+        ],
+    )
+    def test_bad_data_is_refused(self, points, normals, options, word):
+        with pytest.raises(InputError, match=word):
+            from_float_data(points, normals, 0.5, **options)
+
+
+class TestPolygon:
+    @pytest.mark.parametrize("vertices", [TRIANGLE, TRIANGLE[::-1]])
+    def test_normals_point_inward_in_both_orientations(self, vertices):
+        found = from_polygon(vertices, [(2, 0), (0, 1), (2, "3/2")], 1)
+        assert [c.normal for c in found.grasp] == [
+            (0, 1),
+            (1, 0),
+            (Fraction(-3, 5), Fraction(-4, 5)),
+        ]
+        assert found.exact
+
+    def test_an_edge_and_a_parameter_name_a_point(self):
+        found = from_polygon(TRIANGLE, [OnEdge(0, "1/4"), OnEdge(2, 1)], ["1/2", 1], preload=[0, 2])
+        assert [c.point for c in found.grasp] == [(1, 0), (0, 0)]
+        assert [c.normal for c in found.grasp] == [(0, 1), (1, 0)]
+        assert [c.preload for c in found.grasp] == [0, 2]
+
+    def test_an_irrational_edge_reports_its_angle(self):
+        found = from_polygon([(0, 0), (1, 0), (0, 1)], [OnEdge(1, "1/2")], 1)
+        (contact,) = found.grasp.contacts
+        x, y = contact.normal
+        assert x * x + y * y == 1
+        # The tangent of the angle from (-1, -1) to (x, y), by its definition.
+        assert found.angle_errors == ((x - y) / (-x - y),)
+        assert 0 < abs(found.angle_errors[0]) <= Fraction(1, 10**6)
+
+    def test_a_reflex_corner_keeps_normals_inward(self):
+        chevron = [(0, 0), (4, 0), (4, 4), (2, 2), (0, 4)]
+        found = from_polygon(chevron, [(3, 3), (1, 3)], 1, angle_tolerance="1/1000")
+        assert [(c.normal[0] > 0, c.normal[1] < 0) for c in found.grasp] == [
+            (True, True),
+            (False, True),
+        ]
+
+    @pytest.mark.parametrize(
+        ("vertices", "word"),
+        [
+            ([(0, 0), (1, 0)], "three corners"),
+            ([(0, 0), (2, 2), (2, 0), (0, 2)], "meet"),  # a bow tie
+            ([(0, 0), (2, 0), (1, 0)], "meet"),  # no area
+            ([(0, 0), (4, 0), (4, 4), (2, 0), (0, 4)], "meet"),  # a corner touches an edge
+            ([(0, 0), (0, 0), (1, 0), (0, 1)], "meet"),  # a corner twice
+            ([(0, 0), (1, 0), (0, 0.5)], "float"),
+            ([(0, 0, 0), (1, 0, 0), (0, 1, 0)], "coordinates"),
+        ],
+    )
+    def test_bad_polygons_are_refused(self, vertices, word):
+        with pytest.raises(InputError, match=word):
+            from_polygon(vertices, [], 1)
+
+    @pytest.mark.parametrize(
+        ("place", "word"),
+        [
+            ((0, 0), "corner"),
+            ((1, 1), "not on the boundary"),
+            ((5, 0), "not on the boundary"),
+            (OnEdge(3, 0), "edges are 0 to 2"),
+            (OnEdge(0, 2), "from 0 to 1"),
+            ((1,), "coordinates"),
+        ],
+    )
+    def test_bad_places_are_refused(self, place, word):
+        with pytest.raises(InputError, match=word):
+            from_polygon(TRIANGLE, [place], 1)
+
+    @given(st.integers(0, 2), st.fractions(0, 1, max_denominator=20))
+    def test_edge_and_coordinates_say_the_same(self, edge, at):
+        by_edge = from_polygon(TRIANGLE, [OnEdge(edge, at)], 1)
+        if 0 < at < 1:
+            point = by_edge.grasp.contacts[0].point
+            assert from_polygon(TRIANGLE, [point], 1) == by_edge
+
+    def test_document(self):
+        document = {
+            "schema_version": 1,
+            "polygon": [["0", "0"], ["4", "0"], ["0", "3"]],
+            "places": [
+                {"edge": 1, "at": "1/2", "friction": "1/2"},
+                {"point": ["2", "0"], "friction": 1, "preload": "1"},
+            ],
+        }
+        found = read_polygon(document)
+        assert [c.point for c in found.grasp] == [(2, Fraction(3, 2)), (2, 0)]
+        assert [c.preload for c in found.grasp] == [0, 1]
+        document["places"][0]["at_"] = "1"
+        with pytest.raises(InputError, match="at_"):
+            read_polygon(document)
+
+
+class TestCircle:
+    @given(st.lists(st.floats(-720, 720), max_size=5), st.integers(1, 5))
+    @settings(max_examples=40)
+    def test_points_lie_on_the_circle_exactly(self, angles, radius):
+        found = on_circle(angles, 1, radius=radius, centre=(2, -1))
+        for contact, angle in zip(found.grasp, angles, strict=True):
+            away = [contact.point[0] - 2, contact.point[1] + 1]
+            assert away[0] ** 2 + away[1] ** 2 == radius**2
+            assert [-radius * n for n in contact.normal] == away
+            wanted = (math.cos(math.radians(angle)), math.sin(math.radians(angle)))
+            assert math.dist([float(x) / radius for x in away], wanted) < 2e-6
+
+    def test_quarter_turns_are_exact(self):
+        found = on_circle(4, 1)
+        assert [c.point for c in found.grasp] == [(1, 0), (0, 1), (-1, 0), (0, -1)]
+        assert found.exact
+
+    def test_a_radius_must_be_positive(self):
+        with pytest.raises(GraspError, match="radius"):
+            on_circle(3, 1, radius=0)
+        with pytest.raises(GraspError, match="finite"):
+            on_circle([math.inf], 1)
+
+
+class TestRandom:
+    @pytest.mark.parametrize("m", [0, 1, 5, 20])
+    def test_contacts_surround_the_origin_with_inward_normals(self, m):
+        for seed in range(4):
+            grasp = random_grasp(m, seed)
+            assert len(grasp) == m
+            for c in grasp:
+                square = c.point[0] ** 2 + c.point[1] ** 2
+                assert Fraction(1, 4) <= square <= Fraction(9, 4)
+                inward = -(c.point[0] * c.normal[0] + c.point[1] * c.normal[1])
+                assert inward > 0
+                assert 2 * inward**2 >= square  # at most 45 degrees from the centre
+
+    def test_half_of_the_seeds_have_preload(self):
+        loaded = [all(c.preload > 0 for c in random_grasp(3, seed)) for seed in range(10)]
+        free = [all(c.preload == 0 for c in random_grasp(3, seed)) for seed in range(10)]
+        assert sum(loaded) == sum(free) == 5
+        assert random_grasp(3, 0, preload=True).contacts[0].preload > 0
+
+    def test_seeds_differ_and_repeat(self):
+        assert len({random_grasp(3, seed) for seed in range(20)}) == 20
+        assert len({random_wrench(seed) for seed in range(20)}) == 20
+        assert random_wrench(5) == random_wrench(5)
+        quadrants = {tuple(x > 0 for x in c.point) for c in random_grasp(40, 1)}
+        assert len(quadrants) == 4
+
+    def test_negative_numbers_are_refused(self):
+        with pytest.raises(GraspError, match="contacts"):
+            random_grasp(-1)
+
+
+class TestCsv:
+    def test_columns_in_any_order(self, tmp_path):
+        path = tmp_path / "grasp.csv"
+        path.write_text(
+            "preload,friction,normal_y,normal_x,y,x\n1, 1/2 ,0,2,0.5,-1\n0,.25,5,12,0,0\n",
+            encoding="utf-8-sig",
+        )
+        found = read_csv(path)
+        first, second = found.grasp.contacts
+        assert first.point == (-1, Fraction(1, 2))
+        assert (first.normal, first.preload, first.stiffness) == ((1, 0), 1, 1)
+        assert second.normal == (Fraction(12, 13), Fraction(5, 13))
+        assert found.exact
+
+    def test_irrational_normals_report_their_angle(self):
+        found = parse_csv(f"{HEADER}\n0,0,1,1,1\n")
+        assert 0 < abs(found.angle_errors[0]) <= Fraction(1, 10**6)
+
+    @pytest.mark.parametrize(
+        ("text", "word"),
+        [
+            ("", "first line"),
+            ("x,y,normal_x,normal_y\n", "friction is missing"),
+            (f"{HEADER},colour\n", "colour"),
+            (f"{HEADER},x\n", "twice"),
+            (f"{HEADER}\n0,0,1,0\n", "line 2 has 4 entries"),
+            (f"{HEADER}\n0,0,1,0,1\n\n", "line 3 has 0 entries"),
+            (f"{HEADER}\n0,0,1,0,1e3\n", "line 2: .*1e3"),
+            (f"{HEADER}\n0,0,1,0,nan\n", "line 2: .*nan"),
+            (f"{HEADER}\n0,0,1,0,-1\n", "line 2: friction"),
+            (f"{HEADER}\n0,0,0,0,1\n", "line 2: direction"),
+            (f'{HEADER}\n0,0,1,0,"1\n', "line"),
+            (f"{HEADER}\n0,0,1,0,__import__('os')\n", "not an exact number"),
+            (f"{HEADER},stiffness\n0,0,1,0,1,0\n", "stiffness"),
+        ],
+    )
+    def test_bad_tables_are_refused_with_the_line(self, text, word):
+        with pytest.raises(InputError, match=word):
+            parse_csv(text)
+
+    def test_bad_files_are_refused(self, tmp_path):
+        with pytest.raises(InputError, match="cannot read"):
+            read_csv(tmp_path / "none.csv")
+        (tmp_path / "latin.csv").write_bytes(b"x,y\xff")
+        with pytest.raises(InputError, match="UTF-8"):
+            read_csv(tmp_path / "latin.csv")
+        (tmp_path / "large.csv").write_bytes(b"0" * (4 * 2**20 + 1))
+        with pytest.raises(InputError, match="longer"):
+            read_csv(tmp_path / "large.csv")

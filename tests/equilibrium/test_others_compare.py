@@ -1,0 +1,122 @@
+"""The table of all verdicts, the survey of disagreements, and their commands."""
+
+import json
+
+import pytest
+
+from equilibrium.cli import main
+from equilibrium.files import read_grasp
+from equilibrium.others.compare import METHODS, ask, compare
+from equilibrium.others.survey import OTHERS, shrunk, size, smallest_examples, survey
+
+
+@pytest.mark.parametrize(
+    ("name", "preload", "wrench", "stable", "disagreeing"),
+    [
+        # Without preload nothing holds an upward force; cones and closure methods say otherwise.
+        ("paper-three-contacts", 0, (0, 1, 0), False, {"wrench-space", "weak"}),
+        ("paper-three-contacts", 0, (0, -1, 0), True, {"linear-compliance"}),
+        (
+            "paper-three-contacts",
+            1,
+            (0, 1, 0),
+            True,
+            {"printed", "strong", "frictionless", "linear-compliance", "frictionless-slip"},
+        ),
+        ("paper-three-contacts", 1, (0, "11/10", 0), False, {"wrench-space", "weak"}),
+        ("paper-four-contacts", 0, (0, 2, 0), False, {"wrench-space", "weak"}),
+    ],
+)
+def test_rows_of_the_papers_tables(name, preload, wrench, stable, disagreeing):
+    found = compare(read_grasp(name).with_preload(preload), wrench)
+    assert found.stable is stable
+    assert set(found.disagreeing) - {"printed"} == disagreeing - {"printed"}
+    assert found["form-closure"].accepts is None
+    assert [answer.method for answer in found.answers] == list(METHODS)
+
+
+def test_many_contacts_leave_the_exponential_method_out():
+    grasp = read_grasp("paper-three-contacts")
+    many = type(grasp)([*grasp.contacts] * 3)
+    assert ask("frictionless-slip", many, (0, 0, 0)) is None
+
+
+class TestSurvey:
+    def test_every_question_is_counted_once(self):
+        found = survey(8, contacts=(2, 3), seed=3)
+        assert found.questions == 8
+        for count in found.counts.values():
+            assert sum(vars(count).values()) == 8
+        assert found.to_dict() == survey(8, contacts=(2, 3), seed=3).to_dict()
+
+    def test_methods_that_relax_the_model_never_refuse_wrongly(self):
+        counts = survey(10, contacts=(2, 3)).counts
+        for method in ("cones", "wrench-space", "weak"):
+            assert counts[method].refuses_wrongly == 0
+
+    def test_examples_disagree_and_cannot_be_made_smaller(self):
+        examples = smallest_examples(tries=12)
+        assert examples
+        for example in examples:
+            assert ask(example.method, example.grasp, example.wrench) is example.accepts
+            assert ask("complete", example.grasp, example.wrench) is not example.accepts
+            again = shrunk(example)
+            assert size(again.grasp, again.wrench) == size(example.grasp, example.wrench)
+        kinds = [(example.method, example.accepts) for example in examples]
+        assert len(set(kinds)) == len(kinds)
+        assert {method for method, _ in kinds} <= set(OTHERS)
+
+
+class TestCommands:
+    def test_compare(self, capsys):
+        arguments = ["compare", "paper-three-contacts", "--wrench", "0", "-1", "0"]
+        assert main([*arguments, "--json"]) == 0
+        document = json.loads(capsys.readouterr().out)
+        agreeing = {row["method"]: row["agrees"] for row in document["methods"]}
+        assert agreeing.pop("linear-compliance") is False
+        assert agreeing.pop("form-closure") is None
+        assert agreeing.pop("printed") in (True, False)
+        assert set(agreeing.values()) == {True}
+        assert main(arguments) == 0
+        lines = capsys.readouterr().out.splitlines()
+        assert [line for line in lines if line.startswith("!") and "linear compliance" in line]
+
+    def test_compare_exits_with_the_verdict_of_the_complete_model(self, capsys):
+        arguments = ["compare", "paper-three-contacts", "--wrench", "0", "1", "0"]
+        assert main(arguments) == 1
+        assert main([*arguments, "--preload", "1"]) == 0
+        assert main(["compare", "no-such-grasp", "--wrench", "0", "1", "0"]) == 2
+        assert "error" in capsys.readouterr().err
+
+    def test_wrench_space(self, capsys):
+        assert main(["wrench-space", "paper-three-contacts", "--json"]) == 0
+        document = json.loads(capsys.readouterr().out)
+        assert document["force_closure"] is True
+        # One row of four integers or rationals for each of the eight triangles of an octahedron.
+        assert [len(row) for row in document["facets"]] == [4] * 8
+        assert ["0", "1/2"] in document["slice"]["corners"]
+        assert main(["wrench-space", "paper-three-contacts", "--norm", "Linf"]) == 0
+        assert "volume" in capsys.readouterr().out
+
+    def test_survey(self, capsys):
+        arguments = ["survey", "--number", "4", "--contacts", "2", "--examples", "2", "--json"]
+        assert main(arguments) == 0
+        document = json.loads(capsys.readouterr().out)
+        assert document["questions"] == 4
+        assert set(document["methods"]) == set(OTHERS)
+
+    def test_make(self, capsys, tmp_path):
+        path = tmp_path / "grasp.csv"
+        path.write_text("x,y,normal_x,normal_y,friction\n-1,0,1,0,1/2\n1,0,-1,0,1/2\n")
+        assert main(["make", "csv", str(path)]) == 0
+        grasp = tmp_path / "grasp.json"
+        grasp.write_text(capsys.readouterr().out)
+        assert main(["solve", str(grasp), "--wrench", "1", "0", "0"]) == 0
+        capsys.readouterr()
+        assert main(["make", "circle", "--angles", "0", "100", "--friction", "1", "--json"]) == 0
+        document = json.loads(capsys.readouterr().out)
+        assert document["angle_errors"][0] == "0"
+        assert document["angle_errors"][1] != "0"
+        assert main(["make", "random", "--contacts", "3", "--seed", "2"]) == 0
+        assert len(json.loads(capsys.readouterr().out)["contacts"]) == 3
+        assert main(["make", "csv", str(tmp_path / "none.csv")]) == 2
