@@ -140,6 +140,8 @@ def create(path: str, plan: Mapping[str, Any], claim: Mapping[str, Any]) -> Stor
     except sqlite3.Error as error:
         raise SweepError(f"cannot open {path}: {error}") from None
     try:
+        if connection.execute("SELECT count(*) FROM sqlite_master").fetchone()[0]:
+            _checked(path, connection)
         connection.execute("PRAGMA journal_mode = WAL")
         connection.execute("PRAGMA synchronous = FULL")
         _fill(connection, plan, claim)

@@ -88,14 +88,15 @@ def on_dask(
         SweepError: no scheduler answers at the address.
     """
     try:
+        import distributed
         import joblib
-        from distributed import Client
     except ImportError as error:
         raise MissingExtraError(
             f"{error.name} is not installed; pip install 'slipstates[dask]', here and on workers"
         ) from None
     try:
-        client = Client(address, timeout="20s")  # type: ignore[no-untyped-call]
+        connect: Any = distributed.Client
+        client = connect(address, timeout="20s")
     except (OSError, ValueError) as error:
         raise SweepError(f"no Dask scheduler answers at {address}: {error}") from None
     with client, joblib.parallel_config(backend="dask"):

@@ -1,0 +1,413 @@
+"""Sweeps: whatever happens on the way, the result is that of an undisturbed run."""
+
+from __future__ import annotations
+
+import json
+import os
+import random
+import signal
+import sqlite3
+import subprocess
+import sys
+import time
+from collections.abc import Callable, Iterator
+from pathlib import Path
+from typing import Any
+
+import pytest
+from hypothesis import given, settings, strategies as st
+
+from proofs_check import store, sweepreport, workers
+from proofs_check.claim import Verdict
+from proofs_check.claims import registry
+from proofs_check.cli import main
+from proofs_check.errors import SweepError
+from proofs_check.sweep import Plan, instance, merge, plan_sweep, run_chunk, sweep, total
+from proofs_check.targets import SWEEPS, target
+
+CLAIM = "step-1-square-bound"
+#: Git is kept out, so that an edit of the checkout between two runs cannot make reports differ.
+ENVIRONMENT = {**os.environ, "GIT_DIR": os.devnull}
+
+
+def small_plan(samples: int = 60, chunk: int = 7, seed: int = 0) -> Plan:
+    return plan_sweep(CLAIM, (1, 4), samples, seed, chunk)
+
+
+def report(path: Path) -> str:
+    with store.read(str(path)) as opened:
+        return json.dumps(sweepreport.record(opened))
+
+
+def numbers(path: Path) -> int:
+    """Chunks in a store; 0 while there is none."""
+    try:
+        with store.read(str(path)) as opened:
+            found = sweepreport.status(opened)
+    except SweepError:
+        return 0
+    assert found["samples"] == sum(found["outcomes"].values())
+    return int(found["chunks"])
+
+
+def command(*arguments: str) -> list[str]:
+    return [sys.executable, "-m", "proofs_check", *arguments]
+
+
+def swept(path: Path, samples: int, *more: str) -> list[str]:
+    options = ["--planes", "3..4", "--samples", str(samples), "--chunk", "10", "--seed", "5"]
+    return command("sweep", "great-circle-regions", *options, "--store", str(path), *more)
+
+
+def run(arguments: list[str]) -> subprocess.CompletedProcess[str]:
+    return subprocess.run(arguments, env=ENVIRONMENT, capture_output=True, text=True, check=False)
+
+
+def wait_for(condition: Callable[[], bool], seconds: float = 60) -> None:
+    limit = time.monotonic() + seconds
+    while not condition():
+        assert time.monotonic() < limit, "nothing happened in time"
+        time.sleep(0.01)
+
+
+def test_a_sweep_killed_three_times_has_the_report_of_one_that_was_not(tmp_path: Path) -> None:
+    whole, killed = tmp_path / "whole.sqlite", tmp_path / "killed.sqlite"
+    assert run(swept(whole, 1500)).returncode == 0
+    seen = 0
+    rng = random.Random()
+    for _ in range(3):
+        process = subprocess.Popen(swept(killed, 1500), env=ENVIRONMENT, stdout=subprocess.DEVNULL)
+        wait_for(lambda: numbers(killed) > seen or process.poll() is not None)  # noqa: B023
+        time.sleep(rng.random() * 0.05)
+        process.kill()
+        process.wait()
+        there = numbers(killed)
+        assert there > seen, "what was done before the kill is there"
+        seen = there
+    assert seen < 150, "the sweep was killed before its end"
+    assert run(swept(killed, 1500)).returncode == 0
+    texts = []
+    for path in (whole, killed):
+        output = path.with_suffix(".json")
+        assert run(command("report", str(path), "--output", str(output))).returncode == 0
+        texts.append(output.read_bytes())
+    assert texts[0] == texts[1]
+    assert json.loads(texts[0])["results"][0]["complete"] is True
+
+
+@pytest.mark.skipif(not Path("/proc/self/task").is_dir(), reason="reads the children from /proc")
+def test_workers_end_with_their_parent_however_it_ends(tmp_path: Path) -> None:
+    path = tmp_path / "s.sqlite"
+    process = subprocess.Popen(
+        swept(path, 100_000, "--jobs", "2"), env=ENVIRONMENT, stdout=subprocess.DEVNULL
+    )
+    try:
+        wait_for(lambda: numbers(path) > 2)
+        children = Path(f"/proc/{process.pid}/task/{process.pid}/children").read_text().split()
+    finally:
+        process.send_signal(signal.SIGKILL)
+        process.wait()
+    assert len(children) >= 2
+    wait_for(lambda: not any(_alive(int(child)) for child in children), 20)
+
+
+def _alive(pid: int) -> bool:
+    try:
+        return Path(f"/proc/{pid}/stat").read_text().rpartition(")")[2].split()[0] != "Z"
+    except OSError:
+        return False
+
+
+def test_two_processes_find_what_one_finds(tmp_path: Path) -> None:
+    one, two = tmp_path / "one.sqlite", tmp_path / "two.sqlite"
+    sweep(small_plan(), str(one))
+    sweep(small_plan(), str(two), jobs=2)
+    assert report(one) == report(two)
+
+
+def test_shards_merged_are_the_whole(tmp_path: Path) -> None:
+    whole = tmp_path / "whole.sqlite"
+    sweep(small_plan(), str(whole))
+    parts = [str(tmp_path / f"{i}.sqlite") for i in (1, 2, 3)]
+    for i, part in enumerate(parts, 1):
+        sweep(small_plan(), part, shard=(i, 3))
+    merged = tmp_path / "merged.sqlite"
+    assert merge(str(merged), parts[:2]) == 6
+    assert '"complete": false' in report(merged)
+    assert merge(str(merged), parts) == 3
+    assert report(merged) == report(whole)
+
+
+@settings(max_examples=8, deadline=None)
+@given(st.integers(1, 30), st.integers(1, 30), st.randoms(use_true_random=False))
+def test_neither_the_size_nor_the_order_of_chunks_matters(
+    first: int, second: int, rng: random.Random
+) -> None:
+    found = []
+    for size in (first, second):
+        plan = small_plan(30, size)
+        chunks = [run_chunk(plan, number) for number in range(plan.chunks)]
+        rng.shuffle(chunks)
+        sums = total(chunks)
+        found.append((sums.counts, sums.smallest, sums.samples))
+    assert found[0] == found[1]
+    assert found[0][2] == 30
+
+
+def test_instances_depend_on_seed_and_number_alone() -> None:
+    drawn = [[instance(small_plan(seed=seed), k) for k in range(12)] for seed in (3, 3, 4)]
+    assert drawn[0] == drawn[1] != drawn[2]
+    assert [len(planes) for planes in drawn[0]] == [1, 2, 3, 4] * 3
+
+
+def test_a_chunk_counts_once_and_another_result_for_it_is_refused(tmp_path: Path) -> None:
+    plan = small_plan()
+    path = str(tmp_path / "s.sqlite")
+    chunk = run_chunk(plan, 0)
+    with store.create(path, plan.record(), target(CLAIM).about()) as opened:
+        assert opened.add(chunk) is True
+        assert opened.add(chunk) is False
+        other = store.Chunk(0, {"counts": {}, "smallest": {}}, chunk.environment, 1)
+        with pytest.raises(SweepError, match="another result already"):
+            opened.add(other)
+        assert [c.number for c in opened.chunks()] == [0]
+
+
+def test_the_counts_are_those_of_the_instances_one_by_one(tmp_path: Path) -> None:
+    plan = small_plan(40, 9)
+    sweep(plan, str(tmp_path / "s.sqlite"))
+    with store.read(str(tmp_path / "s.sqlite")) as opened:
+        sums = total(opened.chunks())
+    # The statement: at most m^2 regions. It fails for one plane, which has two.
+    planes = [instance(plan, k) for k in range(40)]
+    assert sums.number("fails") == 0
+    assert sums.number("excused") == sum(p.f_vector[3] > len(p) ** 2 for p in planes) == 10
+    assert sums.samples == 40
+    assert len(sums.smallest["excused"]["instance"]["planes"]) == 1
+
+
+@pytest.mark.parametrize("id", sorted(SWEEPS))
+def test_every_claim_that_can_be_swept_gives_values_on_random_instances(id: str) -> None:
+    chosen = target(id)
+    low = max(chosen.domain.least, 2 if chosen.domain.unit == "contacts" else 3)
+    plan = plan_sweep(id, (low, low + (chosen.domain.unit == "planes")), 6, 1, 6)
+    sums = total([run_chunk(plan, 0)])
+    assert sums.number("broken") == 0
+    found = sweepreport.verdict(sums, chosen.saved)
+    assert sweepreport.consistent(found, registry()[id].expected)
+
+
+def test_a_claim_that_is_false_of_random_instances_is_refuted_with_its_smallest_instance(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    path = own_file(tmp_path, 'return planes.rank == 3 or "low rank"')
+    plan = ["--planes", "3..5", "--samples", "300", "--store", str(tmp_path / "s.sqlite")]
+    assert main(["sweep", path, *plan]) == 1
+    assert "refuted (expected: holds)" in capsys.readouterr().out
+    with store.read(str(tmp_path / "s.sqlite")) as opened:
+        (result,) = sweepreport.record(opened)["results"]
+    assert len(result["counterexample"]["instance"]["planes"]) == 3
+    assert main(["report", str(tmp_path / "s.sqlite")]) == 1
+
+
+def own_file(folder: Path, *lines: str) -> str:
+    body = "\n".join(f"    {line}" for line in lines)
+    path = folder / "mine.py"
+    path.write_text(
+        "import os, pathlib\nfrom proofs_check.own import claim\n"
+        "MARK = pathlib.Path(__file__).with_suffix('.mark')\n"
+        f'@claim("s", of="central")\ndef mine(planes):\n{body}\n',
+        encoding="utf-8",
+    )
+    return str(path)
+
+
+def test_a_file_that_changed_does_not_continue_a_sweep(tmp_path: Path) -> None:
+    path = own_file(tmp_path, "return True")
+    place = str(tmp_path / "s.sqlite")
+    old = plan_sweep(path, (3, 4), 20, 0, 5)
+    sweep(old, place)
+    own_file(tmp_path, "return not False")
+    with pytest.raises(SweepError, match="has changed"):
+        sweep(old, place)
+    with pytest.raises(SweepError, match="another sweep"):
+        sweep(plan_sweep(path, (3, 4), 20, 0, 5), place)
+
+
+def test_a_worker_that_dies_takes_nothing_with_it(tmp_path: Path) -> None:
+    path = own_file(
+        tmp_path,
+        "if len(planes) == 4 and not MARK.exists():",
+        "    MARK.touch()",
+        "    os.kill(os.getpid(), 9)",
+        "return True",
+    )
+    plan = plan_sweep(path, (3, 4), 24, 0, 3)
+    sweep(plan, str(tmp_path / "s.sqlite"), jobs=2)
+    assert (tmp_path / "mine.mark").exists()
+    with store.read(str(tmp_path / "s.sqlite")) as opened:
+        assert total(opened.chunks()).number("holds") == 24
+
+
+def test_workers_that_always_die_end_the_sweep_with_a_message(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(workers, "_MOST_DEATHS", 0)
+    path = own_file(tmp_path, "os.kill(os.getpid(), 9)")
+    with pytest.raises(SweepError, match="workers died"):
+        sweep(plan_sweep(path, (3, 4), 4, 0, 1), str(tmp_path / "s.sqlite"), jobs=2)
+
+
+@pytest.mark.parametrize(
+    ("arguments", "message"),
+    [
+        (["sweep", "nothing"], "no claim has the id 'nothing'"),
+        (["sweep", "table-three-contacts"], "not of random instances"),
+        (["sweep", "nowhere.py"], "cannot read nowhere.py"),
+        (["sweep", CLAIM, "--samples", "0"], "samples is 0"),
+        (["sweep", CLAIM, "--jobs", "0"], "jobs is 0"),
+        (["sweep", CLAIM, "--chunk", "0"], "chunk is 0"),
+        (["sweep", CLAIM, "--planes", "4..3"], "smaller number stands first"),
+        (["sweep", CLAIM, "--planes", "3-4"], "'3-4' is no range"),
+        (["sweep", CLAIM, "--shard", "3/2"], "'3/2' is no shard"),
+        (["sweep", CLAIM, "--store", "/nowhere/s.sqlite"], "cannot open /nowhere/s.sqlite"),
+        (["status", "nowhere.sqlite"], "there is no store nowhere.sqlite"),
+        (["merge", "out.sqlite", "nowhere.sqlite"], "there is no store nowhere.sqlite"),
+        (["report", "nowhere.json"], "cannot read"),
+    ],
+)
+def test_bad_input_ends_with_exit_code_2(
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
+    arguments: list[str],
+    message: str,
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    if arguments[0] == "sweep":
+        defaults = {"--planes": "3..4", "--samples": "9", "--store": "s.sqlite"}
+        for name, value in defaults.items():
+            arguments = arguments if name in arguments else [*arguments, name, value]
+    try:
+        code = main(arguments)
+    except SystemExit as stop:
+        code = int(str(stop.code))
+    captured = capsys.readouterr()
+    assert (code, captured.out) == (2, "")
+    assert message in captured.err
+    assert "Traceback" not in captured.err
+
+
+def test_files_that_are_no_stores_are_refused(tmp_path: Path) -> None:
+    text, other = tmp_path / "a.txt", tmp_path / "other.sqlite"
+    text.write_text("something else " * 100, encoding="utf-8")
+    with sqlite3.connect(other) as connection:
+        connection.execute("CREATE TABLE mine (x)")
+    connection.close()
+    for path in (text, other):
+        before = path.read_bytes()
+        for use in (store.read, lambda p: store.create(p, {}, {})):
+            with pytest.raises(SweepError):
+                use(str(path))
+        assert path.read_bytes() == before
+    plan = small_plan()
+    sweep(plan, str(tmp_path / "s.sqlite"))
+    with pytest.raises(SweepError, match="another sweep"):
+        sweep(small_plan(seed=1), str(tmp_path / "s.sqlite"))
+
+
+def test_status_says_how_far_it_is(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    path = str(tmp_path / "s.sqlite")
+    options = ["--planes", "2..3", "--samples", "20", "--chunk", "5", "--store", path]
+    assert main(["sweep", CLAIM, *options, "--shard", "1/2"]) == 0
+    capsys.readouterr()
+    assert main(["status", path, "--json"]) == 1
+    found = json.loads(capsys.readouterr().out)
+    assert (found["chunks"], found["chunks_due"], found["samples"]) == (2, 4, 10)
+    assert main(["sweep", CLAIM, *options]) == 0
+    assert main(["status", path]) == 0
+    assert "20 of 20" in capsys.readouterr().out
+
+
+def _sums(**outcomes: int) -> Any:
+    order = ("holds", "fails", "excused", "broken", "outside")
+    chunk = {"counts": {"3": [outcomes.get(kind, 0) for kind in order]}, "smallest": {}}
+    return total([store.Chunk(0, chunk, {}, 0)])
+
+
+@pytest.mark.parametrize(
+    ("outcomes", "expected"),
+    [
+        ({}, None),
+        ({"outside": 5}, None),
+        ({"holds": 5}, Verdict.HOLDS),
+        ({"holds": 5, "broken": 1}, None),
+        ({"holds": 5, "fails": 1}, Verdict.REFUTED),
+        ({"holds": 5, "excused": 1}, Verdict.HOLDS_UNDER_HYPOTHESIS),
+        ({"excused": 1}, Verdict.REFUTED),
+        ({"holds": 5, "excused": 1, "fails": 1}, Verdict.REFUTED),
+    ],
+)
+def test_the_verdict_follows_from_the_counts(
+    outcomes: dict[str, int], expected: Verdict | None
+) -> None:
+    assert sweepreport.verdict(_sums(**outcomes), saved=True) is expected
+
+
+@pytest.mark.parametrize("missing", ["joblib", "distributed"])
+def test_without_the_extra_the_message_names_it(
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
+    missing: str,
+) -> None:
+    monkeypatch.setitem(sys.modules, missing, None)
+    options = ["--planes", "2..3", "--samples", "9", "--store", str(tmp_path / "s.sqlite")]
+    assert main(["sweep", CLAIM, *options, "--dask", "tcp://127.0.0.1:1"]) == 2
+    assert "slipstates[dask]" in capsys.readouterr().err
+
+
+@pytest.fixture
+def cluster(tmp_path: Path) -> Iterator[tuple[Path, list[subprocess.Popen[bytes]]]]:
+    """A scheduler and two workers, each a process of its own."""
+    pytest.importorskip("distributed")
+    pytest.importorskip("joblib")
+    place = tmp_path / "scheduler.json"
+    quiet = {"env": ENVIRONMENT, "stdout": subprocess.DEVNULL, "stderr": subprocess.DEVNULL}
+    dask = [sys.executable, "-m", "dask"]
+    file = ["--scheduler-file", str(place)]
+    options = ["--host", "127.0.0.1", "--port", "0", "--no-dashboard", "--no-show"]
+    processes = [subprocess.Popen([*dask, "scheduler", *options, *file], **quiet)]  # type: ignore[call-overload]
+    try:
+        wait_for(place.exists)
+        for name in ("one", "two"):
+            own = ["--nthreads", "1", "--no-nanny", "--no-dashboard", "--name", name]
+            folder = ["--local-directory", str(tmp_path / name)]
+            worker = [*dask, "worker", *file, *own, *folder]
+            processes.append(subprocess.Popen(worker, **quiet))  # type: ignore[call-overload]
+        yield place, processes
+    finally:
+        for process in processes:
+            process.kill()
+            process.wait()
+
+
+def test_a_cluster_that_loses_a_worker_finds_what_one_process_finds(
+    tmp_path: Path, cluster: tuple[Path, list[subprocess.Popen[bytes]]]
+) -> None:
+    place, (_, first, second) = cluster
+    whole, spread = tmp_path / "whole.sqlite", tmp_path / "spread.sqlite"
+    assert run(swept(whole, 1500)).returncode == 0
+    address = json.loads(place.read_text(encoding="utf-8"))["address"]
+    log = tmp_path / "log"
+    with log.open("wb") as stream:
+        process = subprocess.Popen(
+            swept(spread, 1500, "--dask", address), env=ENVIRONMENT, stdout=stream, stderr=stream
+        )
+        wait_for(lambda: numbers(spread) > 5 or process.poll() is not None)
+        second.kill()
+        at_kill = numbers(spread)
+        assert process.wait(120) == 0, log.read_text(encoding="utf-8")
+    assert first.poll() is None
+    assert 5 < at_kill < 150, "the worker was killed mid-run"
+    assert report(spread) == report(whole)
