@@ -27,7 +27,7 @@ def where_positive(rows: Iterable[tuple[Fraction | int, Fraction | int]]) -> Int
             if constant < 0:
                 return None
             continue
-        end = Fraction(-constant) / slope
+        end = Fraction(-constant, slope)
         if slope > 0:
             low = end if low is None else max(low, end)
         else:

@@ -96,17 +96,21 @@ def outline_of(polygons: Sequence[Polyhedron]) -> Outline:
 
 
 class _Line:
-    """An oriented line ``normal . x + constant = 0`` with a parameter along it."""
+    """An oriented line ``normal . x + constant = 0`` with a parameter along it.
+
+    The point of parameter s is ``(-constant normal + s direction) / |normal|^2``, so that all
+    coefficients stay integers.
+    """
 
     def __init__(self, row: IntegerVector) -> None:
         self.normal, self.constant = row[:2], row[2]
-        square = dot(self.normal, self.normal)
-        self.base = tuple(Fraction(-self.constant * x, square) for x in self.normal)
+        self.square = dot(self.normal, self.normal)
+        self.base = tuple(-self.constant * x for x in self.normal)
         self.direction = (self.normal[1], -self.normal[0])
 
     def part(self, polygon: Polyhedron) -> Interval | None:
         """Return the part of the line in a polygon."""
-        return polygon.along(self.base, self.direction)
+        return polygon.along_homogeneous((*self.base, self.square), (*self.direction, 0))
 
     def covers_beyond(self, polygon: Polyhedron) -> bool:
         """Return whether a polygon is not only on the positive side of the line."""
@@ -132,7 +136,8 @@ class _Line:
     def _point(self, parameter: Fraction | None) -> RationalVector | None:
         if parameter is None:
             return None
-        return tuple(b + parameter * u for b, u in zip(self.base, self.direction, strict=True))
+        pairs = zip(self.base, self.direction, strict=True)
+        return tuple((b + parameter * u) / self.square for b, u in pairs)
 
 
 def _opposite(row: IntegerVector) -> IntegerVector:

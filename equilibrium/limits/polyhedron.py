@@ -58,11 +58,6 @@ class Polyhedron:
             dot(row, x) >= 0 for row in self.inequalities
         )
 
-    def surrounds(self, point: Sequence[Fraction | int]) -> bool:
-        """Return whether a point lies in the interior (of a polyhedron of full dimension)."""
-        x = (*point, 1)
-        return not self.equalities and all(dot(row, x) > 0 for row in self.inequalities)
-
     def within(self, other: Polyhedron) -> bool:
         """Return whether this polyhedron is a part of the other."""
         rays, lines = self.homogeneous
@@ -75,10 +70,18 @@ class Polyhedron:
         self, start: Sequence[Fraction | int], direction: Sequence[Fraction | int]
     ) -> Interval | None:
         """Return all s with ``start + s direction`` inside; None when there is none."""
-        x, u = (*start, 1), (*direction, 0)
-        rows = [(dot(row, u), dot(row, x)) for row in self.inequalities]
+        return self.along_homogeneous((*start, 1), (*direction, 0))
+
+    def along_homogeneous(
+        self, start: Sequence[Fraction | int], direction: Sequence[Fraction | int]
+    ) -> Interval | None:
+        """Return all s with the homogeneous point ``start + s direction`` inside.
+
+        The last entry of `start` is above 0, that of `direction` is 0.
+        """
+        rows = [(dot(row, direction), dot(row, start)) for row in self.inequalities]
         for row in self.equalities:
-            slope, constant = dot(row, u), dot(row, x)
+            slope, constant = dot(row, direction), dot(row, start)
             rows += [(slope, constant), (-slope, -constant)]
         return where_positive(rows) if rows else LINE
 

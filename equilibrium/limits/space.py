@@ -1,30 +1,25 @@
 """The whole set of wrenches that a grasp resists, as convex polyhedra with exact half-spaces.
 
-For one choice of contact states the motions d form a closed cell, given by the springs and the
-directions of slip. The wrench is linear in d, except that a sticking contact may pull either way up
-to its limit, which is linear in d too. So the resisted wrenches are the convex hull of the images
-of the cell's vertices and rays, each with both extreme forces of every sticking contact. (Any
-force in between is a mixture of the two at the same d, and the maps are linear.)
+It is the union, over all contact states, of what `images.resisted_with` returns.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import lru_cache
 from typing import Any
 
-from arrangement.exact import IntegerVector, RationalVector, dot, primitive
-from equilibrium.grasp import Contact, Grasp, read_wrench
-from equilibrium.states import DIRECTION, State, States, contact_states
+import numpy as np
 
-from .cones import generators
+from arrangement.exact import IntegerVector
+from equilibrium.grasp import Grasp, read_wrench
+from equilibrium.states import States, contact_states
+
+from .images import resisted_with
 from .intervals import Interval, union
-from .polyhedron import Polyhedron, from_generators
-
-#: Above this number, redundant generators are removed before the next sticking contact.
-_MANY = 40
+from .polyhedron import Polyhedron
 
 
 @dataclass(frozen=True)
@@ -95,78 +90,43 @@ def resistible_set(grasp: Grasp) -> ResistibleSet:
     return ResistibleSet(grasp, maximal_pieces(pieces))
 
 
-def resisted_with(grasp: Grasp, states: States) -> Polyhedron | None:
-    """Return the wrenches that are resisted with these contact states; None when there are none."""
-    inequalities: list[IntegerVector] = [(0, 0, 0, 1)]
-    equalities: list[IntegerVector] = []
-    for contact, state in zip(grasp, states, strict=True):
-        spring = primitive(_normal_force(contact))
-        slip = primitive((*contact.tangential_wrench, Fraction(0)))
-        if state == "detached":
-            inequalities.append(tuple(-x for x in spring))
-            continue
-        inequalities.append(spring)
-        if state == "stick":
-            equalities.append(slip)
-        else:
-            inequalities.append(slip if state == "slip+" else tuple(-x for x in slip))
-    # Along a line of the cell no touching spring may change, so the wrench does not either.
-    rays, _ = generators(inequalities, equalities, 4)
-    images = {image for ray in rays for image in _images(grasp, states, ray)}
-    return from_generators(images, (), 3)
-
-
 def maximal_pieces(pieces: Sequence[Piece]) -> tuple[Piece, ...]:
     """Return the pieces that lie in no other one, in their order; of equal ones the first."""
-    order = sorted(range(len(pieces)), key=lambda i: -pieces[i].polyhedron.dimension)
+    shapes = [piece.polyhedron for piece in pieces]
+    outside = _certainly_outside(shapes)
     kept: list[int] = []
-    for i in order:
-        shape = pieces[i].polyhedron
-        if any(shape.within(pieces[j].polyhedron) for j in kept):
+    for i in sorted(range(len(pieces)), key=lambda i: -shapes[i].dimension):
+        if any(not outside[j, i] and shapes[i].within(shapes[j]) for j in kept):
             continue
-        kept = [j for j in kept if not pieces[j].polyhedron.within(shape)] + [i]
+        kept = [j for j in kept if outside[i, j] or not shapes[j].within(shapes[i])] + [i]
     return tuple(pieces[i] for i in sorted(kept))
 
 
-def _normal_force(contact: Contact) -> RationalVector:
-    """Return the homogeneous row of ``preload - stiffness N . d``."""
-    return (*(-contact.stiffness * x for x in contact.normal_wrench), contact.preload)
+def _certainly_outside(shapes: Sequence[Polyhedron]) -> np.ndarray[Any, np.dtype[np.bool_]]:
+    """Return whether, by rounded numbers, shape j surely has a point outside shape i.
+
+    Conditions and generators are scaled to entries of at most 1, so a product of four or fewer
+    terms is wrong by less than 10^-14: a value below -10^-9 is truly negative.
+    """
+    spanning = [_both_ways(*shape.homogeneous) for shape in shapes]
+    starts = np.cumsum([0, *map(len, spanning)])[:-1]
+    points = _unit([x for group in spanning for x in group])
+    outside = np.zeros((len(shapes), len(shapes)), dtype=np.bool_)
+    for i, shape in enumerate(shapes):
+        rows = _both_ways(shape.inequalities, shape.equalities)
+        if rows:
+            least = (points @ _unit(rows).T).min(axis=1)
+            outside[i] = np.minimum.reduceat(least, starts) < -1e-9
+    return outside
 
 
-def _images(grasp: Grasp, states: States, motion: IntegerVector) -> Iterator[IntegerVector]:
-    """Yield the homogeneous wrenches that balance the extreme forces at a homogeneous motion."""
-    wrenches: list[RationalVector] = [(Fraction(0), Fraction(0), Fraction(0), Fraction(motion[-1]))]
-    for contact, state in zip(grasp, states, strict=True):
-        if state == "detached":
-            continue
-        force = dot(_normal_force(contact), motion)
-        sides = _sides(contact, state) if force else (Fraction(0),)
-        wrenches = [
-            _balanced(wrench, contact, force, side * force) for wrench in wrenches for side in sides
-        ]
-        if len(wrenches) > _MANY:
-            wrenches = _extreme(wrenches)
-    yield from (primitive(wrench) for wrench in wrenches if any(wrench))
+def _both_ways(
+    once: Iterable[IntegerVector], twice: Iterable[IntegerVector]
+) -> list[IntegerVector]:
+    """Return the vectors of the first kind, and those of the second with both signs."""
+    return [*once, *(x for y in twice for x in (y, tuple(-entry for entry in y)))]
 
 
-def _sides(contact: Contact, state: State) -> tuple[Fraction, ...]:
-    """Return the extreme ratios of the tangential to the normal force."""
-    if state == "stick":
-        return (contact.friction, -contact.friction) if contact.friction else (Fraction(0),)
-    return (DIRECTION[state] * contact.friction,)
-
-
-def _balanced(
-    wrench: RationalVector, contact: Contact, normal: Fraction, tangential: Fraction
-) -> RationalVector:
-    """Add the applied wrench that balances one more contact force."""
-    pairs = zip(wrench[:3], contact.normal_wrench, contact.tangential_wrench, strict=True)
-    return (*(w - normal * a - tangential * b for w, a, b in pairs), wrench[3])
-
-
-def _extreme(wrenches: Iterable[RationalVector]) -> list[RationalVector]:
-    """Return the extreme points among points of space; their common last entry stays as it is."""
-    listed = list(wrenches)
-    facets, equalities = generators([primitive((*w[:3], Fraction(1))) for w in listed], (), 4)
-    rays, _ = generators(facets, equalities, 4)
-    return [(*(Fraction(x, ray[3]) for x in ray[:3]), listed[0][3]) for ray in rays]
+def _unit(vectors: Sequence[IntegerVector]) -> np.ndarray[Any, np.dtype[np.float64]]:
+    """Return vectors divided by their largest entries, rounded."""
+    return np.array([[x / max(map(abs, vector)) for x in vector] for vector in vectors])
