@@ -31,7 +31,8 @@ class FrictionBracket:
 
     Attributes:
         low: no coefficient below this one resists the wrench (proved by exact linear programs).
-        high: this one does (an exact verdict); None when none was found, see `impossible`.
+        high: this one does (an exact verdict), and where possible it is the simplest fraction of
+            the last range; None when none was found, see `impossible`.
         impossible: whether it is proved that no coefficient at all resists the wrench.
     """
 
@@ -119,7 +120,10 @@ class _Search:
             return self.lowest(alive, middle, high) if lower is None else lower
         if self.first_open is None:
             self.first_open = low
-        return high if self.resists(alive, high) else None
+        if not self.resists(alive, high):
+            return None
+        simple = simplest_between(low, high)
+        return simple if self.resists(alive, simple) else high
 
     def possible(
         self, states: Iterable[States], low: Fraction, high: Fraction | None
@@ -138,6 +142,18 @@ class _Search:
         grasp = with_friction(self.grasp, coefficient)
         systems = (state_system(grasp, choice, self.wrench) for choice in states)
         return any(not isinstance(decide(system), Refutation) for system in systems)
+
+
+def simplest_between(low: Fraction, high: Fraction) -> Fraction:
+    """Return the fraction of least denominator in ``[low, high]``, for ``0 <= low <= high``.
+
+    >>> simplest_between(Fraction(333, 1000), Fraction(334, 1000))
+    Fraction(1, 3)
+    """
+    whole = -(-low.numerator // low.denominator)
+    if whole <= high:
+        return Fraction(whole)
+    return whole - 1 + 1 / simplest_between(1 / (high - whole + 1), 1 / (low - whole + 1))
 
 
 def with_friction(grasp: Grasp, friction: Any) -> Grasp:
