@@ -37,5 +37,10 @@ from .published import (
     PublishedEnumeration as PublishedEnumeration,
     published_enumeration as published_enumeration,
 )
+from .sphere import (
+    Incidence as Incidence,
+    SphereArrangement as SphereArrangement,
+    sphere_arrangement as sphere_arrangement,
+)
 
 __version__: str

@@ -28,6 +28,7 @@ from .linear import rank
 
 if TYPE_CHECKING:
     from .certify import CompletenessEvidence
+    from .sphere import SphereArrangement
 
 
 @dataclass(frozen=True, slots=True)
@@ -228,6 +229,12 @@ class Arrangement:
     def f_vector(self) -> tuple[int, ...]:
         """The number of faces of dimension 0, 1, ..., d, by enumeration."""
         return tuple(len(level) for level in self._faces)
+
+    def sphere(self) -> SphereArrangement:
+        """Return the great circles of a central arrangement in R^3, with their full incidence."""
+        from .sphere import sphere_arrangement
+
+        return sphere_arrangement(self)
 
     def certify_complete(self) -> CompletenessEvidence:
         """Compare `faces` with Zaslavsky's theorem, face by face and in number."""
