@@ -160,7 +160,8 @@ def check(
     lines = [_digest_line(document)]
     if not lines[0].holds:
         return Report(kind, tuple(lines))
-    check_keys(document["grasp"], ("contacts", "schema_version"), ("description",), "grasp")
+    optional = ("description", "units")
+    check_keys(document["grasp"], ("contacts", "schema_version"), optional, "grasp")
     grasp, wrench = Grasp.from_dict(document["grasp"]), read_wrench(document["wrench"])
     if question is not None:
         same = question == (grasp, wrench)

@@ -108,6 +108,8 @@ def _solve(arguments: argparse.Namespace) -> int:
     if arguments.json:
         console.print_json(document)
     else:
+        if grasp.units:
+            print(grasp.units)
         _print_verdict(pieces)
     return console.YES if pieces else console.NO
 

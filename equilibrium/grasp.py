@@ -9,16 +9,17 @@ the contact point by ``N . d`` along the normal and ``T . d`` along the tangent.
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from fractions import Fraction
 from functools import cached_property
 from typing import Any
 
-from arrangement.exact import RationalVector, rational, rational_vector, to_text
+from arrangement.exact import RationalVector, rational, rational_vector, shown, to_text
 from arrangement.files import check_keys, check_list
 from arrangement.planes import Arrangement
 
 from .errors import GraspError
+from .measures import Units
 
 CONTACT_KEYS = ("point", "normal", "friction", "stiffness", "preload")
 
@@ -99,16 +100,25 @@ class Contact:
 
 @dataclass(frozen=True)
 class Grasp:
-    """Finitely many contacts on one rigid planar object; none is allowed too."""
+    """Finitely many contacts on one rigid planar object; none is allowed too.
+
+    Attributes:
+        contacts: in the order given.
+        units: what the numbers are measured in, if stated; a label that no comparison looks at.
+    """
 
     contacts: tuple[Contact, ...]
+    units: Units | None = field(default=None, compare=False)
 
-    def __init__(self, contacts: Iterable[Contact] = ()) -> None:
+    def __init__(self, contacts: Iterable[Contact] = (), units: Units | None = None) -> None:
         listed = tuple(contacts)
         for i, contact in enumerate(listed):
             if not isinstance(contact, Contact):
                 raise GraspError(f"contacts[{i}] is {contact!r}; give Contact values")
+        if units is not None and not isinstance(units, Units):
+            raise GraspError(f"units is {shown(units)}; give a Units value or leave it out")
         object.__setattr__(self, "contacts", listed)
+        object.__setattr__(self, "units", units)
 
     def __len__(self) -> int:
         return len(self.contacts)
@@ -131,27 +141,35 @@ class Grasp:
 
     def with_preload(self, preload: Any) -> Grasp:
         """Return the same grasp with one preload at every contact."""
-        return Grasp(Contact(c.point, c.normal, c.friction, c.stiffness, preload) for c in self)
+        contacts = [Contact(c.point, c.normal, c.friction, c.stiffness, preload) for c in self]
+        return Grasp(contacts, self.units)
+
+    def with_units(self, length: str, force: str) -> Grasp:
+        """Return the same grasp with its units stated; no number changes."""
+        return Grasp(self.contacts, Units(length, force))
 
     def to_dict(self) -> dict[str, Any]:
         """Return the file form (see `read_grasp`)."""
-        return {"schema_version": 1, "contacts": [c.to_dict() for c in self]}
+        stated = {} if self.units is None else {"units": self.units.to_dict()}
+        return {"schema_version": 1, **stated, "contacts": [c.to_dict() for c in self]}
 
     @classmethod
     def from_dict(cls, document: Mapping[str, Any]) -> Grasp:
         """Return the grasp of a document with exactly the keys of `to_dict`.
 
-        In a contact, stiffness (1) and preload (0) may be left out.
+        In a contact, stiffness (1) and preload (0) may be left out; in the grasp, the units.
 
         Raises:
             InputError: unknown or missing keys, an unknown schema version, wrong types.
         """
-        check_keys(document, ("schema_version", "contacts"), ("description",), "the grasp")
+        optional = ("description", "units")
+        check_keys(document, ("schema_version", "contacts"), optional, "the grasp")
         version = document["schema_version"]
         if type(version) is not int or version != 1:
             raise GraspError(f"schema_version is {version!r}; this version reads 1")
         contacts = check_list(document["contacts"], "contacts")
-        return cls(_contact(entry, i) for i, entry in enumerate(contacts))
+        units = Units.from_dict(document["units"]) if "units" in document else None
+        return cls([_contact(entry, i) for i, entry in enumerate(contacts)], units)
 
 
 def read_wrench(values: Iterable[Any]) -> RationalVector:
@@ -190,9 +208,9 @@ def _unit(values: Iterable[Any]) -> RationalVector:
     normal = _pair(values, "normal")
     square = normal[0] ** 2 + normal[1] ** 2
     if square != 1:
-        shown = ", ".join(to_text(x)[:40] for x in normal)
+        written = ", ".join(to_text(x)[:40] for x in normal)
         raise GraspError(
-            f"normal is ({shown}), whose squared length is not exactly 1; "
+            f"normal is ({written}), whose squared length is not exactly 1; "
             "unit_normal(direction, tolerance) returns an exactly unit rational vector"
         )
     return normal

@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING, Any
 from arrangement import console
 
 if TYPE_CHECKING:
+    from .grasp import Grasp
     from .inputs import Conversion
 
 
@@ -41,6 +42,7 @@ def add_commands(commands: Any) -> None:
     randoms.add_argument("--contacts", type=int, required=True, metavar="M")
     randoms.add_argument("--seed", type=int, default=0)
     randoms.set_defaults(command=_random)
+    _add_units(randoms)
     console.add_json_option(randoms)
 
 
@@ -52,8 +54,15 @@ def _finish(parser: argparse.ArgumentParser, command: Any) -> None:
         metavar="RADIANS",
         help="largest error of a normal that has no exact unit form (default: 1/1000000)",
     )
+    _add_units(parser)
     console.add_json_option(parser)
     parser.set_defaults(command=command)
+
+
+def _add_units(parser: argparse.ArgumentParser) -> None:
+    parser.add_argument(
+        "--units", nargs=2, metavar=("LENGTH", "FORCE"), help="what the numbers mean, as in: mm N"
+    )
 
 
 def _csv(arguments: argparse.Namespace) -> int:
@@ -84,7 +93,7 @@ def _circle(arguments: argparse.Namespace) -> int:
 def _random(arguments: argparse.Namespace) -> int:
     from .inputs import random_grasp
 
-    document = random_grasp(arguments.contacts, arguments.seed).to_dict()
+    document = _labelled(random_grasp(arguments.contacts, arguments.seed), arguments).to_dict()
     if arguments.json:
         console.print_json({"grasp": document})
     else:
@@ -92,8 +101,12 @@ def _random(arguments: argparse.Namespace) -> int:
     return console.YES
 
 
+def _labelled(grasp: Grasp, arguments: argparse.Namespace) -> Grasp:
+    return grasp.with_units(*arguments.units) if arguments.units else grasp
+
+
 def _show(found: Conversion, arguments: argparse.Namespace) -> int:
-    document = found.to_dict()
+    document = {**found.to_dict(), "grasp": _labelled(found.grasp, arguments).to_dict()}
     if arguments.json:
         console.print_json(document)
         return console.YES

@@ -99,6 +99,8 @@ def _compare(arguments: argparse.Namespace) -> int:
     if arguments.json:
         console.print_json(comparison.to_dict())
     else:
+        if comparison.grasp.units:
+            print(comparison.grasp.units)
         for answer in comparison.answers:
             mark = "!" if answer.method in comparison.disagreeing else " "
             print(f"{mark} {_WORDS[answer.accepts]:<4}{answer.title:<60}{answer.remark}")

@@ -1,0 +1,160 @@
+"""The published schema of grasp files against the reader, and the units that files carry."""
+
+import json
+
+import jsonschema
+import pytest
+
+from arrangement.errors import InputError
+from equilibrium.certificate import check
+from equilibrium.cli import main
+from equilibrium.errors import GraspError
+from equilibrium.files import read_grasp
+from equilibrium.grasp import Contact, Grasp
+from equilibrium.inputs import random_grasp
+from equilibrium.instances import paths
+from equilibrium.measures import Units
+from equilibrium.passive import solve
+from equilibrium.schemas import grasp_schema
+
+VALIDATOR = jsonschema.Draft202012Validator(grasp_schema())
+CONTACT = {"point": ["-1", 0], "normal": ["3/5", "-0.8"], "friction": "1/2"}
+MISSING = object()
+
+
+def grasp(**changes):
+    document = {"schema_version": 1, "contacts": [CONTACT]} | changes
+    return {key: value for key, value in document.items() if value is not MISSING}
+
+
+def contact(**changes):
+    entry = CONTACT | changes
+    return grasp(contacts=[{key: value for key, value in entry.items() if value is not MISSING}])
+
+
+GOOD = [
+    grasp(),
+    grasp(contacts=[]),
+    grasp(description="two words"),
+    grasp(units={"length": "mm", "force": "N"}),
+    contact(stiffness="2", preload=0),
+    contact(stiffness="00.50", preload="0/7", friction="+1."),
+    contact(point=["+.5", "-7/3"], preload="-0"),
+    contact(stiffness="10/03"),
+]
+
+BAD = [
+    grasp(schema_version=2),
+    grasp(schema_version="1"),
+    grasp(schema_version=True),
+    grasp(schema_version=MISSING),
+    grasp(contacts=MISSING),
+    grasp(contacts={}),
+    grasp(contact=[]),
+    grasp(description=3),
+    grasp(units="mm"),
+    grasp(units={"length": "mm"}),
+    grasp(units={"length": "mm", "force": ""}),
+    grasp(units={"length": "mm", "force": " N"}),
+    grasp(units={"length": "mm", "force": "N" * 21}),
+    grasp(units={"length": "mm", "force": "N", "time": "s"}),
+    contact(point=MISSING),
+    contact(normal=MISSING),
+    contact(friction=MISSING),
+    contact(point=["0"]),
+    contact(point=["0", "0", "0"]),
+    contact(point="00"),
+    contact(point=["0", "1e3"]),
+    contact(point=["0", "1 /2"]),
+    contact(point=["0", "1/0"]),
+    contact(point=["0", "."]),
+    contact(point=["0", ""]),
+    contact(point=["0", "٣"]),
+    contact(point=["0", True]),
+    contact(point=["0", None]),
+    contact(point=["0", 0.5]),
+    contact(friction="-1/2"),
+    contact(friction=-1),
+    contact(stiffness="0"),
+    contact(stiffness="0.00"),
+    contact(stiffness=0),
+    contact(stiffness="-1"),
+    contact(preload="-1/10"),
+    contact(colour="red"),
+    contact(point=["0", "1" * 4001]),
+]
+
+
+def accepted(document):
+    try:
+        read_grasp(document)
+    except InputError:
+        return False
+    return True
+
+
+def test_the_schema_is_a_schema():
+    jsonschema.Draft202012Validator.check_schema(grasp_schema())
+
+
+@pytest.mark.parametrize("document", GOOD)
+def test_good_documents_pass_both(document):
+    assert accepted(document)
+    assert VALIDATOR.is_valid(document)
+
+
+@pytest.mark.parametrize("document", BAD)
+def test_bad_documents_fail_both(document):
+    assert not accepted(document)
+    assert not VALIDATOR.is_valid(document)
+
+
+def test_what_is_written_and_what_ships_passes():
+    for seed in range(5):
+        assert VALIDATOR.is_valid(random_grasp(4, seed).to_dict())
+    assert paths()
+    for path in paths().values():
+        assert VALIDATOR.is_valid(json.loads(path.read_text(encoding="utf-8")))
+
+
+def test_only_the_reader_checks_the_length_of_normals():
+    document = contact(normal=["1", "1"])
+    assert VALIDATOR.is_valid(document)
+    assert not accepted(document)
+
+
+class TestUnits:
+    grasp = Grasp([Contact((-1, 0), (1, 0), "1/2")]).with_units("mm", "N")
+
+    def test_units_survive_files_certificates_and_preload(self):
+        assert read_grasp(self.grasp.to_dict()).units == Units("mm", "N")
+        assert self.grasp.with_preload(1).units == Units("mm", "N")
+        verdict = solve(self.grasp, (-1, 0, 0))
+        assert verdict.to_dict()["grasp"]["units"] == {"length": "mm", "force": "N"}
+        assert verdict.certificate.to_dict()["grasp"]["units"]["force"] == "N"
+        assert check(verdict.certificate.to_dict()).valid
+
+    def test_units_change_no_verdict_and_no_comparison(self):
+        bare = Grasp(self.grasp.contacts)
+        assert bare == self.grasp
+        assert hash(bare) == hash(self.grasp)
+        assert "units" not in bare.to_dict()
+
+    def test_torques_are_in_force_times_length(self):
+        assert "N mm" in str(Units("mm", "N"))
+
+    @pytest.mark.parametrize("value", ["", " mm", "m\nm", "x" * 21, 3, None])
+    def test_bad_units_are_refused(self, value):
+        with pytest.raises(GraspError, match="length"):
+            Units(value, "N")
+        with pytest.raises(GraspError, match="units"):
+            Grasp([], value or "mm")
+
+    def test_commands_show_them(self, tmp_path, capsys):
+        path = tmp_path / "grasp.json"
+        path.write_text(json.dumps(self.grasp.to_dict()), encoding="utf-8")
+        for command in ("solve", "compare"):
+            assert main([command, str(path), "--wrench", "-1", "0", "0"]) == 0
+            assert "lengths in mm, forces in N" in capsys.readouterr().out
+        assert main(["make", "random", "--contacts", "1", "--units", "cm", "lbf"]) == 0
+        assert json.loads(capsys.readouterr().out)["units"] == {"length": "cm", "force": "lbf"}
