@@ -17,7 +17,7 @@ FOUND = $(shell for p in python3.13 python3.12 python3.11 python3; do \
 PYTHON ?= $(FOUND)
 
 help:
-	@echo "make verify   check the claims of the paper and print a verdict for each"
+	@echo "make verify   check the claims of the paper; print a verdict for each, write report/verdicts.html"
 	@echo "make test     run every test, doctests included"
 	@echo "make check    all that must be true of a commit: lint, types, tests, docs"
 	@echo "make bench    measure speed"
@@ -62,7 +62,8 @@ $(VENV)/.stamp-bench: pyproject.toml constraints.txt | $(BIN)/python
 	@touch $@ $(VENV)/.stamp-run
 
 verify: $(VENV)/.stamp-run
-	$(BIN)/proofs-check run
+	@mkdir -p report
+	$(BIN)/proofs-check run --report report/verdicts.html
 
 test: $(VENV)/.stamp-test
 	$(BIN)/python -m pytest -n $(JOBS) $(ARGS)
@@ -83,5 +84,5 @@ docs: $(VENV)/.stamp-docs
 	@echo "docs/_build/html/index.html"
 
 clean:
-	rm -rf $(VENV) build dist docs/_build docs/reference .hypothesis .mypy_cache .pytest_cache .ruff_cache .import_linter_cache
+	rm -rf $(VENV) build dist report docs/_build docs/reference .hypothesis .mypy_cache .pytest_cache .ruff_cache .import_linter_cache
 	find . -name __pycache__ -type d -prune -exec rm -rf {} +

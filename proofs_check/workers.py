@@ -13,6 +13,7 @@ import threading
 from collections.abc import Callable, Iterator, Sequence
 from concurrent.futures import FIRST_COMPLETED, Future, ProcessPoolExecutor, wait
 from concurrent.futures.process import BrokenProcessPool
+from importlib import import_module
 from typing import Any, TypeVar
 
 from arrangement.errors import MissingExtraError
@@ -88,15 +89,13 @@ def on_dask(
         SweepError: no scheduler answers at the address.
     """
     try:
-        import distributed
-        import joblib
+        joblib, distributed = (import_module(name) for name in ("joblib", "distributed"))
     except ImportError as error:
         raise MissingExtraError(
             f"{error.name} is not installed; pip install 'slipstates[dask]', here and on workers"
         ) from None
     try:
-        connect: Any = distributed.Client
-        client = connect(address, timeout="20s")
+        client = distributed.Client(address, timeout="20s")
     except (OSError, ValueError) as error:
         raise SweepError(f"no Dask scheduler answers at {address}: {error}") from None
     with client, joblib.parallel_config(backend="dask"):
