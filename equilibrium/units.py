@@ -50,7 +50,7 @@ def unit_normal(direction: Iterable[Any], tolerance: Any = Fraction(1, 10**6)) -
     >>> unit_normal([3, 4])
     UnitNormal(normal=(Fraction(3, 5), Fraction(4, 5)), angle_error=Fraction(0, 1))
     >>> unit_normal([1, 1], "1/100").normal
-    (Fraction(12, 17), Fraction(12, 17))
+    (Fraction(119, 169), Fraction(120, 169))
     """
     wanted = from_floats(list(direction))
     bound = from_floats(tolerance)
