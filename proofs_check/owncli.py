@@ -22,6 +22,7 @@ def run_files(arguments: argparse.Namespace, width: int) -> int:
     files = list(dict.fromkeys(arguments.ids))
     if not all(name.endswith(".py") for name in files):
         raise OwnClaimError("ids and files are both given; run the claims of files on their own")
+    make = pages.form(Path(arguments.report).suffix) if arguments.report else None
     results, saved = [], []
     for name in files:
         for claim in own.load(name):
@@ -30,8 +31,7 @@ def run_files(arguments: argparse.Namespace, width: int) -> int:
             saved.append(ownrun.save(result, arguments.save))
     listed = [own_record(name, result) for name, result in results]
     record = report.record_of(listed, arguments.seed, [environment()])
-    if arguments.report:
-        make = pages.form(Path(arguments.report).suffix)
+    if make:
         write_text_atomically(arguments.report, make(record))
     if arguments.json:
         console.print_json(record)

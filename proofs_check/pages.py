@@ -42,7 +42,7 @@ def markdown(record: Record) -> str:
         for columns, rows in _tables(result):
             lines += ["", *_markdown_table(columns, rows)]
         lines += _markdown_instance(result)
-    return "\n".join([*lines, "", *_footer(record), ""])
+    return "\n".join([*lines, "", *map(_markdown_text, _footer(record)), ""])
 
 
 def _markdown_instance(result: Record) -> list[str]:
@@ -51,7 +51,8 @@ def _markdown_instance(result: Record) -> list[str]:
 
 
 def _markdown_table(columns: Sequence[str], rows: Iterable[Sequence[str]]) -> list[str]:
-    table = [columns, ["---"] * len(columns), *([_markdown_text(c) for c in row] for row in rows)]
+    cells = [[_markdown_text(cell) for cell in row] for row in (columns, *rows)]
+    table = [cells[0], ["---"] * len(columns), *cells[1:]]
     return [f"| {' | '.join(row)} |" for row in table]
 
 

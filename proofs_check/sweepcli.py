@@ -99,9 +99,9 @@ def run_merge(arguments: argparse.Namespace) -> int:
 
 def run_report(arguments: argparse.Namespace) -> int:
     """Make a report from the store of a sweep or from a JSON record of a run."""
+    make = pages.form(Path(arguments.output).suffix if arguments.output else ".md")
     record = _read(arguments.source)
-    ending = Path(arguments.output).suffix if arguments.output else ".md"
-    text = _made(pages.form(ending), record, arguments.source)
+    text = _made(make, record, arguments.source)
     if arguments.output:
         write_text_atomically(arguments.output, text)
     if arguments.json:

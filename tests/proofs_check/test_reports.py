@@ -1,0 +1,326 @@
+"""Reports: the JSON record is complete, and every other form is made from it alone."""
+
+from __future__ import annotations
+
+import json
+import re
+import shutil
+import subprocess
+import sys
+import xml.etree.ElementTree as ET
+from html.parser import HTMLParser
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from arrangement import Arrangement
+from arrangement.families import generic
+from equilibrium.files import read_grasp
+from proofs_check import pages, report
+from proofs_check.claim import evaluate
+from proofs_check.claims import registry
+from proofs_check.cli import main
+from proofs_check.environment import commit
+from proofs_check.pictures import picture
+from proofs_check.progress import Bar
+
+IDS = ("different-slip-states", "step-1-square-bound")
+VOID = {"meta", "br", "circle", "polyline", "line", "path"}
+
+
+@pytest.fixture(scope="module")
+def record() -> dict[str, Any]:
+    return report.json_record([evaluate(registry()[id], 3) for id in IDS], 3)
+
+
+def hostile(text: str) -> dict[str, Any]:
+    """A record in which every text that a run takes from elsewhere is the given one."""
+    case = {"label": text, "values": [text, [1, text]], "holds": False, "covered": True}
+    case |= {"note": text, "assumption": text, "instance": {"planes": [["1", "0"]], text: text}}
+    result = {
+        **dict.fromkeys(("id", "locator", "statement", "evidence", "meaning", "verdict"), text),
+        "expected": text,
+        "as_expected": False,
+        "hypotheses": [text],
+        "saving_hypothesis": text,
+        "routes": [text, text],
+        "rows": True,
+        "records": [case],
+        "counterexample": case,
+        "milliseconds": 3,
+        "table": {"columns": ["a", text], "rows": [[1, text]]},
+    }
+    environment = {"python": text, "versions": {text: text}, "commit": text}
+    return {
+        "schema_version": 1,
+        "seed": 0,
+        "as_expected": False,
+        "environments": [environment],
+        "results": [result],
+    }
+
+
+class Tags(HTMLParser):
+    """Collects the tags and texts of a page, and checks that every tag is closed."""
+
+    def __init__(self, page: str) -> None:
+        super().__init__()
+        self.open: list[str] = []
+        self.tags: list[tuple[str, dict[str, str | None]]] = []
+        self.texts: list[str] = []
+        self.feed(page)
+        self.close()
+
+    def handle_starttag(self, tag: str, attrs: list[tuple[str, str | None]]) -> None:
+        self.tags.append((tag, dict(attrs)))
+        if tag not in VOID:
+            self.open.append(tag)
+
+    def handle_startendtag(self, tag: str, attrs: list[tuple[str, str | None]]) -> None:
+        self.tags.append((tag, dict(attrs)))
+
+    def handle_endtag(self, tag: str) -> None:
+        assert self.open.pop() == tag
+
+    def handle_data(self, data: str) -> None:
+        self.texts.append(data)
+
+
+def test_the_record_says_with_what_and_how_everything_was_found(record: dict[str, Any]) -> None:
+    (environment,) = record["environments"]
+    assert environment["python"] == sys.version.split()[0]
+    assert {"slipstates", "numpy", "sympy"} <= set(environment["versions"])
+    assert "commit" in environment
+    assert record["seed"] == 3
+    for id, result in zip(IDS, record["results"], strict=True):
+        claim = registry()[id]
+        assert result["hypotheses"] == list(claim.hypotheses)
+        assert result["routes"] == [route.name for route in claim.routes]
+        assert result["milliseconds"] >= 0
+        assert all(len(case["values"]) == 2 for case in result["records"])
+        assert all(case["instance"] for case in result["records"])
+
+
+def test_the_record_has_no_float_and_survives_a_file(record: dict[str, Any]) -> None:
+    def refuse(text: str) -> Any:
+        raise AssertionError(f"a float: {text}")
+
+    text = pages.FORMS[".json"](record)
+    assert json.loads(text, parse_float=refuse, parse_constant=refuse) == record
+
+
+def test_the_counterexample_in_the_record_can_be_checked_again(record: dict[str, Any]) -> None:
+    refuted = record["results"][1]["counterexample"]
+    planes = Arrangement(refuted["instance"]["planes"])
+    assert planes.f_vector[3] == refuted["values"][0] > len(planes) ** 2
+
+
+@pytest.mark.parametrize("ending", [".md", ".html", ".tex"])
+def test_a_report_made_later_from_the_file_is_the_same(
+    tmp_path: Path, record: dict[str, Any], ending: str
+) -> None:
+    source, later = tmp_path / "r.json", tmp_path / f"later{ending}"
+    source.write_text(pages.FORMS[".json"](record), encoding="utf-8")
+    assert main(["report", str(source), "--output", str(later)]) == 0
+    text = later.read_text(encoding="utf-8")
+    assert text == pages.form(ending)(record)
+    plain = text.replace("\\_", "_")
+    for id in IDS:
+        assert id in plain
+    assert "holds under a hypothesis" in plain
+    assert "refuted" in plain
+
+
+@pytest.mark.parametrize("ending", [".json", ".md", ".html", ".tex", ".txt"])
+def test_run_writes_each_form(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], ending: str
+) -> None:
+    path = tmp_path / f"r{ending}"
+    assert main(["run", "step-1-square-bound", "--report", str(path)]) == 0
+    text = path.read_text(encoding="utf-8")
+    assert "step-1-square-bound" in text
+    starts = {".json": "{", ".md": "# ", ".html": "<!DOCTYPE html>", ".tex": "% "}
+    assert text.startswith(starts.get(ending, "step-1"))
+    assert "step-1-square-bound" in capsys.readouterr().out
+
+
+def test_the_page_asks_for_nothing_from_outside_and_runs_nothing(record: dict[str, Any]) -> None:
+    page = pages.html_page(record)
+    found = Tags(page)
+    assert found.open == []
+    names = {name for name, _ in found.tags}
+    assert not names & {"script", "link", "img", "iframe", "object", "embed", "base", "form", "a"}
+    attributes = {key for _, attrs in found.tags for key in attrs}
+    assert not {a for a in attributes if a in ("src", "href", "srcset") or a.startswith("on")}
+    assert not re.search(r"https?:|url\(|@import", page)
+    assert "svg" in names
+
+
+@pytest.mark.parametrize(
+    "text", ["<script>alert(1)</script>", '"><img src=x onerror=y>', "a|b\n\n# c", "&amp;", "]]>"]
+)
+def test_texts_of_a_record_stay_texts_in_the_page(text: str) -> None:
+    page = pages.html_page(hostile(text))
+    found = Tags(page)
+    assert found.open == []
+    assert not {name for name, _ in found.tags} & {"script", "img"}
+    assert text in "".join(found.texts)
+
+
+@pytest.mark.parametrize("text", ["a|b", "a\n| b |\n\n# c", "a\\|b", "`x` <b>"])
+def test_texts_of_a_record_do_not_break_a_markdown_table(text: str) -> None:
+    lines = pages.markdown(hostile(text)).splitlines()
+    assert [line for line in lines if line.startswith("# ")] == ["# Verdicts"]
+    tables = [line for line in lines if line.startswith("|")]
+    # Ends of cells are bars that an even number of backslashes (so none of its own) goes before.
+    widths = [len(re.findall(r"(?<!\\)(?:\\\\)*\|", line)) for line in tables]
+    assert widths[:3] == [5, 5, 5]
+    assert "<b>" not in pages.markdown(hostile(text)).split("```")[0]
+
+
+@pytest.mark.parametrize("text", ["a & b", r"\input{x}", "50% of $x_1^2$ #1 ~ {", "x\ny"])
+def test_texts_of_a_record_do_not_become_latex(text: str) -> None:
+    body = pages.latex(hostile(text)).split(r"\endhead")[1].split(r"\hline")[0].strip()
+    assert body.endswith(r"\\")
+    cells = re.split(r"(?<!\\)&", body.removesuffix(r"\\"))
+    assert len(cells) == 4
+    known = (
+        r"\\(textbackslash|textasciicircum|textasciitilde|text(less|greater|bar))\{\}|\\[{}$&#%_]"
+    )
+    assert not re.search(r"[\\{}$&#%_^~]", re.sub(known, "", "".join(cells)))
+    assert "\n" not in body
+
+
+def test_an_unexpected_verdict_is_seen_in_every_form(
+    tmp_path: Path, record: dict[str, Any], capsys: pytest.CaptureFixture[str]
+) -> None:
+    changed = json.loads(json.dumps(record))
+    changed["as_expected"] = changed["results"][0]["as_expected"] = False
+    for make in (pages.markdown, pages.html_page, pages.latex):
+        assert "(expected: refuted)" in make(changed)
+        assert "(expected: refuted)" not in make(record)
+    path = tmp_path / "r.json"
+    path.write_text(json.dumps(changed), encoding="utf-8")
+    assert main(["report", str(path)]) == 1
+    assert "some verdict differs" in capsys.readouterr().out
+
+
+@pytest.mark.parametrize(
+    "content",
+    [
+        '{"schema_version": 1, "results": [{}]}',
+        '{"schema_version": 1, "results": 3}',
+        '{"schema_version": 1, "results": [1.5]}',
+        '{"schema_version": 2, "results": []}',
+        '{"results": []}',
+        "[]",
+        "x",
+    ],
+)
+def test_a_file_that_is_no_record_is_bad_input(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], content: str
+) -> None:
+    path = tmp_path / "r.json"
+    path.write_text(content, encoding="utf-8")
+    assert main(["report", str(path)]) == 2
+    captured = capsys.readouterr()
+    assert captured.out == ""
+    assert captured.err.startswith("error: ")
+    assert captured.err.count("\n") == 1
+
+
+def test_hostile_numbers_in_a_record_are_refused_at_once(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    content = hostile("x")
+    content["results"][0]["counterexample"]["instance"] = {"planes": [["1e999999999", "0", "1"]]}
+    path = tmp_path / "r.json"
+    path.write_text(json.dumps(content), encoding="utf-8")
+    assert main(["report", str(path), "--output", str(tmp_path / "r.html")]) == 2
+    assert capsys.readouterr().err.startswith("error: ")
+    assert not (tmp_path / "r.html").exists()
+
+
+def test_an_unknown_ending_is_refused_before_any_work(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert main(["report", "nowhere.json", "--output", str(tmp_path / "r.pdf")]) == 2
+    assert "a report ends with .json" in capsys.readouterr().err
+
+
+def test_planes_are_drawn_as_curves_inside_the_disk() -> None:
+    for planes in (generic(5), Arrangement([[1, 2, 4], [10**40, 1, 0], [0, 0, -1]])):
+        tree = ET.fromstring(picture(planes.to_dict()))
+        lines = [entry for entry in tree if entry.tag == "polyline"]
+        assert len(lines) == len(planes)
+        for line in lines:
+            points = [tuple(map(float, p.split(","))) for p in line.attrib["points"].split()]
+            distances = [(x - 100) ** 2 + (y - 100) ** 2 for x, y in points]
+            assert max(distances) < 90.2**2
+            # A half great circle begins and ends on the rim, at opposite points.
+            assert min(distances[0], distances[-1]) > 89.8**2
+            assert abs(points[0][0] + points[-1][0] - 200) < 0.3
+
+
+def test_a_grasp_is_drawn_with_every_contact_and_other_things_are_not_drawn() -> None:
+    grasp = read_grasp("paper-four-contacts")
+    tree = ET.fromstring(picture(grasp.to_dict()))
+    assert len([entry for entry in tree if entry.tag == "circle"]) == 4
+    assert picture(None) == ""
+    assert picture(generic(3, affine=True).to_dict()) == ""
+    assert picture(generic(3, 4).to_dict()) == ""
+    assert picture({"something": 1}) == ""
+
+
+@pytest.mark.skipif(shutil.which("git") is None, reason="needs git")
+def test_the_commit_is_that_of_the_checkout_itself_and_of_no_other(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.delenv("GIT_DIR", raising=False)
+
+    def git(*arguments: str) -> str:
+        who = ["-c", "user.name=n", "-c", "user.email=e@example.org"]
+        done = subprocess.run(
+            ["git", "-C", str(tmp_path), *who, *arguments],
+            capture_output=True,
+            text=True,
+            check=True,
+        )
+        return done.stdout.strip()
+
+    assert commit(tmp_path) is None
+    git("init", "-q")
+    (tmp_path / "inside").mkdir()
+    (tmp_path / "inside" / "f").write_text("1", encoding="utf-8")
+    git("add", ".")
+    git("commit", "-q", "-m", "m")
+    assert commit(tmp_path) == git("rev-parse", "HEAD")
+    assert commit(tmp_path / "inside") is None
+    (tmp_path / "inside" / "f").write_text("2", encoding="utf-8")
+    assert commit(tmp_path) == f"{git('rev-parse', 'HEAD')}+changes"
+
+
+def test_the_bar_gives_the_rate_of_this_run_and_the_remaining_time() -> None:
+    now = [100.0]
+    bar = Bar(1000, "samples", 200, clock=lambda: now[0])
+    now[0] = 110.0
+    bar.update(400)
+    assert bar.text() == "[#########...............] 400/1000 samples, 20 samples/s, 0:30 left"
+    bar.update(1000)
+    assert "1000/1000" in bar.text()
+    assert Bar(None, "cases", clock=lambda: now[0]).text().startswith("0 cases")
+
+
+def test_the_bar_is_on_a_terminal_only(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    Bar(10, "samples").update(5)
+    assert capsys.readouterr() == ("", "")
+    monkeypatch.setattr(sys.stderr, "isatty", lambda: True)
+    bar = Bar(10, "samples")
+    bar.update(5)
+    bar.close()
+    captured = capsys.readouterr()
+    assert captured.out == ""
+    assert "5/10 samples" in captured.err
