@@ -1,0 +1,143 @@
+"""The command `equilibrium`: JSON contract, exit codes, files whole or not at all."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import pytest
+
+from arrangement.cli import main as arrangement_main
+from equilibrium.cli import main
+
+THREE = "paper-three-contacts"
+
+
+def call(capsys, *arguments):
+    code = main(arguments)
+    captured = capsys.readouterr()
+    return code, captured.out, captured.err
+
+
+def test_stable_verdict_in_json(capsys):
+    code, out, err = call(capsys, "solve", THREE, "--wrench", "0", "-1/2", "0", "--json")
+    assert (code, err) == (0, "")
+    document = json.loads(out)
+    assert document["stable"] is True
+    (piece,) = document["equilibria"]
+    assert piece["motion"] == ["0", "-1/2", "0"]
+    assert piece["forces"] == [["0", "0"], ["1/2", "0"], ["0", "0"]]
+    assert len(piece["states"]) == 3
+
+
+def test_unstable_verdict_in_json(capsys):
+    code, out, err = call(capsys, "solve", THREE, "--wrench", "0", "1", "0", "--json")
+    assert (code, err) == (1, "")
+    document = json.loads(out)
+    assert (document["stable"], document["equilibria"]) == (False, [])
+
+
+def test_preload_option_is_the_preloaded_instance(capsys):
+    wrench = ("--wrench", "0", "1.0", "-0.0", "--json")
+    one = call(capsys, "solve", THREE, "--preload", "1", *wrench)
+    assert one[0] == 0
+    assert one == call(capsys, "solve", f"{THREE}-preload-1", *wrench)
+
+
+@pytest.mark.parametrize(("wrench", "code"), [("-1", 0), ("1", 1)])
+def test_certificate_is_written_and_verified(capsys, tmp_path: Path, wrench, code):
+    path = tmp_path / "certificate.json"
+    arguments = ("solve", THREE, "--wrench", "0", wrench, "0", "--certificate", str(path))
+    assert call(capsys, *arguments)[0] == code
+    assert call(capsys, "verify", str(path))[0] == 0
+    verified, out, _ = call(capsys, "verify", str(path), "--json")
+    assert (verified, json.loads(out)["valid"]) == (0, True)
+    assert [p.name for p in tmp_path.iterdir()] == [path.name]
+
+
+def test_changed_certificate_says_which_line_fails(capsys, tmp_path: Path):
+    path = tmp_path / "certificate.json"
+    call(capsys, "solve", THREE, "--wrench", "0", "1", "0", "--certificate", str(path))
+    document = json.loads(path.read_text())
+    document["wrench"][1] = "-1"
+    path.write_text(json.dumps(document))
+    code, out, _ = call(capsys, "verify", str(path))
+    assert code == 1
+    assert "digest" in out
+    code, out, _ = call(capsys, "verify", str(path), "--json")
+    assert (code, json.loads(out)["failed"]["line"]) == (1, "digest")
+
+
+@pytest.mark.parametrize(
+    "arguments",
+    [
+        ("solve", THREE),
+        ("solve", THREE, "--wrench", "0", "1"),
+        ("solve", THREE, "--wrench", "0", "1", "1e9"),
+        ("solve", THREE, "--wrench", "0", "1", "nan"),
+        ("solve", "no-such-grasp", "--wrench", "0", "1", "0"),
+        ("solve", THREE, "--wrench", "0", "1", "0", "--literal", "everything"),
+        ("solve", THREE, "--preload", "-1", "--wrench", "0", "1", "0"),
+        ("solve", THREE, "--wrench", "0", "1", "0", "--literal", "signs", "--certificate", "x"),
+        ("solve", THREE, "--wrench", "0", "1", "0", "--certificate", "/no/such/folder/x.json"),
+        ("verify", "no-such-file.json"),
+        ("verify", THREE),
+        (),
+    ],
+)
+def test_bad_input_exits_with_two(capsys, arguments):
+    try:
+        code, out, err = call(capsys, *arguments)
+    except SystemExit as stop:
+        captured = capsys.readouterr()
+        code, out, err = stop.code, captured.out, captured.err
+    assert (code, out) == (2, "")
+    assert "error:" in err
+    assert "Traceback" not in err
+
+
+CONTACT = {"point": ["0", "0"], "normal": ["1", "0"], "friction": "1"}
+HOSTILE = {
+    "code": {**CONTACT, "friction": "__import__('os').system('true')"},
+    "huge": {**CONTACT, "friction": "1e999999999"},
+    "float": {**CONTACT, "friction": 0.5},
+    "nan": {**CONTACT, "friction": float("nan")},
+    "null": {**CONTACT, "friction": None},
+    "bool": {**CONTACT, "friction": True},
+    "unknown": {**CONTACT, "mass": "1"},
+    "range": {**CONTACT, "stiffness": "0"},
+    "normal": {**CONTACT, "normal": ["1", "1"]},
+    "long": {**CONTACT, "friction": "1" * 5000},
+}
+
+
+@pytest.mark.parametrize("name", HOSTILE)
+def test_hostile_grasp_exits_with_two(capsys, tmp_path: Path, name):
+    path = tmp_path / "grasp.json"
+    path.write_text(json.dumps({"schema_version": 1, "contacts": [HOSTILE[name]]}))
+    code, out, err = call(capsys, "solve", str(path), "--wrench", "0", "0", "0", "--json")
+    assert (code, out) == (2, "")
+    assert err.startswith("error: ")
+
+
+def test_deep_nesting_exits_with_two(capsys, tmp_path: Path):
+    path = tmp_path / "deep.json"
+    path.write_text('{"schema_version": 1, "certificate": ' + "[" * 10**6 + "]" * 10**6 + "}")
+    for command in (("verify", str(path)), ("solve", str(path), "--wrench", "0", "0", "0")):
+        code, out, err = call(capsys, *command)
+        assert (code, out) == (2, "")
+        assert err.startswith("error: ")
+
+
+def test_grasp_counts_as_its_tangential_planes(capsys):
+    assert arrangement_main(["count", "paper-four-contacts", "--json"]) == 0
+    document = json.loads(capsys.readouterr().out)
+    assert document["f_vector"] == [0, 1, 4, 4]
+    assert document["distinct_planes"] == 2
+
+
+def test_literal_reading_in_json(capsys):
+    arguments = ("--wrench", "0", "0", "3", "--literal", "detachment", "cell-check", "--json")
+    code, out, _ = call(capsys, "solve", "paper-four-contacts", *arguments)
+    assert json.loads(out)["literal"] == ["detachment", "cell-check"]
+    assert code == (0 if json.loads(out)["stable"] else 1)

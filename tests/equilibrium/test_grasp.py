@@ -1,0 +1,140 @@
+"""Contacts, grasps and unit normals: conventions, validation, identity."""
+
+from __future__ import annotations
+
+from fractions import Fraction
+
+import pytest
+import sympy
+from hypothesis import given, settings, strategies as st
+
+from arrangement.errors import InputError
+from equilibrium import Contact, Grasp, GraspError, read_grasp, unit_normal
+
+from .strategies import contacts, grasps
+
+
+def test_tangent_is_the_normal_turned_left_and_torque_is_counter_clockwise():
+    contact = Contact((-1, 1), (1, 0), "1/2")
+    assert contact.tangent == (0, 1)
+    assert contact.normal_wrench == (1, 0, -1)
+    assert contact.tangential_wrench == (0, 1, -1)
+
+
+@given(contacts, st.tuples(*[st.integers(-3, 3)] * 3))
+def test_wrench_times_motion_is_the_displacement_of_the_contact_point(contact, motion):
+    x, y, r = motion
+    moved = (x - r * contact.point[1], y + r * contact.point[0])
+    for wrench, along in (
+        (contact.normal_wrench, contact.normal),
+        (contact.tangential_wrench, contact.tangent),
+    ):
+        assert sum(a * b for a, b in zip(wrench, motion, strict=True)) == sum(
+            a * b for a, b in zip(moved, along, strict=True)
+        )
+
+
+def test_equal_contacts_are_equal_whatever_the_number_type():
+    texts = Contact(("1/2", "0"), ("0.6", "0.8"), "0.5", "1", "0")
+    others = Contact((sympy.Rational(1, 2), 0), (Fraction(3, 5), Fraction(4, 5)), Fraction(1, 2))
+    assert texts == others
+    assert hash(texts) == hash(others)
+    assert Grasp([texts]) == Grasp([others])
+    assert len({Grasp([texts]), Grasp([others])}) == 1
+
+
+def test_values_are_frozen():
+    contact = Contact((0, 0), (1, 0), 0)
+    with pytest.raises(AttributeError):
+        contact.friction = Fraction(1)  # type: ignore[misc]
+
+
+@given(grasps(4))
+def test_file_form_round_trip(grasp):
+    assert Grasp.from_dict(grasp.to_dict()) == grasp
+
+
+def test_normal_that_is_not_unit_names_the_remedy():
+    for normal in ((1, 1), (0, 0), ("0.6", "0.80000000000000000001")):
+        with pytest.raises(GraspError, match=r"unit_normal\(direction, tolerance\)"):
+            Contact((0, 0), normal, 1)
+
+
+@pytest.mark.parametrize(
+    ("values", "name"),
+    [
+        ({"friction": "-1/1000"}, "friction"),
+        ({"preload": -1}, "preload"),
+        ({"stiffness": 0}, "stiffness"),
+        ({"stiffness": -1}, "stiffness"),
+        ({"friction": 0.5}, "friction"),
+        ({"point": (0,)}, "point"),
+        ({"normal": (1, 0, 0)}, "normal"),
+    ],
+)
+def test_value_out_of_range_is_named(values, name):
+    given_values = {"point": (0, 0), "normal": (1, 0), "friction": 1, **values}
+    with pytest.raises(InputError, match=name):
+        Contact(**given_values)
+
+
+@pytest.mark.parametrize(
+    "document",
+    [
+        {},
+        {"schema_version": 2, "contacts": []},
+        {"schema_version": True, "contacts": []},
+        {"schema_version": 1, "contacts": {}},
+        {"schema_version": 1, "contacts": [[]]},
+        {"schema_version": 1, "contacts": [], "friction": 1},
+        {"schema_version": 1, "contacts": [{"point": [0, 0], "normal": [1, 0]}]},
+        {
+            "schema_version": 1,
+            "contacts": [{"point": [0, 0], "normal": [1, 0], "friction": 1, "mu": 1}],
+        },
+        {"schema_version": 1, "contacts": [{"point": "00", "normal": [1, 0], "friction": 1}]},
+    ],
+)
+def test_wrong_document_is_refused(document):
+    with pytest.raises(InputError):
+        read_grasp(document)
+
+
+AXES = [(1, 0), (0, 1), (-1, 0), (0, -1)]
+
+
+@pytest.mark.parametrize("axis", AXES)
+def test_axes_are_exact(axis):
+    for direction in (axis, tuple(2.5 * x for x in axis)):
+        assert unit_normal(direction) == (axis, 0)
+
+
+@pytest.mark.parametrize("x", [-3, 3])
+@pytest.mark.parametrize("y", [-4, 4])
+def test_rational_lengths_are_exact_in_every_quadrant(x, y):
+    assert unit_normal((x, y)) == ((Fraction(x, 5), Fraction(y, 5)), 0)
+
+
+@settings(max_examples=60)
+@given(
+    st.tuples(*[st.floats(-1e6, 1e6).filter(lambda x: x == 0 or abs(x) > 1e-6)] * 2).filter(any),
+    st.sampled_from([Fraction(1), Fraction(1, 100), Fraction(1, 10**12)]),
+)
+def test_unit_normal_is_unit_and_within_the_tolerance(direction, tolerance):
+    normal, error = unit_normal(direction, tolerance)
+    assert normal[0] ** 2 + normal[1] ** 2 == 1
+    wanted = tuple(map(Fraction, direction))
+    sine = wanted[0] * normal[1] - wanted[1] * normal[0]
+    cosine = wanted[0] * normal[0] + wanted[1] * normal[1]
+    assert cosine > 0
+    assert error * cosine == sine
+    assert abs(error) <= tolerance
+
+
+@pytest.mark.parametrize(
+    ("direction", "tolerance"),
+    [((0, 0), "1/10"), ((1,), "1/10"), ((1, 1), 0), ((1, 1), 2), ((float("nan"), 1), "1/10")],
+)
+def test_unit_normal_refuses(direction, tolerance):
+    with pytest.raises(InputError):
+        unit_normal(direction, tolerance)
