@@ -116,6 +116,7 @@ def survey(
 
 def smallest_examples(
     *,
+    methods: Iterable[str] = OTHERS,
     tries: int = 60,
     seed: int = 0,
     watch: Callable[[Iterable[int]], Iterable[int]] = iter,
@@ -123,15 +124,17 @@ def smallest_examples(
     """Return the smallest disagreement found of each method and kind.
 
     Args:
+        methods: which ones, by their keys.
         tries: how many small random questions are asked of each number of contacts, 1 to 3.
         seed: of the search.
         watch: wraps the iteration, as a progress bar does.
     """
+    wanted = tuple(methods)
     kept: dict[tuple[str, bool], Example] = {}
     for k in watch(range(3 * tries)):
         grasp, wrench = _small_question(1 + k // tries, f"{seed} {k}")
         ours = bool(ask("complete", grasp, wrench))
-        for name in OTHERS:
+        for name in wanted:
             if (name, not ours) in kept and len(kept[name, not ours].grasp) < len(grasp):
                 continue
             if ask(name, grasp, wrench) is (not ours):
@@ -192,6 +195,7 @@ def _simpler(grasp: Grasp, wrench: RationalVector) -> Iterator[tuple[Grasp, Rati
 
 
 def _simpler_contacts(c: Contact) -> Iterator[Contact]:
+    yield Contact((0, 0), c.normal, c.friction, c.stiffness, c.preload)
     for k in range(2):
         for x in _numbers(c.point[k]):
             point = [*c.point]

@@ -43,19 +43,19 @@ def test_many_contacts_leave_the_exponential_method_out():
 
 class TestSurvey:
     def test_every_question_is_counted_once(self):
-        found = survey(8, contacts=(2, 3), seed=3)
-        assert found.questions == 8
+        found = survey(4, contacts=(2, 3), seed=3)
+        assert found.questions == 4
         for count in found.counts.values():
-            assert sum(vars(count).values()) == 8
-        assert found.to_dict() == survey(8, contacts=(2, 3), seed=3).to_dict()
+            assert sum(vars(count).values()) == 4
+        assert found.to_dict() == survey(4, contacts=(2, 3), seed=3).to_dict()
 
     def test_methods_that_relax_the_model_never_refuse_wrongly(self):
-        counts = survey(10, contacts=(2, 3)).counts
+        counts = survey(8, contacts=(2,)).counts
         for method in ("cones", "wrench-space", "weak"):
             assert counts[method].refuses_wrongly == 0
 
     def test_examples_disagree_and_cannot_be_made_smaller(self):
-        examples = smallest_examples(tries=12)
+        examples = smallest_examples(methods=("frictionless", "wrench-space"), tries=20)
         assert examples
         for example in examples:
             assert ask(example.method, example.grasp, example.wrench) is example.accepts
@@ -64,7 +64,8 @@ class TestSurvey:
             assert size(again.grasp, again.wrench) == size(example.grasp, example.wrench)
         kinds = [(example.method, example.accepts) for example in examples]
         assert len(set(kinds)) == len(kinds)
-        assert {method for method, _ in kinds} <= set(OTHERS)
+        # One contact pressed and pushed along its edge holds by friction alone.
+        assert len(next(e for e in examples if e.method == "frictionless").grasp) == 1
 
 
 class TestCommands:
@@ -99,7 +100,7 @@ class TestCommands:
         assert "volume" in capsys.readouterr().out
 
     def test_survey(self, capsys):
-        arguments = ["survey", "--number", "4", "--contacts", "2", "--examples", "2", "--json"]
+        arguments = ["survey", "--number", "4", "--contacts", "2", "--json"]
         assert main(arguments) == 0
         document = json.loads(capsys.readouterr().out)
         assert document["questions"] == 4
