@@ -12,6 +12,7 @@ from typing import Any
 
 from arrangement.census import census
 from arrangement.files import write_text_atomically
+from arrangement.planes import Arrangement
 
 from .claim import Verdict
 from .domains import count, document, known_families, size
@@ -154,9 +155,10 @@ def _sources(own: OwnClaim, seed: int) -> Iterator[tuple[str, str, Instances]]:
 
 
 def _types(most: int) -> Instances:
+    """Yield new arrangements, so that what a claim computes on them is not kept in memory."""
     for m in range(3, most + 1):
         for k, planes in enumerate(census(m)):
-            yield f"type {k} of {m} planes", planes
+            yield f"type {k} of {m} planes", Arrangement(planes.normals)
 
 
 def _samples(own: OwnClaim, seed: int) -> Instances:

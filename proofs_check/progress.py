@@ -14,7 +14,7 @@ class Bar:
     """Progress of a known or unknown total; nothing is written when stderr is no terminal.
 
     Args:
-        total: what is to be done; None if unknown.
+        total: what is to be done; None if unknown (see `begin`).
         unit: of what, in the plural.
         started_with: what was done before, so that the rate is of this run alone.
     """
@@ -31,6 +31,10 @@ class Bar:
         self._start = clock()
         self._drawn = -1.0
         self.visible = sys.stderr.isatty()
+
+    def begin(self, done: int, total: int) -> None:
+        """Say what was done before, and the total, once both are known."""
+        self.first, self.total, self._start = done, total, self._clock()
 
     def update(self, done: int) -> None:
         """Say how much is done now."""

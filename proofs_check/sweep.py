@@ -10,6 +10,7 @@ import time
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import asdict, dataclass, field
 from functools import lru_cache
+from pathlib import Path
 from random import Random
 from typing import Any
 
@@ -93,14 +94,18 @@ def plan_sweep(
             raise SweepError(f"{name} is {value}; it must be at least 1")
     file, _ = split(source)
     digest = file_digest(file) if file else ""
-    name = f"{file}:{chosen.id}" if file else chosen.id
+    name = f"{Path(file).resolve()}:{chosen.id}" if file else chosen.id
     return Plan(chosen.id, digest, low, high, samples, seed, chunk, name)
 
 
 def instance(plan: Plan, index: int) -> Any:
     """Return the random instance with a number."""
+    return _drawn(plan, _target(plan), index)
+
+
+def _drawn(plan: Plan, chosen: Target, index: int) -> Any:
     rng = Random(f"{plan.seed}/{plan.claim}/{index}")
-    return _target(plan).domain.draw(rng, plan.low + index % (plan.high - plan.low + 1))
+    return chosen.domain.draw(rng, plan.low + index % (plan.high - plan.low + 1))
 
 
 @lru_cache(maxsize=4)
@@ -122,7 +127,7 @@ def run_chunk(plan: Plan, number: int) -> Chunk:
     counts: dict[str, list[int]] = {}
     smallest: dict[str, dict[str, Any]] = {}
     for index in plan.indices(number):
-        subject = instance(plan, index)
+        subject = _drawn(plan, chosen, index)
         outcome = chosen.check(subject)
         row = counts.setdefault(str(count(subject)), [0] * len(OUTCOMES))
         row[OUTCOMES.index(outcome.kind)] += 1
@@ -204,7 +209,7 @@ def sweep(
         jobs: processes on this machine.
         shard: (i, n): only every n-th chunk, beginning with the i-th.
         dask: address of a scheduler, instead of processes on this machine.
-        progress: called with the numbers of chunks done and due.
+        progress: called with the numbers of instances done and due.
 
     Raises:
         SweepError: a bad argument, a store of another plan, workers that keep dying.
@@ -219,14 +224,15 @@ def sweep(
         due = range(part - 1, plan.chunks, parts)
         there = opened.numbers()
         pending = [number for number in due if number not in there]
-        done = len(due) - len(pending)
+        samples = sum(len(plan.indices(number)) for number in due)
+        done = samples - sum(len(plan.indices(number)) for number in pending)
         if progress:
-            progress(done, len(due))
+            progress(done, samples)
         for chunk in _executed(plan, pending, jobs, dask):
             opened.add(chunk)
-            done += 1
+            done += len(plan.indices(chunk.number))
             if progress:
-                progress(done, len(due))
+                progress(done, samples)
 
 
 def _executed(plan: Plan, pending: list[int], jobs: int, dask: str | None) -> Iterator[Chunk]:

@@ -12,7 +12,7 @@ from arrangement.files import read_document, write_text_atomically
 
 from . import pages, store, sweepreport
 from .progress import Bar, duration
-from .sweep import Plan, merge, plan_sweep, sweep
+from .sweep import merge, plan_sweep, sweep
 
 #: A record of all claims with every case is large; a limit there is nevertheless.
 MAX_RECORD_BYTES = 256 * 2**20
@@ -24,7 +24,13 @@ def run_sweep(arguments: argparse.Namespace) -> int:
     plan = plan_sweep(
         arguments.claim, arguments.planes, arguments.samples, arguments.seed, arguments.chunk
     )
-    bar = _ChunkBar(plan)
+    bar = Bar(None, "samples")
+
+    def show(done: int, due: int) -> None:
+        if bar.total is None:
+            bar.begin(done, due)
+        bar.update(done)
+
     try:
         sweep(
             plan,
@@ -32,7 +38,7 @@ def run_sweep(arguments: argparse.Namespace) -> int:
             jobs=arguments.jobs,
             shard=arguments.shard,
             dask=arguments.dask,
-            progress=bar.update,
+            progress=show,
         )
     finally:
         bar.close()
@@ -43,24 +49,6 @@ def run_sweep(arguments: argparse.Namespace) -> int:
     else:
         print(_summary(record))
     return console.YES if record["as_expected"] else console.NO
-
-
-class _ChunkBar:
-    """Progress in instances, of a sweep that counts in chunks."""
-
-    def __init__(self, plan: Plan) -> None:
-        self._plan = plan
-        self._bar: Bar | None = None
-
-    def update(self, done: int, due: int) -> None:
-        size = self._plan.chunk
-        if self._bar is None:
-            self._bar = Bar(due * size, "samples", done * size)
-        self._bar.update(done * size)
-
-    def close(self) -> None:
-        if self._bar is not None:
-            self._bar.close()
 
 
 def _summary(record: dict[str, Any]) -> str:

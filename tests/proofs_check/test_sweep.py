@@ -71,13 +71,15 @@ def wait_for(condition: Callable[[], bool], seconds: float = 60) -> None:
         time.sleep(0.01)
 
 
+@pytest.mark.slow
 def test_a_sweep_killed_three_times_has_the_report_of_one_that_was_not(tmp_path: Path) -> None:
     whole, killed = tmp_path / "whole.sqlite", tmp_path / "killed.sqlite"
     assert run(swept(whole, 1500)).returncode == 0
     seen = 0
     rng = random.Random()
-    for _ in range(3):
-        process = subprocess.Popen(swept(killed, 1500), env=ENVIRONMENT, stdout=subprocess.DEVNULL)
+    for jobs in ("1", "2", "1"):
+        arguments = swept(killed, 1500, "--jobs", jobs)
+        process = subprocess.Popen(arguments, env=ENVIRONMENT, stdout=subprocess.DEVNULL)
         wait_for(lambda: numbers(killed) > seen or process.poll() is not None)  # noqa: B023
         time.sleep(rng.random() * 0.05)
         process.kill()
@@ -153,6 +155,17 @@ def test_neither_the_size_nor_the_order_of_chunks_matters(
         found.append((sums.counts, sums.smallest, sums.samples))
     assert found[0] == found[1]
     assert found[0][2] == 30
+
+
+def test_progress_counts_instances_and_begins_with_what_is_there(tmp_path: Path) -> None:
+    path = str(tmp_path / "s.sqlite")
+    sweep(small_plan(), path, shard=(2, 3))
+    seen: list[tuple[int, int]] = []
+    sweep(small_plan(), path, progress=lambda done, due: seen.append((done, due)))
+    assert seen[0] == (21, 60)
+    assert seen[-1] == (60, 60)
+    assert seen == sorted(seen)
+    assert len(seen) == 7
 
 
 def test_instances_depend_on_seed_and_number_alone() -> None:
@@ -393,6 +406,7 @@ def cluster(tmp_path: Path) -> Iterator[tuple[Path, list[subprocess.Popen[bytes]
             process.wait()
 
 
+@pytest.mark.slow
 def test_a_cluster_that_loses_a_worker_finds_what_one_process_finds(
     tmp_path: Path, cluster: tuple[Path, list[subprocess.Popen[bytes]]]
 ) -> None:
