@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections import deque
 from collections.abc import Iterable
 from dataclasses import dataclass
-from itertools import combinations
+from functools import cached_property
 
 from arrangement import counts
 from arrangement.planes import Arrangement
@@ -33,7 +33,7 @@ class DualGraph:
     edges: frozenset[Edge]
     faces: tuple[frozenset[Edge], ...]
 
-    @property
+    @cached_property
     def neighbours(self) -> dict[Signs, set[Signs]]:
         """The adjacent regions of every region."""
         found: dict[Signs, set[Signs]] = {vertex: set() for vertex in self.vertices}
@@ -147,14 +147,42 @@ def _is_cycle(pairs: list[tuple[object, ...]]) -> bool:
 
 
 def is_three_connected(graph: DualGraph) -> bool:
-    """Return whether the graph has over three vertices and no two of them separate it."""
+    """Return whether the graph has over three vertices and no two of them separate it.
+
+    Without any one vertex the rest must be connected and have no cut vertex. O(V E).
+    """
     if len(graph.vertices) < 4:
         return False
-    for pair in combinations(sorted(graph.vertices), 2):
-        left = graph.vertices - set(pair)
-        if len(distances(graph, next(iter(left)), pair)) < len(left):
-            return False
-    return True
+    return not any(_has_cut_vertex(graph, vertex) for vertex in graph.vertices)
+
+
+def _has_cut_vertex(graph: DualGraph, removed: Signs) -> bool:
+    """Return whether the graph without one vertex is not connected, or one more cuts it.
+
+    Depth first from some vertex, with the earliest vertex reached from below each one.
+    Source: R. Tarjan, SIAM Journal on Computing 1 (1972).
+    """
+    start = next(vertex for vertex in graph.vertices if vertex != removed)
+    number, low = {start: 0}, {start: 0}
+    path = [(start, iter(graph.neighbours[start] - {removed}))]
+    branches = 0
+    while path:
+        here, ahead = path[-1]
+        there = next(ahead, None)
+        if there is None:
+            path.pop()
+            if path:
+                above = path[-1][0]
+                low[above] = min(low[above], low[here])
+                branches += above == start
+                if above != start and low[here] >= number[above]:
+                    return True
+        elif there in number:
+            low[here] = min(low[here], number[there])
+        else:
+            number[there] = low[there] = len(number)
+            path.append((there, iter(graph.neighbours[there] - {removed})))
+    return branches > 1 or len(number) < len(graph.vertices) - 1
 
 
 def minimum_cycle_lengths(graph: DualGraph) -> tuple[int, ...]:

@@ -6,6 +6,7 @@ import random
 from collections.abc import Iterator
 from itertools import combinations_with_replacement, product
 
+from arrangement import census
 from arrangement.exact import primitive
 from arrangement.planes import Arrangement
 
@@ -62,6 +63,28 @@ def mixed_cases(
         for planes in found:
             if rank is None or planes.rank == rank:
                 yield arrangement_case(planes)
+
+
+def census_cases(counts: range, *, simple: bool = False) -> Iterator[Case]:
+    """Yield every combinatorial type of m distinct planes of rank 3, for each m.
+
+    The arrangements are new ones each time, so that nothing found for one claim is kept for
+    another.
+    """
+    for m in counts:
+        types = census.census(m, simple=simple)
+        for k, planes in enumerate(types, 1):
+            kind = "simple type" if simple else "type"
+            label = f"m = {m}, {kind} {k} of {len(types)}"
+            yield arrangement_case(Arrangement(planes.normals), label)
+
+
+def types_and_samples(
+    rng: random.Random, counts: range, samples: range, *, per_count: int = 3
+) -> Iterator[Case]:
+    """Yield every type for `counts`, then samples of all ranks, coincident planes included."""
+    yield from census_cases(counts)
+    yield from mixed_cases(rng, samples, per_count=per_count)
 
 
 def smallest_arrangements(

@@ -9,22 +9,31 @@ from typing import Any
 from arrangement import counts
 from arrangement.planes import Arrangement
 from arrangement.published import published_enumeration
+from arrangement.sphere import sphere_arrangement
 from proofs_check.claim import Case, Claim, Hypothesis, Kind, Route, Verdict
 from proofs_check.instances import (
     arrangement_case,
-    mixed_cases,
+    census_cases,
     random_arrangement,
     simple_arrangement,
     smallest_arrangements,
+    types_and_samples,
 )
 from proofs_check.printed import STATE_COUNTS
 
 ENUMERATION = "enumeration of all faces"
 THEOREM = "Zaslavsky's theorem on the intersection lattice"
+#: The numbers of planes for which every type is checked in a default run: 167 types.
+TYPES = range(3, 8)
+EVERY_TYPE = "all 167 types of 3 to 7 distinct planes of rank 3"
 
 
 def _f_enumerated(planes: Arrangement) -> tuple[int, ...]:
     return planes.f_vector
+
+
+def _regions_traced(planes: Arrangement) -> int:
+    return sphere_arrangement(planes).region_count
 
 
 def _states_enumerated(planes: Arrangement) -> int:
@@ -51,7 +60,12 @@ def _general_position(rng: random.Random) -> Iterator[Case]:
 
 
 def _great_circles(rng: random.Random) -> Iterator[Case]:
-    yield from mixed_cases(rng, range(1, 13), per_count=4)
+    yield from types_and_samples(rng, TYPES, range(1, 13), per_count=4)
+
+
+def _simple_types(rng: random.Random) -> Iterator[Case]:
+    yield from census_cases(TYPES, simple=True)
+    yield from (arrangement_case(simple_arrangement(rng, m)) for m in range(8, 16))
 
 
 def _region_maximum(planes: Arrangement, regions: int) -> bool:
@@ -111,13 +125,13 @@ CLAIMS = (
         "exactly when no two coincide and no three pass through one point.",
         quantity="number of regions",
         routes=(
-            Route(ENUMERATION, lambda planes: planes.f_vector[3]),
+            Route("great circles: arcs traced around regions", _regions_traced),
             Route("|chi(-1)| of the characteristic polynomial", counts.region_count),
         ),
         cases=_great_circles,
         judge=_region_maximum,
-        kind=Kind.SAMPLED,
-        over="central arrangements of 1 to 12 planes in R^3, degenerate ones included",
+        kind=Kind.EXHAUSTIVE,
+        over=f"{EVERY_TYPE}; beside them samples of 1 to 12 planes of every rank, some coincident",
         expected=Verdict.HOLDS,
         meaning="The quadratic bound on slip states rests on this.",
     ),
@@ -168,10 +182,10 @@ CLAIMS = (
         hypotheses=("m >= 3", "general position"),
         quantity="f-vector",
         routes=(Route(ENUMERATION, _f_enumerated), Route(THEOREM, counts.f_vector)),
-        cases=lambda rng: (arrangement_case(simple_arrangement(rng, m)) for m in range(3, 16)),
+        cases=_simple_types,
         judge=lambda planes, f: f == _general_f(len(planes)),
-        kind=Kind.SAMPLED,
-        over="one arrangement in general position for each m = 3, ..., 15",
+        kind=Kind.EXHAUSTIVE,
+        over="all 18 simple types of 3 to 7 planes; beside them one sample for each m = 8, ..., 15",
         expected=Verdict.HOLDS,
         meaning="The number of slip states is quadratic in the number of contacts, as stated.",
     ),
@@ -208,10 +222,10 @@ CLAIMS = (
         hypotheses=("the planes pass through the origin of R^3",),
         quantity="f-vector",
         routes=(Route(ENUMERATION, _f_enumerated), Route(THEOREM, counts.f_vector)),
-        cases=lambda rng: mixed_cases(rng, range(1, 11), per_count=3),
+        cases=lambda rng: types_and_samples(rng, TYPES, range(1, 11)),
         judge=lambda planes, f: sum(f) < sum(_bound(planes)),
-        kind=Kind.SAMPLED,
-        over="central arrangements of 1 to 10 planes in R^3, degenerate ones included",
+        kind=Kind.EXHAUSTIVE,
+        over=f"{EVERY_TYPE}; beside them samples of 1 to 10 planes of every rank, some coincident",
         expected=Verdict.HOLDS_UNDER_HYPOTHESIS,
         hypothesis=Hypothesis("m >= 4", lambda planes: len(planes) >= 4),
         search=lambda: smallest_arrangements(range(1, 4), 1),
@@ -226,10 +240,10 @@ CLAIMS = (
             Route(ENUMERATION, lambda planes: planes.f_vector[3]),
             Route("|chi(-1)| of the characteristic polynomial", counts.region_count),
         ),
-        cases=lambda rng: mixed_cases(rng, range(1, 13), per_count=3),
+        cases=lambda rng: types_and_samples(rng, TYPES, range(1, 13)),
         judge=lambda planes, regions: regions <= len(planes) ** 2,
-        kind=Kind.SAMPLED,
-        over="central arrangements of 1 to 12 planes in R^3, degenerate ones included",
+        kind=Kind.EXHAUSTIVE,
+        over=f"{EVERY_TYPE}; beside them samples of 1 to 12 planes of every rank, some coincident",
         expected=Verdict.HOLDS_UNDER_HYPOTHESIS,
         hypothesis=Hypothesis("m >= 2", lambda planes: len(planes) >= 2),
         search=lambda: smallest_arrangements(range(1, 4), 1),

@@ -22,10 +22,18 @@ from proofs_check.dualgraph import (
     is_three_connected,
     minimum_cycle_lengths,
 )
-from proofs_check.instances import mixed_cases, smallest_arrangements
+from proofs_check.instances import (
+    census_cases,
+    mixed_cases,
+    smallest_arrangements,
+    types_and_samples,
+)
 
 FACES = "enumerated faces"
 COVECTORS = "covectors composed from the chirotope"
+#: The numbers of planes for which every type is checked in a default run: 167 types.
+TYPES = range(3, 8)
+EVERY_TYPE = "all 167 types of 3 to 7 distinct planes of rank 3"
 #: What a slip state contributes to V, E and F of the dual.
 _VEF_ROUTES = (
     Route("enumeration of all faces", lambda planes: _vef(planes.f_vector)),
@@ -34,12 +42,12 @@ _VEF_ROUTES = (
 RANK_3 = Hypothesis("the normals have rank 3", lambda planes: planes.rank == 3)
 
 
-@lru_cache(maxsize=64)
+@lru_cache(maxsize=256)
 def _faces_graph(planes: Arrangement) -> DualGraph:
     return from_faces(planes)
 
 
-@lru_cache(maxsize=64)
+@lru_cache(maxsize=256)
 def _covector_graph(planes: Arrangement) -> DualGraph:
     return from_covectors(planes)
 
@@ -50,14 +58,19 @@ def _vef(f: tuple[int, ...]) -> tuple[int, int, int]:
 
 
 def _any_rank(rng: random.Random) -> Iterator[Case]:
-    yield from mixed_cases(rng, range(1, 11), per_count=4)
+    yield from types_and_samples(rng, TYPES, range(1, 11), per_count=4)
 
 
 def _small(rng: random.Random) -> Iterator[Case]:
-    yield from mixed_cases(rng, range(1, 7), per_count=3)
+    yield from types_and_samples(rng, TYPES, range(1, 7))
+
+
+def _smaller(rng: random.Random) -> Iterator[Case]:
+    yield from types_and_samples(rng, range(3, 7), range(1, 7))
 
 
 def _rank_three(rng: random.Random) -> Iterator[Case]:
+    yield from census_cases(TYPES)
     yield from mixed_cases(rng, range(3, 13), per_count=4, rank=3)
 
 
@@ -138,8 +151,8 @@ CLAIMS = (
         routes=_VEF_ROUTES,
         cases=_any_rank,
         judge=lambda planes, vef: vef[0] - vef[1] + vef[2] == 2,
-        kind=Kind.SAMPLED,
-        over="central arrangements of 1 to 10 planes in R^3 of every rank",
+        kind=Kind.EXHAUSTIVE,
+        over=f"{EVERY_TYPE}; beside them samples of 1 to 10 planes of every rank",
         expected=Verdict.HOLDS_UNDER_HYPOTHESIS,
         hypothesis=RANK_3,
         search=_smallest,
@@ -154,8 +167,8 @@ CLAIMS = (
         routes=_VEF_ROUTES,
         cases=_any_rank,
         judge=lambda planes, vef: vef[1] <= 3 * vef[0] - 6 and vef[2] <= 2 * vef[0] - 4,
-        kind=Kind.SAMPLED,
-        over="central arrangements of 1 to 10 planes in R^3 of every rank",
+        kind=Kind.EXHAUSTIVE,
+        over=f"{EVERY_TYPE}; beside them samples of 1 to 10 planes of every rank",
         expected=Verdict.HOLDS_UNDER_HYPOTHESIS,
         hypothesis=Hypothesis("two planes differ", lambda planes: planes.rank >= 2),
         search=_smallest,
@@ -175,8 +188,8 @@ CLAIMS = (
             and vef[2] <= vef[0] - 2
             and (vef[1] == 2 * vef[0] - 4) == planes.is_simple == (vef[2] == vef[0] - 2)
         ),
-        kind=Kind.SAMPLED,
-        over="central arrangements of 3 to 12 planes of rank 3",
+        kind=Kind.EXHAUSTIVE,
+        over=f"{EVERY_TYPE}; beside them samples of 3 to 12 planes of rank 3, some coincident",
         expected=Verdict.HOLDS,
         meaning="Changing one sign changes the parity, so the graph is bipartite; a face has at "
         "least four edges. The printed 3V - 6 and 2V - 4 can be sharpened.",
@@ -192,8 +205,8 @@ CLAIMS = (
         ),
         cases=_small,
         judge=lambda planes, value: value == (True, True),
-        kind=Kind.SAMPLED,
-        over="central arrangements of 1 to 6 planes in R^3 of every rank",
+        kind=Kind.EXHAUSTIVE,
+        over=f"{EVERY_TYPE}; beside them samples of 1 to 6 planes of every rank",
         expected=Verdict.HOLDS_UNDER_HYPOTHESIS,
         hypothesis=RANK_3,
         search=_smallest,
@@ -211,8 +224,8 @@ CLAIMS = (
         ),
         cases=_small,
         judge=lambda planes, value: value[0] == value[1] and value[2],
-        kind=Kind.SAMPLED,
-        over="central arrangements of 1 to 6 planes in R^3, coincident planes included",
+        kind=Kind.EXHAUSTIVE,
+        over=f"{EVERY_TYPE}; beside them samples of 1 to 6 planes of every rank, some coincident",
         expected=Verdict.HOLDS_UNDER_HYPOTHESIS,
         hypothesis=Hypothesis(
             "no two planes coincide", lambda planes: len(planes.distinct) == len(planes)
@@ -232,10 +245,11 @@ CLAIMS = (
             Route("Steps 1 to 3 run (networkx), against enumerated faces", _published_cycles),
             Route(f"Horton's algorithm on {COVECTORS}", _horton_cycles),
         ),
-        cases=_small,
+        cases=_smaller,
         judge=lambda planes, value: value[1],
-        kind=Kind.SAMPLED,
-        over="central arrangements of 1 to 6 planes in R^3 of every rank",
+        kind=Kind.EXHAUSTIVE,
+        over="all 24 types of 3 to 6 distinct planes of rank 3; beside them samples of 1 to 6 "
+        "planes of every rank",
         expected=Verdict.HOLDS_UNDER_HYPOTHESIS,
         hypothesis=RANK_3,
         search=_smallest,

@@ -6,6 +6,7 @@ from random import Random
 
 import networkx as nx
 import pytest
+from hypothesis import given, settings, strategies as st
 
 from arrangement.planes import Arrangement
 from proofs_check.dualgraph import (
@@ -46,6 +47,17 @@ def test_graph_functions_agree_with_networkx(planes: Arrangement) -> None:
     assert is_three_connected(graph) == connected
     lengths = sorted(map(len, nx.minimum_cycle_basis(peer)))
     assert list(minimum_cycle_lengths(graph)) == lengths
+
+
+@given(st.integers(1, 8), st.sets(st.tuples(st.integers(0, 7), st.integers(0, 7)), max_size=24))
+@settings(max_examples=150)
+def test_three_connectedness_of_any_graph_agrees_with_networkx(
+    count: int, pairs: set[tuple[int, int]]
+) -> None:
+    kept = {frozenset([(a,), (b,)]) for a, b in pairs if a != b and max(a, b) < count}
+    graph = DualGraph(frozenset((v,) for v in range(count)), frozenset(kept), ())
+    expected = count > 3 and nx.node_connectivity(as_networkx(graph)) >= 3
+    assert is_three_connected(graph) == expected
 
 
 @pytest.mark.parametrize("planes", SMALL, ids=repr)
