@@ -167,8 +167,12 @@ def read(path: str) -> Store:
     try:
         place = f"{Path(path).resolve().as_uri()}?mode=ro"
         connection = sqlite3.connect(place, timeout=60, isolation_level=None, uri=True)
+    except sqlite3.Error as error:
+        raise SweepError(f"cannot open {path}: {error}") from None
+    try:
         return _checked(path, connection)
     except sqlite3.Error as error:
+        connection.close()
         raise SweepError(f"cannot read {path} as a store: {error}") from None
 
 

@@ -137,7 +137,7 @@ def test_holds_needs_evidence_without_any_failure_or_disagreement(
 
 def test_evaluation_depends_on_the_seed_and_the_id_alone() -> None:
     def cases(rng: Random) -> list[Case]:
-        return [Case("n", rng.randrange(10**9))]
+        return [Case("n", rng.randrange(10**5))]
 
     values = [evaluate(claim(cases=cases), seed).evidence.records[0].values for seed in (1, 1, 2)]
     assert values[0] == values[1] != values[2]

@@ -6,6 +6,7 @@ import json
 import random
 import sqlite3
 import sys
+from contextlib import closing
 from pathlib import Path
 from typing import Any
 
@@ -226,7 +227,7 @@ def test_bad_input_ends_with_exit_code_2(
 def test_files_that_are_no_stores_are_refused(tmp_path: Path) -> None:
     text, other = tmp_path / "a.txt", tmp_path / "other.sqlite"
     text.write_text("something else " * 100, encoding="utf-8")
-    with sqlite3.connect(other) as connection:
+    with closing(sqlite3.connect(other)) as connection, connection:
         connection.execute("CREATE TABLE mine (x)")
     connection.close()
     for path in (text, other):
