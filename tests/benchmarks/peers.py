@@ -110,3 +110,30 @@ def cgal(mode: str, rows: Sequence[Sequence[int]], timeout: float = 900) -> Meas
         return Measured(absent=f"stopped with code {done.returncode}")
     seconds, peak, _, _, faces = done.stdout.split()
     return Measured(float(seconds), float(seconds), float(peak), int(faces))
+
+
+def polymake(rows: Sequence[Sequence[int]], timeout: float = 900) -> Measured:
+    """Run polymake's chambers with signatures; the clock starts after the program has loaded."""
+    program = shutil.which("polymake")
+    if program is None:
+        return Measured(absent="polymake is not installed")
+    BUILD.mkdir(parents=True, exist_ok=True)
+    script = BUILD / "chambers.pl"
+    planes = ",".join(f"[{','.join(map(str, row))}]" for row in rows)
+    script.write_text(
+        'use application "fan";\n'
+        f"my $h = new HyperplaneArrangement<Rational>(HYPERPLANES => [{planes}]);\n"
+        "my $start = (times)[0] + (times)[1];\n"
+        "my $count = $h->CHAMBER_SIGNATURES->rows();\n"
+        'print((times)[0] + (times)[1] - $start, " ", $count, "\\n");\n',
+        encoding="utf-8",
+    )
+    command = [program, "--script", str(script)]
+    try:
+        done = subprocess.run(command, capture_output=True, text=True, timeout=timeout, check=False)
+    except subprocess.TimeoutExpired:
+        return Measured(absent=f"not finished in {timeout:.0f} s")
+    if done.returncode:
+        return Measured(absent=f"stopped with code {done.returncode}")
+    seconds, count = done.stdout.split()[-2:]
+    return Measured(float(seconds), float(seconds), count=int(count))

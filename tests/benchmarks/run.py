@@ -12,12 +12,11 @@ from __future__ import annotations
 
 import argparse
 import math
-import shutil
 import sys
 from collections.abc import Iterable
 
 from job import random_normals
-from peers import Measured, cgal, install_peers, ours, peer
+from peers import Measured, cgal, install_peers, ours, peer, polymake
 
 SIZES = (9, 50, 100, 200, 500, 1000, 2000)
 B3 = (
@@ -37,7 +36,7 @@ def main() -> None:
     against_cgal(own, (200, 1000, 2000) if options.peers else (200,))
     against_published(options.peers)
     against_sage(options.peers)
-    remaining()
+    against_polymake(options.peers)
 
 
 def own_table() -> dict[tuple[str, int], Measured]:
@@ -113,12 +112,12 @@ def against_sage(slow: bool) -> None:
     line("Sage, characteristic polynomial", planes, peer("sage_polynomial", planes), only)
 
 
-def remaining() -> None:
-    print()
-    if shutil.which("polymake") is None:
-        print("polymake: absent (not installed), so not measured")
-    else:
-        print("polymake: present, but not measured by this script")
+def against_polymake(slow: bool) -> None:
+    head("polymake (its own process; memory not measured)")
+    planes = 50 if slow else 12
+    mine = ours("region_signs", planes)
+    line("ours, regions with packed signs", planes, mine)
+    line("polymake, chambers with signatures", planes, polymake(random_normals(planes)), mine)
 
 
 def head(title: str) -> None:
