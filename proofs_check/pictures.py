@@ -21,8 +21,8 @@ def picture(document: Mapping[str, Any] | None) -> str:
     """Return a picture of an instance in file form, or "" where there is none.
 
     Central planes in R^3 (coincident ones once) are drawn as great circles, as seen from the
-    direction (1, 2, 4) of the front half of the sphere; a grasp as its contacts, each with its
-    normal.
+    direction (3, -4, 6), the front half of the sphere; a grasp as its contacts, each with a stroke
+    that comes from outside along the normal.
     """
     if document is None:
         return ""
@@ -46,7 +46,7 @@ def _circles(rows: Sequence[Sequence[str]]) -> str:
 def _front_half(normal: Sequence[float]) -> list[tuple[float, float]]:
     """Return points along the half of a great circle that faces the viewer."""
     n = _unit(normal)
-    ahead = _unit((1.0, 2.0, 4.0))
+    ahead = _unit((3.0, -4.0, 6.0))
     right = _unit(_cross((0.0, 0.0, 1.0), ahead))
     up = _cross(ahead, right)
     ahead_of = sum(x * y for x, y in zip(n, ahead, strict=True))

@@ -19,7 +19,7 @@ from proofs_check.progress import Bar
 
 
 def test_planes_are_drawn_as_curves_inside_the_disk() -> None:
-    for planes in (generic(5), Arrangement([[1, 2, 4], [10**40, 1, 0], [0, 0, -1]])):
+    for planes in (generic(5), Arrangement([[3, -4, 6], [10**40, 1, 0], [0, 0, -1]])):
         tree = ET.fromstring(picture(planes.to_dict()))
         lines = [entry for entry in tree if entry.tag == "polyline"]
         assert len(lines) == len(planes)
