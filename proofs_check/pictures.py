@@ -20,9 +20,9 @@ _OPEN = f'<svg viewBox="0 0 {_BOX} {_BOX}" width="{_BOX}" height="{_BOX}" role="
 def picture(document: Mapping[str, Any] | None) -> str:
     """Return a picture of an instance in file form, or "" where there is none.
 
-    Central planes in R^3 (coincident ones once) are drawn as great circles, as seen from the
-    direction (3, -4, 6), the front half of the sphere; a grasp as its contacts, each with a stroke
-    that comes from outside along the normal.
+    Central planes in R^3 are drawn as great circles: the front half of the sphere, as seen from
+    the direction (3, -4, 6). A grasp is drawn as its contacts, each with a stroke that comes from
+    outside along the normal.
     """
     if document is None:
         return ""
