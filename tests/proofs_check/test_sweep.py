@@ -229,7 +229,6 @@ def test_files_that_are_no_stores_are_refused(tmp_path: Path) -> None:
     text.write_text("something else " * 100, encoding="utf-8")
     with closing(sqlite3.connect(other)) as connection, connection:
         connection.execute("CREATE TABLE mine (x)")
-    connection.close()
     for path in (text, other):
         before = path.read_bytes()
         for use in (store.read, lambda p: store.create(p, {}, {})):
