@@ -5,7 +5,6 @@ from __future__ import annotations
 import random
 from collections.abc import Iterator
 from functools import lru_cache
-from typing import Any
 
 import networkx as nx
 
@@ -132,16 +131,6 @@ def _horton_cycles(planes: Arrangement) -> tuple[tuple[int, ...], bool]:
     return tuple(sorted(lengths)), len(faces) > 1 and lengths == tuple(faces[:-1])
 
 
-def _colours(vertices: Any) -> tuple[int, int]:
-    """Regions with an even and an odd number of planes below them, the larger class first."""
-    odd = sum(list(signs).count(-1) % 2 for signs in vertices)
-    return max(odd, len(vertices) - odd), min(odd, len(vertices) - odd)
-
-
-def _simple_small(rng: random.Random) -> Iterator[Case]:
-    yield from mixed_cases(rng, range(3, 9), per_count=1, rank=3)
-
-
 CLAIMS = (
     Claim(
         id="euler",
@@ -254,26 +243,5 @@ CLAIMS = (
         hypothesis=RANK_3,
         search=_smallest,
         meaning="In rank 2 the one cycle is counted twice: that is the 10 at m = 2.",
-    ),
-    Claim(
-        id="sphere-dual-convex",
-        locator="Section IV-A",
-        statement="Points of the unit sphere, one in each region, make the dual convex: a "
-        "polyhedron inscribed in a sphere with the regions as vertices and the facets as edges.",
-        hypotheses=("the normals have rank 3", "general position"),
-        quantity="sizes of the two colour classes of the graph",
-        routes=(
-            Route(FACES, lambda planes: _colours(_faces_graph(planes).vertices)),
-            Route(COVECTORS, lambda planes: _colours(counts.topes(planes))),
-        ),
-        cases=_simple_small,
-        judge=lambda planes, classes: classes[0] == classes[1],
-        kind=Kind.SAMPLED,
-        over="one simple arrangement for each m = 3, ..., 8; only a necessary condition is checked",
-        expected=Verdict.REFUTED,
-        search=lambda: smallest_arrangements(range(3, 5), 1, distinct=True, rank=3),
-        meaning="A bipartite polyhedron whose vertices lie on a sphere has colour classes of equal "
-        "size (Steinitz), and four planes give 8 and 6. The bounds survive, because the "
-        "zonohedron of the normals is convex and has the same graph.",
     ),
 )
