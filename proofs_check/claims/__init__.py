@@ -7,7 +7,15 @@ from importlib import import_module
 from proofs_check.claim import Registry
 
 #: Modules of this package in the order of the report; each has a tuple CLAIMS.
-TOPICS: tuple[str, ...] = ("counting", "dual", "sphere", "tables", "equations", "directions")
+TOPICS: tuple[str, ...] = (
+    "counting",
+    "dual",
+    "sphere",
+    "model",
+    "tables",
+    "equations",
+    "directions",
+)
 
 
 def registry() -> Registry:

@@ -26,6 +26,7 @@ THEOREM = "Zaslavsky's theorem on the intersection lattice"
 #: The numbers of planes for which every type is checked in a default run: 167 types.
 TYPES = range(3, 8)
 EVERY_TYPE = "all 167 types of 3 to 7 distinct planes of rank 3"
+PROOF = "any m (proof: docs, Proofs); checked on "
 
 
 def _f_enumerated(planes: Arrangement) -> tuple[int, ...]:
@@ -130,8 +131,9 @@ CLAIMS = (
         ),
         cases=_great_circles,
         judge=_region_maximum,
-        kind=Kind.EXHAUSTIVE,
-        over=f"{EVERY_TYPE}; beside them samples of 1 to 12 planes of every rank, some coincident",
+        kind=Kind.PROVED,
+        over=PROOF
+        + f"{EVERY_TYPE}; beside them samples of 1 to 12 planes of every rank, some coincident",
         expected=Verdict.HOLDS,
         meaning="The quadratic bound on slip states rests on this.",
     ),
@@ -184,8 +186,9 @@ CLAIMS = (
         routes=(Route(ENUMERATION, _f_enumerated), Route(THEOREM, counts.f_vector)),
         cases=_simple_types,
         judge=lambda planes, f: f == _general_f(len(planes)),
-        kind=Kind.EXHAUSTIVE,
-        over="all 18 simple types of 3 to 7 planes; beside them one sample for each m = 8, ..., 15",
+        kind=Kind.PROVED,
+        over=PROOF
+        + "all 18 simple types of 3 to 7 planes; beside them one sample for each m = 8, ..., 15",
         expected=Verdict.HOLDS,
         meaning="The number of slip states is quadratic in the number of contacts, as stated.",
     ),
@@ -198,8 +201,8 @@ CLAIMS = (
         routes=(Route(ENUMERATION, _f_enumerated), Route(THEOREM, counts.f_vector)),
         cases=_bound_cases,
         judge=_below_bound,
-        kind=Kind.SAMPLED,
-        over="central and affine arrangements in R^1 to R^4, degenerate ones included",
+        kind=Kind.PROVED,
+        over=PROOF + "central and affine arrangements in R^1 to R^4, degenerate ones included",
         expected=Verdict.HOLDS,
     ),
     Claim(
@@ -224,8 +227,9 @@ CLAIMS = (
         routes=(Route(ENUMERATION, _f_enumerated), Route(THEOREM, counts.f_vector)),
         cases=lambda rng: types_and_samples(rng, TYPES, range(1, 11)),
         judge=lambda planes, f: sum(f) < sum(_bound(planes)),
-        kind=Kind.EXHAUSTIVE,
-        over=f"{EVERY_TYPE}; beside them samples of 1 to 10 planes of every rank, some coincident",
+        kind=Kind.PROVED,
+        over=PROOF
+        + f"{EVERY_TYPE}; beside them samples of 1 to 10 planes of every rank, some coincident",
         expected=Verdict.HOLDS_UNDER_HYPOTHESIS,
         hypothesis=Hypothesis("m >= 4", lambda planes: len(planes) >= 4),
         search=lambda: smallest_arrangements(range(1, 4), 1),
@@ -242,8 +246,9 @@ CLAIMS = (
         ),
         cases=lambda rng: types_and_samples(rng, TYPES, range(1, 13)),
         judge=lambda planes, regions: regions <= len(planes) ** 2,
-        kind=Kind.EXHAUSTIVE,
-        over=f"{EVERY_TYPE}; beside them samples of 1 to 12 planes of every rank, some coincident",
+        kind=Kind.PROVED,
+        over=PROOF
+        + f"{EVERY_TYPE}; beside them samples of 1 to 12 planes of every rank, some coincident",
         expected=Verdict.HOLDS_UNDER_HYPOTHESIS,
         hypothesis=Hypothesis("m >= 2", lambda planes: len(planes) >= 2),
         search=lambda: smallest_arrangements(range(1, 4), 1),
