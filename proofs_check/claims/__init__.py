@@ -15,6 +15,7 @@ TOPICS: tuple[str, ...] = (
     "tables",
     "equations",
     "directions",
+    "methods",
 )
 
 
