@@ -1,24 +1,43 @@
-"""The suite says which arithmetic SymPy runs on; these tests hold that it is the one asked for."""
+"""The exact-number tests run on both kinds of SymPy's integers and rationals."""
 
 from __future__ import annotations
 
 import os
+import subprocess
+import sys
 from fractions import Fraction
+from pathlib import Path
 
 import pytest
 from sympy import QQ, ZZ
-from sympy.external.gmpy import GROUND_TYPES
 
 from arrangement import rational
 
+ROOT = Path(__file__).resolve().parents[1]
+FILES = (
+    Path(__file__),
+    *(ROOT / "tests/arrangement" / f"test_{n}.py" for n in ("exact", "planes")),
+)
 
-def test_sympy_runs_on_the_ground_types_asked_for() -> None:
-    asked = os.environ.get("SYMPY_GROUND_TYPES", "auto")
-    if asked == "auto":
-        pytest.skip("no ground types were asked for")
-    assert asked == GROUND_TYPES
+
+@pytest.mark.parametrize("ground_types", ["python", "flint"])
+def test_exact_numbers_pass_on_both_ground_types_of_sympy(ground_types: str) -> None:
+    """The exact-number tests run again in a process of their own for each ground type."""
+    check = f"import sympy.external.gmpy as g; assert g.GROUND_TYPES == {ground_types!r}"
+    arguments = ["-q", "-n0", "-k", "not both_ground_types", *map(str, FILES)]
+    run = f"import pytest, sys; sys.exit(pytest.main({arguments!r}))"
+    done = subprocess.run(
+        [sys.executable, "-c", f"{check}; {run}"],
+        env={**os.environ, "SYMPY_GROUND_TYPES": ground_types},
+        cwd=ROOT,
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+    assert done.returncode == 0, done.stdout + done.stderr
 
 
+@pytest.mark.ground_types
 @pytest.mark.parametrize(
     ("element", "value"),
     [

@@ -35,8 +35,6 @@ def test_random_degenerate_arrangements_have_the_faces_of_brute_force_and_theore
         check_all(degenerate(generator))
 
 
-@pytest.mark.slow
-@pytest.mark.skipif("'slow' not in config.getoption('-m')", reason="minutes; run with -m slow")
 @pytest.mark.parametrize("seed", range(100, 110))
 def test_ten_thousand_random_degenerate_arrangements(seed):
     generator = random.Random(seed)
