@@ -14,7 +14,9 @@ masks (planes where it is +, planes where it is -), over the classes of coincide
    sum of their witnesses lies inside the face.
 
 Cost: polynomial in the output for fixed d. There are no more flats than faces; each flat is
-cut by at most m planes, and every (facet, face) pair is visited once.
+cut by at most m planes, and every (facet, face) pair is visited once. That visit, a few Python
+operations, is what limits the speed: 20 central and 20 affine planes in R^3 (72,000 faces) take
+about 2 s.
 """
 
 from __future__ import annotations

@@ -64,6 +64,19 @@ def _sphere(normals: Normals, ask: Callable[[Any], Any]) -> Work:
     return work
 
 
+def affine_faces(planes: int) -> Work:
+    """Ours: all faces with witnesses of as many central as affine planes in R^3."""
+    from arrangement import Arrangement
+
+    normals = random_normals(2 * planes)
+    offsets = [0] * planes + [row[0] for row in random_normals(planes)]
+
+    def work() -> int:
+        return sum(Arrangement(normals, offsets).f_vector)
+
+    return work
+
+
 def counting(planes: int) -> Work:
     """Ours: characteristic polynomial, Whitney numbers and Moebius values; |chi(-1)|."""
     from arrangement import Arrangement
@@ -160,6 +173,7 @@ JOBS: dict[str, Callable[[int], Work]] = {
         region_signs,
         all_signs,
         thirty_digits,
+        affine_faces,
         counting,
         polynomial,
         published,

@@ -62,6 +62,7 @@ def own_table() -> dict[tuple[str, int], Measured]:
     print(f"  growth from 100 to {SIZES[-1]} planes: {overall}")
     line("everything with all sign vectors", 9, ours("all_signs", 9))
     line("30-digit entries, with region signs", 100, ours("thirty_digits", 100))
+    line("any dimension: all faces, m central + m affine", 20, ours("affine_faces", 20))
     return found
 
 
