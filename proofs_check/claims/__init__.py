@@ -10,6 +10,8 @@ from proofs_check.claim import Registry
 TOPICS: tuple[str, ...] = (
     "counting",
     "dual",
+    "steps",
+    "types",
     "sphere",
     "model",
     "tables",

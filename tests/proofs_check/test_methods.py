@@ -8,6 +8,7 @@ from random import Random
 
 import pytest
 
+from equilibrium.others.compare import ask as right
 from proofs_check import Verdict, evaluate, registry
 from proofs_check.claims import methods
 
@@ -37,7 +38,6 @@ def test_cones_need_friction_above_one(friction: str) -> None:
 
 
 def test_a_method_that_says_the_opposite_is_caught(monkeypatch: pytest.MonkeyPatch) -> None:
-    right = methods.ask
     monkeypatch.setattr(methods, "ask", lambda *question: not right(*question))
     assert all(evaluate(registry()[id]).verdict is None for id in IDS)
 

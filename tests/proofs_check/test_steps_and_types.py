@@ -1,0 +1,65 @@
+"""Counted operations, and the code that tells types apart."""
+
+from __future__ import annotations
+
+from random import Random
+
+import pytest
+from hypothesis import given, settings, strategies as st
+
+import arrangement.census
+from arrangement.planes import Arrangement
+from arrangement.published import published_enumeration
+from proofs_check import Verdict, evaluate, registry
+from proofs_check.claims import steps, types
+from proofs_check.dualgraph import from_covectors
+from proofs_check.instances import simple_arrangement
+
+
+@pytest.mark.parametrize("m", [1, 2, 3, 4])
+def test_step_1_tests_the_regions_of_all_beginnings(m: int) -> None:
+    planes = simple_arrangement(Random(m), m)
+    starts = (Arrangement(planes.normals[:i]) for i in range(1, m))
+    found = [1, *(len(published_enumeration(start).regions) for start in starts)]
+    assert steps._tests_by_signs(planes) == sum(found)
+
+
+def test_the_counts_grow_about_as_stated() -> None:
+    cases = [case.subject for case in steps._cases(Random(0))][-3:]
+    for claim in steps.CLAIMS:
+        assert claim.explain is not None
+        notes = [claim.explain(planes, None) for planes in cases]
+        exponents = [float(note.split("^")[1].split(" ")[0]) for note in notes]
+        power = {"step-1-time": 3, "step-2-time": 4, "step-3-time": 6}[claim.id]
+        assert all(power - 1 < exponent < power + 1 for exponent in exponents)
+        assert abs(exponents[-1] - power) < 0.6
+
+
+@pytest.mark.parametrize("id", ["step-1-time", "step-2-time", "step-3-time", "census-types"])
+def test_each_holds(id: str) -> None:
+    assert evaluate(registry()[id], seed=2).verdict is Verdict.HOLDS
+
+
+@given(st.integers(0, 16), st.randoms(use_true_random=False))
+@settings(max_examples=20, deadline=None)
+def test_the_code_does_not_see_labels_and_sides(index: int, rng: Random) -> None:
+    normals = [list(map(int, n)) for n in arrangement.census.census(6)[index].normals]
+    rng.shuffle(normals)
+    turned = [rng.choice((1, -1)) for _ in normals]
+    changed = Arrangement([[s * x for x in n] for s, n in zip(turned, normals, strict=True)])
+    plain = Arrangement(arrangement.census.census(6)[index].normals)
+    assert types._code(from_covectors(changed)) == types._code(from_covectors(plain))
+
+
+@pytest.mark.parametrize("change", [lambda found: found[1:], lambda found: (*found[1:], found[1])])
+def test_a_missing_or_repeated_type_is_caught(
+    change: object, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    right = arrangement.census.census
+
+    def wrong(planes: int) -> tuple[Arrangement, ...]:
+        found = right(planes)
+        return change(found) if planes == 6 else found  # type: ignore[operator]
+
+    monkeypatch.setattr(types, "census", wrong)
+    assert evaluate(registry()["census-types"]).verdict is Verdict.REFUTED
