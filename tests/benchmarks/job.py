@@ -109,6 +109,30 @@ def published(planes: int) -> Work:
     return lambda: len(published_enumeration(Arrangement(normals)).regions)
 
 
+def published_step_1(planes: int) -> Work:
+    """Step 1 alone, regions plane by plane; the number of regions."""
+    from arrangement.published import _regions
+
+    normals = [tuple(row) for row in random_normals(planes)]
+    return lambda: len(_regions(normals))
+
+
+def published_step_2(planes: int) -> Work:
+    """Step 2 alone, all pairs of regions; the number of facets."""
+    from arrangement.published import _graph, _regions
+
+    regions = _regions([tuple(row) for row in random_normals(planes)])
+    return lambda: _graph(regions).number_of_edges()
+
+
+def published_step_3(planes: int) -> Work:
+    """Step 3 alone, networkx's minimum cycle basis and its sum; the number of faces."""
+    from arrangement.published import _cycles, _graph, _regions
+
+    graph = _graph(_regions([tuple(row) for row in random_normals(planes)]))
+    return lambda: len(_cycles(graph))
+
+
 def _dual_edges(planes: int) -> tuple[int, list[tuple[int, int]]]:
     from arrangement import Arrangement
     from arrangement.sphere import sphere_arrangement
@@ -177,6 +201,9 @@ JOBS: dict[str, Callable[[int], Work]] = {
         counting,
         polynomial,
         published,
+        published_step_1,
+        published_step_2,
+        published_step_3,
         networkx_cycle_basis,
         igraph_cycle_basis,
         sage_regions,

@@ -92,6 +92,11 @@ def against_published(slow: bool) -> None:
     line("published Steps 1-3, exact", 9, ours("published", 9), mine)
     line("networkx minimum cycle basis alone", 9, ours("networkx_cycle_basis", 9), mine)
     line("igraph minimum cycle basis alone", 9, ours("igraph_cycle_basis", 9), mine)
+    for step, bound in (("1", "m^3"), ("2", "m^4"), ("3", "E^3 + V E^2 log V, about m^6")):
+        found = {m: ours(f"published_step_{step}", m) for m in (5, 10)}
+        power = math.log2(found[10].seconds / found[5].seconds)
+        line(f"published Step {step} alone", 10, found[10])
+        print(f"    grows as m^{power:.2f} from 5 to 10 planes; the stated bound is {bound}")
     if slow:
         mine = ours("all_signs", 20)
         line("ours, all faces and all sign vectors", 20, mine)
