@@ -1,4 +1,4 @@
-"""The command ``arrangement``: count faces, list faces, list the built-in documents."""
+"""The command ``arrangement``: count faces, list faces, draw them, list the built-in documents."""
 
 from __future__ import annotations
 
@@ -36,7 +36,17 @@ def _parser() -> console.Parser:
     names = commands.add_parser("list", help="list the built-in documents")
     names.set_defaults(command=_list)
 
-    for command in (count, faces, names):
+    draw = commands.add_parser("draw", help="draw great circles, or export the dual polyhedron")
+    _add_file(draw)
+    draw.add_argument(
+        "-o", "--output", required=True, metavar="PATH",
+        help=".svg, .pdf, .png: a picture; .stl, .glb, .obj: the dual polyhedron",
+    )  # fmt: skip
+    draw.add_argument("--view", default="sphere", metavar="VIEW", help="sphere (the only one yet)")
+    draw.add_argument("--colour", default="sides", metavar="BY", help="sides, signs or none")
+    draw.set_defaults(command=_draw)
+
+    for command in (count, faces, names, draw):
         console.add_json_option(command)
     return parser
 
@@ -85,6 +95,16 @@ def _faces(arguments: argparse.Namespace) -> int:
 def _line(face: Face) -> str:
     signs = "".join(_SYMBOLS[sign] for sign in face.signs)
     return f"{signs}  dim {face.dimension}  ({', '.join(to_text(x) for x in face.witness)})"
+
+
+def _draw(arguments: argparse.Namespace) -> int:
+    from .draw import write_drawing
+
+    arrangement = files.read_arrangement(arguments.file)
+    write_drawing(arrangement, arguments.output, arguments.view, colour=arguments.colour)
+    if arguments.json:
+        console.print_json({"output": arguments.output, "view": arguments.view})
+    return console.YES
 
 
 def _list(arguments: argparse.Namespace) -> int:

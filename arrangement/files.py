@@ -149,11 +149,20 @@ def write_text_atomically(path: str | os.PathLike[str], text: str) -> None:
         InputError: the place cannot be written.
     """
     try:
+        content = text.encode("utf-8")
+    except UnicodeEncodeError as error:
+        raise InputError(f"cannot write {shown(str(path))}: {_reason(error)}") from None
+    write_bytes_atomically(path, content)
+
+
+def write_bytes_atomically(path: str | os.PathLike[str], content: bytes) -> None:
+    """Write a file whole or not at all, as `write_text_atomically` does."""
+    try:
         target = Path(path).resolve()
         if target.exists() and not target.is_file():
-            target.write_text(text, encoding="utf-8")
+            target.write_bytes(content)
         else:
-            _replace(target, text)
+            _replace(target, content)
     except (OSError, ValueError) as error:
         raise InputError(f"cannot write {shown(str(path))}: {_reason(error)}") from None
 
@@ -292,12 +301,12 @@ def _reason(error: OSError | ValueError) -> str:
     return str(error)
 
 
-def _replace(target: Path, text: str) -> None:
+def _replace(target: Path, content: bytes) -> None:
     """Write a new file beside `target` and let it take the place of `target`."""
     temporary = target.with_name(f".{os.urandom(8).hex()}.tmp")
     try:
-        with temporary.open("x", encoding="utf-8", newline="\n") as stream:
-            stream.write(text)
+        with temporary.open("xb") as stream:
+            stream.write(content)
             stream.flush()
             os.fsync(stream.fileno())
         if target.exists():

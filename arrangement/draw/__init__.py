@@ -1,0 +1,9 @@
+"""Pictures of arrangements, made with matplotlib (the extra ``figures``).
+
+The topology of every picture is exact; only coordinates on paper are floats. A picture made twice
+is the same byte for byte.
+"""
+
+import lazy_loader
+
+__getattr__, __dir__, __all__ = lazy_loader.attach_stub(__name__, __file__)

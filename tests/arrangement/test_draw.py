@@ -1,0 +1,81 @@
+"""Pictures: what is drawn is what is counted, files repeat, nothing half-written."""
+
+from __future__ import annotations
+
+import sys
+from pathlib import Path
+
+import pytest
+
+from arrangement import Arrangement, InputError, MissingExtraError
+from arrangement.cli import main
+from arrangement.counts import f_vector
+from arrangement.draw import draw_sphere, write_drawing
+from arrangement.files import read_arrangement
+
+NAMES = ["four-generic-planes", "braid-a3", "reflection-b3", "pencil", "coincident-planes"]
+VIEW = (5, 3, 4)
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_elements_drawn_are_those_counted_with_the_limb(name: str) -> None:
+    """The limb is one more plane; half of all regions face the viewer (Zaslavsky counts them)."""
+    planes = read_arrangement(name)
+    figure = draw_sphere(planes, view=VIEW)
+    names = [patch.get_gid() or "" for patch in figure.axes[0].patches]
+    kinds = {kind: sum(x.startswith(kind) for x in names) for kind in ("region", "front", "back")}
+    _, _, arcs, regions = f_vector(Arrangement([*planes.normals, VIEW]))
+    limb = sum(x.startswith("limb") for x in names)
+    assert kinds["region"] == regions // 2
+    assert kinds["front"] == kinds["back"]
+    assert kinds["front"] + kinds["back"] + limb == arcs
+
+
+@pytest.mark.parametrize("suffix", [".svg", ".pdf", ".png"])
+def test_pictures_repeat_byte_for_byte(suffix: str, tmp_path: Path) -> None:
+    planes = read_arrangement("four-generic-planes")
+    for name in "ab":
+        write_drawing(planes, tmp_path / f"{name}{suffix}")
+    assert (tmp_path / f"a{suffix}").read_bytes() == (tmp_path / f"b{suffix}").read_bytes()
+    assert len(list(tmp_path.iterdir())) == 2
+
+
+def test_sign_vectors_that_fit_are_written_once() -> None:
+    axes = draw_sphere(read_arrangement("coordinate-planes"), view=(4, 5, 3)).axes[0]
+    written = [text.get_text().replace("\u200a", "") for text in axes.texts]
+    texts = [text for text in written if set(text) <= set("+−\n")]
+    assert "+++" in texts
+    assert len(texts) == len(set(texts))
+
+
+def test_bad_requests_write_nothing(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    target = str(tmp_path / "a.svg")
+    assert main(["draw", "pencil", "-o", target, "--view", "lattice"]) == 2
+    assert "known are sphere" in capsys.readouterr().err
+    assert main(["draw", "pencil", "-o", target, "--colour", "mood"]) == 2
+    assert main(["draw", "parallel-planes-affine", "-o", target]) == 2
+    assert main(["draw", "pencil", "-o", str(tmp_path / "a.gif")]) == 2
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_model_suffix_exports_the_dual(tmp_path: Path) -> None:
+    assert main(["draw", "braid-a3", "-o", str(tmp_path / "a.stl"), "--json"]) == 0
+    assert (tmp_path / "a.stl").stat().st_size > 84
+
+
+def test_colouring_by_a_function_of_the_region() -> None:
+    planes = read_arrangement("coordinate-planes")
+    figure = draw_sphere(planes, colour=lambda region: "red" if region.signs[0] > 0 else "blue")
+    fills = {patch.get_facecolor() for patch in figure.axes[0].patches if patch.get_fill()}
+    assert fills == {(1.0, 0.0, 0.0, 1.0), (0.0, 0.0, 1.0, 1.0)}
+
+
+def test_missing_library_names_the_extra(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+    monkeypatch.setitem(sys.modules, "matplotlib", None)
+    with pytest.raises(MissingExtraError, match=r"slipstates\[figures\]"):
+        write_drawing(read_arrangement("pencil"), tmp_path / "a.svg")
+
+
+def test_a_view_without_direction_is_refused() -> None:
+    with pytest.raises(InputError, match="not all 0"):
+        draw_sphere(read_arrangement("pencil"), view=(0, 0, 0))
