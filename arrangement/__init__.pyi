@@ -23,10 +23,7 @@ from .exact import (
     rational as rational,
     to_text as to_text,
 )
-from .files import (
-    read_arrangement as read_arrangement,
-    write_text_atomically as write_text_atomically,
-)
+from .files import read_arrangement as read_arrangement
 from .inscribed import (
     Inscribability as Inscribability,
     inscribability as inscribability,
@@ -42,5 +39,6 @@ from .sphere import (
     SphereArrangement as SphereArrangement,
     sphere_arrangement as sphere_arrangement,
 )
+from .writing import write_text_atomically as write_text_atomically
 
 __version__: str

@@ -29,6 +29,7 @@ from typing import TYPE_CHECKING, Any, BinaryIO, TypeAlias
 from .errors import InputError
 from .exact import MAX_TEXT_LENGTH, shown
 from .planes import Arrangement
+from .writing import reason
 
 if TYPE_CHECKING:
     from importlib.resources.abc import Traversable
@@ -138,35 +139,6 @@ def check_list(value: Any, where: str, length: int | None = None) -> list[Any]:
     return list(value)
 
 
-def write_text_atomically(path: str | os.PathLike[str], text: str) -> None:
-    """Write a UTF-8 text file whole or not at all.
-
-    The text goes to a temporary file in the same folder, which then takes the place of `path`; a
-    reader never sees half a file, and an interrupted write leaves the old one. What is no ordinary
-    file (``/dev/stdout``) is written to directly.
-
-    Raises:
-        InputError: the place cannot be written.
-    """
-    try:
-        content = text.encode("utf-8")
-    except UnicodeEncodeError as error:
-        raise InputError(f"cannot write {shown(str(path))}: {_reason(error)}") from None
-    write_bytes_atomically(path, content)
-
-
-def write_bytes_atomically(path: str | os.PathLike[str], content: bytes) -> None:
-    """Write a file whole or not at all, as `write_text_atomically` does."""
-    try:
-        target = Path(path).resolve()
-        if target.exists() and not target.is_file():
-            target.write_bytes(content)
-        else:
-            _replace(target, content)
-    except (OSError, ValueError) as error:
-        raise InputError(f"cannot write {shown(str(path))}: {_reason(error)}") from None
-
-
 def instances() -> dict[str, Traversable]:
     """Return every built-in document by name, in alphabetical order."""
     found: dict[str, Traversable] = {}
@@ -210,7 +182,7 @@ def _read_bytes(source: str | os.PathLike[str], name: str, max_bytes: int) -> by
         if isinstance(error, InputError):
             raise
         names = "" if os.sep in str(source) else " (built-in names: see `arrangement list`)"
-        raise InputError(f"cannot read {name}: {_reason(error)}{names}") from None
+        raise InputError(f"cannot read {name}: {reason(error)}{names}") from None
 
 
 def _limited(stream: BinaryIO, name: str, max_bytes: int) -> bytes:
@@ -293,25 +265,3 @@ def _kind_of(value: Any) -> str:
     if isinstance(value, (list, tuple)):
         return "a list"
     return "null" if value is None else shown(value)
-
-
-def _reason(error: OSError | ValueError) -> str:
-    if isinstance(error, OSError) and error.strerror:
-        return error.strerror
-    return str(error)
-
-
-def _replace(target: Path, content: bytes) -> None:
-    """Write a new file beside `target` and let it take the place of `target`."""
-    temporary = target.with_name(f".{os.urandom(8).hex()}.tmp")
-    try:
-        with temporary.open("xb") as stream:
-            stream.write(content)
-            stream.flush()
-            os.fsync(stream.fileno())
-        if target.exists():
-            temporary.chmod(target.stat().st_mode & 0o777)
-        temporary.replace(target)
-    except BaseException:
-        temporary.unlink(missing_ok=True)
-        raise

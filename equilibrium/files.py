@@ -6,8 +6,9 @@ import os
 from collections.abc import Mapping
 from typing import Any
 
-from arrangement.files import Source, read_document, write_text_atomically
+from arrangement.files import Source, read_document
 from arrangement.planes import Arrangement
+from arrangement.writing import write_text_atomically
 
 from .certificate import Certificate, Report, check
 from .grasp import Grasp

@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import Any
 
 from arrangement import console
-from arrangement.files import write_text_atomically
+from arrangement.writing import write_text_atomically
 
 from . import own, ownrun, pages, report
 from .environment import environment

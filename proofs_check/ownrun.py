@@ -11,8 +11,8 @@ from random import Random
 from typing import Any
 
 from arrangement.census import census
-from arrangement.files import write_text_atomically
 from arrangement.planes import Arrangement
+from arrangement.writing import write_text_atomically
 
 from .claim import Verdict
 from .domains import count, document, known_families, size

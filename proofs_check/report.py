@@ -15,7 +15,7 @@ from pathlib import Path
 from typing import Any
 
 from arrangement.exact import to_text
-from arrangement.files import write_text_atomically
+from arrangement.writing import write_text_atomically
 
 from . import pages
 from .claim import Claim, Evidence, Failure, Record, Result

@@ -8,7 +8,8 @@ from typing import Any
 
 from arrangement import console
 from arrangement.errors import InputError
-from arrangement.files import read_document, write_text_atomically
+from arrangement.files import read_document
+from arrangement.writing import write_text_atomically
 
 from . import pages, store, sweepreport
 from .progress import Bar, duration

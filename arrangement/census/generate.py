@@ -32,9 +32,9 @@ import numpy as np
 from arrangement import console
 from arrangement.errors import MissingExtraError
 from arrangement.exact import IntegerVector, primitive
-from arrangement.files import write_text_atomically
 from arrangement.planes import Arrangement
 from arrangement.sphere import SphereArrangement, sphere_arrangement
+from arrangement.writing import write_text_atomically
 
 from .catalogue import MOST_PLANES
 

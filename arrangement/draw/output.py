@@ -9,8 +9,8 @@ from typing import Any
 
 from arrangement.errors import InputError, MissingExtraError
 from arrangement.exact import shown
-from arrangement.files import write_bytes_atomically
 from arrangement.planes import Arrangement
+from arrangement.writing import write_bytes_atomically
 
 VIEWS = ("sphere",)
 PICTURES = (".pdf", ".png", ".svg")

@@ -12,6 +12,7 @@ import numpy.typing as npt
 
 from arrangement.errors import ArrangementError, InputError
 from arrangement.exact import shown
+from arrangement.writing import write_bytes_atomically
 
 if TYPE_CHECKING:
     from .polyhedron import DualPolyhedron
@@ -72,12 +73,7 @@ def export(dual: DualPolyhedron, path: str | os.PathLike[str], size: float) -> N
         raise InputError(
             f"the file name ends in {shown(kind)}; known are {', '.join(sorted(_WRITERS))}"
         )
-    content = _WRITERS[kind](dual, size)
-    try:
-        _write_atomically(target.resolve(), content)
-    except OSError as error:
-        reason = error.strerror or str(error)
-        raise InputError(f"cannot write {shown(str(path))}: {reason}") from None
+    write_bytes_atomically(path, _WRITERS[kind](dual, size))
 
 
 def _stl(dual: DualPolyhedron, size: float) -> bytes:
@@ -105,19 +101,3 @@ def _obj(dual: DualPolyhedron, size: float) -> bytes:
 
 
 _WRITERS = {".stl": _stl, ".glb": _glb, ".obj": _obj}
-
-
-def _write_atomically(target: Path, content: bytes) -> None:
-    """Write a new file beside `target` and let it take the place of `target`."""
-    temporary = target.with_name(f".{os.urandom(8).hex()}.tmp")
-    try:
-        with temporary.open("xb") as stream:
-            stream.write(content)
-            stream.flush()
-            os.fsync(stream.fileno())
-        if target.exists():
-            temporary.chmod(target.stat().st_mode & 0o777)
-        temporary.replace(target)
-    except BaseException:
-        temporary.unlink(missing_ok=True)
-        raise
