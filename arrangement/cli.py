@@ -10,6 +10,8 @@ from . import console, files
 from .exact import to_text
 from .planes import Arrangement, Face
 
+#: The options of ``draw`` that go to the view, when they are given.
+_DRAW_OPTIONS = ("colour",)
 _SYMBOLS = {1: "+", 0: "0", -1: "-"}
 
 
@@ -42,8 +44,8 @@ def _parser() -> console.Parser:
         "-o", "--output", required=True, metavar="PATH",
         help=".svg, .pdf, .png: a picture; .stl, .glb, .obj: the dual polyhedron",
     )  # fmt: skip
-    draw.add_argument("--view", default="sphere", metavar="VIEW", help="sphere (the only one yet)")
-    draw.add_argument("--colour", default="sides", metavar="BY", help="sides, signs or none")
+    draw.add_argument("--view", default="sphere", metavar="VIEW", help="sphere (the default)")
+    draw.add_argument("--colour", metavar="BY", help="sides, signs or none")
     draw.set_defaults(command=_draw)
 
     for command in (count, faces, names, draw):
@@ -101,7 +103,9 @@ def _draw(arguments: argparse.Namespace) -> int:
     from .draw import write_drawing
 
     arrangement = files.read_arrangement(arguments.file)
-    write_drawing(arrangement, arguments.output, arguments.view, colour=arguments.colour)
+    given = {name: getattr(arguments, name) for name in _DRAW_OPTIONS}
+    options = {name: value for name, value in given.items() if value is not None}
+    write_drawing(arrangement, arguments.output, arguments.view, **options)
     if arguments.json:
         console.print_json({"output": arguments.output, "view": arguments.view})
     return console.YES

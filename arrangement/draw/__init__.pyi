@@ -1,2 +1,3 @@
-from .output import VIEWS as VIEWS, write_drawing as write_drawing
+from .output import save_figure as save_figure, write_drawing as write_drawing
 from .sphere import DrawnRegion as DrawnRegion, draw_sphere as draw_sphere
+from .views import PICTURE_VIEWS as PICTURE_VIEWS

@@ -4,15 +4,20 @@ from __future__ import annotations
 
 import io
 import os
+from collections.abc import Callable
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from arrangement.errors import InputError, MissingExtraError
 from arrangement.exact import shown
 from arrangement.planes import Arrangement
 from arrangement.writing import write_bytes_atomically
 
-VIEWS = ("sphere",)
+from .views import PICTURE_VIEWS, check_options, view_function
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
 PICTURES = (".pdf", ".png", ".svg")
 MODELS = (".glb", ".obj", ".stl")
 
@@ -45,33 +50,40 @@ def write_drawing(
     """Draw an arrangement into a file, whole or not at all.
 
     Args:
-        arrangement: central, in R^3.
+        arrangement: one that the view can show; see its function.
         path: ``.svg``, ``.pdf`` or ``.png`` for a picture; ``.stl``, ``.glb`` or ``.obj`` for a
             model of the dual polyhedron, for which view and options do not count.
-        view: one of `VIEWS`.
+        view: one of `views.PICTURE_VIEWS`.
         options: those of the view's function.
 
     Raises:
-        InputError: unknown suffix or view, planes that the view cannot show, no place to write.
+        InputError: unknown suffix, view or option, planes that the view cannot show, no place to
+            write.
         MissingExtraError: matplotlib is absent.
     """
     suffix = Path(path).suffix.lower()
     if suffix not in PICTURES + MODELS:
         known = ", ".join(sorted(PICTURES + MODELS))
         raise InputError(f"the file name ends in {shown(suffix)}; known are {known}")
-    if view not in VIEWS:
-        raise InputError(f"the view is {shown(view)}; known are {', '.join(VIEWS)}")
+    function = view_function(view, PICTURE_VIEWS)
     if suffix in MODELS:
         from arrangement.dual import dual_polyhedron
 
         dual_polyhedron(arrangement).export(path)
         return
-    mpl = require_matplotlib()
-    from .sphere import draw_sphere
+    check_options(view, function, options)
+    save_figure(path, lambda: function(arrangement, **options))
 
+
+def save_figure(path: str | os.PathLike[str], make: Callable[[], Figure]) -> None:
+    """Write the figure that `make` returns, in the format of the suffix; the same bytes each time.
+
+    Raises:
+        MissingExtraError: matplotlib is absent.
+    """
+    suffix = Path(path).suffix.lower()
+    mpl = require_matplotlib()
     with mpl.rc_context({**mpl.rcParamsDefault, **_STYLE}):
         buffer = io.BytesIO()
-        draw_sphere(arrangement, **options).savefig(
-            buffer, format=suffix[1:], dpi=300, metadata=_METADATA[suffix]
-        )
+        make().savefig(buffer, format=suffix[1:], dpi=300, metadata=_METADATA[suffix])
     write_bytes_atomically(path, buffer.getvalue())
