@@ -1,3 +1,4 @@
+from .colours import DrawnRegion as DrawnRegion
 from .output import save_figure as save_figure, write_drawing as write_drawing
-from .sphere import DrawnRegion as DrawnRegion, draw_sphere as draw_sphere
+from .sphere import draw_sphere as draw_sphere
 from .views import PICTURE_VIEWS as PICTURE_VIEWS
