@@ -33,7 +33,7 @@ def draw_sphere(
 
     Args:
         arrangement: central, in R^3, any rank.
-        direction: the exact direction towards the viewer; left out, one in which no circle is edge-on.
+        direction: exact, towards the viewer; left out, one in which no circle is edge-on.
         colour: "sides" (by number of sides), "signs" (by number of minus signs), "none", or a
             function from a `DrawnRegion` to a colour.
         width: of the figure, in millimetres.

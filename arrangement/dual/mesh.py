@@ -67,13 +67,16 @@ def _triangles(dual: DualPolyhedron) -> npt.NDArray[np.int64]:
 
 def export(dual: DualPolyhedron, path: str | os.PathLike[str], size: float) -> None:
     """Write a model file; see `DualPolyhedron.export`."""
-    target = Path(path)
-    kind = target.suffix.lower()
+    write_bytes_atomically(path, content(dual, Path(path).suffix.lower(), size))
+
+
+def content(dual: DualPolyhedron, kind: str, size: float) -> bytes:
+    """Return the bytes of a model file of the kind ``.stl``, ``.glb`` or ``.obj``."""
     if kind not in _WRITERS:
         raise InputError(
             f"the file name ends in {shown(kind)}; known are {', '.join(sorted(_WRITERS))}"
         )
-    write_bytes_atomically(path, _WRITERS[kind](dual, size))
+    return _WRITERS[kind](dual, size)
 
 
 def _stl(dual: DualPolyhedron, size: float) -> bytes:
