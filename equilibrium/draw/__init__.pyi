@@ -1,0 +1,1 @@
+from .grasp import draw_grasp as draw_grasp
