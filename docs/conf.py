@@ -3,6 +3,7 @@
 import contextlib
 import re
 import runpy
+import sys
 from pathlib import Path
 
 import matplotlib as mpl
@@ -70,6 +71,7 @@ def make_figures(app):
     such file, ends the build. Modules that start with an underscore are what scripts share.
     """
     source = Path(app.srcdir)
+    sys.path.insert(0, str(source / "figures"))
     folder = source / "_generated"
     folder.mkdir(exist_ok=True)
     shared = [*source.glob("figures/_*.py"), *source.parent.glob("*/draw/**/*.py")]
