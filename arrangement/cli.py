@@ -11,7 +11,7 @@ from .exact import to_text
 from .planes import Arrangement, Face
 
 #: The options of ``draw`` that go to the view, when they are given.
-_DRAW_OPTIONS = ("colour", "direction", "width", "body", "lift", "explode", "size")
+_DRAW_OPTIONS = ("colour", "direction", "width", "body", "lift", "explode", "size", "title")
 _SYMBOLS = {1: "+", 0: "0", -1: "-"}
 
 
@@ -38,7 +38,7 @@ def _parser() -> console.Parser:
     names = commands.add_parser("list", help="list the built-in documents")
     names.set_defaults(command=_list)
 
-    draw = commands.add_parser("draw", help="draw pictures, or export models to hold")
+    draw = commands.add_parser("draw", help="draw pictures and pages, or export models to hold")
     _add_file(draw)
     _add_draw_options(draw)
     draw.set_defaults(command=_draw)
@@ -59,7 +59,7 @@ def _add_file(parser: argparse.ArgumentParser) -> None:
 def _add_draw_options(draw: argparse.ArgumentParser) -> None:
     draw.add_argument(
         "-o", "--output", required=True, metavar="PATH",
-        help=".svg, .pdf, .png: a picture; .stl, .glb, .obj: a model",
+        help=".svg, .pdf, .png: a picture; .stl, .glb, .obj: a model; .html: an interactive page",
     )  # fmt: skip
     draw.add_argument("--view", metavar="VIEW", help="of a picture: sphere (the default), planes")
     draw.add_argument("--model", metavar="MODEL", help="dual (the default) or cells")
@@ -83,6 +83,7 @@ def _add_draw_options(draw: argparse.ArgumentParser) -> None:
     draw.add_argument(
         "--size", type=console.rational_argument, metavar="MM", help="of a model (default 60)"
     )
+    draw.add_argument("--title", metavar="TEXT", help="the heading of a page")
 
 
 def _count(arguments: argparse.Namespace) -> int:

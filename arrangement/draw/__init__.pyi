@@ -1,4 +1,5 @@
 from .colours import DrawnRegion as DrawnRegion
 from .output import save_figure as save_figure, write_drawing as write_drawing
+from .page import arrangement_page as arrangement_page
 from .sphere import draw_sphere as draw_sphere
 from .views import PICTURE_VIEWS as PICTURE_VIEWS

@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any
 from arrangement.errors import InputError, MissingExtraError
 from arrangement.exact import shown
 from arrangement.planes import Arrangement
-from arrangement.writing import write_bytes_atomically
+from arrangement.writing import write_bytes_atomically, write_text_atomically
 
 from .views import MODEL_VIEWS, PICTURE_VIEWS, check_options, view_function
 
@@ -22,6 +22,7 @@ if TYPE_CHECKING:
 
 PICTURES = (".pdf", ".png", ".svg")
 MODELS = (".glb", ".obj", ".stl")
+PAGES = (".html",)
 
 #: What makes files repeat: fixed identifiers, no dates, letters as outlines.
 _STYLE = {"svg.hashsalt": "arrangement", "svg.fonttype": "path", "font.size": 7.0}
@@ -55,13 +56,14 @@ def write_drawing(
     Args:
         arrangement: one that the view or model can show; see its function.
         path: ``.svg``, ``.pdf`` or ``.png`` for a picture; ``.stl``, ``.glb`` or ``.obj`` for a
-            model. STL and OBJ are in millimetres, GLB is in metres as its standard demands.
+            model. STL and OBJ are in millimetres, GLB is in metres as its standard demands;
+            ``.html`` for the interactive page, see `page.arrangement_page`.
         view: of a picture, one of `views.PICTURE_VIEWS`; "sphere" if left out.
         model: one of `views.MODEL_VIEWS`; "dual" if left out.
-        options: those of the function of the view or model.
+        options: those of the function of the view, model or page.
 
     Returns:
-        What was written: ``{"view": name}`` or ``{"model": name}``.
+        What was written: ``{"view": name}``, ``{"model": name}`` or ``{"page": "arrangement"}``.
 
     Raises:
         InputError: unknown suffix, view, model or option, planes that it cannot show, no place to
@@ -69,8 +71,8 @@ def write_drawing(
         MissingExtraError: matplotlib is absent.
     """
     suffix = Path(path).suffix.lower()
-    if suffix not in PICTURES + MODELS:
-        known = ", ".join(sorted(PICTURES + MODELS))
+    if suffix not in PICTURES + MODELS + PAGES:
+        known = ", ".join(sorted(PICTURES + MODELS + PAGES))
         raise InputError(f"the file name ends in {shown(suffix)}; known are {known}")
     if suffix in MODELS:
         _refuse_other("view", view, suffix, PICTURES)
@@ -80,6 +82,13 @@ def write_drawing(
         write_bytes_atomically(path, build(arrangement, suffix, **options))
         return {"model": name}
     _refuse_other("model", model, suffix, MODELS)
+    if suffix in PAGES:
+        from .page import arrangement_page
+
+        _refuse_other("view", view, suffix, PICTURES)
+        check_options("the page", arrangement_page, options)
+        write_text_atomically(path, arrangement_page(arrangement, **options))
+        return {"page": "arrangement"}
     name = view or "sphere"
     draw = view_function(name, PICTURE_VIEWS)
     check_options(name, draw, options)
