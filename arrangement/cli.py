@@ -11,7 +11,9 @@ from .exact import to_text
 from .planes import Arrangement, Face
 
 #: The options of ``draw`` that go to the view, when they are given.
-_DRAW_OPTIONS = ("colour", "direction", "width", "body", "lift", "explode", "size", "title")
+_DRAW_OPTIONS = (
+    "colour", "direction", "width", "body", "lift", "explode", "size", "title", "whole",
+)  # fmt: skip
 _SYMBOLS = {1: "+", 0: "0", -1: "-"}
 
 
@@ -61,7 +63,10 @@ def _add_draw_options(draw: argparse.ArgumentParser) -> None:
         "-o", "--output", required=True, metavar="PATH",
         help=".svg, .pdf, .png: a picture; .stl, .glb, .obj: a model; .html: an interactive page",
     )  # fmt: skip
-    draw.add_argument("--view", metavar="VIEW", help="of a picture: sphere (the default), planes")
+    draw.add_argument(
+        "--view", metavar="VIEW",
+        help="of a picture: sphere (the default), planes, stereographic, gnomonic",
+    )  # fmt: skip
     draw.add_argument("--model", metavar="MODEL", help="dual (the default) or cells")
     draw.add_argument("--colour", metavar="BY", help="sides, signs or none; planes: also planes")
     draw.add_argument(
@@ -83,6 +88,10 @@ def _add_draw_options(draw: argparse.ArgumentParser) -> None:
     draw.add_argument(
         "--size", type=console.rational_argument, metavar="MM", help="of a model (default 60)"
     )
+    draw.add_argument(
+        "--whole", action=argparse.BooleanOptionalAction, default=None,
+        help="stereographic: both halves of the sphere, or one",
+    )  # fmt: skip
     draw.add_argument("--title", metavar="TEXT", help="the heading of a page")
 
 

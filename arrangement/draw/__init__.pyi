@@ -1,5 +1,7 @@
 from .colours import DrawnRegion as DrawnRegion
+from .gnomonic import draw_gnomonic as draw_gnomonic
 from .output import save_figure as save_figure, write_drawing as write_drawing
 from .page import arrangement_page as arrangement_page
 from .sphere import draw_sphere as draw_sphere
+from .stereographic import draw_stereographic as draw_stereographic
 from .views import PICTURE_VIEWS as PICTURE_VIEWS

@@ -13,6 +13,8 @@ from arrangement.exact import shown
 #: Views as pictures: name -> module of this package and function, ``f(arrangement, **options)``.
 PICTURE_VIEWS = {
     "sphere": ("sphere", "draw_sphere"),
+    "stereographic": ("stereographic", "draw_stereographic"),
+    "gnomonic": ("gnomonic", "draw_gnomonic"),
 }
 
 
