@@ -92,7 +92,7 @@ def _content(scene: Scene) -> Floats:
 def _drawn(scene: Scene, width: float) -> Figure:
     held = _content(scene)
     low, high = held.min(axis=0), held.max(axis=0)
-    legend = Legend(width)
+    legend = Legend(width, scaled=bool(scene.reference))
     _describe(scene, legend)
     margin = 6.0
     per_unit = min((width - 2 * margin) / (high[0] - low[0]), 0.95 * width / (high[1] - low[1]))

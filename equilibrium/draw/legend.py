@@ -18,9 +18,10 @@ _ROW, _SIDE, _KEY, _GAP = 3.7, 3.0, 7.0, 3.0
 
 @dataclass
 class Legend:
-    """Lines and keys, laid out in rows that fit a width in millimetres."""
+    """Lines and keys, laid out in rows that fit a width in millimetres; `scaled`: with a bar."""
 
     width: float
+    scaled: bool = False
     lines: list[tuple[str, bool]] = field(default_factory=list)
     keys: list[tuple[str, str]] = field(default_factory=list)
 
@@ -36,8 +37,8 @@ class Legend:
 
     @property
     def height(self) -> float:
-        """The height of the strip in millimetres, the bar of scale included."""
-        return _ROW * (len(self.lines) + len(self._rows()) + 1) + 1.5
+        """The height of the strip in millimetres."""
+        return _ROW * (len(self.lines) + len(self._rows()) + self.scaled) + 1.5
 
     def _rows(self) -> list[list[tuple[float, str, str]]]:
         """Return rows of (left end, kind, text), in columns of equal width where they fit."""
@@ -100,10 +101,29 @@ def _symbol(axes: Any, kind: str, left: float, y: float) -> None:
     elif kind in ("stick", "slip", "detached"):
         state = "slip+" if kind == "slip" else kind
         axes.add_patch(mark(state, middle, ahead, 6.0 * unit, ec=BLACK, lw=0.8))
+    elif kind in ("resisted", "refused"):
+        shape = {"marker": "o", "ms": 5} if kind == "resisted" else {"marker": "x", "mew": 1.6}
+        axes.plot([middle[0]], [y], color=VERMILION, **shape)
+    elif kind == "wrench-points":
+        axes.plot([left + 1.3], [y], color=VERMILION, marker="o", ms=5)
+        axes.plot([left + 4.2], [y], color=VERMILION, marker="x", ms=5, mew=1.6)
+    elif kind == "fade":
+        for k in range(11):
+            grey = f"#{round(160 + 9 * k):02x}" + f"{round(160 + 9 * k):02x}" * 2
+            axes.plot([left + 0.5 * k, left + 0.5 * (k + 1)], [y, y], color=grey, lw=6,
+                      solid_capstyle="butt")  # fmt: skip
+    elif kind == "border":
+        axes.plot(*np.array([start, end]).T, color=BLACK, lw=1.3)
     else:
-        from matplotlib.patches import Rectangle
+        _swatch(axes, kind, left, y)
 
-        fill, _, hatch = kind.partition(" ")
-        axes.add_patch(
-            Rectangle((left, y - 1.2), 5.5, 2.4, fc=fill, ec=GREY, lw=0.4, hatch=hatch or None)
-        )
+
+def _swatch(axes: Any, kind: str, left: float, y: float) -> None:
+    """Draw a small field of a colour ``#rrggbb``, hatched when the word follows."""
+    from matplotlib.patches import Rectangle
+
+    fill, _, hatched = kind.partition(" ")
+    axes.add_patch(Rectangle((left, y - 1.2), 5.5, 2.4, fc=fill, ec=GREY, lw=0.4))
+    for k in range(5 if hatched else 0):
+        x = left + 0.3 + 1.1 * k
+        axes.plot([x, x + 0.8], [y - 1.2, y + 1.2], color="#4d4d4d", lw=0.35)
