@@ -1,26 +1,13 @@
 """The minimum cycle basis of a cube, one cycle in each panel, and its symmetric sum."""
 
 import networkx as nx
-import numpy as np
+from _flat import flat
 from matplotlib.figure import Figure
 
 from arrangement import published_enumeration, read_arrangement
 from arrangement.draw.output import save_figure
 
 BLUE, VERMILION, GREY = "#0072b2", "#d55e00", "#767676"
-
-
-def flat(graph, outer):
-    """Tutte's drawing: the outer cycle as a polygon, all else in the middle of its neighbours."""
-    ring = [region for region, _ in nx.find_cycle(nx.Graph(outer))]
-    places = np.zeros((len(graph), 2))
-    angles = np.pi / 4 + 2 * np.pi * np.arange(len(ring)) / len(ring)
-    places[ring] = np.stack([np.cos(angles), np.sin(angles)], axis=1)
-    inner = [region for region in graph if region not in ring]
-    laplacian = nx.laplacian_matrix(graph, nodelist=range(len(graph))).toarray().astype(float)
-    pull = -laplacian[np.ix_(inner, ring)] @ places[ring]
-    places[inner] = np.linalg.solve(laplacian[np.ix_(inner, inner)], pull)
-    return places
 
 
 def text(signs):
@@ -46,7 +33,8 @@ def panel(axes, enumeration, places, number):
 
 def make():
     enumeration = published_enumeration(read_arrangement("three-generic-planes"))
-    places = flat(enumeration.graph, enumeration.cycles[-1])
+    outer = [region for region, _ in nx.find_cycle(nx.Graph(enumeration.cycles[-1]))]
+    places = flat(enumeration.graph, outer)
     figure = Figure(figsize=(5.4, 3.9))
     for number, axes in enumerate(figure.subplots(2, 3).flat):
         panel(axes, enumeration, places, number)
