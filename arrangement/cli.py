@@ -12,7 +12,7 @@ from .planes import Arrangement, Face
 
 #: The options of ``draw`` that go to the view, when they are given.
 _DRAW_OPTIONS = (
-    "colour", "direction", "width", "body", "lift", "explode", "size", "title", "whole",
+    "colour", "direction", "width", "body", "lift", "explode", "size", "title", "whole", "hull",
 )  # fmt: skip
 _SYMBOLS = {1: "+", 0: "0", -1: "-"}
 
@@ -65,7 +65,7 @@ def _add_draw_options(draw: argparse.ArgumentParser) -> None:
     )  # fmt: skip
     draw.add_argument(
         "--view", metavar="VIEW",
-        help="of a picture: sphere (the default), planes, stereographic, gnomonic",
+        help="of a picture: sphere (the default), planes, stereographic, gnomonic, dual",
     )  # fmt: skip
     draw.add_argument("--model", metavar="MODEL", help="dual (the default) or cells")
     draw.add_argument("--colour", metavar="BY", help="sides, signs or none; planes: also planes")
@@ -73,26 +73,31 @@ def _add_draw_options(draw: argparse.ArgumentParser) -> None:
         "--direction", nargs=3, type=console.rational_argument, metavar=("X", "Y", "Z"),
         help="towards the viewer, exact",
     )  # fmt: skip
-    draw.add_argument(
-        "--width", type=console.rational_argument, metavar="MM", help="of a picture (default 88)"
-    )
+    draw.add_argument("--width", type=_length, metavar="MM", help="of a picture (default 88)")
     draw.add_argument("--body", metavar="BODY", help="around planes and cells: ball or cube")
     draw.add_argument(
         "--lift", action="append", metavar="SIGNS",
         help="lift this cell out; write --lift=-+- with the equals sign; may be repeated",
     )  # fmt: skip
     draw.add_argument(
-        "--explode", type=console.rational_argument, metavar="FACTOR",
+        "--explode", type=_length, metavar="FACTOR",
         help="move the cells of a model apart (default 1.3; 1 leaves them together)",
     )  # fmt: skip
-    draw.add_argument(
-        "--size", type=console.rational_argument, metavar="MM", help="of a model (default 60)"
-    )
+    draw.add_argument("--size", type=_length, metavar="MM", help="of a model (default 60)")
     draw.add_argument(
         "--whole", action=argparse.BooleanOptionalAction, default=None,
         help="stereographic: both halves of the sphere, or one",
     )  # fmt: skip
+    draw.add_argument(
+        "--hull", action="store_true", default=None,
+        help="dual: the hull of representatives on the sphere, differing edges marked",
+    )  # fmt: skip
     draw.add_argument("--title", metavar="TEXT", help="the heading of a page")
+
+
+def _length(text: str) -> float:
+    """Read a length on paper or of a model, which is no exact number."""
+    return float(console.rational_argument(text))
 
 
 def _count(arguments: argparse.Namespace) -> int:

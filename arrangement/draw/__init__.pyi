@@ -1,4 +1,5 @@
 from .colours import DrawnRegion as DrawnRegion
+from .dual import draw_dual as draw_dual
 from .gnomonic import draw_gnomonic as draw_gnomonic
 from .output import save_figure as save_figure, write_drawing as write_drawing
 from .page import arrangement_page as arrangement_page

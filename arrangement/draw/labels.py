@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Sequence
-from typing import TypeAlias
+from itertools import product
+from typing import Any, TypeAlias
 
 import numpy as np
 import numpy.typing as npt
@@ -81,34 +82,62 @@ def write_inside(
 def write_beside(
     sheet: Sheet,
     point: Place,
-    text: str,
+    texts: Sequence[str],
     sizes: Sequence[float],
     *,
     segments: Floats,
     away: Place = (0.0, 1.0),
     distance: float = 3.0,
+    within: Box | None = None,
+    **style: Any,
 ) -> bool:
     """Write a label beside a point, off all segments, or not at all.
 
     Args:
         sheet: where to.
         point: the point.
-        text: the label.
+        texts: the label in different forms, the first one that fits is taken.
         sizes: those tried, in points.
         segments: (k, 2, 2) that must not be covered.
         away: the direction tried first.
-        distance: from the point to the nearest part of the label.
+        distance: from the point to the nearest part of the label; up to twice as much is tried.
+        within: a part of the sheet that must not be left.
+        style: goes to matplotlib.
     """
-    for size in sizes:
+    near = np.abs(segments - np.asarray(point)).min(axis=1).max(axis=1) < 120
+    close = segments[near | (np.abs(segments[:, 0] - segments[:, 1]).max(axis=1) > 100)]
+    for size, text, beyond in product(sizes, texts, (1.0, 2.0)):
         w, h = sheet.measure(text, size)
         for x, y in _around(away):
-            reach = distance + min(w / 2 / max(abs(x), 1e-9), h / 2 / max(abs(y), 1e-9))
+            reach = distance * beyond + min(w / 2 / max(abs(x), 1e-9), h / 2 / max(abs(y), 1e-9))
             centre = (point[0] + reach * x, point[1] + reach * y)
             box = sheet.box(centre, text, size)
-            clear = sheet.is_free(box) and not segments_meet(box, segments).any()
-            if clear and sheet.write(centre, text, size):
+            inside = within is None or _contains(within, box)
+            clear = inside and sheet.is_free(box) and not segments_meet(box, close).any()
+            if clear and sheet.write(centre, text, size, **style):
                 return True
     return False
+
+
+def _contains(outer: Box, inner: Box) -> bool:
+    return (
+        outer[0] <= inner[0]
+        and outer[1] <= inner[1]
+        and inner[2] <= outer[2]
+        and inner[3] <= outer[3]
+    )
+
+
+def crosses(points: Floats, radius: float) -> Floats:
+    """Return segments (2k, 2, 2) that cover small dots, for `write_beside`."""
+    arms = radius * np.array([[1.0, 0.0], [0.0, 1.0]])
+    return np.concatenate([np.stack([points - arm, points + arm], axis=1) for arm in arms])
+
+
+def sign_forms(signs: Sequence[int]) -> list[str]:
+    """Return a sign vector in one row and, when it is long, in several."""
+    rows = [1] if len(signs) <= 4 else [1, 2] if len(signs) <= 6 else [1, 2, 3]
+    return [sign_rows(signs, k) for k in rows]
 
 
 def _around(away: Place) -> Iterator[tuple[float, float]]:

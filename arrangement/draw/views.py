@@ -12,9 +12,11 @@ from arrangement.exact import shown
 
 #: Views as pictures: name -> module of this package and function, ``f(arrangement, **options)``.
 PICTURE_VIEWS = {
+    "planes": ("planes", "draw_planes"),
     "sphere": ("sphere", "draw_sphere"),
     "stereographic": ("stereographic", "draw_stereographic"),
     "gnomonic": ("gnomonic", "draw_gnomonic"),
+    "dual": ("dual", "draw_dual"),
 }
 
 
