@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from arrangement.draw.output import require_matplotlib
+from equilibrium.errors import GraspError
 from equilibrium.grasp import Grasp, read_wrench
 from equilibrium.passive import solve
 
@@ -19,6 +20,8 @@ from .shapes import Labels, arrow, curve_patch, mark, turning_arrow, wedge
 from .style import (
     BLACK,
     BLUE,
+    CONE_EDGE,
+    CONE_FILL,
     FONT,
     GREY,
     PALE,
@@ -65,6 +68,8 @@ def draw_grasp(
         MissingExtraError: matplotlib is absent.
     """
     require_matplotlib()
+    if wrench is None and piece != 1:
+        raise GraspError("without a wrench nothing is solved; give one with the piece")
     verdict = None if wrench is None else solve(grasp, read_wrench(wrench))
     return _drawn(scene_of(grasp, verdict, outline, piece), width)
 
@@ -144,11 +149,11 @@ def _paint_contacts(axes: Any, scene: Scene, unit: float, labels: Labels) -> Non
         t = np.array([-n[1], n[0]])
         half_angle = math.atan(rounded(contact.friction))
         axes.add_patch(
-            wedge(p, n, half_angle, CONE, fc="#e69f0059", ec="#b87f00", lw=0.5,
+            wedge(p, n, half_angle, CONE, fc=CONE_FILL, ec=CONE_EDGE, lw=0.5,
                   gid=f"cone-{i + 1}", zorder=1)
         )  # fmt: skip
         axes.add_patch(
-            curve_patch(np.array([p, p, p + CONE * n, p + CONE * n]), fill=False, ec="#b87f00",
+            curve_patch(np.array([p, p, p + CONE * n, p + CONE * n]), fill=False, ec=CONE_EDGE,
                         lw=0.5, ls=(0, (6, 2, 1, 2)), gid=f"normal-{i + 1}", zorder=1.1)
         )  # fmt: skip
         pad = 0.07 * t

@@ -113,10 +113,11 @@ class Panel:
 
     def _piece(self, index: int, shape: Floats, states: States, by_states: bool) -> None:
         gid, fill = self.gid("polygon", index), fill_of(states) if by_states else SHADE
+        thin = GREY if by_states else SHADE
         if len(shape) == 1:
-            self.axes.plot(*shape.T, "o", ms=2, color=GREY, gid=gid, zorder=1.2)
+            self.axes.plot(*shape.T, "o", ms=2, color=thin, gid=gid, zorder=1.2)
         elif len(shape) == 2:
-            self.axes.plot(*shape.T, color=GREY, lw=0.6, gid=gid, zorder=1.2)
+            self.axes.plot(*shape.T, color=thin, lw=0.6, gid=gid, zorder=1.2)
         else:
             line = {"ec": "#5f5f5f", "lw": 0.3} if by_states else {"ec": fill, "lw": 0.5}
             self.polygon(shape, fc=fill, gid=gid, zorder=1, **line)

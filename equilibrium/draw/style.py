@@ -22,6 +22,8 @@ BLACK, GREY, PALE = "#000000", "#767676", "#f2f2f2"
 BLUE, VERMILION, GREEN, ORANGE, SKY = "#0072b2", "#d55e00", "#009e73", "#e69f00", "#56b4e9"
 #: Light to dark, by the number of sticking contacts: 0, 1, 2, 3 and more.
 FILLS = ("#fdf0c0", "#b9dfd3", "#7fb9d8", "#8a7fb5")
+#: The fill, half transparent, and the edge of friction cones; the rim of polar maps.
+CONE_FILL, CONE_EDGE, RIM = "#e69f0059", "#b87f00", "#9a9a9a"
 #: One colour for a region without states.
 SHADE = "#c9d8e6"
 #: The state of a contact in one character, for labels.
