@@ -16,7 +16,7 @@ from arrangement.planes import Arrangement, Face
 
 from .around import Faces, faces_around
 from .lines import Lines, trace_lines
-from .packing import Words, pack, unpack
+from .packing import Words, unpack
 from .predicates import Numbers, PlaneTable, Signs
 from .witnesses import interior_points
 
@@ -47,12 +47,8 @@ class SpaceFaces:
         return trace_lines(self._table)
 
     @cached_property
-    def _through(self) -> Words:
-        return pack(self._lines.through)
-
-    @cached_property
     def _faces(self) -> Faces:
-        return faces_around(self._table, self._lines, self._through)
+        return faces_around(self._table, self._lines)
 
     @cached_property
     def edges(self) -> Signs:
@@ -80,9 +76,8 @@ class SpaceFaces:
         Vertices are counted as the different sets of classes that meet at crossings.
         """
         faces = self._faces
-        counts = (faces.vertices, self._lines.words, faces.facets, faces.regions)
-        f0, f1, f2, f3 = (len(rows) for rows in counts)
-        return f0, f1, f2, f3
+        edges, facets, regions = self._lines.words, faces.facets, faces.regions
+        return faces.vertices, len(edges), len(facets), len(regions)
 
     def __repr__(self) -> str:
         return f"<SpaceFaces: {self.classes} distinct planes, f-vector {self.f_vector}>"
@@ -96,7 +91,7 @@ class SpaceFaces:
 
     @cached_property
     def _witnesses(self) -> Numbers:
-        return interior_points(self._table, self._lines, self._faces, self.regions)
+        return interior_points(self._table, self._lines, self._faces)
 
     def integer_witnesses(self) -> Numbers:
         """Return (count, 4) integers (X, Y, Z, W), W > 0: a point (X, Y, Z) / W of each region.
@@ -110,8 +105,9 @@ class SpaceFaces:
 
     def witnesses(self) -> list[Point]:
         """Return an exact point inside each region, in the order of `regions`."""
+        known = _Quotients()
         return [
-            (Fraction(x, w), Fraction(y, w), Fraction(z, w))
+            (known[x, w], known[y, w], known[z, w])
             for x, y, z, w in self.integer_witnesses().tolist()
         ]
 
@@ -177,6 +173,13 @@ def space_faces(arrangement: Arrangement) -> SpaceFaces:
             "use Arrangement.faces"
         )
     return SpaceFaces(arrangement) if arrangement.rank == 3 else _FewDirections(arrangement)
+
+
+class _Quotients(dict[tuple[int, int], Fraction]):
+    """Quotients of integers, each made once: short ones come again and again."""
+
+    def __missing__(self, pair: tuple[int, int]) -> Fraction:
+        return self.setdefault(pair, Fraction(*pair))
 
 
 def _signs(words: Words, classes: int) -> Signs:

@@ -12,7 +12,6 @@ from dataclasses import dataclass
 from fractions import Fraction
 
 import numpy as np
-from numpy.typing import NDArray
 
 from arrangement.errors import ArrangementError
 
@@ -34,6 +33,7 @@ class Lines:
             direction ``n_first x n_second``.
         words: (E, W); the classes with sign +.
         upper: (E); a class that crosses at the upper end, or -1 for the last segment.
+        single: (E); whether just three classes meet at the upper end: the two of the line and one.
         parameter: (E); where, roughly: ``t`` in the floats of the `PlaneTable`.
     """
 
@@ -43,6 +43,7 @@ class Lines:
     line: Indices
     words: Words
     upper: Indices
+    single: Bits
     parameter: Floats
 
 
@@ -62,6 +63,7 @@ def trace_lines(table: PlaneTable) -> Lines:
         np.concatenate([part.line + start for part, start in zip(parts, offsets, strict=False)]),
         np.concatenate([part.words for part in parts]),
         np.concatenate([part.upper for part in parts]),
+        np.concatenate([part.single for part in parts]),
         np.concatenate([part.parameter for part in parts]),
     )
 
@@ -160,7 +162,8 @@ def _segments(
 ) -> Lines:
     """Cut lines at their crossings: sign vectors are running XORs of single bits.
 
-    Where ``t`` is very negative, class k has sign ``-D3(i, j, k)``.
+    Where ``t`` is very negative, class k has sign ``-D3(i, j, k)``. A segment starts at a place p
+    after p crossings, so `order` has a class of the next one at that place.
     """
     lines, classes = order.shape
     crossing = np.take_along_axis(triple, order, axis=1) != 0
@@ -174,19 +177,9 @@ def _segments(
     starts[:, 1:] = crossing
     starts[:, 1:-1] &= ~tied[:, 1:]
     line, place = np.nonzero(starts)
-    return Lines(i, j, through, line, states[line, place], *_ends(line, place, order, parameters))
-
-
-def _ends(
-    line: Indices, place: Indices, order: Indices, parameters: Floats
-) -> tuple[Indices, Floats]:
-    """Return a class at the upper end of each segment, and its float parameter.
-
-    Segment ``(line, place)`` starts after the first `place` crossings, so `order` has a class of
-    the next one at that place.
-    """
     last = np.append(line[1:] != line[:-1], True)
-    upper: NDArray[np.intp] = order[line, np.minimum(place, order.shape[1] - 1)]
+    upper = order[line, np.minimum(place, classes - 1)]
     parameter = parameters[line, upper]
     upper[last], parameter[last] = -1, np.nan
-    return upper, parameter
+    single = (np.append(place[1:], 0) - place == 1) & (through.sum(axis=1) == 2)[line]
+    return Lines(i, j, through, line, states[line, place], upper, single, parameter)

@@ -40,8 +40,8 @@ def unit_words(classes: int) -> Words:
     return pack(np.eye(classes, dtype=bool))
 
 
-def distinct_rows(rows: Words) -> tuple[NDArray[np.intp], NDArray[np.int32]]:
-    """Return the place of one copy of each different row, and for each row the number of its copy.
+def distinct_rows(rows: Words) -> NDArray[np.intp]:
+    """Return the place of one copy of each different row.
 
     Rows are sorted by one mixed key. Then rows with equal keys are compared in full; if two
     different ones share a key, all are sorted as they are.
@@ -49,14 +49,12 @@ def distinct_rows(rows: Words) -> tuple[NDArray[np.intp], NDArray[np.int32]]:
     Complexity: O(N log N) for N rows.
     """
     keys = _keys(rows)
-    order = np.argsort(keys)
+    order = np.argsort(keys, kind="stable")
     new = _changes(rows[order])
     if rows.shape[1] > 1 and (new & ~_changes(keys[order][:, None])).any():
         order = np.lexsort(rows.T)
         new = _changes(rows[order])
-    number = np.empty(len(rows), np.int32)
-    number[order] = np.cumsum(new, dtype=np.int32) - np.int32(1)
-    return order[new], number
+    return order[new]
 
 
 def distinct_labelled(words: Words, label: NDArray[Any], classes: int) -> tuple[Words, Words]:
@@ -68,7 +66,7 @@ def distinct_labelled(words: Words, label: NDArray[Any], classes: int) -> tuple[
         joined = joined[_changes(joined[:, None])]
         return (joined & low)[:, None], joined >> shift
     rows = np.concatenate([words, label[:, None]], axis=1)
-    first = distinct_rows(rows)[0]
+    first = distinct_rows(rows)
     return words[first], label[first]
 
 

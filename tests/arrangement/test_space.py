@@ -132,6 +132,15 @@ def test_many_planes_have_the_number_of_faces_of_zaslavsky(count, central, bound
     assert (made.regions != 0).all()
 
 
+@settings(max_examples=60, deadline=None)
+@given(arrangements(dimensions=(3, 3), planes=(1, 9)))
+def test_both_sides_of_a_facet_are_regions(planes):
+    made = space_faces(planes)
+    regions = set(rows(made.regions))
+    for side in (1, -1):
+        assert set(rows(np.where(made.facets == 0, side, made.facets))) <= regions
+
+
 @pytest.mark.parametrize("bound", [6, 2**80])
 def test_every_witness_of_many_regions_lies_in_its_region(bound):
     assert_witnesses(space_faces(random_planes(Random(bound), 18, 9, bound)))
@@ -187,17 +196,14 @@ def hair_apart(exponent: int) -> Arrangement:
 def test_integers_decide_what_floats_cannot(exact_work, monkeypatch):
     """Planes 10^-30 apart have equal floats; counting shows that the exact paths are taken."""
     sorted_again, exact_points = [], []
-    exact_order = predicates.PlaneTable.exact_parameters
-    inner = witnesses._Boundary.interior_point
+    exact_order, exact_point = predicates.PlaneTable.exact_parameters, witnesses.exact_point
     monkeypatch.setattr(
         predicates.PlaneTable,
         "exact_parameters",
         lambda *args: sorted_again.append(1) or exact_order(*args),
     )
     monkeypatch.setattr(
-        witnesses._Boundary,
-        "interior_point",
-        lambda *args: exact_points.append(1) or inner(*args),
+        witnesses, "exact_point", lambda *args: exact_points.append(1) or exact_point(*args)
     )
     assert_same_as_the_general_engine(hair_apart(30))
     assert sum(exact_work) > 100
