@@ -118,10 +118,8 @@ function paintSphere() {
 
 function labelRegions(group) {
   for (const region of model.regions) {
-    const corners = region.pieces.flatMap((piece) => data.regions[piece].inside);
-    const inside = unit([0, 1, 2].map((i) => corners.reduce((sum, value, j) => sum + (j % 3 === i ? value : 0), 0)));
-    const p = turned(state.axes, inside);
-    const room = Math.min(1, ...region.arcs.map((id) => Math.abs(dot(data.circles[model.arcs[id].circle], inside))));
+    const room = roomOf(model, region);
+    const p = turned(state.axes, region.inside);
     if (p[2] > 0.15 && 1.9 * region.signs.length < room * p[2] * RADIUS) {
       draw("text", { class: "tag", x: fixed(RADIUS * p[0]), y: fixed(-RADIUS * p[1]) }, group, minus(region.signs));
     }

@@ -18,16 +18,15 @@ function settle(x, y, z) {
 function bringToFront() {
   const chosen = state.under ?? state.kept;
   if (!chosen) return;
-  const target = unit(directionOf(chosen));
+  const target = towards(chosen);
   const up = Math.abs(dot(target, state.axes[1])) < 0.95 ? state.axes[1] : state.axes[0];
   settle(null, unit(cross(target, cross(up, target))), target);
 }
 
-function directionOf({ kind, id }) {
+function towards({ kind, id }) {
   if (kind === "point") return data.points[model.points[id].piece].unit;
-  const pieces = kind === "arc" ? model.arcs[id].pieces.map((k) => data.arcs[k].inside)
-    : model.regions[id].pieces.map((k) => data.regions[k].inside);
-  return [0, 1, 2].map((i) => pieces.reduce((sum, p) => sum + p[i], 0) || (i === 2 ? 1e-9 : 0));
+  if (kind === "arc") return directionOf(data.arcs, model.arcs[id].pieces);
+  return directionOf(data.regions, model.regions[id].pieces);
 }
 
 const same = (one, other) => one?.kind === other?.kind && one?.id === other?.id;

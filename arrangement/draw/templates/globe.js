@@ -142,20 +142,35 @@ function limbNumbers(model, axes) {
 
 const turn = (angle) => angle - 2 * Math.PI * Math.round(angle / (2 * Math.PI));
 
-// What is under a place of the disk: a crossing, an arc, or a region.
+// A direction inside a cell, and how far it is from the nearest boundary of a region.
+function directionOf(cells, pieces) {
+  const sum = [0, 1, 2].map((i) => pieces.reduce((total, k) => total + cells[k].inside[i], 0));
+  return Math.hypot(...sum) < 1e-9 ? [0, 0, 1] : unit(sum);
+}
+
+function roomOf(model, region) {
+  region.inside ??= directionOf(data.regions, region.pieces);
+  return Math.min(1, ...region.arcs.map((id) => Math.abs(dot(data.circles[model.arcs[id].circle], region.inside))));
+}
+
+// What is under a place of the disk: a crossing, an arc, or a region. In a small region the margins
+// of its arcs are small too, so that it can always be reached.
 function pick(model, axes, x, y) {
   const square = (x * x + y * y) / (RADIUS * RADIUS);
   if (square > 1) return null;
   const local = [x / RADIUS, y / RADIUS, Math.sqrt(1 - square)];
   const p = [0, 1, 2].map((i) => local[0] * axes[0][i] + local[1] * axes[1][i] + local[2] * axes[2][i]);
-  const near = model.points.findIndex((point) => Math.hypot(...cross(data.points[point.piece].unit, p)) < 0.045
-    && dot(data.points[point.piece].unit, p) > 0);
-  if (near >= 0) return { kind: "point", id: near };
   const signs = model.kept.map((k) => (dot(data.planes[k].unit, p) >= 0 ? "+" : "-"));
   const region = model.byKey.get(signs.join(""));
   if (region === undefined) return null;
+  const room = roomOf(model, model.regions[region]);
+  const near = model.regions[region].points.find((id) => {
+    const ray = data.points[model.points[id].piece].unit;
+    return dot(ray, p) > 0 && Math.hypot(...cross(ray, p)) < Math.min(0.045, 0.8 * room);
+  });
+  if (near !== undefined) return { kind: "point", id: near };
   let best = { kind: "region", id: region };
-  let least = 0.022;
+  let least = Math.min(0.022, 0.4 * room);
   for (const id of model.regions[region].arcs) {
     const distance = Math.abs(dot(data.circles[model.arcs[id].circle], p));
     if (distance < least) { least = distance; best = { kind: "arc", id }; }

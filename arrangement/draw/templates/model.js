@@ -9,7 +9,7 @@ function modelOf(on) {
     const key = kept.map((k) => region.signs[k]).join("");
     if (!byKey.has(key)) {
       byKey.set(key, regions.length);
-      regions.push({ key, pieces: [], arcs: [], signs: shownSigns(region.signs, on) });
+      regions.push({ key, pieces: [], arcs: [], points: [], signs: shownSigns(region.signs, on) });
     }
     const id = byKey.get(key);
     regions[id].pieces.push(piece);
@@ -36,6 +36,7 @@ function modelOf(on) {
     const cycle = around.filter((id, i) => id !== around[(i + 1) % around.length]);
     let signs = regions[cycle[0]].signs;
     for (const circle of through) signs = zeroed({ signs }, circle);
+    for (const region of cycle) regions[region].points.push(points.length);
     points.push({ piece, cycle, signs, circles: through });
   });
   return { on, kept, classOn, regions, byKey, arcs, points };
