@@ -15,6 +15,7 @@ from .globe import view_direction
 from .lifting import lifted_cells
 from .output import require_matplotlib
 from .painting import Stage
+from .planenames import Names
 from .planesheet import LIGHT, FacetPainter, PlanesSheet
 from .sheet import checked_width
 from .sight import clear_sight
@@ -64,7 +65,11 @@ def draw_planes(
     if toward is None:
         toward = clear_sight(cells, chosen)
     stage = Stage(cells, toward)
-    return PlanesSheet(stage, lifted_cells(stage, chosen), paint, paper).figure
+    picture = PlanesSheet(stage, lifted_cells(stage, chosen), paint, paper)
+    names = Names(picture)
+    names.number_planes()
+    names.name_cells()
+    return picture.figure
 
 
 def _painter(colour: str | FacetPainter) -> FacetPainter:
