@@ -65,7 +65,7 @@ def _add_draw_options(draw: argparse.ArgumentParser) -> None:
     )  # fmt: skip
     draw.add_argument(
         "--view", metavar="VIEW",
-        help="of a picture: sphere (the default), planes, stereographic, gnomonic, dual",
+        help="of a picture: sphere (the default), planes, stereographic, gnomonic, dual, graph",
     )  # fmt: skip
     draw.add_argument("--model", metavar="MODEL", help="dual (the default) or cells")
     draw.add_argument("--colour", metavar="BY", help="sides, signs or none; planes: also planes")

@@ -26,6 +26,7 @@ Box: TypeAlias = tuple[float, float, float, float]
 POINTS = 72 / 25.4
 #: Resolution at which text is measured; pictures are saved with the same.
 DPI = 300
+_CORNERS = ((-1, -1), (1, -1), (1, 1), (-1, 1))
 #: Least distance between two labels, and of a label from the border; in points.
 GAP = 0.8
 
@@ -130,6 +131,15 @@ class Sheet:
 
         return self.axes.add_patch(Circle((centre[0], centre[1]), radius, **style))
 
+    def marker(self, at: Place, size: float, shape: str, **style: Any) -> None:
+        """Draw a small disc ("round") or square ("square") of about the same area."""
+        if shape == "round":
+            self.circle(at, size, **style)
+            return
+        half = size * 0.9
+        corners = [(at[0] + x * half, at[1] + y * half) for x, y in _CORNERS]
+        self.polygon(corners, **style)
+
     def polygon(self, corners: Any, **style: Any) -> None:
         """Draw a closed polygon."""
         from matplotlib.patches import Polygon
@@ -169,6 +179,10 @@ class Sheet:
     def _key(self, x: float, y: float, style: dict[str, Any]) -> None:
         if "line" in style:
             self.line([(x, y), (x + 12, y)], **style["line"])
+        elif "marker" in style:
+            shape = style["marker"]
+            rest = {name: value for name, value in style.items() if name != "marker"}
+            self.marker((x + 8, y), 2.8, shape, **{"ec": "black", **rest})
         else:
             corners = [(x + 2, y - 3.5), (x + 11, y - 3.5), (x + 11, y + 3.5), (x + 2, y + 3.5)]
             self.polygon(corners, **{"ec": "black", "lw": 0.5, **style})

@@ -17,6 +17,7 @@ PICTURE_VIEWS = {
     "stereographic": ("stereographic", "draw_stereographic"),
     "gnomonic": ("gnomonic", "draw_gnomonic"),
     "dual": ("dual", "draw_dual"),
+    "graph": ("graph", "draw_graph"),
 }
 
 
