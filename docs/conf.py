@@ -68,7 +68,8 @@ def make_figures(app):
     """Run each script of figures/ in the folder _generated, unless what it made is up to date.
 
     The script NAME.py makes files whose names start with NAME. A script that fails, or makes no
-    such file, ends the build. Modules that start with an underscore are what scripts share.
+    such file, ends the build. Modules that start with an underscore are what scripts share. A page
+    NAME.rst beside the folder is what the script reads.
     """
     source = Path(app.srcdir)
     sys.path.insert(0, str(source / "figures"))
@@ -78,7 +79,11 @@ def make_figures(app):
     newest = max(path.stat().st_mtime for path in shared)
     for script in sorted(source.glob("figures/[!_]*.py")):
         stamp = folder / f".{script.stem}"
-        if stamp.exists() and stamp.stat().st_mtime > max(newest, script.stat().st_mtime):
+        read = [
+            script.stat().st_mtime,
+            *(p.stat().st_mtime for p in source.glob(f"{script.stem}.rst")),
+        ]
+        if stamp.exists() and stamp.stat().st_mtime > max(newest, *read):
             continue
         with contextlib.chdir(folder), mpl.rc_context():
             runpy.run_path(str(script), run_name="__main__")
