@@ -8,7 +8,7 @@ from typing import Any
 from arrangement import console
 
 #: The options that go to the view, when they are given.
-_OPTIONS = ("wrench", "outline", "piece", "extent", "directions", "methods", "width")
+_OPTIONS = ("wrench", "outline", "piece", "extent", "directions", "methods", "width", "title")
 
 
 def add_commands(commands: Any) -> None:
@@ -61,6 +61,7 @@ def add_commands(commands: Any) -> None:
         type=console.rational_argument,
         help="of the picture (default: 88; slice and compare: 180)",
     )
+    draw.add_argument("--title", metavar="TEXT", help="the heading of a page")
     console.add_json_option(draw)
     draw.set_defaults(command=_draw)
 
