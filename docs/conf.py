@@ -79,11 +79,9 @@ def make_figures(app):
     newest = max(path.stat().st_mtime for path in shared)
     for script in sorted(source.glob("figures/[!_]*.py")):
         stamp = folder / f".{script.stem}"
-        read = [
-            script.stat().st_mtime,
-            *(p.stat().st_mtime for p in source.glob(f"{script.stem}.rst")),
-        ]
-        if stamp.exists() and stamp.stat().st_mtime > max(newest, *read):
+        read = [script, *source.glob(f"{script.stem}.rst")]
+        changed = max(newest, *(path.stat().st_mtime for path in read))
+        if stamp.exists() and stamp.stat().st_mtime > changed:
             continue
         with contextlib.chdir(folder), mpl.rc_context():
             runpy.run_path(str(script), run_name="__main__")
