@@ -13,6 +13,7 @@ from .planes import Arrangement, Face
 #: The options of ``draw`` that go to the view, when they are given.
 _DRAW_OPTIONS = (
     "colour", "direction", "width", "body", "lift", "explode", "size", "title", "whole", "hull",
+    "moebius",
 )  # fmt: skip
 _SYMBOLS = {1: "+", 0: "0", -1: "-"}
 
@@ -65,7 +66,8 @@ def _add_draw_options(draw: argparse.ArgumentParser) -> None:
     )  # fmt: skip
     draw.add_argument(
         "--view", metavar="VIEW",
-        help="of a picture: sphere (the default), planes, stereographic, gnomonic, dual, graph",
+        help="of a picture: sphere (the default), planes, stereographic, gnomonic, dual, graph, "
+        "lattice",
     )  # fmt: skip
     draw.add_argument("--model", metavar="MODEL", help="dual (the default) or cells")
     draw.add_argument("--colour", metavar="BY", help="sides, signs or none; planes: also planes")
@@ -91,6 +93,10 @@ def _add_draw_options(draw: argparse.ArgumentParser) -> None:
     draw.add_argument(
         "--hull", action="store_true", default=None,
         help="dual: the hull of representatives on the sphere, differing edges marked",
+    )  # fmt: skip
+    draw.add_argument(
+        "--moebius", action=argparse.BooleanOptionalAction, default=None,
+        help="lattice: Moebius values under the names, or none",
     )  # fmt: skip
     draw.add_argument("--title", metavar="TEXT", help="the heading of a page")
 

@@ -2,6 +2,7 @@ from .colours import DrawnRegion as DrawnRegion
 from .dual import draw_dual as draw_dual
 from .gnomonic import draw_gnomonic as draw_gnomonic
 from .graph import draw_graph as draw_graph
+from .lattice import draw_lattice as draw_lattice
 from .output import save_figure as save_figure, write_drawing as write_drawing
 from .page import arrangement_page as arrangement_page
 from .sphere import draw_sphere as draw_sphere

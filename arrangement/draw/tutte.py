@@ -79,5 +79,5 @@ def _means(places: Floats, pairs: Indices, weights: Floats, inner: Indices) -> F
     matrix[np.diag_indices(len(places))] = -matrix.sum(axis=1)
     fixed = np.setdiff1d(np.arange(len(places)), inner)
     right = -matrix[np.ix_(inner, fixed)] @ places[fixed]
-    solved: Floats = np.linalg.solve(matrix[np.ix_(inner, inner)], right)
-    return solved
+    solved = np.linalg.solve(matrix[np.ix_(inner, inner)], right)
+    return np.asarray(solved, dtype=np.float64)

@@ -18,12 +18,14 @@ PICTURE_VIEWS = {
     "gnomonic": ("gnomonic", "draw_gnomonic"),
     "dual": ("dual", "draw_dual"),
     "graph": ("graph", "draw_graph"),
+    "lattice": ("lattice", "draw_lattice"),
 }
 
 
 #: Models as files: name -> module and function, ``f(arrangement, suffix, **options) -> bytes``.
 MODEL_VIEWS = {
     "dual": ("models", "dual_model"),
+    "cells": ("models", "cells_model"),
 }
 
 
