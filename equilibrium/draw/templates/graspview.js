@@ -43,7 +43,7 @@ function paintGrasp() {
     draw("path", { class: "pad", d: `M${spot(along(place, t, 0.08))}L${spot(along(place, t, -0.08))}` }, view);
     const preload = state.kind === "own" ? contact.preload / longest : 1;
     if (state.factor.n > 0n && preload > 0) {
-      arrow(view, along(place, n, -0.18 - 0.22 * preload), along(place, n, -0.16), "preload", 1.6);
+      arrow(view, along(place, n, -0.22 - 0.2 * preload), along(place, n, -0.19), "preload", 1.6);
     }
     if (piece) mark(view, piece.states[i], along(place, n, -0.085), t);
   });

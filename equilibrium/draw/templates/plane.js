@@ -1,10 +1,11 @@
 // The plane of forces at one torque and one preload.
-const HIGH = 118;
-let WIDE = 150;
+// Half the sides of the drawing; the smaller one always has the same length.
+const SIDE = 118;
+let [WIDE, HIGH] = [150, SIDE];
 const CODES = { stick: "●", "slip+": "+", "slip-": "−", detached: "○" };
 const fixed = (x) => (Math.round(x * 100) / 100).toString();
 
-const scale = () => HIGH / state.half;
+const scale = () => SIDE / state.half;
 const onPaper = ([x, y]) => [(x - state.middle[0]) * scale(), -(y - state.middle[1]) * scale()];
 const outline = (corners) => `M${corners.map((p) => onPaper(p).map(fixed).join(",")).join("L")}Z`;
 

@@ -125,7 +125,8 @@ function slider(id, reach, low, accept) {
 // The plane fills its frame, whatever its shape.
 function fit() {
   const { width, height } = at("plane").getBoundingClientRect();
-  WIDE = height ? (HIGH * width) / height : HIGH;
+  const least = Math.min(width, height) || 1;
+  [WIDE, HIGH] = [(SIDE * (width || 1)) / least, (SIDE * (height || 1)) / least];
   at("plane").setAttribute("viewBox", `${-WIDE} ${-HIGH} ${2 * WIDE} ${2 * HIGH}`);
   refresh();
 }
