@@ -12,7 +12,7 @@ from equilibrium.grasp import Grasp, read_wrench
 from equilibrium.others.regions import FORCES, METHODS, MOST_FOR_ALL_CHOICES, method_region
 
 from .legend import Legend
-from .row import force_names, read_extent, row_of_panels
+from .row import read_extent, row_of_panels
 from .slices import paint_plain
 from .style import SHADE, number, vector
 from .window import joint_window
@@ -72,7 +72,7 @@ def draw_compare(
     if applied is not None:
         legend.key("wrench-points", f"w = {vector(applied)}, accepted or not")
     figure, panels = row_of_panels(
-        len(names), width, window, legend, force_names(grasp), columns=max(1, int(width / 44))
+        len(names), width, window, legend, grasp, columns=max(1, int(width / 44))
     )
     for panel, name, region in zip(panels, names, regions, strict=True):
         paint_plain(panel, TITLES[name], region, marked, fades=half is None)

@@ -26,6 +26,7 @@ if TYPE_CHECKING:
 #: Space in millimetres beside and below a panel, for numbers and names of the axes.
 LEFT, BELOW, ABOVE = 12.0, 9.0, 5.0
 HATCH = "//////"
+_RAISED = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 _FADE = 0.16
 
 
@@ -60,33 +61,42 @@ class Panel:
         """Return the name of an element."""
         return f"{self.name}{kind}-{index}"
 
-    def rulers(self, names: Sequence[str], left: bool = True, below: bool = True) -> None:
-        """Draw lines through the origin, and numbers and names at the left and lower edges."""
-        half = rounded(self.window.half)
+    def rulers(
+        self, names: Sequence[str], unit: str = "", *, left: bool = True, below: bool = True
+    ) -> None:
+        """Draw lines through the origin, and numbers and names at the left and lower edges.
+
+        A power of ten goes to the names where the numbers would be long.
+        """
         zero = self.window.paper((Fraction(0), Fraction(0)))
         for k, at in enumerate(zero):
             if abs(at) < 1:
                 ends = np.array([[at, -1.0], [at, 1.0]])[:, :: -1 if k else 1]
                 self.axes.plot(*ends.T, color=GREY, lw=0.4, zorder=1.5)
+        half, power = rounded(self.window.half), 0
         if half and math.isfinite(half):
-            step = nice(0.6 * half)
-            for k in (0, 1):
-                if (below, left)[k]:
-                    self._numbers(k, step)
+            power = math.floor(math.log10(half))
+            power = power if not -3 < power < 4 else 0
+            for k, wanted in enumerate((below, left)):
+                if wanted:
+                    self._numbers(k, nice(0.6 * half), Fraction(10) ** power)
+        factor = f"10{str(power).translate(_RAISED)}" if power else ""
+        note = f" ({' '.join(filter(None, (factor, unit)))})" if factor or unit else ""
+        style = {"size": FONT, "ha": "center", "va": "center"}
         if below:
-            place = -1 - 19 * self.unit
-            self.axes.text(0, place, names[0], size=FONT, ha="center", va="center")
+            self.axes.text(0, -1 - 19 * self.unit, names[0] + note, **style)
         if left:
-            self.axes.text(-1 - 26 * self.unit, 0, names[1], size=FONT, ha="center", va="center",
-                           rotation=90)  # fmt: skip
+            place = -1 - 26 * self.unit
+            self.axes.text(place, 0, names[1] + note, rotation=90, **style)
 
-    def _numbers(self, k: int, step: Fraction) -> None:
-        low, high = self.window.centre[k] - self.window.half, self.window.centre[k]
-        high += self.window.half
+    def _numbers(self, k: int, step: Fraction, factor: Fraction) -> None:
+        low, high = (self.window.centre[k] + side * self.window.half for side in (-1, 1))
         edge = -1 - 2 * self.unit
         for i in range(math.ceil(low / step), math.floor(high / step) + 1):
             at = float((i * step - self.window.centre[k]) / self.window.half)
-            text = f"{float(i * step):g}".replace("-", "−")
+            text = f"{float(i * step / factor):g}".replace("-", "−")
+            if k == 0 and abs(at) + text_size(text, self.unit)[0] / 2 > 1 + 5 * self.unit:
+                continue
             place, tick = ((at, edge), (at, -1.0)) if k == 0 else ((edge, at), (-1.0, at))
             self.axes.plot(*np.array([place, tick]).T, color=GREY, lw=0.4, clip_on=False)
             shift = np.array([(0, -6), (-2, 0)][k]) * self.unit

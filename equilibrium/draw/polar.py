@@ -18,7 +18,7 @@ from equilibrium.limits.search_map import Entry
 
 from .legend import Legend
 from .panel import Panel
-from .row import force_names, read_extent, row_of_panels
+from .row import read_extent, row_of_panels
 from .style import BLUE, RIM, SHADE, VERMILION
 from .window import Window, joint_window
 
@@ -65,7 +65,7 @@ def draw_polar(
     window = Window((Fraction(0), Fraction(0)), radius)
     legend = Legend(width)
     _describe(found.entries, region, legend)
-    figure, (panel,) = row_of_panels(1, width, window, legend, force_names(grasp))
+    figure, (panel,) = row_of_panels(1, width, window, legend, grasp)
     panel.title(f"largest resisted force in {directions} directions")
     panel.region(region, by_states=False)
     _round(panel)

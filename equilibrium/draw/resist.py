@@ -13,7 +13,7 @@ from equilibrium.limits import Region, resistible_region
 
 from .legend import Legend
 from .panel import fill_of
-from .row import force_names, read_extent, row_of_panels
+from .row import read_extent, row_of_panels
 from .style import FILLS, SYMBOLS, number, vector
 from .window import window_of
 
@@ -55,7 +55,7 @@ def draw_resist(
     window = window_of(region, [applied[:2]] if applied else [], half)
     legend = Legend(width)
     _describe(grasp, region, applied, legend, fades=half is None)
-    figure, (panel,) = row_of_panels(1, width, window, legend, force_names(grasp))
+    figure, (panel,) = row_of_panels(1, width, window, legend, grasp)
     unit = f" {grasp.units.torque}" if grasp.units else ""
     panel.title(f"resisted forces at torque {number(torque)}{unit}")
     panel.region(region)

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from fractions import Fraction
 from typing import TYPE_CHECKING, Any
 
@@ -20,6 +19,7 @@ if TYPE_CHECKING:
 
 #: Space in millimetres between panels, and right of the last.
 GAP, RIGHT = 4.0, 3.0
+FORCE_NAMES = ("force x", "force y")
 
 
 def row_of_panels(
@@ -27,10 +27,11 @@ def row_of_panels(
     width: float,
     window: Window,
     legend: Legend,
-    names: Sequence[str],
+    grasp: Grasp,
     columns: int | None = None,
 ) -> tuple[Figure, list[Panel]]:
-    """Return a figure with empty panels; only outer ones have numbers and names on their axes."""
+    """Return a figure with empty panels of planes of forces; only outer ones have rulers."""
+    unit = grasp.units.force if grasp.units else ""
     columns = min(number, columns or number)
     rows = -(-number // columns)
     side = (width - LEFT - RIGHT - (columns - 1) * GAP) / columns
@@ -44,7 +45,7 @@ def row_of_panels(
         panel = Panel(
             figure, window, (x, y), side, (width, height), "" if number == 1 else f"{i + 1}-"
         )
-        panel.rulers(names, left=column == 0, below=i + columns >= number)
+        panel.rulers(FORCE_NAMES, unit, left=column == 0, below=i + columns >= number)
         panels.append(panel)
     legend.draw(figure)
     return figure, panels
@@ -60,9 +61,3 @@ def read_extent(extent: Any) -> Fraction | None:
     if half is not None and half <= 0:
         raise GraspError(f"extent is {half}; it must be above 0")
     return half
-
-
-def force_names(grasp: Grasp) -> tuple[str, str]:
-    """Return the names of the axes of a plane of forces."""
-    unit = f" ({grasp.units.force})" if grasp.units else ""
-    return f"force x{unit}", f"force y{unit}"

@@ -14,7 +14,7 @@ from equilibrium.others.regions import FORCES, method_region
 
 from .legend import Legend
 from .panel import Panel
-from .row import force_names, read_extent, row_of_panels
+from .row import read_extent, row_of_panels
 from .style import SHADE, number, vector
 from .window import joint_window
 
@@ -60,7 +60,7 @@ def draw_slice(
         legend.key("fade", "without end")
     if applied is not None:
         legend.key("wrench-points", f"w = {vector(applied)}")
-    figure, panels = row_of_panels(3, width, window, legend, force_names(grasp))
+    figure, panels = row_of_panels(3, width, window, legend, grasp)
     for panel, (title, region) in zip(panels, parts, strict=True):
         paint_plain(panel, title, region, marked, fades=half is None)
     return figure

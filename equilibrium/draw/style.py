@@ -57,7 +57,7 @@ def rounded(value: Fraction | int) -> float:
     try:
         return float(value)
     except OverflowError:
-        return math.copysign(math.inf, value)
+        return math.inf if value > 0 else -math.inf
 
 
 def number(value: Fraction | int) -> str:
