@@ -1,13 +1,28 @@
 """The minimum cycle basis of a cube, one cycle in each panel, and its symmetric sum."""
 
 import networkx as nx
-from _flat import flat
+import numpy as np
 from matplotlib.figure import Figure
 
 from arrangement import published_enumeration, read_arrangement
 from arrangement.draw.output import save_figure
 
 BLUE, VERMILION, GREY = "#0072b2", "#d55e00", "#767676"
+
+
+def flat(graph, ring, turn=np.pi / 4):
+    """Tutte's drawing: a face as a regular polygon, all else in the middle of its neighbours.
+
+    Nodes are 0, ..., n - 1; `ring` lists those of the outer face in cyclic order.
+    """
+    places = np.zeros((len(graph), 2))
+    angles = turn + 2 * np.pi * np.arange(len(ring)) / len(ring)
+    places[ring] = np.stack([np.cos(angles), np.sin(angles)], axis=1)
+    inner = [node for node in graph if node not in ring]
+    laplacian = nx.laplacian_matrix(graph, nodelist=range(len(graph))).toarray().astype(float)
+    pull = -laplacian[np.ix_(inner, ring)] @ places[ring]
+    places[inner] = np.linalg.solve(laplacian[np.ix_(inner, inner)], pull)
+    return places
 
 
 def text(signs):
