@@ -30,7 +30,6 @@ FLAGS = (
     "--disable-sync",
     "--disable-extensions",
     "--hide-scrollbars",
-    "--allow-file-access-from-files",
 )
 MISSING = (
     "Chromium and its driver are missing: install them (Debian: apt-get install chromium "
