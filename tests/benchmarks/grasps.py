@@ -69,11 +69,12 @@ def run(job: str, contacts: int, seeds: Iterable[int], limit: float) -> list[Fou
     except subprocess.TimeoutExpired as stopped:
         partial = stopped.stdout or ""
         output = partial if isinstance(partial, str) else partial.decode()
-        output = output[: output.rfind("\n") + 1]
+        output = output[: output.rfind("\n") + 1]  # the last line may be cut
         problem = f"stopped after {limit:.0f} s, {output.count(chr(10))} of {len(listed)} done"
     if problem:
         print(f"  {job}, m = {contacts}: {problem.strip().splitlines()[-1]}", flush=True)
-    return [json.loads(line) for line in output.splitlines()]
+    # HiGHS writes lines of its own among ours.
+    return [json.loads(line) for line in output.splitlines() if line.startswith("{")]
 
 
 def siconos(contacts: int, count: int) -> list[Found]:
