@@ -70,3 +70,9 @@ def side_keys(drawn: Iterable[DrawnRegion]) -> list[Any]:
 def plane_colour(label: int) -> str:
     """Return the colour of a class of planes; black when the scheme is exhausted."""
     return PLANE_COLOURS[label] if label < len(PLANE_COLOURS) else "#000000"
+
+
+def pale(colour: str, white: float = 0.42) -> str:
+    """Return a colour ``#rrggbb`` mixed with a share of white."""
+    channels = (int(colour[k : k + 2], 16) for k in (1, 3, 5))
+    return "#" + "".join(f"{round(x + (255 - x) * white):02x}" for x in channels)
