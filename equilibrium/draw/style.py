@@ -69,7 +69,8 @@ def number(value: Fraction | int) -> str:
     text = to_text(value)
     if len(text) > 7:
         near = rounded(value)
-        text = f"≈{near:.4g}" if near and math.isfinite(near) else f"≈{_power(value)}"
+        short = f"{near:.4g}" if near and math.isfinite(near) else _power(value)
+        text = short if "^" not in short and Fraction(short) == value else f"≈{short}"
     return text.replace("-", "−")
 
 

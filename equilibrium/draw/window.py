@@ -90,25 +90,29 @@ def window_of(
         extra: more points to hold.
         half: this half side instead, about the origin.
     """
-    return joint_window([region], extra, half)
+    return joint_window([region], extra, half, pieces=True)
 
 
 def joint_window(
-    regions: Sequence[Region], extra: Iterable[RationalVector] = (), half: Fraction | None = None
+    regions: Sequence[Region],
+    extra: Iterable[RationalVector] = (),
+    half: Fraction | None = None,
+    *,
+    pieces: bool = False,
 ) -> Window:
-    """Return one square window for several regions."""
+    """Return one square window for several regions; `pieces`: for the corners of pieces too."""
     if half is not None:
         return Window(ZERO, half)
     needed = [ZERO, *extra, *(end for region in regions for end in _ends(region))]
-    pieces = [piece.polyhedron for region in regions for piece in region.polygons]
-    inner = [p for shape in pieces for p in shape.points]
+    shapes = [piece.polyhedron for region in regions for piece in region.polygons]
+    inner = [p for shape in shapes for p in shape.points]
     reach = 3 * max(_size(p) for p in needed)
-    if inner:
-        reach = max(reach, 3 * median(map(_size, inner)))
-    needed += [p for p in inner if _size(p) <= reach]
+    if pieces:
+        reach = max(reach, 3 * median([*map(_size, inner), Fraction(0)]))
+        needed += [p for p in inner if _size(p) <= reach]
     lows, highs = _box(needed)
     spread = max(high - low for low, high in zip(lows, highs, strict=True)) / 2 or Fraction(1)
-    for shape in pieces:
+    for shape in shapes:
         rays = [*shape.rays, *shape.lines, *((-x, -y) for x, y in shape.lines)]
         for ray in rays:
             step = spread * Fraction(2, 5) / max(map(abs, ray))

@@ -106,8 +106,8 @@ def test_forces_are_drawn_to_one_scale_in_their_directions() -> None:
 
 
 def test_marks_of_the_states_differ_in_shape() -> None:
-    figure = draw_grasp(random_grasp(8, 3), wrench=("1/2", -1, "1/3"))
-    states = solve(random_grasp(6, 3), ("1/2", -1, "1/3")).equilibria[0].states
+    figure = draw_grasp(random_grasp(5, 2), wrench=(1, 0, 0))
+    states = solve(random_grasp(5, 2), (1, 0, 0)).equilibria[0].states
     marks = {p.get_gid(): p for p in figure.axes[0].patches if "mark-" in (p.get_gid() or "")}
     corners = {"stick": 4, "slip+": 3, "slip-": 3}
     for i, state in enumerate(states, 1):
@@ -325,6 +325,7 @@ def test_the_command_says_what_it_wrote(tmp_path: Path, capsys: pytest.CaptureFi
 
 def test_numbers_on_labels_say_when_they_are_rounded() -> None:
     assert number(Fraction(-11, 10)) == "−11/10"
+    assert number(10**30) == "1e+30"
     assert number(Fraction(1, 3 * 10**9)).startswith("≈3.333e")
     assert number(Fraction(10) ** 5000).startswith("≈10^")
 
