@@ -1,4 +1,5 @@
 from .colours import DrawnRegion as DrawnRegion
+from .counts import draw_counts as draw_counts
 from .dual import draw_dual as draw_dual
 from .gnomonic import draw_gnomonic as draw_gnomonic
 from .graph import draw_graph as draw_graph

@@ -154,8 +154,9 @@ class _Picture:
                 spans.append((at, bottom + 2.0, bottom + 2.0))
                 continue
             if row.values:
+                under = foot[1] - GAP - (2.0 if row.turned else 0.1)
                 self.sheet.write(
-                    (at, foot[1] - GAP - (2.0 if row.turned else 0.1)), row.values[k], row.size - 0.5,
+                    (at, under), row.values[k], row.size - 0.5,
                     anchor=(0.5, 1.0), rotation=angle, color=_INK,
                 )  # fmt: skip
             top = foot[1] + self.sheet.measure(row.names[k], row.size, angle)[1]
