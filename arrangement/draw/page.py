@@ -18,7 +18,8 @@ from arrangement.exact import IntegerVector, primitive, shown
 from arrangement.planes import Arrangement
 from arrangement.sphere import SphereArrangement
 
-from .globe import Globe
+from .evening import evening_map, is_narrow
+from .globe import Globe, clear_direction, picture_axes
 from .onepage import BASE_SCRIPT, BASE_STYLE, one_page, own
 
 #: Distinct planes beyond which a page is too slow to turn by hand.
@@ -63,6 +64,7 @@ def arrangement_page(
         "summary": _summary(arrangement),
         "colour": colour,
         "axes": _floats(globe.axes),
+        "even": _evened(globe.whole),
         **_cells(globe.whole),
     }
     scripts = ("model.js", "globe.js", "arrangement.js", "controls.js")
@@ -91,6 +93,25 @@ def _slanting(arrangement: Arrangement) -> IntegerVector | None:
     views = [v for v in product(range(1, 6), range(-5, 6), range(1, 4)) if primitive(v) == v]
     slant = [abs(abs(float(axis @ _unit(v))) - 0.57) for v in views]
     return views[int(np.argmin(np.round(slant, 6)))]
+
+
+def _evened(sphere: SphereArrangement) -> dict[str, Any] | None:
+    """Return what the page needs to even the regions out; None below rank 3."""
+    if sphere.rank < 3:
+        return None
+    units = np.array([_unit(normal) for normal in sphere.circle_normals])
+    for_normals = evening_map(units)
+    for_points = np.linalg.inv(for_normals).T
+    rays = np.array([_unit(sphere.ray(v)) for v in range(sphere.vertex_count)]) @ for_points.T
+    moved = np.concatenate([units @ for_normals.T, rays])
+    moved /= np.linalg.norm(moved, axis=1, keepdims=True)
+    near = [tuple(row) for row in np.rint(moved * 10**6).astype(int).tolist()]
+    return {
+        "normals": _floats(for_normals),
+        "points": _floats(for_points),
+        "axes": _floats(picture_axes(clear_direction(near))),
+        "at_first": is_narrow(units),
+    }
 
 
 def _heading(arrangement: Arrangement) -> str:

@@ -1,6 +1,6 @@
 // The page: one rotation for both drawings, one thing under the pointer, one thing kept.
 const state = {
-  axes: data.axes, on: data.planes.map(() => true), colour: null,
+  even: Boolean(data.even?.at_first), axes: null, on: data.planes.map(() => true), colour: null,
   under: null, kept: null, spinning: false,
 };
 let model = modelOf(state.on);

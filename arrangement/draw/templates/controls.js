@@ -94,7 +94,7 @@ for (const view of [at("sphere"), at("dual")]) {
 }
 
 function goHome() {
-  state.axes = data.axes;
+  state.axes = state.even ? data.even.axes : data.axes;
   refresh();
 }
 
@@ -134,6 +134,13 @@ function listPlanes() {
 at("title").textContent = data.title;
 at("summary").textContent = data.summary;
 listPlanes();
+at("even").checked = state.even;
+at("even").parentElement.hidden = !data.even;
+at("even").addEventListener("change", (event) => {
+  state.even = event.target.checked;
+  switchPlanes(() => { state.axes = setShape(state.even); });
+});
+state.axes = setShape(state.even);
 at("colour").value = state.colour;
 themeButton(at("theme"));
 at("print").addEventListener("click", () => window.print());

@@ -11,7 +11,7 @@ const fixed = (x) => (Math.round(x * 10) / 10).toString();
 const spot = (p) => `${fixed(RADIUS * p[0])},${fixed(-RADIUS * p[1])}`;
 
 // Points along each arc of the whole arrangement, both ends included.
-const curves = data.arcs.map((arc) => {
+const curveOf = (arc) => {
   const normal = data.circles[arc.circle];
   const [start, stop] = arc.ends.map((end) => (end < 0 ? null : data.points[end].unit));
   const p = start ?? unit(Math.abs(normal[2]) < 0.9 ? cross(normal, [0, 0, 1]) : cross(normal, [1, 0, 0]));
@@ -23,7 +23,27 @@ const curves = data.arcs.map((arc) => {
     const a = (angle * i) / pieces;
     return p.map((x, j) => Math.cos(a) * x + Math.sin(a) * side[j]);
   });
-});
+};
+let curves = [];
+
+// Coordinates as given, or after the linear map that makes regions more alike. Signs stay.
+const given = {
+  circles: data.circles, planes: data.planes.map((plane) => plane.unit), points: data.points.map((point) => point.unit),
+  arcs: data.arcs.map((arc) => arc.inside), regions: data.regions.map((region) => region.inside),
+};
+
+function setShape(even) {
+  const map = (matrix) => (v) => (even && v.some(Boolean) ? unit(turned(matrix, v)) : v);
+  const normals = map(data.even?.normals);
+  const points = map(data.even?.points);
+  data.circles = given.circles.map(normals);
+  given.planes.forEach((v, k) => { data.planes[k].unit = normals(v); });
+  given.points.forEach((v, k) => { data.points[k].unit = points(v); });
+  given.arcs.forEach((v, k) => { data.arcs[k].inside = points(v); });
+  given.regions.forEach((v, k) => { data.regions[k].inside = points(v); });
+  curves = data.arcs.map(curveOf);
+  return even ? data.even.axes : data.axes;
+}
 
 // Where the way from a visible point to a hidden one leaves the visible half.
 function onLimb(p, q) {
