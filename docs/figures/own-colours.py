@@ -12,7 +12,7 @@ def colour(region: DrawnRegion) -> str:
 def make():
     planes = read_arrangement("braid-a3")
     figure = draw_sphere(planes, colour=colour, width=88)
-    figure.text(0.5, 0.01, "dark: on the same side of planes 1 and 2", ha="center", fontsize=7)
+    figure.text(0.01, 0.99, "dark: on one side\nof planes 1 and 2", va="top", fontsize=7)
     return figure
 
 

@@ -1,0 +1,11 @@
+"""The two pictures of the first page: a grasp under a load, and planes with their dual."""
+
+from arrangement import read_arrangement
+from arrangement.draw import write_drawing as draw_planes
+from equilibrium import read_grasp
+from equilibrium.draw import write_drawing as draw_grasp
+
+grasp = read_grasp("paper-three-contacts-preload-1")
+draw_grasp(grasp, "first-page-grasp.svg", "grasp", wrench=(0, 1, 0))
+draw_grasp(grasp, "first-page-slice.svg", "slice")
+draw_planes(read_arrangement("braid-a3"), "first-page-dual.svg", "dual")
