@@ -3,6 +3,7 @@ const state = {
   even: Boolean(data.even?.at_first), axes: null, on: data.planes.map(() => true), colour: null,
   under: null, kept: null, spinning: false,
 };
+const arcsOf = data.classes.map((_, circle) => data.arcs.flatMap((arc, k) => (arc.circle === circle ? [k] : [])));
 let model = modelOf(state.on);
 state.colour = data.colour ?? (new Set(model.regions.map((region) => region.arcs.length)).size > 1 ? "sides" : "parity");
 const shown = { sphere: {}, dual: {} };
@@ -57,12 +58,13 @@ function buildDual() {
   view.replaceChildren();
   const part = shown.dual;
   const colour = colourOf(model, state.colour);
-  part.behind = draw("g", {}, view);
+  // Layers from the back to the front; the first face layer stays empty.
+  part.layers = [false, true].map(() => [0, 1, 2].map(() => draw("g", {}, view)));
+  part.shownAt = [[], [], []];
   const item = (name, kind, id, style) => draw(name, { class: style, "data-kind": kind, "data-id": id });
   part.faces = model.points.map((point, id) => item("path", "point", id, "face"));
   part.edges = model.arcs.map((arc, id) => tinted(item("path", "arc", id, "edge"), arc.circle));
   part.vertices = model.regions.map((region, id) => item("circle", "region", id, `vertex ${colour(region)}`));
-  part.ahead = draw("g", {}, view);
   part.text = draw("g", {}, view);
 }
 
@@ -103,8 +105,7 @@ function paintSphere() {
   for (const [list, side] of [[part.front, 1], [part.back, -1]]) {
     for (const path of list) {
       const circle = Number(path.dataset.circle);
-      const pieces = frame.filter((_, arc) => data.arcs[arc].circle === circle);
-      path.setAttribute("d", pieces.map((curve) => visible(curve, side)).join(""));
+      path.setAttribute("d", arcsOf[circle].map((arc) => visible(frame[arc], side)).join(""));
     }
   }
   part.text.replaceChildren();
@@ -132,13 +133,13 @@ function paintDual() {
   shown.turned = places;
   const frontFaces = model.points.map((point) => area(point.cycle.map((id) => places[id])) > 1e-9);
   const none = !frontFaces.some(Boolean);
-  const ahead = new Set(model.points.flatMap((point, i) => (frontFaces[i] ? point.cycle : [])));
+  const corners = new Set(model.points.flatMap((point, i) => (frontFaces[i] ? point.cycle : [])));
   const sides = new Set(model.points.flatMap((point, i) => (frontFaces[i]
     ? point.cycle.map((id, k) => pairOf(id, point.cycle[(k + 1) % point.cycle.length])) : [])));
   const flat = none || model.points.length <= 2;
   const inFront = [
     frontFaces, model.arcs.map((arc) => flat || sides.has(pairOf(arc.left, arc.right))),
-    model.regions.map((_, id) => flat || ahead.has(id)),
+    model.regions.map((_, id) => flat || corners.has(id)),
   ];
   part.faces.forEach((path, i) => {
     path.setAttribute("d", `M${model.points[i].cycle.map((id) => spot(places[id])).join("L")}Z`);
@@ -153,15 +154,14 @@ function paintDual() {
     circle.setAttribute("cy", fixed(-RADIUS * places[i][1]));
     circle.setAttribute("r", size * (inFront[2][i] ? 1 : 0.7));
   });
-  const behind = [];
-  const before = [];
   [part.faces, part.edges, part.vertices].forEach((list, level) => list.forEach((element, i) => {
-    const visibleNow = inFront[level][i];
-    element.classList.toggle("back", !visibleNow);
-    if (level > 0 || visibleNow) (visibleNow ? before : behind).push(element);
+    const ahead = inFront[level][i];
+    if (part.shownAt[level][i] === ahead) return;
+    part.shownAt[level][i] = ahead;
+    element.classList.toggle("back", !ahead);
+    if (level === 0 && !ahead) element.remove();
+    else part.layers[Number(ahead)][level].append(element);
   }));
-  part.behind.replaceChildren(...behind);
-  part.ahead.replaceChildren(...before);
   part.text.replaceChildren();
   if (at("labels").checked) labelVertices(part.text, places, inFront[2]);
 }
@@ -219,6 +219,7 @@ function light({ kind, id }) {
 
 function describe(chosen) {
   at("start").hidden = Boolean(chosen);
+  at("told").classList.toggle("active", Boolean(chosen));
   at("front").disabled = !chosen;
   at("clear").disabled = !state.kept;
   const title = at("chosen-title");
