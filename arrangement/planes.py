@@ -140,6 +140,18 @@ class Arrangement:
             f"R^{self.dimension}, rank {self.rank}, {kind}>"
         )
 
+    def _repr_svg_(self) -> str | None:
+        """Return what a notebook shows: the great circles, where there are any."""
+        from .draw.notebook import arrangement_svg
+
+        return arrangement_svg(self)
+
+    def _repr_html_(self) -> str | None:
+        """Return what a notebook shows where there is no picture: a table of counts."""
+        from .draw.notebook import arrangement_html
+
+        return arrangement_html(self)
+
     @cached_property
     def class_of(self) -> tuple[int, ...]:
         """For each plane, the index of its class of coincident planes."""

@@ -148,6 +148,12 @@ class Grasp:
         """Return the same grasp with its units stated; no number changes."""
         return Grasp(self.contacts, Units(length, force))
 
+    def _repr_svg_(self) -> str | None:
+        """Return what a notebook shows: the picture, where matplotlib is installed."""
+        from .draw.output import grasp_svg
+
+        return grasp_svg(self)
+
     def to_dict(self) -> dict[str, Any]:
         """Return the file form (see `read_grasp`)."""
         stated = {} if self.units is None else {"units": self.units.to_dict()}

@@ -118,9 +118,13 @@ def save_figure(path: str | os.PathLike[str], make: Callable[[], Figure]) -> Non
     Raises:
         MissingExtraError: matplotlib is absent.
     """
-    suffix = Path(path).suffix.lower()
+    buffer = io.BytesIO()
+    save_picture(buffer, Path(path).suffix.lower(), make)
+    write_bytes_atomically(path, buffer.getvalue())
+
+
+def save_picture(stream: io.BytesIO, suffix: str, make: Callable[[], Figure]) -> None:
+    """Write the figure that `make` returns to a stream, as `save_figure` does."""
     mpl = require_matplotlib()
     with mpl.rc_context({**mpl.rcParamsDefault, **_STYLE}):
-        buffer = io.BytesIO()
-        make().savefig(buffer, format=suffix[1:], dpi=300, metadata=_METADATA[suffix])
-    write_bytes_atomically(path, buffer.getvalue())
+        make().savefig(stream, format=suffix[1:], dpi=300, metadata=_METADATA[suffix])

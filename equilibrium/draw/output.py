@@ -8,6 +8,7 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
+from arrangement.draw.notebook import svg_text
 from arrangement.draw.output import PAGES, PICTURES, save_figure
 from arrangement.draw.views import check_options
 from arrangement.exact import shown
@@ -62,6 +63,11 @@ def write_drawing(
     check_options(name, draw, options)
     save_figure(path, lambda: draw(grasp, **options))
     return {"view": name}
+
+
+def grasp_svg(grasp: Grasp) -> str | None:
+    """Return the view grasp as SVG text; None without matplotlib."""
+    return svg_text(lambda: _function(*VIEWS["grasp"])(grasp))
 
 
 def _function(module: str, name: str) -> Callable[..., Any]:

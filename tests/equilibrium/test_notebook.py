@@ -1,0 +1,65 @@
+"""What notebooks show: forces of a verdict as a table, a grasp as its picture."""
+
+from __future__ import annotations
+
+import sys
+from fractions import Fraction
+from typing import Any
+from xml.etree import ElementTree as ET
+
+import pytest
+from hypothesis import given, settings
+
+from arrangement.exact import to_text
+from equilibrium import Contact, Grasp, Units, read_grasp, solve
+from equilibrium.notebook import MOST_PIECES, verdict_html
+
+from .strategies import grasps, wrenches
+
+
+def shown(grasp: Grasp, wrench: Any) -> str:
+    verdict = solve(grasp, wrench)
+    return verdict_html(verdict.grasp, verdict.wrench, verdict.equilibria)
+
+
+@settings(max_examples=40)
+@given(grasp=grasps(), wrench=wrenches)
+def test_tables_hold_every_state_and_exact_force(grasp: Grasp, wrench: Any) -> None:
+    verdict = solve(grasp, wrench)
+    page = ET.fromstring(shown(grasp, wrench))
+    pieces = verdict.equilibria[:MOST_PIECES]
+    expected = [
+        [str(i), state, *map(to_text, pair)]
+        for piece in pieces
+        for i, (state, pair) in enumerate(zip(piece.states, piece.forces, strict=True), 1)
+    ]
+    rows = [[cell.text for cell in row] for row in page.iter("tr")]
+    assert [row for row in rows if row[0] != "contact"] == expected
+    assert ("no equilibrium" in "".join(page.itertext())) is not verdict.stable
+
+
+def test_units_are_escaped() -> None:
+    grasp = read_grasp("paper-three-contacts").with_units("<b>mm", "N&")
+    assert grasp.units == Units("<b>mm", "N&")
+    page = shown(grasp, (0, -1, 0))
+    assert "&lt;b&gt;mm" in page
+    assert "<b>mm" not in page
+
+
+@pytest.mark.parametrize("size", [30, 500, 5000])
+def test_long_numbers_are_rounded_with_a_sign_and_keep_their_exact_value(size: int) -> None:
+    force = Fraction(10**size, 3)
+    page = shown(Grasp([Contact((0, 0), (0, 1), 1)]), (0, -force, 0))
+    assert "≈" in page
+    titles = [cell.get("title") or "" for cell in ET.fromstring(page).iter("span")]
+    assert titles
+    assert all(to_text(force).startswith(title.strip("-…")[:20]) for title in titles)
+
+
+def test_a_grasp_shows_its_picture(monkeypatch: pytest.MonkeyPatch) -> None:
+    grasp = read_grasp("paper-four-contacts-preload-1")
+    picture = grasp._repr_svg_()
+    assert picture is not None
+    assert ET.fromstring(picture).tag.endswith("svg")
+    monkeypatch.setitem(sys.modules, "matplotlib", None)
+    assert grasp._repr_svg_() is None
