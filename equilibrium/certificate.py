@@ -2,21 +2,26 @@
 
 Stable: a motion and forces; the four conditions of equilibrium are evaluated.
 
-Unstable: every face of the motion arrangement (the planes ``T . d = 0``, then
-``stiffness N . d = preload``) with sign vector, dimension and a witness point, complete by
-Zaslavsky's theorem; and for each choice of contact states that these faces give, multipliers that
-combine the conditions of those states to ``0 = -1``. A contact is detached where
-``stiffness N . d >= preload``, else slip+, slip- or stick by the sign of ``T . d``. The conditions,
-in the order of the multipliers, in the unknowns d and one tangential force for each sticking
-contact:
+Unstable: all regions of the motion arrangement (the planes ``T . d = 0``, then those with
+``stiffness N . d = preload``), each as its signs and a point inside, complete by Zaslavsky's
+theorem. The point is written as integers X, Y, Z, W and means ``(X, Y, Z) / W``. And for each
+choice of contact states that these regions make necessary (`equilibrium.coverage`) the reason why
+it admits no equilibrium. States are one letter for each contact: ``d`` detached, ``+`` and ``-``
+slip, ``0`` stick. A reason is one of two.
 
-* equalities: balance of force x, force y, torque; then ``T . d = 0`` for each sticking contact;
-* inequalities (``>= 0``), contact by contact: detached: ``stiffness N . d - preload``. Otherwise
-  the normal force ``c_n = preload - stiffness N . d``, and then for slip ``T . d`` or ``-T . d``,
-  for stick ``friction c_n - c_t`` and ``friction c_n + c_t``.
+* a name: the equalities have exactly one solution, and the named condition fails there
+  (`equilibrium.determinants`). ``normal i``: a touching contact pulls, or a detached one is
+  pressed. ``slip i``: a slipping contact moves the other way. ``friction- i``, ``friction+ i``: on
+  the tangential plane of the sticking contact i, the friction limits of all contacts that stick
+  there, less or plus the sum of their forces along its tangent.
+* multipliers that combine the conditions to ``0 = -1``, in the unknowns d and one tangential force
+  for each sticking contact. ``equalities``: balance of force x, force y, torque; then ``T . d = 0``
+  for each sticking contact. ``inequalities`` (``>= 0``), contact by contact: detached:
+  ``stiffness N . d - preload``. Otherwise the normal force ``c_n = preload - stiffness N . d``, and
+  then for slip ``T . d`` or ``-T . d``, for stick ``friction c_n - c_t``, ``friction c_n + c_t``.
 
 A SHA-256 digest of the canonical content guards what mathematics alone would let pass, such as
-another witness in the same face.
+another point in the same region.
 """
 
 from __future__ import annotations
@@ -24,27 +29,37 @@ from __future__ import annotations
 import hashlib
 import hmac
 import json
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any, TypeAlias
 
-from arrangement.certify import certify_complete
+import numpy as np
+
+from arrangement.certify import regions_problem
 from arrangement.exact import RationalVector, rational_vector, to_text
 from arrangement.files import check_keys, check_list
-from arrangement.planes import Arrangement, Face
+from arrangement.planes import Arrangement
 
-from .conditions import Conditions, conditions_of, label_of, motion_planes
+from .conditions import Conditions, conditions_of, motion_planes, violation_problem
+from .coverage import DETACHED, Rows, due_states, sorted_rows
+from .determinants import KINDS, proven_violations
 from .errors import CertificateError
 from .grasp import Grasp, read_wrench
 
-#: One refuted choice: states, multipliers of the inequalities, multipliers of the equalities.
-Branch: TypeAlias = tuple[tuple[str, ...], RationalVector, RationalVector]
-
 SCHEMA_VERSION = 1
 _COMMON = ("schema_version", "certificate", "grasp", "wrench", "digest")
-_KEYS = {"stable": ("motion", "forces"), "unstable": ("faces", "branches")}
-_SYMBOLS = {"+": 1, "0": 0, "-": -1}
+_KEYS = {"stable": ("motion", "forces"), "unstable": ("regions", "branches")}
+_CODES = {"+": 1, "0": 0, "-": -1, "d": DETACHED}
+_NAMES = {"+": "slip+", "0": "stick", "-": "slip-", "d": "detached"}
+#: The letters of states that a kind of condition can be about.
+_FITTING = {"normal": "+-0d", "slip": "+-", "friction-": "0", "friction+": "0"}
+
+
+#: Why a choice of states admits no equilibrium: the name of a condition, or the multipliers of the
+#: inequalities and of the equalities.
+Reason: TypeAlias = str | tuple[RationalVector, RationalVector]
+Point: TypeAlias = Sequence[int]
 
 
 @dataclass(frozen=True)
@@ -115,25 +130,37 @@ def stable_certificate(
 
 
 def unstable_certificate(
-    grasp: Grasp, wrench: RationalVector, faces: Iterable[Face], branches: Iterable[Branch]
+    grasp: Grasp,
+    wrench: RationalVector,
+    regions: Iterable[tuple[Sequence[int], Point]],
+    branches: Iterable[tuple[str, Reason]],
 ) -> Certificate:
-    """Return the certificate that no equilibrium exists."""
-    symbol = {sign: text for text, sign in _SYMBOLS.items()}
+    """Return the certificate that no equilibrium exists.
+
+    Args:
+        regions: the signs of each region of the motion arrangement, and a point inside.
+        branches: the states, one letter for each contact, and the reason, for each choice of
+            states that `equilibrium.coverage` asks for.
+    """
+    symbol = {1: "+", -1: "-"}
     content = {
-        "faces": [
-            {
-                "signs": "".join(symbol[s] for s in face.signs),
-                "dimension": face.dimension,
-                "witness": _texts(face.witness),
-            }
-            for face in faces
+        "regions": [
+            ["".join([symbol[s] for s in signs]), *map(_integer_entry, point)]
+            for signs, point in regions
         ],
-        "branches": [
-            {"states": list(states), "inequalities": _texts(y), "equalities": _texts(x)}
-            for states, y, x in branches
-        ],
+        "branches": {
+            states: reason
+            if isinstance(reason, str)
+            else {"inequalities": _texts(reason[0]), "equalities": _texts(reason[1])}
+            for states, reason in branches
+        },
     }
     return _certificate("unstable", grasp, wrench, content)
+
+
+def _integer_entry(value: int) -> int | str:
+    """Return an integer, as text when JSON readers refuse its length."""
+    return value if value.bit_length() <= 4096 else to_text(value)
 
 
 def digest(document: Mapping[str, Any]) -> str:
@@ -144,13 +171,18 @@ def digest(document: Mapping[str, Any]) -> str:
 
 
 def check(
-    document: Mapping[str, Any], question: tuple[Grasp, RationalVector] | None = None
+    document: Mapping[str, Any],
+    question: tuple[Grasp, RationalVector] | None = None,
+    *,
+    rationals_only: bool = False,
 ) -> Report:
-    """Check a certificate document line by line, in rationals; stop at the first wrong line.
+    """Check a certificate document line by line; stop at the first wrong line.
 
     Args:
         document: as `Certificate.to_dict` gives it, or as read from a file.
         question: if given, the grasp and wrench that the certificate has to be about.
+        rationals_only: do every step in rationals. Otherwise the signs of determinants and of
+            points are taken from floating point where a bound of its error proves them.
 
     Raises:
         InputError: the document has no readable form (unknown keys, wrong types, a float, a grasp
@@ -166,8 +198,10 @@ def check(
     if question is not None:
         same = question == (grasp, wrench)
         lines.append(Line("question", same, "" if same else "it is about another grasp or wrench"))
-    found = _stable_lines if kind == "stable" else _unstable_lines
-    lines += found(grasp, wrench, document)
+    if kind == "stable":
+        lines += _stable_lines(grasp, wrench, document)
+    else:
+        lines += _unstable_lines(grasp, wrench, document, rationals_only)
     return Report(kind, tuple(lines))
 
 
@@ -226,64 +260,138 @@ def _stable_lines(grasp: Grasp, wrench: RationalVector, document: Mapping[str, A
 
 
 def _unstable_lines(
-    grasp: Grasp, wrench: RationalVector, document: Mapping[str, Any]
-) -> list[Line]:
-    """Check that the faces are all faces, and that each of their states is refuted."""
-    faces = [
-        _face(entry, f"faces[{i}]")
-        for i, entry in enumerate(check_list(document["faces"], "faces"))
+    grasp: Grasp, wrench: RationalVector, document: Mapping[str, Any], rationals_only: bool
+) -> Iterator[Line]:
+    """Check that the regions are all regions, and that all states that are due are refuted."""
+    planes = Arrangement(*motion_planes(grasp), dimension=3)
+    signs, points = _regions(document["regions"], 2 * len(grasp))
+    problem = regions_problem(planes, signs, points, rationals_only=rationals_only)
+    yield Line("regions", not problem, problem)
+    if problem:
+        return
+    branches = _branches(document["branches"])
+    problem = _coverage_problem(planes, signs, list(branches), len(grasp))
+    yield Line("states", not problem, problem)
+    if problem:
+        return
+    proven = set() if rationals_only else _proven(grasp, wrench, branches)
+    for states, reason in branches.items():
+        problem = "" if states in proven else _problem(grasp, wrench, states, reason)
+        if problem:
+            yield Line(f"branch {states}", False, problem)
+            return
+    yield Line("branches", True)
+
+
+def _regions(value: Any, planes: int) -> tuple[Rows, list[Point]]:
+    """Return the signs and the points of the listed regions."""
+    texts, points = [], []
+    for i, entry in enumerate(check_list(value, "regions")):
+        text, *point = check_list(entry, f"regions[{i}]", 5)
+        if not isinstance(text, str) or len(text) != planes or text.strip("+-"):
+            raise CertificateError(f"regions[{i}]: the signs must be {planes} of + and -")
+        texts.append(text)
+        plain = all(type(x) is int for x in point)
+        points.append(point if plain else _integers(point, f"regions[{i}]"))
+    letters = np.frombuffer("".join(texts).encode("ascii"), dtype=np.uint8)
+    signs = np.where(letters == ord("+"), np.int8(1), np.int8(-1)).reshape(len(texts), planes)
+    return signs, points
+
+
+def _integers(values: Sequence[Any], name: str) -> Point:
+    numbers = rational_vector(values, name)
+    if any(x.denominator != 1 for x in numbers):
+        raise CertificateError(f"{name}: the point must be four integers")
+    return [x.numerator for x in numbers]
+
+
+def _branches(value: Any) -> dict[str, Reason]:
+    """Return the reasons by the letters of the states."""
+    if not isinstance(value, Mapping):
+        raise CertificateError("branches must be an object from states to reasons")
+    branches: dict[str, Reason] = {}
+    for states, reason in value.items():
+        if not isinstance(states, str) or states.strip("".join(_CODES)):
+            raise CertificateError("branches: states must be texts of the letters d, +, - and 0")
+        if isinstance(reason, str):
+            branches[states] = reason
+        else:
+            name = f"branches: {states}"
+            check_keys(reason, ("inequalities", "equalities"), (), name)
+            y, x = (
+                rational_vector(check_list(reason[k], f"{name}: {k}"), name)
+                for k in ("inequalities", "equalities")
+            )
+            branches[states] = (y, x)
+    return branches
+
+
+def _coverage_problem(planes: Arrangement, signs: Rows, listed: list[str], contacts: int) -> str:
+    """Return what is wrong when the branches are not the states that are due, each once."""
+    if any(len(states) != contacts for states in listed):
+        return "a branch has too few or too many states"
+    given, due = sorted_rows(_codes(listed, contacts)), due_states(planes, signs)
+    if np.array_equal(given, due):
+        return ""
+    here, there = set(map(tuple, given.tolist())), set(map(tuple, due.tolist()))
+    if there - here:
+        return f"the states {_text(min(there - here))} are not refuted"
+    return f"the states {_text(min(here - there))} belong to no region"
+
+
+def _codes(listed: Sequence[str], contacts: int) -> Rows:
+    """Return texts of states as rows of numbers."""
+    table = np.zeros(128, dtype=np.int8)
+    for letter, code in _CODES.items():
+        table[ord(letter)] = code
+    letters = np.frombuffer("".join(listed).encode("ascii"), dtype=np.uint8)
+    rows: Rows = table[letters].reshape(len(listed), contacts)
+    return rows
+
+
+def _text(row: Iterable[int]) -> str:
+    letter = {code: letter for letter, code in _CODES.items()}
+    return "".join(letter[code] for code in row)
+
+
+def _proven(grasp: Grasp, wrench: RationalVector, branches: Mapping[str, Reason]) -> set[str]:
+    """Return the states whose reason is a name that floating point proves."""
+    named = {reason for reason in branches.values() if isinstance(reason, str)}
+    known = {name: _named(name, len(grasp)) for name in named}
+    chosen = [
+        (states, *known[reason])
+        for states, reason in branches.items()
+        if isinstance(reason, str) and _fits(states, *known[reason])
     ]
-    evidence = certify_complete(_planes(grasp), faces)
-    lines = [Line("faces", evidence.complete, "; ".join(evidence.problems[:1]))]
-    if not evidence.complete:
-        return lines
-    due = {label_of(face.signs) for face in faces}
-    branches = [_branch(e, i) for i, e in enumerate(check_list(document["branches"], "branches"))]
-    listed = [states for states, _, _ in branches]
-    lines.append(_coverage(due, listed))
-    for i, (states, y, x) in enumerate(branches):
-        if not lines[-1].holds:
-            break
-        problem = conditions_of(grasp, wrench, states).refutation_problem(y, x)
-        lines.append(Line(f"branch {i} ({' '.join(states)})", not problem, problem))
-    return lines
+    if not chosen:
+        return set()
+    listed, kinds, contacts = zip(*chosen, strict=True)
+    numbers = np.array([KINDS.index(kind) for kind in kinds])
+    states = _codes(listed, len(grasp))
+    found = proven_violations(grasp, wrench, states, numbers, np.array(contacts))
+    return {letters for letters, holds in zip(listed, found.tolist(), strict=True) if holds}
 
 
-def _planes(grasp: Grasp) -> Arrangement:
-    normals, offsets = motion_planes(grasp)
-    return Arrangement(normals, offsets, dimension=3)
+def _fits(states: str, kind: str, contact: int) -> bool:
+    return contact >= 0 and states[contact] in _FITTING[kind]
 
 
-def _coverage(due: set[tuple[str, ...]], listed: Sequence[tuple[str, ...]]) -> Line:
-    """Check that the branches are the states of the faces, each once."""
-    missing, extra = sorted(due - set(listed)), sorted(set(listed) - due)
-    if missing:
-        return Line("states", False, f"the states {' '.join(missing[0])} are not refuted")
-    if extra:
-        return Line("states", False, f"the states {' '.join(extra[0])} belong to no face")
-    return Line("states", len(listed) == len(due), "a branch is listed twice")
+def _named(name: str, contacts: int) -> tuple[str, int]:
+    """Return the kind and the contact of a condition; the contact is -1 if there is none such."""
+    kind, _, number = name.partition(" ")
+    if kind in KINDS and number.isascii() and number.isdecimal() and len(number) < 10:
+        contact = int(number)
+        if contact < contacts and number == str(contact):
+            return kind, contact
+    return "", -1
 
 
-def _face(entry: Any, name: str) -> Face:
-    check_keys(entry, ("signs", "dimension", "witness"), (), name)
-    signs, dimension = entry["signs"], entry["dimension"]
-    if not isinstance(signs, str) or set(signs) - _SYMBOLS.keys():
-        raise CertificateError(f"{name}: signs must be a text of +, 0 and -")
-    if type(dimension) is not int or not 0 <= dimension <= 3:
-        raise CertificateError(f"{name}: dimension must be an integer from 0 to 3")
-    witness = rational_vector(check_list(entry["witness"], f"{name}: witness", 3), name)
-    return Face(tuple(_SYMBOLS[s] for s in signs), dimension, witness)
-
-
-def _branch(entry: Any, index: int) -> Branch:
-    name = f"branches[{index}]"
-    check_keys(entry, ("states", "inequalities", "equalities"), (), name)
-    states = check_list(entry["states"], f"{name}: states")
-    if not all(isinstance(state, str) for state in states):
-        raise CertificateError(f"{name}: states must be texts")
-    vectors = (
-        rational_vector(check_list(entry[k], f"{name}: {k}"), name)
-        for k in ("inequalities", "equalities")
-    )
-    y, x = vectors
-    return tuple(states), y, x
+def _problem(grasp: Grasp, wrench: RationalVector, letters: str, reason: Reason) -> str:
+    """Return what is wrong with one reason, in rationals."""
+    states = [_NAMES[letter] for letter in letters]
+    if not isinstance(reason, str):
+        return conditions_of(grasp, wrench, states).refutation_problem(*reason)
+    kind, contact = _named(reason, len(grasp))
+    if not _fits(letters, kind, contact):
+        return f"there is no condition {reason} for these states"
+    return violation_problem(grasp, wrench, states, kind, contact)
