@@ -1,0 +1,87 @@
+"""Sign vectors as bits in 64-bit words, and what is distinct among many of them."""
+
+from __future__ import annotations
+
+from typing import Any, TypeAlias
+
+import numpy as np
+from numpy.typing import NDArray
+
+#: (..., W) 64-bit words; class k is bit ``k % 64`` of word ``k // 64``.
+Words: TypeAlias = NDArray[np.uint64]
+Bits: TypeAlias = NDArray[np.bool_]
+
+_MULTIPLIER = np.uint64(0x9E3779B97F4A7C15)
+_HALF = np.uint64(32)
+
+
+def word_count(classes: int) -> int:
+    """Return the number of words for so many bits, at least one."""
+    return max(1, -(-classes // 64))
+
+
+def pack(bits: Bits) -> Words:
+    """Pack the last axis into words."""
+    classes = bits.shape[-1]
+    padded = np.zeros((*bits.shape[:-1], 64 * word_count(classes)), bool)
+    padded[..., :classes] = bits
+    packed = np.packbits(padded, axis=-1, bitorder="little")
+    return packed.view("<u8").astype(np.uint64, copy=False)
+
+
+def unpack(words: Words, classes: int) -> NDArray[np.uint8]:
+    """Return rows of 0 and 1, one column for each class."""
+    octets = np.ascontiguousarray(words, dtype="<u8").view(np.uint8)
+    return np.unpackbits(octets, axis=1, count=classes, bitorder="little")
+
+
+def unit_words(classes: int) -> Words:
+    """Return (classes, W); row k has bit k alone."""
+    return pack(np.eye(classes, dtype=bool))
+
+
+def distinct_rows(rows: Words) -> NDArray[np.intp]:
+    """Return the place of one copy of each different row.
+
+    Rows are sorted by one mixed key. Then rows with equal keys are compared in full; if two
+    different ones share a key, all are sorted as they are.
+
+    Complexity: O(N log N) for N rows.
+    """
+    keys = _keys(rows)
+    order = np.argsort(keys, kind="stable")
+    new = _changes(rows[order])
+    if rows.shape[1] > 1 and (new & ~_changes(keys[order][:, None])).any():
+        order = np.lexsort(rows.T)
+        new = _changes(rows[order])
+    return order[new]
+
+
+def distinct_labelled(words: Words, label: NDArray[Any], classes: int) -> tuple[Words, Words]:
+    """Return the different pairs of a row of words and a label below `classes`."""
+    label = label.astype(np.uint64)
+    if classes + classes.bit_length() <= 64:
+        shift, low = np.uint64(classes), np.uint64((1 << classes) - 1)
+        joined = np.sort(words[:, 0] | label << shift)
+        joined = joined[_changes(joined[:, None])]
+        return (joined & low)[:, None], joined >> shift
+    rows = np.concatenate([words, label[:, None]], axis=1)
+    first = distinct_rows(rows)
+    return words[first], label[first]
+
+
+def _keys(rows: Words) -> Words:
+    keys = rows[:, 0].copy()
+    for column in range(1, rows.shape[1]):
+        keys *= _MULTIPLIER
+        keys ^= keys >> _HALF
+        keys ^= rows[:, column]
+    return keys
+
+
+def _changes(ordered: Words) -> Bits:
+    """Return which rows differ from the one before; the first one does."""
+    new = np.ones(len(ordered), bool)
+    if len(ordered):
+        np.any(ordered[1:] != ordered[:-1], axis=1, out=new[1:])
+    return new

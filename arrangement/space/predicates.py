@@ -1,0 +1,225 @@
+"""Certified signs of determinants of planes: floats within a proven error, else integers.
+
+A plane is a row ``(n, b)`` of four integers, ``{x : n . x = b}``. For rows i and j let
+``D_ij = n_i x n_j`` and ``M_ij = n_i b_j - n_j b_i``, the six 2x2 minors. Then, with D3 the
+determinant of three normals and D4 that of four rows,
+
+* ``D3(i, j, k) = D_ij . n_k``;
+* ``D4(i, j, k, l) = D_ij . M_kl + M_ij . D_kl`` (Laplace expansion by two rows);
+* planes k and l meet the line ``P + t D_ij`` of planes i and j at parameters with
+  ``t_l - t_k = D4(i, j, k, l) / (D3(i, j, k) D3(i, j, l))``.
+
+Error bound. A row is divided by a power of two, which moves nothing, and rounded to floats: a
+relative error of at most ``u = 2^-53`` for each entry, none for zero. All determinants are sums
+of products; no product takes more than 14 roundings (D4: four entries, two minors of two each,
+one product, five sums), in any order of summation. So the error is at most ``g S`` with S the sum
+of the absolute products and ``g = 14 u / (1 - 14 u)`` [Higham, Accuracy and Stability of Numerical
+Algorithms, section 3.1]. The S that is computed is at least ``(1 - g)`` times that sum, so
+``16 u S`` bounds the error. Nonzero entries are at least 2^-200, so nothing underflows. S = 0
+proves that the determinant is 0: four planes through the origin need no integers.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from typing import Any, TypeAlias
+
+import numpy as np
+from numpy.typing import NDArray
+
+from arrangement.exact import IntegerVector
+
+Floats: TypeAlias = NDArray[np.float64]
+#: Python integers.
+Integers: TypeAlias = NDArray[np.object_]
+Numbers: TypeAlias = NDArray[Any]
+Signs: TypeAlias = NDArray[np.int8]
+Indices: TypeAlias = NDArray[np.intp]
+
+ERROR = 2.0**-49
+SMALLEST = 2.0**-200
+#: No sum exceeds twice the sum of its absolute products, so this bound decides nothing.
+UNUSABLE = 2.0
+
+
+class PlaneTable:
+    """Pairwise different planes in R^3, as integers and as floats with a known error.
+
+    Attributes:
+        exact: (n, 4) Python integers.
+        floats: (n, 4), rows near positive multiples of the exact ones.
+        error: a determinant of the floats is wrong by at most `error` times the sum of its
+            absolute products. 0 where all determinants are small integers. `UNUSABLE` where floats
+            cannot hold the rows: they are all 1 then, and integers decide everything.
+        minors, sizes: (n, n, 6); ``(D_ij, M_ij)`` in floats, and their absolute products.
+        axis: (n, n); the first coordinate in which ``D_ij`` is not 0.
+        turn: (n, n); its sign there, or 0 for parallel planes.
+    """
+
+    def __init__(self, rows: Sequence[IntegerVector]) -> None:
+        self.exact: Integers = np.empty((len(rows), 4), dtype=object)
+        self.exact[...] = np.array(rows, dtype=object).reshape(-1, 4)
+        self.floats, self.error = scaled_floats(rows)
+        self.minors = minors(self.floats[:, None], self.floats[None])
+        self.sizes = _sizes(self.floats)
+        components = self._signs(self.minors[..., :3], self.sizes[..., :3], self._exact_component)
+        self.axis: Indices = np.argmax(components != 0, axis=-1)
+        self.turn: Signs = np.take_along_axis(components, self.axis[..., None], axis=-1)[..., 0]
+
+    def __len__(self) -> int:
+        return len(self.exact)
+
+    def triples(self, i: Indices, j: Indices) -> tuple[Signs, Floats]:
+        """Return the signs of ``D3(i, j, k)`` for all planes k, a row for each pair, and floats."""
+
+        def exact(at: tuple[Indices, ...]) -> Integers:
+            row, k = at
+            return _dot3(self.exact_minors(i[row], j[row]), self.exact[k])
+
+        normals = self.floats[:, :3].T
+        values = self.minors[i, j, :3] @ normals
+        sizes = self.sizes[i, j, :3] @ np.abs(normals)
+        row = np.arange(len(i))
+        for own in (i, j):
+            values[row, own] = sizes[row, own] = 0.0
+        return self._signs(values, sizes, exact), values
+
+    def sides(self, i: Indices, j: Indices, k: Indices) -> Signs:
+        """Return the sides of planes k on which the lines of i and j lie, if parallel to them."""
+        axis = self.axis[i, j]
+
+        def exact(at: tuple[Indices, ...]) -> Integers:
+            minor = self.exact_minors(i[at], j[at])
+            return _value_on_line(minor, self.exact[k[at]], axis[at], -1)
+
+        values = _value_on_line(self.minors[i, j], self.floats[k], axis, -1)
+        sizes = _value_on_line(self.sizes[i, j], np.abs(self.floats[k]), axis, 1)
+        found: Signs = self._signs(values, sizes, exact) * self.turn[i, j]
+        return found
+
+    def quadruples(self, i: Indices, j: Indices, k: Indices, l: Indices, use: Any) -> Signs:  # noqa: E741
+        """Return the signs of ``D4(i, j, k, l)`` where `use` is set, else 0.
+
+        Args:
+            i, j: (L) planes of lines.
+            k, l: (L, c) planes that cross them.
+            use: (L, c) Booleans.
+        """
+
+        def exact(at: tuple[Indices, ...]) -> Integers:
+            row = at[0]
+            return _dot6(self.exact_minors(i[row], j[row]), self.exact_minors(k[at], l[at]))
+
+        pair = k * len(self) + l
+        line, crossing = self.minors[i, j], self.minors.reshape(-1, 6)[pair]
+        values = _by_line(line, crossing)
+        sizes = _by_line(self.sizes[i, j], self.sizes.reshape(-1, 6)[pair])
+        unused = ~use
+        values[unused] = sizes[unused] = 0.0
+        return self._signs(values, sizes, exact)
+
+    def exact_parameters(self, i: int, j: int, crossing: Indices) -> tuple[Integers, Integers]:
+        """Return numerators and positive denominators that order crossings of one line exactly.
+
+        They are the parameters up to a positive factor, counted from the first crossing.
+        """
+        here = self.exact_minors(np.full_like(crossing, i), np.full_like(crossing, j))
+        below = _dot3(here, self.exact[crossing])
+        above = _dot6(here, self.exact_minors(np.full_like(crossing, crossing[0]), crossing))
+        flip = np.where(below < 0, -1, 1).astype(object)
+        first = 1 if below[0] > 0 else -1
+        return above * flip * first, below * flip
+
+    def exact_minors(self, i: Indices, j: Indices) -> Integers:
+        """Return the six minors of pairs of rows in Python integers."""
+        return minors(self.exact[i], self.exact[j])
+
+    def _exact_component(self, at: tuple[Indices, ...]) -> Integers:
+        i, j, component = at
+        found: Integers = self.exact_minors(i, j)[np.arange(len(i)), component]
+        return found
+
+    def _signs(
+        self, values: Floats, sizes: Floats, exact: Callable[[tuple[Indices, ...]], Integers]
+    ) -> Signs:
+        """Return the signs of determinants; `exact` gives those that the floats leave open."""
+        signs = signs_of(values)
+        if self.error == 0:
+            return signs
+        undecided = np.nonzero((np.abs(values) <= self.error * sizes) & (sizes > 0))
+        if len(undecided[0]):
+            signs[undecided] = signs_of(exact(undecided))
+        return signs
+
+
+def scaled_floats(rows: Sequence[IntegerVector]) -> tuple[Floats, float]:
+    """Return floats near positive multiples of integer rows, and the `error` of determinants."""
+    largest = max((abs(x) for row in rows for x in row), default=0)
+    if 24 * largest**4 < 2**53:
+        return np.array(rows, dtype=np.float64).reshape(-1, 4), 0.0
+    scales = [1 << max(abs(x) for x in row).bit_length() for row in rows]
+    floats = np.array(
+        [[x / scale for x in row] for row, scale in zip(rows, scales, strict=True)], np.float64
+    )
+    present = np.array([[x != 0 for x in row] for row in rows])
+    if (np.abs(floats[present]) < SMALLEST).any():
+        return np.ones_like(floats), UNUSABLE
+    return floats, ERROR
+
+
+def signs_of(values: Numbers) -> Signs:
+    """Return the sign of every entry as int8."""
+    positive: NDArray[np.bool_] = values > 0
+    negative: NDArray[np.bool_] = values < 0
+    return positive.view(np.int8) - negative.view(np.int8)
+
+
+def minors(left: Numbers, right: Numbers) -> Numbers:
+    """Return the six minors ``(D, M)`` of rows along the last axis."""
+    a, b, c, p = (left[..., m] for m in range(4))
+    u, v, w, q = (right[..., m] for m in range(4))
+    parts = [b * w - c * v, c * u - a * w, a * v - b * u]
+    parts += [a * q - u * p, b * q - v * p, c * q - w * p]
+    return np.stack(parts, axis=-1)
+
+
+def _sizes(floats: Floats) -> Floats:
+    """Return the sums of the absolute products in all minors."""
+    left, right = np.abs(floats)[:, None], np.abs(floats)[None]
+    moment = left[..., :3] * right[..., 3:] + right[..., :3] * left[..., 3:]
+    after, before = [1, 2, 0], [2, 0, 1]
+    direction = left[..., after] * right[..., before] + left[..., before] * right[..., after]
+    return np.concatenate([direction, moment], axis=-1)
+
+
+def _dot3(minor: Numbers, row: Numbers) -> Numbers:
+    found: Numbers = (minor[..., :3] * row[..., :3]).sum(axis=-1)
+    return found
+
+
+def _dot6(left: Numbers, right: Numbers) -> Numbers:
+    direction, moment = left[..., :3] * right[..., 3:], left[..., 3:] * right[..., :3]
+    found: Numbers = (direction + moment).sum(axis=-1)
+    return found
+
+
+def _by_line(line: Floats, crossing: Floats) -> Floats:
+    """Return D4 for each line (a row of minors) and each of its pairs of planes."""
+    exchanged = np.concatenate([line[:, 3:], line[:, :3]], axis=1)
+    found: Floats = np.matmul(crossing, exchanged[:, :, None])[..., 0]
+    return found
+
+
+def _value_on_line(minor: Numbers, row: Numbers, axis: Indices, minus: int) -> Numbers:
+    """Return ``(n_k . P - b_k) D_m`` for the point P of the line with coordinate m equal to 0.
+
+    `minus` is -1, or +1 for the sum of the absolute products.
+    """
+    at = np.arange(len(axis))
+    a, c = (axis + 1) % 3, (axis + 2) % 3
+    found: Numbers = (
+        row[at, c] * minor[at, 3 + a]
+        + minus * (row[at, a] * minor[at, 3 + c])
+        + minus * (row[at, 3] * minor[at, axis])
+    )
+    return found
