@@ -1,7 +1,7 @@
 # Each target creates .venv on first use and installs again when pyproject.toml or
 # constraints.txt change. PYTHON=... picks the interpreter, ARGS=... goes to pytest.
 
-.PHONY: help verify test check bench docs clean
+.PHONY: help verify test check bench docs docs-check clean
 .DEFAULT_GOAL := help
 .DELETE_ON_ERROR:
 
@@ -22,6 +22,7 @@ help:
 	@echo "make check    all that must be true of a commit: lint, types, tests, docs"
 	@echo "make bench    measure speed"
 	@echo "make docs     build the documentation in docs/_build/html"
+	@echo "make docs-check  build it and open every page in headless Chromium"
 	@echo "make clean    remove what the targets made"
 	@echo "PYTHON=python3.12 picks the interpreter, ARGS='-k faces' goes to pytest."
 
@@ -74,7 +75,7 @@ check: $(VENV)/.stamp-check
 	$(BIN)/mypy
 	SYMPY_GROUND_TYPES=python $(BIN)/python -m pytest -n $(JOBS) $(ARGS)
 	SYMPY_GROUND_TYPES=flint $(BIN)/python -m pytest -n $(JOBS) -m ground_types $(ARGS)
-	$(MAKE) docs
+	$(MAKE) docs-check
 
 bench: $(VENV)/.stamp-bench
 	$(BIN)/python tests/benchmarks/run.py $(ARGS)
@@ -83,6 +84,9 @@ docs: $(VENV)/.stamp-docs
 	$(BIN)/python -m sphinx -q -W --keep-going -b html docs docs/_build/html
 	@echo "docs/_build/html/index.html"
 
+docs-check: docs $(VENV)/.stamp-test
+	$(BIN)/python tests/check_site.py docs/_build/html
+
 clean:
-	rm -rf $(VENV) build dist report docs/_build docs/reference .hypothesis .mypy_cache .pytest_cache .ruff_cache .import_linter_cache
+	rm -rf $(VENV) build dist report docs/_build docs/_generated docs/reference .hypothesis .mypy_cache .pytest_cache .ruff_cache .import_linter_cache
 	find . -name __pycache__ -type d -prune -exec rm -rf {} +

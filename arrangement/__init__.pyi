@@ -34,6 +34,7 @@ from .published import (
     PublishedEnumeration as PublishedEnumeration,
     published_enumeration as published_enumeration,
 )
+from .space import SpaceFaces as SpaceFaces, space_faces as space_faces
 from .sphere import (
     Incidence as Incidence,
     SphereArrangement as SphereArrangement,

@@ -163,7 +163,8 @@ def _surely(
     coordinates[:, -1] *= -1
     sizes = np.abs(coordinates) @ np.abs(coefficients).T
     values = coordinates @ coefficients.T
-    found: npt.NDArray[np.bool_] = np.abs(values) > 2 * (coordinates.shape[1] + 4) * unit * sizes
+    bounds = 2 * (coordinates.shape[1] + 4) * unit * sizes
+    found: npt.NDArray[np.bool_] = np.greater(np.abs(values), bounds)
     found &= (values > 0) == (signs > 0)
     # Beside a very large entry a scaled one may have lost its digits: left to integers.
     kept = [
@@ -171,7 +172,7 @@ def _surely(
         for scaled, row in zip(coefficients.tolist(), planes, strict=True)
     ]
     found &= np.array(kept)
-    found &= (np.abs(coordinates) < 1 / _SMALL).all(axis=1)[:, None]
+    found &= np.all(np.abs(coordinates) < 1 / _SMALL, axis=1, keepdims=True)
     return found
 
 

@@ -11,7 +11,10 @@ from .exact import to_text
 from .planes import Arrangement, Face
 
 #: The options of ``draw`` that go to the view, when they are given.
-_DRAW_OPTIONS = ("colour",)
+_DRAW_OPTIONS = (
+    "colour", "direction", "width", "body", "lift", "explode", "size", "title", "whole", "hull",
+    "moebius",
+)  # fmt: skip
 _SYMBOLS = {1: "+", 0: "0", -1: "-"}
 
 
@@ -38,14 +41,9 @@ def _parser() -> console.Parser:
     names = commands.add_parser("list", help="list the built-in documents")
     names.set_defaults(command=_list)
 
-    draw = commands.add_parser("draw", help="draw great circles, or export the dual polyhedron")
+    draw = commands.add_parser("draw", help="draw pictures and pages, or export models to hold")
     _add_file(draw)
-    draw.add_argument(
-        "-o", "--output", required=True, metavar="PATH",
-        help=".svg, .pdf, .png: a picture; .stl, .glb, .obj: the dual polyhedron",
-    )  # fmt: skip
-    draw.add_argument("--view", default="sphere", metavar="VIEW", help="sphere (the default)")
-    draw.add_argument("--colour", metavar="BY", help="sides, signs or none")
+    _add_draw_options(draw)
     draw.set_defaults(command=_draw)
 
     for command in (count, faces, names, draw):
@@ -59,6 +57,53 @@ def _add_file(parser: argparse.ArgumentParser) -> None:
         metavar="FILE",
         help="an arrangement or a grasp: a path, - for standard input, or a built-in name",
     )
+
+
+def _add_draw_options(draw: argparse.ArgumentParser) -> None:
+    draw.add_argument(
+        "-o", "--output", required=True, metavar="PATH",
+        help=".svg, .pdf, .png: a picture; .stl, .glb, .obj: a model; .html: an interactive page",
+    )  # fmt: skip
+    draw.add_argument(
+        "--view", metavar="VIEW",
+        help="of a picture: sphere (the default), planes, stereographic, gnomonic, dual, graph, "
+        "lattice",
+    )  # fmt: skip
+    draw.add_argument("--model", metavar="MODEL", help="dual (the default) or cells")
+    draw.add_argument("--colour", metavar="BY", help="sides, signs or none; planes: also planes")
+    draw.add_argument(
+        "--direction", nargs=3, type=console.rational_argument, metavar=("X", "Y", "Z"),
+        help="towards the viewer, exact",
+    )  # fmt: skip
+    draw.add_argument("--width", type=_length, metavar="MM", help="of a picture (default 88)")
+    draw.add_argument("--body", metavar="BODY", help="around planes and cells: ball or cube")
+    draw.add_argument(
+        "--lift", action="append", metavar="SIGNS",
+        help="lift this cell out; write --lift=-+- with the equals sign; may be repeated",
+    )  # fmt: skip
+    draw.add_argument(
+        "--explode", type=_length, metavar="FACTOR",
+        help="move the cells of a model apart (default 1.3; 1 leaves them together)",
+    )  # fmt: skip
+    draw.add_argument("--size", type=_length, metavar="MM", help="of a model (default 60)")
+    draw.add_argument(
+        "--whole", action=argparse.BooleanOptionalAction, default=None,
+        help="stereographic: both halves of the sphere, or one",
+    )  # fmt: skip
+    draw.add_argument(
+        "--hull", action="store_true", default=None,
+        help="dual: the hull of representatives on the sphere, differing edges marked",
+    )  # fmt: skip
+    draw.add_argument(
+        "--moebius", action=argparse.BooleanOptionalAction, default=None,
+        help="lattice: Moebius values under the names, or none",
+    )  # fmt: skip
+    draw.add_argument("--title", metavar="TEXT", help="the heading of a page")
+
+
+def _length(text: str) -> float:
+    """Read a length on paper or of a model, which is no exact number."""
+    return float(console.rational_argument(text))
 
 
 def _count(arguments: argparse.Namespace) -> int:
@@ -105,9 +150,9 @@ def _draw(arguments: argparse.Namespace) -> int:
     arrangement = files.read_arrangement(arguments.file)
     given = {name: getattr(arguments, name) for name in _DRAW_OPTIONS}
     options = {name: value for name, value in given.items() if value is not None}
-    write_drawing(arrangement, arguments.output, arguments.view, **options)
+    shows = write_drawing(arrangement, arguments.output, arguments.view, arguments.model, **options)
     if arguments.json:
-        console.print_json({"output": arguments.output, "view": arguments.view})
+        console.print_json({"output": arguments.output, **shows})
     return console.YES
 
 

@@ -81,28 +81,28 @@ def _from_text(text: str, name: str) -> Fraction:
         )
     ratio = _INTEGER_OR_RATIO.fullmatch(text)
     if ratio is not None:
-        denominator = _integer(ratio[2]) if ratio[2] else 1
+        denominator = integer(ratio[2]) if ratio[2] else 1
         if denominator == 0:
             raise InputError(f"{name} is {shown(text)}, which divides by zero")
-        return Fraction(_integer(ratio[1]), denominator)
+        return Fraction(integer(ratio[1]), denominator)
     if _DECIMAL.fullmatch(text):
         whole, _, decimals = text.partition(".")
-        return Fraction(_integer(whole + decimals), 10 ** len(decimals))
+        return Fraction(integer(whole + decimals), 10 ** len(decimals))
     raise InputError(
         f'{name} is {shown(text)}, which is not an exact number; write "7/3", "-0.25" or "12" '
         "(no exponents, no spaces, no expressions)"
     )
 
 
-def _integer(text: str) -> int:
+def integer(text: str) -> int:
     """Return the integer of a sign and decimal digits, in halves: int() refuses very long ones."""
     if len(text) <= _DIGITS:
         return int(text)
     if text[0] in "+-":
-        size = _integer(text[1:])
+        size = integer(text[1:])
         return -size if text[0] == "-" else size
     middle = len(text) // 2
-    return int(_integer(text[:middle]) * 10 ** (len(text) - middle) + _integer(text[middle:]))
+    return int(integer(text[:middle]) * 10 ** (len(text) - middle) + integer(text[middle:]))
 
 
 class _Short(reprlib.Repr):

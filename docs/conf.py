@@ -1,6 +1,12 @@
 """Configuration of the documentation; it builds and reads without a network."""
 
+import contextlib
 import re
+import runpy
+import sys
+from pathlib import Path
+
+import matplotlib as mpl
 
 import arrangement
 
@@ -17,7 +23,7 @@ extensions = [
     "sphinx.ext.viewcode",
     "sphinx-mathjax-offline",
 ]
-exclude_patterns = ["_build"]
+exclude_patterns = ["_build", "_generated"]
 default_role = "code"
 highlight_language = "python"
 nitpicky = False
@@ -58,5 +64,32 @@ def escape_mathematics(app, what, name, obj, options, lines):
             lines[number] = bullet + "".join(parts)
 
 
+def make_figures(app):
+    """Run each script of figures/ in the folder _generated, unless what it made is up to date.
+
+    The script NAME.py makes files whose names start with NAME. A script that fails, or makes no
+    such file, ends the build. Modules that start with an underscore are what scripts share. A page
+    NAME.rst beside the folder is what the script reads.
+    """
+    source = Path(app.srcdir)
+    sys.path.insert(0, str(source / "figures"))
+    folder = source / "_generated"
+    folder.mkdir(exist_ok=True)
+    shared = [*source.glob("figures/_*.py"), *source.parent.glob("*/draw/**/*.py")]
+    newest = max(path.stat().st_mtime for path in shared)
+    for script in sorted(source.glob("figures/[!_]*.py")):
+        stamp = folder / f".{script.stem}"
+        read = [script, *source.glob(f"{script.stem}.rst")]
+        changed = max(newest, *(path.stat().st_mtime for path in read))
+        if stamp.exists() and stamp.stat().st_mtime > changed:
+            continue
+        with contextlib.chdir(folder), mpl.rc_context():
+            runpy.run_path(str(script), run_name="__main__")
+        if not any(folder.glob(f"{script.stem}*.*")):
+            raise RuntimeError(f"{script} made no file {script.stem}*")
+        stamp.touch()
+
+
 def setup(app):
+    app.connect("builder-inited", make_figures)
     app.connect("autodoc-process-docstring", escape_mathematics, priority=400)

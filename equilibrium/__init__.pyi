@@ -1,6 +1,7 @@
 from . import inputs as inputs, limits as limits, others as others
 from .cells import contact_states as contact_states
-from .certificate import Certificate as Certificate, Report as Report, check as check
+from .certificate import Certificate as Certificate
+from .checker import Report as Report, check as check
 from .errors import (
     CertificateError as CertificateError,
     EquilibriumError as EquilibriumError,

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 from arrangement import console
 from arrangement.exact import to_text
 
-from . import inputs_cli, limits_cli, others_cli
+from . import draw_cli, inputs_cli, limits_cli, others_cli
 
 if TYPE_CHECKING:
     from .pieces import Equilibrium
@@ -41,6 +41,7 @@ def _parser() -> console.Parser:
     limits_cli.add_commands(commands)
     others_cli.add_commands(commands)
     inputs_cli.add_commands(commands)
+    draw_cli.add_commands(commands)
     return parser
 
 

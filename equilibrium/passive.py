@@ -21,14 +21,8 @@ import numpy as np
 from arrangement.exact import RationalVector, to_text
 
 from .cells import Codes, letters_of_code, motion_faces, states_at, states_of_code
-from .certificate import (
-    Certificate,
-    Reason,
-    Report,
-    check,
-    stable_certificate,
-    unstable_certificate,
-)
+from .certificate import Certificate, stable_certificate, unstable_certificate
+from .checker import Reason, Report, check
 from .elimination import (
     Continuum,
     Point,

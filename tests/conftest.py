@@ -3,10 +3,13 @@
 from __future__ import annotations
 
 import functools
+from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
 from hypothesis import HealthCheck, settings
+
+from tests.browser import MISSING, Browser, programs, running, wanted
 
 ROOT = Path(__file__).resolve().parent.parent
 
@@ -33,3 +36,14 @@ def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
     for item in items:
         if _uses_sympy(item.path):
             item.add_marker(pytest.mark.ground_types)
+
+
+@pytest.fixture(scope="session")
+def browser() -> Iterator[Browser]:
+    """Return a running headless Chromium; see `tests.browser` for where it must come from."""
+    if not wanted():
+        pytest.skip("BROWSER_TESTS=0 leaves the tests of pages out")
+    if programs() is None:
+        pytest.fail(MISSING, pytrace=False)
+    with running() as found:
+        yield found

@@ -41,13 +41,16 @@ PLANTED = [
     ("arrangement/counts/planted.py", "import arrangement.faces", "counts, faces"),
     ("arrangement/counts/planted.py", "import arrangement.linprog", "counts, linprog"),
     ("arrangement/counts/planted.py", "import arrangement.sphere", "counts, sphere"),
+    ("arrangement/counts/planted.py", "import arrangement.space", "counts, space"),
     ("arrangement/counts/planted.py", "import arrangement.linear", "their own linear algebra"),
     ("equilibrium/grasp.py", "import equilibrium.cli", "Inside equilibrium"),
     ("equilibrium/certificate.py", "import equilibrium.passive", "Inside equilibrium"),
-    ("equilibrium/conditions.py", "import equilibrium.cells", "contact conditions on its own"),
-    ("equilibrium/certificate.py", "import equilibrium.cells", "with the solver: states"),
-    ("equilibrium/certificate.py", "import arrangement.linprog", "with the solver: linprog"),
-    ("equilibrium/certificate.py", "import arrangement.faces", "with the solver: faces"),
+    ("equilibrium/checker.py", "import equilibrium.cells", "Inside equilibrium"),
+    ("equilibrium/cells.py", "import equilibrium.coverage", "takes nothing from the checker"),
+    ("equilibrium/systems.py", "import equilibrium.conditions", "takes nothing from the checker"),
+    ("equilibrium/checker.py", "import arrangement.linprog", "with the solver: linprog"),
+    ("equilibrium/checker.py", "import arrangement.faces", "with the solver: faces"),
+    ("equilibrium/checker.py", "import arrangement.space", "with the solver: space"),
     ("proofs_check/oracle.py", "import equilibrium.passive", "brute-force route"),
     ("proofs_check/oracle.py", "import arrangement.counts", "brute-force route"),
     ("proofs_check/claim.py", "import proofs_check.report", "Inside proofs_check"),
@@ -87,7 +90,7 @@ def test_counts_work_with_the_enumerators_out_of_reach() -> None:
     """Three generic planes have (1, 6, 12, 8) faces: eight octants and what bounds them."""
     program = """
 import sys
-for name in ("certify", "faces", "linprog", "published", "sphere"):
+for name in ("certify", "faces", "linprog", "published", "space", "sphere"):
     sys.modules["arrangement." + name] = None
 from arrangement import Arrangement
 from arrangement.counts import f_vector

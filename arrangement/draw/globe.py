@@ -15,7 +15,7 @@ import numpy as np
 import numpy.typing as npt
 
 from arrangement.errors import InputError
-from arrangement.exact import IntegerVector, primitive, rational
+from arrangement.exact import IntegerVector, primitive, rational_vector
 from arrangement.planes import Arrangement
 from arrangement.sphere import sphere_arrangement
 
@@ -25,45 +25,39 @@ MAX_CIRCLES = 60
 
 
 class Globe:
-    """A central arrangement in R^3 seen from the direction `view`, in the orthographic projection.
+    """A central arrangement in R^3 seen from a direction, in the orthographic projection.
 
     Attributes:
         whole: the arrangement on the sphere.
         cut: the same with the limb as one more plane, the last one.
-        view: the primitive integer direction towards the viewer.
+        direction: the primitive integer direction towards the viewer.
         axes: (3, 3); the unit vectors right, up and towards the viewer.
     """
 
-    def __init__(self, arrangement: Arrangement, view: Sequence[object] | None = None) -> None:
+    def __init__(self, arrangement: Arrangement, direction: Sequence[object] | None = None) -> None:
         self.whole = sphere_arrangement(arrangement)
         if self.whole.circle_count > MAX_CIRCLES:
             raise InputError(
                 f"{self.whole.circle_count} great circles; a picture shows at most {MAX_CIRCLES}"
             )
-        self.view = _direction(view) if view is not None else self._clear_view()
-        self.cut = sphere_arrangement(Arrangement([*arrangement.normals, self.view]))
-        self.axes = _axes(self.view)
-
-    def _clear_view(self) -> IntegerVector:
-        """Return the direction in which circles are least edge-on and points far from the limb."""
-        rays = [self.whole.ray(v) for v in range(self.whole.vertex_count)]
-        lines = _unit([*self.whole.circle_normals, *rays, (0, 0, 1)])
-        views = [v for v in product(range(1, 8), range(-7, 8), range(1, 7)) if primitive(v) == v]
-        units = _unit(views)
-        high = (units[:, 2] > 0.25) & (units[:, 2] < 0.75)
-        clearance = np.where(high, np.abs(units @ lines.T).min(axis=1), -1.0)
-        return views[int(np.argmax(np.round(clearance, 9)))]
+        if direction is not None:
+            self.direction = view_direction(direction)
+        else:
+            rays = [self.whole.ray(v) for v in range(self.whole.vertex_count)]
+            self.direction = clear_direction([*self.whole.circle_normals, *rays])
+        self.cut = sphere_arrangement(Arrangement([*arrangement.normals, self.direction]))
+        self.axes = picture_axes(self.direction)
 
     @cached_property
     def points(self) -> Floats:
         """(V, 3); the vertices of `cut`, in the axes of the picture."""
         rays = [self.cut.ray(v) for v in range(self.cut.vertex_count)]
-        return _unit(rays) @ self.axes.T
+        return unit_vectors(rays) @ self.axes.T
 
     @cached_property
     def normals(self) -> Floats:
         """(c, 3); the unit normals of the circles of `cut`, in the axes of the picture."""
-        return _unit(self.cut.circle_normals) @ self.axes.T
+        return unit_vectors(self.cut.circle_normals) @ self.axes.T
 
     @cached_property
     def limb(self) -> int:
@@ -102,21 +96,37 @@ class Globe:
         return np.concatenate([curves[0], *(curve[1:] for curve in curves[1:])])
 
 
-def _direction(view: Sequence[object]) -> IntegerVector:
-    direction = primitive([rational(x, "view") for x in view])
-    if len(direction) != 3 or not any(direction):
-        raise InputError(f"the view is {direction}; give three numbers that are not all 0")
-    return direction
+def view_direction(direction: Sequence[object]) -> IntegerVector:
+    """Return the direction towards the viewer as a primitive integer vector, or refuse it."""
+    vector = primitive(rational_vector(direction, "direction"))
+    if len(vector) != 3 or not any(vector):
+        raise InputError(f"the direction is {vector}; give three numbers that are not all 0")
+    return vector
 
 
-def _axes(view: IntegerVector) -> Floats:
-    ahead = _unit([view])[0]
-    right = np.cross([0.0, 0.0, 1.0], ahead) if view[0] or view[1] else np.array([1.0, 0.0, 0.0])
+def clear_direction(lines: Sequence[IntegerVector]) -> IntegerVector:
+    """Return a direction from above that is as far as can be from orthogonal to all `lines`.
+
+    With the normals of planes as lines no plane is seen edge-on; with the rays as well, no ray
+    is near the limb.
+    """
+    views = [v for v in product(range(1, 8), range(-7, 8), range(1, 7)) if primitive(v) == v]
+    units = unit_vectors(views)
+    high = (units[:, 2] > 0.25) & (units[:, 2] < 0.75)
+    clearance = np.abs(units @ unit_vectors([*lines, (0, 0, 1)]).T).min(axis=1)
+    return views[int(np.argmax(np.round(np.where(high, clearance, -1.0), 9)))]
+
+
+def picture_axes(direction: IntegerVector) -> Floats:
+    """Return the unit vectors right, up and towards the viewer, (3, 3); z is up in the picture."""
+    ahead = unit_vectors([direction])[0]
+    upright = direction[0] or direction[1]
+    right = np.cross([0.0, 0.0, 1.0], ahead) if upright else np.array([1.0, 0.0, 0.0])
     right /= np.linalg.norm(right)
     return np.array([right, np.cross(ahead, right), ahead])
 
 
-def _unit(vectors: Sequence[IntegerVector]) -> Floats:
+def unit_vectors(vectors: Sequence[IntegerVector]) -> Floats:
     """Return unit vectors; integers of any length are divided before they become floats."""
     scaled = np.array([[x / max(map(abs, v)) for x in v] for v in vectors]).reshape(-1, 3)
     unit: Floats = scaled / np.linalg.norm(scaled, axis=1, keepdims=True)

@@ -3,23 +3,26 @@
 from __future__ import annotations
 
 import io
+import math
 import os
 from collections.abc import Callable
+from fractions import Fraction
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from arrangement.errors import InputError, MissingExtraError
 from arrangement.exact import shown
 from arrangement.planes import Arrangement
-from arrangement.writing import write_bytes_atomically
+from arrangement.writing import write_bytes_atomically, write_text_atomically
 
-from .views import PICTURE_VIEWS, check_options, view_function
+from .views import MODEL_VIEWS, PICTURE_VIEWS, check_options, view_function
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 PICTURES = (".pdf", ".png", ".svg")
 MODELS = (".glb", ".obj", ".stl")
+PAGES = (".html",)
 
 #: What makes files repeat: fixed identifiers, no dates, letters as outlines.
 _STYLE = {"svg.hashsalt": "arrangement", "svg.fonttype": "path", "font.size": 7.0}
@@ -44,35 +47,69 @@ def require_matplotlib() -> Any:
 def write_drawing(
     arrangement: Arrangement,
     path: str | os.PathLike[str],
-    view: str = "sphere",
+    view: str | None = None,
+    model: str | None = None,
     **options: Any,
-) -> None:
+) -> dict[str, str]:
     """Draw an arrangement into a file, whole or not at all.
 
     Args:
-        arrangement: one that the view can show; see its function.
+        arrangement: one that the view or model can show; see its function.
         path: ``.svg``, ``.pdf`` or ``.png`` for a picture; ``.stl``, ``.glb`` or ``.obj`` for a
-            model of the dual polyhedron, for which view and options do not count.
-        view: one of `views.PICTURE_VIEWS`.
-        options: those of the view's function.
+            model. STL and OBJ are in millimetres, GLB is in metres as its standard demands;
+            ``.html`` for the interactive page, see `page.arrangement_page`.
+        view: of a picture, one of `views.PICTURE_VIEWS`; "sphere" if left out.
+        model: one of `views.MODEL_VIEWS`; "dual" if left out.
+        options: those of the function of the view, model or page.
+
+    Returns:
+        What was written: ``{"view": name}``, ``{"model": name}`` or ``{"page": "arrangement"}``.
 
     Raises:
-        InputError: unknown suffix, view or option, planes that the view cannot show, no place to
+        InputError: unknown suffix, view, model or option, planes that it cannot show, no place to
             write.
         MissingExtraError: matplotlib is absent.
     """
     suffix = Path(path).suffix.lower()
-    if suffix not in PICTURES + MODELS:
-        known = ", ".join(sorted(PICTURES + MODELS))
+    if suffix not in PICTURES + MODELS + PAGES:
+        known = ", ".join(sorted(PICTURES + MODELS + PAGES))
         raise InputError(f"the file name ends in {shown(suffix)}; known are {known}")
-    function = view_function(view, PICTURE_VIEWS)
     if suffix in MODELS:
-        from arrangement.dual import dual_polyhedron
+        _refuse_other("view", view, suffix, PICTURES)
+        name = model or "dual"
+        build = view_function(name, MODEL_VIEWS, "model")
+        check_options(name, build, options)
+        write_bytes_atomically(path, build(arrangement, suffix, **options))
+        return {"model": name}
+    _refuse_other("model", model, suffix, MODELS)
+    if suffix in PAGES:
+        from .page import arrangement_page
 
-        dual_polyhedron(arrangement).export(path)
-        return
-    check_options(view, function, options)
-    save_figure(path, lambda: function(arrangement, **options))
+        _refuse_other("view", view, suffix, PICTURES)
+        check_options("the page", arrangement_page, options)
+        write_text_atomically(path, arrangement_page(arrangement, **options))
+        return {"page": "arrangement"}
+    name = view or "sphere"
+    draw = view_function(name, PICTURE_VIEWS)
+    check_options(name, draw, options)
+    save_figure(path, lambda: draw(arrangement, **options))
+    return {"view": name}
+
+
+def _refuse_other(kind: str, value: str | None, suffix: str, known: tuple[str, ...]) -> None:
+    if value is not None:
+        raise InputError(
+            f"a {kind} was named and the file name ends in {suffix}; a {kind} needs one of "
+            f"{', '.join(known)}"
+        )
+
+
+def millimetres(value: object, name: str) -> float:
+    """Return a length for paper or print as a float, or refuse what is not positive and finite."""
+    length = float(value) if isinstance(value, (int, float, Fraction)) else math.nan
+    if not 0 < length < 10_000:
+        raise InputError(f"{name} is {shown(value)}; give millimetres, more than 0, below 10000")
+    return length
 
 
 def save_figure(path: str | os.PathLike[str], make: Callable[[], Figure]) -> None:

@@ -3,39 +3,26 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from arrangement.errors import InputError
-from arrangement.exact import shown
 from arrangement.planes import Arrangement
 
+from .colours import DrawnRegion, Painter, painter, side_keys
 from .globe import Floats, Globe
 from .output import require_matplotlib
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-#: Light to dark, so that the order stays in grey: numbers of sides 2, 3, 4, 5, 6, and more.
-PALETTE = ("#ffffff", "#fdf0c0", "#b9dfd3", "#7fb9d8", "#6a96c8", "#8a7fb5")
-
-
-@dataclass(frozen=True)
-class DrawnRegion:
-    """What a colouring may look at: the sign vector of a region and its number of sides."""
-
-    signs: tuple[int, ...]
-    sides: int
-
 
 def draw_sphere(
     arrangement: Arrangement,
     *,
-    view: Sequence[object] | None = None,
-    colour: str | Callable[[DrawnRegion], str] = "sides",
+    direction: Sequence[object] | None = None,
+    colour: str | Painter = "sides",
     width: float = 88.0,
 ) -> Figure:
     """Draw the great circles of central planes in R^3 as seen from a direction.
@@ -46,7 +33,7 @@ def draw_sphere(
 
     Args:
         arrangement: central, in R^3, any rank.
-        view: the exact direction towards the viewer; left out, one in which no circle is edge-on.
+        direction: exact, towards the viewer; left out, one in which no circle is edge-on.
         colour: "sides" (by number of sides), "signs" (by number of minus signs), "none", or a
             function from a `DrawnRegion` to a colour.
         width: of the figure, in millimetres.
@@ -56,8 +43,8 @@ def draw_sphere(
         MissingExtraError: matplotlib is absent.
     """
     require_matplotlib()
-    paint = _painter(colour)
-    globe = Globe(arrangement, view)
+    paint = painter(colour)
+    globe = Globe(arrangement, direction)
     from matplotlib.figure import Figure
 
     height = width * (1.1 if colour == "sides" else 1.0)
@@ -73,21 +60,6 @@ def draw_sphere(
     return figure
 
 
-def _painter(colour: str | Callable[[DrawnRegion], str]) -> Callable[[DrawnRegion], str]:
-    if callable(colour):
-        return colour
-    painters: dict[str, Callable[[DrawnRegion], str]] = {
-        "sides": lambda region: PALETTE[min(max(region.sides - 2, 0), 5)],
-        "signs": lambda region: PALETTE[
-            round(5 * region.signs.count(-1) / max(1, len(region.signs)))
-        ],
-        "none": lambda region: "#ffffff",
-    }
-    if colour not in painters:
-        raise InputError(f"the colouring is {shown(colour)}; known are {', '.join(painters)}")
-    return painters[colour]
-
-
 def _curve(points: Floats, **style: Any) -> Any:
     from matplotlib.patches import PathPatch
     from matplotlib.path import Path
@@ -96,9 +68,7 @@ def _curve(points: Floats, **style: Any) -> Any:
     return PathPatch(Path(points, codes), **style)
 
 
-def _regions(
-    axes: Any, globe: Globe, paint: Callable[[DrawnRegion], str], scale: float
-) -> list[DrawnRegion]:
+def _regions(axes: Any, globe: Globe, paint: Painter, scale: float) -> list[DrawnRegion]:
     """Fill the visible regions and write their sign vectors; `scale` is points per unit."""
     whole, drawn = globe.whole, []
     degrees = whole.incidence.region_degree.tolist()
@@ -195,14 +165,7 @@ def _apart(angles: list[float], least: float = 0.11) -> list[float]:
 
 
 def _legend(figure: Any, drawn: list[DrawnRegion]) -> None:
-    from matplotlib.patches import Patch
-
-    sides = sorted({region.sides for region in drawn})
-    keys = [
-        Patch(fc=PALETTE[min(max(k - 2, 0), 5)], ec="black", lw=0.5, label=f"{k} sides")
-        for k in sides
-        if k
-    ]
+    keys = side_keys(drawn)
     if keys:
         figure.legend(handles=keys, loc="lower center", ncols=min(4, len(keys)), frameon=False,
                       fontsize=7, handlelength=1.2, handleheight=1.0)  # fmt: skip

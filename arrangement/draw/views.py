@@ -12,18 +12,33 @@ from arrangement.exact import shown
 
 #: Views as pictures: name -> module of this package and function, ``f(arrangement, **options)``.
 PICTURE_VIEWS = {
+    "planes": ("planes", "draw_planes"),
     "sphere": ("sphere", "draw_sphere"),
+    "stereographic": ("stereographic", "draw_stereographic"),
+    "gnomonic": ("gnomonic", "draw_gnomonic"),
+    "dual": ("dual", "draw_dual"),
+    "graph": ("graph", "draw_graph"),
+    "lattice": ("lattice", "draw_lattice"),
 }
 
 
-def view_function(view: str, known: Mapping[str, tuple[str, str]]) -> Callable[..., Any]:
-    """Return the function of a view.
+#: Models as files: name -> module and function, ``f(arrangement, suffix, **options) -> bytes``.
+MODEL_VIEWS = {
+    "dual": ("models", "dual_model"),
+    "cells": ("models", "cells_model"),
+}
+
+
+def view_function(
+    view: str, known: Mapping[str, tuple[str, str]], kind: str = "view"
+) -> Callable[..., Any]:
+    """Return the function of a view or model.
 
     Raises:
         InputError: no such view.
     """
     if view not in known:
-        raise InputError(f"the view is {shown(view)}; known are {', '.join(known)}")
+        raise InputError(f"the {kind} is {shown(view)}; known are {', '.join(known)}")
     module, name = known[view]
     function: Callable[..., Any] = getattr(
         importlib.import_module(f"arrangement.draw.{module}"), name
@@ -38,4 +53,4 @@ def check_options(view: str, function: Callable[..., Any], options: Mapping[str,
     unknown = sorted(set(options) - set(names))
     if unknown:
         has = ", ".join(names) or "none"
-        raise InputError(f"the view {view} has no option {shown(unknown[0])}; it has {has}")
+        raise InputError(f"{view} has no option {shown(unknown[0])}; it has {has}")

@@ -12,6 +12,7 @@ import numpy.typing as npt
 
 from arrangement.errors import ArrangementError, InputError
 from arrangement.exact import shown
+from arrangement.meshfiles import KINDS, Part, model_bytes, triangles
 from arrangement.writing import write_bytes_atomically
 
 if TYPE_CHECKING:
@@ -47,57 +48,34 @@ def as_trimesh(dual: DualPolyhedron, size: float | None, single: bool = False) -
         raise ArrangementError(
             "two vertices become one when rounded; give `lengths` that make the edges more equal"
         )
-    mesh = trimesh.Trimesh(points, _triangles(dual), process=False)
+    mesh = trimesh.Trimesh(points, triangles(dual.faces), process=False)
     if size is not None:
         mesh.units = "millimeters"
     return mesh
 
 
-def _triangles(dual: DualPolyhedron) -> npt.NDArray[np.int64]:
-    """Cut every face into a fan; the orientation is kept."""
-    return np.array(
-        [
-            (cycle[0], cycle[k], cycle[k + 1])
-            for cycle in dual.faces
-            for k in range(1, len(cycle) - 1)
-        ],
-        dtype=np.int64,
-    )
-
-
 def export(dual: DualPolyhedron, path: str | os.PathLike[str], size: float) -> None:
     """Write a model file; see `DualPolyhedron.export`."""
-    target = Path(path)
-    kind = target.suffix.lower()
-    if kind not in _WRITERS:
-        raise InputError(
-            f"the file name ends in {shown(kind)}; known are {', '.join(sorted(_WRITERS))}"
-        )
-    write_bytes_atomically(path, _WRITERS[kind](dual, size))
+    write_bytes_atomically(path, content(dual, Path(path).suffix.lower(), size))
 
 
-def _stl(dual: DualPolyhedron, size: float) -> bytes:
-    content: bytes = as_trimesh(dual, size, single=True).export(file_type="stl")
-    return content
+def content(
+    dual: DualPolyhedron, kind: str, size: float, colours: tuple[str, ...] | None = None
+) -> bytes:
+    """Return the bytes of a model file of the kind ``.stl``, ``.glb`` or ``.obj``.
 
-
-def _glb(dual: DualPolyhedron, size: float) -> bytes:
-    """GLB: glTF counts in metres."""
-    mesh = as_trimesh(dual, size, single=True)
-    mesh.apply_scale(0.001)
-    mesh.units = "meters"
-    content: bytes = mesh.export(file_type="glb")
-    return content
-
-
-def _obj(dual: DualPolyhedron, size: float) -> bytes:
-    """OBJ with the true polygons as faces; vertex numbers start at 1."""
-    points = as_trimesh(dual, size).vertices
+    Args:
+        dual: the polyhedron.
+        kind: the suffix.
+        size: the largest side of the bounding box, in millimetres.
+        colours: one for each face, as ``#rrggbb``; only GLB keeps them.
+    """
+    if kind not in KINDS:
+        raise InputError(f"the file name ends in {shown(kind)}; known are {', '.join(KINDS)}")
     v, e, f = dual.f_vector
-    lines = [f"# dual polyhedron: {v} vertices, {e} edges, {f} faces; unit: millimetre"]
-    lines += ["v " + " ".join(repr(float(x)) for x in point) for point in points]
-    lines += ["f " + " ".join(str(corner + 1) for corner in cycle) for cycle in dual.faces]
-    return ("\n".join(lines) + "\n").encode("ascii")
+    points = np.array(as_trimesh(dual, size, single=True).vertices)
+    part = Part("dual", points, dual.faces, colours or (_GREY,) * f)
+    return model_bytes([part], kind, f"dual polyhedron: {v} vertices, {e} edges, {f} faces")
 
 
-_WRITERS = {".stl": _stl, ".glb": _glb, ".obj": _obj}
+_GREY = "#c8c8c8"

@@ -29,7 +29,7 @@ class SpaceFaces:
     Made by `space_faces`. A sign vector here has one entry for each class of coincident planes, in
     the order of `Arrangement.distinct`: the sign of ``n . x - b`` for the first plane of the class.
     `plane_signs` translates to the input planes. The order of the faces is the same for the same
-    input, and means nothing. Arrays are read-only.
+    input, and means nothing. Arrays are computed when first used, and read-only.
 
     Attributes:
         arrangement: the input.
@@ -97,7 +97,8 @@ class SpaceFaces:
         """Return (count, 4) integers (X, Y, Z, W), W > 0: a point (X, Y, Z) / W of each region.
 
         int64 where all fit, else Python integers. Every point is proven to lie inside its region
-        (see `arrangement.space.witnesses`). The rows are in the order of `regions`.
+        (see `arrangement.space.witnesses`). The rows are in the order of `regions`. The points are
+        short binary fractions where floats find them; another machine may find other ones.
         """
         points = self._witnesses.view()
         points.flags.writeable = False

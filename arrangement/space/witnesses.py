@@ -4,25 +4,19 @@ A region lies between two half planes at one of its edges. From a point inside t
 between the two enters the region and leaves it at the first plane ahead; the point half way is
 inside. Done in floats, that is a proposal. It is rounded to binary fractions with ever more bits,
 until all signs are certain: ``n . x - b`` is a sum of four products with less than 8 roundings for
-each, so the error is below the bound of `predicates`. What is still open gets the point half way in
-rational numbers, checked with integers.
+each, so the error is below the bound of `predicates`. What is still open goes to `exactpoints`.
 """
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from fractions import Fraction
-
 import numpy as np
 from numpy.typing import NDArray
 
-from arrangement.errors import ArrangementError
-from arrangement.exact import IntegerVector, RationalVector, dot, primitive, sign
-
 from .around import Faces, Wedges
+from .exactpoints import exact_point
 from .lines import Lines, points_on_lines
 from .packing import Bits, unpack
-from .predicates import ERROR, Floats, Indices, Numbers, PlaneTable
+from .predicates import ERROR, Floats, Numbers, PlaneTable
 
 #: Significant bits of the largest coordinate, in the order they are tried.
 PRECISIONS = (6, 10, 16, 26, 50)
@@ -136,71 +130,3 @@ def _certified(table: PlaneTable, points: NDArray[np.int64], signs: Floats) -> B
     error = max(table.error, ERROR)
     certain: Bits = ((x @ rows) * signs > error * (np.abs(x) @ np.abs(rows))).all(axis=1)
     return certain
-
-
-def exact_point(table: PlaneTable, lines: Lines, faces: Faces, region: int) -> IntegerVector:
-    """Return (X, Y, Z, W): a point inside a region, found and checked in rational numbers."""
-    edge = int(faces.edge[region])
-    line = lines.line[edge]
-    *direction, _, _, _ = _line_minors(table, lines, edge)
-    bits = unpack(faces.regions[[region]], len(table))[0].tolist()
-    into = [0, 0, 0]
-    for half in faces.wedge[region].tolist():
-        ray = _cross(table.exact[abs(half) - 1].tolist(), direction)
-        into = [a + (b if half > 0 else -b) for a, b in zip(into, ray, strict=True)]
-    start = _inside(table, lines, edge)
-    ahead = []
-    for bit, row, on in zip(bits, table.exact.tolist(), lines.through[line].tolist(), strict=True):
-        *normal, offset = row
-        slope = dot(normal, into) * (1 if bit else -1)
-        if slope < 0 and not on:
-            ahead.append(abs(dot(normal, start) - offset) / -slope)
-    move = min(ahead, default=Fraction(1)) / 2
-    end = [a + move * b for a, b in zip(start, into, strict=True)]
-    point = primitive([*end, Fraction(1)])
-    if not _is_inside(table, point, bits):  # pragma: no cover - the argument above would be wrong
-        raise ArrangementError(f"no interior point of region {region}; report this input")
-    return point
-
-
-def _is_inside(table: PlaneTable, point: IntegerVector, bits: Sequence[int]) -> bool:
-    x, y, z, w = point
-    signs = [sign(dot(row, (x, y, z, -w))) for row in table.exact.tolist()]
-    return signs == [1 if bit else -1 for bit in bits]
-
-
-def _inside(table: PlaneTable, lines: Lines, edge: int) -> RationalVector:
-    """Return a point inside an edge: its midpoint, or a step away from its only vertex."""
-    below = [edge - 1] if edge and lines.upper[edge - 1] >= 0 else []
-    above = [edge] if lines.upper[edge] >= 0 else []
-    ends = [_vertex(table, lines, e) for e in below + above]
-    if len(ends) == 2:
-        return tuple((a + b) / 2 for a, b in zip(*ends, strict=True))
-    direction = _line_minors(table, lines, edge)[:3]
-    step = 1 if below else -1
-    return tuple(a + step * b for a, b in zip(ends[0], direction, strict=True))
-
-
-def _line_minors(table: PlaneTable, lines: Lines, edge: int) -> list[int]:
-    line: Indices = lines.line[[edge]]
-    minors: list[int] = table.exact_minors(lines.first[line], lines.second[line])[0].tolist()
-    return minors
-
-
-def _vertex(table: PlaneTable, lines: Lines, edge: int) -> RationalVector:
-    """Return the upper vertex P, where row k meets the line: ``(b_k D + n_k x M) / (n_k . D)``.
-
-    On the line, ``M = n_i (n_j . P) - n_j (n_i . P) = P x D``; at the vertex
-    ``n_k x (P x D) = P (n_k . D) - D b_k``.
-    """
-    *direction, m0, m1, m2 = _line_minors(table, lines, edge)
-    *normal, offset = table.exact[lines.upper[edge]].tolist()
-    turned = _cross(normal, (m0, m1, m2))
-    below = dot(normal, direction)
-    return tuple(Fraction(offset * d + t, below) for d, t in zip(direction, turned, strict=True))
-
-
-def _cross(left: Sequence[int], right: Sequence[int]) -> IntegerVector:
-    a, b, c = left[:3]
-    u, v, w = right
-    return b * w - c * v, c * u - a * w, a * v - b * u

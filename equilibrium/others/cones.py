@@ -52,7 +52,7 @@ def cones(grasp: Grasp, wrench: Iterable[Any], *, printed: bool = False) -> Cone
     """
     applied = read_wrench(wrench)
     tried = 0
-    for attached in [(True,) * len(grasp)] if printed else _attached(grasp):
+    for attached in [(True,) * len(grasp)] if printed else attached_choices(grasp):
         tried += 1
         point = feasible_point(3 + len(grasp), *_program(grasp, applied, attached))
         if not isinstance(point, Infeasible):
@@ -65,7 +65,7 @@ def cones(grasp: Grasp, wrench: Iterable[Any], *, printed: bool = False) -> Cone
     return ConesVerdict(False, None, None, tried)
 
 
-def _attached(grasp: Grasp) -> Iterator[tuple[bool, ...]]:
+def attached_choices(grasp: Grasp) -> Iterator[tuple[bool, ...]]:
     """Yield which contacts are attached, for every region of the normal planes."""
     planes = Arrangement(
         [[contact.stiffness * x for x in contact.normal_wrench] for contact in grasp],

@@ -88,8 +88,8 @@ def frictionless_slip(
     tried = 0
     for states in product(STATES, repeat=len(grasp)):
         tried += 1
-        forms = [_forms(state, pair) for state, pair in zip(states, springs, strict=True)]
-        rows = list(_legal(grasp, states, springs, gap))
+        forms = [forms_of(state, pair) for state, pair in zip(states, springs, strict=True)]
+        rows = list(legal_rows(grasp, states, springs, gap))
         motion = feasible_point(3, rows, balance_rows(grasp, forms, applied))
         if not isinstance(motion, Infeasible):
             forces = tuple((value(n, motion), value(t, motion)) for n, t in forms)
@@ -97,14 +97,14 @@ def frictionless_slip(
     return FrictionlessSlipVerdict(False, None, None, None, tried)
 
 
-def _forms(state: State, springs: tuple[Form, Form]) -> tuple[Form, Form]:
+def forms_of(state: State, springs: tuple[Form, Form]) -> tuple[Form, Form]:
     """Return the two forces of a contact in a state."""
     if state == "stick":
         return springs
     return (springs[0], ZERO) if state == "slip" else (ZERO, ZERO)
 
 
-def _legal(
+def legal_rows(
     grasp: Grasp, states: tuple[State, ...], springs: list[tuple[Form, Form]], gap: bool
 ) -> Iterator[Row]:
     """Yield the conditions that make the forces of the states legal."""

@@ -21,7 +21,7 @@ VIEW = (5, 3, 4)
 def test_elements_drawn_are_those_counted_with_the_limb(name: str) -> None:
     """The limb is one more plane; half of all regions face the viewer (Zaslavsky counts them)."""
     planes = read_arrangement(name)
-    figure = draw_sphere(planes, view=VIEW)
+    figure = draw_sphere(planes, direction=VIEW)
     names = [patch.get_gid() or "" for patch in figure.axes[0].patches]
     kinds = {kind: sum(x.startswith(kind) for x in names) for kind in ("region", "front", "back")}
     _, _, arcs, regions = f_vector(Arrangement([*planes.normals, VIEW]))
@@ -41,7 +41,7 @@ def test_pictures_repeat_byte_for_byte(suffix: str, tmp_path: Path) -> None:
 
 
 def test_sign_vectors_that_fit_are_written_once() -> None:
-    axes = draw_sphere(read_arrangement("coordinate-planes"), view=(4, 5, 3)).axes[0]
+    axes = draw_sphere(read_arrangement("coordinate-planes"), direction=(4, 5, 3)).axes[0]
     written = [text.get_text().replace("\u200a", "") for text in axes.texts]
     texts = [text for text in written if set(text) <= set("+−\n")]
     assert "+++" in texts
@@ -51,7 +51,7 @@ def test_sign_vectors_that_fit_are_written_once() -> None:
 def test_bad_requests_write_nothing(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     target = str(tmp_path / "a.svg")
     assert main(["draw", "pencil", "-o", target, "--view", "lattice"]) == 2
-    assert "known are sphere" in capsys.readouterr().err
+    assert "known are planes, sphere" in capsys.readouterr().err
     assert main(["draw", "pencil", "-o", target, "--colour", "mood"]) == 2
     assert main(["draw", "parallel-planes-affine", "-o", target]) == 2
     assert main(["draw", "pencil", "-o", str(tmp_path / "a.gif")]) == 2
@@ -76,6 +76,6 @@ def test_missing_library_names_the_extra(monkeypatch: pytest.MonkeyPatch, tmp_pa
         write_drawing(read_arrangement("pencil"), tmp_path / "a.svg")
 
 
-def test_a_view_without_direction_is_refused() -> None:
+def test_a_zero_direction_is_refused() -> None:
     with pytest.raises(InputError, match="not all 0"):
-        draw_sphere(read_arrangement("pencil"), view=(0, 0, 0))
+        draw_sphere(read_arrangement("pencil"), direction=(0, 0, 0))

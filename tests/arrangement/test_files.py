@@ -260,6 +260,7 @@ BUILT_IN = {
     "braid-a3-in-r4": (0, 1, 14, 36, 24),
     "coincident-planes": (0, 1, 4, 4),
     "coordinate-planes": (1, 6, 12, 8),
+    "cube-diagonals": (1, 12, 24, 14),
     "five-generic-planes": (1, 20, 40, 22),
     "four-generic-planes": (1, 12, 24, 14),
     "generic-lines-affine": (6, 16, 11),

@@ -12,7 +12,7 @@ from hypothesis import given, settings, strategies as st
 
 from arrangement.errors import InputError
 from equilibrium import Contact, Grasp, check, read_grasp, solve
-from equilibrium.certificate import digest
+from equilibrium.checker import digest
 
 from .strategies import grasps, wrenches
 

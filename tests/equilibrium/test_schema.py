@@ -6,7 +6,7 @@ import jsonschema
 import pytest
 
 from arrangement.errors import InputError
-from equilibrium.certificate import check
+from equilibrium.checker import check
 from equilibrium.cli import main
 from equilibrium.errors import GraspError
 from equilibrium.files import read_grasp

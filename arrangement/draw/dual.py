@@ -1,0 +1,234 @@
+"""The dual polyhedron beside the great circles, in corresponding colours."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from itertools import product
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from arrangement.dual import dual_polyhedron
+from arrangement.exact import IntegerVector, primitive
+from arrangement.inscribed import representative_hull
+from arrangement.planes import Arrangement
+
+from .colours import DrawnRegion, Painter, painter, plane_colour
+from .disc import Disc, front, plane_names, region_sides, rim_width, side_entries
+from .globe import Globe, unit_vectors
+from .labels import SIZES, crosses, sign_forms, write_beside
+from .projections import orthographic
+from .sheet import Box, Floats, Sheet, checked_width
+from .solids import Solid, dual_solid, hull_solid
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+#: Below this width the two panels stand one above the other; in millimetres.
+SIDE_BY_SIDE = 120.0
+_HULL_ONLY, _MISSING = "#d55e00", "#0072b2"
+
+
+def draw_dual(
+    arrangement: Arrangement,
+    *,
+    direction: Sequence[object] | None = None,
+    colour: str | Painter = "sides",
+    width: float = 180.0,
+    hull: bool = False,
+) -> Figure:
+    """Draw the great circles of central planes in R^3, and beside them the dual polyhedron.
+
+    Both are seen from the same direction. A region of the sphere and its vertex of the dual have
+    the same colour and sign vector; a circle and its zone of parallel edges have the same colour
+    and number. Hidden edges are dashed; which are hidden is decided exactly. The generators of
+    the dual have length 1. In rank 2 the dual is a polygon, in rank 1 a segment.
+
+    With `hull` the second panel has instead the convex hull of one point of the unit sphere for
+    each region (see `arrangement.inscribed.representative_hull`). Edges of the hull between
+    regions that are not adjacent stand out, and so do adjacencies that are no edges of the hull;
+    the legend counts them.
+
+    Elements: in the first panel as for the sphere; in the second ``vertex-3``, ``edge-7``, and
+    ``face-2`` for the visible faces.
+
+    Args:
+        arrangement: central, in R^3, of rank 1 to 3; rank 3 for the hull.
+        direction: the exact direction towards the viewer; left out, one from above in which no
+            circle is edge-on and no vertex hides its opposite.
+        colour: as for `draw_sphere`.
+        width: of the figure, in millimetres; below 120 the panels stand one above the other.
+        hull: draw the hull of representatives.
+
+    Raises:
+        InputError: another space or rank, planes off the origin, too many circles, unknown
+            colouring.
+        MissingExtraError: matplotlib is absent.
+    """
+    paint, width = painter(colour), checked_width(width)
+    globe = Globe(arrangement, direction)
+    if direction is None and not hull:
+        globe = Globe(arrangement, _oblique_direction(globe))
+    if hull:
+        found = representative_hull(dual_polyhedron(arrangement))
+        solid = hull_solid(found, globe.direction, globe.axes)
+        points = np.array([[float(x) for x in p] for p in found.hull.points]) @ globe.axes.T
+    else:
+        solid, points = dual_solid(arrangement, globe.direction, globe.axes), None
+    beside = width >= SIDE_BY_SIDE
+    panel = width / 2 if beside else width
+    legend = 6.0 * (colour == "sides") + (6.0 if hull else 5.0) + 2.0
+    sheet = Sheet(width, panel * (1 if beside else 2) + legend)
+    size = sheet.width / 2 if beside else sheet.width
+    first = (size / 2, sheet.height - size / 2)
+    second = (size * 1.5, first[1]) if beside else (size / 2, first[1] - size)
+    radius = size / 2 - rim_width(sheet, globe)
+    drawn = _sphere(Disc(sheet, first, radius, globe, front(globe, orthographic), _ink(hull)),
+                    paint, points)  # fmt: skip
+    picture = _Picture(sheet, globe, solid, paint, hull)
+    picture.draw(second, radius if hull else size / 2 - 19.0, size / 2)
+    y = legend * 72 / 25.4 - 2
+    if colour == "sides":
+        y -= sheet.keys(y, side_entries(drawn)) + 3
+    if hull:
+        sheet.keys(y, picture.hull_entries())
+    else:
+        note = "vertex = region, zone of parallel edges = circle; hidden edges dashed"
+        sheet.write((sheet.width / 2, y - 7), note, 6.0)
+    return sheet.figure
+
+
+def _oblique_direction(globe: Globe) -> IntegerVector:
+    """Return a direction clear of the limb as usual, and of the vertices of the dual."""
+    whole = globe.whole
+    lines = [*whole.circle_normals, *(whole.ray(v) for v in range(whole.vertex_count)), (0, 0, 1)]
+    views = [v for v in product(range(1, 8), range(-7, 8), range(1, 7)) if primitive(v) == v]
+    units = unit_vectors(views)
+    score = np.abs(units @ unit_vectors(lines).T).min(axis=1)
+    if whole.circle_count:
+        corners = dual_solid(whole.arrangement, (0, 0, 1), np.eye(3)).corners
+        norms = np.linalg.norm(corners, axis=1)
+        near = np.abs(units @ corners.T / norms).max(axis=1)
+        score = np.minimum(score, np.sqrt(np.maximum(0, 1 - near**2)))
+    high = (units[:, 2] > 0.25) & (units[:, 2] < 0.75)
+    return views[int(np.argmax(np.round(np.where(high, score, -1.0), 9)))]
+
+
+def _ink(hull: bool) -> Any:
+    return None if hull else plane_colour
+
+
+def _sphere(disc: Disc, paint: Painter, points: Floats | None) -> list[DrawnRegion]:
+    """Draw the first panel, with the representatives in front as dots."""
+    places = None
+    if points is not None:
+        places = disc.on_paper(points[points[:, 2] > 0][:, :2])
+        for place in places:
+            disc.sheet.circle(place, 1.1, fc="black", ec="none", zorder=4)
+    return disc.draw(paint, avoid=places)
+
+
+class _Picture:
+    """The second panel."""
+
+    def __init__(
+        self, sheet: Sheet, globe: Globe, solid: Solid, paint: Painter, hull: bool
+    ) -> None:
+        self.sheet, self.globe, self.solid, self.hull = sheet, globe, solid, hull
+        sides = region_sides(globe)
+        self.fills = [paint(DrawnRegion(signs, sides[signs])) for signs in solid.signs]
+
+    def draw(self, centre: tuple[float, float], radius: float, half: float) -> None:
+        """Draw into the square around `centre` with sides of twice `half`."""
+        solid, sheet = self.solid, self.sheet
+        largest = 1.0 if self.hull else float(np.linalg.norm(solid.places, axis=1).max())
+        self.places = np.array(centre) + solid.places * (radius / max(largest, 1e-9))
+        if self.hull:
+            sheet.circle(centre, radius, fill=False, ec="black", lw=0.4, zorder=1, gid="limb")
+        for k, (cycle, tilt) in enumerate(solid.faces):
+            grey = str(round(0.9 + 0.09 * tilt, 3))
+            sheet.polygon(self.places[list(cycle)], fc=grey, ec="none", zorder=1, gid=f"face-{k}")
+        for e, (u, v, c) in enumerate(solid.edges):
+            sheet.line(self.places[[u, v]], gid=f"edge-{e}", **self._style(c, solid.edge_hidden[e]))
+        small = min(2.6, radius / 14)
+        for v, place in enumerate(self.places):
+            hidden = solid.vertex_hidden[v]
+            style = {"lw": 0.35, "zorder": 2.5} if hidden else {"lw": 0.7, "zorder": 5}
+            r = small * (0.7 if hidden else 1.0)
+            sheet.circle(place, r, fc=self.fills[v], ec="black", gid=f"vertex-{v}", **style)
+        if not self.hull:
+            self._zones()
+        self._labels(
+            np.array(centre),
+            small,
+            (centre[0] - half, centre[1] - half, centre[0] + half, centre[1] + half),
+        )
+
+    def _style(self, label: int, hidden: bool) -> dict[str, Any]:
+        style: dict[str, Any] = {"capstyle": "round"}
+        if self.hull:
+            style |= _HULL_STYLES[min(label, 0)]
+            if hidden:
+                style |= {"alpha": 0.45, "lw": style["lw"] * 0.6, "zorder": 2}
+                style |= {} if label < 0 else {"ls": (0, (3, 3))}
+            return style
+        style["ec"] = plane_colour(label)
+        if hidden:
+            return style | {"lw": 0.6, "ls": (0, (3, 3)), "zorder": 2, "alpha": 0.7}
+        return style | {"lw": 1.5, "zorder": 4}
+
+    def _zones(self) -> None:
+        """Write the number of each circle on an edge of its zone, the longest that is free."""
+        solid, classes = self.solid, self.globe.whole.arrangement.distinct
+        by_class: dict[int, list[tuple[float, int]]] = {}
+        for e, (u, v, c) in enumerate(solid.edges):
+            if not solid.edge_hidden[e]:
+                length = float(np.linalg.norm(self.places[u] - self.places[v]))
+                by_class.setdefault(c, []).append((-round(length, 3), e))
+        style: dict[str, Any] = {"bbox": {"fc": "white", "ec": "none", "pad": 0.5}}
+        for c, edges in sorted(by_class.items()):
+            text = plane_names(classes[c])
+            for _, e in sorted(edges):
+                u, v, _ = solid.edges[e]
+                middle = (self.places[u] + self.places[v]) / 2
+                gaps = np.linalg.norm(self.places - middle, axis=1)
+                if gaps.min() > 5.5 and self.sheet.write(
+                    middle, text, 6.0, color=plane_colour(c), **style
+                ):
+                    break
+
+    def _labels(self, centre: Floats, small: float, within: Box) -> None:
+        """Write the sign vectors of the vertices, outer ones first, where they fit."""
+        solid = self.solid
+        few = len(solid.edges) <= 12
+        shown = [
+            self.places[[u, v]]
+            for (u, v, _), hidden in zip(solid.edges, solid.edge_hidden, strict=True)
+            if few or not hidden
+        ]
+        segments = np.concatenate([shown, crosses(self.places, small)])
+        far = np.round(np.linalg.norm(self.places - centre, axis=1), 4)
+        for v in sorted(range(len(far)), key=lambda v: (solid.vertex_hidden[v], -far[v])):
+            if few or not solid.vertex_hidden[v]:
+                away = self.places[v] - centre if far[v] else (0.0, 1.0)
+                ink = {"color": "0.35"} if solid.vertex_hidden[v] else {}
+                write_beside(
+                    self.sheet, self.places[v], sign_forms(solid.signs[v]), SIZES,
+                    segments=segments, away=away, distance=small + 1.0, within=within, **ink,
+                )  # fmt: skip
+
+    def hull_entries(self) -> list[tuple[str, dict[str, Any]]]:
+        """Return the legend of the kinds of edges, with their numbers."""
+        labels = [min(c, 0) for _, _, c in self.solid.edges]
+        names = {0: "hull and adjacency", -1: "hull only", -2: "adjacency only"}
+        return [
+            (f"{text}: {labels.count(kind)}", {"line": _HULL_STYLES[kind]})
+            for kind, text in names.items()
+        ]
+
+
+_HULL_STYLES: dict[int, dict[str, Any]] = {
+    0: {"ec": "black", "lw": 0.9, "zorder": 3},
+    -1: {"ec": _HULL_ONLY, "lw": 1.7, "zorder": 4},
+    -2: {"ec": _MISSING, "lw": 1.4, "ls": (0, (1.2, 1.2)), "zorder": 4.5},
+}

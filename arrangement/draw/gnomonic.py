@@ -1,0 +1,134 @@
+"""Planes as lines of the projective plane: a chart with its line at infinity as the rim."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from itertools import product
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from arrangement.exact import IntegerVector, primitive
+from arrangement.planes import Arrangement
+
+from .colours import Painter, painter
+from .disc import Disc, front, plane_names, rim_width, side_entries
+from .globe import Globe, unit_vectors
+from .projections import Chart, Drawn, StraightChart, orthographic
+from .sheet import Floats, Sheet, checked_width
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+_BOTH_ENDS = 16
+
+
+def draw_gnomonic(
+    arrangement: Arrangement,
+    *,
+    direction: Sequence[object] | None = None,
+    colour: str | Painter = "sides",
+    width: float = 88.0,
+) -> Figure:
+    """Draw central planes in R^3 as lines of the projective plane.
+
+    The sphere is projected from its centre to the plane that touches it at the given direction,
+    so that great circles become lines of this chart. The rim is the line at infinity; the two
+    ends of a line are one point, and a region that reaches the rim goes on at the opposite part
+    of it, with all signs changed.
+
+    Lines are straight up to the rim when no two of them are parallel and no crossing is far away.
+    Otherwise the chart is to scale inside a thin dotted circle only. Outside it distances are
+    compressed: each line bends to the point of the rim in its own direction, and parallel lines
+    meet there.
+
+    Every region of the chart and every arc is an element of its own (``region-3``, ``front-7``,
+    ``limb-2``). A number names a line, at both of its ends where there are few: k for the k-th
+    plane, counted from 1. If a plane is itself at infinity, the rim is drawn thick, and the note
+    says so.
+
+    Args:
+        arrangement: central, in R^3, any rank.
+        direction: the exact direction of the middle; left out, one in which all rays stay far
+            from infinity.
+        colour: as for `draw_sphere`.
+        width: of the figure, in millimetres.
+
+    Raises:
+        InputError: another space, planes off the origin, too many circles, unknown colouring.
+        MissingExtraError: matplotlib is absent.
+    """
+    paint = painter(colour)
+    globe = Globe(arrangement, direction)
+    if direction is None:
+        globe = Globe(arrangement, _central_direction(globe))
+    legend = colour == "sides"
+    sheet = Sheet(checked_width(width), width + (12.0 if legend else 7.0))
+    radius = sheet.width / 2 - rim_width(sheet, globe)
+    centre = (sheet.width / 2, sheet.height - sheet.width / 2)
+    drawn = _chart(globe)
+    disc = Disc(sheet, centre, radius, globe, drawn)
+    dots = None
+    if isinstance(drawn.projection, Chart):
+        inner = radius * drawn.projection.inner
+        dotted = {"lw": 0.5, "ls": (0, (1, 2)), "zorder": 2, "gid": "to-scale"}
+        sheet.circle(centre, inner, fill=False, ec="black", **dotted)
+        at = np.linspace(0, 2 * math.pi, 200)
+        dots = np.array(centre) + inner * np.stack([np.cos(at), np.sin(at)], axis=1)
+    few = globe.whole.circle_count <= _BOTH_ENDS
+    regions = disc.draw(paint, both_ends=few, avoid=dots)
+    sheet.write((sheet.width / 2, 3.0), _note(globe), 6.0, anchor=(0.5, 0.0))
+    if legend:
+        sheet.keys(25.0, side_entries(regions))
+    return sheet.figure
+
+
+def _note(globe: Globe) -> str:
+    members = globe.cut.arrangement.distinct[globe.limb]
+    names = plane_names(members, len(globe.whole.arrangement))
+    if not names:
+        return "rim: the line at infinity; signs up to a common change"
+    many = "planes" if len(members) > 2 else "plane"
+    return f"rim: the line at infinity, {many} {names}; signs up to a common change"
+
+
+def _chart(globe: Globe) -> Drawn:
+    """Return straight lines where they show everything, else the compressed chart."""
+    inside = globe.points[globe.points[:, 2] > 1e-9]
+    places = inside[:, :2] / inside[:, 2:]
+    incidence, limb = globe.cut.incidence, globe.limb
+    at_rim = [len(incidence.circles_at(v)) for v in incidence.crossings(limb).tolist()]
+    if not len(places):
+        places = np.zeros((1, 2))
+    middle = (places.min(axis=0) + places.max(axis=0)) / 2
+    distances = np.sort(np.linalg.norm(places - middle, axis=1))
+    typical, farthest = float(distances[(len(distances) - 1) // 2]), float(distances[-1])
+    if max(at_rim, default=2) == 2 and farthest <= 5 * typical + 1e-9:
+        chart = Drawn(globe.cut, globe.points, globe.normals, orthographic)
+        reach = max(1.35 * farthest, *_distances(globe, middle))
+        return StraightChart(**vars(chart), limb=limb, middle=middle, reach=reach)
+    spans = np.linalg.norm(places, axis=1)
+    reach = 1.15 * min(float(spans.max()), 4 * float(np.median(spans)) + 0.2)
+    return front(globe, Chart(max(reach, *_distances(globe, np.zeros(2)))))
+
+
+def _distances(globe: Globe, middle: Floats) -> tuple[float, ...]:
+    """Return reaches that are enough for no line to pass by near the rim or beyond it."""
+    found = [0.5]
+    for circle, (a, b, c) in enumerate(globe.normals.tolist()):
+        if circle != globe.limb:
+            found.append(1.3 * abs(c + a * middle[0] + b * middle[1]) / math.hypot(a, b))
+    return tuple(found)
+
+
+def _central_direction(globe: Globe) -> IntegerVector:
+    """Return the direction from which the farthest ray is nearest, on the fewest planes."""
+    rays = [globe.whole.ray(v) for v in range(globe.whole.vertex_count)]
+    if len(rays) <= 2:
+        return globe.direction
+    views = [v for v in product(range(-7, 8), repeat=3) if primitive(v) == v and any(v)]
+    heights = np.abs(unit_vectors(views) @ unit_vectors(rays).T)
+    score = np.round(heights.min(axis=1), 6)
+    best = [views[k] for k in np.flatnonzero(score == score.max())]
+    return max(best, key=lambda v: sum(globe.whole.arrangement.signs_at(v)))

@@ -1,0 +1,213 @@
+"""The graph of the dual as a planar drawing with straight edges."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from arrangement.dual import dual_polygon, dual_polyhedron, dual_segment
+from arrangement.errors import InputError
+from arrangement.planes import Arrangement
+
+from .colours import DrawnRegion, Painter, painter, plane_colour
+from .disc import plane_names, side_entries
+from .globe import MAX_CIRCLES
+from .labels import SIZES, crosses, segments_meet, sign_forms, write_beside
+from .sheet import POINTS, Floats, Sheet, checked_width
+from .tutte import tutte_places
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+_PAD: dict[str, Any] = {"bbox": {"fc": "white", "ec": "none", "pad": 0.4}}
+
+
+@dataclass(frozen=True)
+class PlanarGraph:
+    """The graph of the dual with places that give a planar drawing.
+
+    Attributes:
+        places: (V, 2); in the unit circle.
+        signs: the sign vector of each vertex's region.
+        edges: vertex, vertex, and the class of planes of the edge.
+        outer: the outer face, in cyclic order.
+    """
+
+    places: Floats
+    signs: tuple[tuple[int, ...], ...]
+    edges: tuple[tuple[int, int, int], ...]
+    outer: tuple[int, ...]
+
+
+def draw_graph(
+    arrangement: Arrangement,
+    *,
+    colour: str | Painter = "sides",
+    width: float = 88.0,
+) -> Figure:
+    """Draw the graph of the dual (regions, and which of them share a facet) without crossings.
+
+    The outer polygon is a largest face; all other vertices are at weighted means of their
+    neighbours (Tutte's theorem), so that edges are straight and never cross. Round vertices have
+    an even number of negative classes of planes, square ones an odd number: every edge joins one
+    of each. A colour and a number on edges name the plane that they cross. In rank 2 the graph
+    is a cycle, in rank 1 one edge.
+
+    Elements: ``vertex-3`` and ``edge-7``, numbered as in the dual.
+
+    Args:
+        arrangement: central; rank 3 in R^3, or rank 1 or 2 in any space.
+        colour: of vertices, as for `draw_sphere`.
+        width: of the figure, in millimetres.
+
+    Raises:
+        InputError: planes off the origin, another rank or space, too many planes, unknown
+            colouring.
+        MissingExtraError: matplotlib is absent.
+    """
+    paint, width = painter(colour), checked_width(width)
+    graph = planar_graph(arrangement)
+    bottom = 12.0 + 5.0 * (colour == "sides")
+    sheet = Sheet(width, width + bottom)
+    picture = _Picture(arrangement, graph, sheet, paint)
+    picture.draw()
+    y = (bottom - 1) * POINTS
+    if colour == "sides":
+        y -= sheet.keys(y, side_entries(picture.regions)) + 2
+    marker = {"fc": "white", "lw": 0.7}
+    even = "even number of minus signs"
+    if len(arrangement.distinct) < len(arrangement):
+        even += ", coincident planes counted once"
+    y -= sheet.keys(
+        y,
+        [
+            (even, {"marker": "round", **marker}),
+            ("odd", {"marker": "square", **marker}),
+        ],
+        6.0,
+    )
+    if arrangement.rank == 3:
+        crossed = sorted({c for u, v, c in graph.edges if u in graph.outer and v in graph.outer})
+        names = plane_names(sorted(k for c in crossed for k in arrangement.distinct[c]))
+        sheet.write((sheet.width / 2, y - 6), f"outer polygon: a ray on the planes {names}", 6.0)
+    return sheet.figure
+
+
+def planar_graph(arrangement: Arrangement) -> PlanarGraph:
+    """Return the graph of the dual with places for a planar drawing.
+
+    Raises:
+        InputError: as for `draw_graph`.
+    """
+    if len(arrangement.distinct) > MAX_CIRCLES:
+        raise InputError(
+            f"{len(arrangement.distinct)} planes; a picture shows at most {MAX_CIRCLES}"
+        )
+    if arrangement.is_central and arrangement.rank in (1, 2):
+        return _cycle(arrangement)
+    dual = dual_polyhedron(arrangement)
+    pairs = [(int(u), int(v)) for u, v in dual.edges.tolist()]
+    degrees = np.bincount(dual.edges.ravel()).tolist()
+    outer = max(dual.faces, key=lambda f: (len(f), -sum(degrees[v] ** 2 for v in f)))[::-1]
+    edges = tuple((u, v, c) for (u, v), c in zip(pairs, dual.edge_classes.tolist(), strict=True))
+    places = tutte_places(len(dual.signs), dual.faces, outer)
+    return PlanarGraph(places, tuple(map(tuple, dual.signs.tolist())), edges, outer)
+
+
+def _cycle(arrangement: Arrangement) -> PlanarGraph:
+    """Return the cycle of a pencil, or the one edge of a single plane."""
+    rank_two = arrangement.rank == 2
+    signs = (dual_polygon if rank_two else dual_segment)(arrangement).signs
+    count = len(signs)
+    pairs = [(k, (k + 1) % count) for k in range(count if rank_two else 1)]
+    edges = tuple(
+        (u, v, arrangement.class_of[next(i for i, s in enumerate(signs[u]) if s != signs[v][i])])
+        for u, v in pairs
+    )
+    at = math.pi * (1 - 1 / count) - 2 * math.pi * np.arange(count) / count
+    at += math.pi / 2 * (not rank_two)
+    places = np.round(np.stack([np.cos(at), np.sin(at)], axis=1), 9) + 0.0
+    return PlanarGraph(places, signs, edges, tuple(range(count)))
+
+
+class _Picture:
+    def __init__(
+        self, arrangement: Arrangement, graph: PlanarGraph, sheet: Sheet, paint: Painter
+    ) -> None:
+        self.arrangement, self.graph, self.sheet = arrangement, graph, sheet
+        half = sheet.width / 2
+        margin = min(max(sheet.measure(sign_forms(graph.signs[0])[-1], 6.0)) + 6, 26.0)
+        self.centre = np.array([half, sheet.height - half])
+        low, high = graph.places.min(axis=0), graph.places.max(axis=0)
+        self.places = self.centre + (graph.places - (low + high) / 2) * (
+            2 * (half - margin) / max(float((high - low).max()), 1e-9)
+        )
+        ends = np.array([edge[:2] for edge in graph.edges])
+        self.segments = self.places[ends]
+        degrees = np.bincount(ends.ravel(), minlength=len(graph.signs)).tolist()
+        self.regions = [DrawnRegion(s, d) for s, d in zip(graph.signs, degrees, strict=True)]
+        self.fills = [paint(region) for region in self.regions]
+        lengths = np.linalg.norm(self.segments[:, 0] - self.segments[:, 1], axis=1)
+        self.lengths = np.round(lengths, 4)
+        self.size = float(min(3.0, max(0.9, 0.28 * np.quantile(lengths, 0.1))))
+
+    def draw(self) -> None:
+        graph, sheet = self.graph, self.sheet
+        thick = 1.5 if self.size > 2 else 1.0
+        for e, (_, _, c) in enumerate(graph.edges):
+            sheet.line(self.segments[e], ec=plane_colour(c), lw=thick, zorder=3, gid=f"edge-{e}")
+        firsts = [members[0] for members in self.arrangement.distinct]
+        for v, place in enumerate(self.places):
+            odd = sum(graph.signs[v][k] < 0 for k in firsts) % 2
+            sheet.marker(
+                place, self.size, "square" if odd else "round", fc=self.fills[v], ec="black",
+                lw=0.7, zorder=5, gid=f"vertex-{v}",
+            )  # fmt: skip
+        self._zones()
+        self._labels()
+
+    def _zones(self) -> None:
+        """Number the edges: the outer polygon outside, then one long edge of each class."""
+        dots = np.concatenate([self.segments, crosses(self.places, self.size + 0.5)])
+        named: set[int] = set()
+        for e in np.argsort(-self.lengths, kind="stable").tolist():
+            c = self.graph.edges[e][2]
+            if c in named and len(self.graph.edges) > 40:
+                continue
+            text = plane_names(self.arrangement.distinct[c])
+            w, h = self.sheet.measure(text, 6.0)
+            if self.lengths[e] < 2 * self.size + max(w, h) + 6:
+                continue
+            middle = self.segments[e].mean(axis=0)
+            others = np.delete(dots, e, axis=0)
+            box = self.sheet.box(middle, text, 6.0)
+            if not segments_meet(box, others).any() and self.sheet.write(
+                middle, text, 6.0, color=plane_colour(c), **_PAD
+            ):
+                named.add(c)
+
+    def _labels(self) -> None:
+        """Write the sign vectors where they fit, the outer polygon first."""
+        segments = np.concatenate([self.segments, crosses(self.places, self.size)])
+        far = np.round(np.linalg.norm(self.places - self.centre, axis=1), 3)
+        for v in np.argsort(-far, kind="stable").tolist():
+            write_beside(
+                self.sheet, self.places[v], sign_forms(self.graph.signs[v]), SIZES,
+                segments=segments, away=self._gap(v), distance=self.size + 1.0,
+                within=(0.0, self.centre[1] - self.sheet.width / 2, self.sheet.width,
+                        self.sheet.height),
+            )  # fmt: skip
+
+    def _gap(self, v: int) -> tuple[float, float]:
+        """Return the direction in the middle of the widest gap between the edges of a vertex."""
+        ends = [(b if a == v else a) for a, b, _ in self.graph.edges if v in (a, b)]
+        steps = self.places[ends] - self.places[v]
+        angles = sorted(math.atan2(y, x) for x, y in steps.tolist())
+        nexts = [*angles[1:], angles[0] + 2 * math.pi]
+        at = max(
+            ((round(b - a, 6), (a + b) / 2) for a, b in zip(angles, nexts, strict=True)),
+        )[1]
+        return math.cos(at), math.sin(at)

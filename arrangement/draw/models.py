@@ -1,0 +1,109 @@
+"""Models to hold, as the bytes of STL, GLB and OBJ files: the dual polyhedron, and the cells."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from arrangement.dual import dual_polyhedron
+from arrangement.dual.mesh import content
+from arrangement.errors import InputError
+from arrangement.exact import shown
+from arrangement.meshfiles import Floats, Part, model_bytes, triangles
+from arrangement.planes import Arrangement
+
+from .cells import Cell, Cells, cut_cells
+from .colours import DrawnRegion, Painter, painter, pale, plane_colour, side_colour
+from .output import millimetres
+from .painting import unit_points
+
+#: The surface of the body on a cell.
+SKIN = "#f3ead8"
+
+
+def dual_model(arrangement: Arrangement, suffix: str, *, size: float = 60.0) -> bytes:
+    """Return the dual polyhedron as a file; see `DualPolyhedron.export`.
+
+    In GLB a face is coloured by its number of corners.
+
+    Args:
+        arrangement: central, in R^3, of rank 3.
+        suffix: ``.stl``, ``.glb`` or ``.obj``.
+        size: the largest side of the bounding box, in millimetres.
+    """
+    dual = dual_polyhedron(arrangement)
+    colours = tuple(side_colour(len(face)) for face in dual.faces)
+    return content(dual, suffix, millimetres(size, "size"), colours)
+
+
+def cells_model(
+    arrangement: Arrangement,
+    suffix: str,
+    *,
+    body: str = "ball",
+    explode: float = 1.3,
+    size: float = 60.0,
+    colour: str | Painter = "planes",
+) -> bytes:
+    """Return all cells of an arrangement in a ball or a cube as separate closed parts.
+
+    Every region of the arrangement meets the body, so there is one part for each. The parts are
+    cut exactly and fit together without gaps; the ball is a polyhedron of 5120 triangles. A part
+    moves outward by ``explode - 1`` times the way from the centre of the body to its middle.
+
+    STL has one closed shell for each part, OBJ one object, GLB one node. Objects and nodes are
+    named by the sign vector.
+
+    Args:
+        arrangement: in R^3; central or not, of any rank, coincident planes allowed.
+        suffix: ``.stl``, ``.glb`` or ``.obj``.
+        body: "ball" or "cube"; see `body_around`.
+        explode: at least 1; with 1 the parts stay together.
+        size: the diameter of the ball or the edge of the cube before the parts move, in
+            millimetres.
+        colour: in GLB. "planes" (a wall has the colour of its plane), "sides" (a cell by its
+            number of walls), "signs" (by its number of minus signs), "none", or a function of a
+            `DrawnRegion`.
+
+    Raises:
+        InputError: another space, too many planes, a bad option.
+        ArrangementError: a cell is too thin for single precision.
+    """
+    if not isinstance(explode, int | float) or not 1 <= explode <= 10:
+        raise InputError(f"explode is {shown(explode)}; give a factor from 1 to 10")
+    paint = None if colour == "planes" else painter(colour)
+    half = millimetres(size, "size") / 2
+    cells = cut_cells(arrangement, body)
+    points = unit_points(cells) * half
+    parts = [_part(cells, cell, points, explode - 1, paint) for cell in cells.cells]
+    kind = "one cell" if len(parts) == 1 else f"{len(parts)} cells"
+    return model_bytes(parts, suffix, f"{kind} of an arrangement in a {body}")
+
+
+def _part(
+    cells: Cells,
+    cell: Cell,
+    points: Floats,
+    apart: float,
+    paint: Painter | None,
+) -> Part:
+    used = sorted({i for face in cell.faces for i in face})
+    number = {old: new for new, old in enumerate(used)}
+    own = points[used]
+    faces = tuple(tuple(number[i] for i in face) for face in cell.faces)
+    walls = {wall for wall in cell.walls if wall >= 0}
+    if paint is None:
+        colours = tuple(pale(plane_colour(w)) if w >= 0 else SKIN for w in cell.walls)
+    else:
+        colours = (paint(DrawnRegion(cell.signs, len(walls))),) * len(faces)
+    middle = centroid(own, faces) * apart
+    text = "".join("+" if s > 0 else "-" for s in cell.signs)
+    shift = (float(middle[0]), float(middle[1]), float(middle[2]))
+    return Part(text or "all", own, faces, colours, shift, {"signs": text})
+
+
+def centroid(points: Floats, faces: tuple[tuple[int, ...], ...]) -> Floats:
+    """Return the centre of mass of a closed surface of convex faces."""
+    a, b, c = (points[column] for column in triangles(faces).T)
+    volumes = np.einsum("ij,ij->i", a, np.cross(b, c))
+    middle: Floats = (volumes @ (a + b + c)) / (4 * volumes.sum())
+    return middle

@@ -1,0 +1,79 @@
+"""One HTML file that holds all it needs: it asks for nothing from outside and needs no server."""
+
+from __future__ import annotations
+
+import base64
+import hashlib
+import html
+import json
+from collections.abc import Iterable, Mapping
+from importlib.resources import files
+from typing import Any, TypeAlias
+
+#: A package and the name of a file in its folder ``templates``.
+Template: TypeAlias = tuple[str, str]
+
+_OWN = "arrangement.draw"
+BASE_STYLE: Template = (_OWN, "base.css")
+BASE_SCRIPT: Template = (_OWN, "base.js")
+
+
+def own(name: str) -> Template:
+    """Return a template of this package."""
+    return _OWN, name
+
+
+def one_page(
+    title: str,
+    body: Template,
+    styles: Iterable[Template],
+    scripts: Iterable[Template],
+    data: Mapping[str, Any],
+) -> str:
+    """Return a complete HTML page.
+
+    The browser is told to run this one script and to load nothing else. Texts from files reach
+    the page as JSON only, in which nothing can end the element that holds it.
+
+    Args:
+        title: of the window.
+        body, styles, scripts: templates; the scripts run as one, in strict mode.
+        data: what the script finds, as JSON, in the element ``data``.
+    """
+    style = "".join(map(_text, styles))
+    script = '"use strict";\n(() => {\n' + "".join(map(_text, scripts)) + "})();\n"
+    policy = (
+        f"default-src 'none'; img-src data:; style-src '{_hash(style)}'; "
+        f"script-src '{_hash(script)}'; base-uri 'none'; form-action 'none'"
+    )
+    return "\n".join(
+        [
+            '<!DOCTYPE html>\n<html lang="en">\n<head>\n<meta charset="utf-8">',
+            f'<meta http-equiv="Content-Security-Policy" content="{policy}">',
+            '<meta name="viewport" content="width=device-width, initial-scale=1">',
+            '<link rel="icon" href="data:,">',
+            f"<title>{html.escape(title)}</title>",
+            f"<style>{style}</style>\n</head>\n<body>\n{_text(body)}",
+            "<noscript><p>This page needs JavaScript; all of it is in this file.</p></noscript>",
+            f'<script type="application/json" id="data">{embedded(data)}</script>',
+            f"<script>{script}</script>\n</body>\n</html>\n",
+        ]
+    )
+
+
+def embedded(data: Mapping[str, Any]) -> str:
+    """Return JSON that may stand in an HTML element: ASCII, without ``<``, ``>`` and ``&``."""
+    text = json.dumps(data, separators=(",", ":"), allow_nan=False)
+    for sign in "<>&":
+        text = text.replace(sign, f"\\u{ord(sign):04x}")
+    return text
+
+
+def _text(template: Template) -> str:
+    package, name = template
+    return files(package).joinpath("templates", name).read_text(encoding="utf-8")
+
+
+def _hash(text: str) -> str:
+    digest = hashlib.sha256(text.encode("utf-8")).digest()
+    return f"sha256-{base64.b64encode(digest).decode('ascii')}"

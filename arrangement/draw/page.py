@@ -1,0 +1,199 @@
+"""An interactive page: the great circles and the dual side by side, turning together.
+
+What is merged when a plane is taken away, and every number that the page shows, is exact; floats
+place curves on the screen.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from itertools import product
+from typing import Any
+
+import numpy as np
+
+from arrangement.dual.incidence import dual_incidence
+from arrangement.errors import InputError
+from arrangement.exact import IntegerVector, primitive, shown
+from arrangement.planes import Arrangement
+from arrangement.sphere import SphereArrangement
+
+from .globe import Globe
+from .onepage import BASE_SCRIPT, BASE_STYLE, one_page, own
+
+#: Distinct planes beyond which a page is too slow to turn by hand.
+MAX_CIRCLES = 30
+COLOURINGS = ("sides", "signs", "parity", "none")
+_SYMBOLS = {1: "+", -1: "-"}
+
+
+def arrangement_page(
+    arrangement: Arrangement,
+    *,
+    title: str | None = None,
+    colour: str | None = None,
+    direction: Sequence[object] | None = None,
+) -> str:
+    """Return one HTML page, complete in itself, for central planes in R^3.
+
+    It shows the regions on the sphere and the dual (polyhedron, polygon or segment), which turn
+    together. What lies under the pointer lights up in both, with its sign vector and an exact
+    point. Planes can be taken away and put back.
+
+    Args:
+        arrangement: central, in R^3, any rank, up to `MAX_CIRCLES` distinct planes.
+        title: a heading; left out, the number of planes.
+        colour: of the regions at first: "sides" (by number of sides), "signs" (by number of minus
+            signs), "parity" (two colours), "none"; left out, sides if they differ, else parity.
+        direction: the exact first direction towards the viewer; left out, a clear one.
+
+    Raises:
+        InputError: another space, planes off the origin, too many planes, unknown colouring.
+    """
+    if colour is not None and colour not in COLOURINGS:
+        raise InputError(f"the colouring is {shown(colour)}; known are {', '.join(COLOURINGS)}")
+    if arrangement.is_central and len(arrangement.distinct) > MAX_CIRCLES:
+        raise InputError(
+            f"{len(arrangement.distinct)} distinct planes; a page shows at most {MAX_CIRCLES}"
+        )
+    globe = Globe(arrangement, direction if direction is not None else _slanting(arrangement))
+    heading = title if title is not None else _heading(arrangement)
+    data = {
+        "title": heading,
+        "summary": _summary(arrangement),
+        "colour": colour,
+        "axes": _floats(globe.axes),
+        **_cells(globe.whole),
+    }
+    scripts = ("model.js", "globe.js", "arrangement.js", "controls.js")
+    return one_page(
+        heading,
+        own("arrangement.html"),
+        [BASE_STYLE, own("arrangement.css")],
+        [BASE_SCRIPT, *map(own, scripts)],
+        data,
+    )
+
+
+def _slanting(arrangement: Arrangement) -> IntegerVector | None:
+    """Return a direction from which a flat dual shows its true form; None in rank 3.
+
+    The line of a pencil, or the normal of a single plane, is then seen at about 55 degrees.
+    """
+    normals = [plane[:3] for plane in arrangement.integer_planes]
+    if arrangement.dimension != 3 or arrangement.rank not in (1, 2):
+        return None
+    axis = np.array(_unit(normals[0]))
+    if arrangement.rank == 2:
+        crosses = (np.cross(axis, _unit(normal)) for normal in normals)
+        axis = max(crosses, key=lambda c: float(np.linalg.norm(c)))
+        axis /= np.linalg.norm(axis)
+    views = [v for v in product(range(1, 6), range(-5, 6), range(1, 4)) if primitive(v) == v]
+    slant = [abs(abs(float(axis @ _unit(v))) - 0.57) for v in views]
+    return views[int(np.argmin(np.round(slant, 6)))]
+
+
+def _heading(arrangement: Arrangement) -> str:
+    number = len(arrangement)
+    return f"Arrangement of {number} plane{'' if number == 1 else 's'}"
+
+
+def _summary(arrangement: Arrangement) -> str:
+    number, distinct = len(arrangement), len(arrangement.distinct)
+    planes = f"{number} plane{'' if number == 1 else 's'} through the origin"
+    same = f", {distinct} of them distinct" if distinct < number else ""
+    return f"{planes}{same}; rank {arrangement.rank}"
+
+
+def _cells(sphere: SphereArrangement) -> dict[str, Any]:
+    """Return planes, circles, arcs, crossings and regions with all that joins them."""
+    arrangement, topology = sphere.arrangement, sphere.incidence
+    normals = [plane[:3] for plane in arrangement.integer_planes]
+    longest = max((_longest(normal) for normal in normals), default=1)
+    planes = [
+        {
+            "normal": _exact(normal),
+            "unit": _unit(normal),
+            "length": _longest(normal) / longest * _norm(normal),
+            "equation": _equation(normal),
+            "circle": int(circle),
+        }
+        for normal, circle in zip(normals, sphere.plane_circle.tolist(), strict=True)
+    ]
+    around = dual_incidence(arrangement).faces if sphere.vertex_count else ()
+    return {
+        "planes": planes,
+        "classes": [list(members) for members in arrangement.distinct],
+        "circles": [_unit(normal) for normal in sphere.circle_normals],
+        "arcs": [_arc(sphere, arc) for arc in range(sphere.arc_count)],
+        "points": [
+            {
+                "ray": _exact(sphere.ray(vertex)),
+                "unit": _unit(sphere.ray(vertex)),
+                "circles": topology.circles_at(vertex).tolist(),
+                "around": list(cycle),
+            }
+            for vertex, cycle in enumerate(around)
+        ],
+        "regions": [_region(sphere, region) for region in range(sphere.region_count)],
+    }
+
+
+def _arc(sphere: SphereArrangement, arc: int) -> dict[str, Any]:
+    topology, halves = sphere.incidence, slice(2 * arc, 2 * arc + 2)
+    witness = sphere.arc_witness(arc)
+    return {
+        "circle": int(topology.arc_circle[arc]),
+        "ends": topology.origin[halves].tolist(),
+        "sides": topology.region[halves].tolist(),
+        "witness": _exact(witness),
+        "inside": _unit(witness),
+    }
+
+
+def _region(sphere: SphereArrangement, region: int) -> dict[str, Any]:
+    witness = sphere.region_witness(region)
+    return {
+        "signs": "".join(_SYMBOLS[sign] for sign in sphere.region_signs(region)),
+        "witness": _exact(witness),
+        "inside": _unit(witness),
+        "boundary": sphere.incidence.boundary(region).tolist() if sphere.rank else [],
+    }
+
+
+def _equation(normal: IntegerVector) -> str:
+    """Return the equation of a plane, such as ``x - 2y + z = 0``."""
+    text = ""
+    for entry, name in zip(normal, "xyz", strict=True):
+        if entry:
+            joint = ("-" if entry < 0 else "") if not text else (" - " if entry < 0 else " + ")
+            text += f"{joint}{abs(entry) if abs(entry) != 1 else ''}{name}"
+    return f"{text} = 0"
+
+
+def _exact(vector: IntegerVector) -> list[str]:
+    return [str(x) for x in vector]
+
+
+def _longest(vector: IntegerVector) -> int:
+    return max(map(abs, vector))
+
+
+def _norm(vector: IntegerVector) -> float:
+    """Return the Euclidean length over the largest entry."""
+    return float(np.linalg.norm([x / _longest(vector) for x in vector]))
+
+
+def _unit(vector: IntegerVector) -> list[float]:
+    """Return a unit vector; the zero vector stays. Integers may have any length."""
+    largest = _longest(vector)
+    if not largest:
+        return [0.0] * len(vector)
+    scaled = np.array([x / largest for x in vector])
+    rounded: list[float] = _floats(scaled / np.linalg.norm(scaled))
+    return rounded
+
+
+def _floats(array: Any) -> Any:
+    """Return nested lists of floats with eight digits, and no negative zero."""
+    return (np.round(array, 8) + 0.0).tolist()

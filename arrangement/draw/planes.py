@@ -1,0 +1,89 @@
+"""The planes of an arrangement in a ball or a cube, cut at their intersections, back to front."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from typing import TYPE_CHECKING
+
+from arrangement.errors import InputError
+from arrangement.exact import shown
+from arrangement.planes import Arrangement
+
+from .cells import cut_cells, read_signs
+from .colours import plane_colour
+from .globe import view_direction
+from .lifting import lifted_cells
+from .output import require_matplotlib
+from .painting import Stage
+from .planenames import Names
+from .planesheet import LIGHT, FacetPainter, PlanesSheet
+from .sheet import checked_width
+from .sight import clear_sight
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+
+def draw_planes(
+    arrangement: Arrangement,
+    *,
+    body: str = "ball",
+    direction: Sequence[object] | None = None,
+    lift: Iterable[str] = (),
+    colour: str | FacetPainter = "planes",
+    width: float = 88.0,
+) -> Figure:
+    """Draw the planes of an arrangement in R^3 inside a ball or a cube, cell by cell.
+
+    Every facet is a polygon of its own (``facet-3-plane-1``), cut at the other planes. They are
+    painted back to front in an exact order (see `painting`), so that nothing hides wrongly. The
+    projection is orthographic. A number beside the body names a plane: k for the k-th, counted
+    from 1. For planes that are not central, the body contains all vertices (see `body_around`).
+
+    Args:
+        arrangement: in R^3; central or not, of any rank, coincident planes allowed.
+        body: "ball" or "cube".
+        direction: exact, towards the viewer; left out, one in which no plane is edge-on.
+        lift: sign vectors of cells such as ``"+-+"``, over the input planes. These cells are
+            drawn as solids, moved outward.
+        colour: "planes" (each its own colour), "shade" (grey by the angle to the light), "none",
+            or a function from a `DrawnFacet` to a colour.
+        width: of the figure, in millimetres.
+
+    Raises:
+        InputError: another space, too many planes, no such cell, lifted cells that hide each
+            other in a circle, unknown body or colouring.
+        MissingExtraError: matplotlib is absent.
+    """
+    require_matplotlib()
+    paint = _painter(colour)
+    paper = checked_width(width)
+    texts = [lift] if isinstance(lift, str) else list(lift)
+    chosen = [read_signs(arrangement, text) for text in texts]
+    toward = None if direction is None else view_direction(direction)
+    cells = cut_cells(arrangement, body)
+    if toward is None:
+        toward = clear_sight(cells, chosen)
+    stage = Stage(cells, toward)
+    picture = PlanesSheet(stage, lifted_cells(stage, chosen), paint, paper)
+    names = Names(picture)
+    names.number_planes()
+    names.name_cells()
+    return picture.figure
+
+
+def _painter(colour: str | FacetPainter) -> FacetPainter:
+    if callable(colour):
+        return colour
+    painters: dict[str, FacetPainter] = {
+        "planes": lambda facet: plane_colour(facet.label),
+        "shade": lambda facet: _grey(abs(float(LIGHT @ facet.normal))),
+        "none": lambda facet: "#ffffff",
+    }
+    if colour not in painters:
+        raise InputError(f"the colouring is {shown(colour)}; known are {', '.join(painters)}")
+    return painters[colour]
+
+
+def _grey(light: float) -> str:
+    return "#" + f"{round(255 * (0.1 + 0.85 * light)):02x}" * 3

@@ -1,0 +1,233 @@
+"""Puts a staged arrangement on a sheet: facets, edges of the body, lifted cells, numbers."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from typing import Any, TypeAlias
+
+import numpy as np
+
+from .globe import Floats
+from .lifting import Lifted
+from .painting import Facet, Key, Stage
+from .sheet import POINTS, Sheet
+
+#: Opacity of the facets; what lies behind them shows through.
+OPACITY = 0.82
+#: The share of white in the colour of a plane.
+WHITE = 0.42
+#: Towards the light, in the axes of the picture.
+LIGHT = np.array([-0.35, 0.65, 0.68]) / np.linalg.norm([-0.35, 0.65, 0.68])
+#: Room for the numbers around the body, in points.
+MARGIN = 15.0
+#: The surface of the body on a lifted cell.
+SKIN = "#f3ead8"
+
+
+@dataclass(frozen=True)
+class DrawnFacet:
+    """What a colouring may look at.
+
+    Attributes:
+        label: the class of planes (index into ``arrangement.distinct``).
+        signs: of the facet, over the input planes; empty for the number of a plane and for faces
+            of lifted cells.
+        normal: the unit normal of the plane in the picture (right, up, towards the viewer).
+    """
+
+    label: int
+    signs: tuple[int, ...]
+    normal: tuple[float, float, float]
+
+
+Colour: TypeAlias = tuple[float, float, float]
+FacetPainter: TypeAlias = Callable[[DrawnFacet], str]
+
+
+class PlanesSheet:
+    """The picture; see `planes.draw_planes`."""
+
+    def __init__(
+        self, stage: Stage, lifted: Sequence[Lifted], paint: FacetPainter, width: float
+    ) -> None:
+        self.stage, self.lifted, self.paint = stage, lifted, paint
+        self.round = stage.cells.body.kind == "ball"
+        self.outline = self._outline()
+        low, high = self._frame()
+        loose = [item.corners[:, :2] for item in lifted] or [np.zeros((1, 2))]
+        corner = np.concatenate(loose)
+        least, most = corner.min(axis=0), corner.max(axis=0)
+        paper = width * POINTS
+        self.scale = min(
+            (paper - a - b) / (right - left)
+            for left, a in ((low[0], MARGIN), (least[0], 3.0))
+            for right, b in ((high[0], MARGIN), (most[0], 3.0))
+            if right - left > 0.5
+        )
+        left = min(low[0] * self.scale - MARGIN, least[0] * self.scale - 3)
+        bottom = min(low[1] * self.scale - MARGIN, least[1] * self.scale - 10)
+        top = max(high[1] * self.scale + MARGIN, most[1] * self.scale + 10)
+        self.shift = np.array([-left, -bottom])
+        self.sheet = Sheet(width, (top - bottom) / POINTS)
+        self.figure = self.sheet.figure
+        self.areas: list[tuple[float, Floats]] = []
+        self.painted_at: dict[tuple[int, ...], float] = {}
+        self._paint_all()
+
+    def place(self, points: Any) -> Floats:
+        """Return points of the picture (.., 2 or 3) on the sheet."""
+        placed: Floats = np.asarray(points)[..., :2] * self.scale + self.shift
+        return placed
+
+    def _outline(self) -> Floats:
+        """Return the outline of the body, (k, 2), counter-clockwise."""
+        if self.round:
+            angles = np.linspace(0, 2 * math.pi, 361)[:-1]
+            return np.column_stack([np.cos(angles), np.sin(angles)])
+        from scipy.spatial import ConvexHull
+
+        flat = self.stage.points[: len(self.stage.cells.body.corners), :2]
+        outline: Floats = flat[ConvexHull(flat).vertices]
+        return outline
+
+    def _frame(self) -> tuple[Floats, Floats]:
+        return self.outline.min(axis=0), self.outline.max(axis=0)
+
+    # Pieces, back to front
+
+    def _paint_all(self) -> None:
+        """Paint everything in the order of its keys."""
+        self.sheet.polygon(self.place(self.outline), fc="#f7f7f5", ec="none", zorder=0)
+        gone = {item.cell.signs for item in self.lifted}
+        stage = self.stage
+        todo: list[tuple[int, Key, Callable[[], None]]] = []
+        for number, facet in enumerate(stage.facets):
+            todo.append((0, stage.key(facet.sides), self._facet(facet, number)))
+        for item in self.lifted:
+            key = stage.key(item.cell.sides) if item.place == 0 else ()
+            todo.append((item.place, key, self._solid(item)))
+        for key, signs, ends in self._frame_pieces():
+            if signs not in gone:
+                todo.append((0, key, self._frame_line(ends)))
+        todo.sort(key=lambda item: item[:2])
+        for step, (_, _, act) in enumerate(todo):
+            self.z = 1 + step / (len(todo) + 1)
+            act()
+
+    def _facet(self, facet: Facet, number: int) -> Callable[[], None]:
+        stage = self.stage
+        members = stage.arrangement.distinct[facet.label]
+        normal = stage.planes[facet.label][0]
+        drawn = DrawnFacet(facet.label, stage.signs(facet.sides), (normal[0], normal[1], normal[2]))
+        colour = _pale(self.paint(drawn))
+        corners = self.place(stage.points[list(facet.corners)])
+        name = f"facet-{number}-plane-{members[0] + 1}"
+
+        def act() -> None:
+            self.areas.append((self.z, corners))
+            self.sheet.polygon(
+                corners, fc=colour, ec="none", alpha=OPACITY, zorder=self.z, gid=name
+            )
+            for rim, style in ((True, {"lw": 0.9}), (False, {"lw": 0.55})):
+                self._edges(corners, [r is rim for r in facet.rim], style)
+
+        return act
+
+    def _edges(self, corners: Floats, wanted: list[bool], style: dict[str, Any]) -> None:
+        """Draw the wanted edges of a polygon as few open lines."""
+        n = len(corners)
+        if not any(wanted):
+            return
+        start = next((k for k in range(n) if wanted[k] and not wanted[k - 1]), 0)
+        run: list[Any] = []
+        for k in range(start, start + n):
+            if wanted[k % n]:
+                run = run or [corners[k % n]]
+                run.append(corners[(k + 1) % n])
+            elif run:
+                self._line(run, style)
+                run = []
+        if run:
+            self._line(run, style)
+
+    def _line(self, points: Any, style: dict[str, Any]) -> None:
+        base = {"ec": "black", "capstyle": "round", "joinstyle": "round", "zorder": self.z}
+        self.sheet.line(points, **{**base, **style})
+
+    def _frame_pieces(self) -> list[tuple[Key, tuple[int, ...], Floats]]:
+        """Return the edges of the cube, or the outline of the ball, cut at the planes."""
+        stage = self.stage
+        if not self.round:
+            return [(k, signs, stage.points[ends]) for k, signs, ends in stage.body_edges()]
+        pieces = []
+        for run in self._outline_runs():
+            middle = run[len(run) // 2]
+            sides = stage.sides_of(middle)
+            pieces.append((stage.key(sides), stage.signs(sides), run))
+        return pieces
+
+    def _outline_runs(self) -> list[Floats]:
+        """Cut the outline of the ball where a plane meets it."""
+        cuts: set[float] = set()
+        for normal, offset in self.stage.planes:
+            length = math.hypot(normal[0], normal[1])
+            if length > abs(offset):
+                turned, half = math.atan2(normal[1], normal[0]), math.acos(offset / length)
+                cuts |= {(turned + half) % (2 * math.pi), (turned - half) % (2 * math.pi)}
+        ends = sorted(cuts) or [0.0]
+        runs = []
+        for start, stop in zip(ends, [*ends[1:], ends[0] + 2 * math.pi], strict=True):
+            angles = np.linspace(start, stop, max(3, math.ceil((stop - start) / 0.03)))
+            if stop - start > 1e-9:
+                runs.append(np.column_stack([np.cos(angles), np.sin(angles), 0 * angles]))
+        return runs
+
+    def _frame_line(self, ends: Floats) -> Callable[[], None]:
+        return lambda: self._line(self.place(ends), {"lw": 0.5, "ec": "#555555"})
+
+    def _solid(self, item: Lifted) -> Callable[[], None]:
+        """Paint a lifted cell: its visible faces, shaded, then its edges."""
+        name = "cell-" + "".join("+" if s > 0 else "-" for s in item.cell.signs)
+
+        def act() -> None:
+            self.painted_at[item.cell.signs] = self.z
+            self.areas += [(self.z, self.place(loop)) for loop in item.visible_outlines(self.round)]
+            for k in item.visible:
+                face, wall = item.cell.faces[k], item.cell.walls[k]
+                corners, normal = item.points[list(face)], item.normals[k]
+                if wall < 0 and self.round:
+                    normal = corners.mean(axis=0) - item.shift
+                    normal = normal / np.linalg.norm(normal)
+                colour = _shaded(SKIN if wall < 0 else self.colour(wall), normal)
+                self.sheet.polygon(
+                    self.place(corners), fc=colour, ec=colour, lw=0.3,
+                    zorder=self.z, joinstyle="round", gid=name,
+                )  # fmt: skip
+            for segment in item.outlines():
+                self._line(self.place(segment), {"lw": 0.9})
+
+        return act
+
+    def colour(self, label: int) -> Colour:
+        """Return the colour of a plane, as its facets have it."""
+        normal = self.stage.planes[label][0]
+        return _pale(self.paint(DrawnFacet(label, (), (normal[0], normal[1], normal[2]))))
+
+
+def _pale(colour: str) -> Colour:
+    """Return a colour mixed with white."""
+    from matplotlib.colors import to_rgb
+
+    red, green, blue = (x + (1 - x) * WHITE for x in to_rgb(colour))
+    return red, green, blue
+
+
+def _shaded(colour: str | Colour, normal: Floats) -> Colour:
+    """Return a colour as it looks on a face with this normal."""
+    from matplotlib.colors import to_rgb
+
+    light = 0.76 + 0.24 * max(0.0, float(LIGHT @ normal))
+    red, green, blue = to_rgb(colour)
+    return red * light, green * light, blue * light

@@ -1,0 +1,160 @@
+"""Convex solids on paper: which edges are hidden is decided exactly, from the faces."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+from math import isqrt
+
+import numpy as np
+
+from arrangement.dual import DualPolyhedron, dual_polygon, dual_polyhedron, dual_segment
+from arrangement.exact import IntegerVector, dot
+from arrangement.inscribed import RepresentativeHull
+from arrangement.planes import Arrangement
+
+from .sheet import Floats
+
+
+@dataclass(frozen=True)
+class Solid:
+    """A polyhedron, polygon or segment, seen from a direction.
+
+    Attributes:
+        corners: (V, 3); the vertices in the axes of the picture: right, up, towards the viewer.
+        signs: the sign vector of each vertex's region.
+        edges: vertex, vertex, and the class of planes of the edge, or -1.
+        edge_hidden: for each edge.
+        vertex_hidden: for each vertex.
+        faces: the visible faces, as cycles of vertices, each with the cosine of its tilt.
+    """
+
+    corners: Floats
+    signs: tuple[tuple[int, ...], ...]
+    edges: tuple[tuple[int, int, int], ...]
+    edge_hidden: tuple[bool, ...]
+    vertex_hidden: tuple[bool, ...]
+    faces: tuple[tuple[tuple[int, ...], float], ...]
+
+    @property
+    def places(self) -> Floats:
+        """(V, 2); the vertices on paper, in any unit."""
+        return self.corners[:, :2]
+
+
+def dual_solid(arrangement: Arrangement, direction: IntegerVector, axes: Floats) -> Solid:
+    """Return the dual of a central arrangement of rank 1 to 3 in R^3.
+
+    The generators have length 1, up to a rational error of 10^-6; those of coincident planes
+    share it.
+    """
+    lengths = unit_lengths(arrangement)
+    if arrangement.rank == 3:
+        return _polyhedron(dual_polyhedron(arrangement, lengths), direction, axes)
+    if arrangement.rank == 2:
+        polygon = dual_polygon(arrangement, lengths)
+        corners, signs, count = polygon.vertices, polygon.signs, len(polygon.signs)
+        pairs = [(k, (k + 1) % count) for k in range(count)]
+    else:
+        segment = dual_segment(arrangement, lengths)
+        corners, signs, count = segment.vertices, segment.signs, 2
+        pairs = [(0, 1)]
+    edges = tuple((u, v, _crossed(arrangement, signs[u], signs[v])) for u, v in pairs)
+    seen = np.array([[float(x) for x in corner] for corner in corners]) @ axes.T
+    shown = (False,) * count
+    faces = ((tuple(range(count)), 1.0),) if count > 2 else ()
+    return Solid(seen, tuple(signs), edges, shown[: len(edges)], shown, faces)
+
+
+def unit_lengths(arrangement: Arrangement) -> tuple[Fraction, ...]:
+    """Return factors that give every class of planes generators of total length about 1."""
+    million = 10**6
+    sizes = [len(arrangement.distinct[label]) for label in arrangement.class_of]
+    squares = [dot(plane[:-1], plane[:-1]) for plane in arrangement.integer_planes]
+    return tuple(
+        Fraction(million, size * isqrt(square * million**2))
+        for size, square in zip(sizes, squares, strict=True)
+    )
+
+
+def _polyhedron(dual: DualPolyhedron, direction: IntegerVector, axes: Floats) -> Solid:
+    towards = [dot(normal, direction) for normal in dual.face_normals]
+    pairs = [(int(u), int(v)) for u, v in dual.edges.tolist()]
+    edge_hidden, vertex_hidden = _hidden(pairs, dual.faces, towards, len(dual.signs))
+    points = np.array([[float(x) for x in vertex] for vertex in dual.vertices])
+    normals = np.array(dual.face_normals, dtype=float) @ axes.T
+    tilts = (normals[:, 2] / np.linalg.norm(normals, axis=1)).tolist()
+    visible = tuple(
+        (cycle, tilt)
+        for cycle, tilt, ahead in zip(dual.faces, tilts, towards, strict=True)
+        if ahead > 0
+    )
+    edges = tuple((u, v, c) for (u, v), c in zip(pairs, dual.edge_classes.tolist(), strict=True))
+    signs = tuple(map(tuple, dual.signs.tolist()))
+    return Solid(points @ axes.T, signs, edges, edge_hidden, vertex_hidden, visible)
+
+
+def hull_solid(hull: RepresentativeHull, direction: IntegerVector, axes: Floats) -> Solid:
+    """Return the hull of representatives; edges that are no edges of the hull come last.
+
+    The class of an edge is -1 for an edge of the hull alone and -2 for an adjacency that is no
+    edge of the hull; the latter is a chord, hidden if its middle is.
+    """
+    points = [tuple(map(Fraction, point)) for point in hull.hull.points]
+    towards = [
+        _determinant_with(direction, *(points[v] for v in triangle))
+        for triangle in hull.hull.triangles
+    ]
+    true, missing = sorted(hull.hull.true_edges), sorted(hull.missing)
+    shared = {(min(u, v), max(u, v)): c for u, v, c in _labelled(hull.dual)}
+    edge_hidden, vertex_hidden = _hidden(true, hull.hull.triangles, towards, len(points))
+    heights = [dot(point, direction) for point in points]
+    edges = [(u, v, shared.get((u, v), -1)) for u, v in true] + [(u, v, -2) for u, v in missing]
+    edge_hidden += tuple(heights[u] + heights[v] < 0 for u, v in missing)
+    faces = tuple(
+        (triangle, 1.0)
+        for triangle, ahead in zip(hull.hull.triangles, towards, strict=True)
+        if ahead > 0
+    )
+    seen = np.array([[float(x) for x in point] for point in points]) @ axes.T
+    signs = tuple(map(tuple, hull.dual.signs.tolist()))
+    return Solid(seen, signs, tuple(edges), edge_hidden, vertex_hidden, faces)
+
+
+def _labelled(dual: DualPolyhedron) -> list[tuple[int, int, int]]:
+    return [
+        (u, v, c) for (u, v), c in zip(dual.edges.tolist(), dual.edge_classes.tolist(), strict=True)
+    ]
+
+
+def _hidden(
+    edges: Sequence[tuple[int, int]],
+    faces: Sequence[Sequence[int]],
+    towards: Sequence[int | Fraction],
+    count: int,
+) -> tuple[tuple[bool, ...], tuple[bool, ...]]:
+    """Return what no face that looks towards the viewer, or is seen edge-on, contains."""
+    seen_edges: set[tuple[int, int]] = set()
+    seen_vertices: set[int] = set()
+    for cycle, ahead in zip(faces, towards, strict=True):
+        if ahead >= 0:
+            seen_vertices.update(cycle)
+            seen_edges.update(zip(cycle, [*cycle[1:], cycle[0]], strict=True))
+    edge_hidden = tuple((u, v) not in seen_edges and (v, u) not in seen_edges for u, v in edges)
+    return edge_hidden, tuple(v not in seen_vertices for v in range(count))
+
+
+def _determinant_with(direction: IntegerVector, *corners: Sequence[Fraction]) -> Fraction:
+    """Return how far the normal (q - p) x (r - p) looks along a direction."""
+    p, q, r = corners
+    a, b, c = (y - x for x, y in zip(p, q, strict=True))
+    x, y, z = (v - u for u, v in zip(p, r, strict=True))
+    normal = (b * z - c * y, c * x - a * z, a * y - b * x)
+    return sum((n * d for n, d in zip(normal, direction, strict=True)), Fraction(0))
+
+
+def _crossed(arrangement: Arrangement, left: tuple[int, ...], right: tuple[int, ...]) -> int:
+    """Return the class of planes between two neighbouring regions."""
+    plane = next(i for i, (s, t) in enumerate(zip(left, right, strict=True)) if s != t)
+    return arrangement.class_of[plane]

@@ -1,0 +1,242 @@
+"""Great circles in stereographic projection: every circle is a circle on paper."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from itertools import product
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from arrangement.errors import InputError
+from arrangement.exact import IntegerVector, primitive
+from arrangement.planes import Arrangement
+
+from .colours import DrawnRegion, Painter, painter
+from .disc import Disc, front, plane_names, region_sides, rim_width, side_entries
+from .globe import Globe, unit_vectors
+from .labels import flattened, sign_text, write_inside
+from .projections import Drawn, stereographic
+from .sheet import Floats, Sheet, checked_width
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+#: The whole plane is shown of itself when all circles end within this many radii of the limb.
+FARTHEST = 3.3
+
+
+def draw_stereographic(
+    arrangement: Arrangement,
+    *,
+    direction: Sequence[object] | None = None,
+    colour: str | Painter = "sides",
+    width: float = 88.0,
+    whole: bool | None = None,
+) -> Figure:
+    """Draw the great circles of central planes in R^3 in stereographic projection.
+
+    The point of the sphere in the given direction is the middle of the picture, the opposite
+    point is at infinity. The limb, the great circle half-way, is dashed and has radius 1. A
+    number names a circle: k for the k-th plane, counted from 1.
+
+    There are two pictures. The whole one has both halves of the sphere: every circle is complete,
+    and the region with the opposite point is all that is outside. The other one is the front half
+    alone, a disc; the back half shows the same with opposite signs.
+
+    Every region and every arc is an element of its own (``region-3``, ``arc-7``; in the disc
+    ``front-7``, ``limb-2``).
+
+    Args:
+        arrangement: central, in R^3, any rank.
+        direction: the exact direction of the middle; left out, one is chosen.
+        colour: as for `draw_sphere`.
+        width: of the figure, in millimetres.
+        whole: both halves, or the front half; left out, both where all circles stay within
+            3.3 radii, as for few circles.
+
+    Raises:
+        InputError: another space, planes off the origin, too many circles, unknown colouring; or
+            the whole is asked for and the direction lies on a plane.
+        MissingExtraError: matplotlib is absent.
+    """
+    paint = painter(colour)
+    globe = Globe(arrangement, direction)
+    if direction is None and whole is not False:
+        central = Globe(arrangement, _inner_direction(globe))
+        if whole or _farthest(central) <= FARTHEST:
+            globe, whole = central, True
+    if whole is None:
+        whole = 0 < _farthest(globe) <= FARTHEST
+    if not whole:
+        return _draw_half(globe, paint, colour == "sides", checked_width(width))
+    if math.isinf(_farthest(globe)):
+        k = next(i for i, s in enumerate(arrangement.signs_at(globe.direction)) if s == 0)
+        raise InputError(
+            f"the direction lies on plane {k}, whose circle would pass through infinity; choose "
+            "another direction, or the front half alone (whole=False)"
+        )
+    return _draw_whole(globe, paint, colour == "sides", checked_width(width))
+
+
+def _draw_half(globe: Globe, paint: Painter, legend: bool, width: float) -> Figure:
+    sheet = Sheet(width, width + (5.0 if legend else 0.0))
+    radius = sheet.width / 2 - rim_width(sheet, globe)
+    centre = (sheet.width / 2, sheet.height - sheet.width / 2)
+    drawn = Disc(sheet, centre, radius, globe, front(globe, stereographic)).draw(paint)
+    if legend:
+        sheet.keys(14.0, side_entries(drawn))
+    return sheet.figure
+
+
+def _draw_whole(globe: Globe, paint: Painter, legend: bool, width: float) -> Figure:
+    sheet = Sheet(width, width + (5.0 if legend else 0.0))
+    picture = _Whole(globe, sheet, paint)
+    drawn = picture.draw()
+    if legend:
+        sheet.keys(14.0, side_entries(drawn))
+    return sheet.figure
+
+
+class _Whole:
+    """The picture of both halves: a frame, the outer region, and all others on top of it."""
+
+    def __init__(self, globe: Globe, sheet: Sheet, paint: Painter) -> None:
+        self.sheet, self.globe, self.paint = sheet, globe, paint
+        self.centre = np.array([sheet.width / 2, sheet.height - sheet.width / 2])
+        self.half = sheet.width / 2 - 1.5
+        self.normals = unit_vectors(globe.whole.circle_normals).reshape(-1, 3) @ globe.axes.T
+        low, high = self._extent()
+        self.middle = (low + high) / 2
+        self.scale = (self.half - rim_width(sheet, globe)) / max(float((high - low).max()) / 2, 1.0)
+        rays = [globe.whole.ray(v) for v in range(globe.whole.vertex_count)]
+        points = unit_vectors(rays) @ globe.axes.T if rays else np.empty((0, 3))
+        self.drawn = Drawn(globe.whole, points, self.normals, stereographic)
+
+    def _extent(self) -> tuple[Floats, Floats]:
+        """Return the lower left and upper right corners of all circles and the limb."""
+        a, b, c = self.normals.T
+        centres = np.stack([a / c, b / c], axis=1)
+        radii = 1 / np.abs(c)[:, None]
+        low = np.vstack([centres - radii, [[-1.0, -1.0]]]).min(axis=0)
+        return low, np.vstack([centres + radii, [[1.0, 1.0]]]).max(axis=0)
+
+    def on_paper(self, points: Floats) -> Floats:
+        return self.centre + self.scale * (points - self.middle)
+
+    def draw(self) -> list[DrawnRegion]:
+        outlines = self._fill()
+        for arc in range(self.globe.whole.arc_count):
+            curve = self.on_paper(self.drawn.arc(arc))
+            self.sheet.curve(curve, fill=False, ec="black", lw=0.9, zorder=3, gid=f"arc-{arc}")
+        limb = self.on_paper(np.zeros((1, 2)))[0]
+        self.sheet.circle(
+            limb, self.scale, fill=False, ec="black", lw=0.6, ls=(0, (3, 2)), alpha=0.7,
+            zorder=2, gid="limb",
+        )  # fmt: skip
+        self._frame()
+        self._names()
+        at = np.linspace(0, 2 * math.pi, 200)[:, None]
+        dashes = self.on_paper(np.hstack([np.cos(at), np.sin(at)]))
+        for region, outline in outlines:
+            if outline is None:
+                self._outer_signs(region)
+            else:
+                write_inside(self.sheet, flattened(outline), region.signs, other=dashes)
+        return [region for region, _ in outlines]
+
+    def _fill(self) -> list[tuple[DrawnRegion, Floats | None]]:
+        """Fill the outer region first, then all others; return them with their outlines."""
+        globe = self.globe
+        found: list[tuple[DrawnRegion, Floats | None]] = []
+        outside = globe.whole.arrangement.signs_at([-x for x in globe.direction])
+        sides = region_sides(globe)
+        numbers = {globe.whole.region_signs(r): r for r in range(globe.whole.region_count)}
+        for signs, r in sorted(numbers.items(), key=lambda item: (item[0] != outside, item[1])):
+            region = DrawnRegion(signs, sides[signs])
+            style: dict[str, Any] = {"fc": self.paint(region), "ec": "none", "gid": f"region-{r}"}
+            if signs == outside:
+                self.sheet.polygon(self._corners(), **style)
+                found.append((region, None))
+            else:
+                outline = self.on_paper(self.drawn.outline(r))
+                self.sheet.curve(outline, **style)
+                found.append((region, outline))
+        return found
+
+    def _corners(self) -> Floats:
+        signs = np.array([[-1, -1], [1, -1], [1, 1], [-1, 1]])
+        return self.centre + self.half * signs
+
+    def _frame(self) -> None:
+        self.sheet.polygon(self._corners(), fill=False, ec="black", lw=0.4, ls=(0, (1, 2)))
+
+    def _names(self) -> None:
+        """Write each circle's number outside its farthest point; inner ones go on their line."""
+        classes = self.globe.whole.arrangement.distinct
+        texts = [plane_names(members) for members in classes]
+        order = sorted(range(len(texts)), key=lambda k: abs(self.normals[k, 2]))
+        for k in order:
+            if not self._name(k, texts[k], outside=True):
+                self._name(k, texts[k], outside=False)
+
+    def _name(self, k: int, text: str, *, outside: bool) -> bool:
+        a, b, c = self.normals[k].tolist()
+        centre, radius = np.array([a / c, b / c]), 1 / abs(c)
+        w, h = self.sheet.measure(text, 7.0)
+        style: dict[str, Any] = (
+            {} if outside else {"bbox": {"fc": "white", "ec": "none", "pad": 0.6}}
+        )
+        for step in range(84):
+            angle = math.atan2(b * c, a * c) + (step + 1) // 2 * 0.075 * (1 if step % 2 else -1)
+            outward = np.array([math.cos(angle), math.sin(angle)])
+            beyond = 2.2 + (abs(outward[0]) * w + abs(outward[1]) * h * 0.7) / 2
+            rim = self.on_paper((centre + radius * outward)[None])[0]
+            place = rim + (beyond if outside else 0.0) * outward
+            if self._clearance(place, None if outside else k) < (4.5 if outside else 5.5):
+                continue
+            if self.sheet.write(place, text, 7.0, **style):
+                return True
+        return False
+
+    def _clearance(self, place: Floats, own: int | None) -> float:
+        """Return how far a place is from all circles but its own; outside all if it has none."""
+        if (np.abs(place - self.centre) > self.half - 4).any():
+            return -1.0
+        a, b, c = np.delete(self.normals, own, axis=0).T if own is not None else self.normals.T
+        centres = self.on_paper(np.stack([a / c, b / c], axis=1))
+        gaps = np.linalg.norm(place - centres, axis=1) - self.scale / np.abs(c)
+        return float((gaps if own is None else np.abs(gaps)).min(initial=99.0))
+
+    def _outer_signs(self, region: DrawnRegion) -> None:
+        """Write the sign vector of the outer region into a corner of the frame."""
+        text = sign_text(region.signs)
+        for x, y in product((1, 0), (1, 0)):
+            corner = self._corners()[{(0, 0): 0, (1, 0): 1, (1, 1): 2, (0, 1): 3}[x, y]]
+            inside = corner + np.array([4.0 - 8 * x, 4.0 - 8 * y])
+            box = self.sheet.measure(text, 7.0)
+            place = inside + np.array(box) * (0.5 - np.array([x, y]))
+            if text and self._clearance(place, None) > 4.5 and self.sheet.write(place, text, 7.0):
+                return
+
+
+def _farthest(globe: Globe) -> float:
+    """Return how far the circles reach from the middle of the picture, in radii of the limb."""
+    if not globe.whole.circle_count:
+        return 1.0
+    if 0 in globe.whole.arrangement.signs_at(globe.direction):
+        return math.inf
+    heights = np.abs(unit_vectors(globe.whole.circle_normals) @ globe.axes[2])
+    return float(((1 + np.sqrt(np.maximum(0, 1 - heights**2))) / heights).max())
+
+
+def _inner_direction(globe: Globe) -> IntegerVector:
+    """Return the direction that keeps farthest from all planes."""
+    if not globe.whole.circle_count:
+        return (1, 1, 1)
+    views = [v for v in product(range(-7, 8), repeat=3) if any(v) and primitive(v) == v]
+    normals = unit_vectors(globe.whole.circle_normals)
+    heights = np.round(np.abs(unit_vectors(views) @ normals.T).min(axis=1), 6)
+    best = [views[k] for k in np.flatnonzero(heights == heights.max())]
+    return max(best, key=lambda v: sum(globe.whole.arrangement.signs_at(v)))

@@ -1,0 +1,58 @@
+// What every page needs. All numbers that are shown come from exact texts; floats only draw.
+const data = JSON.parse(document.getElementById("data").textContent);
+const at = (id) => document.getElementById(id);
+
+function make(name, attributes = {}, parent = null, text = null) {
+  const element = document.createElement(name);
+  return finish(element, attributes, parent, text);
+}
+
+function draw(name, attributes = {}, parent = null, text = null) {
+  const element = document.createElementNS("http://www.w3.org/2000/svg", name);
+  return finish(element, attributes, parent, text);
+}
+
+function finish(element, attributes, parent, text) {
+  for (const [key, value] of Object.entries(attributes)) element.setAttribute(key, value);
+  if (text !== null) element.textContent = text;
+  if (parent) parent.append(element);
+  return element;
+}
+
+// The place of a pointer in the coordinates of an SVG element, y upwards.
+function place(view, event) {
+  const point = new DOMPoint(event.clientX, event.clientY);
+  const inside = point.matrixTransform(view.getScreenCTM().inverse());
+  return [inside.x, -inside.y];
+}
+
+// At most one drawing for each frame of the screen.
+function oncePerFrame(action) {
+  let waiting = false;
+  return () => {
+    if (waiting) return;
+    waiting = true;
+    requestAnimationFrame(() => { waiting = false; action(); });
+  };
+}
+
+function facts(list, pairs) {
+  list.replaceChildren();
+  for (const [name, value, exact] of pairs) {
+    make("dt", {}, list, name);
+    make("dd", exact ? { class: "exact" } : {}, list, value);
+  }
+}
+
+function themeButton(button) {
+  const themes = ["auto", "light", "dark"];
+  let chosen = 0;
+  button.addEventListener("click", () => {
+    chosen = (chosen + 1) % 3;
+    document.documentElement.dataset.theme = themes[chosen];
+    button.textContent = `colours: ${themes[chosen]}`;
+  });
+}
+
+const tuple = (values) => `(${values.join(", ")})`;
+const count = (number, one, many) => `${number} ${number === 1 ? one : many}`;

@@ -1,0 +1,125 @@
+// The arrangement of the planes that are switched on, made from the cells of all planes:
+// regions with the same signs on the remaining planes are one region. No float decides anything.
+function modelOf(on) {
+  const classOn = data.classes.map((members) => members.some((k) => on[k]));
+  const kept = on.flatMap((yes, k) => (yes ? [k] : []));
+  const regions = [];
+  const byKey = new Map();
+  const merged = data.regions.map((region, piece) => {
+    const key = kept.map((k) => region.signs[k]).join("");
+    if (!byKey.has(key)) {
+      byKey.set(key, regions.length);
+      regions.push({ key, pieces: [], arcs: [], points: [], signs: shownSigns(region.signs, on) });
+    }
+    const id = byKey.get(key);
+    regions[id].pieces.push(piece);
+    return id;
+  });
+  const arcs = [];
+  const byPair = new Map();
+  data.arcs.forEach((arc, piece) => {
+    if (!classOn[arc.circle]) return;
+    const [left, right] = arc.sides.map((region) => merged[region]);
+    const pair = `${left} ${right}`;
+    if (!byPair.has(pair)) {
+      byPair.set(pair, arcs.length);
+      arcs.push({ circle: arc.circle, left, right, pieces: [], signs: zeroed(regions[left], arc.circle) });
+      for (const region of [left, right]) regions[region].arcs.push(arcs.length - 1);
+    }
+    arcs[byPair.get(pair)].pieces.push(piece);
+  });
+  const points = [];
+  data.points.forEach((point, piece) => {
+    const through = point.circles.filter((circle) => classOn[circle]);
+    if (through.length < 2) return;
+    const around = point.around.map((region) => merged[region]);
+    const cycle = around.filter((id, i) => id !== around[(i + 1) % around.length]);
+    let signs = regions[cycle[0]].signs;
+    for (const circle of through) signs = zeroed({ signs }, circle);
+    for (const region of cycle) regions[region].points.push(points.length);
+    points.push({ piece, cycle, signs, circles: through });
+  });
+  return { on, kept, classOn, regions, byKey, arcs, points };
+}
+
+// The signs of a cell over all planes; a plane that was taken away has a dot.
+function shownSigns(signs, on) {
+  return [...signs].map((sign, k) => (on[k] ? sign : "·")).join("");
+}
+
+function zeroed(cell, circle) {
+  const inside = new Set(data.classes[circle]);
+  return [...cell.signs].map((s, k) => (inside.has(k) && s !== "·" ? "0" : s)).join("");
+}
+
+// The exact dual vertex of a region: the sum of the normals, each with the sign of its plane.
+function dualVertex(model, region) {
+  const sum = [0n, 0n, 0n];
+  for (const k of model.kept) {
+    const sign = region.signs[k] === "+" ? 1n : -1n;
+    data.planes[k].normal.forEach((x, i) => { sum[i] += sign * BigInt(x); });
+  }
+  return sum.map(String);
+}
+
+// Where dual vertices are drawn, in a ball of radius 1.
+function dualPlaces(model, equalEdges) {
+  const generators = data.planes.map((plane, k) => {
+    const partners = data.classes[plane.circle].filter((other) => model.on[other]).length;
+    const factor = equalEdges ? 1 / partners : plane.length;
+    return plane.unit.map((x) => x * factor);
+  });
+  const places = model.regions.map((region) => {
+    const sum = [0, 0, 0];
+    for (const k of model.kept) {
+      const sign = region.signs[k] === "+" ? 1 : -1;
+      for (let i = 0; i < 3; i += 1) sum[i] += sign * generators[k][i];
+    }
+    return sum;
+  });
+  const reach = Math.max(1e-9, ...places.map((p) => Math.hypot(...p)));
+  return places.map((p) => p.map((x) => x / reach));
+}
+
+// The class for the colour of each region.
+function colourOf(model, by) {
+  const palette = {
+    sides: (region) => `c${Math.min(Math.max(region.arcs.length - 2, 0), 5)}`,
+    signs: (region) => {
+      const minus = [...region.key].filter((s) => s === "-").length;
+      return `c${Math.round((5 * minus) / Math.max(1, region.key.length))}`;
+    },
+    parity: (region) => (crossed(model, region) % 2 ? "two" : "c0"),
+    none: () => "c0",
+  };
+  return palette[by];
+}
+
+// How many distinct planes lie between a region and the first one.
+function crossed(model, region) {
+  const first = model.regions[0].signs;
+  return data.classes.filter((members) => {
+    const k = members.find((member) => model.on[member]);
+    return k !== undefined && region.signs[k] !== first[k];
+  }).length;
+}
+
+function legendOf(model, by) {
+  const entries = new Map();
+  const colour = colourOf(model, by);
+  const words = {
+    sides: (region) => region.arcs.length < 7 ? count(region.arcs.length, "side", "sides") : "7 or more sides",
+    signs: (region) => `${[...region.key].filter((s) => s === "-").length} minus`,
+    parity: (region) => `at ${crossed(model, region) % 2 ? "odd" : "even"} distance`,
+    none: () => "every region",
+  };
+  const order = (region) => (by === "sides" ? region.arcs.length : by === "parity" ? crossed(model, region) % 2
+    : [...region.key].filter((s) => s === "-").length);
+  for (const region of [...model.regions].sort((a, b) => order(a) - order(b))) {
+    const text = words[by](region);
+    const entry = entries.get(text) ?? { text, colour: colour(region), number: 0 };
+    entry.number += 1;
+    entries.set(text, entry);
+  }
+  return [...entries.values()];
+}

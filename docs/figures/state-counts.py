@@ -1,0 +1,48 @@
+"""States that rigid motion allows against all choices of states, over the number of contacts."""
+
+from math import comb
+
+from matplotlib.figure import Figure
+
+from arrangement.draw.output import save_figure
+from equilibrium import contact_states
+from equilibrium.inputs import random_grasp
+
+BLACK, BLUE, VERMILION = "black", "#0072b2", "#d55e00"
+
+
+def with_preload(m):
+    """The largest number of faces of m tangential planes and m normal planes off the origin."""
+    points = comb(2 * m, 3) - comb(m, 3) + 1
+    lines = comb(m, 2) * (m + 2) + (comb(2 * m, 2) - comb(m, 2)) * (2 * m - 1)
+    facets = m * (2 * m - 2 + sum(1 + j for j in range(m - 1, 2 * m - 1)))
+    facets += m * (2 * m + comb(2 * m - 1, 2))
+    regions = m * m - m + 2 + sum(1 + j + comb(j, 2) for j in range(m, 2 * m))
+    return points + lines + facets + regions
+
+
+def make():
+    contacts = range(3, 13)
+    figure = Figure(figsize=(3.9, 2.9))
+    axes = figure.add_axes((0.13, 0.14, 0.84, 0.83))
+    axes.semilogy(contacts, [4**m for m in contacts], "--", color=BLACK, lw=1)
+    axes.semilogy(contacts, [with_preload(m) for m in contacts], "-", color=VERMILION, lw=1.2)
+    axes.semilogy(contacts, [16 * m * m - 8 * m + 3 for m in contacts], "-", color=BLUE, lw=1.2)
+    for loaded, colour, mark, last in ((True, VERMILION, "s", 5), (False, BLUE, "o", 7)):
+        for m in range(3, last + 1):
+            counts = [len(contact_states(random_grasp(m, seed, preload=loaded))) for seed in (1, 2)]
+            axes.semilogy([m] * 2, counts, mark, color=colour, ms=3.5, mfc="white", mew=0.8)
+    axes.text(9.3, 1.1e6, "all choices, $4^m$", ha="right", size=7)
+    axes.text(12, 2.3e4, "preload: at most", ha="right", size=7, color=VERMILION)
+    axes.text(12, 4.2e2, "no preload: at most $16m^2-8m+3$", ha="right", size=7, color=BLUE)
+    axes.set_xlabel("contacts m", size=7)
+    axes.set_ylabel("states", size=7, labelpad=1)
+    axes.set_xticks(contacts)
+    axes.tick_params(labelsize=7)
+    axes.minorticks_off()
+    axes.grid(color="#dddddd", lw=0.4)
+    axes.set_axisbelow(True)
+    return figure
+
+
+save_figure("state-counts.svg", make)

@@ -1,0 +1,9 @@
+"""Pictures of grasps and of what they resist, made with matplotlib (the extra ``figures``).
+
+Every verdict, force and polygon is exact; only coordinates on paper are floats. A picture made
+twice is the same byte for byte. Contacts are numbered from 1, as in the paper.
+"""
+
+import lazy_loader
+
+__getattr__, __dir__, __all__ = lazy_loader.attach_stub(__name__, __file__)

@@ -1,0 +1,192 @@
+"""The outline of the object, as a closed smooth curve through the contacts.
+
+A grasp knows points and normals, no shape. Unless a polygon is given, the outline is only
+indicative: a curve that passes through every contact point with the tangent that the normal asks
+for. Where the contacts can belong to a convex object, the curve is convex or nearly so; otherwise
+it goes round the contacts in angular order. If that curve crosses itself, there is none.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+from itertools import pairwise
+from typing import Any
+
+import numpy as np
+import numpy.typing as npt
+
+from arrangement.exact import RationalVector, rational_vector
+from equilibrium.errors import GraspError
+from equilibrium.grasp import Grasp
+
+Floats = npt.NDArray[np.float64]
+
+
+@dataclass(frozen=True)
+class Frame:
+    """Paper coordinates: exact points, moved and scaled so that the contacts fill [-1, 1].
+
+    The subtraction and division are exact, so coordinates of any size lose nothing.
+    """
+
+    centre: RationalVector
+    size: Fraction
+
+    def paper(self, point: Sequence[Fraction]) -> Floats:
+        """Return a point on paper."""
+        pairs = zip(point, self.centre, strict=True)
+        return np.array([float((x - c) / self.size) for x, c in pairs])
+
+
+def frame_of(places: Sequence[RationalVector]) -> Frame:
+    """Return the frame in which points fill [-1, 1] in the longer direction."""
+    if not places:
+        return Frame((Fraction(0), Fraction(0)), Fraction(1))
+    lows = [min(p[k] for p in places) for k in (0, 1)]
+    highs = [max(p[k] for p in places) for k in (0, 1)]
+    spread = max(high - low for low, high in zip(lows, highs, strict=True)) / 2
+    centre = tuple((low + high) / 2 for low, high in zip(lows, highs, strict=True))
+    return Frame(centre, spread or Fraction(1))
+
+
+def read_outline(corners: Iterable[Iterable[Any]]) -> tuple[RationalVector, ...]:
+    """Return the corners of a given polygon.
+
+    Raises:
+        GraspError: fewer than three corners, or one without two coordinates.
+    """
+    found = tuple(rational_vector(corner, f"outline[{i}]") for i, corner in enumerate(corners))
+    if len(found) < 3 or any(len(corner) != 2 for corner in found):
+        raise GraspError("an outline has at least three corners of two coordinates each")
+    return found
+
+
+def polygon(frame: Frame, corners: Sequence[RationalVector]) -> Floats:
+    """Return a closed polygon as cubic control points (3k + 1, 2)."""
+    places = [frame.paper(corner) for corner in corners]
+    return _joined([(p, p, q, q) for p, q in zip(places, [*places[1:], places[0]], strict=True)])
+
+
+def body(grasp: Grasp, frame: Frame) -> Floats | None:
+    """Return an indicative outline as cubic control points (3k + 1, 2), or None."""
+    distinct = dict.fromkeys((c.point, c.normal) for c in grasp)
+    stops = [
+        (frame.paper(point), np.array([float(normal[1]), -float(normal[0])]))
+        for point, normal in distinct
+    ]
+    if not stops:
+        return None
+    if _in_convex_position(list(distinct)):
+        return _convex(stops)
+    middle = np.mean([p for p, _ in stops], axis=0)
+    for centre in (middle, frame.paper((Fraction(0),) * 2)):
+        if np.abs(centre).max() <= 2 and (curve := _around(stops, centre)) is not None:
+            return curve
+    return None
+
+
+def sampled(curve: Floats, pieces: int = 16) -> Floats:
+    """Return points on a curve of cubic pieces."""
+    t = np.linspace(0, 1, pieces, endpoint=False)[:, None, None]
+    p, q, r, end = curve[:-1:3], curve[1::3], curve[2::3], curve[3::3]
+    at = (1 - t) ** 3 * p + 3 * t * (1 - t) ** 2 * q + 3 * t**2 * (1 - t) * r + t**3 * end
+    found: Floats = at.transpose(1, 0, 2).reshape(-1, 2)
+    return found
+
+
+_Stop = tuple[Floats, Floats]
+_Piece = tuple[Floats, Floats, Floats, Floats]
+
+
+def _in_convex_position(contacts: Sequence[tuple[RationalVector, RationalVector]]) -> bool:
+    """Return whether no contact lies behind the tangent line of another (exact)."""
+    return all(
+        n[0] * (q[0] - p[0]) + n[1] * (q[1] - p[1]) >= 0 for p, n in contacts for q, _ in contacts
+    )
+
+
+def _convex(stops: Sequence[_Stop]) -> Floats:
+    """Join contacts in the order of their tangent directions, counter-clockwise."""
+    order = sorted(stops, key=lambda s: (round(_angle(s[1]), 9), float(s[0] @ s[1])))
+    pieces: list[_Piece] = []
+    for (p, u), (q, v) in zip(order, [*order[1:], order[0]], strict=True):
+        turn = (_angle(v) - _angle(u)) % (2 * math.pi)
+        if min(turn, 2 * math.pi - turn) < 1e-9:
+            turn = 2 * math.pi if float((q - p) @ u) <= 0 else 0.0
+        between = _filled(p, u, q, turn) if turn > math.pi - 1e-9 else []
+        chain = [(p, u), *between, (q, v)]
+        pieces += [_bend(*a, *b) for a, b in pairwise(chain)]
+    return _joined(pieces)
+
+
+def _filled(p: Floats, u: Floats, q: Floats, turn: float) -> list[_Stop]:
+    """Return further stops where the outline turns by half a turn or more."""
+    half = _turned(u, turn / 2)
+    outward = np.array([half[1], -half[0]])
+    middle, reach = (p + q) / 2, max(float(np.linalg.norm(q - p)), 1.0) / 2
+    if turn < 1.15 * math.pi:
+        return [(middle + reach * outward, half)]
+    # A circle that touches the tangent lines of both ends.
+    normal = np.array([-u[1], u[0]])
+    centre = middle + outward * (reach - float(normal @ (middle - p))) / float(normal @ outward)
+    number = math.ceil(turn / (0.5 * math.pi) - 1e-9) - 1
+    ways = [_turned(u, turn * (j + 1) / (number + 1)) for j in range(number)]
+    return [(centre + reach * np.array([w[1], -w[0]]), w) for w in ways]
+
+
+def _bend(p: Floats, u: Floats, q: Floats, v: Floats) -> _Piece:
+    """Return a cubic from p along u to q along v, that of a circle where one fits."""
+    chord = float(np.linalg.norm(q - p))
+    sine = float(u[0] * v[1] - u[1] * v[0])
+    turn = abs(math.atan2(sine, float(u @ v)))
+    if turn < 1e-9 or abs(sine) < 1e-9:
+        before = after = chord / 3
+    else:
+        away = q - p
+        before = float(away[0] * v[1] - away[1] * v[0]) / sine
+        after = float(u[0] * away[1] - u[1] * away[0]) / sine
+        share = 4 / 3 * math.tan(turn / 4) / math.tan(turn / 2)
+        before, after = (min(max(share * arm, 0.0), 0.9 * chord) for arm in (before, after))
+    return p, p + before * u, q - after * v, q
+
+
+def _around(stops: Sequence[_Stop], centre: Floats) -> Floats | None:
+    """Join contacts in angular order around a centre; None when the curve crosses itself."""
+    order = sorted(stops, key=lambda s: (round(_angle(s[0] - centre), 9), _angle(s[1])))
+    pieces = []
+    for (p, u), (q, v) in zip(order, [*order[1:], order[0]], strict=True):
+        arm = 0.38 * float(np.linalg.norm(q - p))
+        pieces.append((p, p + arm * u, q - arm * v, q))
+    curve = _joined(pieces)
+    return None if len(stops) < 3 or _crosses(sampled(curve, 12)) else curve
+
+
+def _crosses(points: Floats) -> bool:
+    """Return whether a closed polygon crosses itself or runs clockwise."""
+    ends = np.roll(points, -1, axis=0)
+    if float(np.sum(points[:, 0] * ends[:, 1] - points[:, 1] * ends[:, 0])) <= 0:
+        return True
+
+    def sides(a: Floats, b: Floats, c: Floats) -> Floats:
+        one, two = (b - a)[:, None], c[None] - a[:, None]
+        found: Floats = one[..., 0] * two[..., 1] - one[..., 1] * two[..., 0]
+        return found
+
+    apart = sides(points, ends, points) * sides(points, ends, ends) < -1e-18
+    return bool((apart & apart.T).any())
+
+
+def _joined(pieces: Sequence[_Piece]) -> Floats:
+    return np.array([pieces[0][0], *(x for piece in pieces for x in piece[1:])])
+
+
+def _angle(vector: Floats) -> float:
+    return math.atan2(vector[1], vector[0]) % (2 * math.pi)
+
+
+def _turned(vector: Floats, angle: float) -> Floats:
+    c, s = math.cos(angle), math.sin(angle)
+    return np.array([c * vector[0] - s * vector[1], s * vector[0] + c * vector[1]])

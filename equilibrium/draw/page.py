@@ -1,0 +1,187 @@
+"""An interactive page: which forces a grasp resists, and what its contacts do under the pointer.
+
+Motion, forces, wrench and preloads grow together. So the exact set for one preload serves for
+every factor above 0: a condition ``a . w + d >= 0`` becomes ``a . w + d p >= 0``. The page decides
+with exact numbers; floats place things on the screen.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from fractions import Fraction
+from typing import Any
+
+import numpy as np
+
+from arrangement.draw.onepage import BASE_SCRIPT, BASE_STYLE, Template, one_page
+from arrangement.errors import InputError
+from arrangement.exact import RationalVector, to_text
+from equilibrium.elimination import gauss_jordan
+from equilibrium.grasp import Grasp, read_wrench
+from equilibrium.limits import Piece, resistible_set
+from equilibrium.systems import States, each_force, state_system
+
+from .body import Frame, body, frame_of, sampled
+
+#: Contacts beyond which the pieces are too many for a page.
+MAX_CONTACTS = 10
+_SCRIPTS = ("rational.js", "resisted.js", "plane.js", "graspview.js", "resist.js")
+
+
+def resist_page(
+    grasp: Grasp, *, wrench: Iterable[Any] | None = None, title: str | None = None
+) -> str:
+    """Return one HTML page, complete in itself: the resisted forces of a grasp.
+
+    The plane of forces shows every piece (one choice of contact states) at a torque and a preload
+    that can be changed. For the force under the pointer the page tells whether it is resisted,
+    with which states, and with which forces and motion where the states fix them.
+
+    Args:
+        grasp: up to `MAX_CONTACTS` contacts.
+        wrench: chosen at first; left out, none is, and the torque is 0.
+        title: a heading; left out, the number of contacts.
+
+    Raises:
+        InputError: too many contacts, or no wrench.
+    """
+    if len(grasp) > MAX_CONTACTS:
+        raise InputError(f"{len(grasp)} contacts; a page shows at most {MAX_CONTACTS}")
+    applied = None if wrench is None else read_wrench(wrench)
+    number = f"{len(grasp)} contact{'' if len(grasp) == 1 else 's'}"
+    heading = title if title is not None else f"Forces that {number} resist"
+    data = {"title": heading, "summary": _summary(grasp), **_sets(grasp), **_picture(grasp)}
+    data |= _window(grasp, applied)
+    own = "equilibrium.draw"
+    scripts: list[Template] = [(own, name) for name in (*_SCRIPTS, "resist_controls.js")]
+    styles: list[Template] = [BASE_STYLE, (own, "resist.css")]
+    return one_page(heading, (own, "resist.html"), styles, [BASE_SCRIPT, *scripts], data)
+
+
+def _summary(grasp: Grasp) -> str:
+    frictions = sorted({contact.friction for contact in grasp})
+    stated = f" friction {', '.join(map(to_text, frictions))};" if frictions else ""
+    preloads = sorted({contact.preload for contact in grasp})
+    loaded = f" preload {', '.join(map(to_text, preloads))}" if preloads else ""
+    return f"{len(grasp)} contacts;{stated}{loaded}"
+
+
+def _sets(grasp: Grasp) -> dict[str, Any]:
+    """Return the resisted wrenches without preload, with preload 1, and with the grasp's own."""
+    preloads = {contact.preload for contact in grasp} or {Fraction(0)}
+    chosen = {"none": grasp.with_preload(0), "uniform": grasp.with_preload(1)}
+    if len(preloads) > 1:
+        chosen["own"] = grasp
+    uniform = next(iter(preloads))
+    return {
+        "sets": [
+            {"name": name, "pieces": [_piece(loaded, x) for x in resistible_set(loaded).pieces]}
+            for name, loaded in chosen.items()
+        ],
+        "kind": "own" if "own" in chosen else "uniform",
+        "factor": "1" if "own" in chosen else to_text(uniform),
+        "preload_reach": 3.0 if "own" in chosen else _reach([uniform], 1.5, 3.0),
+    }
+
+
+def _piece(grasp: Grasp, piece: Piece) -> dict[str, Any]:
+    shape = piece.polyhedron
+    motion, forces = _solution(grasp, piece.states)
+    return {
+        "states": list(piece.states),
+        "inequalities": [[str(x) for x in row] for row in shape.inequalities],
+        "equalities": [[str(x) for x in row] for row in shape.equalities],
+        "motion": None if None in motion else _texts(motion),
+        "forces": [_texts(forces[k : k + 2]) for k in range(0, len(forces), 2)],
+    }
+
+
+def _texts(forms: Sequence[RationalVector | None]) -> list[list[str] | None]:
+    return [None if form is None else [to_text(x) for x in form] for form in forms]
+
+
+def _solution(
+    grasp: Grasp, states: States
+) -> tuple[list[RationalVector | None], list[RationalVector | None]]:
+    """Return motion and force components as linear forms in wrench and preload factor.
+
+    None stands for each component that the states do not fix.
+    """
+    system = state_system(grasp, states, (Fraction(0),) * 3)
+    n = system.size
+    unit = [[Fraction(int(i == j)) for j in range(3)] for i in range(n)]
+    # Unknowns, then the columns of the wrench and of the preload: E z + w + f p = 0.
+    matrix = [[*row[:-1], *unit[i], row[-1]] for i, row in enumerate(map(list, system.equalities))]
+    rows, pivots, scale = gauss_jordan(matrix)
+    forms: list[RationalVector | None] = [None] * n
+    for row, pivot in zip(rows, pivots, strict=False):
+        if pivot < n and not any(row[j] for j in range(n) if j != pivot):
+            forms[pivot] = tuple(Fraction(-x, scale) for x in row[n:])
+    motion = [_combined(forms, _row(j, n)) for j in range(3)]
+    forces = [_combined(forms, row) for row in each_force(system)]
+    return motion, forces
+
+
+def _row(j: int, n: int) -> RationalVector:
+    return tuple(Fraction(int(i == j)) for i in range(n + 1))
+
+
+def _combined(forms: Sequence[RationalVector | None], row: RationalVector) -> RationalVector | None:
+    """Return a row in the unknowns as a form in wrench and preload; None if it is not fixed."""
+    total = [Fraction(0), Fraction(0), Fraction(0), row[-1]]
+    for factor, form in zip(row[:-1], forms, strict=True):
+        if factor:
+            if form is None:
+                return None
+            total = [a + factor * b for a, b in zip(total, form, strict=True)]
+    return tuple(total)
+
+
+def _picture(grasp: Grasp) -> dict[str, Any]:
+    """Return the contacts and an indicative outline in paper coordinates."""
+    frame = frame_of([contact.point for contact in grasp])
+    curve = body(grasp, frame)
+    return {
+        "contacts": [
+            {
+                "place": _floats(frame.paper(contact.point)),
+                "normal": [float(x) for x in contact.normal],
+                "friction": min(float(contact.friction), 1e6),
+                "preload": float(contact.preload),
+            }
+            for contact in grasp
+        ],
+        "outline": None if curve is None else [_floats(p) for p in sampled(curve)],
+        "origin": _floats(np.clip(frame.paper((Fraction(0),) * 2), -1.5, 1.5)),
+        **_frame(frame),
+    }
+
+
+def _frame(frame: Frame) -> dict[str, Any]:
+    return {"centre": [float(x) for x in frame.centre], "size": float(frame.size)}
+
+
+def _window(grasp: Grasp, applied: RationalVector | None) -> dict[str, Any]:
+    """Return how much of the plane is shown at first, and how far the torque can be moved."""
+    whole = resistible_set(grasp)
+    points = [point for piece in whole.pieces for point in piece.polyhedron.points]
+    forces = [x for point in points for x in point[:2]] + list(applied[:2] if applied else ())
+    names = [f"force {axis}" for axis in "xy"]
+    units = grasp.units
+    return {
+        "half": _reach(forces, 1.4, 2.0),
+        "torque": to_text(applied[2]) if applied else "0",
+        "force": [to_text(x) for x in applied[:2]] if applied else None,
+        "torque_reach": _reach([*(p[2] for p in points), *(applied or ())[2:]], 1.2, 1.0),
+        "axes": [f"{name} ({units.force})" for name in names] if units else names,
+    }
+
+
+def _reach(values: Iterable[Fraction], room: float, least: float) -> float:
+    """Return the largest size of numbers with some room; `least` where there is none but 0."""
+    largest = max((abs(x) for x in values), default=Fraction(0))
+    return float(largest * Fraction(room)) if largest else least
+
+
+def _floats(point: Any) -> list[float]:
+    return [round(float(x), 5) + 0.0 for x in point]

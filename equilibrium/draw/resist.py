@@ -1,0 +1,92 @@
+"""The resisted wrenches of a plane as a picture, piece by piece."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from fractions import Fraction
+from typing import TYPE_CHECKING, Any
+
+from arrangement.draw.output import require_matplotlib
+from arrangement.exact import RationalVector
+from equilibrium.grasp import Grasp, read_wrench
+from equilibrium.limits import Region, resistible_region
+
+from .legend import Legend
+from .panel import fill_of
+from .row import read_extent, row_of_panels
+from .style import FILLS, SYMBOLS, number, vector
+from .window import window_of
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+
+def draw_resist(
+    grasp: Grasp,
+    *,
+    wrench: Iterable[Any] | None = None,
+    extent: Any = None,
+    width: float = 88.0,
+) -> Figure:
+    """Draw which forces are resisted, at zero torque or at the torque of a wrench.
+
+    Every polygon is exact and stands for one choice of contact states: its colour tells how many
+    contacts stick, hatching that some contact is detached; where there is room, one character for
+    each contact tells its state. Polygons may overlap (several equilibria exist); smaller ones lie
+    on top. The black border is drawn only where resistance ends. What reaches the edge of the
+    picture has no end, and fades.
+
+    Args:
+        grasp: contacts.
+        wrench: marked: a disc when it is resisted, a cross when not; the plane has its torque.
+        extent: half the side of the picture, about the origin; then nothing fades, as what
+            reaches the edge may end beyond; left out, the whole border is shown.
+        width: of the figure, in millimetres.
+
+    Raises:
+        GraspError: an extent that is not above 0.
+        MissingExtraError: matplotlib is absent.
+    """
+    require_matplotlib()
+    applied = None if wrench is None else read_wrench(wrench)
+    torque = Fraction(0) if applied is None else applied[2]
+    region = resistible_region(grasp, origin=(0, 0, torque))
+    half = read_extent(extent)
+    window = window_of(region, [applied[:2]] if applied else [], half)
+    legend = Legend(width)
+    _describe(grasp, region, applied, legend, fades=half is None)
+    figure, (panel,) = row_of_panels(1, width, window, legend, grasp)
+    unit = f" {grasp.units.torque}" if grasp.units else ""
+    panel.title(f"resisted forces at torque {number(torque)}{unit}")
+    panel.region(region)
+    if half is None:
+        panel.fade()
+    if applied is not None:
+        panel.wrench(applied[:2], region.contains(applied[:2]))
+    return figure
+
+
+def _describe(
+    grasp: Grasp, region: Region, applied: RationalVector | None, legend: Legend, *, fades: bool
+) -> None:
+    states = [p.states for p in region.polygons if p.polyhedron.dimension == 2]
+    if not region.polygons:
+        legend.line("nothing in this plane is resisted")
+    if applied is not None:
+        held = region.contains(applied[:2])
+        legend.key("resisted" if held else "refused", f"w = {vector(applied)}")
+    counts = sorted({min(s.count("stick"), len(FILLS) - 1) for s in states})
+    for count in counts:
+        example = next(s for s in states if min(s.count("stick"), len(FILLS) - 1) == count)
+        more = any(s.count("stick") > count for s in states) and count == len(FILLS) - 1
+        legend.key(fill_of(example), f"{count}{' or more' if more else ''} stick")
+    if any("detached" in s for s in states):
+        legend.key("#ffffff hatched", "some detached")
+    outline = region.outline
+    if outline.border or outline.whiskers:
+        legend.key("border", "resistance ends")
+    if states and len(grasp):
+        shown = ", ".join(f"{SYMBOLS[s]} {s}" for s in SYMBOLS if any(s in x for x in states))
+        legend.line(f"contacts 1 to {len(grasp)}: {shown}")
+    if fades and not all(piece.polyhedron.bounded for piece in region.polygons):
+        legend.key("fade", "without end")

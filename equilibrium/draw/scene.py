@@ -1,0 +1,138 @@
+"""What a picture of a grasp shows, in paper coordinates: exact until the last division."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable
+from dataclasses import dataclass, field
+from fractions import Fraction
+from typing import Any
+
+import numpy as np
+
+from arrangement.exact import RationalVector
+from equilibrium.errors import GraspError
+from equilibrium.grasp import Grasp
+from equilibrium.passive import Verdict
+from equilibrium.pieces import Equilibrium
+
+from .body import Floats, Frame, body, frame_of, polygon, read_outline
+from .style import nice, rounded
+
+#: Lengths on paper, where the contacts fill [-1, 1]: cones, the largest force, its torque arc.
+CONE, FORCE, ARC = 0.42, 0.65, 0.2
+#: The largest displacement that is drawn.
+MOVED = 0.22
+
+
+@dataclass
+class Scene:
+    """What is to be drawn, in paper coordinates.
+
+    Attributes:
+        reference: the largest force component; arrows of forces are `FORCE` for `longest` of it.
+        arms: for each contact the contact force on paper, or None.
+        step: the exact factor that the motion is drawn with, or None when nothing moves.
+    """
+
+    grasp: Grasp
+    verdict: Verdict | None
+    found: Equilibrium | None
+    frame: Frame
+    curve: Floats | None
+    given: bool
+    origin: Floats
+    applied: RationalVector | None
+    moved: bool
+    reference: Fraction = Fraction(0)
+    longest: float = 1.0
+    places: list[Floats] = field(default_factory=list)
+    normals: list[Floats] = field(default_factory=list)
+    arms: list[Floats | None] = field(default_factory=list)
+    preloads: list[float] = field(default_factory=list)
+    load: Floats | None = None
+    step: Fraction | None = None
+
+
+def scene_of(
+    grasp: Grasp, verdict: Verdict | None, outline: Iterable[Iterable[Any]] | None, piece: int
+) -> Scene:
+    """Return all that a picture of a grasp shows (see `draw_grasp` for the arguments)."""
+    corners = None if outline is None else read_outline(outline)
+    frame = frame_of([*(c.point for c in grasp), *(corners or ())])
+    curve = body(grasp, frame) if corners is None else polygon(frame, corners)
+    applied = None if verdict is None else verdict.wrench
+    far = any(abs(x) > Fraction(3, 2) * frame.size for x in frame.centre)
+    place: RationalVector = (Fraction(0), Fraction(0))
+    if far:
+        place = frame.centre
+        if applied is not None:
+            x, y, torque = applied
+            applied = (x, y, torque - (place[0] * y - place[1] * x))
+    scene = Scene(
+        grasp, verdict, _chosen(verdict, piece), frame, curve, corners is not None,
+        frame.paper(place), applied, far,
+    )  # fmt: skip
+    scene.places = [frame.paper(c.point) for c in grasp]
+    scene.normals = [np.array([float(x) for x in c.normal]) for c in grasp]
+    _scale_forces(scene)
+    if scene.found is not None:
+        scene.step = _step(scene.found.motion, frame, grasp)
+    return scene
+
+
+def _chosen(verdict: Verdict | None, piece: int) -> Equilibrium | None:
+    if verdict is None or (not verdict.stable and piece == 1):
+        return None
+    if not 1 <= piece <= len(verdict.equilibria):
+        raise GraspError(f"piece is {piece}; there are {len(verdict.equilibria)} equilibria")
+    return verdict.equilibria[piece - 1]
+
+
+def _scale_forces(scene: Scene) -> None:
+    """Turn all forces into arrows of one scale; exact until the largest one is known."""
+    forces: list[RationalVector | None] = [None] * len(scene.grasp)
+    if scene.found is not None:
+        for i, (c, (c_n, c_t)) in enumerate(zip(scene.grasp, scene.found.forces, strict=True)):
+            forces[i] = tuple(c_n * n + c_t * t for n, t in zip(c.normal, c.tangent, strict=True))
+    load = None if scene.applied is None else scene.applied[:2]
+    every = [f for f in (*forces, load) if f is not None]
+    preloads = [c.preload for c in scene.grasp]
+    scene.reference = max((abs(x) for f in [*every, preloads] for x in f), default=Fraction(0))
+    unit = scene.reference or Fraction(1)
+
+    def share(force: RationalVector) -> Floats:
+        return np.array([float(x / unit) for x in force])
+
+    lengths = [float(np.linalg.norm(share(f))) for f in every]
+    scene.longest = max([*lengths, *(float(q / unit) for q in preloads)], default=1.0) or 1.0
+    factor = FORCE / scene.longest
+    scene.arms = [None if f is None or not any(f) else factor * share(f) for f in forces]
+    scene.preloads = [factor * float(q / unit) for q in preloads]
+    scene.load = factor * share(load) if load is not None and any(load) else None
+
+
+def _step(motion: RationalVector, frame: Frame, grasp: Grasp) -> Fraction | None:
+    """Return a round factor with which no contact moves further than `MOVED` on paper."""
+    shifts = [abs(x) for c in grasp for x in _shift(motion, c.point)]
+    largest = max(shifts, default=Fraction(0))
+    if not largest:
+        return None
+    wanted = Fraction(MOVED) * frame.size / largest
+    near = rounded(wanted)
+    return nice(near) if near and math.isfinite(near) else wanted
+
+
+def _shift(motion: RationalVector, point: RationalVector) -> RationalVector:
+    return (motion[0] - motion[2] * point[1], motion[1] + motion[2] * point[0])
+
+
+def displaced(scene: Scene, places: Floats) -> Floats:
+    """Return paper points after the motion, to first order."""
+    assert scene.found is not None
+    assert scene.step is not None
+    x, y = _shift(scene.found.motion, scene.frame.centre)
+    shift = np.array([float(scene.step * v / scene.frame.size) for v in (x, y)])
+    turn = float(scene.step * scene.found.motion[2])
+    moved: Floats = places + shift + turn * np.stack([-places[:, 1], places[:, 0]], axis=1)
+    return moved

@@ -1,0 +1,155 @@
+// The plane of forces at one torque and one preload.
+// Half the sides of the drawing; the smaller one always has the same length.
+const SIDE = 118;
+let [WIDE, HIGH] = [150, SIDE];
+const CODES = { stick: "●", "slip+": "+", "slip-": "−", detached: "○" };
+const fixed = (x) => (Math.round(x * 100) / 100).toString();
+
+const scale = () => SIDE / state.half;
+const onPaper = ([x, y]) => [(x - state.middle[0]) * scale(), -(y - state.middle[1]) * scale()];
+const outline = (corners) => `M${corners.map((p) => onPaper(p).map(fixed).join(",")).join("L")}Z`;
+
+// A rectangle of the plane, somewhat larger than what is seen.
+function seen() {
+  const [w, h] = [(1.15 * WIDE) / scale(), (1.15 * HIGH) / scale()];
+  const [x, y] = state.middle;
+  return [[x - w, y - h], [x + w, y - h], [x + w, y + h], [x - w, y + h]];
+}
+
+const stuck = (piece) => Math.min(3, piece.states.filter((s) => s === "stick").length);
+const codeOf = (states) => states.map((s) => CODES[s]).join("");
+
+// Below all fills lies a broad line around every piece. What is left of it is the border of the
+// union: there, and only there, resistance ends.
+function paintPlane() {
+  const view = at("plane");
+  const box = seen();
+  state.slices = pieces().map((piece) => {
+    const corners = slice(piece, state.torque, state.factor, box);
+    return { piece, corners, area: areaOf(corners) };
+  }).filter((part) => part.corners.length).sort((one, other) => other.area - one.area);
+  const tiny = 1e-9 / (scale() * scale());
+  const solid = state.slices.filter((part) => part.area > tiny);
+  const sheets = solid.map(({ corners }) => corners.map(onPaper));
+  const thin = state.slices.filter((part) => part.area <= tiny && !covered(part.corners, sheets));
+  view.replaceChildren();
+  hatching(view);
+  paintGrid(view, 0);
+  for (const { corners } of solid) draw("path", { class: "rim", d: outline(corners) }, view);
+  for (const { piece, corners } of solid) {
+    draw("path", { class: `piece s${stuck(piece)}`, d: outline(corners) }, view);
+    if (piece.states.includes("detached")) {
+      draw("path", { class: "hatched", d: outline(corners), fill: "url(#hatch)" }, view);
+    }
+  }
+  for (const { corners } of solid) draw("path", { class: "seam", d: outline(corners) }, view);
+  for (const { corners } of thin) paintThin(view, corners);
+  paintGrid(view, 1);
+  paintCodes(view, solid);
+  state.overlay = draw("g", {}, view);
+}
+
+function hatching(view) {
+  const pattern = draw("pattern", { id: "hatch", width: 5, height: 5, patternUnits: "userSpaceOnUse",
+    patternTransform: "rotate(45)" }, draw("defs", {}, view));
+  draw("path", { d: "M0 0V5", stroke: "var(--ink)", "stroke-width": 0.5, opacity: 0.45 }, pattern);
+}
+
+// Whether the ends and the middle of a thin piece lie in polygons, so that it adds nothing.
+function covered(corners, sheets) {
+  const places = corners.map(onPaper);
+  const middle = [0, 1].map((k) => places.reduce((sum, p) => sum + p[k], 0) / places.length);
+  return [...places, middle].every((p) => sheets.some((sheet) => within(sheet, p)));
+}
+
+function paintThin(view, corners) {
+  const places = corners.map(onPaper);
+  const far = places.reduce((best, p) => (Math.hypot(p[0] - places[0][0], p[1] - places[0][1])
+    > Math.hypot(best[0] - places[0][0], best[1] - places[0][1]) ? p : best), places[0]);
+  const [x, y] = places[0];
+  if (Math.hypot(far[0] - x, far[1] - y) < 0.5) {
+    draw("circle", { class: "lone", cx: fixed(x), cy: fixed(y), r: 2 }, view);
+  } else {
+    draw("path", { class: "thin", d: `M${fixed(x)},${fixed(y)}L${far.map(fixed).join(",")}` }, view);
+  }
+}
+
+function niceStep(least) {
+  const power = Math.floor(Math.log10(least));
+  for (const [digit, exponent] of [[1, power], [2, power], [5, power], [1, power + 1]]) {
+    if (digit * 10 ** exponent >= least * (1 - 1e-9)) return [digit, exponent];
+  }
+  return [1, power + 1];
+}
+
+function paintGrid(view, layer) {
+  const [digit, exponent] = niceStep(34 / scale());
+  const step = digit * 10 ** exponent;
+  const label = (k) => (exponent < 0 ? (k * step).toFixed(-exponent) : String(k * step)).replace("-", "−");
+  for (const axis of [0, 1]) {
+    const reach = (axis ? HIGH : WIDE) / scale();
+    const from = Math.ceil((state.middle[axis] - reach) / step);
+    const to = Math.floor((state.middle[axis] + reach) / step);
+    for (let k = from; k <= to; k += 1) {
+      const place = onPaper(axis ? [0, k * step] : [k * step, 0])[axis];
+      const d = axis ? `M${-WIDE},${fixed(place)}H${WIDE}` : `M${fixed(place)},${-HIGH}V${HIGH}`;
+      if (layer === 0) draw("path", { class: "grid", d }, view);
+      else if (k === 0) draw("path", { class: "axis", d }, view);
+      const [x, y] = axis ? [-WIDE + 3, place + 2] : [place, HIGH - 3];
+      const room = axis ? Math.abs(place) < HIGH - 14 : Math.abs(place) < WIDE - 16;
+      if (layer && room) {
+        draw("text", { class: "tick", x: fixed(x), y: fixed(y), "text-anchor": axis ? "start" : "middle" }, view, label(k));
+      }
+    }
+  }
+  if (!layer) return;
+  draw("text", { class: "tick", x: WIDE - 4, y: HIGH - 11, "text-anchor": "end" }, view, data.axes[0]);
+  draw("text", { class: "tick", x: -WIDE + 3, y: -HIGH + 8 }, view, data.axes[1]);
+}
+
+// The states as one character for each contact, where they fit and nothing covers them.
+function paintCodes(view, solid) {
+  solid.forEach(({ piece, corners }, i) => {
+    const places = clippedToSight(corners).map(onPaper);
+    if (places.length < 3) return;
+    const middle = [0, 1].map((k) => places.reduce((sum, p) => sum + p[k], 0) / places.length);
+    const [w, h] = [3.2 * piece.states.length + 1, 5];
+    const frame = [[-w, -h], [w, -h], [w, h], [-w, h], [0, 0]].map(([x, y]) => [middle[0] + x, middle[1] + y]);
+    const hidden = solid.slice(i + 1).some((other) => frame.some((p) => within(other.corners.map(onPaper), p)));
+    if (!hidden && frame.every((p) => within(places, p))) {
+      draw("text", { class: "code", x: fixed(middle[0]), y: fixed(middle[1]) }, view, codeOf(piece.states));
+    }
+  });
+}
+
+function clippedToSight(corners) {
+  const [w, h] = [WIDE / scale(), HIGH / scale()];
+  const [x, y] = state.middle;
+  let left = corners;
+  for (const row of [[1, 0, w - x], [-1, 0, w + x], [0, 1, h - y], [0, -1, h + y]]) left = cut(left, row, 0);
+  return left;
+}
+
+// Whether a point of the paper is in a convex polygon, or nearly.
+function within(places, [x, y]) {
+  const turns = places.map((p, i) => {
+    const q = places[(i + 1) % places.length];
+    const length = Math.hypot(q[0] - p[0], q[1] - p[1]) || 1;
+    return ((q[0] - p[0]) * (y - p[1]) - (q[1] - p[1]) * (x - p[0])) / length;
+  });
+  return turns.every((t) => t <= 0.05) || turns.every((t) => t >= -0.05);
+}
+
+function paintHere() {
+  state.overlay.replaceChildren();
+  const force = shownForce();
+  const piece = state.found[state.choice];
+  const part = piece && state.slices.find((entry) => entry.piece === piece);
+  if (part) draw("path", { class: "held-piece", d: outline(part.corners) }, state.overlay);
+  if (!force) return;
+  const [x, y] = onPaper(force.map(near));
+  const [ox, oy] = onPaper([0, 0]);
+  draw("path", { class: "here line", d: `M${fixed(ox)},${fixed(oy)}L${fixed(x)},${fixed(y)}` }, state.overlay);
+  if (state.found.length) draw("circle", { class: "here dot", cx: fixed(x), cy: fixed(y), r: 3.4 }, state.overlay);
+  else draw("path", { class: "here", d: `M${fixed(x - 3)},${fixed(y - 3)}l6,6m0,-6l-6,6` }, state.overlay);
+}

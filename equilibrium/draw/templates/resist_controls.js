@@ -1,0 +1,167 @@
+// Pointer, touch, keys and input fields.
+function worldAt(event) {
+  const [x, y] = place(at("plane"), event);
+  return [state.middle[0] + x / scale(), state.middle[1] + y / scale()];
+}
+
+// The nearest round decimal: so the force under the pointer is an exact number, and its answer too.
+function rounded(value) {
+  const [digit, exponent] = niceStep(1.6 / scale());
+  const steps = BigInt(Math.round(value / (digit * 10 ** exponent))) * BigInt(digit);
+  return exponent >= 0 ? ratio(steps * 10n ** BigInt(exponent)) : ratio(steps, 10n ** BigInt(-exponent));
+}
+
+function ratioStep() {
+  const [digit, exponent] = niceStep(1.6 / scale());
+  return exponent >= 0 ? ratio(BigInt(digit) * 10n ** BigInt(exponent)) : ratio(BigInt(digit), 10n ** BigInt(-exponent));
+}
+
+function zoom(factor, about = state.middle) {
+  const half = Math.min(1e9, Math.max(1e-6, state.half * factor)) * 1;
+  const share = half / state.half;
+  state.middle = state.middle.map((m, k) => about[k] + (m - about[k]) * share);
+  state.half = half;
+  refresh();
+}
+
+function pan(dx, dy) {
+  state.middle = [state.middle[0] - dx, state.middle[1] - dy];
+  refresh();
+}
+
+function keep(force) {
+  state.kept = force;
+  state.under = null;
+  follow();
+}
+
+function move(dx, dy) {
+  const step = ratioStep();
+  const [x, y] = state.kept ?? [ratio(0n), ratio(0n)];
+  keep([plus(x, times(step, ratio(BigInt(dx)))), plus(y, times(step, ratio(BigInt(dy))))]);
+}
+
+function nextStates() {
+  if (!state.found.length) return;
+  state.wanted = codeOf(state.found[(state.choice + 1) % state.found.length].states);
+  follow();
+}
+
+function goHome() {
+  Object.assign(state, { middle: [0, 0], half: data.half });
+  refresh();
+}
+
+function listen() {
+  const view = at("plane");
+  const held = new Map();
+  let moved = 0;
+  view.addEventListener("pointerdown", (event) => {
+    if (event.button) return;
+    if (!held.size) moved = 0;
+    held.set(event.pointerId, [event.clientX, event.clientY]);
+    view.setPointerCapture(event.pointerId);
+  });
+  view.addEventListener("pointermove", (event) => {
+    const before = held.get(event.pointerId);
+    if (!before) {
+      state.under = worldAt(event).map(rounded);
+      follow();
+      return;
+    }
+    const now = [event.clientX, event.clientY];
+    const [dx, dy] = [now[0] - before[0], now[1] - before[1]];
+    moved += Math.hypot(dx, dy);
+    if (moved < 4) return;
+    view.classList.add("held");
+    state.under = null;
+    const unit = 1 / (view.getScreenCTM().a * scale());
+    const others = [...held].filter(([id]) => id !== event.pointerId);
+    if (others.length) {
+      const [, other] = others[0];
+      const spread = (p) => Math.max(10, Math.hypot(p[0] - other[0], p[1] - other[1]));
+      zoom(spread(before) / spread(now));
+    }
+    pan((dx * unit) / (1 + others.length), (-dy * unit) / (1 + others.length));
+    held.set(event.pointerId, now);
+  });
+  const release = (event) => {
+    if (held.delete(event.pointerId) && moved < 4 && event.type === "pointerup") keep(worldAt(event).map(rounded));
+    view.classList.remove("held");
+  };
+  view.addEventListener("pointerup", release);
+  view.addEventListener("pointercancel", release);
+  view.addEventListener("pointerleave", () => { state.under = null; follow(); });
+  view.addEventListener("wheel", (event) => {
+    event.preventDefault();
+    zoom(Math.exp(Math.sign(event.deltaY) * 0.18), worldAt(event));
+  }, { passive: false });
+  view.addEventListener("keydown", (event) => {
+    const keys = {
+      ArrowLeft: () => move(-1, 0), ArrowRight: () => move(1, 0), ArrowUp: () => move(0, 1),
+      ArrowDown: () => move(0, -1), "+": () => zoom(0.8), "=": () => zoom(0.8), "-": () => zoom(1.25),
+      s: nextStates, Home: goHome, Escape: () => keep(null),
+    };
+    const action = event.ctrlKey || event.metaKey || event.altKey ? null : keys[event.key];
+    if (action) { event.preventDefault(); action(); }
+  });
+}
+
+// A field takes exact numbers; what is none is marked and changes nothing.
+function field(id, accept) {
+  at(id).addEventListener("input", () => {
+    const value = readRatio(at(id).value);
+    const good = value !== null && accept(value) !== false;
+    at(id).classList.toggle("wrong", !good);
+  });
+}
+
+function slider(id, reach, low, accept) {
+  const element = at(id);
+  Object.assign(element, { min: low, max: reach, step: reach / 40 });
+  element.addEventListener("input", () => accept(readRatio(Number(element.value).toFixed(6))));
+}
+
+// The plane fills its frame, whatever its shape.
+function fit() {
+  const { width, height } = at("plane").getBoundingClientRect();
+  const least = Math.min(width, height) || 1;
+  [WIDE, HIGH] = [(SIDE * (width || 1)) / least, (SIDE * (height || 1)) / least];
+  at("plane").setAttribute("viewBox", `${-WIDE} ${-HIGH} ${2 * WIDE} ${2 * HIGH}`);
+  refresh();
+}
+
+function begin() {
+  at("title").textContent = data.title;
+  at("summary").textContent = data.summary;
+  at("grasp-caption").textContent = data.outline ? "dashed: an outline that fits the contacts, only indicative" : "the contacts";
+  const setTorque = (value) => { state.torque = value; refresh(); };
+  const setFactor = (value) => {
+    if (value.n < 0n) return false;
+    state.factor = value;
+    refresh();
+    return true;
+  };
+  [0, 1].forEach((k) => field(k ? "force-y" : "force-x", (value) => {
+    const [x, y] = state.kept ?? [ratio(0n), ratio(0n)];
+    keep(k ? [x, value] : [value, y]);
+  }));
+  field("torque", setTorque);
+  field("preload", setFactor);
+  slider("torque-slider", data.torque_reach, -data.torque_reach, setTorque);
+  slider("preload-slider", data.preload_reach, 0, setFactor);
+  at("preload-kind-row").hidden = !sets.has("own");
+  const nameIt = () => { at("preload-name").textContent = state.kind === "own" ? "factor" : "preload"; };
+  at("preload-kind").value = state.kind;
+  at("preload-kind").addEventListener("change", (event) => { state.kind = event.target.value; nameIt(); refresh(); });
+  nameIt();
+  themeButton(at("theme"));
+  at("print").addEventListener("click", () => window.print());
+  at("home").addEventListener("click", goHome);
+  listen();
+  legend();
+  new ResizeObserver(fit).observe(at("plane"));
+  fit();
+}
+
+begin();

@@ -1,0 +1,336 @@
+"""The interactive page of an arrangement, opened in headless Chromium."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable
+from fractions import Fraction
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from arrangement import Arrangement, InputError
+from arrangement.cli import main
+from arrangement.draw import arrangement_page
+from arrangement.draw.page import MAX_CIRCLES
+from arrangement.dual import dual_polyhedron
+from arrangement.files import read_arrangement
+from tests.browser import Browser
+
+#: Regions, arcs and crossings, from the literature: coordinate planes (cube), A3 (permutohedron),
+#: B3 (truncated cuboctahedron), m generic planes (m^2 - m + 2), pencils.
+KNOWN = {
+    "coordinate-planes": (8, 12, 6),
+    "braid-a3": (24, 36, 14),
+    "reflection-b3": (48, 72, 26),
+    "nine-generic-planes": (74, 144, 72),
+    "pencil": (10, 10, 2),
+    "coincident-planes": (4, 4, 2),
+    "paper-four-contacts": (4, 4, 2),
+}
+
+Opened = Callable[..., None]
+
+
+@pytest.fixture
+def opened(browser: Browser, tmp_path: Path) -> Opened:
+    """Return a function that writes the page of an arrangement and opens it."""
+
+    def open_page(source: str | Arrangement, **options: Any) -> None:
+        planes = read_arrangement(source) if isinstance(source, str) else source
+        path = tmp_path / "page.html"
+        path.write_text(arrangement_page(planes, **options), encoding="utf-8")
+        browser.open(path)
+        browser.settled()
+
+    return open_page
+
+
+def counts(browser: Browser) -> tuple[int, ...]:
+    text = browser.run("return document.getElementById('sphere-counts').textContent")
+    return tuple(map(int, re.findall(r"\d+", text)))
+
+
+def dual_counts(browser: Browser) -> tuple[int, ...]:
+    text = browser.run("return document.getElementById('dual-counts').textContent")
+    return tuple(map(int, re.findall(r"\d+", text)))
+
+
+def facts(browser: Browser) -> dict[str, str]:
+    """Return what the page says about what is chosen."""
+    names = browser.run(
+        "return [...document.querySelectorAll('#chosen dt')].map(e => e.textContent)"
+    )
+    values = browser.run(
+        "return [...document.querySelectorAll('#chosen dd')].map(e => e.textContent)"
+    )
+    return dict(zip(names, values, strict=True))
+
+
+def vector(text: str) -> tuple[Fraction, ...]:
+    return tuple(map(Fraction, text.strip("()").split(", ")))
+
+
+def signs(text: str) -> tuple[int, ...]:
+    return tuple({"+": 1, "-": -1, "0": 0}[sign] for sign in text)
+
+
+def centre(browser: Browser, selector: str) -> tuple[float, float]:
+    x, y = browser.run(
+        "const b = document.querySelector(arguments[0]).getBoundingClientRect();"
+        "return [b.left + b.width / 2, b.top + b.height / 2]",
+        selector,
+    )
+    return x, y
+
+
+@pytest.mark.parametrize("name", KNOWN)
+def test_the_page_shows_every_cell_and_stays_silent(
+    name: str, browser: Browser, opened: Opened
+) -> None:
+    opened(name)
+    assert counts(browser) == dual_counts(browser) == KNOWN[name]
+    drawn = "return document.querySelectorAll(arguments[0]).length"
+    assert browser.run(drawn, "#sphere .region") == KNOWN[name][0]
+    assert browser.run(drawn, "#dual .vertex") == KNOWN[name][0]
+    assert browser.run(drawn, "#dual .edge") == KNOWN[name][1]
+    assert browser.run(drawn, "#sphere .region:not([d=''])") >= KNOWN[name][0] / 2
+    assert browser.messages() == []
+    assert browser.outside() == []
+
+
+def test_the_whole_disk_is_covered_by_regions(browser: Browser, opened: Opened) -> None:
+    """Every place of the disk that is on no line belongs to exactly one region."""
+    opened("braid-a3", direction=(4, 5, 3))
+    wrong = browser.run(
+        """
+        const view = document.getElementById("sphere");
+        const box = view.querySelector(".ball").getBoundingClientRect();
+        const [cx, cy, r] = [box.left + box.width / 2, box.top + box.height / 2, box.width / 2];
+        let missed = 0;
+        for (let i = -20; i <= 20; i += 1) {
+          for (let j = -20; j <= 20; j += 1) {
+            if (i * i + j * j > 380) continue;
+            const found = document.elementsFromPoint(cx + (i * r) / 20, cy + (j * r) / 20)
+              .filter((element) => element.classList.contains("region"));
+            if (found.length !== 1) missed += 1;
+          }
+        }
+        return missed;
+        """
+    )
+    assert wrong <= 4  # places on a line between two regions
+
+
+def test_pointing_at_a_region_tells_its_signs_and_an_inner_point(
+    browser: Browser, opened: Opened
+) -> None:
+    planes = read_arrangement("coordinate-planes")
+    opened(planes, direction=(1, 1, 1))
+    browser.pointer("mouseMoved", *centre(browser, "#sphere .ball"))
+    told = facts(browser)
+    assert told["signs"] == "+++"
+    assert planes.signs_at(vector(told["a point inside"])) == (1, 1, 1)
+    assert vector(told["dual vertex, normals as given"]) == (1, 1, 1)
+    assert browser.run("return document.querySelectorAll('#dual .vertex.lit').length") == 1
+    browser.pointer("mouseMoved", 3, 3)
+    assert facts(browser) == {}
+
+
+@pytest.mark.parametrize("name", ["braid-a3", "pencil", "coincident-planes"])
+def test_every_region_of_the_list_is_told_exactly(
+    name: str, browser: Browser, opened: Opened
+) -> None:
+    planes = read_arrangement(name)
+    opened(planes)
+    told = {}
+    for k in range(KNOWN[name][0]):
+        browser.run(
+            "const list = document.getElementById('regions'); list.value = String(arguments[0]);"
+            "list.dispatchEvent(new Event('change'))",
+            k,
+        )
+        browser.settled()
+        fact = facts(browser)
+        told[signs(fact["signs"])] = fact
+        assert planes.signs_at(vector(fact["a point inside"])) == signs(fact["signs"])
+    assert set(told) == {face.signs for face in planes.regions()}
+    if planes.rank == 3:
+        dual = dual_polyhedron(planes)
+        for row, vertex in zip(dual.signs.tolist(), dual.vertices, strict=True):
+            assert vector(told[tuple(row)]["dual vertex, normals as given"]) == vertex
+
+
+def test_a_click_on_a_vertex_keeps_its_region(browser: Browser, opened: Opened) -> None:
+    opened("braid-a3")
+    place = centre(browser, "#dual .vertex:not(.back)")
+    browser.click_at(*place)
+    browser.pointer("mouseMoved", 3, 3)
+    vertex = browser.run("return document.querySelector('#dual .vertex.lit').dataset.id")
+    region = browser.run("return document.querySelector('#sphere .region.lit').dataset.id")
+    assert vertex == region
+    assert len(facts(browser)["signs"]) == 6
+    browser.click_at(*place)
+    browser.pointer("mouseMoved", 3, 3)
+    assert browser.run("return document.querySelectorAll('.lit').length") == 0
+
+
+def test_a_click_on_a_region_lights_its_vertex(browser: Browser, opened: Opened) -> None:
+    opened("coordinate-planes", direction=(1, 1, 1))
+    browser.click_at(*centre(browser, "#sphere .ball"))
+    lit = browser.run("return [...document.querySelectorAll('.lit')].map(e => e.dataset.id)")
+    assert len(lit) == 2
+    assert len(set(lit)) == 1
+
+
+def untick(browser: Browser, plane: int) -> None:
+    browser.click_at(*centre(browser, f"#planes li:nth-child({plane + 1}) input"))
+
+
+@pytest.mark.parametrize("name", ["braid-a3", "reflection-b3", "coincident-planes", "near-pencil"])
+def test_a_plane_taken_away_leaves_the_arrangement_of_the_others(
+    name: str, browser: Browser, opened: Opened
+) -> None:
+    planes = read_arrangement(name)
+    opened(planes)
+    left = list(range(len(planes)))
+    while left:
+        untick(browser, left.pop(0))
+        rest = Arrangement([planes.normals[k] for k in left], dimension=3)
+        regions, arcs, crossings = counts(browser)
+        assert regions == len(rest.regions())
+        assert dual_counts(browser) == (regions, arcs, crossings)
+        assert browser.run("return document.querySelectorAll('#sphere .region').length") == regions
+        if rest.rank == 3:
+            assert (crossings, arcs, regions) == rest.f_vector[1:]
+            assert crossings - arcs + regions == 2
+    browser.run("document.getElementById('all').click()")
+    assert counts(browser)[0] == len(planes.regions())
+    assert browser.messages() == []
+
+
+def test_signs_of_absent_planes_are_dots(browser: Browser, opened: Opened) -> None:
+    opened("coordinate-planes", direction=(1, 1, 1))
+    untick(browser, 1)
+    browser.pointer("mouseMoved", *centre(browser, "#sphere .ball"))
+    told = facts(browser)
+    assert told["signs"] == "+·+"
+    assert vector(told["dual vertex, normals as given"]) == (1, 0, 1)
+
+
+def shapes(browser: Browser) -> list[str]:
+    return [
+        browser.run(f"return document.getElementById('{view}').innerHTML")
+        for view in ("sphere", "dual")
+    ]
+
+
+@pytest.mark.parametrize("view", ["sphere", "dual"])
+def test_dragging_one_view_turns_both(view: str, browser: Browser, opened: Opened) -> None:
+    opened("braid-a3")
+    before = shapes(browser)
+    x, y = centre(browser, f"#{view}")
+    browser.drag((x, y), (x + 90, y + 30))
+    browser.pointer("mouseMoved", 3, 3)
+    after = shapes(browser)
+    assert before[0] != after[0]
+    assert before[1] != after[1]
+    assert facts(browser) == {}, "a drag is no click"
+
+
+def test_arrow_keys_turn_and_home_turns_back(browser: Browser, opened: Opened) -> None:
+    opened("braid-a3")
+    before = shapes(browser)
+    browser.run("document.getElementById('sphere').focus()")
+    browser.key("ArrowLeft")
+    browser.key("ArrowUp")
+    turned = shapes(browser)
+    assert before[0] != turned[0]
+    assert before[1] != turned[1]
+    browser.key("Home")
+    assert shapes(browser) == before
+    browser.key("n")
+    assert "signs" in facts(browser)
+    browser.key("Escape")
+    assert facts(browser) == {}
+
+
+def test_a_region_brought_to_the_front_is_under_the_middle(
+    browser: Browser, opened: Opened
+) -> None:
+    opened("nine-generic-planes")
+    for region in (0, 20, 73):
+        browser.run(
+            "const list = document.getElementById('regions'); list.value = String(arguments[0]);"
+            "list.dispatchEvent(new Event('change'))",
+            region,
+        )
+        browser.settled()
+        told = facts(browser)["signs"]
+        browser.pointer("mouseMoved", *centre(browser, "#sphere .ball"))
+        assert facts(browser)["signs"] == told
+        browser.pointer("mouseMoved", 3, 3)
+
+
+def test_text_of_a_title_stays_text(browser: Browser, opened: Opened) -> None:
+    title = "</script><script>document.title = 'gone'</script><b>&amp;"
+    opened("pencil", title=title)
+    assert browser.run("return document.querySelector('h1').textContent") == title
+    assert browser.run("return document.title") == title
+    assert browser.run("return document.querySelectorAll('h1 *').length") == 0
+
+
+def test_the_page_cannot_load_or_send_anything(browser: Browser, opened: Opened) -> None:
+    opened("pencil")
+    browser.run("const image = new Image(); image.src = 'http://127.0.0.1:9/x.png'")
+    browser.settled()
+    assert any("Content Security Policy" in message for message in browser.messages())
+
+
+@pytest.mark.parametrize("width", [390, 1280])
+def test_nothing_sticks_out_of_the_window(width: int, browser: Browser, tmp_path: Path) -> None:
+    path = tmp_path / "page.html"
+    path.write_text(arrangement_page(read_arrangement("reflection-b3")), encoding="utf-8")
+    browser.open(path, width=width)
+    browser.settled()
+    assert browser.run("return document.documentElement.scrollWidth") <= width
+
+
+@pytest.mark.parametrize(
+    "planes",
+    [
+        Arrangement([], dimension=3),
+        Arrangement([[1, 2, 3]]),
+        Arrangement([[10**400, 1, 0], [0, 1, 10**400], [1, 0, 1]]),
+    ],
+    ids=["none", "one", "huge"],
+)
+def test_unusual_planes_are_shown(planes: Arrangement, browser: Browser, opened: Opened) -> None:
+    opened(planes)
+    assert counts(browser)[0] == len(planes.regions())
+    assert browser.messages() == []
+
+
+def test_what_cannot_be_shown_is_refused(tmp_path: Path) -> None:
+    for name in ("parallel-planes-affine", "generic-lines-affine", "braid-a3-in-r4"):
+        with pytest.raises(InputError):
+            arrangement_page(read_arrangement(name))
+    many = Arrangement([[1, k, k * k] for k in range(MAX_CIRCLES + 1)])
+    with pytest.raises(InputError, match="at most"):
+        arrangement_page(many)
+    with pytest.raises(InputError, match="colouring"):
+        arrangement_page(read_arrangement("pencil"), colour="mood")
+    target = str(tmp_path / "a.html")
+    assert main(["draw", "pencil", "-o", target, "--view", "sphere"]) == 2
+    assert main(["draw", "pencil", "-o", target, "--body", "cube"]) == 2
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_the_command_writes_the_same_small_page_each_time(tmp_path: Path) -> None:
+    paths = [tmp_path / "a.html", tmp_path / "b.html"]
+    for path in paths:
+        assert main(["draw", "nine-generic-planes", "-o", str(path), "--title", "Nine"]) == 0
+    first, second = (path.read_bytes() for path in paths)
+    assert first == second
+    assert len(first) < 300_000

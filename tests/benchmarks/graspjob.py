@@ -1,0 +1,144 @@
+"""Measurements on random grasps in one process: ``python graspjob.py JOB CONTACTS SEED...``.
+
+Prints one JSON line for each seed as soon as it is known, so that whoever stops the process keeps
+what is done. The clock counts processor time. Modules are loaded and warm before it starts (a
+smaller grasp goes first), but nothing is known of the grasp that is measured.
+
+The instances. Odd seeds have preload. Half of the grasps (seeds 0, 1 of four) have contacts all
+around the object, as `random_grasp` makes them; those resist nearly every wrench. The other half
+has them on one third of the way round only, so many wrenches are not resisted. The entries of the
+exact unit normals have denominators up to 2 * 10^7, and the planes in whole numbers entries of up
+to 10 digits; seeds with 1000 added have numbers rounded to planes of up to 6 digits.
+"""
+
+from __future__ import annotations
+
+import json
+import sys
+import time
+from collections.abc import Callable
+from fractions import Fraction
+from pathlib import Path
+from typing import Any
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[2]))
+
+from equilibrium import Contact, Grasp, check, solve
+from equilibrium.inputs.random import random_grasp, random_wrench
+
+Wrench = tuple[Fraction, ...]
+Found = dict[str, Any]
+ROUNDED = 1000
+#: A second wrench on the same grasp is the first one times this.
+SECOND = Fraction(65, 64)
+MILP_SECONDS = 60
+
+
+def instance(contacts: int, seed: int) -> tuple[Grasp, Wrench]:
+    """Return the grasp and the wrench of a seed."""
+    plain = seed % ROUNDED
+    if plain % 4 < 2:
+        grasp = random_grasp(contacts, plain)
+    else:
+        listed = [c for c in random_grasp(8 * contacts, plain) if _on_one_side(c)]
+        grasp = Grasp(listed[:contacts])
+    if len(grasp) < contacts:
+        raise ValueError(f"seed {seed} gives too few contacts on one side")
+    if seed >= ROUNDED:
+        grasp = Grasp(map(_rounded, grasp))
+    return grasp, random_wrench(plain)
+
+
+def _on_one_side(contact: Contact) -> bool:
+    """Whether the contact is within 60 degrees of the direction x."""
+    x, y = contact.point
+    return x > 0 and 3 * x * x > y * y
+
+
+def _rounded(contact: Contact) -> Contact:
+    """Return the contact with its point on a grid of 1/16 and a normal over at most 128."""
+    nx, ny = contact.normal
+    turns = 0
+    while not (nx > 0 and nx >= abs(ny)):
+        nx, ny, turns = ny, -nx, turns + 1
+    u = Fraction(round(8 * ny / (1 + nx)), 8)
+    nx, ny = (1 - u * u) / (1 + u * u), 2 * u / (1 + u * u)
+    for _ in range(turns):
+        nx, ny = -ny, nx
+    point = tuple(Fraction(round(16 * x), 16) for x in contact.point)
+    preload = Fraction(round(8 * contact.preload), 8)
+    return Contact(point, (nx, ny), contact.friction, contact.stiffness, preload)
+
+
+def ours(grasp: Grasp, wrench: Wrench) -> Found:
+    """Verdict and proof; the check of the proof; a second wrench on the same grasp."""
+    start = time.process_time()
+    verdict = solve(grasp, wrench)
+    stable = verdict.stable
+    decided = time.process_time()
+    certificate = verdict.certificate
+    written = time.process_time()
+    pieces = len(verdict.equilibria)
+    listed = time.process_time()
+    document = certificate.to_dict()
+    begin = time.process_time()
+    valid = bool(check(document, question=(grasp, wrench)))
+    checked = time.process_time()
+    again = solve(grasp, [SECOND * w for w in wrench])
+    same = again.stable == stable and bool(again.certificate)
+    return {
+        "verdict": "stable" if stable else "unstable",
+        "seconds": written - start,
+        "decide": decided - start,
+        "pieces": pieces,
+        "list": listed - written,
+        "check": checked - begin,
+        "valid": valid,
+        "second": time.process_time() - checked if same else None,
+        "bytes": len(certificate.text),
+    }
+
+
+def milp(grasp: Grasp, wrench: Wrench) -> Found:
+    """The mixed-integer program."""
+    from milp import solve_milp
+
+    answer = solve_milp(grasp, wrench, seconds=MILP_SECONDS)
+    return {"verdict": answer.verdict, "seconds": answer.seconds}
+
+
+def brute(grasp: Grasp, wrench: Wrench) -> Found:
+    """Exact brute force over all 4^m states."""
+    from tests.equilibrium import bruteforce
+
+    start = time.process_time()
+    found = list(bruteforce.solutions(grasp, wrench))
+    seconds = time.process_time() - start
+    return {"verdict": "stable" if found else "unstable", "seconds": seconds}
+
+
+def contacts_in_floats(grasp: Grasp, wrench: Wrench) -> Found:
+    """The question in floats, for a peer that reads JSON."""
+    names = ("friction", "stiffness", "preload")
+    listed = [
+        {
+            **{name: float(getattr(c, name)) for name in names},
+            "normal_wrench": [float(x) for x in c.normal_wrench],
+            "tangential_wrench": [float(x) for x in c.tangential_wrench],
+        }
+        for c in grasp
+    ]
+    return {"contacts": listed, "wrench": [float(w) for w in wrench]}
+
+
+JOBS: dict[str, Callable[[Grasp, Wrench], Found]] = {
+    job.__name__: job for job in (ours, milp, brute, contacts_in_floats)
+}
+
+if __name__ == "__main__":
+    name, contacts, *seeds = sys.argv[1:]
+    for warm in (0, 1, 2, 3):
+        JOBS[name](*instance(4, 500 + warm))
+    for seed in map(int, seeds):
+        found = JOBS[name](*instance(int(contacts), seed))
+        print(json.dumps({"contacts": int(contacts), "seed": seed, **found}), flush=True)

@@ -1,0 +1,50 @@
+"""The solver against brute force over all 4^m contact states, on seeded awkward questions.
+
+The first of the questions; ``python tests/benchmarks/agreement.py`` asks 2,000 of them, and the
+mixed-integer program too.
+"""
+
+from __future__ import annotations
+
+from collections import Counter
+from fractions import Fraction
+
+import pytest
+from hypothesis import given, settings
+
+from . import bruteforce, oracle
+from .agreement import disagreements
+from .awkward import BORDERS, GRASPS, question
+from .strategies import grasps, wrenches
+
+CHUNK = 20
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("chunk", range(8))
+def test_solver_agrees_with_brute_force(chunk):
+    for seed in range(CHUNK * chunk, CHUNK * (chunk + 1)):
+        assert disagreements(question(seed)) == [], seed
+
+
+@settings(max_examples=30)
+@given(grasps(2), wrenches)
+def test_both_brute_forces_agree(grasp, wrench):
+    assert bruteforce.is_stable(grasp, wrench) == oracle.is_stable(grasp, wrench)
+
+
+def test_bound_on_the_motion_is_the_largest_component_of_the_motion():
+    """One spring of stiffness 1 without friction under the load 12 gives way by 12."""
+    from equilibrium import Contact, Grasp
+
+    grasp, wrench = Grasp([Contact((0, 0), (0, 1), 0)]), (Fraction(0), Fraction(-12), Fraction(0))
+    assert bruteforce.is_stable(grasp, wrench)
+    assert bruteforce.is_stable(grasp, wrench, bound=12)
+    assert not bruteforce.is_stable(grasp, wrench, bound=Fraction(119, 10))
+
+
+def test_questions_are_of_all_kinds():
+    asked = [question(seed) for seed in range(80)]
+    assert Counter(len(q.grasp) for q in asked) == {2: 20, 3: 20, 4: 20, 5: 20}
+    assert {q.kind for q in asked} == set(GRASPS)
+    assert {q.load for q in asked} == {"free", "zero", *BORDERS}

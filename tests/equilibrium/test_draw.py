@@ -1,0 +1,342 @@
+"""Pictures: what is drawn is what was computed, labels keep apart, files repeat."""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Iterable
+from fractions import Fraction
+from itertools import combinations
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from hypothesis import example, given, settings
+from matplotlib.backends.backend_agg import FigureCanvasAgg
+from matplotlib.figure import Figure
+
+from equilibrium import Contact, Grasp, GraspError, read_grasp, solve
+from equilibrium.cli import main
+from equilibrium.draw import (
+    VIEWS,
+    draw_compare,
+    draw_grasp,
+    draw_polar,
+    draw_resist,
+    draw_slice,
+    write_drawing,
+)
+from equilibrium.draw.body import body, frame_of, sampled
+from equilibrium.draw.style import nice, number
+from equilibrium.inputs import random_grasp
+from equilibrium.limits import gaps, resistance_figure, resistible_region, search_map
+from equilibrium.others.regions import METHODS, method_region
+
+from .strategies import grasps, wrenches
+
+THREE, FOUR = read_grasp("paper-three-contacts"), read_grasp("paper-four-contacts")
+FAR = 10**30
+COINCIDENT = Grasp(
+    [
+        Contact((0, 0), (1, 0), 1, 1, 1),
+        Contact((0, 0), (0, 1), "1/2", 1, 1),
+        Contact((2, 1), (-1, 0), "1/2", 1, 1),
+        Contact((2, 1), (-1, 0), "1/2", 1, 1),
+    ]
+)
+HUGE = Grasp(
+    [Contact((FAR - 1, 0), (1, 0), "1/2", 1, 1), Contact((FAR + 1, 0), (-1, 0), "1/2", 1, 1)]
+)
+#: Grasps and wrenches of the paper's two tables, and awkward ones.
+QUESTIONS: list[tuple[Grasp, tuple[Any, ...]]] = [
+    (THREE, (0, -1, 0)),
+    (THREE, (0, 1, 0)),
+    (THREE.with_preload(1), (0, 1, 0)),
+    (THREE.with_preload(1), (0, "11/10", 0)),
+    (FOUR, (0, 0, 3)),
+    (FOUR.with_preload(1), (0, 2, 0)),
+    (FOUR.with_preload(1), (0, 0, -3)),
+    (random_grasp(6, 3), ("1/2", -1, "1/3")),
+    (COINCIDENT, (0, "-1/2", 0)),
+    (HUGE, (0, "1/2", FAR // 2)),
+    (Grasp([Contact((0, 0), (0, 1), 0)]), (0, -1, 0)),
+    (Grasp([]), (0, 0, 0)),
+]
+
+
+def names(figure: Figure) -> list[str]:
+    """The names of all elements, repeats included."""
+    artists = [a for axes in figure.axes for a in (*axes.patches, *axes.lines, *axes.texts)]
+    return [name for a in artists if (name := a.get_gid())]
+
+
+def count(figure: Figure, kind: str) -> int:
+    return sum(name.startswith(kind) for name in names(figure))
+
+
+def words(figure: Figure) -> str:
+    return "\n".join(text.get_text() for axes in figure.axes for text in axes.texts)
+
+
+@pytest.mark.parametrize(("grasp", "wrench"), QUESTIONS)
+def test_every_contact_has_its_elements(grasp: Grasp, wrench: tuple[Any, ...]) -> None:
+    verdict = solve(grasp, wrench)
+    figure = draw_grasp(grasp, wrench=wrench)
+    assert count(figure, "cone-") == count(figure, "pad-") == count(figure, "number-") == len(grasp)
+    assert count(figure, "preload-") == sum(c.preload > 0 for c in grasp)
+    assert ("no equilibrium" in words(figure)) is not verdict.stable
+    forces = verdict.equilibria[0].forces if verdict.stable else ()
+    assert count(figure, "mark-") == len(forces)
+    assert count(figure, "force-") == sum(any(pair) for pair in forces)
+    assert count(figure, "wrench-force") == any(Fraction(x) for x in wrench[:2])
+
+
+def test_forces_are_drawn_to_one_scale_in_their_directions() -> None:
+    """Table I, row (0, 1, 0) with preload 1: f1 = (1, -1/2), f3 = (1, 1/2), f2 = 0."""
+    figure = draw_grasp(THREE.with_preload(1), wrench=(0, 1, 0))
+    found = {p.get_gid(): p.get_path().vertices for p in figure.axes[0].patches}
+    arms = {
+        name: found[name][3] - (found[name][0] + found[name][6]) / 2
+        for name in ("force-1", "force-3", "wrench-force")
+    }
+    unit = np.linalg.norm(arms["wrench-force"])
+    np.testing.assert_allclose(arms["force-1"] / unit, (1, -0.5), atol=1e-9)
+    np.testing.assert_allclose(arms["force-3"] / unit, (-1, -0.5), atol=1e-9)
+    assert "force-2" not in found
+
+
+def test_marks_of_the_states_differ_in_shape() -> None:
+    figure = draw_grasp(random_grasp(5, 2), wrench=(1, 0, 0))
+    states = solve(random_grasp(5, 2), (1, 0, 0)).equilibria[0].states
+    marks = {p.get_gid(): p for p in figure.axes[0].patches if "mark-" in (p.get_gid() or "")}
+    corners = {"stick": 4, "slip+": 3, "slip-": 3}
+    for i, state in enumerate(states, 1):
+        shape = marks[f"mark-{i}"]
+        if state == "detached":
+            assert type(shape).__name__ == "Circle"
+        else:
+            assert len(shape.get_path().vertices) - 1 == corners[state]
+    assert len(set(states)) > 2
+
+
+def test_a_given_outline_is_drawn_through_its_corners() -> None:
+    corners = [(-1, -1), (1, -1), (1, 2), (-1, 2)]
+    figure = draw_grasp(THREE, outline=corners)
+    drawn = next(p for p in figure.axes[0].patches if p.get_gid() == "outline")
+    frame = frame_of([*(c.point for c in THREE), *[tuple(map(Fraction, c)) for c in corners]])
+    for corner in corners:
+        place = frame.paper(tuple(map(Fraction, corner)))
+        assert min(np.linalg.norm(drawn.get_path().vertices - place, axis=1)) < 1e-12
+
+
+@pytest.mark.parametrize("grasp", [THREE, FOUR, COINCIDENT, HUGE, random_grasp(5, 2)])
+def test_indicative_outlines_touch_every_contact_along_its_tangent(grasp: Grasp) -> None:
+    frame = frame_of([c.point for c in grasp])
+    curve = body(grasp, frame)
+    assert curve is not None
+    fine = sampled(curve, 400)
+    for contact in grasp:
+        place = frame.paper(contact.point)
+        normal = np.array([float(x) for x in contact.normal])
+        near = fine[np.linalg.norm(fine - place, axis=1) < 0.02] - place
+        assert len(near)
+        if len({c.normal for c in grasp if c.point == contact.point}) == 1:
+            assert np.abs(near @ normal).max() < 0.005
+
+
+@pytest.mark.parametrize("seed", range(12))
+def test_indicative_outlines_have_the_object_on_the_inner_side(seed: int) -> None:
+    """A curve run counter-clockwise has its inside on the left, where the normals point."""
+    grasp = random_grasp(6, seed)
+    curve = body(grasp, frame_of([c.point for c in grasp]))
+    if curve is not None:
+        fine = sampled(curve)
+        after = np.roll(fine, -1, axis=0)
+        assert np.sum(fine[:, 0] * after[:, 1] - fine[:, 1] * after[:, 0]) > 0
+
+
+def boxes(figure: Figure) -> list[tuple[str, Any]]:
+    canvas = FigureCanvasAgg(figure)
+    canvas.draw()
+    texts = [t for axes in figure.axes for t in axes.texts if t.get_text().strip()]
+    return [(t.get_text(), t.get_window_extent(canvas.get_renderer())) for t in texts]
+
+
+def figures() -> Iterable[tuple[str, Figure]]:
+    for k, (grasp, wrench) in enumerate(QUESTIONS):
+        yield f"grasp {k}", draw_grasp(grasp, wrench=wrench)
+    loaded = THREE.with_preload(1)
+    yield "resist", draw_resist(loaded, wrench=(0, 1, 0))
+    yield "resist far", draw_resist(loaded, wrench=(0, -(10**6), 0))
+    yield "resist coincident", draw_resist(COINCIDENT)
+    yield "slice", draw_slice(THREE)
+    yield "slice marked", draw_slice(FOUR, wrench=(0, 2, 0))
+    yield "polar", draw_polar(loaded, directions=36)
+    yield "compare", draw_compare(loaded, wrench=(0, 1, 0))
+    yield "compare narrow", draw_compare(FOUR, methods=["complete", "weak"], width=88.0)
+
+
+def test_labels_keep_apart_and_inside_the_figure() -> None:
+    for title, figure in figures():
+        whole = figure.bbox
+        found = boxes(figure)
+        for text, box in found:
+            inside = box.x0 >= -1 and box.y0 >= -1 and box.x1 <= whole.x1 + 1
+            assert inside and box.y1 <= whole.y1 + 1, (title, text)  # noqa: PT018
+        for (one, a), (other, b) in combinations(found, 2):
+            across = min(a.x1, b.x1) - max(a.x0, b.x0)
+            up = min(a.y1, b.y1) - max(a.y0, b.y0)
+            assert not (across > 1 and up > 1), (title, one, other)
+
+
+@pytest.mark.parametrize(
+    "grasp",
+    [THREE, THREE.with_preload(1), FOUR, FOUR.with_preload(1), COINCIDENT, HUGE, Grasp([])],
+)
+def test_region_elements_are_the_exact_pieces_and_borders(grasp: Grasp) -> None:
+    region = resistible_region(grasp)
+    drawn = set(names(draw_resist(grasp)))
+    outline = region.outline
+    for kind, items in (
+        ("polygon", region.polygons),
+        ("border", outline.border),
+        ("whisker", outline.whiskers),
+        ("point", outline.points),
+    ):
+        assert {x for x in drawn if x.startswith(kind)} == {
+            f"{kind}-{i}" for i in range(len(items))
+        }
+
+
+@settings(max_examples=15)
+@given(grasp=grasps(), wrench=wrenches)
+@example(grasp=Grasp([Contact((0, 0), (0, 1), 0)]), wrench=(0, 1, 0))
+def test_the_whole_finite_border_lies_in_the_picture(grasp: Grasp, wrench: Any) -> None:
+    region = resistible_region(grasp, origin=(0, 0, wrench[2]))
+    figure = draw_resist(grasp, wrench=wrench)
+    drawn = {line.get_gid(): line for line in figure.axes[0].lines}
+    for i, segment in enumerate(region.outline.border):
+        ends = drawn[f"border-{i}"].get_xydata()
+        for place, own in ((ends[0], segment.start), (ends[1], segment.end)):
+            at_edge = np.isclose(np.abs(place).max(), 1, atol=1e-9)
+            assert at_edge is np.bool_(own is None)
+    point = drawn["wrench"]
+    assert (point.get_marker() == "o") is region.contains([Fraction(x) for x in wrench[:2]])
+
+
+def test_the_three_parts_are_the_data_of_the_paper_figure() -> None:
+    data = resistance_figure(THREE)
+    drawn = names(draw_slice(THREE))
+    for part, key in ((2, "no_preload"), (3, "preload_1")):
+        for kind, items in (
+            ("polygon", data[key]["polygons"]),
+            ("border", data[key]["outline"]["border"]),
+        ):
+            assert sum(name.startswith(f"{part}-{kind}-") for name in drawn) == len(items)
+    corners = data["grasp_wrench_space"]["corners"]
+    assert sum(name.startswith("1-border-") for name in drawn) == len(corners)
+
+
+def test_polar_marks_are_the_entries_of_the_map() -> None:
+    gap = next(g for g in gaps(3, 29, 60) if g.direction[2] == 0 and len(g.intervals) > 1)
+    figure = draw_polar(gap.grasp, directions=24, tolerance="1/100", extent=4)
+    found = search_map(gap.grasp, 24, "1/100", 4000)
+    assert found.disagreements
+    lines = {line.get_gid(): line for line in figure.axes[0].lines}
+    for i, entry in enumerate(found.entries):
+        mark = lines[f"direction-{i}"]
+        assert mark.get_marker() == ("o" if entry.agrees else "x")
+        reach = 1.0 if entry.found is None else min(float(entry.found) / 4, 1.0)
+        np.testing.assert_allclose(np.linalg.norm(mark.get_xydata()[0]), reach, atol=1e-9)
+        assert count(figure, f"claimed-{i}-") == len(entry.wrongly_claimed)
+
+
+def test_comparison_has_a_panel_for_each_method_with_its_region() -> None:
+    figure = draw_compare(FOUR.with_preload(1), wrench=(0, 2, 0))
+    for i, method in enumerate(METHODS, 1):
+        region = method_region(method, FOUR.with_preload(1))
+        assert count(figure, f"{i}-polygon-") == len(region.polygons)
+        assert count(figure, f"{i}-border-") == len(region.outline.border)
+        point = next(x for x in figure.axes[i - 1].lines if x.get_gid() == f"{i}-wrench")
+        assert (point.get_marker() == "o") is region.contains((0, 2))
+
+
+@pytest.mark.parametrize(
+    ("view", "suffix"),
+    [*((view, ".svg") for view in VIEWS), ("grasp", ".png"), ("resist", ".pdf"), ("slice", ".pdf")],
+)
+def test_files_repeat_byte_for_byte(view: str, suffix: str, tmp_path: Path) -> None:
+    for name in "ab":
+        write_drawing(THREE, tmp_path / f"{name}{suffix}", view)
+    assert (tmp_path / f"a{suffix}").read_bytes() == (tmp_path / f"b{suffix}").read_bytes()
+    assert len(list(tmp_path.iterdir())) == 2
+
+
+BAD = [
+    ["--view", "mood"],
+    ["--view", "resist", "--piece", "1"],
+    ["--view", "polar", "--wrench", "0", "1", "0"],
+    ["--piece", "2"],
+    ["--wrench", "0", "-1", "0", "--piece", "7"],
+    ["--outline", "0,0", "1,1"],
+    ["--outline", "0,0", "1,1", "2,x"],
+    ["--width", "5"],
+    ["--view", "resist", "--extent", "0"],
+    ["--view", "polar", "--directions", "0"],
+    ["--view", "compare", "--methods", "guess"],
+    ["--view", "slice", "--preload", "1"],
+]
+
+
+@pytest.mark.parametrize("options", BAD)
+def test_bad_requests_write_nothing_and_exit_with_2(
+    options: list[str], tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    target = str(tmp_path / "a.svg")
+    assert main(["draw", "paper-three-contacts", "-o", target, *options]) == 2
+    assert capsys.readouterr().err.startswith("error: ")
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_unknown_suffix_is_refused(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["draw", "paper-three-contacts", "-o", str(tmp_path / "a.gif")]) == 2
+    assert "known are .html, .pdf, .png, .svg" in capsys.readouterr().err
+    assert main(["draw", "paper-three-contacts", "-o", str(tmp_path / "none" / "a.svg")]) == 2
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_missing_library_names_the_extra(
+    monkeypatch: pytest.MonkeyPatch, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.setitem(sys.modules, "matplotlib", None)
+    for view in VIEWS:
+        target = str(tmp_path / "a.svg")
+        assert main(["draw", "paper-three-contacts", "-o", target, "--view", view]) == 2
+        assert "slipstates[figures]" in capsys.readouterr().err
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_the_command_says_what_it_wrote(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    target = str(tmp_path / "a.svg")
+    arguments = ["draw", "paper-three-contacts", "-o", target, "--preload", "1", "--json"]
+    assert main([*arguments, "--view", "resist", "--wrench", "0", "1", "0"]) == 0
+    assert capsys.readouterr().out == f'{{"output": "{target}", "view": "resist"}}\n'
+
+
+def test_numbers_on_labels_say_when_they_are_rounded() -> None:
+    assert number(Fraction(-11, 10)) == "−11/10"
+    assert number(10**30) == "1e+30"
+    assert number(Fraction(1, 3 * 10**9)).startswith("≈3.333e")
+    assert number(Fraction(10) ** 5000).startswith("≈10^")
+
+
+@pytest.mark.parametrize("value", [1.0, 1.9, 2.0, 4.999, 5.0, 9.99, 0.002, 3e7])
+def test_round_steps_are_one_two_or_five(value: float) -> None:
+    step = nice(value)
+    assert value / 2.5 - 1e-12 <= step <= value * (1 + 1e-9)
+    assert str(step.numerator * 1000 // step.denominator).rstrip("0") in ("1", "2", "5")
+
+
+def test_pieces_without_a_wrench_are_refused() -> None:
+    with pytest.raises(GraspError, match="nothing is solved"):
+        draw_grasp(THREE, piece=2)

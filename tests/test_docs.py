@@ -1,0 +1,131 @@
+"""Every page of the documentation does what it shows."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+
+import pytest
+
+from tests.docpages import ROOT, Page, blocks, commands, loose_literals
+
+DOCS = ROOT / "docs"
+GENERATED = {"_build", "_generated", "reference"}
+PAGES = [
+    path
+    for path in sorted(DOCS.rglob("*.rst"))
+    if not GENERATED & set(path.relative_to(DOCS).parts)
+]
+_FIGURE = re.compile(r"(?:figure|image|raw|include)::\s*(?:/|\.\./)*_generated/(\S+)")
+
+
+def name(page: Path) -> str:
+    return page.relative_to(ROOT).as_posix()
+
+
+@pytest.fixture
+def desk(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    """An empty directory to work in, and a terminal of 80 columns."""
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.setenv("COLUMNS", "80")
+    return tmp_path
+
+
+def run(text: str) -> list[str]:
+    page = Page(Path("page.rst"), text)
+    page.run()
+    return page.problems
+
+
+@pytest.mark.parametrize("page", [*PAGES, ROOT / "README.md"], ids=name)
+def test_a_page_read_from_top_to_bottom_does_what_it_shows(page: Path, desk: Path) -> None:
+    running = Page(page, page.read_text(encoding="utf-8"))
+    running.run()
+    assert not running.problems, "\n\n".join(running.problems)
+
+
+@pytest.mark.parametrize("page", PAGES, ids=name)
+def test_no_block_of_code_is_left_out(page: Path) -> None:
+    text = page.read_text(encoding="utf-8")
+    assert loose_literals(text) == [], "use a code-block with a language"
+    found = list(blocks(text))
+    shell = [
+        (block.line, line) for block in found if block.argument == "console"
+        for _, line, _ in commands(block)
+    ]  # fmt: skip
+    for block in found:
+        place = f"{name(page)}:{block.line}"
+        if block.caption:
+            after = [line for number, line in shell if number > block.line]
+            below = "\n".join([*after, *re.findall(r"(?m)^ *>>> .*$", text)])
+            assert block.caption in below, f"{place}: no command uses {block.caption}"
+        elif block.directive == "literalinclude":
+            shown = (page.parent / block.argument).resolve()
+            assert shown.parent == DOCS / "figures", f"{place}: nothing runs {block.argument}"
+        elif block.argument not in ("console", "text"):
+            assert ">>> " in block.body, f"{place}: nothing runs this {block.argument}"
+
+
+@pytest.mark.parametrize("page", PAGES, ids=name)
+def test_every_generated_picture_has_a_script(page: Path) -> None:
+    """The script NAME.py makes the files whose names start with NAME."""
+    scripts = [path.stem for path in (DOCS / "figures").glob("[!_]*.py")]
+    for picture in _FIGURE.findall(page.read_text(encoding="utf-8")):
+        makers = [stem for stem in scripts if re.fullmatch(rf"{stem}(-.*)?\.\w+", picture)]
+        assert makers, f"{name(page)}: no script of docs/figures makes {picture}"
+
+
+def test_there_are_pages_and_code_on_them() -> None:
+    assert len(PAGES) > 5
+    assert {path.name for path in PAGES} >= {"index.rst", "checking.rst", "conventions.rst"}
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        ">>> 1 + 1\n3\n",
+        ">>> x = 1\n\n>>> y\n1\n",
+        ".. code-block:: console\n\n   $ arrangement count three-generic-planes\n   planes 4\n",
+        ".. code-block:: console\n\n   $ arrangement count no-such-file\n",
+        ".. code-block:: console\n\n   $ arrangement count pencil > a.txt\n   planes 5\n",
+    ],
+)
+def test_a_page_that_shows_something_else_is_caught(desk: Path, text: str) -> None:
+    assert run(text)
+
+
+def test_names_files_and_exit_codes_pass_from_block_to_block(desk: Path) -> None:
+    text = """
+>>> from pathlib import Path
+>>> x = 2
+
+.. code-block:: json
+   :caption: one.json
+
+   {"schema_version": 1, "planes": [["1", "0", "0"]]}
+
+Some text, and then
+
+.. code-block:: console
+
+   $ arrangement count \\
+         one.json
+   planes           1
+   ...
+   $ arrangement count one.json > counted.txt
+   $ arrangement count two.json
+   error: ...
+   $ echo $?
+   2
+
+>>> x, Path("counted.txt").read_text().split()[:2]
+(2, ['planes', '1'])
+"""
+    assert run(text) == []
+    assert (desk / "one.json").read_text(encoding="utf-8").startswith('{"schema')
+
+
+@pytest.mark.parametrize("command", ["rm -r .", "pip install other", "make no-such-target"])
+def test_an_unknown_command_is_no_page(desk: Path, command: str) -> None:
+    with pytest.raises(Exception, match=r"rm -r|other|non-zero"):
+        run(f".. code-block:: console\n\n   $ {command}\n")
