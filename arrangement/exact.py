@@ -22,8 +22,10 @@ RationalVector: TypeAlias = tuple[Fraction, ...]
 #: What :func:`rational` accepts (sympy, numpy and flint numbers are recognised by their interface).
 Rational: TypeAlias = int | Fraction | str | numbers.Rational | Any
 
-#: Longest text accepted as one number; int() of longer text costs quadratic time.
-MAX_TEXT_LENGTH = 4000
+#: Longest text accepted as one number; reading longer text costs quadratic time.
+MAX_TEXT_LENGTH = 100_000
+#: Digits that int() converts at once; it refuses more than 4300.
+_DIGITS = 2000
 
 _INTEGER_OR_RATIO = re.compile(r"([+-]?[0-9]+)(?:/([0-9]+))?")
 _DECIMAL = re.compile(r"[+-]?(?:[0-9]+\.[0-9]*|\.[0-9]+)")
@@ -34,7 +36,7 @@ def rational(value: Rational, name: str = "number") -> Fraction:
 
     Accepted: ``int``, ``Fraction``, sympy ``Rational``, numpy integers, flint and gmpy rationals,
     and text such as ``"7/3"`` or ``"-0.25"`` (ASCII digits, no exponent, at most
-    4000 characters). Refused: floats, Booleans, NaN, everything else.
+    100000 characters). Refused: floats, Booleans, NaN, everything else.
 
     Raises:
         InputError: the message has `name`, the value, the rule and the remedy.
@@ -79,17 +81,28 @@ def _from_text(text: str, name: str) -> Fraction:
         )
     ratio = _INTEGER_OR_RATIO.fullmatch(text)
     if ratio is not None:
-        denominator = int(ratio[2]) if ratio[2] else 1
+        denominator = integer(ratio[2]) if ratio[2] else 1
         if denominator == 0:
             raise InputError(f"{name} is {shown(text)}, which divides by zero")
-        return Fraction(int(ratio[1]), denominator)
+        return Fraction(integer(ratio[1]), denominator)
     if _DECIMAL.fullmatch(text):
         whole, _, decimals = text.partition(".")
-        return Fraction(int(whole + decimals), 10 ** len(decimals))
+        return Fraction(integer(whole + decimals), 10 ** len(decimals))
     raise InputError(
         f'{name} is {shown(text)}, which is not an exact number; write "7/3", "-0.25" or "12" '
         "(no exponents, no spaces, no expressions)"
     )
+
+
+def integer(text: str) -> int:
+    """Return the integer of a sign and decimal digits, in halves: int() refuses very long ones."""
+    if len(text) <= _DIGITS:
+        return int(text)
+    if text[0] in "+-":
+        size = integer(text[1:])
+        return -size if text[0] == "-" else size
+    middle = len(text) // 2
+    return int(integer(text[:middle]) * 10 ** (len(text) - middle) + integer(text[middle:]))
 
 
 class _Short(reprlib.Repr):

@@ -27,7 +27,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, BinaryIO, TypeAlias
 
 from .errors import InputError
-from .exact import MAX_TEXT_LENGTH, shown
+from .exact import MAX_TEXT_LENGTH, integer, shown
 from .planes import Arrangement
 from .writing import reason
 
@@ -228,7 +228,7 @@ def _parse_integer(text: str) -> int:
         raise InputError(
             f"an integer has {len(text)} digits; at most {MAX_TEXT_LENGTH} are read as one number"
         )
-    return int(text)
+    return integer(text)
 
 
 def _refuse_float(text: str) -> Any:

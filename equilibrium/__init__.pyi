@@ -1,5 +1,7 @@
 from . import inputs as inputs, limits as limits, others as others
-from .certificate import Certificate as Certificate, Report as Report, check as check
+from .cells import contact_states as contact_states
+from .certificate import Certificate as Certificate
+from .checker import Report as Report, check as check
 from .errors import (
     CertificateError as CertificateError,
     EquilibriumError as EquilibriumError,
@@ -16,7 +18,6 @@ from .literal import LiteralVerdict as LiteralVerdict, solve_literal as solve_li
 from .measures import Units as Units
 from .passive import Verdict as Verdict, solve as solve
 from .pieces import Equilibrium as Equilibrium
-from .states import contact_states as contact_states
 from .units import UnitNormal as UnitNormal, unit_normal as unit_normal
 
 __version__: str

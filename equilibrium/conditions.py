@@ -6,12 +6,13 @@ mistake of the solver. Nothing here is used by the solver, and nothing of the so
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, field
 from fractions import Fraction
 from typing import TypeAlias
 
-from arrangement.exact import RationalVector
+from arrangement.counts.configuration import determinant
+from arrangement.exact import RationalVector, primitive
 
 from .grasp import Contact, Grasp
 
@@ -38,15 +39,6 @@ def motion_planes(grasp: Grasp) -> tuple[list[RationalVector], list[Fraction]]:
     ]
     normals = [along_tangent for _, along_tangent in wrenches] + springs
     return normals, [Fraction(0)] * len(grasp) + [contact.preload for contact in grasp]
-
-
-def label_of(signs: Sequence[int]) -> tuple[str, ...]:
-    """Return the contact states of a sign vector over the planes of `motion_planes`."""
-    half = len(signs) // 2
-    return tuple(
-        "detached" if gap >= 0 else {1: "slip+", 0: "stick", -1: "slip-"}[slip]
-        for slip, gap in zip(signs[:half], signs[half:], strict=True)
-    )
 
 
 @dataclass(frozen=True)
@@ -111,6 +103,77 @@ class StateConditions:
             return "the constants do not add up to -1"
         left = [name for name, coefficient in total.items() if coefficient]
         return f"the unknown {left[0]} does not cancel" if left else ""
+
+
+def violation_problem(
+    grasp: Grasp, wrench: RationalVector, states: Sequence[str], kind: str, contact: int
+) -> str:
+    """Return what is wrong with the claim that one condition fails at the only solution.
+
+    The conditions are those of `equilibrium.determinants`, here with every number exact: of the
+    contacts that stick on one tangential plane only the first has a tangential force, the sum.
+    """
+    groups: list[list[int]] = []
+    for i in (i for i, state in enumerate(states) if state == "stick"):
+        tangent = _moments(grasp.contacts[i])[1]
+        for group in groups:
+            if _parallel(tangent, _moments(grasp.contacts[group[0]])[1]):
+                group.append(i)
+                break
+        else:
+            groups.append([i])
+    # The named contact comes first in its group: the claim speaks of its tangent.
+    groups = [sorted(group, key=lambda i: i != contact) for group in groups]
+    first = [group[0] for group in groups]
+    equalities, failing = _sums(grasp, wrench, states, first)
+    named = next((group for group in groups if contact in group), [])
+    form = failing(kind, contact, named)
+    unknowns = [*_MOTION, *(f"tangential force {i}" for i in first), "1"]
+    rows = [primitive([row.get(name, Fraction(0)) for name in unknowns]) for row in equalities]
+    inner = determinant([row[:-1] for row in rows])
+    if not inner:
+        return "the equalities do not have exactly one solution"
+    last = primitive([form.get(name, Fraction(0)) for name in unknowns])
+    whole = determinant([*rows, last])
+    return "" if (inner > 0) != (whole > 0) and whole else f"the condition {kind} {contact} holds"
+
+
+def _sums(
+    grasp: Grasp, wrench: RationalVector, states: Sequence[str], first: Sequence[int]
+) -> tuple[list[Form], Callable[[str, int, Sequence[int]], Form]]:
+    """Return the equalities with one tangential force for each plane, and the named conditions."""
+    balance: list[Form] = [{"1": component} for component in wrench]
+    normals: list[Form] = []
+    slips: list[Form] = []
+    for i, (contact, state) in enumerate(zip(grasp, states, strict=True)):
+        along_normal, along_tangent = _moments(contact)
+        slips.append(dict(zip(_MOTION, along_tangent, strict=True)))
+        spring = {n: -contact.stiffness * c for n, c in zip(_MOTION, along_normal, strict=True)}
+        normals.append({**spring, "1": contact.preload})
+        side = {"slip+": -1, "slip-": 1}.get(state, 0)
+        for axis, form in enumerate(balance):
+            if state != "detached":
+                pull = along_normal[axis] + side * contact.friction * along_tangent[axis]
+                _add(form, normals[i], pull)
+            if i in first:
+                form[f"tangential force {i}"] = along_tangent[axis]
+
+    def failing(kind: str, contact: int, group: Sequence[int]) -> Form:
+        if kind == "normal":
+            return _times(normals[contact], Fraction(-1 if states[contact] == "detached" else 1))
+        if kind == "slip":
+            return _times(slips[contact], Fraction(1 if states[contact] == "slip+" else -1))
+        total = {f"tangential force {contact}": Fraction(-1 if kind == "friction-" else 1)}
+        for i in group:
+            _add(total, normals[i], grasp.contacts[i].friction)
+        return total
+
+    return [*balance, *(slips[i] for i in first)], failing
+
+
+def _parallel(left: RationalVector, right: RationalVector) -> bool:
+    (a, b, c), (d, e, f) = left, right
+    return a * e == b * d and b * f == c * e and a * f == c * d
 
 
 def conditions_of(grasp: Grasp, wrench: RationalVector, states: Sequence[str]) -> StateConditions:

@@ -6,7 +6,7 @@ Fraction-free Gauss-Jordan elimination (one common denominator, exact divisions)
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from typing import TypeAlias
@@ -14,7 +14,11 @@ from typing import TypeAlias
 from arrangement import linprog
 from arrangement.exact import RationalVector, dot
 
-from .states import StateSystem
+from .grasp import Grasp
+from .systems import DIRECTION, States, StateSystem
+
+#: The number of inequalities of a contact in each state.
+_CONDITIONS = {"detached": 1, "slip+": 2, "slip-": 2, "stick": 3}
 
 
 @dataclass(frozen=True, slots=True)
@@ -55,12 +59,65 @@ def decide(system: StateSystem) -> Outcome:
         return Refutation((Fraction(0),) * len(system.inequalities), _inconsistency(system))
     if len(pivots) < n:
         return _by_program(system)
-    values = tuple(Fraction(-row[n], scale) for row in rows)
+    sign = -1 if scale < 0 else 1
+    point = [*(-sign * row[n] for row in rows), sign * scale]
     for i, row in enumerate(system.inequalities):
-        margin = Fraction(dot(row[:-1], values) + row[-1])
-        if margin < 0:
+        # In integers over the common denominator: no fraction is reduced on the way.
+        if dot(_integers(row), point) < 0:
+            margin = Fraction(dot(row, point)) / point[n]
             return _refuted_by(system, i, margin)
-    return Point(values)
+    return Point(tuple(Fraction(x, point[n]) for x in point[:n]))
+
+
+def point_with_idle(system: StateSystem, idle: Collection[int]) -> RationalVector | None:
+    """Return a solution in which sticking contacts carry no tangential force, or None.
+
+    Args:
+        idle: sticking contacts, by number. The other equalities have to leave one point.
+    """
+    sticking = [i for i, state in enumerate(system.states) if state == "stick"]
+    kept = [*range(3), *(3 + j for j, contact in enumerate(sticking) if contact not in idle)]
+    rows, pivots, scale = gauss_jordan(
+        [[*(system.equalities[k][j] for j in kept), system.equalities[k][-1]] for k in kept]
+    )
+    if pivots != list(range(len(kept))):
+        return None
+    sign = -1 if scale < 0 else 1
+    point = [0] * system.size + [sign * scale]
+    for row, j in zip(rows, kept, strict=True):
+        point[j] = -sign * row[-1]
+    holds = all(dot(_integers(row), point) >= 0 for row in system.inequalities) and not any(
+        dot(_integers(row), point) for row in system.equalities
+    )
+    return tuple(Fraction(x, point[-1]) for x in point[:-1]) if holds else None
+
+
+def balance_refutation(grasp: Grasp, wrench: RationalVector, states: States) -> Refutation | None:
+    """Return a Farkas vector that needs the balance alone, if there is one.
+
+    Where the forces of all touching contacts span less than the space of wrenches, they have no
+    part along some direction x; if the wrench has one, nothing balances it.
+    """
+    span: list[RationalVector] = []
+    for contact, state in zip(grasp, states, strict=True):
+        if state == "stick":
+            span += [contact.normal_wrench, contact.tangential_wrench]
+        elif state != "detached":
+            pull = DIRECTION[state] * contact.friction
+            pairs = zip(contact.normal_wrench, contact.tangential_wrench, strict=True)
+            span.append(tuple(along + pull * across for along, across in pairs))
+    reduced, pivots, scale = gauss_jordan(span)
+    for free in (j for j in range(3) if j not in pivots):
+        direction = [Fraction(int(j == free)) for j in range(3)]
+        for row, pivot in zip(reduced, pivots, strict=False):
+            direction[pivot] = Fraction(-row[free], scale)
+        product = dot(direction, wrench)
+        if product:
+            sticks = states.count("stick")
+            conditions = sum(_CONDITIONS[state] for state in states)
+            multipliers = (*(x / -product for x in direction), *[Fraction(0)] * sticks)
+            return Refutation((Fraction(0),) * conditions, multipliers)
+    return None
 
 
 def _by_program(system: StateSystem) -> Outcome:

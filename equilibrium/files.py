@@ -10,7 +10,8 @@ from arrangement.files import Source, read_document
 from arrangement.planes import Arrangement
 from arrangement.writing import write_text_atomically
 
-from .certificate import Certificate, Report, check
+from .certificate import Certificate
+from .checker import Report, check
 from .grasp import Grasp
 
 #: Certificates list every face of the motion arrangement, so they may be large.

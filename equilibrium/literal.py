@@ -7,7 +7,7 @@ is that of `solve`. No certificate comes with these answers: they are for compar
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Iterable
+from collections.abc import Collection, Iterable
 from dataclasses import dataclass
 from functools import lru_cache
 from typing import Any
@@ -20,7 +20,7 @@ from .elimination import Refutation, decide
 from .errors import GraspError
 from .grasp import Grasp, read_wrench
 from .pieces import Equilibrium, equilibrium_of, maximal
-from .states import States, motion_faces, state_system, states_of_face
+from .systems import State, States, state_system
 
 #: Each option with what it takes over from the printed text.
 OPTIONS = {
@@ -32,6 +32,9 @@ OPTIONS = {
     "coincident-planes": "Steps 1 to 3 without merging coincident planes",
     "single-solution": "Algorithm 2 stops at the first solution, as if it were the only one",
 }
+
+
+_SLIP: dict[int, State] = {1: "slip+", 0: "stick", -1: "slip-"}
 
 
 @dataclass(frozen=True)
@@ -103,17 +106,22 @@ def solve_literal(
 
 def _states(grasp: Grasp, options: tuple[str, ...]) -> tuple[States, ...]:
     """Return the contact states that the chosen reading tries, without repeats."""
-    label: Callable[[Face], States] = states_of_face
-    faces = motion_faces(grasp)
+    label, faces = _touching, grasp.motion_arrangement().faces()
     if "detachment" in options:
         faces, label = grasp.tangential_arrangement().faces(), _attached
     listed = [face for face in faces if _is_listed(grasp, face, options)]
     return tuple(dict.fromkeys(map(label, listed)))
 
 
+def _touching(face: Face) -> States:
+    """Return the states on a face of the tangential and normal planes."""
+    m = len(face.signs) // 2
+    return tuple("detached" if face.signs[m + i] >= 0 else _SLIP[face.signs[i]] for i in range(m))
+
+
 def _attached(face: Face) -> States:
     """Return the states on a face of the tangential planes when no contact detaches."""
-    return tuple({1: "slip+", 0: "stick", -1: "slip-"}[sign] for sign in face.signs)  # type: ignore[misc]
+    return tuple(_SLIP[sign] for sign in face.signs)
 
 
 def _is_listed(grasp: Grasp, face: Face, options: tuple[str, ...]) -> bool:

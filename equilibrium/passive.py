@@ -2,25 +2,49 @@
 
 Model: a motion d and forces with, at every contact, ``c_n = max(0, preload - stiffness N . d)``,
 ``|c_t| <= friction c_n``, maximum dissipation (``T . d > 0`` gives ``c_t = -friction c_n``,
-``T . d < 0`` gives ``+friction c_n``), and ``sum (c_n N + c_t T) + w = 0``. Every d has its contact
-states among `contact_states`, and for fixed states the conditions are linear; so solving one
-system for each decides the question, with no bound on the motion and no tolerance.
+``T . d < 0`` gives ``+friction c_n``), and ``sum (c_n N + c_t T) + w = 0``. Every equilibrium
+satisfies the conditions of one of `contact_states`, which are linear; so solving one system for
+each decides the question, with no bound on the motion and no tolerance. A quick search may find a
+stable answer first. Only the complete enumeration says that there is none.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterable
-from dataclasses import dataclass, field
-from functools import cached_property
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass
+from fractions import Fraction
+from functools import cached_property, lru_cache
 from typing import Any
+
+import numpy as np
 
 from arrangement.exact import RationalVector, to_text
 
-from .certificate import Certificate, Report, check, stable_certificate, unstable_certificate
-from .elimination import Refutation, decide
+from .cells import Codes, letters_of_code, motion_faces, states_at, states_of_code
+from .certificate import Certificate, stable_certificate, unstable_certificate
+from .checker import Reason, Report, check
+from .elimination import (
+    Continuum,
+    Point,
+    Refutation,
+    balance_refutation,
+    decide,
+    point_with_idle,
+)
 from .grasp import Grasp, read_wrench
 from .pieces import Equilibrium, equilibrium_of, maximal
-from .states import States, contact_states, motion_faces, state_system
+from .rest import rest_refutation
+from .screening import CONDITIONS, UNDECIDED, Integers, screen_of
+from .search import likely_states
+from .systems import StateSystem, state_system, value
+
+
+@dataclass(frozen=True)
+class Solution:
+    """One equilibrium: the motion, and the (normal, tangential) force at each contact."""
+
+    motion: RationalVector
+    forces: tuple[tuple[Fraction, Fraction], ...]
 
 
 @dataclass(frozen=True)
@@ -29,32 +53,40 @@ class Verdict:
 
     Attributes:
         grasp, wrench: the question.
-        equilibria: the maximal pieces of the set of all solutions; empty when unstable. Pieces
-            may touch; none lies in another.
-        refutations: the Farkas vector of each choice of states that has no solution.
+        solution: the equilibrium that the certificate shows; None when there is none.
     """
 
     grasp: Grasp
     wrench: RationalVector
-    equilibria: tuple[Equilibrium, ...]
-    refutations: tuple[tuple[States, Refutation], ...] = field(repr=False)
+    solution: Solution | None
 
     @property
     def stable(self) -> bool:
         """Whether at least one equilibrium exists."""
-        return bool(self.equilibria)
+        return self.solution is not None
+
+    @cached_property
+    def equilibria(self) -> tuple[Equilibrium, ...]:
+        """The maximal pieces of the set of all solutions; empty when unstable.
+
+        Pieces may touch; none lies in another. Of a piece with many solutions, the reported one
+        has the least ``|d|^2``, and among those the least ``|c|^2``, both exact.
+        """
+        if self.solution is None:
+            return ()
+        return _all_equilibria(self.grasp, self.wrench)
 
     @cached_property
     def certificate(self) -> Certificate:
         """The proof, checkable without the solver."""
-        if self.equilibria:
-            first = self.equilibria[0]
-            return stable_certificate(self.grasp, self.wrench, first.motion, first.forces)
+        if self.solution is not None:
+            shown = self.solution
+            return stable_certificate(self.grasp, self.wrench, shown.motion, shown.forces)
+        faces = motion_faces(self.grasp)
+        signs, points = faces.plane_signs(faces.regions), faces.integer_witnesses()
+        regions = zip(signs.tolist(), points.tolist(), strict=True)
         return unstable_certificate(
-            self.grasp,
-            self.wrench,
-            motion_faces(self.grasp),
-            [(states, r.inequalities, r.equalities) for states, r in self.refutations],
+            self.grasp, self.wrench, regions, _reasons(self.grasp, self.wrench)
         )
 
     def verify(self) -> Report:
@@ -72,31 +104,112 @@ class Verdict:
 
 
 def solve(grasp: Grasp, wrench: Iterable[Any]) -> Verdict:
-    """Decide exactly whether a grasp holds a wrench, and find all ways in which it does.
+    """Decide exactly whether a grasp holds a wrench; the verdict finds all ways when asked.
 
     Args:
         grasp: contacts in the object frame.
         wrench: applied force x, force y and torque about the origin.
 
-    Returns:
-        The verdict. Of a piece with many solutions, the reported one has the least ``|d|^2``, and
-        among those the least ``|c|^2``, both exact.
-
     Complexity: one linear system of at most 3 + m unknowns for each of the contact states:
-    O(m^2) of them without preload, O(m^3) with. Source: [HaasHeger2018], Algorithm 2, completed.
+    O(m^2) of them without preload, O(m^3) with; most are decided in floating point with a proven
+    error bound, the others and every solution in rationals. The states of a grasp are kept for the
+    next wrench. Source: [HaasHeger2018], Algorithm 2, completed.
 
     >>> from equilibrium.files import read_grasp
-    >>> bool(solve(read_grasp("paper-three-contacts-preload-1"), [0, 1, 0]).stable)
+    >>> solve(read_grasp("paper-three-contacts-preload-1"), [0, 1, 0]).stable
     True
     """
     applied = read_wrench(wrench)
-    pieces: list[Equilibrium] = []
-    refutations: list[tuple[States, Refutation]] = []
-    for states in contact_states(grasp):
-        system = state_system(grasp, states, applied)
-        outcome = decide(system)
-        if isinstance(outcome, Refutation):
-            refutations.append((states, outcome))
+    found = _quick_solution(grasp, applied)
+    if found is not None:
+        return Verdict(grasp, applied, found)
+    pieces = _all_equilibria(grasp, applied)
+    if pieces:
+        verdict = Verdict(grasp, applied, Solution(pieces[0].motion, pieces[0].forces))
+        verdict.__dict__["equilibria"] = pieces
+        return verdict
+    return Verdict(grasp, applied, None)
+
+
+def _quick_solution(grasp: Grasp, wrench: RationalVector) -> Solution | None:
+    """Return an equilibrium if the float search leads to one; exact, and checked exactly."""
+    guess = likely_states(grasp, wrench)
+    if guess is None:
+        return None
+    system = state_system(grasp, guess.states, wrench)
+    z = point_with_idle(system, guess.idle)
+    if z is None:
+        return None
+    forces = tuple((value(c_n, z), value(c_t, z)) for c_n, c_t in system.forces)
+    return Solution(z[:3], forces)
+
+
+@dataclass(frozen=True)
+class _Enumeration:
+    """What became of each choice of contact states.
+
+    Attributes:
+        codes: the choices.
+        violated: for each the condition of `Screen.violations`, or `UNDECIDED`.
+        refuted: exact refutations of undecided ones, by row.
+        open: the systems of the others with their solutions.
+    """
+
+    codes: Codes
+    violated: Integers
+    refuted: dict[int, Refutation]
+    open: tuple[tuple[StateSystem, Point | Continuum], ...]
+
+
+@lru_cache(maxsize=4)
+def _enumerate(grasp: Grasp, wrench: RationalVector) -> _Enumeration:
+    """Decide every choice of contact states."""
+    screen = screen_of(grasp)
+    violated = screen.violations(wrench)
+    refuted: dict[int, Refutation] = {}
+    solved: list[tuple[StateSystem, Point | Continuum]] = []
+    for row in np.flatnonzero(violated == UNDECIDED).tolist():
+        states = states_of_code(screen.codes[row].tolist())
+        refutation = balance_refutation(grasp, wrench, states)
+        refutation = refutation or rest_refutation(grasp, wrench, states)
+        if refutation is None:
+            system = state_system(grasp, states, wrench)
+            outcome = decide(system)
+            if not isinstance(outcome, Refutation):
+                solved.append((system, outcome))
+                continue
+            refutation = outcome
+        refuted[row] = refutation
+    return _Enumeration(screen.codes, violated, refuted, tuple(solved))
+
+
+def _all_equilibria(grasp: Grasp, wrench: RationalVector) -> tuple[Equilibrium, ...]:
+    """Return the maximal pieces of all solutions.
+
+    The states at a motion on the border of normal planes may be none of `contact_states`; where
+    they hold more of the solutions, theirs is the piece to report.
+    """
+    pieces = [equilibrium_of(*found) for found in _enumerate(grasp, wrench).open]
+    known = {piece.states for piece in pieces}
+    for piece in pieces:
+        states = states_at(grasp, piece.motion)
+        if states not in known:
+            known.add(states)
+            system = state_system(grasp, states, wrench)
+            outcome = decide(system)
+            if not isinstance(outcome, Refutation):
+                pieces.append(equilibrium_of(system, outcome))
+    return maximal(pieces)
+
+
+def _reasons(grasp: Grasp, wrench: RationalVector) -> Iterator[tuple[str, Reason]]:
+    """Yield the reason why each choice of contact states admits no equilibrium."""
+    done, m = _enumerate(grasp, wrench), len(grasp)
+    names = [f"{kind} {contact}" for kind in CONDITIONS for contact in range(m)]
+    rows = zip(done.codes.tolist(), done.violated.tolist(), strict=True)
+    for row, (code, index) in enumerate(rows):
+        if index == UNDECIDED:
+            refutation = done.refuted[row]
+            yield letters_of_code(code), (refutation.inequalities, refutation.equalities)
         else:
-            pieces.append(equilibrium_of(system, outcome))
-    return Verdict(grasp, applied, maximal(pieces), tuple(refutations))
+            yield letters_of_code(code), names[index]

@@ -13,7 +13,7 @@ from arrangement.exact import RationalVector, rational_vector, to_text
 from .elimination import Continuum, Point
 from .errors import GraspError
 from .least_norm import least_point
-from .states import States, StateSystem, each_force, value
+from .systems import States, StateSystem, each_force, value
 
 #: The least and largest value of a number; None where there is no end.
 Range: TypeAlias = tuple[Fraction | None, Fraction | None]

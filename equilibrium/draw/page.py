@@ -19,7 +19,7 @@ from arrangement.exact import RationalVector, to_text
 from equilibrium.elimination import gauss_jordan
 from equilibrium.grasp import Grasp, read_wrench
 from equilibrium.limits import Piece, resistible_set
-from equilibrium.states import States, each_force, state_system
+from equilibrium.systems import States, each_force, state_system
 
 from .body import Frame, body, frame_of, sampled
 

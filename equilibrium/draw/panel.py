@@ -13,7 +13,7 @@ import numpy as np
 from arrangement.draw.output import require_matplotlib
 from arrangement.exact import RationalVector
 from equilibrium.limits import Region
-from equilibrium.states import States
+from equilibrium.systems import States
 
 from .body import Floats
 from .shapes import text_size

@@ -16,10 +16,11 @@ from typing import Any
 
 from arrangement import linprog
 from arrangement.exact import RationalVector, rational, to_text
+from equilibrium.cells import contact_states
 from equilibrium.elimination import Refutation, decide
 from equilibrium.errors import GraspError
 from equilibrium.grasp import Contact, Grasp, read_wrench
-from equilibrium.states import DIRECTION, States, contact_states, state_system
+from equilibrium.systems import DIRECTION, States, state_system
 
 #: Coefficients above this are tried all at once only.
 LARGEST = 64

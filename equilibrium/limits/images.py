@@ -18,7 +18,7 @@ from math import lcm
 from arrangement.exact import IntegerVector, RationalVector, dot, primitive
 from arrangement.linear import reduced
 from equilibrium.grasp import Contact, Grasp
-from equilibrium.states import DIRECTION, States
+from equilibrium.systems import DIRECTION, States
 
 from .cones import generators
 from .polyhedron import Polyhedron, from_generators

@@ -14,10 +14,11 @@ from typing import Any
 
 from arrangement import linprog
 from arrangement.exact import RationalVector, dot, to_text
+from equilibrium.cells import contact_states
 from equilibrium.elimination import gauss_jordan
 from equilibrium.errors import GraspError
 from equilibrium.grasp import Grasp, read_wrench
-from equilibrium.states import States, StateSystem, contact_states, state_system
+from equilibrium.systems import States, StateSystem, state_system
 
 from .intervals import Interval, holds, intersection, union, where_positive
 

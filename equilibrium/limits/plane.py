@@ -15,7 +15,7 @@ from typing import Any
 from arrangement.exact import IntegerVector, RationalVector, dot, rational_vector, to_text
 from equilibrium.errors import GraspError
 from equilibrium.grasp import Grasp, read_wrench
-from equilibrium.states import States
+from equilibrium.systems import States
 
 from .directions import Sector, counter_clockwise, sectors
 from .intervals import Interval, intersection, union

@@ -14,8 +14,9 @@ from typing import Any
 import numpy as np
 
 from arrangement.exact import IntegerVector
+from equilibrium.cells import contact_states
 from equilibrium.grasp import Grasp, read_wrench
-from equilibrium.states import States, contact_states
+from equilibrium.systems import States
 
 from .images import resisted_with
 from .intervals import Interval, union

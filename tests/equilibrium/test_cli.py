@@ -107,7 +107,7 @@ HOSTILE = {
     "unknown": {**CONTACT, "mass": "1"},
     "range": {**CONTACT, "stiffness": "0"},
     "normal": {**CONTACT, "normal": ["1", "1"]},
-    "long": {**CONTACT, "friction": "1" * 5000},
+    "long": {**CONTACT, "friction": "1" * 100_001},
 }
 
 

@@ -1,12 +1,8 @@
-"""Contact states that rigid motion and springs allow, and the linear system of each.
+"""The linear system of one choice of contact states, exactly.
 
-Every motion d lies in exactly one face of ``grasp.motion_arrangement()``. The face fixes the state
-of each contact: detached when ``stiffness N . d >= preload`` (no normal force), else slip+, slip-
-or stick by the sign of ``T . d``. Faces that give the same states are one case. So the cases are as
-many as the faces at most: O(m^2) without preload, O(m^3) with.
-
-With the states fixed, equilibrium is linear in z = (d, tangential forces of sticking contacts).
-Its closed form is used: the union of all solutions is the same as with strict signs.
+With the state of every contact fixed, equilibrium is linear in z = (d, tangential forces of
+sticking contacts). Its closed form is used: the union of all solutions is the same as with strict
+signs.
 """
 
 from __future__ import annotations
@@ -14,38 +10,17 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass
 from fractions import Fraction
-from functools import lru_cache
 from typing import Literal, TypeAlias
 
 from arrangement.exact import RationalVector, dot
-from arrangement.planes import Face
 
 from .grasp import Contact, Grasp
 
 State: TypeAlias = Literal["detached", "slip+", "slip-", "stick"]
 States: TypeAlias = tuple[State, ...]
 
-_SLIP: dict[int, State] = {1: "slip+", 0: "stick", -1: "slip-"}
 #: The friction force of a slipping contact, in units of friction times normal force.
 DIRECTION = {"slip+": -1, "slip-": 1}
-
-
-def states_of_face(face: Face) -> States:
-    """Return the state of every contact on a face of ``grasp.motion_arrangement()``."""
-    m = len(face.signs) // 2
-    return tuple("detached" if face.signs[m + i] >= 0 else _SLIP[face.signs[i]] for i in range(m))
-
-
-@lru_cache(maxsize=64)
-def contact_states(grasp: Grasp) -> tuple[States, ...]:
-    """Return all contact states of a grasp, without repeats, those of small faces first."""
-    return tuple(dict.fromkeys(map(states_of_face, motion_faces(grasp))))
-
-
-@lru_cache(maxsize=64)
-def motion_faces(grasp: Grasp) -> tuple[Face, ...]:
-    """Return all faces of the motion arrangement; kept for the next wrench on the same grasp."""
-    return grasp.motion_arrangement().faces()
 
 
 @dataclass(frozen=True)
