@@ -36,14 +36,7 @@ from .strategies import grasps, wrenches
 
 THREE, FOUR = read_grasp("paper-three-contacts"), read_grasp("paper-four-contacts")
 FAR = 10**30
-COINCIDENT = Grasp(
-    [
-        Contact((0, 0), (1, 0), 1, 1, 1),
-        Contact((0, 0), (0, 1), "1/2", 1, 1),
-        Contact((2, 1), (-1, 0), "1/2", 1, 1),
-        Contact((2, 1), (-1, 0), "1/2", 1, 1),
-    ]
-)
+COINCIDENT = read_grasp("coincident-contacts")
 HUGE = Grasp(
     [Contact((FAR - 1, 0), (1, 0), "1/2", 1, 1), Contact((FAR + 1, 0), (-1, 0), "1/2", 1, 1)]
 )

@@ -17,6 +17,7 @@ def test_every_built_in_grasp_reads_and_describes_itself(name: str) -> None:
     assert len(read_grasp(name)) > 0
     description = json.loads(paths()[name].read_bytes())["description"]
     assert ("preload 1" in description) == any(c.preload == 1 for c in read_grasp(name))
+    assert ("no preload" in description) <= all(c.preload == 0 for c in read_grasp(name))
 
 
 def test_resistance_is_interrupted_and_goes_on() -> None:

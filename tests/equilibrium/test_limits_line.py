@@ -6,7 +6,7 @@ from hypothesis import given, settings, strategies as st
 from arrangement.errors import InputError
 from equilibrium.errors import GraspError
 from equilibrium.files import read_grasp
-from equilibrium.grasp import Contact, Grasp
+from equilibrium.grasp import Grasp
 from equilibrium.limits.gaps import gaps
 from equilibrium.limits.line import resisted_magnitudes
 from equilibrium.passive import solve
@@ -53,14 +53,7 @@ def test_values_of_the_paper(name, direction, intervals):
 
 
 def test_a_grasp_whose_magnitudes_have_a_gap():
-    grasp = Grasp(
-        [
-            Contact((0, 1), (1, 0), 1, 1, 1),
-            Contact((-1, 1), (0, 1), 1, 1, 1),
-            Contact((-1, 0), (0, -1), 0, 1, 1),
-        ]
-    )
-    direction = (-1, 0, 0)
+    grasp, direction = read_grasp("interrupted-push"), (-1, 0, 0)
     found = resisted_magnitudes(grasp, direction)
     assert found.intervals == ((0, 1), (2, None))
     assert found.to_dict() == {"intervals": [["0", "1"], ["2", None]]}

@@ -66,15 +66,14 @@ class TestGraspWrenchSpace:
     def test_volume_of_a_double_pyramid(self):
         # Cone edges of contacts at (+-1, 0), friction 1: (1, 1, -1), (1, -1, 1) and (-1, -1, -1),
         # (-1, 1, 1), a regular tetrahedron of edge 2 sqrt 2: volume 8/3, inscribed radius 1/sqrt 3.
-        squeeze = Grasp([Contact((-1, 0), (1, 0), 1), Contact((1, 0), (-1, 0), 1)])
+        squeeze = read_grasp("opposed-contacts")
         space = GraspWrenchSpace(squeeze)
         assert space.volume == Fraction(8, 3)
         assert space.epsilon_squared == Fraction(1, 3)
         assert GraspWrenchSpace(squeeze, torque_scale=2).volume == Fraction(4, 3)
 
     def test_two_frictionless_fingers_have_no_force_closure(self):
-        squeeze = Grasp([Contact((-1, 0), (1, 0), 0), Contact((1, 0), (-1, 0), 0)])
-        space = GraspWrenchSpace(squeeze)
+        space = GraspWrenchSpace(read_grasp("frictionless-opposed-contacts"))
         assert not space.force_closure
         assert (space.volume, space.epsilon_squared) == (0, 0)
         assert space.hull.dimension == 1

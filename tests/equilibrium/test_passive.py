@@ -240,7 +240,7 @@ def test_no_contacts_hold_nothing_but_the_zero_wrench():
 
 
 def test_without_friction_two_opposite_contacts_hold_a_push_along_their_line_only():
-    grasp = Grasp([Contact((-1, 0), (1, 0), 0), Contact((1, 0), (-1, 0), 0)])
+    grasp = read_grasp("frictionless-opposed-contacts")
     assert solve(grasp, (5, 0, 0)).stable
     assert not solve(grasp, (5, TINY, 0)).stable
 
