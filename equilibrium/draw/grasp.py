@@ -50,10 +50,11 @@ def draw_grasp(
     """Draw contacts with friction cones and preloads; with a wrench, the equilibrium too.
 
     Forces are those on the object; all arrows of forces have one scale, which the bar states. The
-    mark of a contact tells its state by shape. The virtual motion is drawn as the displaced outline
-    (of a grasp without outline, as arrows at the contacts), to first order, by a factor that is
-    stated. The outline is dashed and only indicative (see `body`) unless a polygon is given.
-    Where the origin of the frame is far from the contacts, the wrench is carried to their middle.
+    mark of a contact tells by shape its state at the motion drawn. The virtual motion is drawn as
+    the displaced outline (of a grasp without outline, as arrows at the contacts), to first order,
+    by a factor that is stated. The outline is dashed and only indicative (see `body`) unless a
+    polygon is given. Where the origin of the frame is far from the contacts, the wrench is carried
+    to their middle.
 
     Args:
         grasp: contacts; none, coincident ones and coordinates of any size are possible.
@@ -176,7 +177,7 @@ def _paint_contacts(axes: Any, scene: Scene, unit: float, labels: Labels) -> Non
             again = seen[contact.point] = seen.get(contact.point, -1) + 1
             place = p - 7.5 * unit * again * n
             axes.add_patch(
-                mark(scene.found.states[i], place, t, 6.0 * unit, ec=BLACK, lw=0.8,
+                mark(scene.states[i], place, t, 6.0 * unit, ec=BLACK, lw=0.8,
                      gid=f"mark-{i + 1}", zorder=6)
             )  # fmt: skip
             labels.avoid(
@@ -273,8 +274,7 @@ def _lines(scene: Scene) -> Iterator[tuple[str, bool]]:
 
 def _keys(scene: Scene) -> Iterator[tuple[str, str, bool]]:
     """Yield kind, text, and whether the picture has any."""
-    found = scene.found
-    states = {state.rstrip("+-") for state in found.states} if found is not None else set()
+    states = {state.rstrip("+-") for state in scene.states}
     yield "cone", "friction cone", bool(scene.places)
     yield "preload", "preload", any(scene.preloads)
     yield "wrench", "applied wrench w", scene.verdict is not None and any(scene.verdict.wrench)

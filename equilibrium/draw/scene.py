@@ -10,11 +10,12 @@ from typing import Any
 
 import numpy as np
 
-from arrangement.exact import RationalVector
+from arrangement.exact import RationalVector, dot, sign
 from equilibrium.errors import GraspError
 from equilibrium.grasp import Grasp
 from equilibrium.passive import Verdict
 from equilibrium.pieces import Equilibrium
+from equilibrium.states import State, States
 
 from .body import Floats, Frame, body, frame_of, polygon, read_outline
 from .style import nice, rounded
@@ -32,6 +33,7 @@ class Scene:
     Attributes:
         reference: the largest force component; arrows of forces are `FORCE` for `longest` of it.
         arms: for each contact the contact force on paper, or None.
+        states: at the motion that is drawn.
         step: the exact factor that the motion is drawn with, or None when nothing moves.
     """
 
@@ -52,6 +54,7 @@ class Scene:
     preloads: list[float] = field(default_factory=list)
     load: Floats | None = None
     step: Fraction | None = None
+    states: States = ()
 
 
 def scene_of(
@@ -77,8 +80,24 @@ def scene_of(
     scene.normals = [np.array([float(x) for x in c.normal]) for c in grasp]
     _scale_forces(scene)
     if scene.found is not None:
+        scene.states = states_at(grasp, scene.found.motion)
         scene.step = _step(scene.found.motion, frame, grasp)
     return scene
+
+
+def states_at(grasp: Grasp, motion: RationalVector) -> States:
+    """Return the states of the contacts at a motion, exactly (see `equilibrium.states`).
+
+    An equilibrium holds for a closed set of motions; at its boundary, where the motion of least
+    norm often lies, a contact that may slip does not.
+    """
+    slips: tuple[State, ...] = ("stick", "slip+", "slip-")
+    return tuple(
+        "detached"
+        if contact.stiffness * dot(contact.normal_wrench, motion) >= contact.preload
+        else slips[sign(dot(contact.tangential_wrench, motion))]
+        for contact in grasp
+    )
 
 
 def _chosen(verdict: Verdict | None, piece: int) -> Equilibrium | None:

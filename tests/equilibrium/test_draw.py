@@ -98,18 +98,35 @@ def test_forces_are_drawn_to_one_scale_in_their_directions() -> None:
     assert "force-2" not in found
 
 
-def test_marks_of_the_states_differ_in_shape() -> None:
-    figure = draw_grasp(random_grasp(5, 2), wrench=(1, 0, 0))
-    states = solve(random_grasp(5, 2), (1, 0, 0)).equilibria[0].states
+@pytest.mark.parametrize(
+    ("grasp", "wrench", "expected"),
+    [
+        (THREE, (0, -1, 0), ["detached", "stick", "detached"]),
+        (THREE.with_preload(1), (0, 1, 0), ["slip", "detached", "slip"]),
+        (FOUR.with_preload(1), (0, 0, 3), ["slip"] * 4),
+        (FOUR.with_preload(1), (0, 2, 0), ["stick"] * 4),
+    ],
+)
+def test_marks_tell_the_states_of_the_motion_by_shape(
+    grasp: Grasp, wrench: tuple[int, ...], expected: list[str]
+) -> None:
+    """The tables of the paper give the motions: (0, -1, 0), (0, 1, 0), (0, -1/4, 1/4) and 0."""
+    figure = draw_grasp(grasp, wrench=wrench)
     marks = {p.get_gid(): p for p in figure.axes[0].patches if "mark-" in (p.get_gid() or "")}
-    corners = {"stick": 4, "slip+": 3, "slip-": 3}
-    for i, state in enumerate(states, 1):
+    corners = {3: "slip", 4: "stick"}
+    for i, state in enumerate(expected, 1):
         shape = marks[f"mark-{i}"]
-        if state == "detached":
-            assert type(shape).__name__ == "Circle"
-        else:
-            assert len(shape.get_path().vertices) - 1 == corners[state]
-    assert len(set(states)) > 2
+        circle = type(shape).__name__ == "Circle"
+        assert state == ("detached" if circle else corners[len(shape.get_path().vertices) - 1])
+
+
+def test_slipping_marks_point_where_the_object_slips() -> None:
+    """Under (0, 1, 0) the object moves up, along +t at contact 1 and along -t at contact 3."""
+    figure = draw_grasp(THREE.with_preload(1), wrench=(0, 1, 0))
+    found = {p.get_gid(): p.get_path().vertices for p in figure.axes[0].patches}
+    for name in ("mark-1", "mark-3"):
+        tip, *base = found[name][:3]
+        assert all(tip[1] > corner[1] for corner in base)
 
 
 def test_a_given_outline_is_drawn_through_its_corners() -> None:
