@@ -33,7 +33,7 @@ def numbers(value: Any, path: tuple = ()) -> Iterator[tuple]:
     elif isinstance(value, list):
         for i, entry in enumerate(value):
             yield from numbers(entry, (*path, i))
-    elif isinstance(value, int) or (not set(value) - set("-/0123456789") and "0" <= value[-1]):
+    elif isinstance(value, int) or (not set(value) - set("-/0123456789") and value[-1:] >= "0"):
         yield path
 
 
