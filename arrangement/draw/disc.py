@@ -46,12 +46,19 @@ class Disc:
         self, paint: Painter, *, both_ends: bool = False, avoid: Floats | None = None
     ) -> list[DrawnRegion]:
         """Draw everything, sign vectors off the points `avoid`; return the regions seen."""
+        outlines = self.draw_curves(paint, both_ends=both_ends)
+        for region, outline in outlines:
+            write_inside(self.sheet, outline, region.signs, other=avoid)
+        return [region for region, _ in outlines]
+
+    def draw_curves(
+        self, paint: Painter, *, both_ends: bool = False
+    ) -> list[tuple[DrawnRegion, Floats]]:
+        """Draw everything but sign vectors; return the regions seen with their outlines."""
         outlines = self._fill(paint)
         self._arcs()
         self._names(both_ends)
-        for region, outline in outlines:
-            write_inside(self.sheet, flattened(outline), region.signs, other=avoid)
-        return [region for region, _ in outlines]
+        return [(region, flattened(outline)) for region, outline in outlines]
 
     def _fill(self, paint: Painter) -> list[tuple[DrawnRegion, Floats]]:
         drawn, sides = self.drawn, region_sides(self.globe)

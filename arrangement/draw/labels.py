@@ -46,6 +46,7 @@ def write_inside(
     sizes: Sequence[float] = SIZES,
     *,
     other: Floats | None = None,
+    **style: Any,
 ) -> bool:
     """Write a sign vector inside a closed outline, in the largest size that fits, or not at all.
 
@@ -55,6 +56,7 @@ def write_inside(
         signs: the sign vector.
         sizes: those tried, in points.
         other: more points that must not be covered.
+        style: goes to matplotlib.
     """
     from matplotlib.path import Path
 
@@ -74,7 +76,7 @@ def write_inside(
             room = (apart / box).max(axis=2).min(axis=1, initial=9.0)
             order = np.argsort(-np.round(room, 4), kind="stable")[:40]
             for place in grid[order][room[order] > 0.5]:
-                if sheet.write(place, text, size):
+                if sheet.write(place, text, size, **style):
                     return True
     return False
 

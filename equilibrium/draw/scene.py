@@ -10,12 +10,13 @@ from typing import Any
 
 import numpy as np
 
-from arrangement.exact import RationalVector, dot, sign
+from arrangement.exact import RationalVector
+from equilibrium.cells import states_at
 from equilibrium.errors import GraspError
 from equilibrium.grasp import Grasp
 from equilibrium.passive import Verdict
 from equilibrium.pieces import Equilibrium
-from equilibrium.states import State, States
+from equilibrium.systems import States
 
 from .body import Floats, Frame, body, frame_of, polygon, read_outline
 from .style import nice, rounded
@@ -33,7 +34,8 @@ class Scene:
     Attributes:
         reference: the largest force component; arrows of forces are `FORCE` for `longest` of it.
         arms: for each contact the contact force on paper, or None.
-        states: at the motion that is drawn.
+        states: at the motion that is drawn, often on the boundary of the set of solutions, where
+            a contact that may slip does not.
         step: the exact factor that the motion is drawn with, or None when nothing moves.
     """
 
@@ -83,21 +85,6 @@ def scene_of(
         scene.states = states_at(grasp, scene.found.motion)
         scene.step = _step(scene.found.motion, frame, grasp)
     return scene
-
-
-def states_at(grasp: Grasp, motion: RationalVector) -> States:
-    """Return the states of the contacts at a motion, exactly (see `equilibrium.states`).
-
-    An equilibrium holds for a closed set of motions; at its boundary, where the motion of least
-    norm often lies, a contact that may slip does not.
-    """
-    slips: tuple[State, ...] = ("stick", "slip+", "slip-")
-    return tuple(
-        "detached"
-        if contact.stiffness * dot(contact.normal_wrench, motion) >= contact.preload
-        else slips[sign(dot(contact.tangential_wrench, motion))]
-        for contact in grasp
-    )
 
 
 def _chosen(verdict: Verdict | None, piece: int) -> Equilibrium | None:

@@ -50,7 +50,7 @@ def test_sign_vectors_that_fit_are_written_once() -> None:
 
 def test_bad_requests_write_nothing(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     target = str(tmp_path / "a.svg")
-    assert main(["draw", "pencil", "-o", target, "--view", "lattice"]) == 2
+    assert main(["draw", "pencil", "-o", target, "--view", "shadow"]) == 2
     assert "known are planes, sphere" in capsys.readouterr().err
     assert main(["draw", "pencil", "-o", target, "--colour", "mood"]) == 2
     assert main(["draw", "parallel-planes-affine", "-o", target]) == 2
@@ -79,3 +79,25 @@ def test_missing_library_names_the_extra(monkeypatch: pytest.MonkeyPatch, tmp_pa
 def test_a_zero_direction_is_refused() -> None:
     with pytest.raises(InputError, match="not all 0"):
         draw_sphere(read_arrangement("pencil"), direction=(0, 0, 0))
+
+
+def test_the_colouring_by_minus_signs_has_a_legend() -> None:
+    axes = draw_sphere(read_arrangement("coordinate-planes"), colour="signs").axes[0]
+    assert [text.get_text() for text in axes.texts][-4:] == ["0", "1", "2", "3 minus signs"]
+
+
+def test_sign_vectors_keep_off_the_dashed_arcs_or_stand_on_a_halo() -> None:
+    axes = draw_sphere(read_arrangement("braid-a3"), direction=VIEW).axes[0]
+    figure = axes.figure
+    figure.canvas.draw()
+    dashes = [p for p in axes.patches if (p.get_gid() or "").startswith("back")]
+    curves = [p.get_transform().transform_path(p.get_path()) for p in dashes]
+    signs = [t for t in axes.texts if set(t.get_text()) <= set("+\u2212\n\u200a")]
+    assert len(signs) > 8
+    crossed = [
+        text
+        for text in signs
+        if any(c.intersects_bbox(text.get_window_extent(), filled=False) for c in curves)
+    ]
+    assert 0 < len(crossed) < len(signs) / 2
+    assert all(text.get_path_effects() for text in crossed)
