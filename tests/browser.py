@@ -11,7 +11,7 @@ import json
 import os
 import shutil
 import tempfile
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from pathlib import Path
 from typing import Any
 from urllib.parse import unquote, urlsplit
@@ -100,6 +100,18 @@ class Browser:
                 {"type": "mouseMoved", "x": x, "y": y, "button": "left", "buttons": 1},
             )
         self.pointer("mouseReleased", *stop)
+
+    def fingers(self, *steps: Sequence[tuple[float, float]]) -> None:
+        """Put fingers on the window, move them from step to step, lift them."""
+        for k, places in enumerate(steps):
+            self._touch("touchMove" if k else "touchStart", places)
+        self._touch("touchEnd", ())
+        self.settled()
+
+    def _touch(self, kind: str, places: Sequence[tuple[float, float]]) -> None:
+        points = [{"x": x, "y": y, "id": k} for k, (x, y) in enumerate(places)]
+        event = {"type": kind, "touchPoints": points}
+        self.driver.execute_cdp_cmd("Input.dispatchTouchEvent", event)
 
     def key(self, name: str) -> None:
         """Press a key on what has the focus, such as ``ArrowLeft`` or ``n``."""

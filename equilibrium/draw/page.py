@@ -7,6 +7,7 @@ with exact numbers; floats place things on the screen.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterable, Sequence
 from fractions import Fraction
 from typing import Any
@@ -17,14 +18,14 @@ from arrangement.draw.onepage import BASE_SCRIPT, BASE_STYLE, Template, one_page
 from arrangement.errors import InputError
 from arrangement.exact import RationalVector, to_text
 from equilibrium.elimination import gauss_jordan
-from equilibrium.grasp import Grasp, read_wrench
+from equilibrium.grasp import Contact, Grasp, read_wrench
 from equilibrium.limits import Piece, resistible_set
 from equilibrium.systems import States, each_force, state_system
 
 from .body import Frame, body, frame_of, sampled
 
 #: Contacts beyond which the pieces are too many for a page.
-MAX_CONTACTS = 10
+MAX_CONTACTS = 8
 _SCRIPTS = ("rational.js", "resisted.js", "plane.js", "graspview.js", "resist.js")
 
 
@@ -85,19 +86,26 @@ def _sets(grasp: Grasp) -> dict[str, Any]:
 
 
 def _piece(grasp: Grasp, piece: Piece) -> dict[str, Any]:
+    """Return one piece; where the motion is fixed, the page computes all but friction at rest."""
     shape = piece.polyhedron
     motion, forces = _solution(grasp, piece.states)
+    resting = [forces[2 * i + 1] for i, state in enumerate(piece.states) if state == "stick"]
     return {
         "states": list(piece.states),
         "inequalities": [[str(x) for x in row] for row in shape.inequalities],
         "equalities": [[str(x) for x in row] for row in shape.equalities],
-        "motion": None if None in motion else _texts(motion),
-        "forces": [_texts(forces[k : k + 2]) for k in range(0, len(forces), 2)],
+        "motion": list(map(_form, motion)),
+        "resting": list(map(_form, resting)),
+        "forces": list(map(_form, forces)) if None in motion else None,
     }
 
 
-def _texts(forms: Sequence[RationalVector | None]) -> list[list[str] | None]:
-    return [None if form is None else [to_text(x) for x in form] for form in forms]
+def _form(form: RationalVector | None) -> list[str] | None:
+    """Return a linear form as integers over a common denominator, which comes last."""
+    if form is None:
+        return None
+    scale = math.lcm(*(x.denominator for x in form))
+    return [*(str(x.numerator * (scale // x.denominator)) for x in form), str(scale)]
 
 
 def _solution(
@@ -148,6 +156,7 @@ def _picture(grasp: Grasp) -> dict[str, Any]:
                 "normal": [float(x) for x in contact.normal],
                 "friction": min(float(contact.friction), 1e6),
                 "preload": float(contact.preload),
+                "exact": _exact(contact),
             }
             for contact in grasp
         ],
@@ -157,24 +166,47 @@ def _picture(grasp: Grasp) -> dict[str, Any]:
     }
 
 
+def _exact(contact: Contact) -> dict[str, Any]:
+    """Return the law of a contact: from it the page computes forces from motions."""
+    return {
+        "wrench": [to_text(x) for x in contact.normal_wrench],
+        "stiffness": to_text(contact.stiffness),
+        "friction": to_text(contact.friction),
+        "preload": to_text(contact.preload),
+    }
+
+
 def _frame(frame: Frame) -> dict[str, Any]:
     return {"centre": [float(x) for x in frame.centre], "size": float(frame.size)}
 
 
 def _window(grasp: Grasp, applied: RationalVector | None) -> dict[str, Any]:
-    """Return how much of the plane is shown at first, and how far the torque can be moved."""
-    whole = resistible_set(grasp)
-    points = [point for piece in whole.pieces for point in piece.polyhedron.points]
-    forces = [x for point in points for x in point[:2]] + list(applied[:2] if applied else ())
+    """Return how much of the plane is shown at first, and how far the torque can be moved.
+
+    Few corners of pieces may be very far away; the first view need not hold these.
+    """
+    pieces = resistible_set(grasp).pieces
+    points = {point for piece in pieces for point in piece.polyhedron.points}
+    forces = [_most(max(abs(x), abs(y)) for x, y, _ in points)]
+    torques = [_most(abs(point[2]) for point in points)]
+    if applied is not None:
+        forces += applied[:2]
+        torques.append(applied[2])
     names = [f"force {axis}" for axis in "xy"]
     units = grasp.units
     return {
         "half": _reach(forces, 1.4, 2.0),
         "torque": to_text(applied[2]) if applied else "0",
         "force": [to_text(x) for x in applied[:2]] if applied else None,
-        "torque_reach": _reach([*(p[2] for p in points), *(applied or ())[2:]], 1.2, 1.0),
+        "torque_reach": _reach(torques, 1.2, 1.0),
         "axes": [f"{name} ({units.force})" for name in names] if units else names,
     }
+
+
+def _most(sizes: Iterable[Fraction]) -> Fraction:
+    """Return what nine of ten sizes do not exceed."""
+    ordered = sorted(size for size in sizes if size)
+    return ordered[(9 * (len(ordered) - 1)) // 10] if ordered else Fraction(0)
 
 
 def _reach(values: Iterable[Fraction], room: float, least: float) -> float:

@@ -241,6 +241,18 @@ def test_dragging_one_view_turns_both(view: str, browser: Browser, opened: Opene
     assert facts(browser) == {}, "a drag is no click"
 
 
+def test_a_finger_turns_and_a_tap_chooses(browser: Browser, opened: Opened) -> None:
+    opened("coordinate-planes", direction=(1, 1, 1))
+    before = shapes(browser)
+    x, y = centre(browser, "#sphere .ball")
+    browser.fingers([(x, y)], [(x + 30, y)], [(x + 60, y + 20)])
+    assert shapes(browser)[0] != before[0]
+    assert facts(browser) == {}
+    browser.run("document.getElementById('home').click()")
+    browser.fingers([(x, y)])
+    assert facts(browser)["signs"] == "+++"
+
+
 def test_arrow_keys_turn_and_home_turns_back(browser: Browser, opened: Opened) -> None:
     opened("braid-a3")
     before = shapes(browser)

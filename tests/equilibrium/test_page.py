@@ -296,6 +296,20 @@ def test_dragging_moves_and_keys_zoom(browser: Browser, opened: Opened) -> None:
     assert browser.run(html) == start
 
 
+def test_two_fingers_zoom_and_a_tap_chooses(browser: Browser, opened: Opened) -> None:
+    opened("paper-three-contacts-preload-1")
+    x, y = paper_place(browser, 0, 0)
+    right = paper_place(browser, 1, 0)
+    browser.fingers(
+        [(x - 40, y), (x + 40, y)], [(x - 60, y), (x + 60, y)], [(x - 80, y), (x + 80, y)]
+    )
+    left, wider = paper_place(browser, 0, 0), paper_place(browser, 1, 0)
+    assert wider[0] - left[0] > 1.5 * (right[0] - x)
+    assert verdict(browser) == "No force chosen"
+    browser.fingers([paper_place(browser, 0, -1)])
+    assert verdict(browser) == "Resisted"
+
+
 def test_what_is_no_number_is_marked_and_changes_nothing(browser: Browser, opened: Opened) -> None:
     opened("paper-three-contacts", wrench=[0, -1, 0])
     for text in ("x", "1/0", "1e3", "", "--1", "0x1"):

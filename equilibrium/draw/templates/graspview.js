@@ -25,8 +25,8 @@ function paintGrasp() {
   const piece = state.found[state.choice];
   const point = wrenchPoint();
   const motion = piece?.motion && point ? piece.motion.map((row) => near(valueOf(row, point))) : null;
-  const forces = piece?.forces && point
-    ? piece.forces.map((pair) => pair.map((row) => row && near(valueOf(row, point)))) : null;
+  const forces = piece && point
+    ? forcesOf(piece).map((pair) => pair.map((row) => row && near(valueOf(row, point)))) : null;
   if (data.outline) {
     draw("path", { class: "body", d: `M${data.outline.map(spot).join("L")}Z` }, view);
     if (motion) paintMotion(view, motion);

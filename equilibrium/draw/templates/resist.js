@@ -75,7 +75,7 @@ function listForces(piece, point) {
   const table = at("forces");
   table.replaceChildren();
   at("forces-hint").textContent = !piece ? "Choose a force that is resisted."
-    : piece.forces.flat().every(Boolean) ? "Normal and tangential component; exact."
+    : forcesOf(piece).flat().every(Boolean) ? "Normal and tangential component; exact."
       : "Normal and tangential component; exact. Where dots stand, these states allow more than one force.";
   if (!piece) return;
   const head = make("tr", {}, table);
@@ -85,7 +85,7 @@ function listForces(piece, point) {
     make("td", {}, row, String(i + 1));
     make("td", {}, row, `${CODES[what]} ${what}`);
     for (const k of [0, 1]) {
-      const form = piece.forces[i][k];
+      const form = forcesOf(piece)[i][k];
       const text = form ? textOf(valueOf(form, point)) : "…";
       make("td", { class: "exact" }, row, text);
     }

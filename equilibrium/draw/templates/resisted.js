@@ -1,18 +1,48 @@
 // The resisted wrenches. A condition (a, b, c, d) says a x + b y + c r + d p >= 0 for the force
 // (x, y), the torque r and the factor p of the preloads: motion, forces, wrench and preload grow
 // together, so that one exact set serves for every factor above 0.
-const sets = new Map(data.sets.map((set) => [set.name, set.pieces.map(readPiece)]));
+const sets = new Map(data.sets.map((set) => [set.name, set.pieces.map((piece) => readPiece(piece, set.name))]));
 
-function readPiece(piece) {
+function readPiece(piece, name) {
   const rows = (list) => list.map((row) => {
     const exact = row.map((text) => ratio(BigInt(text)));
     return { exact, float: scaled(exact.map(near)) };
   });
-  const forms = (list) => list.map((row) => row && row.map(readRatio));
   return {
     states: piece.states, raw: piece, atLeast: rows(piece.inequalities), equal: rows(piece.equalities),
-    forces: piece.forces.map(forms), motion: piece.motion && forms(piece.motion),
+    motion: piece.motion.every(Boolean) ? piece.motion.map(readForm) : null, loaded: name,
   };
+}
+
+function readForm(row) {
+  return row && row.slice(0, -1).map((text) => ratio(BigInt(text), BigInt(row.at(-1))));
+}
+
+// For each contact the normal and the tangential force, as forms in wrench and preload factor;
+// null where the states do not fix it.
+function forcesOf(piece) {
+  piece.forces ??= piece.raw.forces ? pairs(piece.raw.forces.map(readForm)) : byLaw(piece);
+  return piece.forces;
+}
+
+const pairs = (list) => list.flatMap((x, i) => (i % 2 ? [] : [[x, list[i + 1]]]));
+
+// The law of a contact: the spring gives the normal force, friction of a slipping contact follows.
+function byLaw(piece) {
+  const resting = piece.raw.resting.map(readForm);
+  return data.contacts.map(({ exact }, i) => {
+    const what = piece.states[i];
+    const zero = [0n, 0n, 0n, 0n].map((x) => ratio(x));
+    if (what === "detached") return [zero, zero];
+    const wrench = exact.wrench.map(readRatio);
+    const stiffness = times(readRatio(exact.stiffness), ratio(-1n));
+    const preload = readRatio({ none: "0", uniform: "1", own: exact.preload }[piece.loaded]);
+    const normal = zero.map((_, k) => plus(k === 3 ? preload : ratio(0n),
+      times(stiffness, piece.motion.reduce((sum, form, j) => plus(sum, times(wrench[j], form[k])), ratio(0n)))));
+    if (what === "stick") return [normal, resting.shift()];
+    const pull = times(readRatio(exact.friction), ratio(what === "slip+" ? -1n : 1n));
+    return [normal, normal.map((x) => times(pull, x))];
+  });
 }
 
 function scaled(row) {
