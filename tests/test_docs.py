@@ -75,6 +75,14 @@ def test_every_generated_picture_has_a_script(page: Path) -> None:
         assert makers, f"{name(page)}: no script of docs/figures makes {picture}"
 
 
+def test_every_work_cited_on_a_page_is_in_the_bibliography() -> None:
+    listed = set(re.findall(r"(?m)^\.\. \[(\w+)\]", (DOCS / "bibliography.rst").read_text("utf-8")))
+    assert "HaasHeger2018" in listed
+    for page in PAGES:
+        cited = set(re.findall(r"\[([A-Z]\w+\d{4})\]_", page.read_text(encoding="utf-8")))
+        assert cited <= listed, name(page)
+
+
 def test_there_are_pages_and_code_on_them() -> None:
     assert len(PAGES) > 5
     assert {path.name for path in PAGES} >= {"index.rst", "checking.rst", "conventions.rst"}
