@@ -63,22 +63,32 @@ def write_inside(
     if not signs:
         return False
     low, high = edge.min(axis=0), edge.max(axis=0)
-    grid = np.stack(np.meshgrid(*np.linspace(low, high, 33).T), axis=-1).reshape(-1, 2)
+    grid = np.stack(np.meshgrid(*np.linspace(low, high, 29).T), axis=-1).reshape(-1, 2)
     grid = grid[Path(edge).contains_points(grid)]
-    obstacles = edge if other is None else np.vstack([edge, other])
+    obstacles = _thinned(edge)
+    if other is not None:
+        near = ((other > low) & (other < high)).all(axis=1)
+        obstacles = np.vstack([obstacles, other[near]])
     apart = np.abs(grid[:, None] - obstacles)
-    for size in sizes:
-        for rows in (1, 2, 3):
-            if rows > len(signs):
-                continue
-            text = sign_rows(signs, rows)
-            box = np.array(sheet.measure(text, size)) * (1.0, 0.92) + 1.8
-            room = (apart / box).max(axis=2).min(axis=1, initial=9.0)
-            order = np.argsort(-np.round(room, 4), kind="stable")[:40]
-            for place in grid[order][room[order] > 0.5]:
-                if sheet.write(place, text, size, **style):
-                    return True
+    for size, rows in product(sizes, (1, 2, 3)):
+        if rows > len(signs):
+            continue
+        text = sign_rows(signs, rows)
+        box = np.array(sheet.measure(text, size)) * (1.0, 0.92) + 1.8
+        if (box > high - low).any():
+            continue
+        room = (apart / box).max(axis=2).min(axis=1, initial=9.0)
+        order = np.argsort(-np.round(room, 4), kind="stable")[:40]
+        for place in grid[order][room[order] > 0.5]:
+            if sheet.write(place, text, size, **style):
+                return True
     return False
+
+
+def _thinned(points: Floats, spacing: float = 1.0) -> Floats:
+    """Return some of the points along a line, not much closer than `spacing`."""
+    along = np.cumsum(np.linalg.norm(np.diff(points, axis=0, prepend=points[:1]), axis=1))
+    return points[np.unique(np.floor(along / spacing), return_index=True)[1]]
 
 
 def write_beside(
