@@ -21,20 +21,27 @@ def with_preload(m):
     return points + lines + facets + regions
 
 
+def without_preload(m):
+    """The same for planes that all pass through the origin."""
+    return 16 * m * m - 8 * m + 3
+
+
 def make():
     contacts = range(3, 13)
     figure = Figure(figsize=(3.9, 2.9))
     axes = figure.add_axes((0.13, 0.14, 0.84, 0.83))
-    axes.semilogy(contacts, [4**m for m in contacts], "--", color=BLACK, lw=1)
-    axes.semilogy(contacts, [with_preload(m) for m in contacts], "-", color=VERMILION, lw=1.2)
-    axes.semilogy(contacts, [16 * m * m - 8 * m + 3 for m in contacts], "-", color=BLUE, lw=1.2)
-    for loaded, colour, mark, last in ((True, VERMILION, "s", 5), (False, BLUE, "o", 7)):
-        for m in range(3, last + 1):
-            counts = [len(contact_states(random_grasp(m, seed, preload=loaded))) for seed in (1, 2)]
-            axes.semilogy([m] * 2, counts, mark, color=colour, ms=3.5, mfc="white", mew=0.8)
-    axes.text(9.3, 1.1e6, "all choices, $4^m$", ha="right", size=7)
-    axes.text(12, 2.3e4, "preload: at most", ha="right", size=7, color=VERMILION)
-    axes.text(12, 4.2e2, "no preload: at most $16m^2-8m+3$", ha="right", size=7, color=BLUE)
+    draw = axes.semilogy
+    draw(contacts, [4**m for m in contacts], "--", color=BLACK, lw=1, label="all choices, $4^m$")
+    for loaded, colour, mark, bound, name in (
+        (True, VERMILION, "s", with_preload, "preload: at most, about $9.3\\,m^3$"),
+        (False, BLUE, "o", without_preload, "no preload: at most $16m^2-8m+3$"),
+    ):
+        draw(contacts, [bound(m) for m in contacts], color=colour, lw=1.2, label=name)
+        found = [(m, random_grasp(m, seed, preload=loaded)) for m in contacts for seed in (1, 2)]
+        counts = [len(contact_states(grasp)) for _, grasp in found]
+        style = {"color": colour, "ms": 3.5, "mfc": "white", "mew": 0.8}
+        draw([m for m, _ in found], counts, mark, label="random grasps", **style)
+    axes.legend(fontsize=6, frameon=False, loc="upper left")
     axes.set_xlabel("contacts m", size=7)
     axes.set_ylabel("states", size=7, labelpad=1)
     axes.set_xticks(contacts)
