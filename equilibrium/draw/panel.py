@@ -157,7 +157,7 @@ class Panel:
             if text and room > 1 and not covered:
                 plate = {"boxstyle": "square,pad=0.12", "fc": fill_of(states), "ec": "none"}
                 self.axes.text(*place, text, size=FONT, ha="center", va="center_baseline",
-                               zorder=1.4, bbox=plate, gid=self.gid("code", i))  # fmt: skip
+                               zorder=1.6, bbox=plate, gid=self.gid("code", i))  # fmt: skip
 
     def _outline(self, region: Region) -> None:
         outline = region.outline

@@ -111,11 +111,13 @@ def joint_window(
         reach = max(reach, 3 * median([*map(_size, inner), Fraction(0)]))
         needed += [p for p in inner if _size(p) <= reach]
     lows, highs = _box(needed)
-    spread = max(high - low for low, high in zip(lows, highs, strict=True)) / 2 or Fraction(1)
+    finite = max(high - low for low, high in zip(lows, highs, strict=True)) / 2
+    spread = finite or Fraction(1)
     for shape in shapes:
         rays = [*shape.rays, *shape.lines, *((-x, -y) for x, y in shape.lines)]
+        share = Fraction(1, 5) if finite and shape.dimension == 2 else Fraction(4, 5)
         for ray in rays:
-            step = spread * Fraction(2, 5) / max(map(abs, ray))
+            step = spread * share / max(map(abs, ray))
             held = (p for p in shape.points if _size(p) <= reach)
             needed += [(p[0] + step * ray[0], p[1] + step * ray[1]) for p in held]
     lows, highs = _box(needed)

@@ -110,7 +110,18 @@ class _Line:
 
     def part(self, polygon: Polyhedron) -> Interval | None:
         """Return the part of the line in a polygon."""
+        if self._misses(polygon):
+            return None
         return polygon.along_homogeneous((*self.base, self.square), (*self.direction, 0))
+
+    def _misses(self, polygon: Polyhedron) -> bool:
+        """Return whether a polygon lies strictly on one side of the line (quick, exact)."""
+        generators, lines = polygon.homogeneous
+        if lines:
+            return False
+        (a, b), c = self.normal, self.constant
+        sides = [a * x + b * y + c * h for x, y, h in generators]
+        return min(sides) > 0 or max(sides) < 0
 
     def covers_beyond(self, polygon: Polyhedron) -> bool:
         """Return whether a polygon is not only on the positive side of the line."""
