@@ -71,7 +71,9 @@ def explained(one: Question, verdict: Verdict, answer: Answer) -> tuple[str, Fra
     if mine == "unstable":
         return AGREED, zero
     if bruteforce.is_stable(one.grasp, one.wrench, BOUND):
-        return f"it says unstable, an equilibrium is within the bound: load {one.load}", zero
+        again = solve_milp(one.grasp, one.wrench, presolve=False).verdict
+        note = f"without its presolve it says {again}"
+        return f"it says unstable, an equilibrium is within the bound; {note}", zero
     least = min(max(map(abs, piece.motion)) for piece in verdict.equilibria)
     return f"it says unstable, every equilibrium moves by more than {BOUND}", least
 

@@ -56,7 +56,11 @@ class _Rows:
 
 
 def solve_milp(
-    grasp: Any, wrench: Sequence[Fraction], bound: float = BOUND, seconds: float = 60
+    grasp: Any,
+    wrench: Sequence[Fraction],
+    bound: float = BOUND,
+    seconds: float = 60,
+    presolve: bool = True,
 ) -> Answer:
     """Ask HiGHS whether the grasp has an equilibrium with a motion within the bound."""
     m = len(grasp)
@@ -87,7 +91,7 @@ def solve_milp(
         integrality=whole,
         bounds=Bounds(low, high),
         constraints=rows.constraint(size),
-        options={"time_limit": seconds},
+        options={"time_limit": seconds, "presolve": presolve},
     )
     return _answer(found, time.process_time() - start, m)
 

@@ -12,45 +12,56 @@ from typing import Any
 
 Path = tuple[str | int, ...]
 _NUMBER = re.compile(r"-?\d+(/\d+)?\Z")
+#: A mapping with more keys is a table: its keys are data, not names of fields.
+LARGEST_RECORD = 8
 STATES = ("detached", "slip+", "slip-", "stick")
 
 
 def mutants(document: dict[str, Any], count: int, seed: int) -> Iterator[tuple[Path, str, Any]]:
     """Yield changed copies: where, which change, and the copy; all kinds of fields in turn.
 
-    Places that differ only in list indices are of one kind. No copy equals the document, and each
-    is a mapping.
+    Places that differ only in list indices, or in the keys of a large table, are of one kind. No
+    copy equals the document, and each is a mapping.
     """
     source = Random(f"mutants {seed}")
     kinds: defaultdict[tuple, list[Path]] = defaultdict(list)
-    for path, value in places(document):
-        kinds[(*(key for key in path if isinstance(key, str)), _sort(value))].append(path)
+    for kind, path, value in places(document):
+        kinds[(*kind, _sort(value))].append(path)
     order = sorted(kinds)
     found = 0
     while found < count:
-        path = source.choice(kinds[order[found % len(order)]])
+        kind = order[found % len(order)]
+        path = source.choice(kinds[kind])
         copied = copy.deepcopy(document)
         inside = {"root": copied}
         parent: Any = inside
         for key in ("root", *path[:-1]) if path else ():
             parent = parent[key]
         key = path[-1] if path else "root"
-        name, change = source.choice(_CHANGES[_sort(parent[key])])
-        parent[key] = change(parent[key], source)
+        other = source.choice(kinds[kind])
+        name, change = source.choice([("of another place", None), *_CHANGES[_sort(parent[key])]])
+        parent[key] = _at(document, other) if change is None else change(parent[key], source)
         if inside["root"] != document and isinstance(inside["root"], dict):
             found += 1
             yield path, name, inside["root"]
 
 
-def places(value: Any, path: Path = ()) -> Iterator[tuple[Path, Any]]:
-    """Yield every place of a document with its value, the document itself first."""
-    yield path, value
+def places(value: Any, kind: tuple = (), path: Path = ()) -> Iterator[tuple[tuple, Path, Any]]:
+    """Yield every place of a document with its kind and value, the document itself first."""
+    yield kind, path, value
     if isinstance(value, dict):
         for key, entry in value.items():
-            yield from places(entry, (*path, key))
+            named = (*kind, key) if len(value) <= LARGEST_RECORD else kind
+            yield from places(entry, named, (*path, key))
     elif isinstance(value, list):
         for i, entry in enumerate(value):
-            yield from places(entry, (*path, i))
+            yield from places(entry, kind, (*path, i))
+
+
+def _at(value: Any, path: Path) -> Any:
+    for key in path:
+        value = value[key]
+    return copy.deepcopy(value)
 
 
 def _sort(value: Any) -> str:
@@ -76,7 +87,7 @@ def _letter(text: str, source: Random) -> str:
     if not text:
         return "+"
     at = source.randrange(len(text))
-    known = sorted(set(text) | set("+-0"))
+    known = sorted(set(text) | set("+-0d"))
     return f"{text[:at]}{source.choice(known)}{text[at + 1 :]}"
 
 
@@ -92,6 +103,11 @@ def _without(entries: list[Any], source: Random) -> list[Any]:
 def _twice(entries: list[Any], source: Random) -> list[Any]:
     at = source.randrange(len(entries)) if entries else 0
     return entries[: at + 1] + copy.deepcopy(entries[at:])
+
+
+def _key_changed(mapping: dict[str, Any], source: Random) -> dict[str, Any]:
+    old = source.choice(sorted(mapping))
+    return {_letter(key, source) if key == old else key: value for key, value in mapping.items()}
 
 
 def _swapped(entries: list[Any], source: Random) -> list[Any]:
@@ -161,6 +177,7 @@ _CHANGES: dict[str, list[tuple[str, Change]]] = {
     "mapping": [
         ("key lost", _key_lost),
         ("key renamed", _key_renamed),
+        ("key changed", _key_changed),
         ("values exchanged", _values_exchanged),
         ("listed", lambda mapping, _: list(mapping.values())),
     ],

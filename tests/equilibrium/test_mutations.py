@@ -23,9 +23,9 @@ SEEDS = {"stable": (8, 20, 17, 21, 2, 34), "unstable": (40, 41, 1, 45, 6, 26)}
 KEPT, ANEW = 42, 42
 
 
-def accepted(document: Any, asked: Any = None) -> bool:
+def accepted(document: Any, asked: Any = None, rationals_only: bool = False) -> bool:
     try:
-        return bool(check(document, question=asked))
+        return bool(check(document, question=asked, rationals_only=rationals_only))
     except InputError:
         return False
 
@@ -56,7 +56,9 @@ def test_what_is_accepted_with_a_new_digest_is_a_true_proof(document, seed):
     assert is_true_proof(document)
     for path, change, changed in mutants(content, ANEW, seed):
         changed["digest"] = digest(changed)
-        if accepted(changed):
+        valid = accepted(changed)
+        assert accepted(changed, rationals_only=True) == valid, (path, change)
+        if valid:
             assert is_true_proof(changed), (path, change)
             assert accepted(changed, asked) == (statement(changed) == asked), (path, change)
 
