@@ -19,10 +19,11 @@ _MOST_PAIRS = 400
 def clear_sight(cells: Cells, lifted: Sequence[tuple[int, ...]] = ()) -> IntegerVector:
     """Return a direction from above that shows the planes well.
 
-    It avoids planes seen edge-on and, less strictly, directions in which two of these lines fall
-    together: intersections of planes, axes, diagonals of a cube. Lifted cells move sideways in
-    the picture, a little towards the viewer. The choice is one of a fixed list, so that it is
-    exact and repeats.
+    It avoids planes seen edge-on or from straight ahead. Less strictly, it avoids directions in
+    which two planes are seen at the same angle, or two of these lines fall together: intersections
+    of planes, axes, diagonals of a cube.
+    Lifted cells move sideways in the picture, a little towards the viewer. The choice is one of a
+    fixed list, so that it is exact and repeats.
     """
     views = [v for v in product(range(-7, 8), range(-7, 8), range(1, 6)) if primitive(v) == v]
     units = unit_vectors(views)
@@ -31,7 +32,10 @@ def clear_sight(cells: Cells, lifted: Sequence[tuple[int, ...]] = ()) -> Integer
     normals = [plane[:3] for plane in cells.arrangement.integer_planes]
     score = np.ones(len(views))
     if normals:
-        score = np.minimum(score, np.abs(units @ unit_vectors(normals).T).min(axis=1))
+        facing = np.abs(units @ unit_vectors(normals).T)
+        oblique = np.minimum(facing, 0.8 * np.sqrt(np.maximum(0.0, 1 - facing**2)))
+        score = np.minimum(score, oblique.min(axis=1))
+        score = np.minimum(score, 2 * _asymmetry(units, unit_vectors(normals)))
     score = np.minimum(score, 3 * _clearance(units, _lines(cells, normals)))
     for way in _ways(cells, lifted):
         towards = units @ way
@@ -58,6 +62,16 @@ def _line(vector: Sequence[int]) -> IntegerVector:
     line = primitive(vector)
     leading = next((x for x in line if x), 1)
     return line if leading > 0 else tuple(-x for x in line)
+
+
+def _asymmetry(units: Floats, normals: Floats) -> Floats:
+    """Return how far each view is from the planes of symmetry between two of the planes."""
+    pairs = list(combinations(normals, 2))[:_MOST_PAIRS]
+    mirrors = np.array([mirror for a, b in pairs for mirror in (a - b, a + b)]).reshape(-1, 3)
+    mirrors = mirrors[np.linalg.norm(mirrors, axis=1) > 1e-6]
+    mirrors /= np.linalg.norm(mirrors, axis=1, keepdims=True)
+    asymmetry: Floats = np.abs(units @ mirrors.T).min(axis=1, initial=1.0)
+    return asymmetry
 
 
 def _clearance(units: Floats, lines: Sequence[IntegerVector]) -> Floats:

@@ -121,7 +121,8 @@ class DualPolyhedron:
         """Write a model for printing or viewing; the suffix is ``.stl``, ``.glb`` or ``.obj``.
 
         The file appears whole or not at all. STL and OBJ carry no unit: their numbers are
-        millimetres. GLB is in metres, as its standard demands. OBJ keeps the true polygons.
+        millimetres, and they say so where they begin. GLB is in metres with y upward, as its
+        standard demands. OBJ keeps the true polygons.
 
         Args:
             path: where to.
