@@ -96,7 +96,9 @@ class StateConditions:
             return "a multiplier of an inequality is negative"
         total: Form = {}
         for multiplier, form in [*zip(y, self.inequalities), *zip(x, self.equalities)]:  # noqa: B905
-            if multiplier and not any(form.values()):
+            if not multiplier:
+                continue
+            if not any(form.values()):
                 return "an empty condition has a multiplier"
             _add(total, form, multiplier)
         if total.pop("1", 0) != -1:

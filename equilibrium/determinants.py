@@ -9,7 +9,7 @@ stick, the sum of their tangential forces.
 The signs are found in floating point where a bound of its error allows. Every entry is a sum over
 contacts. Its error is at most a multiple of the sum S of the sizes of its terms; and that of a
 determinant at most a multiple of the same polynomial with S and plus signs throughout
-[Higham2002]_. The rest is left to exact arithmetic. This is the checker's own way; the solver has
+[Higham2002]. The rest is left to exact arithmetic. This is the checker's own way; the solver has
 another.
 """
 

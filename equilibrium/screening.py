@@ -5,7 +5,7 @@ planes, are ``A z = b`` with A square, and inequalities. The unknowns z are d an
 planes, the sum C of the tangential forces of the contacts that stick on it. For an approximate
 inverse R of A with ``|I - R A| <= beta < 1`` (largest row sum), A is regular, and its only solution
 is within ``|R (b - A z')| / (1 - beta)`` of any approximate one z'. Both are bounded with the
-rounding errors of their own computation, in any order of summation [Higham2002]_, [Rump2010]_. A
+rounding errors of their own computation, in any order of summation [Higham2002], [Rump2010]. A
 condition that is negative everywhere so near proves that no equilibrium has these states. What the
 bound does not decide is left to exact arithmetic.
 """

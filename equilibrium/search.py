@@ -8,7 +8,7 @@ directions b+, b- of its friction force, and the size l of its slip. With the mo
 * ``l + T . d >= 0`` to ``b+ >= 0``, and ``l - T . d >= 0`` to ``b- >= 0``;
 * ``friction c_n - b+ - b- >= 0`` to ``l >= 0``.
 
-Lemke's method pivots along a ray until all is complementary [Cottle1992]_. It can end without an
+Lemke's method pivots along a ray until all is complementary [Cottle1992]. It can end without an
 answer where one exists, so a failure proves nothing.
 """
 
