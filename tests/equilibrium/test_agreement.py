@@ -17,7 +17,7 @@ from .agreement import disagreements
 from .awkward import BORDERS, GRASPS, question
 from .strategies import grasps, wrenches
 
-CHUNK = 20
+CHUNK = 15
 
 
 @pytest.mark.slow
