@@ -8,7 +8,17 @@ from typing import Any
 from arrangement import console
 
 #: The options that go to the view, when they are given.
-_OPTIONS = ("wrench", "outline", "piece", "extent", "directions", "methods", "width", "title")
+_OPTIONS = (
+    "wrench",
+    "wrenches",
+    "outline",
+    "piece",
+    "extent",
+    "directions",
+    "methods",
+    "width",
+    "title",
+)
 
 
 def add_commands(commands: Any) -> None:
@@ -25,14 +35,15 @@ def add_commands(commands: Any) -> None:
         "--view",
         metavar="VIEW",
         help="grasp (the default), resist, slice (the paper's figure in three parts), polar, "
-        "compare",
+        "compare (accepted forces), methods (verdicts on wrenches)",
     )
     draw.add_argument(
         "--wrench",
         nargs=3,
+        action="append",
         metavar=("X", "Y", "R"),
         type=console.rational_argument,
-        help="applied force x, force y, torque about the origin",
+        help="applied force x, force y, torque about the origin; methods: one or more times",
     )
     draw.add_argument(
         "--preload",
@@ -76,6 +87,13 @@ def _draw(arguments: argparse.Namespace) -> int:
         if arguments.view == "slice":
             raise GraspError("the view slice sets the preloads itself; leave --preload out")
         grasp = grasp.with_preload(arguments.preload)
+    wrenches = arguments.wrench or []
+    if arguments.view == "methods":
+        arguments.wrenches, arguments.wrench = wrenches or None, None
+    elif len(wrenches) > 1:
+        raise GraspError(f"{len(wrenches)} wrenches; only the view methods takes more than one")
+    else:
+        arguments.wrenches, arguments.wrench = None, wrenches[0] if wrenches else None
     given = {name: getattr(arguments, name) for name in _OPTIONS}
     options = {name: value for name, value in given.items() if value is not None}
     if "outline" in options:

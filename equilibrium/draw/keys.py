@@ -32,6 +32,9 @@ _POINTS: dict[str, list[tuple[float, dict[str, Any]]]] = {
     "resisted": [(2.75, _RESISTED)],
     "refused": [(2.75, _REFUSED)],
     "wrench-points": [(1.3, _RESISTED), (4.2, _REFUSED)],
+    "accepted": [(2.75, {"marker": "o", "ms": 4.5, "color": BLACK})],
+    "refusal": [(2.75, {"marker": "x", "ms": 4, "mew": 1.0, "color": BLACK})],
+    "silence": [(2.75, {"marker": "_", "ms": 4.5, "mew": 0.8, "color": BLACK})],
     "dot": [(2.75, {"marker": "o", "ms": 2.2, "color": BLUE})],
     "cross": [(2.75, {"marker": "x", "ms": 4, "mew": 1.1, "color": VERMILION})],
 }
@@ -80,4 +83,4 @@ def _swatch(axes: Any, kind: str, left: float, y: float) -> None:
     axes.add_patch(Rectangle((left, y - 1.2), WIDTH, 2.4, fc=fill, ec=GREY, lw=0.4))
     for k in range(5 if hatched else 0):
         x = left + 0.3 + 1.1 * k
-        axes.plot([x, x + 0.8], [y - 1.2, y + 1.2], color="#4d4d4d", lw=0.35)
+        axes.plot([x, x + 0.8], [y - 1.2, y + 1.2], color="#7d7d7d", lw=0.35)

@@ -42,15 +42,20 @@ class Legend:
         return _ROW * (len(self.lines) + len(self._rows()) + self.scaled) + 1.5
 
     def _rows(self) -> list[list[tuple[float, str, str]]]:
-        """Return rows of (left end, kind, text), in columns of equal width where they fit."""
-        if not self.keys:
-            return []
-        cell = max(_KEY + _wide(text) + _GAP for _, text in self.keys)
-        columns = max(1, int((self.width - 2 * _SIDE + _GAP) / cell))
-        cells = [
-            (_SIDE + (i % columns) * cell, kind, text) for i, (kind, text) in enumerate(self.keys)
-        ]
-        return [cells[i : i + columns] for i in range(0, len(cells), columns)]
+        """Return rows of (left end, kind, text), in columns where at least two of them fit."""
+        sizes = [_KEY + _wide(text) + _GAP for _, text in self.keys]
+        room = self.width - 2 * _SIDE + _GAP
+        in_columns = 2 * max(sizes, default=0.0) <= room
+        rows: list[list[tuple[float, str, str]]] = []
+        left = room
+        for (kind, text), size in zip(self.keys, sizes, strict=True):
+            cell = max(sizes) if in_columns else size
+            if left + cell > room + 1e-6:
+                rows.append([])
+                left = 0.0
+            rows[-1].append((_SIDE + left, kind, text))
+            left += cell
+        return rows
 
     def draw(self, figure: Figure, scale: tuple[float, str] | None = None) -> None:
         """Draw the strip at the bottom; `scale` is a length in millimetres and its label."""

@@ -23,6 +23,7 @@ VIEWS = {
     "slice": ("slices", "draw_slice"),
     "polar": ("polar", "draw_polar"),
     "compare": ("compare", "draw_compare"),
+    "methods": ("methods", "draw_methods"),
 }
 
 
@@ -61,6 +62,8 @@ def write_drawing(
         raise GraspError(f"the view is {shown(name)}; known are {', '.join(VIEWS)}")
     draw = _function(*VIEWS[name])
     check_options(name, draw, options)
+    if name == "methods" and not options.get("wrenches"):
+        raise GraspError("the view methods compares verdicts on wrenches; give at least one")
     save_figure(path, lambda: draw(grasp, **options))
     return {"view": name}
 

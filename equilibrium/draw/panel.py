@@ -129,10 +129,10 @@ class Panel:
         elif len(shape) == 2:
             self.axes.plot(*shape.T, color=thin, lw=0.6, gid=gid, zorder=1.2)
         else:
-            line = {"ec": "#5f5f5f", "lw": 0.3} if by_states else {"ec": fill, "lw": 0.5}
+            line = {"ec": "#404040", "lw": 0.4} if by_states else {"ec": fill, "lw": 0.5}
             self.polygon(shape, fc=fill, gid=gid, zorder=1, **line)
             if by_states and "detached" in states:
-                self.polygon(shape, fc="none", ec="#4d4d4d", lw=0, hatch=HATCH, zorder=1)
+                self.polygon(shape, fc="none", ec="#7d7d7d", lw=0, hatch=HATCH, zorder=1)
 
     def polygon(self, shape: Floats, **style: Any) -> None:
         """Add a filled polygon on paper; hatch lines are thin."""

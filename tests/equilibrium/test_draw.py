@@ -21,6 +21,7 @@ from equilibrium.draw import (
     VIEWS,
     draw_compare,
     draw_grasp,
+    draw_methods,
     draw_polar,
     draw_resist,
     draw_slice,
@@ -30,6 +31,7 @@ from equilibrium.draw.body import body, frame_of, sampled
 from equilibrium.draw.style import nice, number
 from equilibrium.inputs import random_grasp
 from equilibrium.limits import gaps, resistance_figure, resistible_region, search_map
+from equilibrium.others.compare import compare
 from equilibrium.others.regions import METHODS, method_region
 
 from .strategies import grasps, wrenches
@@ -183,6 +185,7 @@ def figures() -> Iterable[tuple[str, Figure]]:
     yield "slice marked", draw_slice(FOUR, wrench=(0, 2, 0))
     yield "polar", draw_polar(loaded, directions=36)
     yield "compare", draw_compare(loaded, wrench=(0, 1, 0))
+    yield "methods", draw_methods(loaded, wrenches=[(0, k, "-1/2") for k in range(6)])
     yield "compare narrow", draw_compare(FOUR, methods=["complete", "weak"], width=88.0)
 
 
@@ -271,13 +274,28 @@ def test_comparison_has_a_panel_for_each_method_with_its_region() -> None:
         assert (point.get_marker() == "o") is region.contains((0, 2))
 
 
+def test_methods_and_wrenches_are_a_table_of_the_comparisons() -> None:
+    loads = [(0, 1, 0), (0, -1, 0), (0, "11/10", 0)]
+    grasp = THREE.with_preload(1)
+    figure = draw_methods(grasp, wrenches=loads)
+    lines = {line.get_gid(): line.get_marker() for line in figure.axes[0].lines}
+    fields = {name for name in names(figure) if name.startswith("differs-")}
+    markers = {True: "o", False: "x", None: "None"}
+    for j, load in enumerate(loads):
+        answer = compare(grasp, load)
+        for i, entry in enumerate(answer.answers):
+            assert lines[f"cell-{i}-{j}"] == markers[entry.accepts]
+            assert (f"differs-{i}-{j}" in fields) == (entry.method in answer.disagreeing)
+
+
 @pytest.mark.parametrize(
     ("view", "suffix"),
     [*((view, ".svg") for view in VIEWS), ("grasp", ".png"), ("resist", ".pdf"), ("slice", ".pdf")],
 )
 def test_files_repeat_byte_for_byte(view: str, suffix: str, tmp_path: Path) -> None:
     for name in "ab":
-        write_drawing(THREE, tmp_path / f"{name}{suffix}", view)
+        options = {"wrenches": [(0, 1, 0), (0, -1, 0)]} if view == "methods" else {}
+        write_drawing(THREE, tmp_path / f"{name}{suffix}", view, **options)
     assert (tmp_path / f"a{suffix}").read_bytes() == (tmp_path / f"b{suffix}").read_bytes()
     assert len(list(tmp_path.iterdir())) == 2
 
@@ -295,6 +313,9 @@ BAD = [
     ["--view", "polar", "--directions", "0"],
     ["--view", "compare", "--methods", "guess"],
     ["--view", "slice", "--preload", "1"],
+    ["--view", "methods"],
+    ["--view", "resist", "--wrench", "0", "1", "0", "--wrench", "0", "2", "0"],
+    ["--view", "methods", "--wrench", "0", "1", "0", "--extent", "1"],
 ]
 
 
@@ -321,7 +342,8 @@ def test_missing_library_names_the_extra(
     monkeypatch.setitem(sys.modules, "matplotlib", None)
     for view in VIEWS:
         target = str(tmp_path / "a.svg")
-        assert main(["draw", "paper-three-contacts", "-o", target, "--view", view]) == 2
+        wrench = ["--wrench", "0", "1", "0"] if view == "methods" else []
+        assert main(["draw", "paper-three-contacts", "-o", target, "--view", view, *wrench]) == 2
         assert "slipstates[figures]" in capsys.readouterr().err
     assert list(tmp_path.iterdir()) == []
 
