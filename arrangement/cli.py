@@ -13,7 +13,7 @@ from .planes import Arrangement, Face
 #: The options of ``draw`` that go to the view, when they are given.
 _DRAW_OPTIONS = (
     "colour", "direction", "width", "body", "lift", "explode", "size", "title", "whole", "hull",
-    "moebius",
+    "moebius", "even",
 )  # fmt: skip
 _SYMBOLS = {1: "+", 0: "0", -1: "-"}
 
@@ -86,6 +86,10 @@ def _add_draw_options(draw: argparse.ArgumentParser) -> None:
         help="move the cells of a model apart (default 1.3; 1 leaves them together)",
     )  # fmt: skip
     draw.add_argument("--size", type=_length, metavar="MM", help="of a model (default 60)")
+    draw.add_argument(
+        "--even", action="store_true", default=None,
+        help="after a linear map that spreads the planes evenly and keeps all signs",
+    )  # fmt: skip
     draw.add_argument(
         "--whole", action=argparse.BooleanOptionalAction, default=None,
         help="stereographic: both halves of the sphere, or one",

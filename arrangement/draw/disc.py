@@ -152,6 +152,20 @@ def plane_names(members: Sequence[int], count: int | None = None) -> str:
     return ",".join(parts)
 
 
+def has_key(colour: str | Painter) -> bool:
+    """Return whether a colouring has a legend."""
+    return colour in ("sides", "signs")
+
+
+def key_entries(
+    colour: str | Painter, drawn: Sequence[DrawnRegion], paint: Painter
+) -> list[tuple[str, dict[str, Any]]]:
+    """Return the legend of a colouring for the regions that are drawn, for `Sheet.keys`."""
+    if colour == "sides":
+        return side_entries(drawn)
+    return sign_entries(drawn, paint) if colour == "signs" else []
+
+
 def side_entries(drawn: Sequence[DrawnRegion]) -> list[tuple[str, dict[str, Any]]]:
     """Return the legend of the colouring by sides, for `Sheet.keys`."""
     return [
@@ -159,3 +173,18 @@ def side_entries(drawn: Sequence[DrawnRegion]) -> list[tuple[str, dict[str, Any]
         for k in sorted({region.sides for region in drawn})
         if k
     ]
+
+
+def sign_entries(drawn: Sequence[DrawnRegion], paint: Painter) -> list[tuple[str, dict[str, Any]]]:
+    """Return the legend of the colouring by minus signs, for `Sheet.keys`."""
+    groups: dict[str, set[int]] = {}
+    for region in drawn:
+        groups.setdefault(paint(region), set()).add(region.signs.count(-1))
+    entries = []
+    for colour, counts in sorted(groups.items(), key=lambda item: min(item[1])):
+        low, high = min(counts), max(counts)
+        text = f"{low}" if low == high else f"{low}\u2013{high}"
+        entries.append((text, {"fc": colour}))
+    if entries:
+        entries[-1] = (f"{entries[-1][0]} minus signs", entries[-1][1])
+    return entries

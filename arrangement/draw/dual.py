@@ -14,7 +14,8 @@ from arrangement.inscribed import representative_hull
 from arrangement.planes import Arrangement
 
 from .colours import DrawnRegion, Painter, painter, plane_colour
-from .disc import Disc, front, plane_names, region_sides, rim_width, side_entries
+from .disc import Disc, front, has_key, key_entries, plane_names, region_sides, rim_width
+from .evening import evened
 from .globe import Globe, unit_vectors
 from .labels import SIZES, crosses, sign_forms, write_beside
 from .projections import orthographic
@@ -36,6 +37,7 @@ def draw_dual(
     colour: str | Painter = "sides",
     width: float = 180.0,
     hull: bool = False,
+    even: bool = False,
 ) -> Figure:
     """Draw the great circles of central planes in R^3, and beside them the dual polyhedron.
 
@@ -59,6 +61,8 @@ def draw_dual(
         colour: as for `draw_sphere`.
         width: of the figure, in millimetres; below 120 the panels stand one above the other.
         hull: draw the hull of representatives.
+        even: draw the planes after a linear map that spreads their normals evenly and changes no
+            sign vector (see `evening.evened`); the direction counts after it.
 
     Raises:
         InputError: another space or rank, planes off the origin, too many circles, unknown
@@ -66,6 +70,7 @@ def draw_dual(
         MissingExtraError: matplotlib is absent.
     """
     paint, width = painter(colour), checked_width(width)
+    arrangement = evened(arrangement) if even else arrangement
     globe = Globe(arrangement, direction)
     if direction is None and not hull:
         globe = Globe(arrangement, _oblique_direction(globe))
@@ -77,7 +82,7 @@ def draw_dual(
         solid, points = dual_solid(arrangement, globe.direction, globe.axes), None
     beside = width >= SIDE_BY_SIDE
     panel = width / 2 if beside else width
-    legend = 6.0 * (colour == "sides") + (6.0 if hull else 5.0) + 2.0
+    legend = 6.0 * has_key(colour) + (6.0 if hull else 5.0) + 2.0
     sheet = Sheet(width, panel * (1 if beside else 2) + legend)
     size = sheet.width / 2 if beside else sheet.width
     first = (size / 2, sheet.height - size / 2)
@@ -88,8 +93,8 @@ def draw_dual(
     picture = _Picture(sheet, globe, solid, paint, hull)
     picture.draw(second, radius if hull else size / 2 - 19.0, size / 2)
     y = legend * 72 / 25.4 - 2
-    if colour == "sides":
-        y -= sheet.keys(y, side_entries(drawn)) + 3
+    if has_key(colour):
+        y -= sheet.keys(y, key_entries(colour, drawn, paint)) + 3
     if hull:
         sheet.keys(y, picture.hull_entries())
     else:

@@ -13,7 +13,8 @@ from arrangement.exact import IntegerVector, primitive
 from arrangement.planes import Arrangement
 
 from .colours import Painter, painter
-from .disc import Disc, front, plane_names, rim_width, side_entries
+from .disc import Disc, front, has_key, key_entries, plane_names, rim_width
+from .evening import evened
 from .globe import Globe, unit_vectors
 from .projections import Chart, Drawn, StraightChart, orthographic
 from .sheet import Floats, Sheet, checked_width
@@ -30,6 +31,7 @@ def draw_gnomonic(
     direction: Sequence[object] | None = None,
     colour: str | Painter = "sides",
     width: float = 88.0,
+    even: bool = False,
 ) -> Figure:
     """Draw central planes in R^3 as lines of the projective plane.
 
@@ -54,17 +56,19 @@ def draw_gnomonic(
             from infinity.
         colour: as for `draw_sphere`.
         width: of the figure, in millimetres.
+        even: draw the planes after a linear map that spreads their normals evenly and changes no
+            sign vector (see `evening.evened`); the direction counts after it.
 
     Raises:
         InputError: another space, planes off the origin, too many circles, unknown colouring.
         MissingExtraError: matplotlib is absent.
     """
     paint = painter(colour)
+    arrangement = evened(arrangement) if even else arrangement
     globe = Globe(arrangement, direction)
     if direction is None:
         globe = Globe(arrangement, _central_direction(globe))
-    legend = colour == "sides"
-    sheet = Sheet(checked_width(width), width + (12.0 if legend else 7.0))
+    sheet = Sheet(checked_width(width), width + (12.0 if has_key(colour) else 7.0))
     radius = sheet.width / 2 - rim_width(sheet, globe)
     centre = (sheet.width / 2, sheet.height - sheet.width / 2)
     drawn = _chart(globe)
@@ -79,8 +83,7 @@ def draw_gnomonic(
     few = globe.whole.circle_count <= _BOTH_ENDS
     regions = disc.draw(paint, both_ends=few, avoid=dots)
     sheet.write((sheet.width / 2, 3.0), _note(globe), 6.0, anchor=(0.5, 0.0))
-    if legend:
-        sheet.keys(25.0, side_entries(regions))
+    sheet.keys(25.0, key_entries(colour, regions, paint))
     return sheet.figure
 
 

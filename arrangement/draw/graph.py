@@ -13,7 +13,7 @@ from arrangement.errors import InputError
 from arrangement.planes import Arrangement
 
 from .colours import DrawnRegion, Painter, painter, plane_colour
-from .disc import plane_names, side_entries
+from .disc import has_key, key_entries, plane_names
 from .globe import MAX_CIRCLES
 from .labels import SIZES, crosses, segments_meet, sign_forms, write_beside
 from .sheet import POINTS, Floats, Sheet, checked_width
@@ -70,13 +70,13 @@ def draw_graph(
     """
     paint, width = painter(colour), checked_width(width)
     graph = planar_graph(arrangement)
-    bottom = 12.0 + 5.0 * (colour == "sides")
+    bottom = 12.0 + 5.0 * has_key(colour)
     sheet = Sheet(width, width + bottom)
     picture = _Picture(arrangement, graph, sheet, paint)
     picture.draw()
     y = (bottom - 1) * POINTS
-    if colour == "sides":
-        y -= sheet.keys(y, side_entries(picture.regions)) + 2
+    if has_key(colour):
+        y -= sheet.keys(y, key_entries(colour, picture.regions, paint)) + 2
     marker = {"fc": "white", "lw": 0.7}
     even = "even number of minus signs"
     if len(arrangement.distinct) < len(arrangement):

@@ -3,14 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from arrangement.planes import Arrangement
 
 from .colours import DrawnRegion, Painter, painter
-from .disc import Disc, front, rim_width, side_entries
+from .disc import Disc, front, has_key, key_entries, rim_width
+from .evening import evened
 from .globe import Floats, Globe
 from .labels import flattened, write_inside
 from .projections import orthographic
@@ -26,6 +27,7 @@ def draw_sphere(
     direction: Sequence[object] | None = None,
     colour: str | Painter = "sides",
     width: float = 88.0,
+    even: bool = False,
 ) -> Figure:
     """Draw the great circles of central planes in R^3 as seen from a direction.
 
@@ -39,25 +41,24 @@ def draw_sphere(
         colour: "sides" (by number of sides), "signs" (by number of minus signs), "none", or a
             function from a `DrawnRegion` to a colour.
         width: of the figure, in millimetres.
+        even: draw the planes after a linear map that spreads their normals evenly and changes no
+            sign vector (see `evening.evened`); the direction counts after it.
 
     Raises:
         InputError: another space, planes off the origin, too many circles, unknown colouring.
         MissingExtraError: matplotlib is absent.
     """
     paint, width = painter(colour), checked_width(width)
+    arrangement = evened(arrangement) if even else arrangement
     globe = Globe(arrangement, direction)
-    legend = colour in ("sides", "signs")
-    sheet = Sheet(width, width + (5.0 if legend else 0.0))
+    sheet = Sheet(width, width + (5.0 if has_key(colour) else 0.0))
     centre = (sheet.width / 2, sheet.height - sheet.width / 2)
     radius = sheet.width / 2 - rim_width(sheet, globe)
     disc = Disc(sheet, centre, radius, globe, front(globe, orthographic))
     hidden = _hidden(disc)
     outlines = disc.draw_curves(paint)
     _signs(sheet, outlines, hidden, paint)
-    drawn = [region for region, _ in outlines]
-    if legend:
-        entries = side_entries(drawn) if colour == "sides" else sign_entries(drawn, paint)
-        sheet.keys(14.0, entries)
+    sheet.keys(14.0, key_entries(colour, [region for region, _ in outlines], paint))
     return sheet.figure
 
 
@@ -85,18 +86,3 @@ def _signs(
         if not write_inside(sheet, outline, region.signs, (7.0, 6.0), other=near):
             halo = effects.withStroke(linewidth=2.0, foreground=paint(region))
             write_inside(sheet, outline, region.signs, path_effects=[halo])
-
-
-def sign_entries(drawn: Sequence[DrawnRegion], paint: Painter) -> list[tuple[str, dict[str, Any]]]:
-    """Return the legend of the colouring by minus signs, for `Sheet.keys`."""
-    groups: dict[str, set[int]] = {}
-    for region in drawn:
-        groups.setdefault(paint(region), set()).add(region.signs.count(-1))
-    entries = []
-    for colour, counts in sorted(groups.items(), key=lambda item: min(item[1])):
-        low, high = min(counts), max(counts)
-        text = f"{low}" if low == high else f"{low}\u2013{high}"
-        entries.append((text, {"fc": colour}))
-    if entries:
-        entries[-1] = (f"{entries[-1][0]} minus signs", entries[-1][1])
-    return entries

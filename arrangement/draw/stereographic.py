@@ -14,7 +14,8 @@ from arrangement.exact import IntegerVector, primitive
 from arrangement.planes import Arrangement
 
 from .colours import DrawnRegion, Painter, painter
-from .disc import Disc, front, plane_names, region_sides, rim_width, side_entries
+from .disc import Disc, front, has_key, key_entries, plane_names, region_sides, rim_width
+from .evening import evened
 from .globe import Globe, unit_vectors
 from .labels import flattened, sign_text, write_inside
 from .projections import Drawn, stereographic
@@ -34,6 +35,7 @@ def draw_stereographic(
     colour: str | Painter = "sides",
     width: float = 88.0,
     whole: bool | None = None,
+    even: bool = False,
 ) -> Figure:
     """Draw the great circles of central planes in R^3 in stereographic projection.
 
@@ -55,6 +57,8 @@ def draw_stereographic(
         width: of the figure, in millimetres.
         whole: both halves, or the front half; left out, both where all circles stay within
             3.3 radii, as for few circles.
+        even: draw the planes after a linear map that spreads their normals evenly and changes no
+            sign vector (see `evening.evened`); the direction counts after it.
 
     Raises:
         InputError: another space, planes off the origin, too many circles, unknown colouring; or
@@ -62,6 +66,7 @@ def draw_stereographic(
         MissingExtraError: matplotlib is absent.
     """
     paint = painter(colour)
+    arrangement = evened(arrangement) if even else arrangement
     globe = Globe(arrangement, direction)
     if direction is None and whole is not False:
         central = Globe(arrangement, _inner_direction(globe))
@@ -70,32 +75,30 @@ def draw_stereographic(
     if whole is None:
         whole = 0 < _farthest(globe) <= FARTHEST
     if not whole:
-        return _draw_half(globe, paint, colour == "sides", checked_width(width))
+        return _draw_half(globe, paint, colour, checked_width(width))
     if math.isinf(_farthest(globe)):
         k = next(i for i, s in enumerate(arrangement.signs_at(globe.direction)) if s == 0)
         raise InputError(
             f"the direction lies on plane {k}, whose circle would pass through infinity; choose "
             "another direction, or the front half alone (whole=False)"
         )
-    return _draw_whole(globe, paint, colour == "sides", checked_width(width))
+    return _draw_whole(globe, paint, colour, checked_width(width))
 
 
-def _draw_half(globe: Globe, paint: Painter, legend: bool, width: float) -> Figure:
-    sheet = Sheet(width, width + (5.0 if legend else 0.0))
+def _draw_half(globe: Globe, paint: Painter, colour: str | Painter, width: float) -> Figure:
+    sheet = Sheet(width, width + (5.0 if has_key(colour) else 0.0))
     radius = sheet.width / 2 - rim_width(sheet, globe)
     centre = (sheet.width / 2, sheet.height - sheet.width / 2)
     drawn = Disc(sheet, centre, radius, globe, front(globe, stereographic)).draw(paint)
-    if legend:
-        sheet.keys(14.0, side_entries(drawn))
+    sheet.keys(14.0, key_entries(colour, drawn, paint))
     return sheet.figure
 
 
-def _draw_whole(globe: Globe, paint: Painter, legend: bool, width: float) -> Figure:
-    sheet = Sheet(width, width + (5.0 if legend else 0.0))
+def _draw_whole(globe: Globe, paint: Painter, colour: str | Painter, width: float) -> Figure:
+    sheet = Sheet(width, width + (5.0 if has_key(colour) else 0.0))
     picture = _Whole(globe, sheet, paint)
     drawn = picture.draw()
-    if legend:
-        sheet.keys(14.0, side_entries(drawn))
+    sheet.keys(14.0, key_entries(colour, drawn, paint))
     return sheet.figure
 
 

@@ -25,6 +25,7 @@ from arrangement.draw import (
     write_drawing,
 )
 from arrangement.draw.colours import PALETTE
+from arrangement.draw.evening import evened
 from arrangement.draw.graph import PlanarGraph, planar_graph
 from arrangement.draw.labels import segments_meet, spread
 from arrangement.draw.layers import layered_orders
@@ -272,6 +273,24 @@ def test_hull_legend_counts_the_edges_that_differ() -> None:
     assert f"adjacency only: {len(found.adjacencies - found.hull.true_edges)}" in texts
 
 
+@settings(max_examples=25, deadline=None)
+@given(st.lists(st.tuples(*[st.integers(-9, 9)] * 3).filter(any), min_size=1, max_size=6))
+def test_evening_out_changes_no_sign_vector(normals: list[tuple[int, ...]]) -> None:
+    planes = Arrangement(normals)
+    even = evened(planes)
+    assert {face.signs for face in planes.faces()} == {face.signs for face in even.faces()}
+
+
+def test_evening_out_makes_room_for_sign_vectors() -> None:
+    """The narrow regions of the moment curve hold hardly any."""
+    planes = read_arrangement("nine-generic-planes")
+    plain, even = (
+        draw_stereographic(planes, whole=False, even=even).axes[0] for even in (False, True)
+    )
+    assert len(even.texts) > len(plain.texts) + 5
+    assert overlaps(even.figure) == []
+
+
 # The planar drawing.
 
 
@@ -377,6 +396,8 @@ def test_labels_do_not_collide(view: str, name: str) -> None:
         (draw_gnomonic, {"direction": (1, 0, 1), "colour": "none"}),
         (draw_dual, {"hull": True}),
         (draw_dual, {"width": 88.0}),
+        (draw_dual, {"even": True, "colour": "signs"}),
+        (draw_graph, {"colour": "signs"}),
         (draw_graph, {"width": 50.0}),
         (draw_lattice, {"width": 180.0, "moebius": False}),
     ],
@@ -477,6 +498,7 @@ def test_extra_options_reach_their_views(tmp_path: Path) -> None:
     assert "limb-" in Path(target).read_text()
     assert main(["draw", "braid-a3", "-o", target, "--view", "dual", "--hull"]) == 0
     assert main(["draw", "braid-a3", "-o", target, "--view", "lattice", "--no-moebius"]) == 0
+    assert main(["draw", "braid-a3", "-o", target, "--view", "gnomonic", "--even"]) == 0
     assert main(["draw", "braid-a3", "-o", target, "--view", "lattice", "--hull"]) == 2
 
 
