@@ -53,42 +53,67 @@ class Unbounded:
     ray: RationalVector
 
 
-def minimize(
-    objective: Row, inequalities: Sequence[Row], equalities: Sequence[Row] = ()
-) -> Optimal | Infeasible | Unbounded:
-    """Minimise ``objective . x`` exactly; see the module for the form of the rows.
+class Program:
+    """A system of conditions, and the minima of as many objectives as are asked for.
+
+    Each minimisation starts where the last one ended. Values, and whether there is a solution, do
+    not depend on that; where many points are optimal, which one is returned does.
 
     Args:
-        objective: n rationals.
+        n: the number of variables.
         inequalities: rows of n + 1 rationals, constant last, each ``>= 0``.
         equalities: rows of n + 1 rationals, constant last, each ``= 0``.
 
     Raises:
         ArrangementError: a row has the wrong length.
+    """
+
+    def __init__(self, n: int, inequalities: Sequence[Row], equalities: Sequence[Row] = ()) -> None:
+        for row in (*inequalities, *equalities):
+            if len(row) != n + 1:
+                raise ArrangementError(f"a row has {len(row)} entries; {n} variables need {n + 1}")
+        self._dictionary = _Dictionary(n, inequalities, equalities)
+        conflict = self._dictionary.eliminate_equalities()
+        if conflict is None:
+            self._dictionary.eliminate_variables()
+            conflict = self._dictionary.make_feasible()
+        self._infeasible = None if conflict is None else self._dictionary.infeasible(conflict)
+
+    def point(self) -> RationalVector | Infeasible:
+        """Return a point that satisfies all rows, or the proof that there is none."""
+        return self._dictionary.point() if self._infeasible is None else self._infeasible
+
+    def minimize(self, objective: Row) -> Optimal | Infeasible | Unbounded:
+        """Minimise ``objective . x`` exactly.
+
+        Raises:
+            ArrangementError: the objective has the wrong length.
+        """
+        n = self._dictionary.variables
+        if len(objective) != n:
+            raise ArrangementError(f"the objective has {len(objective)} entries; {n} are due")
+        if self._infeasible is not None:
+            return self._infeasible
+        self._dictionary.set_cost(objective)
+        return self._dictionary.optimize()
+
+
+def minimize(
+    objective: Row, inequalities: Sequence[Row], equalities: Sequence[Row] = ()
+) -> Optimal | Infeasible | Unbounded:
+    """Minimise ``objective . x`` exactly; see `Program`.
 
     >>> minimize([1, 1], [[1, 0, -2], [0, 1, 3]]).value
     Fraction(-1, 1)
     """
-    n = len(objective)
-    for row in (*inequalities, *equalities):
-        if len(row) != n + 1:
-            raise ArrangementError(f"a row has {len(row)} entries; {n} variables need {n + 1}")
-    dictionary = _Dictionary(objective, inequalities, equalities)
-    conflict = dictionary.eliminate_equalities()
-    if conflict is None:
-        dictionary.eliminate_variables()
-        conflict = dictionary.make_feasible()
-    if conflict is not None:
-        return dictionary.infeasible(conflict)
-    return dictionary.optimize()
+    return Program(len(objective), inequalities, equalities).minimize(objective)
 
 
 def feasible_point(
     n: int, inequalities: Sequence[Row], equalities: Sequence[Row] = ()
 ) -> RationalVector | Infeasible:
     """Return a point of R^n that satisfies all rows, or the proof that there is none."""
-    answer = minimize([0] * n, inequalities, equalities)
-    return answer if isinstance(answer, Infeasible) else answer.point
+    return Program(n, inequalities, equalities).point()
 
 
 class _Dictionary:
@@ -98,19 +123,31 @@ class _Dictionary:
     reads ``symbol_r = (sum_j row[j] * column_j + row[-1]) / denominator``.
     """
 
-    def __init__(
-        self, objective: Row, inequalities: Sequence[Row], equalities: Sequence[Row]
-    ) -> None:
-        self.variables = len(objective)
-        self.first_equality = self.variables + len(inequalities)
-        constraints = [*inequalities, *equalities, [*objective, 0]]
+    def __init__(self, n: int, inequalities: Sequence[Row], equalities: Sequence[Row]) -> None:
+        self.variables = n
+        self.first_equality = n + len(inequalities)
+        constraints = [*inequalities, *equalities]
         integers = [primitive([Fraction(x) for x in row]) for row in constraints]
         self.scales = [_scale(row, whole) for row, whole in zip(constraints, integers, strict=True)]
-        self.rows = [list(row) for row in integers[:-1]]
-        self.symbols = list(range(self.variables, self.variables + len(self.rows)))
-        self.cost = list(integers[-1])
-        self.columns = list(range(self.variables))
+        self.rows = [list(row) for row in integers]
+        self.symbols = list(range(n, n + len(self.rows)))
+        self.columns = list(range(n))
+        self.cost = [0] * (n + 1)
+        self.cost_scale = Fraction(1)
         self.denominator = 1
+
+    def set_cost(self, objective: Row) -> None:
+        """Write an objective as a row over the present columns."""
+        weights = primitive([Fraction(x) for x in objective])
+        self.cost_scale = _scale(objective, weights)
+        self.cost = [0] * (self.variables + 1)
+        for c, symbol in enumerate(self.columns):
+            if self.is_variable(symbol):
+                self.cost[c] = weights[symbol] * self.denominator
+        for row, symbol in zip(self.rows, self.symbols, strict=True):
+            if self.is_variable(symbol) and weights[symbol]:
+                weight = weights[symbol]
+                self.cost = [x + weight * y for x, y in zip(self.cost, row, strict=True)]
 
     def pivot(self, r: int, c: int) -> None:
         """Exchange row r and column c."""
@@ -226,7 +263,7 @@ class _Dictionary:
         return Unbounded(self.point(), tuple(ray))
 
     def optimal(self) -> Optimal:
-        scale = self.scales[-1] / self.denominator
+        scale = self.cost_scale / self.denominator
         terms = {s: x * scale for s, x in zip(self.columns, self.cost, strict=False)}
         value = self.cost[-1] * scale
         return Optimal(self.point(), value, *self.multipliers(terms))
@@ -244,7 +281,7 @@ class _Dictionary:
         """Return multipliers of the given rows from multipliers of their integer multiples."""
         values = [
             terms.get(self.variables + i, Fraction(0)) / scale
-            for i, scale in enumerate(self.scales[:-1])
+            for i, scale in enumerate(self.scales)
         ]
         split = self.first_equality - self.variables
         return tuple(values[:split]), tuple(values[split:])

@@ -121,7 +121,7 @@ def balance_refutation(grasp: Grasp, wrench: RationalVector, states: States) -> 
 
 
 def _by_program(system: StateSystem) -> Outcome:
-    answer = linprog.feasible_point(system.size, system.inequalities, system.equalities)
+    answer = system.program.point()
     if isinstance(answer, linprog.Infeasible):
         return Refutation(answer.inequality_multipliers, answer.equality_multipliers)
     return Continuum()

@@ -40,13 +40,14 @@ def least_point(n: int, inequalities: Rows, equalities: Rows, image: Rows) -> Ra
         inequalities, equalities: the rows of P, constant last, ``>= 0`` and ``= 0``.
         image: the rows of the affine map ``F z + g``, constant last.
     """
-    start = linprog.feasible_point(n, inequalities, equalities)
+    program = linprog.Program(n, inequalities, equalities)
+    start = program.point()
     if isinstance(start, linprog.Infeasible):
         raise AssertionError("the least point of an empty polyhedron was asked for")
     corral = [_Atom(_apply(image, start), 1, Fraction(1))]
     while True:
         point = _combination(corral)
-        atom = _downhill(n, inequalities, equalities, image, point)
+        atom = _downhill(program, image, point)
         if atom is None:
             return point
         corral.append(atom)
@@ -62,12 +63,10 @@ def _combination(corral: list[_Atom]) -> RationalVector:
     return tuple(sum((a.weight * a.vector[j] for a in corral), Fraction(0)) for j in range(size))
 
 
-def _downhill(
-    n: int, inequalities: Rows, equalities: Rows, image: Rows, point: RationalVector
-) -> _Atom | None:
+def _downhill(program: linprog.Program, image: Rows, point: RationalVector) -> _Atom | None:
     """Return a vertex or ray that leads down from the point; None if the point is least."""
-    objective = [dot(point, [row[j] for row in image]) for j in range(n)]
-    answer = linprog.minimize(objective, inequalities, equalities)
+    objective = [dot(point, column) for column in zip(*(row[:-1] for row in image), strict=True)]
+    answer = program.minimize(objective)
     if isinstance(answer, linprog.Unbounded):
         return _Atom(_apply(image, answer.ray, 0), 0, Fraction(0))
     if isinstance(answer, linprog.Infeasible):

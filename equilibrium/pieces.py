@@ -152,7 +152,7 @@ def _inside(system: StateSystem, z: RationalVector) -> bool:
 
 def _least(system: StateSystem, row: RationalVector) -> Fraction | None:
     """Return the least value of a row over the solutions; None if there is none."""
-    answer = linprog.minimize(row[:-1], system.inequalities, system.equalities)
+    answer = system.program.minimize(row[:-1])
     return answer.value + row[-1] if isinstance(answer, linprog.Optimal) else None
 
 

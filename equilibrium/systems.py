@@ -10,8 +10,10 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass
 from fractions import Fraction
+from functools import cached_property
 from typing import Literal, TypeAlias
 
+from arrangement import linprog
 from arrangement.exact import RationalVector, dot
 
 from .grasp import Contact, Grasp
@@ -40,6 +42,11 @@ class StateSystem:
     equalities: tuple[RationalVector, ...]
     inequalities: tuple[RationalVector, ...]
     forces: tuple[tuple[RationalVector, RationalVector], ...]
+
+    @cached_property
+    def program(self) -> linprog.Program:
+        """The exact linear programs over the solutions."""
+        return linprog.Program(self.size, self.inequalities, self.equalities)
 
     @property
     def size(self) -> int:
