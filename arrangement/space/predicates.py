@@ -31,7 +31,7 @@ from arrangement.exact import IntegerVector
 
 Floats: TypeAlias = NDArray[np.float64]
 #: Python integers.
-Integers: TypeAlias = NDArray[np.object_]
+Integers: TypeAlias = NDArray[Any]
 Numbers: TypeAlias = NDArray[Any]
 Signs: TypeAlias = NDArray[np.int8]
 Indices: TypeAlias = NDArray[np.intp]

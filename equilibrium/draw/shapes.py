@@ -4,9 +4,12 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Sequence
+from functools import lru_cache
 from typing import Any
 
 import numpy as np
+
+from arrangement.draw.output import require_matplotlib
 
 from .body import Floats
 from .style import FONT
@@ -98,11 +101,19 @@ def mark(state: str, place: Floats, tangent: Floats, size: float, **style: Any) 
 
 def text_size(text: str, unit: float, font: float = FONT) -> tuple[float, float]:
     """Return width and height of a line of text in data coordinates."""
+    settings = require_matplotlib().rcParams
+    family = (*settings["font.family"], *settings["font.sans-serif"])
+    return _text_width(text, font, family) * unit, font * unit
+
+
+@lru_cache(maxsize=2048)
+def _text_width(text: str, font: float, _family: tuple[str, ...]) -> float:
+    """Return the width of a text in the fonts that are set now, in points."""
     from matplotlib.font_manager import FontProperties
     from matplotlib.textpath import TextPath
 
-    box = TextPath((0, 0), text, size=font, prop=FontProperties()).get_extents()
-    return float(box.width) * unit, font * unit
+    across = TextPath((0, 0), text, size=font, prop=FontProperties()).vertices[:, 0]
+    return float(across.max() - across.min()) if len(across) else 0.0
 
 
 class Labels:

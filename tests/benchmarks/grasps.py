@@ -49,6 +49,7 @@ def grasp_tables(contacts: Sequence[int], limit: float = LIMIT, hundred: bool = 
         seeds = range(GRASPS.get(m, (8, 2))[1])
         against(f"mixed-integer program, m = {m}", found[m], run("milp", m, seeds, 2 * limit))
         against(f"Siconos, Lemke's method, m = {m}", found[m], siconos(m, len(found[m])))
+        against(f"ours with all equilibria, m = {m}", found[m], run("pieces", m, seeds, limit))
     for m in BRUTE:
         seeds = range(GRASPS[m][0])
         mine = run("ours", m, seeds, limit)
@@ -102,6 +103,7 @@ def siconos(contacts: int, count: int) -> list[Found]:
 
 
 SYSTEM = "/usr/bin/python3"
+NONE = (math.nan, math.nan)
 _VERDICTS = {True: "stable", False: "unstable"}
 _PROBED: dict[str, bool] = {}
 
@@ -123,7 +125,7 @@ def own_table(found: dict[int, list[Found]]) -> None:
     """Print ours by size, verdict and preload."""
     print(
         f"{'m':>4} {'verdict':<9} {'preload':<8} {'grasps':>6} {'verdict, proof':>22}"
-        f" {'check':>9} {'check/ours':>10} {'2nd/1st':>8} {'proof':>9}"
+        f" {'check':>9} {'check/ours':>10} {'2nd/1st':>8} {'decided':>8} {'proof':>9}"
     )
     for m, listed in found.items():
         for verdict in ("stable", "unstable"):
@@ -138,13 +140,18 @@ def own_table(found: dict[int, list[Found]]) -> None:
 def _own_line(m: int, verdict: str, preload: str, chosen: list[Found]) -> None:
     seconds = [one["seconds"] for one in chosen]
     ratio = statistics.median(one["check"] / one["seconds"] for one in chosen)
-    again = [one["second"] / one["seconds"] for one in chosen if one["second"] is not None]
-    second = f"{statistics.median(again):.2f}" if again else "-"
+    again = [
+        (one["second"] / one["seconds"], one["second_decide"] / one["decide"])
+        for one in chosen
+        if one["second"] is not None
+    ]
+    second, decided = (f"{statistics.median(x):.2f}" for x in zip(*(again or [NONE]), strict=True))
+    size = statistics.median(one["bytes"] for one in chosen) / 1000
     print(
         f"{m:>4} {verdict:<9} {preload:<8} {len(chosen):>6}"
         f" {shown(statistics.median(seconds)):>10} ({shown(max(seconds)):>9})"
         f" {shown(statistics.median(one['check'] for one in chosen)):>9} {ratio:>10.2f}"
-        f" {second:>8} {statistics.median(one['bytes'] for one in chosen) / 1e3:>6.0f} kB",
+        f" {second:>8} {decided:>8} {size:>6.0f} kB",
         flush=True,
     )
 
