@@ -12,8 +12,8 @@ from .planes import Arrangement, Face
 
 #: The options of ``draw`` that go to the view, when they are given.
 _DRAW_OPTIONS = (
-    "colour", "direction", "width", "body", "lift", "explode", "size", "title", "whole", "hull",
-    "moebius", "even",
+    "colour", "direction", "width", "body", "centre", "radius", "lift", "explode", "size",
+    "title", "whole", "hull", "moebius", "even",
 )  # fmt: skip
 _SYMBOLS = {1: "+", 0: "0", -1: "-"}
 
@@ -77,6 +77,14 @@ def _add_draw_options(draw: argparse.ArgumentParser) -> None:
     )  # fmt: skip
     draw.add_argument("--width", type=_length, metavar="MM", help="of a picture (default 88)")
     draw.add_argument("--body", metavar="BODY", help="around planes and cells: ball or cube")
+    draw.add_argument(
+        "--centre", nargs=3, type=console.rational_argument, metavar=("X", "Y", "Z"),
+        help="of the body, exact; left out, one that contains all vertices is taken",
+    )  # fmt: skip
+    draw.add_argument(
+        "--radius", type=console.rational_argument, metavar="R",
+        help="of the ball, or half the edge of the cube, exact",
+    )  # fmt: skip
     draw.add_argument(
         "--lift", action="append", metavar="SIGNS",
         help="lift this cell out; write --lift=-+- with the equals sign; may be repeated",

@@ -8,6 +8,7 @@ whose corners are rational points of the sphere.
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import lru_cache
@@ -16,7 +17,15 @@ from itertools import product
 import numpy as np
 
 from arrangement.errors import InputError
-from arrangement.exact import IntegerVector, RationalVector, dot, primitive, shown
+from arrangement.exact import (
+    IntegerVector,
+    RationalVector,
+    dot,
+    primitive,
+    rational,
+    rational_vector,
+    shown,
+)
 from arrangement.planes import Arrangement
 
 #: The edges of the icosahedron are cut into so many parts; the ball has 10 n^2 + 2 corners.
@@ -46,16 +55,29 @@ class Body:
     faces: Faces
 
 
-def body_around(arrangement: Arrangement, kind: str = "ball") -> Body:
-    """Return the body in which planes of R^3 are shown: every face of the arrangement meets it.
+def body_around(
+    arrangement: Arrangement,
+    kind: str = "ball",
+    centre: Sequence[object] | None = None,
+    radius: object | None = None,
+) -> Body:
+    """Return the body in which planes of R^3 are shown.
 
-    For central planes it is the unit ball, or the cube ``[-1, 1]^3``. For other planes its centre
-    is that of the bounding box of all vertices, and its radius 4/3 of the distance to the
-    farthest one; where there are no vertices, the lines (or planes) of the lowest dimension
-    stand for them, each by its point in the span of the normals.
+    Left to itself, every face of the arrangement meets it. For central planes it is the unit
+    ball, or the cube ``[-1, 1]^3``. For other planes its centre is that of the bounding box of
+    all vertices, and its radius 4/3 of the distance to the farthest one; where there are no
+    vertices, the lines (or planes) of the lowest dimension stand for them, each by its point in
+    the span of the normals.
+
+    Args:
+        arrangement: in R^3.
+        kind: "ball" or "cube".
+        centre: exact, instead of the above.
+        radius: exact, of the ball, or half the edge of the cube, instead of the above. In a
+            smaller body, what is far off is left out.
 
     Raises:
-        InputError: another space, too many planes, or an unknown kind.
+        InputError: another space, too many planes, an unknown kind, a radius that is not positive.
     """
     if kind not in _SOLIDS:
         raise InputError(f"the body is {shown(kind)}; known are {', '.join(_SOLIDS)}")
@@ -67,19 +89,25 @@ def body_around(arrangement: Arrangement, kind: str = "ball") -> Body:
         raise InputError(
             f"{len(arrangement.distinct)} distinct planes; at most {MAX_PLANES} can be shown"
         )
-    centre, radius = _extent(arrangement)
+    middle, reach = _extent(arrangement)
+    if centre is not None:
+        middle = rational_vector(centre, "centre")
+        if len(middle) != 3:
+            raise InputError(f"the centre has {len(middle)} coordinates; give three")
+    if radius is not None:
+        reach = rational(radius, "radius")
+        if reach <= 0:
+            raise InputError(f"the radius is {shown(radius)}; give a positive number")
     units, faces = _SOLIDS[kind]()
     corners = tuple(
-        _homogeneous(
-            [c + radius * Fraction(x, unit[3]) for c, x in zip(centre, unit, strict=False)]
-        )
+        _homogeneous([c + reach * Fraction(x, unit[3]) for c, x in zip(middle, unit, strict=False)])
         for unit in units
     )
-    return Body(kind, centre, radius, corners, faces)
+    return Body(kind, middle, reach, corners, faces)
 
 
 def _extent(arrangement: Arrangement) -> tuple[RationalVector, Fraction]:
-    """Return the centre and the radius of the body."""
+    """Return the centre and the radius of a body that every face meets."""
     origin = (Fraction(0),) * 3
     if arrangement.is_central:
         return origin, Fraction(1)

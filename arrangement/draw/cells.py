@@ -50,19 +50,25 @@ class Cells:
     cells: tuple[Cell, ...]
 
 
-def cut_cells(arrangement: Arrangement, kind: str = "ball") -> Cells:
+def cut_cells(
+    arrangement: Arrangement,
+    kind: str = "ball",
+    centre: Sequence[object] | None = None,
+    radius: object | None = None,
+) -> Cells:
     """Cut a body along all planes.
 
     Args:
         arrangement: in R^3; central or not, of any rank, coincident planes allowed.
-        kind: "ball" or "cube"; see `body_around`.
+        kind: "ball" or "cube".
+        centre, radius: of the body; see `body_around`.
 
     Raises:
         InputError: as `body_around`.
 
     Complexity: each plane is tried on every cell: O(m (corners + faces of all cells)).
     """
-    body = body_around(arrangement, kind)
+    body = body_around(arrangement, kind, centre, radius)
     knife = _Knife(body.corners)
     walls = tuple(-1 - face for face in range(len(body.faces)))
     solids: list[tuple[tuple[int, ...], _Solid]] = [((), (body.faces, walls))]

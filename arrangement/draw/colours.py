@@ -72,6 +72,11 @@ def plane_colour(label: int) -> str:
     return PLANE_COLOURS[label] if label < len(PLANE_COLOURS) else "#000000"
 
 
+def fill_colour(label: int) -> str:
+    """Return the colour of the facets of a class of planes; the scheme begins anew when it ends."""
+    return PLANE_COLOURS[label % len(PLANE_COLOURS)]
+
+
 def pale(colour: str, white: float = 0.42) -> str:
     """Return a colour ``#rrggbb`` mixed with a share of white."""
     channels = (int(colour[k : k + 2], 16) for k in (1, 3, 5))

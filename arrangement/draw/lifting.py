@@ -92,12 +92,15 @@ def lifted_cells(stage: Stage, chosen: Sequence[tuple[int, ...]]) -> tuple[Lifte
     """Return the chosen cells, lifted, those in the body's order first, then back to front.
 
     Raises:
-        InputError: a cell is named twice; no order exists in which the cells can be painted.
+        InputError: a cell is named twice, or outside the body; no order exists in which the cells
+            can be painted.
     """
     if len(set(chosen)) < len(chosen):
         raise InputError("a cell is to be lifted twice; name each once")
     cells = {cell.signs: cell for cell in stage.cells.cells}
-    if stage.arrangement.is_central:
+    if not set(chosen) <= set(cells):
+        raise InputError("a cell to be lifted is outside the body; choose a larger radius")
+    if stage.arrangement.is_central and not any(stage.cells.body.centre):
         return tuple(_inside_its_cone(stage, cells[signs]) for signs in chosen)
     lifted: list[Lifted] = []
     for signs in chosen:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 import numpy as np
 
 from arrangement.dual import dual_polyhedron
@@ -12,7 +14,7 @@ from arrangement.meshfiles import Floats, Part, model_bytes, triangles
 from arrangement.planes import Arrangement
 
 from .cells import Cell, Cells, cut_cells
-from .colours import DrawnRegion, Painter, painter, pale, plane_colour, side_colour
+from .colours import DrawnRegion, Painter, fill_colour, painter, pale, side_colour
 from .output import millimetres
 from .painting import unit_points
 
@@ -40,15 +42,18 @@ def cells_model(
     suffix: str,
     *,
     body: str = "ball",
+    centre: Sequence[object] | None = None,
+    radius: object | None = None,
     explode: float = 1.3,
     size: float = 60.0,
     colour: str | Painter = "planes",
 ) -> bytes:
     """Return all cells of an arrangement in a ball or a cube as separate closed parts.
 
-    Every region of the arrangement meets the body, so there is one part for each. The parts are
-    cut exactly and fit together without gaps; the ball is a polyhedron of 5120 triangles. A part
-    moves outward by ``explode - 1`` times the way from the centre of the body to its middle.
+    Every region of the arrangement meets the body (unless a smaller one is asked for), and gives
+    one part. The parts are cut exactly and fit together without gaps; the ball is a polyhedron of
+    5120 triangles. A part moves outward by ``explode - 1`` times the way from the centre of the
+    body to its middle.
 
     STL has one closed shell for each part, OBJ one object, GLB one node. Objects and nodes are
     named by the sign vector.
@@ -56,7 +61,8 @@ def cells_model(
     Args:
         arrangement: in R^3; central or not, of any rank, coincident planes allowed.
         suffix: ``.stl``, ``.glb`` or ``.obj``.
-        body: "ball" or "cube"; see `body_around`.
+        body: "ball" or "cube".
+        centre, radius: exact, of the body; see `body_around`.
         explode: at least 1; with 1 the parts stay together.
         size: the diameter of the ball or the edge of the cube before the parts move, in
             millimetres.
@@ -66,13 +72,14 @@ def cells_model(
 
     Raises:
         InputError: another space, too many planes, a bad option.
-        ArrangementError: a cell is too thin for single precision.
+        ArrangementError: a cell is too thin for single precision; with vertices far apart, choose
+            a smaller radius.
     """
     if not isinstance(explode, int | float) or not 1 <= explode <= 10:
         raise InputError(f"explode is {shown(explode)}; give a factor from 1 to 10")
     paint = None if colour == "planes" else painter(colour)
     half = millimetres(size, "size") / 2
-    cells = cut_cells(arrangement, body)
+    cells = cut_cells(arrangement, body, centre, radius)
     points = unit_points(cells) * half
     parts = [_part(cells, cell, points, explode - 1, paint) for cell in cells.cells]
     kind = "one cell" if len(parts) == 1 else f"{len(parts)} cells"
@@ -92,7 +99,7 @@ def _part(
     faces = tuple(tuple(number[i] for i in face) for face in cell.faces)
     walls = {wall for wall in cell.walls if wall >= 0}
     if paint is None:
-        colours = tuple(pale(plane_colour(w)) if w >= 0 else SKIN for w in cell.walls)
+        colours = tuple(pale(fill_colour(w)) if w >= 0 else SKIN for w in cell.walls)
     else:
         colours = (paint(DrawnRegion(cell.signs, len(walls))),) * len(faces)
     middle = centroid(own, faces) * apart

@@ -10,7 +10,7 @@ from arrangement.exact import shown
 from arrangement.planes import Arrangement
 
 from .cells import cut_cells, read_signs
-from .colours import plane_colour
+from .colours import fill_colour
 from .globe import view_direction
 from .lifting import lifted_cells
 from .output import require_matplotlib
@@ -28,6 +28,8 @@ def draw_planes(
     arrangement: Arrangement,
     *,
     body: str = "ball",
+    centre: Sequence[object] | None = None,
+    radius: object | None = None,
     direction: Sequence[object] | None = None,
     lift: Iterable[str] = (),
     colour: str | FacetPainter = "planes",
@@ -43,6 +45,8 @@ def draw_planes(
     Args:
         arrangement: in R^3; central or not, of any rank, coincident planes allowed.
         body: "ball" or "cube".
+        centre, radius: exact, of the body, instead of one that contains all vertices. For planes
+            whose vertices are far apart; what is outside is left out.
         direction: exact, towards the viewer; left out, one in which no plane is edge-on.
         lift: sign vectors of cells such as ``"+-+"``, over the input planes. These cells are
             drawn as solids, moved outward.
@@ -61,7 +65,7 @@ def draw_planes(
     texts = [lift] if isinstance(lift, str) else list(lift)
     chosen = [read_signs(arrangement, text) for text in texts]
     toward = None if direction is None else view_direction(direction)
-    cells = cut_cells(arrangement, body)
+    cells = cut_cells(arrangement, body, centre, radius)
     if toward is None:
         toward = clear_sight(cells, chosen)
     stage = Stage(cells, toward)
@@ -76,7 +80,7 @@ def _painter(colour: str | FacetPainter) -> FacetPainter:
     if callable(colour):
         return colour
     painters: dict[str, FacetPainter] = {
-        "planes": lambda facet: plane_colour(facet.label),
+        "planes": lambda facet: fill_colour(facet.label),
         "shade": lambda facet: _grey(abs(float(LIGHT @ facet.normal))),
         "none": lambda facet: "#ffffff",
     }

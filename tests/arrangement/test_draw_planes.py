@@ -260,6 +260,8 @@ def test_the_command_takes_signs_that_begin_with_a_minus(
         (["--lift=+0+"], r"one \+ or -"),
         (["--lift=+++", "--lift=+++"], "twice"),
         (["--direction", "0", "0", "0"], "not all 0"),
+        (["--radius", "0"], "positive"),
+        (["--centre", "5", "5", "5", "--lift=---"], "outside the body"),
         (["--width", "-3"], "width"),
         (["--colour", "mood"], "known are planes"),
         (["--explode", "2"], "has no option"),
@@ -283,3 +285,33 @@ def test_cells_that_do_not_exist_and_other_spaces_are_refused() -> None:
         draw_planes(Arrangement([[1, 0], [0, 1]]))
     with pytest.raises(InputError, match="at most 40"):
         draw_planes(Arrangement([[1, t, t * t] for t in range(41)]))
+
+
+@settings(max_examples=20, deadline=None)
+@given(
+    spatial,
+    st.tuples(*[st.fractions(-2, 2, max_denominator=3)] * 3),
+    st.fractions("1/3", 3, max_denominator=5),
+    st.randoms(use_true_random=False),
+)
+def test_a_chosen_cube_shows_the_cells_that_meet_it_and_is_filled(
+    planes: Arrangement, centre: Point, radius: Fraction, samples: random.Random
+) -> None:
+    cells = cut_cells(planes, "cube", centre, radius)
+    stage = Stage(cells, DIRECTION)
+    assert wrong_pairs(stage, stage.facets, samples) == []
+    seen = {cell.signs for cell in cells.cells}
+    for _ in range(20):
+        shift = [Fraction(samples.randint(-99, 99), 100) * radius for _ in range(3)]
+        signs = planes.signs_at([c + x for c, x in zip(centre, shift, strict=True)])
+        assert 0 in signs or signs in seen
+    assert seen <= {face.signs for face in planes.regions()}
+
+
+def test_far_vertices_can_be_left_out() -> None:
+    """Two of the planes meet x = 0 in lines that cross at y = 1000; near the origin they do not."""
+    planes = Arrangement([[1, 0, 0], [0, 1, 1000], [0, 1, -1000]], [0, 1000, 1000])
+    everything = painted(draw_planes(planes, body="cube"), "facet-")
+    near = painted(draw_planes(planes, body="cube", centre=(0, 0, 0), radius=2), "facet-")
+    assert len(everything) == f_vector(planes)[2] == 12
+    assert len(near) == 3 + 2 * 2
