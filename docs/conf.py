@@ -76,7 +76,7 @@ def make_figures(app):
     folder = source / "_generated"
     folder.mkdir(exist_ok=True)
     shared = [*source.glob("figures/_*.py"), *source.parent.glob("*/draw/**/*.py")]
-    newest = max(path.stat().st_mtime for path in shared)
+    newest = max((path.stat().st_mtime for path in shared), default=0.0)
     for script in sorted(source.glob("figures/[!_]*.py")):
         stamp = folder / f".{script.stem}"
         read = [script, *source.glob(f"{script.stem}.rst")]

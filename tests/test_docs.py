@@ -2,8 +2,12 @@
 
 from __future__ import annotations
 
+import os
 import re
+import runpy
+from collections.abc import Callable
 from pathlib import Path
+from types import SimpleNamespace
 
 import pytest
 
@@ -137,3 +141,45 @@ Some text, and then
 def test_an_unknown_command_is_no_page(desk: Path, command: str) -> None:
     with pytest.raises(Exception, match=r"rm -r|other|non-zero"):
         run(f".. code-block:: console\n\n   $ {command}\n")
+
+
+@pytest.fixture
+def draw(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Callable[[str], list[str]]:
+    """Make the figures of a folder with one script; return the files that are there."""
+    monkeypatch.syspath_prepend(tmp_path)
+    make_figures = runpy.run_path(str(DOCS / "conf.py"))["make_figures"]
+    (tmp_path / "figures").mkdir()
+
+    def make(script: str) -> list[str]:
+        path = tmp_path / "figures" / "one.py"
+        if not path.exists() or path.read_text(encoding="utf-8") != script:
+            path.write_text(script, encoding="utf-8")
+            os.utime(path, (1, 1))
+        make_figures(SimpleNamespace(srcdir=str(tmp_path)))
+        return sorted(path.name for path in (tmp_path / "_generated").glob("[!.]*"))
+
+    return make
+
+
+COUNTING = """
+from pathlib import Path
+runs = len(list(Path().glob("one-*.svg")))
+Path(f"one-{runs}.svg").write_text("")
+"""
+
+
+def test_a_figure_is_made_once_until_its_script_is_newer(
+    draw: Callable[[str], list[str]], tmp_path: Path
+) -> None:
+    assert draw(COUNTING) == ["one-0.svg"]
+    assert draw(COUNTING) == ["one-0.svg"]
+    os.utime(tmp_path / "figures" / "one.py", (2**32, 2**32))
+    assert draw(COUNTING) == ["one-0.svg", "one-1.svg"]
+
+
+@pytest.mark.parametrize("script", ["1 / 0", "open('two.svg', 'w').close()", "pass"])
+def test_a_script_that_fails_or_makes_no_figure_ends_the_build(
+    draw: Callable[[str], list[str]], script: str
+) -> None:
+    with pytest.raises((ZeroDivisionError, RuntimeError)):
+        draw(script)
