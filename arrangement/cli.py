@@ -70,7 +70,10 @@ def _add_draw_options(draw: argparse.ArgumentParser) -> None:
         "lattice",
     )  # fmt: skip
     draw.add_argument("--model", metavar="MODEL", help="dual (the default) or cells")
-    draw.add_argument("--colour", metavar="BY", help="sides, signs or none; planes: also planes")
+    draw.add_argument(
+        "--colour", metavar="BY",
+        help="sides, signs or none; view planes: planes, shade or none; model cells: also planes",
+    )  # fmt: skip
     draw.add_argument(
         "--direction", nargs=3, type=console.rational_argument, metavar=("X", "Y", "Z"),
         help="towards the viewer, exact",
