@@ -34,7 +34,8 @@ from .elimination import (
 from .grasp import Grasp, read_wrench
 from .pieces import Equilibrium, equilibrium_of, maximal
 from .rest import rest_refutation
-from .screening import CONDITIONS, UNDECIDED, Integers, screen_of
+from .rounded import Integers
+from .screening import CONDITIONS, UNDECIDED, screen_of
 from .search import likely_states
 from .systems import StateSystem, state_system, value
 

@@ -8,14 +8,17 @@ is within ``|R (b - A z')| / (1 - beta)`` of any approximate one z'. Both are bo
 rounding errors of their own computation, in any order of summation [Higham2002], [Rump2010]. A
 condition that is negative everywhere so near proves that no equilibrium has these states. What the
 bound does not decide is left to exact arithmetic.
+
+Along ``base + t direction``, t > 0, the solution is ``z0 + t z1``: that of the base, and t times
+that of the direction without preload. So each condition has an upper bound linear in t, the sum of
+two bounds as above. Where no t > 0 satisfies all of them, no equilibrium has these states.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterator
 from dataclasses import dataclass
-from fractions import Fraction
-from functools import cached_property, lru_cache
+from functools import lru_cache
 from typing import TypeAlias
 
 import numpy as np
@@ -25,9 +28,9 @@ from arrangement.exact import RationalVector
 
 from .cells import DETACHED, Codes, contact_codes
 from .grasp import Grasp
+from .rounded import UNIT, Floats, Integers, OutOfRange, RoundedContacts, floats
 
-Floats: TypeAlias = npt.NDArray[np.float64]
-Integers: TypeAlias = npt.NDArray[np.int64]
+Booleans: TypeAlias = npt.NDArray[np.bool_]
 
 #: The conditions that a choice of states may violate, by contact. The last two: the friction limit
 #: of all contacts that stick on one tangential plane, less or plus their force along the tangent
@@ -35,16 +38,9 @@ Integers: TypeAlias = npt.NDArray[np.int64]
 CONDITIONS = ("normal", "slip", "friction-", "friction+")
 UNDECIDED = -1
 
-_UNIT = 2.0**-53
-#: Other numbers than 0 outside this range are left to exact arithmetic, so that nothing underflows.
-_SMALL, _LARGE = 1e-30, 1e30
 #: Above the rounding errors of a bound's own computation.
 _MARGIN, _TINY = 1.01, 1e-200
 _ROWS = 8192
-
-
-class _OutOfRange(Exception):
-    """A number that floating point should not see."""
 
 
 @lru_cache(maxsize=8)
@@ -64,8 +60,8 @@ class Screen:
         self.codes = contact_codes(grasp)
         self._batches: list[_Batch] = []
         try:
-            contacts = _Contacts(grasp)
-        except _OutOfRange:
+            contacts = RoundedContacts(grasp)
+        except OutOfRange:
             return
         for planes, rows, classes in _by_sticking_planes(contacts, self.codes):
             for start in range(0, len(rows), _ROWS):
@@ -80,71 +76,30 @@ class Screen:
         """
         found = np.full(len(self.codes), UNDECIDED, dtype=np.int64)
         try:
-            applied = _floats([wrench])[0]
-        except _OutOfRange:
+            applied = floats([wrench])[0]
+        except OutOfRange:
             return found
         for batch in self._batches:
             found[batch.rows] = batch.violations(applied)
         return found
 
+    def possible_along(self, base: RationalVector, direction: RationalVector) -> Booleans:
+        """Return for each choice of states whether ``base + t direction`` may have it, t > 0.
 
-def _floats(rows: Iterable[Sequence[Fraction]]) -> Floats:
-    """Return the nearest floats."""
-    try:
-        numbers = np.array([[float(x) for x in row] for row in rows])
-    except OverflowError:
-        raise _OutOfRange from None
-    size = np.abs(numbers)
-    outside = (size > _LARGE) | (size < _SMALL)
-    if np.any(outside) and any(
-        x != 0
-        for row, out in zip(rows, outside, strict=True)
-        for x, o in zip(row, out, strict=True)
-        if o
-    ):
-        raise _OutOfRange
-    return numbers
-
-
-class _Contacts:
-    """The data of the contacts, rounded to the nearest floats (relative error `_UNIT` each)."""
-
-    def __init__(self, grasp: Grasp) -> None:
-        m = len(grasp)
-        along = _floats([(*c.normal_wrench, *c.tangential_wrench) for c in grasp]).reshape(m, 6)
-        numbers = _floats([(c.stiffness, c.preload, c.friction) for c in grasp]).reshape(m, 3)
-        stiffness, self.preload, self.friction = numbers.T
-        self.normal, self.tangent = along[:, :3], along[:, 3:]
-        self.spring = stiffness[:, None] * self.normal
-        planes = grasp.tangential_arrangement()
-        self.class_of = np.array(planes.class_of, dtype=np.int64)
-        self.orientation = np.array(planes.orientation, dtype=np.float64)
-        first = [members[0] for members in planes.distinct]
-        self.plane = self.tangent[first].reshape(-1, 3)
-
-    @cached_property
-    def stiffness_terms(self) -> tuple[Floats, Floats]:
-        """``k N N'`` and ``k mu T N'`` of each contact, as rows of 9."""
-        m = len(self.normal)
-        pulled = self.friction[:, None] * self.tangent
-        return tuple(  # type: ignore[return-value]
-            (v[:, :, None] * self.spring[:, None, :]).reshape(m, 9) for v in (self.normal, pulled)
-        )
-
-    @cached_property
-    def preload_terms(self) -> tuple[Floats, Floats]:
-        """``q N`` and ``q mu T`` of each contact."""
-        loaded = self.preload[:, None]
-        return loaded * self.normal, loaded * self.friction[:, None] * self.tangent
-
-    @property
-    def relative_error(self) -> float:
-        """Of a sum over the contacts of any of these terms, relative to the sum of their sizes."""
-        return 2 * (2 * len(self.normal) + 16) * _UNIT
+        False is proven: no equilibrium with these states holds such a wrench for any t > 0.
+        """
+        possible = np.ones(len(self.codes), dtype=np.bool_)
+        try:
+            start, along = floats([base, direction])
+        except OutOfRange:
+            return possible
+        for batch in self._batches:
+            possible[batch.rows] = batch.possible_along(start, along)
+        return possible
 
 
 def _by_sticking_planes(
-    contacts: _Contacts, codes: Codes
+    contacts: RoundedContacts, codes: Codes
 ) -> Iterator[tuple[int, Integers, Integers]]:
     """Yield the choices with 0, 1 and 2 tangential planes on which contacts stick.
 
@@ -160,20 +115,40 @@ def _by_sticking_planes(
             yield planes, rows, np.nonzero(present[rows])[1].reshape(len(rows), planes)
 
 
-@dataclass
+@dataclass(frozen=True)
 class _Solutions:
-    """Approximate solutions with a bound of their errors: motions, forces C, bound per row."""
+    """Approximate solutions with a bound of their errors: motions, forces C, bound per row.
+
+    Attributes:
+        loaded: 1, or 0 if the preloads are left out.
+    """
 
     motion: Floats
     forces: Floats
     error: Floats
+    loaded: float
+
+    @property
+    def reach(self) -> Floats:
+        """The error, with that of the product of a motion and three rounded numbers."""
+        reach: Floats = self.error + 12 * UNIT * np.abs(self.motion).max(axis=1)
+        return reach
+
+    def at(self, rows: Integers) -> _Solutions:
+        """Return those of some rows."""
+        return _Solutions(self.motion[rows], self.forces[rows], self.error[rows], self.loaded)
 
 
 class _Batch:
     """Choices of states with equally many tangential planes on which contacts stick."""
 
     def __init__(
-        self, contacts: _Contacts, codes: Codes, rows: Integers, classes: Integers, planes: int
+        self,
+        contacts: RoundedContacts,
+        codes: Codes,
+        rows: Integers,
+        classes: Integers,
+        planes: int,
     ) -> None:
         self.contacts, self.codes, self.rows, self.classes = contacts, codes, rows, classes
         self.size = 3 + planes
@@ -206,74 +181,115 @@ class _Batch:
             self.inverse = np.linalg.inv(np.where(regular[:, None, None], self.matrix, unit))
             size = np.abs(self.inverse)
             # Entries of A have a relative error of 2 units, the product one of size + 2.
-            slack = self.matrix_error + (2 * self.size + 8) * _UNIT * np.abs(self.matrix)
+            slack = self.matrix_error + (2 * self.size + 8) * UNIT * np.abs(self.matrix)
             residual = np.abs(unit - self.inverse @ self.matrix) + size @ slack
             beta = _MARGIN * residual.sum(axis=2).max(axis=1) + 1e-12
         self.beta = np.where(regular & (beta < 0.5), beta, np.inf)
 
-    def _solve(self, wrench: Floats) -> _Solutions:
-        count = len(self.codes)
-        given = np.zeros((count, self.size, 1))
-        given[:, :3, 0] = self.load + wrench
+    def _solve(self, wrench: Floats, loaded: float = 1.0) -> _Solutions:
+        """Solve for one wrench, with the preloads or (`loaded` 0) without."""
+        given = np.zeros((len(self.codes), self.size, 1))
+        given[:, :3, 0] = loaded * self.load + wrench
         z = self.inverse @ given
         size = np.abs(z)
         bound = np.abs(given - self.matrix @ z) + self.matrix_error @ size
-        bound += (2 * self.size + 10) * _UNIT * (np.abs(given) + np.abs(self.matrix) @ size)
-        bound[:, :3, 0] += self.load_error + 4 * _UNIT * np.abs(wrench)
+        bound += (2 * self.size + 10) * UNIT * (np.abs(given) + np.abs(self.matrix) @ size)
+        bound[:, :3, 0] += loaded * self.load_error + 4 * UNIT * np.abs(wrench)
         spread = (np.abs(self.inverse) @ bound)[:, :, 0].max(axis=1)
         error = _MARGIN * spread / (1 - self.beta) + _TINY
+        # Without any load and wrench the solution is 0, and nothing was rounded.
+        error = np.where(bound.any(axis=(1, 2)), error, 0.0)
         error = np.where(self.beta < 1, error, np.inf)
-        return _Solutions(z[:, :3, 0], z[:, 3:, 0], error)
+        return _Solutions(z[:, :3, 0], z[:, 3:, 0], error, loaded)
 
     def violations(self, wrench: Floats) -> Integers:
         """Return the condition that fails most surely in each choice, or `UNDECIDED`.
 
         Springs first, slip and friction only where they leave a choice open.
         """
-        data, m = self.contacts, self.codes.shape[1]
+        m = self.codes.shape[1]
         if m == 0:
             return np.full(len(self.codes), UNDECIDED)
         with np.errstate(all="ignore"):
             found = self._solve(wrench)
-            reach = found.error + 12 * _UNIT * np.abs(found.motion).max(axis=1)
-            normal = data.preload - found.motion @ data.spring.T
-            doubt = _MARGIN * np.outer(reach, np.abs(data.spring).sum(axis=1))
-            doubt += 12 * _MARGIN * _UNIT * data.preload
-            table = np.where(self.attached > 0, normal, -normal) + doubt
-            violated = _worst(table)
-            open_rows = np.flatnonzero(violated == UNDECIDED)
-            if len(open_rows):
-                left = _Solutions(
-                    found.motion[open_rows], found.forces[open_rows], found.error[open_rows]
-                )
-                moved = left.motion @ data.tangent.T
-                unsure = _MARGIN * np.outer(reach[open_rows], np.abs(data.tangent).sum(axis=1))
-                slip = self.slip[open_rows]
-                highest = [np.where(slip != 0, moved * slip + unsure, np.inf)]
-                if self.size > 3:
-                    highest += self._friction(left, open_rows, normal[open_rows], doubt[open_rows])
-                worst = _worst(np.concatenate(highest, axis=1))
-                violated[open_rows] = np.where(worst == UNDECIDED, UNDECIDED, m + worst)
+            violated = _worst(self._springs(found))
+            left = np.flatnonzero(violated == UNDECIDED)
+            if len(left):
+                worst = _worst(self._slips_and_friction(found.at(left), left))
+                violated[left] = np.where(worst == UNDECIDED, UNDECIDED, m + worst)
         return violated
 
-    def _friction(
-        self, found: _Solutions, chosen: Integers, normal: Floats, doubt: Floats
-    ) -> list[Floats]:
+    def possible_along(self, base: Floats, direction: Floats) -> Booleans:
+        """Return whether some t > 0 may satisfy all conditions of each choice; see `Screen`."""
+        if self.codes.shape[1] == 0:
+            return np.ones(len(self.codes), dtype=np.bool_)
+        with np.errstate(all="ignore"):
+            pair = self._solve(base), self._solve(direction, 0.0)
+            springs = [self._springs(found) for found in pair]
+            possible = ~_surely_empty(*springs)
+            left = np.flatnonzero(possible)
+            if len(left):
+                others = [self._slips_and_friction(found.at(left), left) for found in pair]
+                both = [np.hstack([a[left], b]) for a, b in zip(springs, others, strict=True)]
+                possible[left] = ~_surely_empty(*both)
+        return possible
+
+    def _springs(self, found: _Solutions) -> Floats:
+        """Return upper bounds of the spring conditions, by contact."""
+        normal, doubt = self._normal_forces(found)
+        bounds: Floats = np.where(self.attached > 0, normal, -normal) + doubt
+        return bounds
+
+    def _normal_forces(self, found: _Solutions) -> tuple[Floats, Floats]:
+        """Return ``preload - stiffness N . d`` and a bound of its error, by contact."""
+        data = self.contacts
+        normal = found.loaded * data.preload - found.motion @ data.spring.T
+        doubt = _MARGIN * np.outer(found.reach, np.abs(data.spring).sum(axis=1))
+        return normal, doubt + found.loaded * (12 * _MARGIN * UNIT * data.preload)
+
+    def _slips_and_friction(self, found: _Solutions, rows: Integers) -> Floats:
+        """Return upper bounds of the other `CONDITIONS` of some rows; infinite where none is."""
+        data, slip = self.contacts, self.slip[rows]
+        moved = found.motion @ data.tangent.T
+        doubt = _MARGIN * np.outer(found.reach, np.abs(data.tangent).sum(axis=1))
+        bounds = [np.where(slip != 0, moved * slip + doubt, np.inf)]
+        if self.size > 3:
+            bounds += self._friction(found, rows)
+        return np.concatenate(bounds, axis=1)
+
+    def _friction(self, found: _Solutions, chosen: Integers) -> list[Floats]:
         """Return upper bounds of the friction conditions, at the first sticking contacts."""
         data, codes, m = self.contacts, self.codes[chosen], self.codes.shape[1]
+        normal, doubt = self._normal_forces(found)
         lower, upper = np.full((2, len(codes), m), np.inf)
         rows = np.arange(len(codes))
         for j in range(self.size - 3):
             sticking = (codes == 0) & (data.class_of == self.classes[chosen, j][:, None])
             share = sticking * data.friction
             limit = (share * normal).sum(axis=1)
-            unsure = (share * (doubt + 2 * (m + 4) * _UNIT * np.abs(normal))).sum(axis=1)
+            unsure = (share * (doubt + 2 * (m + 4) * UNIT * np.abs(normal))).sum(axis=1)
             first = sticking.argmax(axis=1)
             force = found.forces[:, j] * data.orientation[first]
-            unsure = _MARGIN * (unsure + found.error + 4 * _UNIT * np.abs(force))
+            unsure = _MARGIN * (unsure + found.error + 4 * UNIT * np.abs(force))
             lower[rows, first] = limit - force + unsure
             upper[rows, first] = limit + force + unsure
         return [lower, upper]
+
+
+def _surely_empty(at_zero: Floats, growth: Floats) -> Booleans:
+    """Return for each row whether no t > 0 has ``at_zero + t growth >= 0`` in every column.
+
+    A column that is not finite says nothing. The ends are rounded by less than 10^-15 of their
+    size; the largest and the smallest numbers are kept clear of the limits of the format.
+    """
+    known = np.isfinite(at_zero) & np.isfinite(growth)
+    never = known & (at_zero <= 0) & (growth <= 0) & ((at_zero < 0) | (growth < 0))
+    ends = at_zero / -growth
+    low = np.where(known & (growth > 0) & (at_zero < 0), ends, 0.0).max(axis=1)
+    high = np.where(known & (growth < 0) & (at_zero > 0), ends, np.inf).min(axis=1)
+    apart = np.minimum(low, 1e300) * (1 - 1e-15) > high * (1 + 1e-15) + 1e-290
+    empty: Booleans = never.any(axis=1) | apart
+    return empty
 
 
 def _worst(bounds: Floats) -> Integers:

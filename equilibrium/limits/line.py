@@ -14,10 +14,12 @@ from typing import Any
 
 from arrangement import linprog
 from arrangement.exact import RationalVector, dot, to_text
-from equilibrium.cells import contact_states
+from equilibrium.cells import states_of_code
 from equilibrium.elimination import gauss_jordan
 from equilibrium.errors import GraspError
 from equilibrium.grasp import Grasp, read_wrench
+from equilibrium.passive import solve
+from equilibrium.screening import screen_of
 from equilibrium.systems import States, StateSystem, state_system
 
 from .intervals import Interval, holds, intersection, union, where_positive
@@ -69,7 +71,8 @@ def resisted_magnitudes(
     Raises:
         GraspError: a zero direction, or a wrench of wrong length.
 
-    Complexity: one elimination for each choice of contact states, and for the singular ones two
+    Complexity: two small systems for each choice of contact states, in floating point with a proven
+    error bound; for those that this leaves possible an exact elimination, and for singular ones two
     exact linear programs. Source: [HaasHeger2018], the maps of resistible forces, without search.
 
     >>> from equilibrium.files import read_grasp
@@ -79,8 +82,14 @@ def resisted_magnitudes(
     along, start = read_wrench(direction), read_wrench(base)
     if not any(along):
         raise GraspError("direction is (0, 0, 0); give a wrench other than zero")
-    found = (_interval(grasp, states, start, along) for states in contact_states(grasp))
-    return Magnitudes(start, along, union(part for part in found if part is not None))
+    screen = screen_of(grasp)
+    possible = screen.codes[screen.possible_along(start, along)].tolist()
+    found = (_interval(grasp, states_of_code(row), start, along) for row in possible)
+    parts = [part for part in found if part is not None]
+    # The screen speaks of t > 0 only.
+    if not any(low == 0 for low, _ in parts) and solve(grasp, start).stable:
+        parts.append((Fraction(0), Fraction(0)))
+    return Magnitudes(start, along, union(parts))
 
 
 def _interval(
