@@ -83,7 +83,11 @@ def _content(scene: Scene) -> Floats:
         if scene.step is not None:
             held.append(displaced(scene, held[-1]))
     for i, (p, n) in enumerate(zip(scene.places, scene.normals, strict=True)):
+        t = np.array([-n[1], n[0]])
+        angle = math.atan(rounded(list(scene.grasp)[i].friction))
+        side, ahead = max(CONE * math.sin(angle), 0.1) * t, CONE * math.cos(angle) * n
         held.append(np.array([p, p + CONE * n, p - max(scene.preloads[i], 0.1) * n]))
+        held.append(np.array([p + ahead - side, p + ahead + side]))
         arm = scene.arms[i]
         held.append(np.array([p if arm is None else p + arm]))
     if scene.load is not None:
