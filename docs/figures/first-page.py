@@ -8,4 +8,4 @@ from equilibrium.draw import write_drawing as draw_grasp
 grasp = read_grasp("paper-three-contacts-preload-1")
 draw_grasp(grasp, "first-page-grasp.svg", "grasp", wrench=(0, 1, 0))
 draw_grasp(grasp, "first-page-slice.svg", "slice")
-draw_planes(read_arrangement("four-generic-planes"), "first-page-dual.svg", "dual")
+draw_planes(read_arrangement("cube-diagonals"), "first-page-dual.svg", "dual")

@@ -3,4 +3,4 @@
 from arrangement import read_arrangement
 from arrangement.draw import write_drawing
 
-write_drawing(read_arrangement("four-generic-planes"), "great-circles-and-dual.svg", "dual")
+write_drawing(read_arrangement("cube-diagonals"), "great-circles-and-dual.svg", "dual")

@@ -3,5 +3,5 @@
 from arrangement import read_arrangement
 from arrangement.draw import write_drawing
 
-planes = read_arrangement("four-generic-planes")
+planes = read_arrangement("cube-diagonals")
 write_drawing(planes, "sphere-representatives.svg", "dual", hull=True)
