@@ -25,6 +25,7 @@ help:
 	@echo "make docs-check  build it and open every page in headless Chromium"
 	@echo "make clean    remove what the targets made"
 	@echo "PYTHON=python3.12 picks the interpreter, ARGS='-k faces' goes to pytest."
+	@echo "Pages are tested where Chromium is; BROWSER_TESTS=1 demands it, BROWSER_TESTS=0 leaves it out."
 
 $(BIN)/python:
 	@python="$(PYTHON)"; \

@@ -1,7 +1,8 @@
 """Headless Chromium for the tests of pages: it opens files, and reports errors and requests.
 
 Chromium and its driver come from the system (Debian: ``chromium`` and ``chromium-driver``). Where
-they are missing the tests fail and say so; ``BROWSER_TESTS=0`` leaves them out on purpose.
+they are missing the tests of pages are left out, and the run says so. ``BROWSER_TESTS=1`` demands
+them: then a missing browser is a failure. ``BROWSER_TESTS=0`` leaves them out on purpose.
 """
 
 from __future__ import annotations
@@ -31,15 +32,17 @@ FLAGS = (
     "--disable-extensions",
     "--hide-scrollbars",
 )
-MISSING = (
-    "Chromium and its driver are missing: install them (Debian: apt-get install chromium "
-    "chromium-driver), or set BROWSER_TESTS=0 to leave the tests of pages out"
-)
+MISSING = "Chromium or its driver is missing (Debian: apt-get install chromium chromium-driver)"
 
 
-def wanted() -> bool:
-    """Return whether the tests of pages are to run."""
-    return os.environ.get("BROWSER_TESTS", "1") != "0"
+def left_out() -> str | None:
+    """Return in one line why the tests of pages are left out, or None when they are to run."""
+    choice = os.environ.get("BROWSER_TESTS", "")
+    if choice == "0":
+        return "the tests of pages are left out: BROWSER_TESTS=0"
+    if not choice and programs() is None:
+        return f"the tests of pages are left out: {MISSING}"
+    return None
 
 
 def programs() -> tuple[str, str] | None:

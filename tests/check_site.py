@@ -14,7 +14,7 @@ from pathlib import Path
 # Run as a script, this file finds its own folder only.
 sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
 
-from tests.browser import MISSING, Browser, programs, running, wanted
+from tests.browser import MISSING, Browser, left_out, programs, running
 
 #: Waits for MathJax; then tells what a reader would miss.
 _LOOK = """
@@ -72,8 +72,9 @@ def check_site(site: Path) -> dict[str, list[str]]:
 
 def main(arguments: list[str]) -> int:
     """Check the site in the folder that the first argument names."""
-    if not wanted():
-        print("BROWSER_TESTS=0: the pages of the site are not opened")
+    reason = left_out()
+    if reason:
+        print(reason)
         return 0
     if programs() is None:
         print(f"error: {MISSING}", file=sys.stderr)

@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 from hypothesis import HealthCheck, settings
 
-from tests.browser import MISSING, Browser, programs, running, wanted
+from tests.browser import MISSING, Browser, left_out, programs, running
 
 ROOT = Path(__file__).resolve().parent.parent
 
@@ -31,18 +31,30 @@ def _uses_sympy(path: Path) -> bool:
     return path.suffix == ".py" and "sympy" in path.read_text(encoding="utf-8")
 
 
-def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
-    """Mark what meets SymPy, so that it can run with each of SymPy's ground types."""
+def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
+    """Mark what meets SymPy, so that it can run with each of SymPy's ground types.
+
+    What opens pages is taken out where it is not wanted or cannot run.
+    """
     for item in items:
         if _uses_sympy(item.path):
             item.add_marker(pytest.mark.ground_types)
+    if left_out():
+        pages = [item for item in items if "browser" in getattr(item, "fixturenames", ())]
+        config.hook.pytest_deselected(items=pages)
+        items[:] = [item for item in items if item not in pages]
+
+
+def pytest_terminal_summary(terminalreporter: pytest.TerminalReporter) -> None:
+    """Say at the end of a run what it could not look at."""
+    reason = left_out()
+    if reason:
+        terminalreporter.write_line(reason, yellow=True)
 
 
 @pytest.fixture(scope="session")
 def browser() -> Iterator[Browser]:
     """Return a running headless Chromium; see `tests.browser` for where it must come from."""
-    if not wanted():
-        pytest.skip("BROWSER_TESTS=0 leaves the tests of pages out")
     if programs() is None:
         pytest.fail(MISSING, pytrace=False)
     with running() as found:
