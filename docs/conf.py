@@ -79,7 +79,7 @@ def make_figures(app):
     newest = max((path.stat().st_mtime for path in shared), default=0.0)
     for script in sorted(source.glob("figures/[!_]*.py")):
         stamp = folder / f".{script.stem}"
-        read = [script, *source.glob(f"{script.stem}.rst")]
+        read = [script, *source.rglob(f"{script.stem}.rst")]
         changed = max(newest, *(path.stat().st_mtime for path in read))
         if stamp.exists() and stamp.stat().st_mtime > changed:
             continue
