@@ -25,6 +25,8 @@ from .style import nice, rounded
 CONE, FORCE, ARC = 0.42, 0.65, 0.2
 #: The largest displacement that is drawn.
 MOVED = 0.22
+#: The least length of a force that is not zero.
+_LEAST = 1e-9
 
 
 @dataclass
@@ -113,9 +115,18 @@ def _scale_forces(scene: Scene) -> None:
     lengths = [float(np.linalg.norm(share(f))) for f in every]
     scene.longest = max([*lengths, *(float(q / unit) for q in preloads)], default=1.0) or 1.0
     factor = FORCE / scene.longest
-    scene.arms = [None if f is None or not any(f) else factor * share(f) for f in forces]
-    scene.preloads = [factor * float(q / unit) for q in preloads]
-    scene.load = factor * share(load) if load is not None and any(load) else None
+    arms = [None if f is None or not any(f) else _arm(f, unit, factor) for f in (*forces, load)]
+    *scene.arms, scene.load = arms
+    scene.preloads = [max(factor * float(q / unit), _LEAST) if q else 0.0 for q in preloads]
+
+
+def _arm(force: RationalVector, unit: Fraction, factor: float) -> Floats:
+    """Return a force on paper; one too small for a float keeps its direction."""
+    own = max(map(abs, force))
+    direction = np.array([float(x / own) for x in force])
+    length = float(np.linalg.norm(direction))
+    arm: Floats = direction / length * max(factor * float(own / unit) * length, _LEAST)
+    return arm
 
 
 def _step(motion: RationalVector, frame: Frame, grasp: Grasp) -> Fraction | None:

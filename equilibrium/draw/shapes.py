@@ -28,12 +28,17 @@ def curve_patch(points: Floats, **style: Any) -> Any:
 
 
 def arrow(start: Floats, end: Floats, unit: float, **style: Any) -> Any:
-    """Return an arrow; `unit` is the length of one point (1/72 inch) in data coordinates."""
+    """Return an arrow, at least 2.5 points long so that what is not zero can be seen.
+
+    Args:
+        unit: the length of one point (1/72 inch) in data coordinates.
+    """
     from matplotlib.patches import Polygon
 
     along = end - start
-    length = float(np.linalg.norm(along))
-    along = along / length
+    along = along / float(np.linalg.norm(along))
+    length = max(float(np.linalg.norm(end - start)), 2.5 * unit)
+    end = start + length * along
     side = np.array([-along[1], along[0]])
     head = min(6.5 * unit, 0.7 * length)
     wide, thin = 0.42 * head, min(0.8 * unit, 0.1 * head)

@@ -372,3 +372,23 @@ def test_round_steps_are_one_two_or_five(value: float) -> None:
 def test_pieces_without_a_wrench_are_refused() -> None:
     with pytest.raises(GraspError, match="nothing is solved"):
         draw_grasp(THREE, piece=2)
+
+
+FAINT, VAST = Fraction(1, 10**30), Fraction(10) ** 400
+EXTREME = Grasp(
+    [
+        Contact((VAST, 0), (1, 0), VAST, 1, FAINT),
+        Contact((VAST + 1, 1), (-1, 0), FAINT, 10**40, VAST),
+        Contact((VAST, VAST), (0, 1), 0, 1, 1),
+    ]
+)
+
+
+@pytest.mark.parametrize("wrench", [(0, 0, 0), (FAINT, 0, VAST), (VAST, 1, 0)])
+def test_forces_and_places_of_any_size_can_be_drawn(wrench: tuple[Any, ...]) -> None:
+    assert all(box.width < 1e4 for _, box in boxes(draw_grasp(EXTREME, wrench=wrench)))
+
+
+def test_regions_of_any_size_can_be_drawn() -> None:
+    for figure in (draw_resist(EXTREME), draw_polar(EXTREME, directions=3)):
+        assert all(box.width < 1e4 for _, box in boxes(figure))
