@@ -86,7 +86,9 @@ def _describe(
     if outline.border or outline.whiskers:
         legend.key("border", "resistance ends")
     if states and len(grasp):
-        shown = ", ".join(f"{SYMBOLS[s]} {s}" for s in SYMBOLS if any(s in x for x in states))
-        legend.line(f"contacts 1 to {len(grasp)}: {shown}")
+        found = [s for s in SYMBOLS if any(s in x for x in states)]
+        shown = ", ".join(f"{SYMBOLS[s]} {s.replace('-', '−')}" for s in found)
+        which = "contact 1" if len(grasp) == 1 else f"contacts 1 to {len(grasp)}"
+        legend.line(f"{which}: {shown}")
     if fades and not all(piece.polyhedron.bounded for piece in region.polygons):
         legend.key("fade", "without end")

@@ -369,6 +369,13 @@ def test_round_steps_are_one_two_or_five(value: float) -> None:
     assert str(step.numerator * 1000 // step.denominator).rstrip("0") in ("1", "2", "5")
 
 
+def test_a_wrench_about_a_far_origin_is_carried_to_the_contacts_exactly() -> None:
+    """A force at the origin has the torque -p x f about p: 10^30 / 2 is taken away exactly."""
+    figure = draw_grasp(HUGE, wrench=(0, "1/2", FAR // 2))
+    assert "about the middle of the contacts, torque 0" in words(figure)
+    assert count(figure, "wrench-torque") == 0
+
+
 def test_pieces_without_a_wrench_are_refused() -> None:
     with pytest.raises(GraspError, match="nothing is solved"):
         draw_grasp(THREE, piece=2)
