@@ -62,7 +62,7 @@ def add_commands(commands: Any) -> None:
         "--extent",
         metavar="Q",
         type=console.rational_argument,
-        help="all other views: the largest force that is shown",
+        help="resist, slice, polar, compare: the largest force that is shown",
     )
     draw.add_argument("--directions", type=int, metavar="N", help="polar: how many (default: 72)")
     draw.add_argument("--methods", nargs="+", metavar="NAME", help="compare: only these methods")
