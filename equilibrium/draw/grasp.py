@@ -53,8 +53,8 @@ def draw_grasp(
     mark of a contact tells by shape its state at the motion drawn. The virtual motion is drawn as
     the displaced outline (of a grasp without outline, as arrows at the contacts), to first order,
     by a factor that is stated. The outline is dashed and only indicative (see `body`) unless a
-    polygon is given. Where the origin of the frame is far from the contacts, the wrench is carried
-    to their middle.
+    polygon is given; where no simple curve passes through the contacts, dashed lines join them.
+    Where the origin of the frame is far from the contacts, the wrench is carried to their middle.
 
     Args:
         grasp: contacts; none, coincident ones and coordinates of any size are possible.
@@ -140,12 +140,19 @@ def _paint_body(axes: Any, scene: Scene, unit: float, labels: Labels) -> None:
             style = {"ec": BLUE, "lw": 0.9, "ls": (0, (1, 1.5)), "gid": "motion", "zorder": 2.5}
             axes.add_patch(curve_patch(displaced(scene, scene.curve), fill=False, **style))
             labels.avoid(sampled(displaced(scene, scene.curve), 24))
-    elif scene.step is not None:
+        return
+    middle = np.mean(scene.places, axis=0) if scene.places else scene.origin
+    for i, place in enumerate(scene.places):
+        axes.plot(*np.array([place, middle]).T, color=GREY, lw=0.5, ls=(0, (5, 2.5)),
+                  gid=f"link-{i + 1}", zorder=0.5)  # fmt: skip
+        labels.avoid(place + s * (middle - place) for s in np.linspace(0, 1, 24))
+    if scene.step is not None:
         ends = displaced(scene, np.array(scene.places))
         for i, (start, end) in enumerate(zip(scene.places, ends, strict=True)):
             if np.linalg.norm(end - start) > unit:
                 style = {"fc": BLUE, "ec": "none", "gid": f"motion-{i + 1}", "zorder": 5}
-                axes.add_patch(arrow(start, end, unit, **style))
+                axes.add_patch(arrow(start, end, 1.5 * unit, **style))
+                labels.avoid(start + s * (end - start) for s in np.linspace(0, 1, 12))
 
 
 def _paint_contacts(axes: Any, scene: Scene, unit: float, labels: Labels) -> None:

@@ -15,7 +15,7 @@ WIDTH = 5.5
 _ARROWS: dict[str, tuple[float, dict[str, Any]]] = {
     "force": (1.0, {"fc": BLACK, "ec": "none"}),
     "wrench": (1.5, {"fc": VERMILION, "ec": "none"}),
-    "shift": (1.0, {"fc": BLUE, "ec": "none"}),
+    "shift": (1.5, {"fc": BLUE, "ec": "none"}),
     "preload": (1.6, {"fc": "white", "ec": GREY, "lw": 0.7}),
 }
 _LINES: dict[str, dict[str, Any]] = {
