@@ -13,6 +13,7 @@ import re
 import reprlib
 from collections.abc import Iterable, Sequence
 from fractions import Fraction
+from operator import mul
 from typing import Any, TypeAlias
 
 from .errors import InputError
@@ -199,4 +200,6 @@ def sign(value: Fraction | int) -> int:
 
 def dot(left: Sequence[Any], right: Sequence[Any]) -> Any:
     """Return the scalar product of two exact vectors of equal length."""
-    return sum(a * b for a, b in zip(left, right, strict=True))
+    if len(left) != len(right):
+        raise ValueError(f"the vectors have {len(left)} and {len(right)} entries")
+    return sum(map(mul, left, right))

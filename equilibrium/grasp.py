@@ -120,6 +120,14 @@ class Grasp:
         object.__setattr__(self, "contacts", listed)
         object.__setattr__(self, "units", units)
 
+    @cached_property
+    def _hash(self) -> int:
+        return hash(self.contacts)
+
+    def __hash__(self) -> int:
+        """Return the hash of the contacts, computed once: results are kept by grasp."""
+        return self._hash
+
     def __len__(self) -> int:
         return len(self.contacts)
 

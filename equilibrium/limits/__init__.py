@@ -4,7 +4,7 @@
   its `outline`; `space`: the whole set as polyhedra.
 * `margin`: factors and preloads; `friction`: the least coefficient; `search_map`: the paper's map;
   `gaps`: where such a map fails; `figure`: the data of the paper's figure.
-* below them: `intervals`, `directions`, `cones` and `polyhedron`.
+* below them: `intervals`, `directions`, `cones`, `polyhedron` and `separation`.
 """
 
 from .figure import resistance_figure as resistance_figure

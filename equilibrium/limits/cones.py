@@ -18,12 +18,20 @@ Generators: TypeAlias = tuple[tuple[IntegerVector, ...], tuple[IntegerVector, ..
 
 
 def generators(
-    inequalities: Iterable[Sequence[int]], equalities: Iterable[Sequence[int]], dimension: int
+    inequalities: Iterable[Sequence[int]],
+    equalities: Iterable[Sequence[int]],
+    dimension: int,
+    *,
+    finite: bool = False,
 ) -> Generators:
     """Return generators of ``{x : a . x >= 0, e . x = 0}`` in R^dimension.
 
     The rays are extreme modulo the lines, one for each, primitive. By polarity the same call turns
     generators (rays, lines) into the irredundant conditions (inequalities, equalities).
+
+    Args:
+        finite: add the condition that the last entry is at least 0, and stop, with no generators,
+            as soon as it is 0 everywhere (the cone of a polyhedron without a point).
 
     >>> generators([(1, 0), (1, 1), (1, 2)], [], 2)
     (((0, 1), (2, -1)), ())
@@ -31,7 +39,11 @@ def generators(
     cone = _Cone(dimension)
     for row in equalities:
         cone.cut(row, keep_positive=False)
+    if finite:
+        cone.cut(unit_vectors(dimension)[-1], keep_positive=True)
     for row in dict.fromkeys(reduced(row) for row in inequalities):
+        if finite and not any(ray[-1] for ray, _ in cone.rays):
+            return (), ()
         cone.cut(row, keep_positive=True)
     return tuple(sorted(ray for ray, _ in cone.rays)), tuple(cone.lines)
 
@@ -78,15 +90,26 @@ class _Cone:
         below = [entry for entry in valued if entry[0] < 0]
         above = [entry for entry in valued if entry[0] > 0]
         kept = [(ray, mask | bit) for value, ray, mask in valued if value == 0]
+        masks = [mask for _, mask in self.rays]
+        # Two adjacent rays span a face of dimension 2, which so many conditions cut out at least.
+        fewest = len(row) - len(self.lines) - 2
         for high, ray, mask in above:
             for low, other, other_mask in below:
-                if self._adjacent(mask & other_mask):
+                common = mask & other_mask
+                if common.bit_count() >= fewest and _only_two(masks, common):
                     joined = [high * b - low * a for a, b in zip(ray, other, strict=True)]
                     kept.append((reduced(joined), (mask & other_mask) | bit))
         if keep_positive:
             kept += [(ray, mask) for _, ray, mask in above]
         self.rays = kept
 
-    def _adjacent(self, common: int) -> bool:
-        """Return whether only the two rays themselves are tight in all common conditions."""
-        return sum(mask & common == common for _, mask in self.rays) == 2
+
+def _only_two(masks: Iterable[int], common: int) -> bool:
+    """Return whether only two rays are tight in all common conditions: they are adjacent."""
+    found = 0
+    for mask in masks:
+        if mask & common == common:
+            found += 1
+            if found > 2:
+                return False
+    return True

@@ -27,11 +27,17 @@ from .polyhedron import Polyhedron, from_generators
 _MANY = 40
 
 
-def resisted_with(grasp: Grasp, states: States) -> Polyhedron | None:
-    """Return the wrenches that are resisted with these contact states; None when there are none."""
+def resisted_with(
+    grasp: Grasp, states: States, plane: IntegerVector | None = None
+) -> Polyhedron | None:
+    """Return the wrenches that are resisted with these contact states; None when there are none.
+
+    Args:
+        plane: ``(a, b)``: leave out motions at which none of the wrenches has ``a . w + b = 0``.
+            All wrenches of this plane remain, of others only some.
+    """
     table, scale = _integers(grasp)
-    inequalities: list[IntegerVector] = [(0, 0, 0, 1)]
-    equalities: list[IntegerVector] = []
+    inequalities, equalities = _reaching(table, scale, states, plane) if plane else ([], [])
     for contact, state in zip(table, states, strict=True):
         if state == "detached":
             inequalities.append(_opposite(contact.spring))
@@ -42,9 +48,29 @@ def resisted_with(grasp: Grasp, states: States) -> Polyhedron | None:
         else:
             inequalities.append(contact.slip if state == "slip+" else _opposite(contact.slip))
     # Along a line of the cell no touching spring may change, so the wrench does not either.
-    rays, _ = generators(inequalities, equalities, 4)
+    rays, _ = generators(inequalities, equalities, 4, finite=True)
     images = {image for ray in rays for image in _images(table, scale, states, ray)}
     return from_generators(images, (), 3)
+
+
+def _reaching(
+    table: tuple[_Integers, ...], scale: int, states: States, plane: IntegerVector
+) -> tuple[list[IntegerVector], list[IntegerVector]]:
+    """Return the conditions on a motion that its wrenches reach a plane.
+
+    At one motion ``a . w + b`` lies between two bounds, each linear: every sticking contact pulls
+    one way or the other.
+    """
+    lowest, highest = [0, 0, 0, scale * plane[3]], [0, 0, 0, scale * plane[3]]
+    for contact, state in zip(table, states, strict=True):
+        if state != "detached":
+            values = [dot(plane[:3], balance) for balance in contact.balances[state]]
+            for j, x in enumerate(contact.spring):
+                lowest[j] += min(values) * x
+                highest[j] += max(values) * x
+    if lowest == highest:
+        return [], [tuple(lowest)] if any(lowest) else []
+    return [_opposite(tuple(lowest)), tuple(highest)], []
 
 
 @dataclass(frozen=True)

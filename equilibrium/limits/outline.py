@@ -7,15 +7,18 @@ border is what is left of every edge after these intervals are taken away: no ov
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
+
+import numpy as np
 
 from arrangement.exact import IntegerVector, RationalVector, dot, to_text
 
 from .intervals import Interval, is_long, remainder, union
 from .polyhedron import Polyhedron
+from .separation import possibly_meeting, sides
 
 
 @dataclass(frozen=True)
@@ -74,25 +77,55 @@ class Outline:
 def outline_of(polygons: Sequence[Polyhedron]) -> Outline:
     """Return the boundary of the union of polygons in the plane (dimensions 0, 1 and 2).
 
-    Complexity: O(n e) intervals for n polygons with e edges in all, and sorting.
+    Complexity: O(n e) for n polygons with e edges in all, most of it rounded tests of whether an
+    edge is near a polygon; exact intervals for those that are.
     """
     solid = [p for p in polygons if p.dimension == 2]
     thin = [p for p in polygons if p.dimension == 1]
     border: list[Segment] = []
-    for row in sorted({row for p in solid for row in p.inequalities}):
+    rows = sorted({row for p in solid for row in p.inequalities})
+    carriers = [[p for p in solid if row in p.inequalities] for row in rows]
+    for row, edges, near in zip(rows, carriers, _near(rows, carriers, solid), strict=True):
         line = _Line(row)
-        edges = [line.part(p) for p in solid if row in p.inequalities]
-        covered = [line.part(p) for p in solid if line.covers_beyond(p)]
-        border += line.segments(edges, covered)
+        covered = [line.part(p) for p in near if line.covers_beyond(p)]
+        border += line.segments([line.part(p) for p in edges], covered)
     whiskers: list[Segment] = []
-    for row in sorted({max(p.equalities[0], _opposite(p.equalities[0])) for p in thin}):
+    rows = sorted({max(p.equalities[0], _opposite(p.equalities[0])) for p in thin})
+    carriers = [[p for p in thin if _Line(row).carries(p)] for row in rows]
+    for row, edges, near in zip(rows, carriers, _near(rows, carriers, solid), strict=True):
         line = _Line(row)
-        edges = [line.part(p) for p in thin if line.carries(p)]
-        whiskers += line.segments(edges, [line.part(p) for p in solid])
+        whiskers += line.segments([line.part(p) for p in edges], [line.part(p) for p in near])
     single = (p.points[0] for p in polygons if p.dimension == 0)
     larger = [*solid, *thin]
     points = sorted({x for x in single if not any(p.contains(x) for p in larger)})
     return Outline(tuple(border), tuple(whiskers), tuple(points))
+
+
+def _near(
+    rows: Sequence[IntegerVector],
+    carriers: Sequence[Sequence[Polyhedron]],
+    solid: Sequence[Polyhedron],
+) -> Iterator[list[Polyhedron]]:
+    """Yield for each line the polygons that may cover a part of its edges.
+
+    Args:
+        carriers: for each line the polygons with an edge in it, or that lie in it.
+    """
+    above, below = sides(rows, solid)
+    edges = [_tight(row, p) for row, found in zip(rows, carriers, strict=True) for p in found]
+    meeting = possibly_meeting(edges, solid)
+    start = 0
+    for i, found in enumerate(carriers):
+        near = meeting[start : start + len(found)].any(axis=0) & ~above[i] & ~below[i]
+        start += len(found)
+        yield [solid[j] for j in np.flatnonzero(near).tolist()]
+
+
+def _tight(row: IntegerVector, polygon: Polyhedron) -> list[IntegerVector]:
+    """Return the homogeneous generators of the part of a polygon in a line at its border."""
+    rays, lines = polygon.homogeneous
+    found = [x for x in rays if dot(row, x) == 0]
+    return [*found, *(x for y in lines if dot(row, y) == 0 for x in (y, _opposite(y)))]
 
 
 class _Line:
@@ -110,18 +143,7 @@ class _Line:
 
     def part(self, polygon: Polyhedron) -> Interval | None:
         """Return the part of the line in a polygon."""
-        if self._misses(polygon):
-            return None
         return polygon.along_homogeneous((*self.base, self.square), (*self.direction, 0))
-
-    def _misses(self, polygon: Polyhedron) -> bool:
-        """Return whether a polygon lies strictly on one side of the line (quick, exact)."""
-        generators, lines = polygon.homogeneous
-        if lines:
-            return False
-        (a, b), c = self.normal, self.constant
-        sides = [a * x + b * y + c * h for x, y, h in generators]
-        return min(sides) > 0 or max(sides) < 0
 
     def covers_beyond(self, polygon: Polyhedron) -> bool:
         """Return whether a polygon is not only on the positive side of the line."""

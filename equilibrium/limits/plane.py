@@ -12,16 +12,25 @@ from fractions import Fraction
 from functools import cached_property
 from typing import Any
 
-from arrangement.exact import IntegerVector, RationalVector, dot, rational_vector, to_text
+from arrangement.exact import (
+    IntegerVector,
+    RationalVector,
+    dot,
+    primitive,
+    rational_vector,
+    to_text,
+)
+from equilibrium.cells import contact_states
 from equilibrium.errors import GraspError
 from equilibrium.grasp import Grasp, read_wrench
 from equilibrium.systems import States
 
 from .directions import Sector, counter_clockwise, sectors
+from .images import resisted_with
 from .intervals import Interval, intersection, union
 from .outline import Outline, outline_of
-from .polyhedron import Polyhedron
-from .space import Piece, maximal_pieces, resistible_set
+from .polyhedron import Polyhedron, cross
+from .space import Piece, maximal_pieces
 
 FORCES = ((1, 0, 0), (0, 1, 0))
 
@@ -74,8 +83,9 @@ class Region:
         return sectors(ends, self._is_unlimited)
 
     def _is_unlimited(self, direction: IntegerVector) -> bool:
-        parts = self.along(direction)
-        return bool(parts) and parts[-1][1] is None
+        endless = [piece.polyhedron for piece in self.polygons if not piece.polyhedron.bounded]
+        parts = (shape.along((0, 0), direction) for shape in endless)
+        return any(part is not None and part[1] is None for part in parts)
 
     def to_dict(self) -> dict[str, Any]:
         """Return a JSON form; numbers are strings of rationals, null means no end."""
@@ -111,9 +121,9 @@ def resistible_region(
     start = read_wrench(origin)
     if len(frame) != 2 or not _independent(*frame):
         raise GraspError("a plane needs two spanning wrenches that are not parallel")
-    cuts = (
-        (piece.states, piece.polyhedron.cut(start, frame)) for piece in resistible_set(grasp).pieces
-    )
+    plane = _plane(start, *frame)
+    found = ((states, resisted_with(grasp, states, plane)) for states in contact_states(grasp))
+    cuts = ((states, shape.cut(start, frame)) for states, shape in found if shape is not None)
     polygons = [Piece(states, shape) for states, shape in cuts if shape is not None]
     return Region(start, (frame[0], frame[1]), maximal_pieces(polygons))
 
@@ -142,7 +152,13 @@ def _end_of(polygon: Polyhedron, row: IntegerVector, edge: IntegerVector) -> Rat
 
 
 def _independent(one: RationalVector, other: RationalVector) -> bool:
-    return any(one[i] * other[j] != one[j] * other[i] for i, j in ((0, 1), (0, 2), (1, 2)))
+    return any(cross(one, other))
+
+
+def _plane(origin: RationalVector, one: RationalVector, other: RationalVector) -> IntegerVector:
+    """Return ``(a, b)`` with ``a . w + b = 0`` in the plane."""
+    normal = cross(one, other)
+    return primitive((*normal, -dot(normal, origin)))
 
 
 def _polygon_dict(piece: Piece) -> dict[str, Any]:

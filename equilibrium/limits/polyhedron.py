@@ -13,7 +13,6 @@ from functools import cached_property
 from typing import Any
 
 from arrangement.exact import IntegerVector, RationalVector, dot, primitive, to_text
-from arrangement.linear import unit_vectors
 
 from .cones import generators
 from .intervals import LINE, Interval, where_positive
@@ -105,8 +104,7 @@ class Polyhedron:
         """Return whether a plane in space leaves all points strictly on one side (quick)."""
         if len(origin) != 3 or len(spans) != 2 or self.lines:
             return False
-        (a, b, c), (d, e, f) = spans
-        normal = (b * f - c * e, c * d - a * f, a * e - b * d)
+        normal = cross(*spans)
         height = dot(normal, origin)
         points = [dot(normal, point) - height for point in self.points]
         rays = [dot(normal, ray) for ray in self.rays]
@@ -121,12 +119,17 @@ class Polyhedron:
         return {name: [list(map(to_text, row)) for row in getattr(self, name)] for name in names}
 
 
+def cross(one: Sequence[Fraction], other: Sequence[Fraction]) -> RationalVector:
+    """Return the cross product of two vectors in space; zero when they are parallel."""
+    (a, b, c), (d, e, f) = one, other
+    return (b * f - c * e, c * d - a * f, a * e - b * d)
+
+
 def from_conditions(
     inequalities: Iterable[Sequence[int]], equalities: Iterable[Sequence[int]], dimension: int
 ) -> Polyhedron | None:
     """Return the polyhedron of conditions ``(a, b)``; None when they have no solution."""
-    finite = unit_vectors(dimension + 1)[-1]
-    rays, lines = generators([*inequalities, finite], equalities, dimension + 1)
+    rays, lines = generators(inequalities, equalities, dimension + 1, finite=True)
     return from_generators(rays, lines, dimension)
 
 

@@ -11,9 +11,6 @@ from fractions import Fraction
 from functools import lru_cache
 from typing import Any
 
-import numpy as np
-
-from arrangement.exact import IntegerVector
 from equilibrium.cells import contact_states
 from equilibrium.grasp import Grasp, read_wrench
 from equilibrium.systems import States
@@ -21,6 +18,7 @@ from equilibrium.systems import States
 from .images import resisted_with
 from .intervals import Interval, union
 from .polyhedron import Polyhedron
+from .separation import surely_outside
 
 
 @dataclass(frozen=True)
@@ -94,40 +92,10 @@ def resistible_set(grasp: Grasp) -> ResistibleSet:
 def maximal_pieces(pieces: Sequence[Piece]) -> tuple[Piece, ...]:
     """Return the pieces that lie in no other one, in their order; of equal ones the first."""
     shapes = [piece.polyhedron for piece in pieces]
-    outside = _certainly_outside(shapes)
+    outside = surely_outside(shapes)
     kept: list[int] = []
     for i in sorted(range(len(pieces)), key=lambda i: -shapes[i].dimension):
         if any(not outside[j, i] and shapes[i].within(shapes[j]) for j in kept):
             continue
         kept = [j for j in kept if outside[i, j] or not shapes[j].within(shapes[i])] + [i]
     return tuple(pieces[i] for i in sorted(kept))
-
-
-def _certainly_outside(shapes: Sequence[Polyhedron]) -> np.ndarray[Any, np.dtype[np.bool_]]:
-    """Return whether, by rounded numbers, shape j surely has a point outside shape i.
-
-    Conditions and generators are scaled to entries of at most 1, so a product of four or fewer
-    terms is wrong by less than 10^-14: a value below -10^-9 is truly negative.
-    """
-    spanning = [_both_ways(*shape.homogeneous) for shape in shapes]
-    starts = np.cumsum([0, *map(len, spanning)])[:-1]
-    points = _unit([x for group in spanning for x in group])
-    outside = np.zeros((len(shapes), len(shapes)), dtype=np.bool_)
-    for i, shape in enumerate(shapes):
-        rows = _both_ways(shape.inequalities, shape.equalities)
-        if rows:
-            least = (points @ _unit(rows).T).min(axis=1)
-            outside[i] = np.minimum.reduceat(least, starts) < -1e-9
-    return outside
-
-
-def _both_ways(
-    once: Iterable[IntegerVector], twice: Iterable[IntegerVector]
-) -> list[IntegerVector]:
-    """Return the vectors of the first kind, and those of the second with both signs."""
-    return [*once, *(x for y in twice for x in (y, tuple(-entry for entry in y)))]
-
-
-def _unit(vectors: Sequence[IntegerVector]) -> np.ndarray[Any, np.dtype[np.float64]]:
-    """Return vectors divided by their largest entries, rounded."""
-    return np.array([[x / max(map(abs, vector)) for x in vector] for vector in vectors])

@@ -1,0 +1,116 @@
+"""Quick proofs, by rounded numbers, that polyhedra are apart or not inside one another.
+
+Conditions and generators are scaled to entries of at most 1, so a product of four or fewer terms is
+wrong by less than 10^-14: a value below -10^-9 is truly negative. What this leaves open is for
+exact arithmetic.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from typing import TypeAlias
+
+import numpy as np
+import numpy.typing as npt
+
+from arrangement.exact import IntegerVector
+
+from .polyhedron import Polyhedron
+
+Floats: TypeAlias = npt.NDArray[np.float64]
+Booleans: TypeAlias = npt.NDArray[np.bool_]
+
+_NEGATIVE = -1e-9
+#: So many homogeneous points are compared with all conditions at once.
+_MANY = 256
+
+
+def surely_outside(shapes: Sequence[Polyhedron]) -> Booleans:
+    """Return for i and j whether shape j surely has a point outside shape i.
+
+    The mean of all generators is asked first: where it is outside, some generator is.
+    """
+    points, starts = _stacked([_both_ways(*shape.homogeneous) for shape in shapes])
+    counts = np.diff([*starts, len(points)])
+    means = np.add.reduceat(points, starts) / counts[:, None] if len(shapes) else points
+    rows, firsts = _conditions(shapes)
+    outside = np.zeros((len(shapes), len(shapes)), dtype=np.bool_)
+    for start in range(0, len(shapes), _MANY):
+        part = slice(start, start + _MANY)
+        outside[:, part] = _any_of(means[part] @ rows.T < _NEGATIVE, firsts).T
+    ends = [*firsts, len(rows)]
+    for i in range(len(shapes)):
+        for j in np.flatnonzero(~outside[i]).tolist():
+            if i != j:
+                own = points[starts[j] : starts[j] + counts[j]]
+                outside[i, j] = bool((own @ rows[ends[i] : ends[i + 1]].T < _NEGATIVE).any())
+    return outside
+
+
+def possibly_meeting(
+    edges: Sequence[Sequence[IntegerVector]], polygons: Sequence[Polyhedron]
+) -> Booleans:
+    """Return for each edge and polygon whether they may have a point in common.
+
+    Args:
+        edges: the homogeneous generators of each edge, none empty.
+        polygons: of dimension 2.
+    """
+    meeting = np.ones((len(edges), len(polygons)), dtype=np.bool_)
+    if not polygons:
+        return meeting
+    rows, firsts = _conditions(polygons)
+    for start in range(0, len(edges), _MANY):
+        points, starts = _stacked(edges[start : start + _MANY])
+        beyond = np.logical_and.reduceat(points @ rows.T < _NEGATIVE, starts)
+        meeting[start : start + _MANY] = ~_any_of(beyond, firsts)
+    return meeting
+
+
+def sides(
+    rows: Sequence[IntegerVector], polygons: Sequence[Polyhedron]
+) -> tuple[Booleans, Booleans]:
+    """Return for each row and polygon whether the row is surely positive, or negative, on it."""
+    above, below = np.zeros((2, len(rows), len(polygons)), dtype=np.bool_)
+    if polygons:
+        points, starts = _stacked([_both_ways(*polygon.homogeneous) for polygon in polygons])
+        for start in range(0, len(rows), _MANY):
+            values = _unit(rows[start : start + _MANY]) @ points.T
+            part = slice(start, start + _MANY)
+            above[part] = np.minimum.reduceat(values, starts, axis=1) > -_NEGATIVE
+            below[part] = np.maximum.reduceat(values, starts, axis=1) < _NEGATIVE
+    return above, below
+
+
+def _conditions(shapes: Sequence[Polyhedron]) -> tuple[Floats, list[int]]:
+    """Return the conditions of all shapes, each with one at least, and the first of each shape."""
+    return _stacked(
+        [
+            _both_ways(shape.inequalities, shape.equalities) or [(*[0] * len(shape.points[0]), 1)]
+            for shape in shapes
+        ]
+    )
+
+
+def _any_of(flags: Booleans, starts: Sequence[int]) -> Booleans:
+    """Return whether any column of each group has its flag set."""
+    found: Booleans = np.logical_or.reduceat(flags, starts, axis=1)
+    return found
+
+
+def _stacked(groups: Sequence[Sequence[IntegerVector]]) -> tuple[Floats, list[int]]:
+    """Return the vectors of all groups as rounded rows, and the first row of each group."""
+    starts = np.cumsum([0, *map(len, groups)])[:-1].tolist()
+    return _unit([vector for group in groups for vector in group]), starts
+
+
+def _both_ways(
+    once: Iterable[IntegerVector], twice: Iterable[IntegerVector]
+) -> list[IntegerVector]:
+    """Return the vectors of the first kind, and those of the second with both signs."""
+    return [*once, *(x for y in twice for x in (y, tuple(-entry for entry in y)))]
+
+
+def _unit(vectors: Sequence[IntegerVector]) -> Floats:
+    """Return vectors divided by their largest entries, rounded."""
+    return np.array([[x / max(map(abs, vector)) for x in vector] for vector in vectors])
