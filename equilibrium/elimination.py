@@ -115,9 +115,33 @@ def balance_refutation(grasp: Grasp, wrench: RationalVector, states: States) -> 
         if product:
             sticks = states.count("stick")
             conditions = sum(_CONDITIONS[state] for state in states)
-            multipliers = (*(x / -product for x in direction), *[Fraction(0)] * sticks)
-            return Refutation((Fraction(0),) * conditions, multipliers)
+            factors = (
+                Fraction(0) if _is_empty(grasp, wrench, states, axis) else x / -product
+                for axis, x in enumerate(direction)
+            )
+            return Refutation((Fraction(0),) * conditions, (*factors, *[Fraction(0)] * sticks))
     return None
+
+
+def _is_empty(grasp: Grasp, wrench: RationalVector, states: States, axis: int) -> bool:
+    """Return whether the forces cancel along an axis, so that its balance is ``0 = 0``.
+
+    Normal forces depend on one motion, so they can cancel where their directions do not.
+    """
+    row = [Fraction(0)] * 3 + [wrench[axis]]
+    for contact, state in zip(grasp, states, strict=True):
+        if state == "detached":
+            continue
+        along, across = contact.normal_wrench[axis], contact.tangential_wrench[axis]
+        if state == "stick":
+            if across:
+                return False
+        else:
+            along += DIRECTION[state] * contact.friction * across
+        if along:
+            spring = (-contact.stiffness * x for x in contact.normal_wrench)
+            row = [a + along * b for a, b in zip(row, (*spring, contact.preload), strict=True)]
+    return not any(row)
 
 
 def _by_program(system: StateSystem) -> Outcome:

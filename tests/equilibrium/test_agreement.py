@@ -12,6 +12,8 @@ from fractions import Fraction
 import pytest
 from hypothesis import given, settings
 
+from equilibrium import Contact, Grasp, solve
+
 from . import bruteforce, oracle
 from .agreement import disagreements
 from .awkward import BORDERS, GRASPS, question
@@ -35,12 +37,19 @@ def test_both_brute_forces_agree(grasp, wrench):
 
 def test_bound_on_the_motion_is_the_largest_component_of_the_motion():
     """One spring of stiffness 1 without friction under the load 12 gives way by 12."""
-    from equilibrium import Contact, Grasp
-
     grasp, wrench = Grasp([Contact((0, 0), (0, 1), 0)]), (Fraction(0), Fraction(-12), Fraction(0))
     assert bruteforce.is_stable(grasp, wrench)
     assert bruteforce.is_stable(grasp, wrench, bound=12)
     assert not bruteforce.is_stable(grasp, wrench, bound=Fraction(119, 10))
+
+
+def test_forces_that_cancel_in_one_balance_are_refuted_by_the_others():
+    """With slip- the friction torques of the two contacts cancel, whatever the motion."""
+    normal, half = (Fraction(1), Fraction(0)), Fraction(1, 2)
+    grasp = Grasp([Contact((-1, 0), normal, 1), Contact((1, 0), normal, half, 2)])
+    verdict = solve(grasp, (2, Fraction(3, 2), 0))
+    assert not verdict.stable
+    assert verdict.verify()
 
 
 def test_questions_are_of_all_kinds():
