@@ -87,12 +87,16 @@ def _dimension(value: Any) -> int:
 
 
 def read_document(
-    source: Source, kinds: Collection[str], *, max_bytes: int = MAX_BYTES
+    source: Source, kinds: Collection[str], *, max_bytes: int = MAX_BYTES, floats: bool = False
 ) -> dict[str, Any]:
     """Read a JSON object that has ``schema_version`` 1 and exactly one of the keys `kinds`.
 
     The caller checks the remaining keys with `check_keys`. A name such as ``paper-three-contacts``
     means the built-in document even when a file of that name exists; write ``./name`` for the file.
+
+    Args:
+        floats: take numbers such as 0.1 and 1e-3 too, as the binary floats that they are; for data
+            whose conversion is the purpose.
 
     Raises:
         InputError: a file that cannot be read, is longer than `max_bytes`, is not UTF-8, is not
@@ -103,7 +107,7 @@ def read_document(
         name = "the document"
     else:
         name = "standard input" if source == "-" else shown(_path_text(source))
-        document = _parse(_read_bytes(source, name, max_bytes), name)
+        document = _parse(_read_bytes(source, name, max_bytes), name, floats)
     if not isinstance(document, dict):
         raise InputError(f"{name} holds {_kind_of(document)}; a document is a JSON object")
     _check_kind(document, kinds, name)
@@ -192,14 +196,14 @@ def _limited(stream: BinaryIO, name: str, max_bytes: int) -> bytes:
     return content
 
 
-def _parse(content: bytes, name: str) -> Any:
-    """Parse strict JSON: UTF-8, no duplicate keys, no floats, no NaN, moderate nesting."""
+def _parse(content: bytes, name: str, floats: bool) -> Any:
+    """Parse strict JSON: UTF-8, no duplicate keys, no floats unless wanted, no NaN, flat."""
     try:
         return json.loads(
             content.decode("utf-8-sig"),
             object_pairs_hook=_without_duplicates,
             parse_int=_parse_integer,
-            parse_float=_refuse_float,
+            parse_float=float if floats else _refuse_float,
             parse_constant=_refuse_constant,
         )
     except InputError as error:

@@ -83,6 +83,11 @@ def _add_verify(commands: Any) -> None:
         "verify", help="check a certificate without the solver (exit 0 valid, 1 not)"
     )
     verify.add_argument("certificate", metavar="CERT.json", help="a path, or - for stdin")
+    verify.add_argument(
+        "--rationals-only",
+        action="store_true",
+        help="take every sign from rationals, none from floating point with a proven bound; slow",
+    )
     console.add_json_option(verify)
     verify.set_defaults(command=_verify)
 
@@ -139,7 +144,7 @@ def _freedom(piece: Equilibrium) -> str:
 def _verify(arguments: argparse.Namespace) -> int:
     from .files import verify
 
-    report = verify(arguments.certificate)
+    report = verify(arguments.certificate, rationals_only=arguments.rationals_only)
     if arguments.json:
         console.print_json(report.to_dict())
     elif report.valid:

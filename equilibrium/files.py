@@ -45,10 +45,13 @@ def read_certificate(source: Source) -> dict[str, Any]:
     return read_document(source, ("certificate",), max_bytes=MAX_CERTIFICATE_BYTES)
 
 
-def verify(source: Source) -> Report:
+def verify(source: Source, *, rationals_only: bool = False) -> Report:
     """Check a certificate from a path, ``"-"`` (stdin) or a mapping; no solver is involved.
+
+    Args:
+        rationals_only: do every step in rationals; see `checker.check`.
 
     Raises:
         InputError: the document has no readable form.
     """
-    return check(read_certificate(source))
+    return check(read_certificate(source), rationals_only=rationals_only)

@@ -19,13 +19,24 @@ if TYPE_CHECKING:
 
 
 def add_commands(commands: Any) -> None:
-    """Add make csv, make polygon, make circle and make random."""
+    """Add make csv, make floats, make polygon, make circle and make random."""
     make = commands.add_parser("make", help="a grasp file from a CSV file, a polygon, a circle ...")
     kinds = make.add_subparsers(required=True, metavar="KIND")
 
     table = kinds.add_parser("csv", help="one contact a line; columns x, y, normal_x, ...")
     table.add_argument("file", metavar="FILE.csv")
     _finish(table, _csv)
+
+    floats = kinds.add_parser("floats", help="measured or simulated data in floats, snapped")
+    floats.add_argument("file", metavar="DATA", help="a JSON or .csv file, or - for stdin (JSON)")
+    floats.add_argument(
+        "--tolerance",
+        type=console.rational_argument,
+        default="1/1000000",
+        metavar="Q",
+        help="largest change of a coordinate or value (default: 1/1000000)",
+    )
+    _finish(floats, _floats)
 
     polygon = kinds.add_parser("polygon", help="places on the boundary of a polygon (JSON)")
     polygon.add_argument("file", metavar="FILE.json", help="a path, or - for stdin")
@@ -71,6 +82,17 @@ def _csv(arguments: argparse.Namespace) -> int:
     return _show(read_csv(arguments.file, angle_tolerance=arguments.angle_tolerance), arguments)
 
 
+def _floats(arguments: argparse.Namespace) -> int:
+    from .inputs import read_float_data
+
+    found = read_float_data(
+        arguments.file,
+        tolerance=arguments.tolerance,
+        angle_tolerance=arguments.angle_tolerance,
+    )
+    return _show(found, arguments)
+
+
 def _polygon(arguments: argparse.Namespace) -> int:
     from .inputs import read_polygon
 
@@ -114,5 +136,9 @@ def _show(found: Conversion, arguments: argparse.Namespace) -> int:
     if not found.exact:
         point = float(max(map(abs, found.point_errors), default=0))
         angle = float(max(map(abs, found.angle_errors), default=0))
-        print(f"rounded: points by {point:.2g}, normals by {angle:.2g} radians", file=sys.stderr)
+        value = f", values by {float(found.value_error):.2g}" if found.value_error else ""
+        print(
+            f"rounded: points by {point:.2g}, normals by {angle:.2g} radians{value}",
+            file=sys.stderr,
+        )
     return console.YES

@@ -6,7 +6,7 @@ exactly; the grasp that comes out is exact.
 
 from .conversion import Conversion, simplest_between, snapped
 from .csvfile import read_csv
-from .floats import from_float_data
+from .floats import from_float_data, read_float_data
 from .polygon import OnEdge, from_polygon, read_polygon
 from .random import random_grasp, random_wrench
 from .round import on_circle
@@ -20,6 +20,7 @@ __all__ = [
     "random_grasp",
     "random_wrench",
     "read_csv",
+    "read_float_data",
     "read_polygon",
     "simplest_between",
     "snapped",

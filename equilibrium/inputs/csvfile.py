@@ -37,7 +37,7 @@ def read_csv(
         GraspError: names the line and the rule; also for a file that cannot be read, is longer
             than 4 MiB or is not UTF-8.
     """
-    return parse_csv(_text(path), angle_tolerance=angle_tolerance)
+    return parse_csv(csv_text(path), angle_tolerance=angle_tolerance)
 
 
 def parse_csv(text: str, *, angle_tolerance: Any = DEFAULT_TOLERANCE) -> Conversion:
@@ -50,7 +50,7 @@ def parse_csv(text: str, *, angle_tolerance: Any = DEFAULT_TOLERANCE) -> Convers
     places: list[tuple[RationalVector, Fraction]] = []
     normals: list[UnitNormal] = []
     values: list[dict[str, Fraction]] = []
-    for line, row in _rows(text):
+    for line, row in csv_rows(text):
         try:
             numbers = {name: rational(entry, name) for name, entry in row.items()}
             normal = unit_normal((numbers["normal_x"], numbers["normal_y"]), angle_tolerance)
@@ -65,7 +65,7 @@ def parse_csv(text: str, *, angle_tolerance: Any = DEFAULT_TOLERANCE) -> Convers
     return assembled(places, normals, values)
 
 
-def _rows(text: str) -> Iterator[tuple[int, dict[str, str]]]:
+def csv_rows(text: str) -> Iterator[tuple[int, dict[str, str]]]:
     """Yield line numbers and entries by column."""
     reader = csv.reader(io.StringIO(text), strict=True)
     try:
@@ -97,7 +97,8 @@ def _check_header(header: list[str]) -> None:
             raise GraspError(f"the column {name} appears twice; keep one")
 
 
-def _text(path: str | os.PathLike[str]) -> str:
+def csv_text(path: str | os.PathLike[str]) -> str:
+    """Return the text of a file, with a limit on its length."""
     name = shown(str(path))
     try:
         with Path(path).open("rb") as stream:

@@ -1,15 +1,29 @@
-"""Contacts from measured or simulated data in floats, by exact snapping."""
+"""Contacts from measured or simulated data in floats, by exact snapping.
+
+The JSON form of a file is ``{"schema_version": 1, "points": [[-0.1, 0], ...], "normals": [[1, 0],
+...], "friction": 0.3}``, if wanted with ``stiffness`` and ``preload``; each of these three is one
+number for all contacts or a list. A CSV file has the columns of `csvfile`. Numbers are decimals,
+also with an exponent such as ``2.5e-3``, or ratios.
+"""
 
 from __future__ import annotations
 
+import os
+import re
 from collections.abc import Iterable
 from fractions import Fraction
 from typing import Any
 
-from arrangement.exact import RationalVector
+from arrangement.exact import RationalVector, rational, shown
+from arrangement.files import Source, check_keys, check_list, read_document
 from equilibrium.errors import GraspError
+from equilibrium.grasp import Grasp
 
 from .conversion import DEFAULT_TOLERANCE, Conversion, assembled, for_each, snapped, unit_normals
+from .csvfile import OPTIONAL, csv_rows, csv_text
+
+_VALUES = ("friction", *OPTIONAL)
+_DECIMAL = re.compile(r"[+-]?([0-9]{1,400}\.?[0-9]{0,400}|\.[0-9]{1,400})([eE][+-]?[0-9]{1,4})?")
 
 
 def from_float_data(
@@ -59,3 +73,67 @@ def _place(point: Any, tolerance: Any, index: int) -> tuple[RationalVector, Frac
     if len(coordinates) != 2:
         raise GraspError(f"points[{index}] has {len(coordinates)} coordinates; give two")
     return tuple(x for x, _ in coordinates), max(abs(change) for _, change in coordinates)
+
+
+def read_float_data(
+    source: Source, *, tolerance: Any = DEFAULT_TOLERANCE, angle_tolerance: Any = DEFAULT_TOLERANCE
+) -> Conversion:
+    """Read float data from a CSV file (a path that ends in ``.csv``) or a JSON document.
+
+    Raises:
+        InputError: for anything that has not one of the two forms; in a CSV file it names the line.
+    """
+    tolerances = {"tolerance": tolerance, "angle_tolerance": angle_tolerance}
+    if isinstance(source, (str, os.PathLike)) and os.fspath(source).lower().endswith(".csv"):
+        return _joined([_contact(*row, tolerances) for row in csv_rows(csv_text(source))])
+    document = read_document(source, ("points",), floats=True)
+    optional = (*OPTIONAL, "description")
+    required = ("schema_version", "points", "normals", "friction")
+    check_keys(document, required, optional, "the document")
+    points, normals = (
+        [
+            [_plain(x, f"{key}[{i}]") for x in check_list(pair, f"{key}[{i}]", 2)]
+            for i, pair in enumerate(check_list(document[key], key))
+        ]
+        for key in ("points", "normals")
+    )
+    values = {
+        key: [_plain(x, key) for x in given] if isinstance(given, list) else _plain(given, key)
+        for key, given in document.items()
+        if key in _VALUES
+    }
+    return from_float_data(points, normals, **values, **tolerances)
+
+
+def _plain(value: Any, where: str) -> Any:
+    """Return a JSON number or text; anything else is refused."""
+    if isinstance(value, bool) or not isinstance(value, (int, float, str)):
+        raise GraspError(f"{where} holds {shown(value)}; numbers are due")
+    return value
+
+
+def _contact(line: int, row: dict[str, str], tolerances: dict[str, Any]) -> Conversion:
+    """Return one contact, from a line of a CSV file."""
+    try:
+        numbers = {name: _number(entry, name) for name, entry in row.items()}
+        point, normal = [numbers["x"], numbers["y"]], [numbers["normal_x"], numbers["normal_y"]]
+        values = {name: numbers[name] for name in _VALUES if name in numbers}
+        return from_float_data([point], [normal], **values, **tolerances)
+    except ValueError as error:
+        raise GraspError(f"line {line}: {error}") from None
+
+
+def _number(text: str, name: str) -> float | Fraction:
+    """Return a decimal as the nearest float, anything else as `rational` reads it."""
+    return float(text) if _DECIMAL.fullmatch(text) else rational(text, name)
+
+
+def _joined(parts: Iterable[Conversion]) -> Conversion:
+    """Return the contacts of several conversions as one."""
+    listed = list(parts)
+    return Conversion(
+        Grasp(contact for part in listed for contact in part.grasp),
+        tuple(error for part in listed for error in part.point_errors),
+        tuple(error for part in listed for error in part.angle_errors),
+        max((part.value_error for part in listed), default=Fraction(0)),
+    )

@@ -55,6 +55,26 @@ def test_certificate_is_written_and_verified(capsys, tmp_path: Path, wrench, cod
     assert [p.name for p in tmp_path.iterdir()] == [path.name]
 
 
+@pytest.mark.parametrize(("wrench", "code"), [("-1", 0), ("1", 1)])
+def test_rationals_only_takes_no_sign_from_floats(
+    capsys, tmp_path: Path, monkeypatch, wrench, code
+):
+    path = tmp_path / "certificate.json"
+    arguments = ("solve", THREE, "--wrench", "0", wrench, "0", "--certificate", str(path))
+    assert call(capsys, *arguments)[0] == code
+
+    def refuse(*_: object) -> None:
+        raise AssertionError("floating point was asked")
+
+    monkeypatch.setattr("equilibrium.checker.proven_violations", refuse)
+    monkeypatch.setattr("arrangement.certify._surely", refuse)
+    plain, out, _ = call(capsys, "verify", str(path), "--rationals-only", "--json")
+    assert (plain, json.loads(out)["valid"]) == (0, True)
+    if code:
+        with pytest.raises(AssertionError, match="floating point was asked"):
+            call(capsys, "verify", str(path))
+
+
 def test_changed_certificate_says_which_line_fails(capsys, tmp_path: Path):
     path = tmp_path / "certificate.json"
     call(capsys, "solve", THREE, "--wrench", "0", "1", "0", "--certificate", str(path))

@@ -1,13 +1,17 @@
 """Grasps from polygons, circles, float data, CSV files and at random."""
 
+import json
 import math
+import re
 from fractions import Fraction
 
 import pytest
 from hypothesis import given, settings, strategies as st
 
 from arrangement.errors import InputError
+from equilibrium.cli import main
 from equilibrium.errors import GraspError
+from equilibrium.grasp import Grasp
 from equilibrium.inputs import (
     OnEdge,
     from_float_data,
@@ -16,6 +20,7 @@ from equilibrium.inputs import (
     random_grasp,
     random_wrench,
     read_csv,
+    read_float_data,
     read_polygon,
     simplest_between,
     snapped,
@@ -86,6 +91,105 @@ class TestFloatData:
     def test_bad_data_is_refused(self, points, normals, options, word):
         with pytest.raises(InputError, match=word):
             from_float_data(points, normals, 0.5, **options)
+
+
+FLOATS = {
+    "schema_version": 1,
+    "points": [[-0.1, 0], [0.30000000000000004, 1e-3]],
+    "normals": [[2.5, 0], [-0.7, 0.7]],
+    "friction": [0.3, 0.5],
+    "preload": 1,
+}
+FLOAT_CSV = f"{HEADER},preload\n-0.1,0,2.5,0,0.3,1\n0.30000000000000004,1e-3,-7e-1,.7,1/2,1\n"
+
+
+class TestFloatFiles:
+    def call(self, capsys, *arguments):
+        code = main(["make", "floats", *map(str, arguments)])
+        return code, *capsys.readouterr()
+
+    def test_both_forms_are_read_alike(self, tmp_path, capsys):
+        (tmp_path / "data.json").write_text(json.dumps(FLOATS))
+        (tmp_path / "data.CSV").write_text(FLOAT_CSV)
+        one = read_float_data(tmp_path / "data.json")
+        assert one.grasp == read_float_data(tmp_path / "data.CSV").grasp
+        assert [c.point for c in one.grasp] == [
+            (Fraction(-1, 10), 0),
+            (Fraction(3, 10), Fraction(1, 1000)),
+        ]
+        assert [c.friction for c in one.grasp] == [Fraction(3, 10), Fraction(1, 2)]
+        code, out, err = self.call(capsys, tmp_path / "data.json", "--units", "m", "N")
+        written = Grasp.from_dict(json.loads(out))
+        assert (code, written, written.units.length) == (0, one.grasp, "m")
+        assert err.startswith("rounded: ")
+        assert "values by" in err
+
+    def test_errors_are_those_of_the_function(self, tmp_path, capsys):
+        path = tmp_path / "data.json"
+        path.write_text(json.dumps(FLOATS))
+        code, out, err = self.call(capsys, path, "--tolerance", "1/100", "--json")
+        found = from_float_data(
+            FLOATS["points"], FLOATS["normals"], [0.3, 0.5], preload=1, tolerance="1/100"
+        )
+        assert (code, json.loads(out), err) == (0, found.to_dict(), "")
+        assert found.point_errors[1] == Fraction(1e-3)
+
+    def test_a_document_of_rationals_is_still_no_place_for_floats(self, tmp_path, capsys):
+        path = tmp_path / "grasp.json"
+        contact = {"point": [0, 0], "normal": [1, 0], "friction": 0.5}
+        path.write_text(json.dumps({"schema_version": 1, "contacts": [contact]}))
+        assert main(["solve", str(path), "--wrench", "0", "0", "0"]) == 2
+        assert "0.5 is a float" in capsys.readouterr().err.replace("'", "").replace('"', "")
+
+    @pytest.mark.parametrize(
+        ("change", "word"),
+        [
+            ({"points": [[0, 0]]}, "2 normals for 1 points"),
+            ({"points": [[0, 0, 0], [1, 1, 1]]}, "3 entries"),
+            ({"points": [[[0], 0], [1, 1]]}, "numbers are due"),
+            ({"points": [[float("nan"), 0], [1, 1]]}, "NaN"),
+            ({"normals": [[0, 0], [1, 1]]}, r"normals\[0\]"),
+            ({"friction": None}, "numbers are due"),
+            ({"friction": True}, "numbers are due"),
+            ({"friction": [[0.1], 1]}, "numbers are due"),
+            ({"friction": {"0.1": 1}}, "numbers are due"),
+            ({"friction": [0.1]}, "1 values for 2 contacts"),
+            ({"friction": -0.1}, "friction"),
+            ({"friction": "__import__('os')"}, "not an exact number"),
+            ({"mass": 1}, "mass"),
+            ({"schema_version": 2}, "schema_version"),
+        ],
+    )
+    def test_bad_documents_exit_with_two_and_one_line(self, tmp_path, capsys, change, word):
+        path = tmp_path / "data.json"
+        path.write_text(json.dumps({**FLOATS, **change}))
+        code, out, err = self.call(capsys, path)
+        assert (code, out, err.count("\n")) == (2, "", 1)
+        assert re.search(word, err)
+
+    @pytest.mark.parametrize(
+        ("text", "word"),
+        [
+            (f"{HEADER}\n0,0,1,0,nan\n", "line 2: .*nan"),
+            (f"{HEADER}\n0,0,1,0,inf\n", "line 2: .*inf"),
+            (f"{HEADER}\n0,0,1,0,1e999\n", "line 2: .*finite"),
+            (f"{HEADER}\n0,0,1,0,1_0\n", "line 2: .*1_0"),
+            (f"{HEADER}\n0,0,1,0,1\n0,0,0,0,1\n", "line 3: .*direction"),
+            (f"{HEADER}\n0,0,1,0,-1\n", "line 2: friction"),
+            ("x,y\n", "missing"),
+        ],
+    )
+    def test_bad_tables_exit_with_two_and_the_line(self, tmp_path, capsys, text, word):
+        path = tmp_path / "data.csv"
+        path.write_text(text)
+        code, out, err = self.call(capsys, path)
+        assert (code, out, err.count("\n")) == (2, "", 1)
+        assert re.search(word, err)
+
+    def test_files_that_cannot_be_read_exit_with_two(self, tmp_path, capsys):
+        for name in ("none.csv", "none.json"):
+            code, out, err = self.call(capsys, tmp_path / name)
+            assert (code, out, err.count("\n")) == (2, "", 1)
 
 
 class TestPolygon:
