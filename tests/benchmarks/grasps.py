@@ -2,6 +2,7 @@
 
     run.py --only grasps                      10, 20 and 50 contacts
     run.py --only grasps --contacts 10,20     fewer
+    run.py --only grasps --grasps 32          32 grasps of each size instead of 8 to 32
     run.py --only grasps --hundred            one grasp of 100 contacts too, ours alone
 
 Ours is a verdict with its proof; Siconos and the mixed-integer program give floats and none.
@@ -25,28 +26,31 @@ from graspjob import MILP_SECONDS, ROUNDED
 HERE = Path(__file__).resolve().parent
 Found = dict[str, Any]
 #: By number of contacts: how many grasps for us, and how many of those for the other program.
-GRASPS = {3: (16, 16), 4: (16, 16), 5: (16, 16), 10: (32, 16), 20: (24, 8), 50: (16, 2)}
+GRASPS = {3: (16, 16), 4: (16, 16), 5: (16, 16), 10: (32, 16), 20: (24, 8), 50: (8, 2)}
 BRUTE = (3, 4, 5)
 #: Wall seconds for all grasps of one size; who needs more is stopped, and what is done counts.
 LIMIT = 240
 
 
-def grasp_tables(contacts: Sequence[int], limit: float = LIMIT, hundred: bool = False) -> None:
+def grasp_tables(
+    contacts: Sequence[int], limit: float = LIMIT, count: int = 0, hundred: bool = False
+) -> None:
     print(
         "\nVerdicts with proofs on random grasps: medians of processor time (largest)", flush=True
     )
-    found = {m: run("ours", m, range(GRASPS.get(m, (8, 2))[0]), limit) for m in contacts}
+    found = {m: run("ours", m, range(count or _grasps(m)[0]), limit) for m in contacts}
     own_table(found)
     growth(found)
     rounded = {
-        m: run("ours", m, range(ROUNDED, ROUNDED + GRASPS.get(m, (8, 2))[0]), limit)
+        m: run("ours", m, range(ROUNDED, ROUNDED + _grasps(m)[0]), limit)
         for m in contacts
+        if m <= 20
     }
     print("\nThe same with rounded numbers (planes of at most 5 digits)")
     own_table(rounded)
     print("\nOther programs on the same grasps (no proof), and times ours")
     for m in contacts:
-        seeds = range(GRASPS.get(m, (8, 2))[1])
+        seeds = range(_grasps(m)[1])
         against(f"mixed-integer program, m = {m}", found[m], run("milp", m, seeds, 2 * limit))
         against(f"Siconos, Lemke's method, m = {m}", found[m], siconos(m, len(found[m])))
         against(f"ours with all equilibria, m = {m}", found[m], run("pieces", m, seeds, limit))
@@ -55,9 +59,14 @@ def grasp_tables(contacts: Sequence[int], limit: float = LIMIT, hundred: bool = 
         mine = run("ours", m, seeds, limit)
         against(f"brute force, 4^m states, exact, m = {m}", mine, run("brute", m, seeds, limit))
     if hundred:
-        print("\n100 contacts: without preload, with preload; then both on one side")
-        for seed in range(4):
+        print("\n100 contacts: all around without and with preload; then pulled away from one side")
+        for seed in (0, 1, 6, 7):
             own_table({100: run("ours", 100, [seed], 4 * limit)})
+
+
+def _grasps(contacts: int) -> tuple[int, int]:
+    """Return how many grasps of a size are for us, and how many for the mixed-integer program."""
+    return GRASPS.get(contacts, (8, 2))
 
 
 def run(job: str, contacts: int, seeds: Iterable[int], limit: float) -> list[Found]:

@@ -34,12 +34,13 @@ def main() -> None:
     parser.add_argument("--install", action="store_true", help="create .bench-venv first")
     parser.add_argument("--only", choices=("planes", "grasps"), help="one half of the tables")
     parser.add_argument("--contacts", default="10,20,50", help="sizes of the random grasps")
+    parser.add_argument("--grasps", type=int, default=0, help="grasps of each size")
     parser.add_argument("--limit", type=float, default=LIMIT, help="seconds for grasps of one size")
     parser.add_argument("--hundred", action="store_true", help="grasps of 100 contacts too")
     options = parser.parse_args()
     if options.only != "planes":
         sizes = [int(m) for m in options.contacts.split(",")]
-        grasp_tables(sizes, options.limit, options.hundred)
+        grasp_tables(sizes, options.limit, options.grasps, options.hundred)
     if options.only == "grasps":
         return
     if options.install and (reason := install_peers()):
