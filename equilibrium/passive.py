@@ -32,6 +32,7 @@ from .elimination import (
     point_with_idle,
 )
 from .grasp import Grasp, read_wrench
+from .notebook import verdict_html
 from .pieces import Equilibrium, equilibrium_of, maximal
 from .rest import rest_refutation
 from .rounded import Integers
@@ -102,6 +103,10 @@ class Verdict:
             "wrench": [to_text(x) for x in self.wrench],
             "grasp": self.grasp.to_dict(),
         }
+
+    def _repr_html_(self) -> str:
+        """What a notebook shows: every equilibrium with its forces."""
+        return verdict_html(self.grasp, self.wrench, self.equilibria)
 
 
 def solve(grasp: Grasp, wrench: Iterable[Any]) -> Verdict:

@@ -12,14 +12,13 @@ from hypothesis import given, settings
 
 from arrangement.exact import to_text
 from equilibrium import Contact, Grasp, Units, read_grasp, solve
-from equilibrium.notebook import MOST_PIECES, verdict_html
+from equilibrium.notebook import MOST_PIECES
 
 from .strategies import grasps, wrenches
 
 
 def shown(grasp: Grasp, wrench: Any) -> str:
-    verdict = solve(grasp, wrench)
-    return verdict_html(verdict.grasp, verdict.wrench, verdict.equilibria)
+    return solve(grasp, wrench)._repr_html_()
 
 
 @settings(max_examples=40)
