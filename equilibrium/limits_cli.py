@@ -104,12 +104,19 @@ def _grasp(arguments: argparse.Namespace) -> Grasp:
     return grasp if preload is None else grasp.with_preload(preload)
 
 
-def _show(arguments: argparse.Namespace, document: Any, lines: Iterable[str], yes: bool) -> int:
-    """Print one JSON value or the lines, and return the exit code."""
+def _show(
+    arguments: argparse.Namespace,
+    document: dict[str, Any],
+    lines: Iterable[str],
+    yes: bool,
+    grasp: Grasp | None = None,
+) -> int:
+    """Print one JSON object or the lines, with the units of a grasp; return the exit code."""
+    units = None if grasp is None else grasp.units
     if arguments.json:
-        console.print_json(document)
+        console.print_json({**document, "units": units.to_dict()} if units else document)
     else:
-        for line in lines:
+        for line in [str(units), *lines] if units else lines:
             print(line)
     return console.YES if yes else console.NO
 
@@ -117,17 +124,20 @@ def _show(arguments: argparse.Namespace, document: Any, lines: Iterable[str], ye
 def _limit(arguments: argparse.Namespace) -> int:
     from .limits import resisted_magnitudes
 
-    found = resisted_magnitudes(_grasp(arguments), arguments.direction, arguments.base)
+    grasp = _grasp(arguments)
+    found = resisted_magnitudes(grasp, arguments.direction, arguments.base)
     lines = [f"resisted for t in {_intervals(found.intervals)}"]
-    return _show(arguments, found.to_dict(), lines, bool(found.intervals))
+    return _show(arguments, found.to_dict(), lines, bool(found.intervals), grasp)
 
 
 def _region(arguments: argparse.Namespace) -> int:
     from .limits import resistible_region
 
     spans = (arguments.first, arguments.second)
-    region = resistible_region(_grasp(arguments), spans, arguments.origin)
-    return _show(arguments, region.to_dict(), _region_lines(region), bool(region.polygons))
+    grasp = _grasp(arguments)
+    region = resistible_region(grasp, spans, arguments.origin)
+    lines = _region_lines(region)
+    return _show(arguments, region.to_dict(), lines, bool(region.polygons), grasp)
 
 
 def _region_lines(region: Region) -> Iterable[str]:
@@ -152,14 +162,15 @@ def _region_lines(region: Region) -> Iterable[str]:
 def _polyhedra(arguments: argparse.Namespace) -> int:
     from .limits import resistible_set
 
-    whole = resistible_set(_grasp(arguments))
+    grasp = _grasp(arguments)
+    whole = resistible_set(grasp)
     lines = [f"{len(whole.pieces)} polyhedra (conditions a x + b y + c r + d >= 0 or = 0)"]
     for piece in whole.pieces:
         lines.append(f"  {' '.join(piece.states)}")
         shape = piece.polyhedron
         lines += [f"    {_points([row])} >= 0" for row in shape.inequalities]
         lines += [f"    {_points([row])} = 0" for row in shape.equalities]
-    return _show(arguments, whole.to_dict(), lines, bool(whole.pieces))
+    return _show(arguments, whole.to_dict(), lines, bool(whole.pieces), grasp)
 
 
 def _margin(arguments: argparse.Namespace) -> int:
@@ -177,35 +188,36 @@ def _margin(arguments: argparse.Namespace) -> int:
     lines = [
         f"resisted: {'yes' if found.resisted else 'no'}",
         f"resisted when scaled by a factor in {_intervals(found.intervals)}",
-        f"resisted with a uniform preload in {_intervals(preloads.intervals)}",
+        f"resisted with a uniform preload in {_intervals(preloads.intervals)}" + _force(grasp),
         "least uniform friction: " + _bracket(friction.low, friction.high),
     ]
-    return _show(arguments, document, lines, found.resisted)
+    return _show(arguments, document, lines, found.resisted, grasp)
 
 
 def _map(arguments: argparse.Namespace) -> int:
     from .limits import search_map
 
-    found = search_map(
-        _grasp(arguments), arguments.directions, arguments.tolerance, arguments.limit
-    )
+    grasp = _grasp(arguments)
+    found = search_map(grasp, arguments.directions, arguments.tolerance, arguments.limit)
+    unit = _force(grasp)
     lines = [
-        f"{len(found.entries)} directions, tolerance {to_text(found.tolerance)}, "
-        f"limit {to_text(found.limit)}: the search errs in {len(found.disagreements)}"
+        f"{len(found.entries)} directions, tolerance {to_text(found.tolerance)}{unit}, "
+        f"limit {to_text(found.limit)}{unit}: the search errs in {len(found.disagreements)}"
     ]
     for entry in found.entries:
-        answer = "without limit" if entry.found is None else f"up to {float(entry.found):.4f}"
+        answer = "without limit" if entry.found is None else f"up to {float(entry.found):.4f}{unit}"
         shown = ", ".join(f"{float(x):+.4f}" for x in entry.direction)
         wrong = "" if entry.agrees else f"; exactly {_intervals(entry.exact)}"
         lines.append(f"  ({shown})  {answer}{wrong}")
-    return _show(arguments, found.to_dict(), lines, not found.disagreements)
+    return _show(arguments, found.to_dict(), lines, not found.disagreements, grasp)
 
 
 def _figure(arguments: argparse.Namespace) -> int:
     from .limits import resistance_figure
 
     spans = (arguments.first, arguments.second)
-    data = resistance_figure(_grasp(arguments), spans, arguments.origin)
+    grasp = _grasp(arguments)
+    data = resistance_figure(grasp, spans, arguments.origin)
     lines = ["wrench-space slice: " + " ".join(f"({', '.join(p)})" for p in _corners(data))]
     for name in ("no_preload", "preload_1"):
         part = data[name]
@@ -214,7 +226,7 @@ def _figure(arguments: argparse.Namespace) -> int:
             f"{name}: {len(part['polygons'])} polygons, {borders} border parts, "
             f"{sectors} sectors without limit (all of it with --json)"
         )
-    return _show(arguments, data, lines, True)
+    return _show(arguments, data, lines, True, grasp)
 
 
 def _gaps(arguments: argparse.Namespace) -> int:
@@ -242,6 +254,11 @@ def _gaps(arguments: argparse.Namespace) -> int:
 def _corners(data: dict[str, Any]) -> list[list[str]]:
     corners: list[list[str]] = data["grasp_wrench_space"]["corners"]
     return corners
+
+
+def _force(grasp: Grasp) -> str:
+    """Return what to write after a number that is a force."""
+    return f" {grasp.units.force}" if grasp.units else ""
 
 
 def _intervals(intervals: Iterable[Interval]) -> str:

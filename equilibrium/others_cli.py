@@ -110,7 +110,8 @@ def _compare(arguments: argparse.Namespace) -> int:
 def _wrench_space(arguments: argparse.Namespace) -> int:
     from .others.grasp_wrench_space import GraspWrenchSpace
 
-    space = GraspWrenchSpace(_grasp(arguments), arguments.norm, arguments.torque_scale)
+    grasp = _grasp(arguments)
+    space = GraspWrenchSpace(grasp, arguments.norm, arguments.torque_scale)
     corners = space.slice(origin=(0, 0, arguments.torque))
     document = {
         "norm": space.norm,
@@ -122,15 +123,23 @@ def _wrench_space(arguments: argparse.Namespace) -> int:
         "facets": [[*facet.normal, -facet.offset] for facet in space.hull.facets],
         "slice": {"torque": arguments.torque, "corners": corners},
     }
+    units = grasp.units
     if arguments.json:
-        console.print_json(_as_text(document))
+        document = _as_text(document)
+        console.print_json({**document, "units": units.to_dict()} if units else document)
     else:
+        if units:
+            print(units)
+        # With torques divided by a length all three axes are forces.
+        force, torque = (units.force, f" {units.torque}") if units else ("", "")
+        square = to_text(space.epsilon_squared) + (f" {force}^2" if units else "")
         print(f"force closure    {_WORDS[space.force_closure]}")
-        square = to_text(space.epsilon_squared)
-        print(f"epsilon          {space.epsilon:.6g}  (its square is {square})")
-        print(f"volume           {to_text(space.volume)}")
+        print(
+            f"epsilon          {space.epsilon:.6g}{force and f' {force}'}  (its square is {square})"
+        )
+        print(f"volume           {to_text(space.volume)}{force and f' {force}^3'}")
         print(f"facets           {len(space.hull.facets)}")
-        print(f"resisted forces at torque {arguments.torque}:")
+        print(f"resisted forces at torque {arguments.torque}{torque}:")
         for corner in corners:
             print(f"  ({', '.join(map(to_text, corner))})")
     return console.YES if space.force_closure else console.NO

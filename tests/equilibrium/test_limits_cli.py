@@ -1,9 +1,11 @@
 import json
+import re
 from fractions import Fraction
 
 import pytest
 
 from equilibrium.cli import main
+from equilibrium.files import read_grasp
 
 THREE = "paper-three-contacts-preload-1"
 
@@ -109,6 +111,55 @@ def test_map_says_where_it_errs(capsys, tmp_path):
 def test_every_command_prints_for_people_too(capsys, arguments):
     assert main(arguments) == 0
     assert capsys.readouterr().out.strip()
+
+
+WITH_UNITS = {
+    "limit": ("--direction", "0", "-1", "0"),
+    "region": (),
+    "polyhedra": (),
+    "margin": ("--wrench", "0", "1", "0"),
+    "map": ("--directions", "4"),
+    "figure": (),
+    "compare": ("--wrench", "0", "1", "0"),
+    "wrench-space": (),
+    "solve": ("--wrench", "0", "1", "0"),
+}
+
+
+@pytest.fixture
+def labelled(tmp_path):
+    """The three contacts, once more with units."""
+    path = tmp_path / "grasp.json"
+    document = read_grasp(THREE).with_units("furlong", "kgf").to_dict()
+    path.write_text(json.dumps(document))
+    return str(path)
+
+
+@pytest.mark.parametrize("command", WITH_UNITS)
+def test_outputs_carry_the_units_and_nothing_is_converted(capsys, labelled, command):
+    main([command, THREE, *WITH_UNITS[command]])
+    plain = capsys.readouterr().out
+    main([command, labelled, *WITH_UNITS[command]])
+    first, *rest = capsys.readouterr().out.splitlines()
+    assert first == "lengths in furlong, forces in kgf, torques in kgf furlong"
+    without = [re.sub(r" kgf( furlong|\^[23])?", "", line) for line in rest]
+    assert without == plain.splitlines()
+    assert "kgf" not in plain
+    _, document = answer(capsys, command, labelled, *WITH_UNITS[command])
+    _, bare = answer(capsys, command, THREE, *WITH_UNITS[command])
+    holder, other = (x.get("grasp", x) for x in (document, bare))
+    assert holder.pop("units") == {"length": "furlong", "force": "kgf"}
+    assert document == bare
+    assert "units" not in other
+
+
+def test_forces_and_torques_are_marked_as_such(capsys, labelled):
+    main(["margin", labelled, *WITH_UNITS["margin"]])
+    assert "uniform preload in [1, no end) kgf" in capsys.readouterr().out
+    main(["wrench-space", labelled])
+    out = capsys.readouterr().out
+    assert "resisted forces at torque 0 kgf furlong:" in out
+    assert re.search(r"volume +\S+ kgf\^3", out)
 
 
 def test_polyhedra_hold_the_known_wrenches(capsys):
