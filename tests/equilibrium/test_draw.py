@@ -235,6 +235,7 @@ def test_the_whole_finite_border_lies_in_the_picture(grasp: Grasp, wrench: Any) 
             assert at_edge is np.bool_(own is None)
     point = drawn["wrench"]
     assert (point.get_marker() == "o") is region.contains([Fraction(x) for x in wrench[:2]])
+    assert np.abs(point.get_xydata()).max() < 1
 
 
 def test_the_three_parts_are_the_data_of_the_paper_figure() -> None:

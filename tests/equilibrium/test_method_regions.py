@@ -3,18 +3,21 @@
 from __future__ import annotations
 
 from fractions import Fraction
+from itertools import pairwise
 
 import pytest
-from hypothesis import example, given, settings
+from hypothesis import example, given, settings, strategies as st
 
+from arrangement.exact import RationalVector
 from equilibrium import Contact, Grasp, GraspError, read_grasp
+from equilibrium.limits import Region
 from equilibrium.others.compare import ask
 from equilibrium.others.grasp_wrench_space import GraspWrenchSpace
 from equilibrium.others.regions import FORCES, METHODS, method_region
 
-from .strategies import grasps, wrenches
+from .strategies import grasps
 
-HALF = Fraction(1, 2)
+HALF, STEP = Fraction(1, 2), Fraction(1, 7)
 
 
 def accepts(method: str, grasp: Grasp, wrench: tuple[Fraction, ...]) -> bool | None:
@@ -26,19 +29,36 @@ def accepts(method: str, grasp: Grasp, wrench: tuple[Fraction, ...]) -> bool | N
     return least is not None and least <= 1
 
 
+def probes(region: Region) -> list[RationalVector]:
+    """Points of the plane near which the answer changes: corners, middles, and close by."""
+    corners = [p for piece in region.polygons for p in piece.polyhedron.points][:5]
+    corners += [(Fraction(0), Fraction(0))]
+    middles = [tuple((x + y) / 2 for x, y in zip(p, q, strict=True)) for p, q in pairwise(corners)]
+    steps = [(0, 0), (STEP, 0), (-STEP, STEP), (0, -STEP)]
+    near = [(p[0] + a, p[1] + b) for p in corners for a, b in steps]
+    return [*near, *middles]
+
+
 @pytest.mark.parametrize("method", METHODS)
-@settings(max_examples=40)
-@given(grasp=grasps(), wrench=wrenches)
+@settings(max_examples=12)
+@given(grasp=grasps(), torque=st.sampled_from([0, 0, HALF, -1]))
+@example(grasp=read_grasp("paper-three-contacts-preload-1"), torque=0)
+@example(grasp=read_grasp("offset-three-contacts").with_preload(1), torque=1)
 @example(
-    grasp=Grasp([Contact((0, 0), (1, 0), 1, 1, 1), Contact((0, 0), (-1, 0), 0)]),
-    wrench=(0, HALF, 0),
+    grasp=Grasp(
+        [
+            Contact((0, 0), (1, 0), 1, 1, 1),
+            Contact((0, 0), (-1, 0), 0),
+            Contact((1, 0), (0, 1), HALF, 1, 2),
+        ]
+    ),
+    torque=0,
 )
-def test_region_and_single_verdicts_agree(
-    method: str, grasp: Grasp, wrench: tuple[Fraction, ...]
-) -> None:
-    load = tuple(Fraction(x) for x in wrench)
-    region = method_region(method, grasp, FORCES, (0, 0, load[2]))
-    assert region.contains(load[:2]) is accepts(method, grasp, load)
+def test_region_and_single_verdicts_agree(method: str, grasp: Grasp, torque: Fraction) -> None:
+    region = method_region(method, grasp, FORCES, (0, 0, torque))
+    for x, y in probes(region):
+        load = (x, y, Fraction(torque))
+        assert region.contains((x, y)) is accepts(method, grasp, load), load
 
 
 @pytest.mark.parametrize("norm", ["L1", "Linf"])
