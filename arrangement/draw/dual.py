@@ -17,7 +17,7 @@ from .colours import DrawnRegion, Painter, painter, plane_colour
 from .disc import Disc, front, has_key, key_entries, plane_names, region_sides, rim_width
 from .evening import evened
 from .globe import Globe, unit_vectors
-from .labels import SIZES, crosses, sign_forms, write_beside
+from .labels import SIZES, crosses, sign_forms, tried, write_beside
 from .projections import orthographic
 from .sheet import Box, Floats, Sheet, checked_width
 from .solids import Solid, dual_solid, hull_solid
@@ -204,7 +204,9 @@ class _Picture:
 
     def _labels(self, centre: Floats, small: float, within: Box) -> None:
         """Write the sign vectors of the vertices, outer ones first, where they fit."""
-        solid = self.solid
+        from matplotlib.patheffects import withStroke
+
+        solid, halo = self.solid, [withStroke(linewidth=1.2, foreground="white")]
         few = len(solid.edges) <= 12
         shown = [
             self.places[[u, v]]
@@ -213,13 +215,15 @@ class _Picture:
         ]
         segments = np.concatenate([shown, crosses(self.places, small)])
         far = np.round(np.linalg.norm(self.places - centre, axis=1), 4)
-        for v in sorted(range(len(far)), key=lambda v: (solid.vertex_hidden[v], -far[v])):
+        order = sorted(range(len(far)), key=lambda v: (solid.vertex_hidden[v], -far[v]))
+        for v in order[: tried(len(far))]:
             if few or not solid.vertex_hidden[v]:
                 away = self.places[v] - centre if far[v] else (0.0, 1.0)
-                ink = {"color": "0.35"} if solid.vertex_hidden[v] else {}
+                ink = {"color": "0.35" if solid.vertex_hidden[v] else "black"}
                 write_beside(
                     self.sheet, self.places[v], sign_forms(solid.signs[v]), SIZES,
-                    segments=segments, away=away, distance=small + 1.0, within=within, **ink,
+                    segments=segments, away=away, distance=small + 1.0, within=within,
+                    path_effects=halo, **ink,
                 )  # fmt: skip
 
     def hull_entries(self) -> list[tuple[str, dict[str, Any]]]:

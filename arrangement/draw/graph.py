@@ -15,7 +15,7 @@ from arrangement.planes import Arrangement
 from .colours import DrawnRegion, Painter, painter, plane_colour
 from .disc import has_key, key_entries, plane_names
 from .globe import MAX_CIRCLES
-from .labels import SIZES, crosses, segments_meet, sign_forms, write_beside
+from .labels import SIZES, crosses, segments_meet, sign_forms, tried, write_beside
 from .sheet import POINTS, Floats, Sheet, checked_width
 from .tutte import tutte_places
 
@@ -177,6 +177,8 @@ class _Picture:
             c = self.graph.edges[e][2]
             if c in named and len(self.graph.edges) > 40:
                 continue
+            if self.lengths[e] < 2 * self.size + 10:
+                break
             text = plane_names(self.arrangement.distinct[c])
             w, h = self.sheet.measure(text, 6.0)
             if self.lengths[e] < 2 * self.size + max(w, h) + 6:
@@ -193,7 +195,7 @@ class _Picture:
         """Write the sign vectors where they fit, the outer polygon first."""
         segments = np.concatenate([self.segments, crosses(self.places, self.size)])
         far = np.round(np.linalg.norm(self.places - self.centre, axis=1), 3)
-        for v in np.argsort(-far, kind="stable").tolist():
+        for v in np.argsort(-far, kind="stable").tolist()[: tried(len(far))]:
             write_beside(
                 self.sheet, self.places[v], sign_forms(self.graph.signs[v]), SIZES,
                 segments=segments, away=self._gap(v), distance=self.size + 1.0,

@@ -63,6 +63,14 @@ def write_inside(
     if not signs:
         return False
     low, high = edge.min(axis=0), edge.max(axis=0)
+    fitting = []
+    for size, rows in product(sizes, (1, 2, 3)):
+        text = sign_rows(signs, rows)
+        box = np.array(sheet.measure(text, size)) * (1.0, 0.92) + 1.8
+        if rows <= len(signs) and (box < high - low).all():
+            fitting.append((size, text, box))
+    if not fitting:
+        return False
     grid = np.stack(np.meshgrid(*np.linspace(low, high, 29).T), axis=-1).reshape(-1, 2)
     grid = grid[Path(edge).contains_points(grid)]
     obstacles = _thinned(edge)
@@ -70,13 +78,7 @@ def write_inside(
         near = ((other > low) & (other < high)).all(axis=1)
         obstacles = np.vstack([obstacles, other[near]])
     apart = np.abs(grid[:, None] - obstacles)
-    for size, rows in product(sizes, (1, 2, 3)):
-        if rows > len(signs):
-            continue
-        text = sign_rows(signs, rows)
-        box = np.array(sheet.measure(text, size)) * (1.0, 0.92) + 1.8
-        if (box > high - low).any():
-            continue
+    for size, text, box in fitting:
         room = (apart / box).max(axis=2).min(axis=1, initial=9.0)
         order = np.argsort(-np.round(room, 4), kind="stable")[:40]
         for place in grid[order][room[order] > 0.5]:
@@ -116,22 +118,22 @@ def write_beside(
         within: a part of the sheet that must not be left.
         style: goes to matplotlib.
     """
-    near = np.abs(segments - np.asarray(point)).min(axis=1).max(axis=1) < 120
-    close = segments[near | (np.abs(segments[:, 0] - segments[:, 1]).max(axis=1) > 100)]
+    x, y = float(point[0]), float(point[1])
+    close = segments[segments_meet((x - 60, y - 60, x + 60, y + 60), segments)]
+    directions = np.array(list(_around(away)))
     for size, text, beyond in product(sizes, texts, (1.0, 2.0)):
-        w, h = sheet.measure(text, size)
-        for x, y in _around(away):
-            reach = distance * beyond + min(w / 2 / max(abs(x), 1e-9), h / 2 / max(abs(y), 1e-9))
-            centre = (point[0] + reach * x, point[1] + reach * y)
-            box = sheet.box(centre, text, size)
-            inside = within is None or _contains(within, box)
-            clear = inside and sheet.is_free(box) and not segments_meet(box, close).any()
-            if clear and sheet.write(centre, text, size, **style):
+        half = np.array(sheet.measure(text, size)) / 2
+        reach = distance * beyond + (half / np.maximum(np.abs(directions), 1e-9)).min(axis=1)
+        centres = np.asarray(point) + reach[:, None] * directions
+        boxes = np.hstack([centres - half, centres + half])
+        for k in np.flatnonzero(~segments_meet(boxes, close).any(axis=1)).tolist():
+            inside = within is None or _contains(within, boxes[k].tolist())
+            if inside and sheet.write(centres[k], text, size, **style):
                 return True
     return False
 
 
-def _contains(outer: Box, inner: Box) -> bool:
+def _contains(outer: Box, inner: Sequence[float]) -> bool:
     return (
         outer[0] <= inner[0]
         and outer[1] <= inner[1]
@@ -144,6 +146,11 @@ def crosses(points: Floats, radius: float) -> Floats:
     """Return segments (2k, 2, 2) that cover small dots, for `write_beside`."""
     arms = radius * np.array([[1.0, 0.0], [0.0, 1.0]])
     return np.concatenate([np.stack([points - arm, points + arm], axis=1) for arm in arms])
+
+
+def tried(count: int) -> int:
+    """Return how many of so many points are to be labelled, outer ones first; few in a crowd."""
+    return min(count, 100 if count <= 200 else 12)
 
 
 def sign_forms(signs: Sequence[int]) -> list[str]:
@@ -160,17 +167,17 @@ def _around(away: Place) -> Iterator[tuple[float, float]]:
         yield math.cos(angle), math.sin(angle)
 
 
-def segments_meet(box: Box, segments: Floats, margin: float = 0.6) -> Booleans:
-    """Return for each segment (k, 2, 2) whether it meets the box, which is widened a little."""
+def segments_meet(boxes: Box | Floats, segments: Floats, margin: float = 0.6) -> Booleans:
+    """Return for boxes (..., 4), widened a little, and segments (k, 2, 2) whether they meet."""
     start, step = segments[:, 0], segments[:, 1] - segments[:, 0]
-    low = np.array(box[:2]) - margin
-    high = np.array(box[2:]) + margin
+    corners = np.asarray(boxes, dtype=float)[..., None, :]
+    low, high = corners[..., :2] - margin, corners[..., 2:] + margin
     with np.errstate(divide="ignore", invalid="ignore"):
         one, two = (low - start) / step, (high - start) / step
     flat = step == 0
     inside = (start >= low) & (start <= high)
-    enter = np.where(flat, np.where(inside, -np.inf, np.inf), np.minimum(one, two)).max(axis=1)
-    leave = np.where(flat, np.where(inside, np.inf, -np.inf), np.maximum(one, two)).min(axis=1)
+    enter = np.where(flat, np.where(inside, -np.inf, np.inf), np.minimum(one, two)).max(axis=-1)
+    leave = np.where(flat, np.where(inside, np.inf, -np.inf), np.maximum(one, two)).min(axis=-1)
     met: Booleans = (enter <= leave) & (leave >= 0) & (enter <= 1)
     return met
 

@@ -74,10 +74,12 @@ def _even(values: Floats) -> Floats:
 
 def _means(places: Floats, pairs: Indices, weights: Floats, inner: Indices) -> Floats:
     """Solve for the inner vertices, the others being fixed."""
-    matrix = np.zeros((len(places), len(places)))
-    matrix[pairs[:, 0], pairs[:, 1]] = matrix[pairs[:, 1], pairs[:, 0]] = -weights
-    matrix[np.diag_indices(len(places))] = -matrix.sum(axis=1)
-    fixed = np.setdiff1d(np.arange(len(places)), inner)
-    right = -matrix[np.ix_(inner, fixed)] @ places[fixed]
-    solved = np.linalg.solve(matrix[np.ix_(inner, inner)], right)
-    return np.asarray(solved, dtype=np.float64)
+    from scipy.sparse import coo_array, diags_array
+    from scipy.sparse.linalg import spsolve
+
+    count = len(places)
+    ends, others = np.concatenate([pairs, pairs[:, ::-1]]).T
+    pulls = coo_array((np.tile(weights, 2), (ends, others)), shape=(count, count)).tocsr()
+    fixed = np.setdiff1d(np.arange(count), inner)
+    matrix = (diags_array(pulls.sum(axis=1)) - pulls).tocsc()[inner][:, inner]
+    return np.asarray(spsolve(matrix.tocsc(), pulls[inner][:, fixed] @ places[fixed]))
