@@ -2,6 +2,7 @@
 
 Exit codes: 0 yes (or done), 1 no (or refuted), 2 bad input or output that cannot be written.
 Answers go to stdout, everything else to stderr. With ``--json``, stdout carries nothing but JSON.
+Long loops show how far they are, on a terminal (`progress`).
 This module imports no numerical library, so that ``--help`` answers at once.
 """
 
@@ -16,6 +17,7 @@ from collections.abc import Sequence
 from fractions import Fraction
 from typing import Any, NoReturn
 
+from . import progress
 from .errors import InputError, MissingExtraError
 from .exact import rational, to_text
 
@@ -91,7 +93,8 @@ def run(parser: Parser, argv: Sequence[str] | None = None) -> int:
     """
     try:
         arguments = parser.parse_args(argv)
-        code: int = arguments.command(arguments)
+        with progress.shown():
+            code: int = arguments.command(arguments)
         sys.stdout.flush()
     except (InputError, MissingExtraError) as error:
         return _refuse(str(error))

@@ -4,12 +4,13 @@ from __future__ import annotations
 
 import argparse
 import shutil
-import sys
 import textwrap
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
+from itertools import count
 from typing import TYPE_CHECKING
 
 from arrangement import console
+from arrangement.progress import Bar
 
 from . import options
 
@@ -111,12 +112,19 @@ def _run(arguments: argparse.Namespace) -> int:
 
     known = registry()
     chosen = [known[id] for id in dict.fromkeys(arguments.ids)] or list(known)
-    progress = _Progress(len(chosen))
+    bar = Bar(len(chosen), "claims")
     results: list[Result] = []
-    for claim in chosen:
-        progress.start(claim)
-        results.append(evaluate(claim, arguments.seed, progress.tick))
-    progress.clear()
+    try:
+        for claim in chosen:
+            cases = count(1)
+
+            def tick(_: Record, claim: Claim = claim, cases: Iterator[int] = cases) -> None:
+                bar.update(len(results), f"{claim.id}, {next(cases)} cases")
+
+            bar.update(len(results), claim.id)
+            results.append(evaluate(claim, arguments.seed, tick))
+    finally:
+        bar.close()
     if arguments.report:
         report.write_report(arguments.report, results, arguments.seed)
     if arguments.json:
@@ -129,33 +137,6 @@ def _run(arguments: argparse.Namespace) -> int:
 def _width() -> int:
     """Return the width to write for: of the terminal, at least 60 characters, at most 160."""
     return min(max(shutil.get_terminal_size((110, 24)).columns, 60), 160)
-
-
-class _Progress:
-    """One line on stderr that says which claim is being checked; only on a terminal."""
-
-    def __init__(self, total: int) -> None:
-        self.total, self.done, self.cases = total, 0, 0
-        self.claim = ""
-        self.visible = sys.stderr.isatty()
-
-    def start(self, claim: Claim) -> None:
-        self.done, self.cases, self.claim = self.done + 1, 0, claim.id
-        self._draw()
-
-    def tick(self, _record: Record) -> None:
-        self.cases += 1
-        if self.cases % 20 == 0:
-            self._draw()
-
-    def clear(self) -> None:
-        if self.visible:
-            print("\r\x1b[K", end="", file=sys.stderr, flush=True)
-
-    def _draw(self) -> None:
-        if self.visible:
-            text = f"{self.done}/{self.total} {self.claim}: {self.cases} cases"
-            print(f"\r\x1b[K{text}", end="", file=sys.stderr, flush=True)
 
 
 if __name__ == "__main__":

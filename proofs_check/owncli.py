@@ -9,12 +9,12 @@ from pathlib import Path
 from typing import Any
 
 from arrangement import console
+from arrangement.progress import Bar
 from arrangement.writing import write_text_atomically
 
 from . import own, ownrun, pages, report
 from .environment import environment
 from .errors import OwnClaimError
-from .progress import Bar
 
 
 def run_files(arguments: argparse.Namespace, width: int) -> int:

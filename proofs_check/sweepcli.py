@@ -9,10 +9,10 @@ from typing import Any
 from arrangement import console
 from arrangement.errors import InputError
 from arrangement.files import read_document
+from arrangement.progress import Bar, duration
 from arrangement.writing import write_text_atomically
 
 from . import pages, store, sweepreport
-from .progress import Bar, duration
 from .sweep import merge, plan_sweep, sweep
 
 #: A record of all claims with every case is large; a limit there is nevertheless.

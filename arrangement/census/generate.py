@@ -33,6 +33,7 @@ from arrangement import console
 from arrangement.errors import MissingExtraError
 from arrangement.exact import IntegerVector, primitive
 from arrangement.planes import Arrangement
+from arrangement.progress import watched
 from arrangement.sphere import SphereArrangement, sphere_arrangement
 from arrangement.writing import write_text_atomically
 
@@ -116,7 +117,7 @@ def next_types(
     """
     found: dict[bytes, tuple[int, Normals]] = {}
     done = _kept(progress)
-    for normals in representatives:
+    for normals in watched(representatives, "types"):
         key = json.dumps(normals)
         if key not in done:
             done[key] = _extended(normals)

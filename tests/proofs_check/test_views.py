@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import shutil
 import subprocess
-import sys
 import xml.etree.ElementTree as ET
 from pathlib import Path
 
@@ -15,7 +14,6 @@ from arrangement.families import generic
 from equilibrium.files import read_grasp
 from proofs_check.environment import commit
 from proofs_check.pictures import picture
-from proofs_check.progress import Bar
 
 
 def test_planes_are_drawn_as_curves_inside_the_disk() -> None:
@@ -68,28 +66,3 @@ def test_the_commit_is_that_of_the_checkout_itself_and_of_no_other(
     assert commit(tmp_path / "inside") is None
     (tmp_path / "inside" / "f").write_text("2", encoding="utf-8")
     assert commit(tmp_path) == f"{git('rev-parse', 'HEAD')}+changes"
-
-
-def test_the_bar_gives_the_rate_of_this_run_and_the_remaining_time() -> None:
-    now = [100.0]
-    bar = Bar(1000, "samples", 200, clock=lambda: now[0])
-    now[0] = 110.0
-    bar.update(400)
-    assert bar.text() == "[#########...............] 400/1000 samples, 20 samples/s, 0:30 left"
-    bar.update(1000)
-    assert "1000/1000" in bar.text()
-    assert Bar(None, "cases", clock=lambda: now[0]).text().startswith("0 cases")
-
-
-def test_the_bar_is_on_a_terminal_only(
-    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
-) -> None:
-    Bar(10, "samples").update(5)
-    assert capsys.readouterr() == ("", "")
-    monkeypatch.setattr(sys.stderr, "isatty", lambda: True)
-    bar = Bar(10, "samples")
-    bar.update(5)
-    bar.close()
-    captured = capsys.readouterr()
-    assert captured.out == ""
-    assert "5/10 samples" in captured.err
