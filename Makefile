@@ -1,7 +1,7 @@
 # Each target creates .venv on first use and installs again when pyproject.toml or
 # constraints.txt change. PYTHON=... picks the interpreter, ARGS=... goes to pytest.
 
-.PHONY: help verify test check bench docs docs-check clean
+.PHONY: help verify test check bench docs docs-check package-check clean
 .DEFAULT_GOAL := help
 .DELETE_ON_ERROR:
 
@@ -23,6 +23,7 @@ help:
 	@echo "make bench    measure speed"
 	@echo "make docs     build the documentation in docs/_build/html"
 	@echo "make docs-check  build it and open every page in headless Chromium"
+	@echo "make package-check  build the packages and try them in empty environments"
 	@echo "make clean    remove what the targets made"
 	@echo "PYTHON=python3.12 picks the interpreter, ARGS='-k faces' goes to pytest."
 	@echo "Pages are tested where Chromium is; BROWSER_TESTS=1 demands it, BROWSER_TESTS=0 leaves it out."
@@ -55,8 +56,13 @@ $(VENV)/.stamp-docs: pyproject.toml constraints.txt | $(BIN)/python
 
 $(VENV)/.stamp-check: pyproject.toml constraints.txt | $(BIN)/python
 	@echo "installing the package and all of its development tools"
-	@$(INSTALL) '.[test,lint,docs,figures,igraph,parallel]'
-	@touch $@ $(VENV)/.stamp-run $(VENV)/.stamp-test $(VENV)/.stamp-docs
+	@$(INSTALL) '.[test,lint,docs,figures,igraph,package]'
+	@touch $@ $(VENV)/.stamp-run $(VENV)/.stamp-test $(VENV)/.stamp-docs $(VENV)/.stamp-package
+
+$(VENV)/.stamp-package: pyproject.toml constraints.txt | $(BIN)/python
+	@echo "installing the package and what builds it"
+	@$(INSTALL) '.[package]'
+	@touch $@ $(VENV)/.stamp-run
 
 $(VENV)/.stamp-bench: pyproject.toml constraints.txt | $(BIN)/python
 	@echo "installing the package and what it is measured against"
@@ -87,6 +93,9 @@ docs: $(VENV)/.stamp-docs
 
 docs-check: docs $(VENV)/.stamp-test
 	$(BIN)/python tests/check_site.py docs/_build/html
+
+package-check: $(VENV)/.stamp-package
+	$(BIN)/python tests/check_package.py $(ARGS)
 
 clean:
 	rm -rf $(VENV) build dist report docs/_build docs/_generated docs/reference .hypothesis .mypy_cache .pytest_cache .ruff_cache .import_linter_cache

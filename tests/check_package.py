@@ -1,0 +1,259 @@
+"""Build the source archive and the wheel; see that they are whole and work where little else is.
+
+For each Python that is found, the wheel goes into an empty environment, without any extra. There
+every command must do its work, or name the extra that it needs, and answer ``--help`` quickly.
+
+    python tests/check_package.py             with the Pythons 3.11, 3.12 and 3.13 that are found
+    python tests/check_package.py --python P  with these only (may be repeated)
+    python tests/check_package.py --archive   also `make verify` and `make test` in the unpacked
+                                              source archive (long)
+
+Exit code 1 when something is wrong.
+"""
+
+from __future__ import annotations
+
+import argparse
+import email
+import os
+import re
+import resource
+import shlex
+import shutil
+import statistics
+import subprocess
+import sys
+import tarfile
+import tempfile
+import time
+import zipfile
+from collections.abc import Iterable, Sequence
+from pathlib import Path
+
+# Run as a script, this file finds its own folder only.
+sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
+
+from tests.package_commands import COMMANDS, INPUTS, PROBE, PROGRAMS, Command
+
+ROOT = Path(__file__).resolve().parent.parent
+PACKAGES = ("arrangement", "equilibrium", "proofs_check")
+PYTHONS = ("python3.11", "python3.12", "python3.13")
+#: What must be in the source archive beside the packages, the tests and the documentation.
+FILES = {"CHANGELOG.md", "CITATION.cff", "LICENSE", "Makefile", "README.md", "constraints.txt"}
+RUBBISH = re.compile(
+    r"(^|/)(__pycache__|_build|_generated|build|dist|report|reference|counterexamples|\.(?!gitignore)"
+    r"[^/]*)(/|$)|\.(pyc|sqlite|egg-info)$"
+)
+#: Seconds of processor time for --help: the median of so many runs.
+HELP_LIMIT, HELP_RUNS = 0.3, 3
+
+Done = subprocess.CompletedProcess[str]
+
+
+def run(command: Sequence[str | Path], folder: Path, **variables: str) -> Done:
+    """Run a program in a folder; nothing of the caller's Python reaches it."""
+    hidden = ("PYTHON", "VIRTUAL_ENV", "COVERAGE", "PYTEST", "MAKE", "MFLAGS")
+    environment = {k: v for k, v in os.environ.items() if not k.startswith(hidden)}
+    return subprocess.run(
+        [str(word) for word in command],
+        cwd=folder,
+        env={**environment, **variables},
+        stdin=subprocess.DEVNULL,
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+
+
+def build(folder: Path) -> tuple[Path, Path]:
+    """Build the source archive, and the wheel from it."""
+    done = run([sys.executable, "-m", "build", "--outdir", folder, ROOT], folder)
+    if done.returncode:
+        raise SystemExit(f"error: the build failed\n{done.stdout}{done.stderr}")
+    return next(folder.glob("*.tar.gz")), next(folder.glob("*.whl"))
+
+
+def wrong_files(archived: set[str], wheel: set[str], tracked: set[str]) -> list[str]:
+    """Compare what is in the source archive, in the wheel and, where known, under version control.
+
+    Args:
+        archived: paths in the source archive, without its first folder.
+        wheel: paths in the wheel, without its metadata.
+        tracked: paths under version control; empty when there is none.
+    """
+    wanted = {path for path in tracked if path.startswith((*PACKAGES, "tests/", "docs/"))}
+    packages = {path for path in archived if path.startswith(tuple(f"{p}/" for p in PACKAGES))}
+    return [
+        *(f"rubbish in the source archive: {p}" for p in sorted(archived) if RUBBISH.search(p)),
+        *(f"not in the source archive: {p}" for p in sorted((wanted | FILES) - archived)),
+        *(f"in the source archive, not in the wheel: {p}" for p in sorted(packages - wheel)),
+        *(f"in the wheel, not in the source archive: {p}" for p in sorted(wheel - packages)),
+    ]
+
+
+def _contents(archive: Path, wheel: Path) -> list[str]:
+    with tarfile.open(archive) as tar:
+        archived = {m.name.partition("/")[2] for m in tar.getmembers() if m.isfile()}
+    with zipfile.ZipFile(wheel) as packed:
+        names = {name for name in packed.namelist() if ".dist-info/" not in name}
+    versioned = (ROOT / ".git").exists() and shutil.which("git")
+    listed = run(["git", "ls-files"], ROOT).stdout.splitlines() if versioned else []
+    return wrong_files(archived, names, set(listed))
+
+
+def _metadata(wheel: Path) -> list[str]:
+    """The long description renders, and the version is the one of the file name."""
+    from readme_renderer import markdown
+
+    with zipfile.ZipFile(wheel) as packed:
+        [name] = [n for n in packed.namelist() if n.endswith(".dist-info/METADATA")]
+        metadata = email.message_from_bytes(packed.read(name))
+    wrong = []
+    if metadata["Description-Content-Type"] != "text/markdown":
+        wrong.append("the long description is not declared as Markdown")
+    if not markdown.render(metadata.get_payload()):
+        wrong.append("the long description does not render")
+    if metadata["Version"] != wheel.name.split("-")[1]:
+        wrong.append(f"the version is {metadata['Version']} in the metadata")
+    return wrong
+
+
+class Installed:
+    """The wheel in an empty environment, and an empty folder to work in."""
+
+    def __init__(self, python: str, wheel: Path, folder: Path) -> None:
+        self.bin = folder / "environment" / "bin"
+        self.work = folder / "work"
+        self.work.mkdir(parents=True)
+        created = run([python, "-m", "venv", "--without-pip", folder / "environment"], folder)
+        if created.returncode:
+            raise SystemExit(f"error: {python} makes no environment\n{created.stderr}")
+        options = ("--quiet", "--disable-pip-version-check", "--constraint", "constraints.txt")
+        pip = (sys.executable, "-m", "pip", "--python", str(self.bin / "python"))
+        for command in ((*pip, "install", *options, str(wheel)), (*pip, "check")):
+            done = run(command, ROOT)
+            if done.returncode:
+                raise SystemExit(f"error: {' '.join(command)}\n{done.stdout}{done.stderr}")
+
+    def run(self, *words: str) -> Done:
+        return run([self.bin / words[0], *words[1:]], self.work)
+
+    def check(self) -> list[str]:
+        """Return what is wrong: data, commands, times of ``--help``."""
+        probe = self.run("python", "-W", "error", "-c", PROBE)
+        programs = [line.split() for line in self.run("python", "-c", PROGRAMS).stdout.splitlines()]
+        wrong = [f"import: {probe.stderr}"] if probe.returncode else []
+        wrong += untried(programs)
+        for name, text in INPUTS.items():
+            (self.work / name).write_text(text, encoding="utf-8")
+        for command in COMMANDS:
+            done = self.run(*shlex.split(command.line))
+            wrong += complaints(command, done, self.work)
+        return wrong + self.slow(programs)
+
+    def slow(self, programs: list[list[str]]) -> list[str]:
+        """Time ``--help`` of every program and subcommand; print the medians."""
+        wrong, medians = [], {}
+        for words in programs:
+            seconds = statistics.median(self.seconds(*words) for _ in range(HELP_RUNS))
+            medians[" ".join(words)] = seconds
+            if seconds > HELP_LIMIT:
+                wrong.append(f"{' '.join(words)} --help: {seconds:.2f} s of processor time")
+        for name in ("arrangement", "equilibrium", "proofs-check"):
+            print(f"  {name} --help: {1000 * medians[name]:.0f} ms")
+        worst = max(medians, key=lambda name: medians[name])
+        print(f"  slowest of {len(medians)}: {worst} --help: {1000 * medians[worst]:.0f} ms")
+        return wrong
+
+    def seconds(self, *words: str) -> float:
+        before = resource.getrusage(resource.RUSAGE_CHILDREN)
+        done = self.run(*words, "--help")
+        after = resource.getrusage(resource.RUSAGE_CHILDREN)
+        if done.returncode or not done.stdout.startswith("usage: "):
+            return float("inf")
+        return after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
+
+
+def untried(programs: Iterable[Sequence[str]]) -> list[str]:
+    """Every subcommand that has no subcommands of its own is among the commands tried."""
+    known = {tuple(words) for words in programs}
+    leaves = {words for words in known if not any(o[:-1] == words for o in known)}
+    tried = [tuple(shlex.split(command.line)) for command in COMMANDS]
+    return [
+        f"no command here tries {' '.join(words)}"
+        for words in sorted(leaves)
+        if not any(line[: len(words)] == words for line in tried)
+    ] + ([] if leaves else ["the programs list no commands"])
+
+
+def complaints(command: Command, done: Done, folder: Path) -> list[str]:
+    """Return what is wrong with the outcome of one command."""
+    said = done.stdout + done.stderr
+    wrong = []
+    if "Traceback" in said:
+        wrong.append("a traceback")
+    if done.returncode != command.code:
+        wrong.append(f"exit code {done.returncode}, not {command.code}")
+    if command.prints not in said:
+        wrong.append(f"does not say {command.prints!r}")
+    written = folder / command.writes
+    if command.writes and not (written.is_file() and written.stat().st_size):
+        wrong.append(f"does not write {command.writes}")
+    if any(folder.glob("no.*")):
+        wrong.append("leaves a file of a picture that it cannot draw")
+    return [f"{command.line}: {text}\n{said}" for text in wrong]
+
+
+def _found(names: Sequence[str]) -> list[str]:
+    """Return the interpreters that run and can make environments."""
+    found = []
+    for name in names:
+        path = shutil.which(name)
+        ready = path and run([path, "-c", "import ensurepip, venv"], ROOT).returncode == 0
+        if ready and path:
+            found.append(path)
+        else:
+            print(f"{name}: not found; not checked here")
+    return found
+
+
+def _unpacked(archive: Path, folder: Path) -> list[str]:
+    """Run the two commands of the README in the unpacked source archive."""
+    with tarfile.open(archive) as tar:
+        tar.extractall(folder, filter="data")
+    [top] = folder.iterdir()
+    done = (run(["make", target], top) for target in ("verify", "test"))
+    return [f"{d.args}:\n{d.stdout}{d.stderr}" for d in done if d.returncode]
+
+
+def main(arguments: Sequence[str]) -> int:
+    """Build and check; print what is wrong."""
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("--python", action="append", metavar="P", help="an interpreter to check")
+    parser.add_argument("--archive", action="store_true", help="also run the suite from the sdist")
+    options = parser.parse_args(arguments)
+    pythons = _found(options.python or PYTHONS)
+    if not pythons:
+        print("error: no interpreter to check with", file=sys.stderr)
+        return 1
+    with tempfile.TemporaryDirectory() as name:
+        folder = Path(name)
+        archive, wheel = build(folder)
+        for path in (archive, wheel):
+            print(f"{path.name}: {path.stat().st_size // 1000} kB")
+        wrong = [*_contents(archive, wheel), *_metadata(wheel)]
+        for number, python in enumerate(pythons):
+            start = time.monotonic()
+            print(f"{python}: the wheel in an empty environment", flush=True)
+            here = folder / str(number)
+            here.mkdir()
+            wrong += [f"{python}: {text}" for text in Installed(python, wheel, here).check()]
+            print(f"  {len(COMMANDS)} commands tried, {time.monotonic() - start:.0f} s", flush=True)
+        if options.archive:
+            wrong += _unpacked(archive, folder / "unpacked")
+    print("\n".join(wrong), file=sys.stderr)
+    return 1 if wrong else 0
+
+
+if __name__ == "__main__":
+    raise SystemExit(main(sys.argv[1:]))

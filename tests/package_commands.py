@@ -1,0 +1,124 @@
+"""What an installed package must answer without any extra: every command, and what needs one."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+#: Files that the commands read, written before them.
+INPUTS = {
+    "fingers.csv": "x,y,normal_x,normal_y,friction\n-1,0,1,0,0.5\n1,0,-1,0,0.5\n",
+    "wedge.json": '{"schema_version": 1, "polygon": [["0", "0"], ["4", "0"], ["0", "3"]], '
+    '"places": [{"edge": 0, "at": "1/2", "friction": "1/4"}]}',
+}
+
+
+class Command(NamedTuple):
+    """A command line, its exit code, and a part of what it prints (or a file that it writes)."""
+
+    line: str
+    code: int
+    prints: str = ""
+    writes: str = ""
+
+
+def _needs(extra: str, line: str) -> Command:
+    return Command(line, 2, f"slipstates[{extra}]")
+
+
+_G = "paper-three-contacts"
+#: In this order: later lines read what earlier ones wrote.
+COMMANDS = (
+    Command("arrangement list", 0, "braid-a3"),
+    Command("arrangement list --json", 0, _G),
+    Command("arrangement count braid-a3", 0, "states           75"),
+    Command(f"arrangement count {_G}", 0, "states           27"),
+    Command("arrangement faces coordinate-planes --json", 0, '"witness"'),
+    Command("arrangement draw braid-a3 -o braid.html", 0, writes="braid.html"),
+    Command("arrangement draw braid-a3 -o dual.stl", 0, writes="dual.stl"),
+    Command("arrangement draw braid-a3 --model cells -o cells.glb", 0, writes="cells.glb"),
+    Command("arrangement draw braid-a3 -o dual.obj", 0, writes="dual.obj"),
+    *(
+        _needs("figures", f"arrangement draw braid-a3 --view {view} -o no.svg")
+        for view in ("sphere", "planes", "stereographic", "gnomonic", "dual", "graph", "lattice")
+    ),
+    *(_needs("figures", f"arrangement draw braid-a3 -o no.{kind}") for kind in ("pdf", "png")),
+    Command(f"equilibrium solve {_G}-preload-1 --wrench 0 1 0", 0, "stable"),
+    Command(f"equilibrium solve {_G} --wrench 0 1 0 --certificate proof.json", 1, "not stable"),
+    Command("equilibrium verify proof.json", 0, "valid"),
+    Command(f"equilibrium limit {_G} --direction 0 -1 0", 0, "no end"),
+    Command(f"equilibrium region {_G}", 0, "polygons"),
+    Command("equilibrium polyhedra opposed-contacts", 0, "polyhedra"),
+    Command(f"equilibrium margin {_G} --wrench 0 -1 0", 0, "resisted: yes"),
+    Command("equilibrium map single-contact --directions 4", 0, "4 directions"),
+    Command(f"equilibrium figure {_G}", 0, "wrench-space slice"),
+    Command("equilibrium gaps --contacts 2 --tries 1", 1, "0 found"),
+    Command(f"equilibrium compare {_G} --wrench 0 1 0", 1, "complete model"),
+    Command(f"equilibrium wrench-space {_G}", 0, "force closure"),
+    Command("equilibrium survey --number 2 --contacts 2", 0, "2 questions"),
+    Command("equilibrium make csv fingers.csv", 0, '"contacts"'),
+    Command("equilibrium make polygon wedge.json", 0, '"contacts"'),
+    Command("equilibrium make circle --angles 0 120 --friction 1/2", 0, '"contacts"'),
+    Command("equilibrium make random --contacts 3", 0, '"contacts"'),
+    Command(f"equilibrium draw {_G} -o grasp.html", 0, writes="grasp.html"),
+    *(
+        _needs("figures", f"equilibrium draw {_G} {more} -o no.pdf")
+        for more in ("", "--wrench 0 -1 0", "--view resist", "--view compare")
+    ),
+    Command("proofs-check list", 0, "single-solution"),
+    Command("proofs-check show euler", 0, "statement"),
+    Command("proofs-check run euler --report euler.html", 0, "as expected", "euler.html"),
+    Command("proofs-check run table-three-contacts --json", 0, '"verdict"'),
+    Command("proofs-check sweep euler --planes 3..4 --samples 9 --store s.sqlite", 0, "euler"),
+    Command("proofs-check status s.sqlite", 0, "euler"),
+    Command("proofs-check report s.sqlite --output s.html", 0, writes="s.html"),
+    Command("proofs-check merge all.sqlite s.sqlite", 0, "chunks"),
+    _needs(
+        "dask",
+        "proofs-check sweep euler --planes 3..4 --samples 9 --store t.sqlite "
+        "--dask tcp://127.0.0.1:1",
+    ),
+)
+
+#: Run in the environment: all modules import, all data files are read, rich display does not fail.
+PROBE = """
+import importlib, importlib.util, pkgutil
+from importlib.resources import files
+for absent in ("matplotlib", "igraph", "joblib", "dask", "pytest"):
+    assert importlib.util.find_spec(absent) is None, absent + " is no dependency"
+for name in ("arrangement", "equilibrium", "proofs_check"):
+    package = importlib.import_module(name)
+    assert (files(package) / "py.typed").is_file(), name + "/py.typed"
+    assert (files(package) / "__init__.pyi").is_file(), name + "/__init__.pyi"
+    for exported in package.__all__:
+        getattr(package, exported)
+    for module in pkgutil.walk_packages(package.__path__, name + "."):
+        if not module.name.endswith("__main__"):
+            importlib.import_module(module.name)
+from arrangement.census import census
+from arrangement.files import read_arrangement
+from arrangement.instances import paths as arrangements
+from arrangement.schemas import arrangement_schema
+from equilibrium.files import read_grasp
+from equilibrium.instances import paths as grasps
+from equilibrium.schemas import grasp_schema
+assert len(census(5)) > 1 and arrangement_schema() and grasp_schema()
+assert arrangements() and grasps()
+for name in arrangements():
+    planes = read_arrangement(name)
+    planes._repr_svg_(), planes._repr_html_()
+for name in grasps():
+    read_arrangement(name), read_grasp(name)._repr_svg_()
+"""
+
+#: Prints every command line that answers --help.
+PROGRAMS = """
+import argparse, importlib
+def walk(words, parser):
+    print(*words)
+    for action in parser._actions:
+        if isinstance(action, argparse._SubParsersAction):
+            for name, inner in action.choices.items():
+                walk([*words, name], inner)
+for program in ("arrangement", "equilibrium", "proofs-check"):
+    walk([program], importlib.import_module(program.replace("-", "_") + ".cli")._parser())
+"""
