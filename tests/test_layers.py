@@ -61,11 +61,7 @@ PLANTED = [
 def test_a_planted_import_is_caught(
     tmp_path: Path, module: str, statement: str, contract: str
 ) -> None:
-    for package in PACKAGES:
-        shutil.copytree(
-            ROOT / package, tmp_path / package, ignore=shutil.ignore_patterns("__pycache__")
-        )
-    shutil.copy(ROOT / "pyproject.toml", tmp_path)
+    copy_packages(tmp_path)
     target = tmp_path.joinpath(*statement.split()[1].split(".")).with_suffix(".py")
     if not (target.exists() or target.with_suffix("").exists()):
         target.write_text('"""Stands for a module not written yet."""\n')
@@ -78,6 +74,24 @@ def test_a_planted_import_is_caught(
     assert result.returncode == 1, result.stdout + result.stderr
     _, _, broken = result.stdout.partition("Broken contracts")
     assert contract in broken, result.stdout
+
+
+@pytest.mark.parametrize("package", PACKAGES)
+def test_a_module_without_a_layer_is_caught(tmp_path: Path, package: str) -> None:
+    copy_packages(tmp_path)
+    (tmp_path / package / "planted.py").write_text('"""In no layer."""\n', encoding="utf-8")
+
+    result = lint_imports(tmp_path)
+
+    assert result.returncode == 1, result.stdout + result.stderr
+    assert f"- {package}.planted" in result.stdout
+
+
+def copy_packages(folder: Path) -> None:
+    ignore = shutil.ignore_patterns("__pycache__")
+    for package in PACKAGES:
+        shutil.copytree(ROOT / package, folder / package, ignore=ignore)
+    shutil.copy(ROOT / "pyproject.toml", folder)
 
 
 def planted_path(module: Path) -> Path:
