@@ -39,6 +39,7 @@ from arrangement.certify import regions_problem
 from arrangement.exact import RationalVector, rational_vector
 from arrangement.files import check_keys, check_list
 from arrangement.planes import Arrangement
+from arrangement.progress import watched
 
 from .conditions import Conditions, conditions_of, motion_planes, violation_problem
 from .coverage import DETACHED, Rows, due_states, sorted_rows
@@ -190,7 +191,7 @@ def _unstable_lines(
     if problem:
         return
     proven = set() if rationals_only else _proven(grasp, wrench, branches)
-    for states, reason in branches.items():
+    for states, reason in watched(branches.items(), "states"):
         problem = "" if states in proven else _problem(grasp, wrench, states, reason)
         if problem:
             yield Line(f"branch {states}", False, problem)

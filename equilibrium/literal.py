@@ -14,6 +14,7 @@ from typing import Any
 
 from arrangement.exact import RationalVector, to_text
 from arrangement.planes import Face
+from arrangement.progress import watched
 from arrangement.published import published_enumeration
 
 from .elimination import Refutation, decide
@@ -88,7 +89,7 @@ def solve_literal(
     chosen = tuple(name for name in OPTIONS if name in options)
     posed = grasp.with_preload(0) if "preload" in chosen else grasp
     pieces: list[Equilibrium] = []
-    for states in _states(posed, chosen):
+    for states in watched(_states(posed, chosen), "contact states"):
         system = state_system(
             posed,
             states,

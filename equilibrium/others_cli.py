@@ -3,9 +3,7 @@
 from __future__ import annotations
 
 import argparse
-import sys
-import time
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Iterable
 from typing import TYPE_CHECKING, Any
 
 from arrangement import console
@@ -157,14 +155,10 @@ def _as_text(value: Any) -> Any:
 def _survey(arguments: argparse.Namespace) -> int:
     from .others.survey import smallest_examples, survey
 
-    found = survey(
-        arguments.number, contacts=arguments.contacts, seed=arguments.seed, watch=_bar("questions")
-    )
+    found = survey(arguments.number, contacts=arguments.contacts, seed=arguments.seed)
     examples: tuple[Example, ...] = ()
     if arguments.examples:
-        examples = smallest_examples(
-            tries=arguments.examples, seed=arguments.seed, watch=_bar("examples")
-        )
+        examples = smallest_examples(tries=arguments.examples, seed=arguments.seed)
     if arguments.json:
         console.print_json(
             {**found.to_dict(), "examples": [example.to_dict() for example in examples]}
@@ -192,20 +186,3 @@ def _print_survey(found: Survey, examples: Iterable[Example]) -> None:
 
 def _flat(value: str | list[str]) -> str:
     return value if isinstance(value, str) else f"({', '.join(value)})"
-
-
-def _bar(name: str) -> Callable[[Iterable[int]], Iterator[int]]:
-    """Return an iteration that shows on a terminal, after two seconds, how far it is."""
-
-    def watch(items: Iterable[int]) -> Iterator[int]:
-        listed = list(items)
-        start, shown = time.monotonic(), False
-        for done, item in enumerate(listed):
-            if sys.stderr.isatty() and time.monotonic() - start > 2:
-                shown = True
-                print(f"\r{name}: {done} of {len(listed)}", end="", file=sys.stderr, flush=True)
-            yield item
-        if shown:
-            print(f"\r{name}: {len(listed)} of {len(listed)}", file=sys.stderr)
-
-    return watch

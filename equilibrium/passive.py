@@ -19,6 +19,7 @@ from typing import Any
 import numpy as np
 
 from arrangement.exact import RationalVector, to_text
+from arrangement.progress import watched
 
 from .cells import Codes, letters_of_code, motion_faces, states_at, states_of_code
 from .certificate import Certificate, stable_certificate, unstable_certificate
@@ -174,7 +175,7 @@ def _enumerate(grasp: Grasp, wrench: RationalVector) -> _Enumeration:
     violated = screen.violations(wrench)
     refuted: dict[int, Refutation] = {}
     solved: list[tuple[StateSystem, Point | Continuum]] = []
-    for row in np.flatnonzero(violated == UNDECIDED).tolist():
+    for row in watched(np.flatnonzero(violated == UNDECIDED).tolist(), "contact states"):
         states = states_of_code(screen.codes[row].tolist())
         refutation = balance_refutation(grasp, wrench, states)
         refutation = refutation or rest_refutation(grasp, wrench, states)

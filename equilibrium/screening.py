@@ -25,6 +25,7 @@ import numpy as np
 import numpy.typing as npt
 
 from arrangement.exact import RationalVector
+from arrangement.progress import watched
 
 from .cells import DETACHED, Codes, contact_codes
 from .grasp import Grasp
@@ -63,11 +64,13 @@ class Screen:
             contacts = RoundedContacts(grasp)
         except OutOfRange:
             return
-        for planes, rows, classes in _by_sticking_planes(contacts, self.codes):
-            for start in range(0, len(rows), _ROWS):
-                part = slice(start, start + _ROWS)
-                batch = _Batch(contacts, self.codes[rows[part]], rows[part], classes[part], planes)
-                self._batches.append(batch)
+        parts = [
+            (planes, rows[start : start + _ROWS], classes[start : start + _ROWS])
+            for planes, rows, classes in _by_sticking_planes(contacts, self.codes)
+            for start in range(0, len(rows), _ROWS)
+        ]
+        for planes, rows, classes in watched(parts, "batches of states"):
+            self._batches.append(_Batch(contacts, self.codes[rows], rows, classes, planes))
 
     def violations(self, wrench: RationalVector) -> Integers:
         """Return a violated condition for each choice of states, or `UNDECIDED`.
@@ -79,7 +82,7 @@ class Screen:
             applied = floats([wrench])[0]
         except OutOfRange:
             return found
-        for batch in self._batches:
+        for batch in watched(self._batches, "batches of states"):
             found[batch.rows] = batch.violations(applied)
         return found
 

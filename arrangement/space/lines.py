@@ -14,6 +14,7 @@ from fractions import Fraction
 import numpy as np
 
 from arrangement.errors import ArrangementError
+from arrangement.progress import watched
 
 from .packing import Bits, Words, pack, unit_words
 from .predicates import Floats, Indices, PlaneTable, Signs
@@ -54,7 +55,8 @@ def trace_lines(table: PlaneTable) -> Lines:
     """
     i, j = np.nonzero(np.triu(table.turn, 1))
     step = max(1, BLOCK // len(table))
-    parts = [_block(table, i[s : s + step], j[s : s + step]) for s in range(0, len(i), step)]
+    starts = watched(range(0, len(i), step), "blocks of lines")
+    parts = [_block(table, i[s : s + step], j[s : s + step]) for s in starts]
     offsets = np.cumsum([0] + [len(part.first) for part in parts])
     return Lines(
         np.concatenate([part.first for part in parts]),

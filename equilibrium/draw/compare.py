@@ -7,6 +7,7 @@ from fractions import Fraction
 from typing import TYPE_CHECKING, Any
 
 from arrangement.draw.output import require_matplotlib
+from arrangement.progress import watched
 from equilibrium.errors import GraspError
 from equilibrium.grasp import Grasp, read_wrench
 from equilibrium.others.regions import FORCES, METHODS, MOST_FOR_ALL_CHOICES, method_region
@@ -61,7 +62,9 @@ def draw_compare(
     torque = Fraction(0) if applied is None else applied[2]
     half = read_extent(extent)
     names = _names(grasp, methods)
-    regions = [method_region(name, grasp, FORCES, (0, 0, torque)) for name in names]
+    regions = [
+        method_region(name, grasp, FORCES, (0, 0, torque)) for name in watched(names, "methods")
+    ]
     marked = [] if applied is None else [applied[:2]]
     window = joint_window(regions, marked, half)
     legend = Legend(width)

@@ -12,6 +12,7 @@ from fractions import Fraction
 from random import Random
 
 from arrangement.exact import RationalVector
+from arrangement.progress import watched
 from equilibrium.grasp import Contact, Grasp
 
 from .intervals import Interval
@@ -39,7 +40,7 @@ def gaps(contacts: int, seed: int, tries: int) -> Iterator[Gap]:
     Points have coordinates -1, 0, 1, normals are along the axes, friction is 0, 1/2 or 1.
     """
     random = Random(seed)
-    for _ in range(tries):
+    for _ in watched(range(tries), "grasps"):
         grasp = Grasp(_contact(random) for _ in range(contacts))
         whole = resistible_set.__wrapped__(grasp)
         for direction in _AXES:

@@ -14,6 +14,7 @@ from typing import Any
 
 from arrangement import linprog
 from arrangement.exact import RationalVector, dot, to_text
+from arrangement.progress import watched
 from equilibrium.cells import states_of_code
 from equilibrium.elimination import gauss_jordan
 from equilibrium.errors import GraspError
@@ -84,7 +85,9 @@ def resisted_magnitudes(
         raise GraspError("direction is (0, 0, 0); give a wrench other than zero")
     screen = screen_of(grasp)
     possible = screen.codes[screen.possible_along(start, along)].tolist()
-    found = (_interval(grasp, states_of_code(row), start, along) for row in possible)
+    found = (
+        _interval(grasp, states_of_code(row), start, along) for row in watched(possible, "states")
+    )
     parts = [part for part in found if part is not None]
     # The screen speaks of t > 0 only.
     if not any(low == 0 for low, _ in parts) and solve(grasp, start).stable:

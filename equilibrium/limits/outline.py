@@ -15,6 +15,7 @@ from typing import Any
 import numpy as np
 
 from arrangement.exact import IntegerVector, RationalVector, dot, to_text
+from arrangement.progress import watched
 
 from .intervals import Interval, is_long, remainder, union
 from .polyhedron import Polyhedron
@@ -85,7 +86,8 @@ def outline_of(polygons: Sequence[Polyhedron]) -> Outline:
     border: list[Segment] = []
     rows = sorted({row for p in solid for row in p.inequalities})
     carriers = [[p for p in solid if row in p.inequalities] for row in rows]
-    for row, edges, near in zip(rows, carriers, _near(rows, carriers, solid), strict=True):
+    found = zip(rows, carriers, _near(rows, carriers, solid), strict=True)
+    for row, edges, near in watched(found, "lines", len(rows)):
         line = _Line(row)
         covered = [line.part(p) for p in near if line.covers_beyond(p)]
         border += line.segments([line.part(p) for p in edges], covered)

@@ -20,6 +20,7 @@ from arrangement.exact import (
     rational_vector,
     to_text,
 )
+from arrangement.progress import watched
 from equilibrium.cells import contact_states
 from equilibrium.errors import GraspError
 from equilibrium.grasp import Grasp, read_wrench
@@ -122,7 +123,8 @@ def resistible_region(
     if len(frame) != 2 or not _independent(*frame):
         raise GraspError("a plane needs two spanning wrenches that are not parallel")
     plane = _plane(start, *frame)
-    found = ((states, resisted_with(grasp, states, plane)) for states in contact_states(grasp))
+    every = watched(contact_states(grasp), "contact states")
+    found = ((states, resisted_with(grasp, states, plane)) for states in every)
     cuts = ((states, shape.cut(start, frame)) for states, shape in found if shape is not None)
     polygons = [Piece(states, shape) for states, shape in cuts if shape is not None]
     return Region(start, (frame[0], frame[1]), maximal_pieces(polygons))

@@ -14,6 +14,7 @@ from math import cos, pi, sin
 from typing import Any
 
 from arrangement.exact import RationalVector, rational, to_text
+from arrangement.progress import watched
 from equilibrium.errors import GraspError
 from equilibrium.grasp import Grasp
 from equilibrium.units import unit_normal
@@ -113,7 +114,7 @@ def search_map(
         )
     region = resistible_region(grasp, spans)
     entries = []
-    for i in range(directions):
+    for i in watched(range(directions), "directions"):
         angle = 2 * pi * i / directions
         direction = unit_normal([cos(angle), sin(angle)]).normal
         entries.append(compare(direction, region.along(direction), step, largest))

@@ -11,6 +11,7 @@ from fractions import Fraction
 from functools import lru_cache
 from typing import Any
 
+from arrangement.progress import watched
 from equilibrium.cells import contact_states
 from equilibrium.grasp import Grasp, read_wrench
 from equilibrium.systems import States
@@ -84,7 +85,8 @@ def resistible_set(grasp: Grasp) -> ResistibleSet:
     >>> whole.contains([0, -5, 0]), whole.contains([0, 1, 0])
     (True, False)
     """
-    found = ((states, resisted_with(grasp, states)) for states in contact_states(grasp))
+    every = watched(contact_states(grasp), "contact states")
+    found = ((states, resisted_with(grasp, states)) for states in every)
     pieces = [Piece(states, shape) for states, shape in found if shape is not None]
     return ResistibleSet(grasp, maximal_pieces(pieces))
 
@@ -94,7 +96,8 @@ def maximal_pieces(pieces: Sequence[Piece]) -> tuple[Piece, ...]:
     shapes = [piece.polyhedron for piece in pieces]
     outside = surely_outside(shapes)
     kept: list[int] = []
-    for i in sorted(range(len(pieces)), key=lambda i: -shapes[i].dimension):
+    largest_first = sorted(range(len(pieces)), key=lambda i: -shapes[i].dimension)
+    for i in watched(largest_first, "pieces"):
         if any(not outside[j, i] and shapes[i].within(shapes[j]) for j in kept):
             continue
         kept = [j for j in kept if outside[i, j] or not shapes[j].within(shapes[i])] + [i]

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from arrangement.exact import RationalVector, to_text
+from arrangement.progress import watched
 from equilibrium.grasp import Grasp, read_wrench
 from equilibrium.literal import OPTIONS, solve_literal
 from equilibrium.passive import solve
@@ -184,6 +185,6 @@ def compare(grasp: Grasp, wrench: Iterable[Any]) -> Comparison:
     applied = read_wrench(wrench)
     answers = [
         Answer(method, title, *decide(grasp, applied))
-        for method, (title, decide) in METHODS.items()
+        for method, (title, decide) in watched(METHODS.items(), "methods")
     ]
     return Comparison(grasp, applied, tuple(answers))

@@ -8,13 +8,14 @@ What no single such step can make smaller is reported; a still smaller one may e
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, field
 from fractions import Fraction
 from random import Random
 from typing import Any
 
 from arrangement.exact import RationalVector, to_text
+from arrangement.progress import watched
 from equilibrium.grasp import Contact, Grasp
 from equilibrium.inputs.random import random_grasp, random_wrench
 
@@ -91,7 +92,6 @@ def survey(
     *,
     contacts: Iterable[int] = (2, 3, 4),
     seed: int = 0,
-    watch: Callable[[Iterable[int]], Iterable[int]] = iter,
 ) -> Survey:
     """Count agreements over random grasps and wrenches.
 
@@ -99,11 +99,10 @@ def survey(
         number: of questions.
         contacts: numbers of contacts, taken in turn.
         seed: of the first question; the next ones follow, so odd ones have preload.
-        watch: wraps the iteration, as a progress bar does.
     """
     sizes = tuple(contacts)
     found = Survey()
-    for k in watch(range(seed, seed + number)):
+    for k in watched(range(seed, seed + number), "questions"):
         # The size changes after both kinds of preload had their turn.
         grasp, wrench = random_grasp(sizes[k // 2 % len(sizes)], k), random_wrench(k)
         ours = bool(ask("complete", grasp, wrench))
@@ -119,7 +118,6 @@ def smallest_examples(
     methods: Iterable[str] = OTHERS,
     tries: int = 60,
     seed: int = 0,
-    watch: Callable[[Iterable[int]], Iterable[int]] = iter,
 ) -> tuple[Example, ...]:
     """Return the smallest disagreement found of each method and kind.
 
@@ -127,11 +125,10 @@ def smallest_examples(
         methods: which ones, by their keys.
         tries: how many small random questions are asked of each number of contacts, 1 to 3.
         seed: of the search.
-        watch: wraps the iteration, as a progress bar does.
     """
     wanted = tuple(methods)
     kept: dict[tuple[str, bool], Example] = {}
-    for k in watch(range(3 * tries)):
+    for k in watched(range(3 * tries), "tries"):
         grasp, wrench = _small_question(1 + k // tries, f"{seed} {k}")
         ours = bool(ask("complete", grasp, wrench))
         for name in wanted:

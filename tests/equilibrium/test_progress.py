@@ -1,0 +1,64 @@
+"""Every command that can take long says on a terminal how far it is, and never on stdout."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import pytest
+
+from arrangement import progress
+from equilibrium import cells, passive, screening
+from equilibrium.cli import main
+from equilibrium.inputs import random_grasp
+from equilibrium.limits.space import resistible_set
+
+LONG = {
+    "solve": ("--wrench", "50", "5", "1"),
+    "limit": ("--direction", "1", "2", "1"),
+    "region": (),
+    "polyhedra": (),
+    "margin": ("--wrench", "1", "1", "0"),
+    "map": ("--directions", "3"),
+    "figure": (),
+    "compare": ("--wrench", "1", "1", "0"),
+}
+ALONE = {"gaps": ("--tries", "2"), "survey": ("--number", "2")}
+
+
+def arguments(command: str, tmp_path: Path) -> list[str]:
+    if command in ALONE:
+        return [command, *ALONE[command], "--json"]
+    path = tmp_path / "grasp.json"
+    path.write_text(json.dumps(random_grasp(4, seed=1).to_dict()))
+    return [command, str(path), *LONG[command], "--json"]
+
+
+def forget() -> None:
+    """Clear what is kept from one command to the next."""
+    for kept in (cells.motion_faces, cells.contact_codes, screening.screen_of):
+        kept.cache_clear()
+    passive._enumerate.cache_clear()
+    resistible_set.cache_clear()
+
+
+@pytest.mark.parametrize("command", [*LONG, *ALONE])
+def test_the_line_is_on_stderr_of_a_terminal_only(
+    command: str,
+    tmp_path: Path,
+    capsys: pytest.CaptureFixture[str],
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    words = arguments(command, tmp_path)
+    forget()
+    main(words)
+    piped = capsys.readouterr()
+    assert piped.err == ""
+    monkeypatch.setattr(progress, "on_terminal", lambda: True)
+    monkeypatch.setattr(progress, "_PATIENCE", 0.0)
+    forget()
+    main(words)
+    seen = capsys.readouterr()
+    assert seen.out == piped.out
+    assert "left" in seen.err
+    assert seen.err.endswith("\r\x1b[K")
