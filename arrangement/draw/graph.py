@@ -111,7 +111,7 @@ def planar_graph(arrangement: Arrangement) -> PlanarGraph:
     dual = dual_polyhedron(arrangement)
     pairs = [(int(u), int(v)) for u, v in dual.edges.tolist()]
     degrees = np.bincount(dual.edges.ravel()).tolist()
-    outer = max(dual.faces, key=lambda f: (len(f), -sum(degrees[v] ** 2 for v in f)))[::-1]
+    outer = max(dual.faces, key=lambda f: (len(f), sum(min(degrees[v], 5) for v in f)))[::-1]
     edges = tuple((u, v, c) for (u, v), c in zip(pairs, dual.edge_classes.tolist(), strict=True))
     places = tutte_places(len(dual.signs), dual.faces, outer)
     return PlanarGraph(places, tuple(map(tuple, dual.signs.tolist())), edges, outer)
@@ -152,11 +152,11 @@ class _Picture:
         self.fills = [paint(region) for region in self.regions]
         lengths = np.linalg.norm(self.segments[:, 0] - self.segments[:, 1], axis=1)
         self.lengths = np.round(lengths, 4)
-        self.size = float(min(3.0, max(0.9, 0.28 * np.quantile(lengths, 0.1))))
+        self.size = float(min(3.0, max(0.4, 0.28 * np.quantile(lengths, 0.1))))
 
     def draw(self) -> None:
         graph, sheet = self.graph, self.sheet
-        thick = 1.5 if self.size > 2 else 1.0
+        thick = float(np.clip(0.75 * self.size, 0.3, 1.5))
         for e, (_, _, c) in enumerate(graph.edges):
             sheet.line(self.segments[e], ec=plane_colour(c), lw=thick, zorder=3, gid=f"edge-{e}")
         firsts = [members[0] for members in self.arrangement.distinct]
@@ -164,7 +164,7 @@ class _Picture:
             odd = sum(graph.signs[v][k] < 0 for k in firsts) % 2
             sheet.marker(
                 place, self.size, "square" if odd else "round", fc=self.fills[v], ec="black",
-                lw=0.7, zorder=5, gid=f"vertex-{v}",
+                lw=min(0.7, 0.35 * self.size), zorder=5, gid=f"vertex-{v}",
             )  # fmt: skip
         self._zones()
         self._labels()
