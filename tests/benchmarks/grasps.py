@@ -25,8 +25,15 @@ from graspjob import MILP_SECONDS, ROUNDED
 
 HERE = Path(__file__).resolve().parent
 Found = dict[str, Any]
-#: By number of contacts: how many grasps for us, and how many of those for the other program.
-GRASPS = {3: (16, 16), 4: (16, 16), 5: (16, 16), 10: (32, 16), 20: (24, 8), 50: (8, 2)}
+#: By number of contacts: the seeds for us, and how many of them for the mixed-integer program.
+#: Those of 50 contacts are chosen so that two of each verdict are there, with and without preload.
+SEEDS: dict[int, Sequence[int]] = {
+    **dict.fromkeys((3, 4, 5), range(16)),
+    10: range(32),
+    20: range(24),
+    50: (0, 6, 1, 2, 3, 14, 15, 31),
+}
+PEER = {10: 16, 20: 8, 50: 2}
 BRUTE = (3, 4, 5)
 #: Wall seconds for all grasps of one size; who needs more is stopped, and what is done counts.
 LIMIT = 240
@@ -38,11 +45,11 @@ def grasp_tables(
     print(
         "\nVerdicts with proofs on random grasps: medians of processor time (largest)", flush=True
     )
-    found = {m: run("ours", m, range(count or _grasps(m)[0]), limit) for m in contacts}
+    found = {m: run("ours", m, _seeds(m, count), limit) for m in contacts}
     own_table(found)
     growth(found)
     rounded = {
-        m: run("ours", m, range(ROUNDED, ROUNDED + _grasps(m)[0]), limit)
+        m: run("ours", m, [ROUNDED + seed for seed in _seeds(m, count)], limit)
         for m in contacts
         if m <= 20
     }
@@ -50,12 +57,12 @@ def grasp_tables(
     own_table(rounded)
     print("\nOther programs on the same grasps (no proof), and times ours")
     for m in contacts:
-        seeds = range(_grasps(m)[1])
+        seeds = _seeds(m)[: PEER.get(m, 8)]
         against(f"mixed-integer program, m = {m}", found[m], run("milp", m, seeds, 2 * limit))
-        against(f"Siconos, Lemke's method, m = {m}", found[m], siconos(m, len(found[m])))
-        against(f"ours with all equilibria, m = {m}", found[m], run("pieces", m, seeds, limit))
+        against(f"Siconos, Lemke's method, m = {m}", found[m], siconos(m, _seeds(m, count)))
+        against(f"ours with all equilibria, m = {m}", found[m], run("pieces", m, seeds, limit / 4))
     for m in BRUTE:
-        seeds = range(GRASPS[m][0])
+        seeds = _seeds(m)
         mine = run("ours", m, seeds, limit)
         against(f"brute force, 4^m states, exact, m = {m}", mine, run("brute", m, seeds, limit))
     if hundred:
@@ -64,9 +71,8 @@ def grasp_tables(
             own_table({100: run("ours", 100, [seed], 4 * limit)})
 
 
-def _grasps(contacts: int) -> tuple[int, int]:
-    """Return how many grasps of a size are for us, and how many for the mixed-integer program."""
-    return GRASPS.get(contacts, (8, 2))
+def _seeds(contacts: int, count: int = 0) -> Sequence[int]:
+    return range(count) if count else SEEDS.get(contacts, range(8))
 
 
 def run(job: str, contacts: int, seeds: Iterable[int], limit: float) -> list[Found]:
@@ -87,10 +93,10 @@ def run(job: str, contacts: int, seeds: Iterable[int], limit: float) -> list[Fou
     return [json.loads(line) for line in output.splitlines() if line.startswith("{")]
 
 
-def siconos(contacts: int, count: int) -> list[Found]:
+def siconos(contacts: int, seeds: Sequence[int]) -> list[Found]:
     """Run Siconos on the same grasps, in whichever interpreter has it."""
     found = []
-    for question in run("contacts_in_floats", contacts, range(count), LIMIT):
+    for question in run("contacts_in_floats", contacts, seeds, LIMIT):
         python = next(filter(_has_siconos, (sys.executable, shutil.which("python3"), SYSTEM)), None)
         if python is None:
             print("  Siconos: absent (Debian: python3-siconos)")
