@@ -16,11 +16,12 @@ from typing import Any
 
 from arrangement import linprog
 from arrangement.exact import RationalVector, rational, to_text
+from arrangement.progress import watched
 from equilibrium.cells import contact_states
-from equilibrium.elimination import Refutation, decide
 from equilibrium.errors import GraspError
 from equilibrium.grasp import Contact, Grasp, read_wrench
-from equilibrium.systems import DIRECTION, States, state_system
+from equilibrium.passive import solve
+from equilibrium.systems import DIRECTION, States
 
 #: Coefficients above this are tried all at once only.
 LARGEST = 64
@@ -31,7 +32,7 @@ class FrictionBracket:
     """Where the least sufficient coefficient lies.
 
     Attributes:
-        low: no coefficient below this one resists the wrench (proved by exact linear programs).
+        low: no coefficient below this one resists the wrench (proved).
         high: this one does (an exact verdict), and where possible it is the simplest fraction of
             the last range; None when none was found, see `impossible`.
         impossible: whether it is proved that no coefficient at all resists the wrench.
@@ -72,7 +73,8 @@ def least_friction(
         GraspError: a width that is not above 0.
 
     Complexity: one exact linear program for each choice of contact states and each range that is
-    looked at; after the first few ranges few states are left.
+    looked at; after the first few ranges few states are left. Without any program where 0 is
+    enough.
 
     >>> from equilibrium.files import read_grasp
     >>> found = least_friction(read_grasp("paper-four-contacts-preload-1"), [0, 2, 0], "1/1000")
@@ -95,11 +97,11 @@ class _Search:
 
     def run(self) -> FrictionBracket:
         """Look at ever larger ranges until one holds a sufficient coefficient."""
+        if self.resists(Fraction(0)):
+            return FrictionBracket(self.wrench, Fraction(0), Fraction(0))
         alive = self.possible(contact_states(self.grasp), Fraction(0), None)
         if not alive:
             return FrictionBracket(self.wrench, None, None)
-        if self.resists(alive, Fraction(0)):
-            return FrictionBracket(self.wrench, Fraction(0), Fraction(0))
         for low, high in _ranges():
             found = self.lowest(alive, low, high)
             if found is not None:
@@ -121,28 +123,26 @@ class _Search:
             return self.lowest(alive, middle, high) if lower is None else lower
         if self.first_open is None:
             self.first_open = low
-        if not self.resists(alive, high):
+        if not self.resists(high):
             return None
         simple = simplest_between(low, high)
-        return simple if self.resists(alive, simple) else high
+        return simple if self.resists(simple) else high
 
     def possible(
         self, states: Iterable[States], low: Fraction, high: Fraction | None
     ) -> list[States]:
         """Return the states that the relaxation over a range does not refute."""
         kept = []
-        for choice in states:
+        for choice in watched(states, "contact states"):
             equalities, inequalities, n = relaxed_rows(self.grasp, choice, self.wrench, low, high)
             answer = linprog.feasible_point(n, inequalities, equalities)
             if not isinstance(answer, linprog.Infeasible):
                 kept.append(choice)
         return kept
 
-    def resists(self, states: Iterable[States], coefficient: Fraction) -> bool:
+    def resists(self, coefficient: Fraction) -> bool:
         """Return whether the wrench is resisted at one coefficient; exact."""
-        grasp = with_friction(self.grasp, coefficient)
-        systems = (state_system(grasp, choice, self.wrench) for choice in states)
-        return any(not isinstance(decide(system), Refutation) for system in systems)
+        return solve(with_friction(self.grasp, coefficient), self.wrench).stable
 
 
 def simplest_between(low: Fraction, high: Fraction) -> Fraction:
