@@ -89,9 +89,19 @@ def _explain_printed(question: Question, value: str) -> str:
     return f"enough alone: {', '.join(alone)}" if alone else "only several together do this"
 
 
+#: What the claims on the questions of the tables share; the printed equations fail all of them.
+_on_tables = partial(
+    Claim,
+    cases=_table_cases,
+    kind=Kind.EXHAUSTIVE,
+    over="the 17 questions of the two tables",
+    expected=Verdict.REFUTED,
+)
+
+
 def _deviation_claim(name: str, locator: str, what: str, meaning: str) -> Claim:
     """One deviation alone: it should change no verdict of the model."""
-    return Claim(
+    return _on_tables(
         id=f"printed-{name}",
         locator=locator,
         statement=f"{what}, every verdict is that of the model which the result tables follow.",
@@ -100,11 +110,7 @@ def _deviation_claim(name: str, locator: str, what: str, meaning: str) -> Claim:
             Route("elimination over all choices of states", partial(_deviation_pair, name)),
             Route("the solver and its literal reading", partial(_pair_by_solver, (name,))),
         ),
-        cases=_table_cases,
         judge=lambda question, pair: pair[0] == pair[1],
-        kind=Kind.EXHAUSTIVE,
-        over="the 17 questions of the two tables",
-        expected=Verdict.REFUTED,
         search=_search(range(1, 3)),
         meaning=meaning,
     )
@@ -180,18 +186,14 @@ def _search(contacts: range, **options: Any) -> Callable[[], Iterator[Case]]:
 
 
 CLAIMS = (
-    Claim(
+    _on_tables(
         id="printed-equations",
         locator="Eqs. 1-7",
         statement="With the equations as printed (no detachment, no preload term, printed signs), "
         "the verdicts of both result tables come out.",
         quantity="verdict",
         routes=_routes(DEVIATIONS),
-        cases=_table_cases,
         judge=lambda question, value: value == _printed_verdict(question),
-        kind=Kind.EXHAUSTIVE,
-        over="the 17 questions of the two tables",
-        expected=Verdict.REFUTED,
         explain=_explain_printed,
         meaning="The tables were computed with other equations than the printed ones.",
         rows=True,
@@ -235,39 +237,31 @@ CLAIMS = (
         meaning="A slip of the pen: l is first the number of slipping contacts and then of "
         "sticking ones. There are 3 + m + l and m - l, in all 3 + 2m, as many as unknowns.",
     ),
-    Claim(
+    _on_tables(
         id="algorithm-2-sound",
         locator="Algorithm 2",
         statement="A grasp that Algorithm 2 calls stable has an equilibrium.",
         hypotheses=("preload term and signs corrected", "all-stick state added"),
         quantity="(verdict of Algorithm 2, verdict of the model)",
         routes=_algorithm_routes("cell-check", "detachment"),
-        cases=_table_cases,
         judge=lambda question, pair: pair != ("Yes", "No"),
-        kind=Kind.EXHAUSTIVE,
-        over="the 17 questions of the two tables",
-        expected=Verdict.REFUTED,
         search=_search(range(1, 3)),
         meaning="Algorithm 2 never checks that the motion it finds slips as its slip state says; "
         "then friction may push the object along.",
     ),
-    Claim(
+    _on_tables(
         id="algorithm-2-complete",
         locator="Algorithm 2; Section V-B",
         statement="If Algorithm 2 finds no solution, the grasp has no equilibrium.",
         hypotheses=("preload term and signs corrected", "all-stick state added"),
         quantity="(verdict of Algorithm 2, verdict of the model)",
         routes=_algorithm_routes("cell-check", "detachment"),
-        cases=_table_cases,
         judge=lambda question, pair: pair != ("No", "Yes"),
-        kind=Kind.EXHAUSTIVE,
-        over="the 17 questions of the two tables",
-        expected=Verdict.REFUTED,
         search=_search(range(1, 3)),
         meaning="Relative to its own equations the algorithm is complete; relative to contacts "
         "that can let go it is not.",
     ),
-    Claim(
+    _on_tables(
         id="all-stick-listed",
         locator="Algorithm 2; Section IV-B",
         statement="The states that Steps 1 to 3 list are enough: if a grasp has an equilibrium, "
@@ -275,16 +269,12 @@ CLAIMS = (
         hypotheses=("equations corrected", "cell checked", "coincident planes merged"),
         quantity="(verdict over the listed states, verdict of the model)",
         routes=_algorithm_routes("all-stick"),
-        cases=_table_cases,
         judge=lambda question, pair: pair[0] == pair[1],
-        kind=Kind.EXHAUSTIVE,
-        over="the 17 questions of the two tables",
-        expected=Verdict.REFUTED,
         search=lambda: smallest_questions(range(3, 4), WRENCHES[:1], preloads=(1,)),
         meaning="With preload the object often just stays, and d = 0 is in no listed state "
         "once three tangential planes are independent.",
     ),
-    Claim(
+    _on_tables(
         id="single-solution",
         locator="Section II",
         statement="Compliance reduces the solutions to at most a single one: the normal forces "
@@ -295,11 +285,7 @@ CLAIMS = (
             Route("elimination over 4^m states", oracle.normal_forces),
             Route("ranges over the solver's pieces", _normal_forces_solved),
         ),
-        cases=_table_cases,
         judge=_single,
-        kind=Kind.EXHAUSTIVE,
-        over="the 17 questions of the two tables",
-        expected=Verdict.REFUTED,
         search=_search(range(1, 3), preloads=(1,)),
         meaning="An algorithm that stops at the first solution may report other forces than "
         "the ones that arise; the verdict on stability is not touched.",

@@ -6,6 +6,7 @@ import random
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from fractions import Fraction
+from functools import partial
 from itertools import product
 
 from equilibrium.others.compare import ask
@@ -156,11 +157,6 @@ def _upwards(_rng: random.Random) -> Iterator[Case]:
     yield _asked("frictionless-slip", _THREE, "1", 1, "ny")
 
 
-_ROUTES = (
-    Route("the method and the solver of the package", _by_packages),
-    Route("Fourier-Motzkin elimination of the method's own conditions", _by_elimination),
-)
-_QUANTITY = "(verdict of the method, verdict of the corrected model)"
 _MODEL = ("the corrected model decides what is right", "friction 1/2, stiffness 1")
 _SPRINGS = (*_MODEL, "tangential springs as stiff as the normal ones")
 
@@ -169,32 +165,37 @@ def _as_stated(asked: Asked, found: tuple[bool, bool]) -> bool:
     return found == asked.says
 
 
+#: What the claims on methods share, unless one says otherwise.
+_method = partial(
+    Claim,
+    quantity="(verdict of the method, verdict of the corrected model)",
+    routes=(
+        Route("the method and the solver of the package", _by_packages),
+        Route("Fourier-Motzkin elimination of the method's own conditions", _by_elimination),
+    ),
+    judge=_as_stated,
+    kind=Kind.SAMPLED,
+    expected=Verdict.HOLDS,
+)
+
 CLAIMS = (
-    Claim(
+    _method(
         id="method-grasp-wrench-space",
         locator="Section VI, Fig. 7",
         statement="The Grasp Wrench Space of the three-contact grasp holds forces up and down "
         "alike; without preload those up are not resisted.",
         hypotheses=(*_MODEL, "any total normal force"),
-        quantity=_QUANTITY,
-        routes=_ROUTES,
         cases=_wrench_space,
-        judge=_as_stated,
-        kind=Kind.SAMPLED,
         over="forces of 1 and 100, up and down",
-        expected=Verdict.HOLDS,
     ),
-    Claim(
+    _method(
         id="method-cones-only",
         locator="Section III, Fig. 4",
         statement="With springs and cones alone (Eqs. 1 to 4) the four-contact grasp resists every "
         "vertical force, whatever the preload.",
         hypotheses=("contacts may let go", "stiffness 1"),
-        quantity=_QUANTITY,
-        routes=_ROUTES,
         cases=_cones,
         judge=lambda asked, found: found[0],
-        kind=Kind.SAMPLED,
         over="forces 2, -2 and 100, preload 0 and 1, friction 1/2 and 2",
         expected=Verdict.HOLDS_UNDER_HYPOTHESIS,
         hypothesis=Hypothesis("friction is above 1", _grips),
@@ -203,47 +204,33 @@ CLAIMS = (
         "friction must outweigh that turn before it can lift. With the printed friction 1/2 it "
         "cannot. Above 1 the cones accept every force without preload, and none should be.",
     ),
-    Claim(
+    _method(
         id="method-linear-compliance",
         locator="Section III, Fig. 3",
         statement="Linear springs in both directions refuse every downward force on the "
         "three-contact grasp without preload, which is resisted.",
         hypotheses=_SPRINGS,
-        quantity=_QUANTITY,
-        routes=_ROUTES,
         cases=_compliance,
-        judge=_as_stated,
-        kind=Kind.SAMPLED,
         over="forces -1, -2 and -100",
-        expected=Verdict.HOLDS,
     ),
-    Claim(
+    _method(
         id="method-frictionless-slip-down",
         locator="Section VI",
         statement="With contacts that stick, slip without friction or detach, the three-contact "
         "grasp withstands all forces (0, w_y, 0) with w_y <= 0.",
         hypotheses=_SPRINGS,
-        quantity=_QUANTITY,
-        routes=_ROUTES,
         cases=_downwards,
-        judge=_as_stated,
-        kind=Kind.SAMPLED,
         over="forces 0, -1, -2 and -100, no preload",
-        expected=Verdict.HOLDS,
     ),
-    Claim(
+    _method(
         id="method-frictionless-slip-up",
         locator="Section VI",
         statement="No combination of sticking, frictionless slipping and detached contacts gives "
         "legal forces on the preloaded three-contact grasp under (0, 1, 0), which is resisted.",
         hypotheses=(*_SPRINGS, "at rest the friction of Table I", "detached contacts do not press"),
-        quantity=_QUANTITY,
-        routes=_ROUTES,
         cases=_upwards,
-        judge=_as_stated,
         kind=Kind.EXHAUSTIVE,
         over="all 27 combinations for this wrench",
-        expected=Verdict.HOLDS,
         meaning="The method is too cautious, as the paper says.",
     ),
 )

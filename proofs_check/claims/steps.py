@@ -9,6 +9,7 @@ from __future__ import annotations
 import math
 import random
 from collections.abc import Callable, Iterator
+from functools import partial
 from itertools import combinations
 
 from arrangement import counts
@@ -86,8 +87,10 @@ def _work(m: int) -> int:
     return e**3 + v * e * e * v.bit_length()
 
 
+_step = partial(Claim, cases=_cases, kind=Kind.PROVED, over=_OVER, expected=Verdict.HOLDS)
+
 CLAIMS = (
-    Claim(
+    _step(
         id="step-1-time",
         locator="Section IV-B, running time of Step 1",
         statement="Step 1 tests at most m^3 pairs of a state and a plane.",
@@ -97,16 +100,12 @@ CLAIMS = (
             Route("beginnings of the enumerated regions' signs", _tests_by_signs),
             Route("1 + sum of |chi(-1)| over the first i planes", _tests_by_theorem),
         ),
-        cases=_cases,
         judge=lambda planes, tests: tests <= len(planes) ** 3,
-        kind=Kind.PROVED,
-        over=_OVER,
-        expected=Verdict.HOLDS,
         explain=_growth(lambda m: 1 + sum(map(_regions, range(1, m)))),
         meaning="A test is a linear program with as many rows as planes so far, so the time itself "
         "is one power of m higher unless an old point inside the region is used.",
     ),
-    Claim(
+    _step(
         id="step-2-time",
         locator="Section IV-B, running time of Step 2",
         statement="Step 2 compares at most m^4 pairs of states.",
@@ -116,15 +115,11 @@ CLAIMS = (
             Route("pairs of enumerated regions, one by one", _comparisons_by_pairs),
             Route("V (V - 1) / 2 with V = |chi(-1)|", _comparisons_by_theorem),
         ),
-        cases=_cases,
         judge=lambda planes, pairs: pairs <= len(planes) ** 4,
-        kind=Kind.PROVED,
-        over=_OVER,
-        expected=Verdict.HOLDS,
         explain=_growth(lambda m: math.comb(_regions(m), 2)),
         meaning="A comparison of two states looks at up to m signs.",
     ),
-    Claim(
+    _step(
         id="step-3-time",
         locator="Section IV-B, running time of Step 3",
         statement="The graph of Step 3 has V <= m^2 - m + 2 and E <= 2 m^2, so that "
@@ -134,13 +129,9 @@ CLAIMS = (
             Route("great circles: regions and arcs traced", _graph_traced),
             Route("Zaslavsky's theorem", _graph_by_theorem),
         ),
-        cases=_cases,
         judge=lambda planes, found: (
             found[0] <= _regions(len(planes)) and found[1] <= 2 * len(planes) ** 2
         ),
-        kind=Kind.PROVED,
-        over=_OVER,
-        expected=Verdict.HOLDS,
         explain=_growth(_work),
         meaning="The bound on the minimum cycle basis itself is cited by the paper, not proved "
         "there. The faces can be read off in time linear in E instead.",

@@ -140,41 +140,37 @@ def _downward(_rng: random.Random) -> Iterator[Case]:
 
 
 _ROUTES = (Route(BRUTE_FORCE, _substituted), Route(SOLVER, _solved))
+_table = partial(
+    Claim,
+    hypotheses=("the corrected model", "friction 1/2, stiffness 1"),
+    quantity="verdict, and whether the printed forces and motion satisfy the model exactly",
+    routes=_ROUTES,
+    judge=_as_printed,
+    kind=Kind.EXHAUSTIVE,
+    explain=_explain_row,
+    rows=True,
+)
 
 CLAIMS = (
-    Claim(
+    _table(
         id="table-three-contacts",
         locator="Table I",
         statement="The three-contact grasp is stable or not as printed, and the printed forces and "
         "motion of each stable row are an equilibrium.",
-        hypotheses=("the corrected model", "friction 1/2, stiffness 1"),
-        quantity="verdict, and whether the printed forces and motion satisfy the model exactly",
-        routes=_ROUTES,
         cases=partial(_rows, printed.THREE_CONTACT_GRASP, printed.THREE_CONTACTS),
-        judge=_as_printed,
-        kind=Kind.EXHAUSTIVE,
         over="all 7 printed rows",
         expected=Verdict.HOLDS,
-        explain=_explain_row,
-        rows=True,
     ),
-    Claim(
+    _table(
         id="table-four-contacts",
         locator="Table III",
         statement="The four-contact grasp is stable or not as printed, and the printed forces and "
         "motion of each stable row are an equilibrium.",
-        hypotheses=("the corrected model", "friction 1/2, stiffness 1"),
-        quantity="verdict, and whether the printed forces and motion satisfy the model exactly",
-        routes=_ROUTES,
         cases=partial(_rows, printed.FOUR_CONTACT_GRASP, printed.FOUR_CONTACTS),
-        judge=_as_printed,
-        kind=Kind.EXHAUSTIVE,
         over="all 10 printed rows",
         expected=Verdict.HOLDS_UNDER_HYPOTHESIS,
-        explain=_explain_row,
         meaning="The last row has a number with two points in it; read in the only way that "
         "satisfies the model, it fits too.",
-        rows=True,
     ),
     Claim(
         id="downward-forces",
