@@ -56,6 +56,7 @@ COMMANDS = (
     Command(f"equilibrium wrench-space {_G}", 0, "force closure"),
     Command("equilibrium survey --number 2 --contacts 2", 0, "2 questions"),
     Command("equilibrium make csv fingers.csv", 0, '"contacts"'),
+    Command("equilibrium make floats fingers.csv", 0, '"contacts"'),
     Command("equilibrium make polygon wedge.json", 0, '"contacts"'),
     Command("equilibrium make circle --angles 0 120 --friction 1/2", 0, '"contacts"'),
     Command("equilibrium make random --contacts 3", 0, '"contacts"'),

@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
+import subprocess
+import sys
 from pathlib import Path
 from subprocess import CompletedProcess
 
 import pytest
 
 from tests.check_package import FILES, complaints, untried, wrong_files
-from tests.package_commands import COMMANDS, Command
+from tests.package_commands import PROGRAMS, Command
 
 WHEEL = {"arrangement/__init__.py", "arrangement/py.typed", "equilibrium/instances/a.json"}
 ARCHIVE = WHEEL | FILES | {"tests/test_a.py", "docs/index.rst", "PKG-INFO", ".gitignore"}
@@ -55,9 +57,10 @@ def test_a_file_that_only_the_wheel_has_is_found() -> None:
     ]
 
 
-def test_a_command_that_is_not_tried_is_found() -> None:
-    tried = [command.line.split() for command in COMMANDS]
-    programs = [[line[0]] for line in tried] + [line[:2] for line in tried if line[1] != "make"]
+def test_every_command_of_the_programs_is_tried() -> None:
+    listed = subprocess.run([sys.executable, "-c", PROGRAMS], capture_output=True, check=True)
+    programs = [line.split() for line in listed.stdout.decode().splitlines()]
+    assert ["equilibrium", "make", "csv"] in programs
     assert untried(programs) == []
     assert untried([*programs, ["arrangement", "planted"]]) == [
         "no command here tries arrangement planted"
