@@ -83,24 +83,34 @@ def outline_of(polygons: Sequence[Polyhedron]) -> Outline:
     """
     solid = [p for p in polygons if p.dimension == 2]
     thin = [p for p in polygons if p.dimension == 1]
-    border: list[Segment] = []
-    rows = sorted({row for p in solid for row in p.inequalities})
-    carriers = [[p for p in solid if row in p.inequalities] for row in rows]
+    single = (p.points[0] for p in polygons if p.dimension == 0)
+    larger = [*solid, *thin]
+    points = sorted({x for x in single if not any(p.contains(x) for p in larger)})
+    return Outline(tuple(_border(solid)), tuple(_whiskers(thin, solid)), tuple(points))
+
+
+def _border(solid: Sequence[Polyhedron]) -> Iterator[Segment]:
+    """Yield the parts of edges with nothing of the union on their other side."""
+    with_edge: dict[IntegerVector, list[Polyhedron]] = {}
+    for p in solid:
+        for row in p.inequalities:
+            with_edge.setdefault(row, []).append(p)
+    rows = sorted(with_edge)
+    carriers = [with_edge[row] for row in rows]
     found = zip(rows, carriers, _near(rows, carriers, solid), strict=True)
     for row, edges, near in watched(found, "lines", len(rows)):
         line = _Line(row)
         covered = [line.part(p) for p in near if line.covers_beyond(p)]
-        border += line.segments([line.part(p) for p in edges], covered)
-    whiskers: list[Segment] = []
+        yield from line.segments([line.part(p) for p in edges], covered)
+
+
+def _whiskers(thin: Sequence[Polyhedron], solid: Sequence[Polyhedron]) -> Iterator[Segment]:
+    """Yield the parts of flat polygons outside the two-dimensional part."""
     rows = sorted({max(p.equalities[0], _opposite(p.equalities[0])) for p in thin})
     carriers = [[p for p in thin if _Line(row).carries(p)] for row in rows]
     for row, edges, near in zip(rows, carriers, _near(rows, carriers, solid), strict=True):
         line = _Line(row)
-        whiskers += line.segments([line.part(p) for p in edges], [line.part(p) for p in near])
-    single = (p.points[0] for p in polygons if p.dimension == 0)
-    larger = [*solid, *thin]
-    points = sorted({x for x in single if not any(p.contains(x) for p in larger)})
-    return Outline(tuple(border), tuple(whiskers), tuple(points))
+        yield from line.segments([line.part(p) for p in edges], [line.part(p) for p in near])
 
 
 def _near(
