@@ -155,16 +155,16 @@ class _Batch:
     ) -> None:
         self.contacts, self.codes, self.rows, self.classes = contacts, codes, rows, classes
         self.size = 3 + planes
-        self.attached = (codes != DETACHED).astype(np.float64)
-        self.slip = np.where(codes == DETACHED, 0, codes).astype(np.float64)
         self._build()
         self._invert()
 
     def _build(self) -> None:
         count, data = len(self.codes), self.contacts
+        attached = (self.codes != DETACHED).astype(np.float64)
+        slip = np.where(self.codes == DETACHED, 0, self.codes).astype(np.float64)
         towards, along = data.stiffness_terms
         self.matrix = np.zeros((count, self.size, self.size))
-        self.matrix[:, :3, :3] = (self.attached @ towards - self.slip @ along).reshape(count, 3, 3)
+        self.matrix[:, :3, :3] = (attached @ towards - slip @ along).reshape(count, 3, 3)
         for j in range(self.size - 3):
             plane = data.plane[self.classes[:, j]]
             self.matrix[:, :3, 3 + j], self.matrix[:, 3 + j, :3] = -plane, plane
@@ -172,7 +172,7 @@ class _Batch:
         total = np.abs(towards).sum(axis=0) + np.abs(along).sum(axis=0)
         self.matrix_error[:3, :3] = data.relative_error * total.reshape(3, 3)
         towards, along = data.preload_terms
-        self.load = self.attached @ towards - self.slip @ along
+        self.load = attached @ towards - slip @ along
         total = np.abs(towards).sum(axis=0) + np.abs(along).sum(axis=0)
         self.load_error = data.relative_error * total
 
@@ -240,7 +240,7 @@ class _Batch:
     def _springs(self, found: _Solutions) -> Floats:
         """Return upper bounds of the spring conditions, by contact."""
         normal, doubt = self._normal_forces(found)
-        bounds: Floats = np.where(self.attached > 0, normal, -normal) + doubt
+        bounds: Floats = np.where(self.codes == DETACHED, -normal, normal) + doubt
         return bounds
 
     def _normal_forces(self, found: _Solutions) -> tuple[Floats, Floats]:
@@ -252,10 +252,11 @@ class _Batch:
 
     def _slips_and_friction(self, found: _Solutions, rows: Integers) -> Floats:
         """Return upper bounds of the other `CONDITIONS` of some rows; infinite where none is."""
-        data, slip = self.contacts, self.slip[rows]
+        data, codes = self.contacts, self.codes[rows]
         moved = found.motion @ data.tangent.T
         doubt = _MARGIN * np.outer(found.reach, np.abs(data.tangent).sum(axis=1))
-        bounds = [np.where(slip != 0, moved * slip + doubt, np.inf)]
+        slips = (codes != 0) & (codes != DETACHED)
+        bounds = [np.where(slips, moved * codes + doubt, np.inf)]
         if self.size > 3:
             bounds += self._friction(found, rows)
         return np.concatenate(bounds, axis=1)
