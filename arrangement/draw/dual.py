@@ -149,7 +149,7 @@ class _Picture:
         largest = 1.0 if self.hull else float(np.linalg.norm(solid.places, axis=1).max())
         self.places = np.array(centre) + solid.places * (radius / max(largest, 1e-9))
         if self.hull:
-            sheet.circle(centre, radius, fill=False, ec="black", lw=0.4, zorder=1, gid="limb")
+            sheet.circle(centre, radius, fill=False, ec="0.6", lw=0.4, zorder=1, gid="limb")
         for k, (cycle, tilt) in enumerate(solid.faces):
             grey = str(round(0.9 + 0.09 * tilt, 3))
             sheet.polygon(self.places[list(cycle)], fc=grey, ec="none", zorder=1, gid=f"face-{k}")
