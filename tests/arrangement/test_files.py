@@ -81,7 +81,7 @@ HOSTILE: dict[str, tuple[str | bytes, str]] = {
     "null": (one_number("null"), "NoneType"),
     "a list for a number": (one_number("[1]"), "list"),
     "an object for a number": (one_number('{"p": 1}'), "dict"),
-    "too many digits": (one_number("9" * 5000), "digits"),
+    "too many digits": (one_number("9" * 100_001), "100001 digits"),
     "too many digits in text": (one_number('"' + "9" * 100_001 + '"'), "100001 characters"),
     "a million digits": (one_number("9" * 10**6), "digits"),
     "division by zero": (one_number('"1/0"'), "zero"),
@@ -189,7 +189,7 @@ def test_reading_leaves_the_mapping_alone() -> None:
     assert given == {"schema_version": 1, "planes": [["1", "0"]]}
 
 
-@pytest.mark.parametrize("text", ["0.5", "1e999999999", "1.0", "NaN", "-Infinity", "9" * 5000])
+@pytest.mark.parametrize("text", ["0.5", "1e999999999", "1.0", "NaN", "-Infinity", "9" * 100_001])
 def test_inexact_numbers_are_refused_wherever_they_stand(write: Write, text: str) -> None:
     path = write('{"schema_version": 1, "planes": [], "else": {"deep": [' + text + "]}}")
     with pytest.raises(InputError, match=r"document\.json"):
