@@ -53,8 +53,9 @@ def grasp_tables(
         for m in contacts
         if m <= 20
     }
-    print("\nThe same with rounded numbers (planes of at most 5 digits)")
-    own_table(rounded)
+    if rounded:
+        print("\nThe same with rounded numbers (planes of at most 5 digits)")
+        own_table(rounded)
     print("\nOther programs on the same grasps (no proof), and times ours")
     for m in contacts:
         seeds = _seeds(m)[: PEER.get(m, 8)]
