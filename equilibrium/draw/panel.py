@@ -103,9 +103,10 @@ class Panel:
             self.axes.text(*(np.array(place) + shift), text, size=FONT, clip_on=False,
                            ha="center" if k == 0 else "right", va="center")  # fmt: skip
 
-    def title(self, text: str, **style: Any) -> None:
-        """Write a title above, from the left edge."""
-        self.axes.text(-1, 1 + 5 * self.unit, text, size=FONT, ha="left", va="center", **style)
+    def title(self, text: str, above: float = 5.0, **style: Any) -> None:
+        """Write a title above, from the left edge; its middle is so many points above the top."""
+        place = 1 + above * self.unit
+        self.axes.text(-1, place, text, size=FONT, ha="left", va="center", **style)
 
     def region(self, region: Region, by_states: bool = True) -> None:
         """Fill the polygons, small ones on top, and draw the outline of their union."""

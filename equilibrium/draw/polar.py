@@ -66,7 +66,7 @@ def draw_polar(
     legend = Legend(width)
     _describe(found.entries, region, legend)
     figure, (panel,) = row_of_panels(1, width, window, legend, grasp)
-    panel.title(f"largest resisted force in {directions} directions")
+    panel.title(f"largest resisted force in {directions} directions", above=8.0)
     panel.region(region, by_states=False)
     _round(panel)
     for i, entry in enumerate(found.entries):
