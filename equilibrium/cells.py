@@ -13,7 +13,7 @@ two of them, and of d = 0. They are O(m^2) without preload, O(m^3) with.
 from __future__ import annotations
 
 from functools import lru_cache
-from typing import Any, TypeAlias
+from typing import TypeAlias
 
 import numpy as np
 import numpy.typing as npt
@@ -30,7 +30,6 @@ Codes: TypeAlias = npt.NDArray[np.int8]
 DETACHED = 2
 STATE_OF_CODE: dict[int, State] = {1: "slip+", 0: "stick", -1: "slip-", DETACHED: "detached"}
 _LETTERS = {1: "+", 0: "0", -1: "-", DETACHED: "d"}
-_CODES_IN_A_WORD = 32
 
 
 def contact_states(grasp: Grasp) -> tuple[States, ...]:
@@ -49,9 +48,13 @@ def states_of_code(row: list[int]) -> States:
     return tuple(STATE_OF_CODE[code] for code in row)
 
 
-def letters_of_code(row: list[int]) -> str:
-    """Return a row of codes as one letter for each contact, as certificates write them."""
-    return "".join([_LETTERS[code] for code in row])
+def letters_of_codes(codes: Codes) -> list[str]:
+    """Return rows of codes as one letter for each contact, as certificates write them."""
+    table = np.zeros(4, dtype=np.uint8)
+    for code, letter in _LETTERS.items():
+        table[code + 1] = ord(letter)
+    text, m = table[codes + 1].tobytes().decode("ascii"), codes.shape[1]
+    return [text[k * m : (k + 1) * m] for k in range(len(codes))]
 
 
 @lru_cache(maxsize=8)
@@ -60,10 +63,8 @@ def contact_codes(grasp: Grasp) -> Codes:
     m = len(grasp)
     faces = motion_faces(grasp)
     tangential = sorted({faces.arrangement.class_of[i] for i in range(m)})
-    facets = faces.facets[(faces.facets[:, tangential] == 0).any(axis=1)]
-    edges = faces.edges[(faces.edges[:, tangential] == 0).sum(axis=1) >= 2]
-    signs = faces.plane_signs(np.concatenate([faces.regions, facets, edges]))
-    codes = _codes(signs)
+    parts = [faces.regions, faces.facets_on(tangential), faces.edges_between(tangential)]
+    codes = np.concatenate([_codes(faces.plane_signs(part)) for part in parts])
     if grasp.tangential_arrangement().rank == 3:
         at_rest = grasp.motion_arrangement().signs_at((0, 0, 0))
         codes = np.concatenate([codes, _codes(np.array([at_rest], dtype=np.int8))])
@@ -87,16 +88,12 @@ def _codes(signs: Codes) -> Codes:
 
 def _distinct(codes: Codes) -> Codes:
     """Return the rows without repeats, in a fixed order."""
-    count, m = codes.shape
-    words = [
-        (codes[:, start : start + _CODES_IN_A_WORD] + 1).astype(np.uint64) @ _powers(m - start)
-        for start in range(0, max(m, 1), _CODES_IN_A_WORD)
-    ]
-    order = np.lexsort(words)
-    first = np.ones(count, dtype=bool)
-    first[1:] = np.any([word[order[1:]] != word[order[:-1]] for word in words], axis=0)
+    # Two bits for each code; whole words are sorted faster than rows.
+    bits = np.concatenate([codes > 0, codes & 1 == 0], axis=1)
+    packed = np.packbits(bits, axis=1)
+    words = np.zeros((len(codes), -(-packed.shape[1] // 8)), dtype=np.uint64)
+    words.view(np.uint8)[:, : packed.shape[1]] = packed
+    order = np.lexsort(words.T) if words.size else np.arange(len(codes))
+    first = np.ones(len(codes), dtype=bool)
+    first[1:] = np.any(words[order[1:]] != words[order[:-1]], axis=1)
     return codes[order[first]]
-
-
-def _powers(length: int) -> npt.NDArray[Any]:
-    return np.uint64(4) ** np.arange(min(length, _CODES_IN_A_WORD), dtype=np.uint64)

@@ -8,9 +8,12 @@ from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
 
+import numpy as np
+
 from arrangement.exact import RationalVector, to_text
 
-from .checker import SCHEMA_VERSION, Point, Reason, Report, check, digest
+from .checker import SCHEMA_VERSION, Reason, Report, canonical, check, digest_of
+from .coverage import Rows
 from .grasp import Grasp
 
 
@@ -42,56 +45,70 @@ def stable_certificate(
     forces: Iterable[tuple[Fraction, Fraction]],
 ) -> Certificate:
     """Return the certificate of an equilibrium."""
-    content = {"motion": _texts(motion), "forces": [_texts(pair) for pair in forces]}
-    return _certificate("stable", grasp, wrench, content)
+    listed = [_texts(pair) for pair in forces]
+    parts = {"motion": canonical(_texts(motion)), "forces": canonical(listed)}
+    return _certificate("stable", grasp, wrench, parts)
 
 
 def unstable_certificate(
-    grasp: Grasp,
-    wrench: RationalVector,
-    regions: Iterable[tuple[Sequence[int], Point]],
-    branches: Iterable[tuple[str, Reason]],
+    grasp: Grasp, wrench: RationalVector, regions: str, branches: Iterable[tuple[str, Reason]]
 ) -> Certificate:
     """Return the certificate that no equilibrium exists.
 
     Args:
-        regions: the signs of each region of the motion arrangement, and a point inside.
+        regions: as `regions_text` gives them.
         branches: the states, one letter for each contact, and the reason, for each choice of
             states that `equilibrium.coverage` asks for.
     """
-    symbol = {1: "+", -1: "-"}
-    content = {
-        "regions": [
-            ["".join([symbol[s] for s in signs]), *map(_integer_entry, point)]
-            for signs, point in regions
-        ],
-        "branches": {
-            states: reason
-            if isinstance(reason, str)
-            else {"inequalities": _texts(reason[0]), "equalities": _texts(reason[1])}
-            for states, reason in branches
-        },
-    }
-    return _certificate("unstable", grasp, wrench, content)
+    entries = (f'"{states}":{_reason_text(reason)}' for states, reason in sorted(branches))
+    parts = {"regions": regions, "branches": "{" + ",".join(entries) + "}"}
+    return _certificate("unstable", grasp, wrench, parts)
 
 
-def _integer_entry(value: int) -> int | str:
-    """Return an integer, as text when JSON readers refuse its length."""
-    return value if value.bit_length() <= 4096 else to_text(value)
+def regions_text(signs: Rows, points: Iterable[Sequence[int]]) -> str:
+    """Return all regions of a motion arrangement as they stand in a certificate.
+
+    Args:
+        signs: one row over the planes for each region.
+        points: integers X, Y, Z, W for the point (X, Y, Z) / W inside each.
+    """
+    letters = np.where(signs > 0, np.uint8(ord("+")), np.uint8(ord("-")))
+    text, n = letters.tobytes().decode("ascii"), signs.shape[1]
+    entries = (
+        f'["{text[k * n : (k + 1) * n]}",{",".join(map(_integer_text, point))}]'
+        for k, point in enumerate(points)
+    )
+    return "[" + ",".join(entries) + "]"
+
+
+def _integer_text(value: int) -> str:
+    """Return an integer as JSON: in quotes when readers would refuse its length."""
+    return str(value) if value.bit_length() <= 4096 else f'"{to_text(value)}"'
+
+
+def _reason_text(reason: Reason) -> str:
+    if isinstance(reason, str):
+        return f'"{reason}"'
+    return canonical({"inequalities": _texts(reason[0]), "equalities": _texts(reason[1])})
 
 
 def _certificate(
-    kind: str, grasp: Grasp, wrench: RationalVector, content: dict[str, Any]
+    kind: str, grasp: Grasp, wrench: RationalVector, parts: dict[str, str]
 ) -> Certificate:
-    document = {
-        "schema_version": SCHEMA_VERSION,
-        "certificate": kind,
-        "grasp": grasp.to_dict(),
-        "wrench": _texts(wrench),
-        **content,
+    """Put a document together from its entries, each in canonical JSON."""
+    entries = {
+        "schema_version": canonical(SCHEMA_VERSION),
+        "certificate": canonical(kind),
+        "grasp": canonical(grasp.to_dict()),
+        "wrench": canonical(_texts(wrench)),
+        **parts,
     }
-    document["digest"] = digest(document)
-    return Certificate(json.dumps(document))
+    entries["digest"] = canonical(digest_of(_joined(entries)))
+    return Certificate(_joined(entries))
+
+
+def _joined(entries: dict[str, str]) -> str:
+    return "{" + ",".join(f'"{key}":{entries[key]}' for key in sorted(entries)) + "}"
 
 
 def _texts(vector: Iterable[Fraction]) -> list[str]:

@@ -133,14 +133,24 @@ def check(
 
 
 def digest(document: Mapping[str, Any]) -> str:
-    """Return the SHA-256 of a document without its digest, in canonical JSON."""
-    content = {key: value for key, value in document.items() if key != "digest"}
-    text = json.dumps(content, sort_keys=True, separators=(",", ":"), ensure_ascii=True)
+    """Return the digest of a document: of its canonical JSON without the digest itself."""
+    return digest_of(canonical({key: value for key, value in document.items() if key != "digest"}))
+
+
+def canonical(value: Any) -> str:
+    """Return JSON in the one form that digests are made of: sorted keys, no spaces, ASCII."""
+    return json.dumps(value, sort_keys=True, separators=(",", ":"), ensure_ascii=True)
+
+
+def digest_of(text: str) -> str:
+    """Return the SHA-256 of a text."""
     return hashlib.sha256(text.encode("ascii")).hexdigest()
 
 
 def _kind(document: Mapping[str, Any]) -> str:
     """Check version, kind and keys of a document; return the kind."""
+    if not isinstance(document, Mapping):
+        raise CertificateError("the certificate must be an object")
     version = document.get("schema_version")
     if type(version) is not int or version != SCHEMA_VERSION:
         raise CertificateError(
@@ -201,14 +211,16 @@ def _unstable_lines(
 
 def _regions(value: Any, planes: int) -> tuple[Rows, list[Point]]:
     """Return the signs and the points of the listed regions."""
-    texts, points = [], []
-    for i, entry in enumerate(check_list(value, "regions")):
-        text, *point = check_list(entry, f"regions[{i}]", 5)
+    entries = check_list(value, "regions")
+    if not (entries and all(type(entry) is list and len(entry) == 5 for entry in entries)):
+        entries = [check_list(entry, f"regions[{i}]", 5) for i, entry in enumerate(entries)]
+    texts = [entry[0] for entry in entries]
+    for i, text in enumerate(texts):
         if not isinstance(text, str) or len(text) != planes or text.strip("+-"):
             raise CertificateError(f"regions[{i}]: the signs must be {planes} of + and -")
-        texts.append(text)
-        plain = all(type(x) is int for x in point)
-        points.append(point if plain else _integers(point, f"regions[{i}]"))
+    points: list[Point] = [entry[1:] for entry in entries]
+    if not {type(x) for point in points for x in point} <= {int}:
+        points = [_integers(point, f"regions[{i}]") for i, point in enumerate(points)]
     letters = np.frombuffer("".join(texts).encode("ascii"), dtype=np.uint8)
     signs = np.where(letters == ord("+"), np.int8(1), np.int8(-1)).reshape(len(texts), planes)
     return signs, points

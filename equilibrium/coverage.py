@@ -28,7 +28,6 @@ Rows: TypeAlias = npt.NDArray[np.int8]
 _Hashes: TypeAlias = npt.NDArray[np.uint64]
 
 DETACHED = 2
-_CHUNK = 16384
 
 
 def due_states(planes: Arrangement, regions: Rows) -> Rows:
@@ -47,12 +46,14 @@ def due_states(planes: Arrangement, regions: Rows) -> Rows:
     over_classes = regions[:, first]
     found = [_states(planes, over_classes)]
     keys = np.random.default_rng(2018).integers(0, 2**64, len(first), dtype=np.uint64)
+    hashes = _hashes(over_classes, keys)
     for one in tangential:
-        facets = _between(over_classes, [one], one, keys)
+        facets, facet_hashes = _between(over_classes, hashes, [one], one, keys)
         found.append(_states(planes, facets))
         for other in (c for c in tangential if c > one):
             through = _through_line(planes, first, one, other)
-            found.append(_states(planes, _between(facets, through, other, keys)))
+            edges, _ = _between(facets, facet_hashes, through, other, keys)
+            found.append(_states(planes, edges))
     if rank(planes.integer_planes[i][:-1] for i in range(m)) == 3:
         at_rest = [[-sign(planes.integer_planes[i][-1]) for i in first]]
         found.append(_states(planes, np.array(at_rest, dtype=np.int8)))
@@ -79,31 +80,35 @@ def _states(planes: Arrangement, signs: Rows) -> Rows:
     return states
 
 
-def _between(rows: Rows, through: Sequence[int], side: int, keys: _Hashes) -> Rows:
+def _between(
+    rows: Rows, hashes: _Hashes, through: Sequence[int], side: int, keys: _Hashes
+) -> tuple[Rows, _Hashes]:
     """Return the faces between two rows on the two sides of a plane that agree elsewhere.
 
     Args:
+        hashes: of the rows.
         through: the classes of planes that hold these faces, `side` among them.
+
+    Returns:
+        The faces, with zeros at `through`, and their hashes.
     """
+    elsewhere = hashes.copy()
+    for column in through:
+        elsewhere ^= np.where(rows[:, column] > 0, keys[column], np.uint64(0))
     positive = rows[:, side] > 0
-    hashes = _hashes(rows, through, keys)
     above, below = np.flatnonzero(positive), np.flatnonzero(~positive)
-    order = above[np.isin(hashes[above], hashes[below])]
-    faces = rows[order].copy()
+    order = above[np.isin(elsewhere[above], elsewhere[below])]
+    faces = rows[order]
     faces[:, list(through)] = 0
-    return faces
+    return faces, elsewhere[order]
 
 
-def _hashes(rows: Rows, left_out: Sequence[int], keys: _Hashes) -> _Hashes:
-    """Return a hash of each row over its positive entries, some columns left out."""
-    used = keys.copy()
-    used[list(left_out)] = 0
-    return np.concatenate(
-        [
-            np.bitwise_xor.reduce(np.where(rows[k : k + _CHUNK] > 0, used, np.uint64(0)), axis=1)
-            for k in range(0, max(len(rows), 1), _CHUNK)
-        ]
-    )
+def _hashes(rows: Rows, keys: _Hashes) -> _Hashes:
+    """Return a hash of each row: of its positive entries."""
+    hashes = np.zeros(len(rows), dtype=np.uint64)
+    for column, key in enumerate(keys):
+        hashes ^= np.where(rows[:, column] > 0, key, np.uint64(0))
+    return hashes
 
 
 def _through_line(planes: Arrangement, first: Sequence[int], one: int, other: int) -> list[int]:

@@ -14,11 +14,7 @@ from typing import TypeAlias
 from arrangement import linprog
 from arrangement.exact import RationalVector, dot
 
-from .grasp import Grasp
-from .systems import DIRECTION, States, StateSystem
-
-#: The number of inequalities of a contact in each state.
-_CONDITIONS = {"detached": 1, "slip+": 2, "slip-": 2, "stick": 3}
+from .systems import StateSystem
 
 
 @dataclass(frozen=True, slots=True)
@@ -90,58 +86,6 @@ def point_with_idle(system: StateSystem, idle: Collection[int]) -> RationalVecto
         dot(_integers(row), point) for row in system.equalities
     )
     return tuple(Fraction(x, point[-1]) for x in point[:-1]) if holds else None
-
-
-def balance_refutation(grasp: Grasp, wrench: RationalVector, states: States) -> Refutation | None:
-    """Return a Farkas vector that needs the balance alone, if there is one.
-
-    Where the forces of all touching contacts span less than the space of wrenches, they have no
-    part along some direction x; if the wrench has one, nothing balances it.
-    """
-    span: list[RationalVector] = []
-    for contact, state in zip(grasp, states, strict=True):
-        if state == "stick":
-            span += [contact.normal_wrench, contact.tangential_wrench]
-        elif state != "detached":
-            pull = DIRECTION[state] * contact.friction
-            pairs = zip(contact.normal_wrench, contact.tangential_wrench, strict=True)
-            span.append(tuple(along + pull * across for along, across in pairs))
-    reduced, pivots, scale = gauss_jordan(span)
-    for free in (j for j in range(3) if j not in pivots):
-        direction = [Fraction(int(j == free)) for j in range(3)]
-        for row, pivot in zip(reduced, pivots, strict=False):
-            direction[pivot] = Fraction(-row[free], scale)
-        product = dot(direction, wrench)
-        if product:
-            sticks = states.count("stick")
-            conditions = sum(_CONDITIONS[state] for state in states)
-            factors = (
-                Fraction(0) if _is_empty(grasp, wrench, states, axis) else x / -product
-                for axis, x in enumerate(direction)
-            )
-            return Refutation((Fraction(0),) * conditions, (*factors, *[Fraction(0)] * sticks))
-    return None
-
-
-def _is_empty(grasp: Grasp, wrench: RationalVector, states: States, axis: int) -> bool:
-    """Return whether the forces cancel along an axis, so that its balance is ``0 = 0``.
-
-    Normal forces depend on one motion, so they can cancel where their directions do not.
-    """
-    row = [Fraction(0)] * 3 + [wrench[axis]]
-    for contact, state in zip(grasp, states, strict=True):
-        if state == "detached":
-            continue
-        along, across = contact.normal_wrench[axis], contact.tangential_wrench[axis]
-        if state == "stick":
-            if across:
-                return False
-        else:
-            along += DIRECTION[state] * contact.friction * across
-        if along:
-            spring = (-contact.stiffness * x for x in contact.normal_wrench)
-            row = [a + along * b for a, b in zip(row, (*spring, contact.preload), strict=True)]
-    return not any(row)
 
 
 def _by_program(system: StateSystem) -> Outcome:

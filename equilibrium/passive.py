@@ -21,14 +21,19 @@ import numpy as np
 from arrangement.exact import RationalVector, to_text
 from arrangement.progress import watched
 
-from .cells import Codes, letters_of_code, motion_faces, states_at, states_of_code
-from .certificate import Certificate, stable_certificate, unstable_certificate
+from .balance import balances_of
+from .cells import Codes, letters_of_codes, motion_faces, states_at, states_of_code
+from .certificate import (
+    Certificate,
+    regions_text,
+    stable_certificate,
+    unstable_certificate,
+)
 from .checker import Reason, Report, check
 from .elimination import (
     Continuum,
     Point,
     Refutation,
-    balance_refutation,
     decide,
     point_with_idle,
 )
@@ -85,12 +90,8 @@ class Verdict:
         if self.solution is not None:
             shown = self.solution
             return stable_certificate(self.grasp, self.wrench, shown.motion, shown.forces)
-        faces = motion_faces(self.grasp)
-        signs, points = faces.plane_signs(faces.regions), faces.integer_witnesses()
-        regions = zip(signs.tolist(), points.tolist(), strict=True)
-        return unstable_certificate(
-            self.grasp, self.wrench, regions, _reasons(self.grasp, self.wrench)
-        )
+        reasons = _reasons(self.grasp, self.wrench)
+        return unstable_certificate(self.grasp, self.wrench, _regions(self.grasp), reasons)
 
     def verify(self) -> Report:
         """Check the certificate, and that it answers this question; the report is true if so."""
@@ -171,13 +172,13 @@ class _Enumeration:
 @lru_cache(maxsize=4)
 def _enumerate(grasp: Grasp, wrench: RationalVector) -> _Enumeration:
     """Decide every choice of contact states."""
-    screen = screen_of(grasp)
+    screen, balances = screen_of(grasp), balances_of(grasp)
     violated = screen.violations(wrench)
     refuted: dict[int, Refutation] = {}
     solved: list[tuple[StateSystem, Point | Continuum]] = []
     for row in watched(np.flatnonzero(violated == UNDECIDED).tolist(), "contact states"):
         states = states_of_code(screen.codes[row].tolist())
-        refutation = balance_refutation(grasp, wrench, states)
+        refutation = balances.refutation(wrench, states)
         refutation = refutation or rest_refutation(grasp, wrench, states)
         if refutation is None:
             system = state_system(grasp, states, wrench)
@@ -213,10 +214,18 @@ def _reasons(grasp: Grasp, wrench: RationalVector) -> Iterator[tuple[str, Reason
     """Yield the reason why each choice of contact states admits no equilibrium."""
     done, m = _enumerate(grasp, wrench), len(grasp)
     names = [f"{kind} {contact}" for kind in CONDITIONS for contact in range(m)]
-    rows = zip(done.codes.tolist(), done.violated.tolist(), strict=True)
-    for row, (code, index) in enumerate(rows):
+    listed = zip(letters_of_codes(done.codes), done.violated.tolist(), strict=True)
+    for row, (letters, index) in enumerate(listed):
         if index == UNDECIDED:
             refutation = done.refuted[row]
-            yield letters_of_code(code), (refutation.inequalities, refutation.equalities)
+            yield letters, (refutation.inequalities, refutation.equalities)
         else:
-            yield letters_of_code(code), names[index]
+            yield letters, names[index]
+
+
+@lru_cache(maxsize=2)
+def _regions(grasp: Grasp) -> str:
+    """Return the regions as they stand in certificates; kept for the next wrench."""
+    faces = motion_faces(grasp)
+    signs, points = faces.plane_signs(faces.regions), faces.integer_witnesses()
+    return regions_text(signs, points.tolist())

@@ -66,11 +66,13 @@ def rest_refutation(grasp: Grasp, wrench: RationalVector, states: States) -> Ref
 
 
 def _separating(touching: list[Contact], wrench: RationalVector) -> RationalVector | None:
-    """Return the shortest sum of all forces that friction allows, as found in floating point."""
-    from scipy.optimize import lsq_linear
+    """Return a direction that may separate, as found in floating point.
 
+    The shortest sum of all forces that friction allows separates where anything does.
+    """
     try:
-        tangents = np.array([[float(x) for x in c.tangential_wrench] for c in touching])
+        rows = [[float(x) for x in c.tangential_wrench] for c in touching]
+        tangents = np.array(rows).reshape(len(rows), 3)
         limits = np.array([float(c.friction * c.preload) for c in touching])
         load = np.array([float(x) for x in wrench])
         for c in touching:
@@ -78,7 +80,10 @@ def _separating(touching: list[Contact], wrench: RationalVector) -> RationalVect
     except OverflowError:
         return None
     useful = limits > 0
-    if useful.any():
+    # Against a strong wrench friction is little, and its own direction separates.
+    if load @ load < 1.001 * np.abs(tangents @ load) @ limits:
+        from scipy.optimize import lsq_linear
+
         columns = (tangents[useful] * limits[useful, None]).T
         shares = lsq_linear(columns, -load, bounds=(-1.0, 1.0)).x
         load = load + columns @ shares

@@ -42,6 +42,9 @@ UNDECIDED = -1
 #: Above the rounding errors of a bound's own computation.
 _MARGIN, _TINY = 1.01, 1e-200
 _ROWS = 8192
+#: Contacts looked at together; most choices fail at one of the first.
+_CONTACTS = 12
+_ALL = slice(None)
 
 
 @lru_cache(maxsize=8)
@@ -206,17 +209,21 @@ class _Batch:
         return _Solutions(z[:, :3, 0], z[:, 3:, 0], error, loaded)
 
     def violations(self, wrench: Floats) -> Integers:
-        """Return the condition that fails most surely in each choice, or `UNDECIDED`.
+        """Return a condition that surely fails in each choice, or `UNDECIDED`.
 
-        Springs first, slip and friction only where they leave a choice open.
+        Springs first, a few contacts at a time; slip and friction where they leave a choice open.
         """
         m = self.codes.shape[1]
+        violated = np.full(len(self.codes), UNDECIDED)
         if m == 0:
-            return np.full(len(self.codes), UNDECIDED)
+            return violated
         with np.errstate(all="ignore"):
-            found = self._solve(wrench)
-            violated = _worst(self._springs(found))
-            left = np.flatnonzero(violated == UNDECIDED)
+            found, left = self._solve(wrench), np.arange(len(self.codes))
+            for start in range(0, m, _CONTACTS):
+                some = slice(start, start + _CONTACTS)
+                worst = _worst(self._springs(found.at(left), left, some))
+                violated[left] = np.where(worst == UNDECIDED, UNDECIDED, start + worst)
+                left = left[worst == UNDECIDED]
             if len(left):
                 worst = _worst(self._slips_and_friction(found.at(left), left))
                 violated[left] = np.where(worst == UNDECIDED, UNDECIDED, m + worst)
@@ -228,7 +235,8 @@ class _Batch:
             return np.ones(len(self.codes), dtype=np.bool_)
         with np.errstate(all="ignore"):
             pair = self._solve(base), self._solve(direction, 0.0)
-            springs = [self._springs(found) for found in pair]
+            every = np.arange(len(self.codes))
+            springs = [self._springs(found, every) for found in pair]
             possible = ~_surely_empty(*springs)
             left = np.flatnonzero(possible)
             if len(left):
@@ -237,18 +245,19 @@ class _Batch:
                 possible[left] = ~_surely_empty(*both)
         return possible
 
-    def _springs(self, found: _Solutions) -> Floats:
-        """Return upper bounds of the spring conditions, by contact."""
-        normal, doubt = self._normal_forces(found)
-        bounds: Floats = np.where(self.codes == DETACHED, -normal, normal) + doubt
+    def _springs(self, found: _Solutions, rows: Integers, contacts: slice = _ALL) -> Floats:
+        """Return upper bounds of the spring conditions of some rows, by contact."""
+        normal, doubt = self._normal_forces(found, contacts)
+        detached = self.codes[rows, contacts] == DETACHED
+        bounds: Floats = np.where(detached, -normal, normal) + doubt
         return bounds
 
-    def _normal_forces(self, found: _Solutions) -> tuple[Floats, Floats]:
+    def _normal_forces(self, found: _Solutions, contacts: slice = _ALL) -> tuple[Floats, Floats]:
         """Return ``preload - stiffness N . d`` and a bound of its error, by contact."""
-        data = self.contacts
-        normal = found.loaded * data.preload - found.motion @ data.spring.T
-        doubt = _MARGIN * np.outer(found.reach, np.abs(data.spring).sum(axis=1))
-        return normal, doubt + found.loaded * (12 * _MARGIN * UNIT * data.preload)
+        spring, preload = self.contacts.spring[contacts], self.contacts.preload[contacts]
+        normal = found.loaded * preload - found.motion @ spring.T
+        doubt = _MARGIN * np.outer(found.reach, np.abs(spring).sum(axis=1))
+        return normal, doubt + found.loaded * (12 * _MARGIN * UNIT * preload)
 
     def _slips_and_friction(self, found: _Solutions, rows: Integers) -> Floats:
         """Return upper bounds of the other `CONDITIONS` of some rows; infinite where none is."""

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from fractions import Fraction
 from functools import cached_property
 from typing import TypeAlias
@@ -69,6 +69,21 @@ class SpaceFaces:
         """The faces of dimension 3: (count, classes) signs."""
         return _frozen(_signs(self._faces.regions, self.classes))
 
+    def edges_between(self, classes: Sequence[int]) -> Signs:
+        """Return those `edges` whose line lies in at least two of some classes."""
+        chosen = self._lines.through[:, classes].sum(axis=1) >= 2
+        kept = chosen[self._lines.line]
+        signs = _signs(self._lines.words[kept], self.classes)
+        signs[self._lines.through[self._lines.line[kept]]] = 0
+        return signs
+
+    def facets_on(self, classes: Sequence[int]) -> Signs:
+        """Return those `facets` that lie in one of some classes."""
+        kept = np.isin(self._faces.on, classes)
+        signs = _signs(self._faces.facets[kept], self.classes)
+        signs[np.arange(len(signs)), self._faces.on[kept]] = 0
+        return signs
+
     @cached_property
     def f_vector(self) -> tuple[int, int, int, int]:
         """The number of faces of dimension 0, 1, 2, 3, each counted on its own.
@@ -86,6 +101,8 @@ class SpaceFaces:
         """Return sign vectors over the input planes, from ones over their classes."""
         columns = np.array(self.arrangement.class_of, np.intp)
         orientation = np.array(self.arrangement.orientation, np.int8)
+        if np.array_equal(columns, np.arange(self.classes)):
+            return signs  # no two planes coincide
         translated: Signs = signs[:, columns] * orientation
         return translated
 
@@ -140,6 +157,14 @@ class _FewDirections(SpaceFaces):
     @cached_property
     def regions(self) -> Signs:
         return self._level(3)
+
+    def edges_between(self, classes: Sequence[int]) -> Signs:
+        chosen: Signs = self.edges[(self.edges[:, classes] == 0).sum(axis=1) >= 2]
+        return chosen
+
+    def facets_on(self, classes: Sequence[int]) -> Signs:
+        chosen: Signs = self.facets[(self.facets[:, classes] == 0).any(axis=1)]
+        return chosen
 
     @cached_property
     def f_vector(self) -> tuple[int, int, int, int]:

@@ -9,10 +9,11 @@ import pytest
 from hypothesis import given, settings, strategies as st
 
 from equilibrium import Contact, Grasp, passive, read_grasp, solve
+from equilibrium.balance import balances_of
 from equilibrium.cells import contact_codes, states_of_code
 from equilibrium.conditions import conditions_of, violation_problem
 from equilibrium.determinants import KINDS, proven_violations
-from equilibrium.elimination import Refutation, balance_refutation, decide, point_with_idle
+from equilibrium.elimination import Refutation, decide, point_with_idle
 from equilibrium.inputs.random import random_grasp, random_wrench
 from equilibrium.rest import rest_refutation
 from equilibrium.screening import CONDITIONS, UNDECIDED, Screen
@@ -176,10 +177,13 @@ def test_several_contacts_stick_at_rest_and_some_are_idle():
 @settings(max_examples=60, deadline=None)
 @given(grasps(3), wrenches)
 def test_quick_refutations_are_farkas_vectors(grasp, wrench):
+    applied, balances = tuple(map(Fraction, wrench)), balances_of(grasp)
     for row in contact_codes(grasp).tolist():
         states = states_of_code(row)
-        for quick in (balance_refutation, rest_refutation):
-            refutation = quick(grasp, tuple(map(Fraction, wrench)), states)
+        for refutation in (
+            balances.refutation(applied, states),
+            rest_refutation(grasp, applied, states),
+        ):
             if refutation is not None:
                 conditions = conditions_of(grasp, wrench, states)
                 assert not conditions.refutation_problem(
