@@ -3,7 +3,8 @@
 For each Python that is found, the wheel goes into an empty environment, without any extra. There
 every command must do its work, or name the extra that it needs, and answer ``--help`` quickly.
 
-    python tests/check_package.py             with the Pythons 3.11, 3.12 and 3.13 that are found
+    python tests/check_package.py             with the Pythons 3.11, 3.12 and 3.13 that are found,
+                                              or else with the one that runs this
     python tests/check_package.py --python P  with these only (may be repeated)
     python tests/check_package.py --archive   also `make verify` and `make test` in the unpacked
                                               source archive (long)
@@ -233,9 +234,9 @@ def main(arguments: Sequence[str]) -> int:
     parser.add_argument("--archive", action="store_true", help="also run the suite from the sdist")
     options = parser.parse_args(arguments)
     pythons = _found(options.python or PYTHONS)
-    if not pythons:
-        print("error: no interpreter to check with", file=sys.stderr)
+    if len(pythons) < len(options.python or ()):
         return 1
+    pythons = pythons or [sys.executable]
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)
         archive, wheel = build(folder)
@@ -251,7 +252,8 @@ def main(arguments: Sequence[str]) -> int:
             print(f"  {len(COMMANDS)} commands tried, {time.monotonic() - start:.0f} s", flush=True)
         if options.archive:
             wrong += _unpacked(archive, folder / "unpacked")
-    print("\n".join(wrong), file=sys.stderr)
+    for text in wrong:
+        print(text, file=sys.stderr)
     return 1 if wrong else 0
 
 
