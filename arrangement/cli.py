@@ -38,6 +38,14 @@ def _parser() -> console.Parser:
     faces.add_argument("--dimension", type=int, metavar="K", help="only faces of dimension K")
     faces.set_defaults(command=_faces)
 
+    bounds = commands.add_parser(
+        "bounds", help="count faces of generic planes against the published bounds"
+    )
+    bounds.add_argument("--largest", type=int, default=12, metavar="M", help="4 to 30 (default 12)")
+    bounds.add_argument("-o", "--output", metavar="PATH", help="a picture: .svg, .pdf, .png")
+    bounds.add_argument("--width", type=_length, metavar="MM", help="of the picture (default 180)")
+    bounds.set_defaults(command=_bounds)
+
     names = commands.add_parser("list", help="list the built-in documents")
     names.set_defaults(command=_list)
 
@@ -46,7 +54,7 @@ def _parser() -> console.Parser:
     _add_draw_options(draw)
     draw.set_defaults(command=_draw)
 
-    for command in (count, faces, names, draw):
+    for command in (count, faces, bounds, names, draw):
         console.add_json_option(command)
     return parser
 
@@ -151,6 +159,26 @@ def _faces(arguments: argparse.Namespace) -> int:
             )
         else:
             print(_line(face))
+    return console.YES
+
+
+def _bounds(arguments: argparse.Namespace) -> int:
+    from .draw.counts import check_largest, counts_table
+
+    check_largest(arguments.largest)
+    table = counts_table(arguments.largest)
+    if arguments.output:
+        from .draw import draw_counts, save_figure
+
+        width = {} if arguments.width is None else {"width": arguments.width}
+        save_figure(arguments.output, lambda: draw_counts(largest=arguments.largest, **width))
+    if arguments.json:
+        console.print_json({"counts": table})
+        return console.YES
+    print("m central planes in general position in R^3, by Zaslavsky's theorem; with the printed")
+    print("m^2 - m + 2 regions and 4m^2 - 4m + 3 states, and the bound for planes off the origin")
+    for row in table:
+        print("  ".join(f"{name} {value}" for name, value in row.items()))
     return console.YES
 
 

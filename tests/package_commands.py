@@ -33,6 +33,8 @@ COMMANDS = (
     Command("arrangement count braid-a3", 0, "states           75"),
     Command(f"arrangement count {_G}", 0, "states           27"),
     Command("arrangement faces coordinate-planes --json", 0, '"witness"'),
+    Command("arrangement bounds --largest 4", 0, "m 4  rays 12  facets 24  regions 14  states 51"),
+    _needs("figures", "arrangement bounds -o no.pdf"),
     Command("arrangement draw braid-a3 -o braid.html", 0, writes="braid.html"),
     Command("arrangement draw braid-a3 -o dual.stl", 0, writes="dual.stl"),
     Command("arrangement draw braid-a3 --model cells -o cells.glb", 0, writes="cells.glb"),

@@ -33,6 +33,32 @@ _FAMILIES: tuple[tuple[str, Callable[[int], Arrangement], int, str, bool], ...] 
 )
 
 
+def check_largest(largest: int) -> None:
+    """Refuse a number of planes that is out of range."""
+    if type(largest) is not int or not 4 <= largest <= 30:
+        raise InputError(f"the largest m is {shown(largest)}; give an integer from 4 to 30")
+
+
+def counts_table(largest: int) -> list[dict[str, int]]:
+    """Return, for 1 to `largest` central planes in general position in R^3, counts and bounds.
+
+    Rays, facets, regions and states (all faces) by Zaslavsky's theorem; the printed formulas of
+    regions and states; the bound of Fukuda and others on the regions of as many planes in R^3.
+    """
+    return [
+        {
+            "m": m,
+            **dict(zip(("rays", "facets", "regions"), f[1:], strict=True)),
+            "states": sum(f),
+            "printed_regions": m * m - m + 2,
+            "printed_states": 4 * m * m - 4 * m + 3,
+            "bound": fukuda_bound(m, 3, 3),
+        }
+        for m in range(1, largest + 1)
+        for f in [f_vector(generic(m))]
+    ]
+
+
 def draw_counts(*, largest: int = 12, width: float = 180.0) -> Figure:
     """Draw numbers of faces over the number m of planes, with the bounds that the paper states.
 
@@ -53,8 +79,7 @@ def draw_counts(*, largest: int = 12, width: float = 180.0) -> Figure:
         InputError: `largest` or `width` out of range.
         MissingExtraError: matplotlib is absent.
     """
-    if type(largest) is not int or not 4 <= largest <= 30:
-        raise InputError(f"the largest m is {shown(largest)}; give an integer from 4 to 30")
+    check_largest(largest)
     width = checked_width(width, 60.0)
     require_matplotlib()
     from matplotlib.figure import Figure

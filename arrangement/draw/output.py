@@ -116,10 +116,13 @@ def save_figure(path: str | os.PathLike[str], make: Callable[[], Figure]) -> Non
     """Write the figure that `make` returns, in the format of the suffix; the same bytes each time.
 
     Raises:
+        InputError: the suffix is not one of a picture, or there is no place to write.
         MissingExtraError: matplotlib is absent.
     """
-    buffer = io.BytesIO()
-    save_picture(buffer, Path(path).suffix.lower(), make)
+    suffix, buffer = Path(path).suffix.lower(), io.BytesIO()
+    if suffix not in PICTURES:
+        raise InputError(f"the file name ends in {shown(suffix)}; known are {', '.join(PICTURES)}")
+    save_picture(buffer, suffix, make)
     write_bytes_atomically(path, buffer.getvalue())
 
 

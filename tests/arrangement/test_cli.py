@@ -232,3 +232,28 @@ def test_a_grasp_stands_for_its_tangential_planes(capsys: Capture, tmp_path: Pat
     counts = json.loads(out)
     assert (counts["planes"], counts["distinct_planes"], counts["rank"]) == (4, 2, 2)
     assert (counts["f_vector"], counts["states"]) == ([0, 1, 4, 4], 9)
+
+
+def test_bounds_are_met_by_generic_planes_from_three_on(capsys: Capture, tmp_path: Path) -> None:
+    picture = tmp_path / "bounds.svg"
+    assert main(["bounds", "--largest", "6", "--json", "-o", str(picture)]) == 0
+    table = json.loads(capsys.readouterr().out)["counts"]
+    assert [row["m"] for row in table] == [1, 2, 3, 4, 5, 6]
+    for row in table[2:]:
+        assert row["regions"] == row["printed_regions"] <= row["bound"]
+        assert row["states"] == row["printed_states"]
+    assert (table[1]["states"], table[1]["printed_states"]) == (9, 11)
+    assert picture.read_text().startswith("<?xml")
+    assert main(["bounds", "--largest", "4"]) == 0
+    assert "m 4  rays 12  facets 24  regions 14  states 51" in capsys.readouterr().out
+
+
+@pytest.mark.parametrize("words", [["--largest", "3"], ["--largest", "31"], ["-o", "x.html"]])
+def test_bounds_out_of_range_are_refused(
+    capsys: Capture, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, words: list[str]
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    assert main(["bounds", *words]) == 2
+    printed = capsys.readouterr()
+    assert (printed.out, printed.err.count("\n")) == ("", 1)
+    assert not list(tmp_path.iterdir())
