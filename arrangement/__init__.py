@@ -1,4 +1,4 @@
-"""Exact arrangements of planes: faces, counts and dual polyhedra, with no floating point.
+"""Exact arrangements of planes: faces, counts, dual polyhedra, and their pictures.
 
 The names below are loaded when first used; `__init__.pyi` is their one list.
 """

@@ -16,7 +16,7 @@ from .files import (
 from .grasp import Contact as Contact, Grasp as Grasp
 from .literal import LiteralVerdict as LiteralVerdict, solve_literal as solve_literal
 from .measures import Units as Units
-from .passive import Verdict as Verdict, solve as solve
+from .passive import Solution as Solution, Verdict as Verdict, solve as solve
 from .pieces import Equilibrium as Equilibrium
 from .units import UnitNormal as UnitNormal, unit_normal as unit_normal
 
