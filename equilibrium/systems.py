@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass
 from fractions import Fraction
-from functools import cached_property
+from functools import cached_property, lru_cache
 from typing import Literal, TypeAlias
 
 from arrangement import linprog
@@ -68,9 +68,20 @@ def state_system(
         friction_sign: -1 lets friction pull along the slip (a literal reading only).
         cell_check: False leaves out the direction of slip (a literal reading only).
     """
+    resting = _without_wrench(grasp, states, friction_sign, cell_check)
+    balance = ((*row[:-1], row[-1] + w) for row, w in zip(resting.equalities, wrench, strict=False))
+    rows = (*balance, *resting.equalities[3:])
+    return StateSystem(states, rows, resting.inequalities, resting.forces)
+
+
+@lru_cache(maxsize=256)
+def _without_wrench(
+    grasp: Grasp, states: States, friction_sign: int, cell_check: bool
+) -> StateSystem:
+    """Return the system for no wrench; kept, since most of the work is the same for the next."""
     columns = _stick_columns(states)
     n = 3 + len(columns)
-    balance = [[Fraction(0)] * n + [w] for w in wrench]
+    balance = [[Fraction(0)] * (n + 1) for _ in range(3)]
     equalities, inequalities, forces = [], [], []
     for i, (contact, state) in enumerate(zip(grasp, states, strict=True)):
         normal = _normal_force(contact, n)
