@@ -4,10 +4,10 @@ from .dual import draw_dual as draw_dual
 from .gnomonic import draw_gnomonic as draw_gnomonic
 from .graph import draw_graph as draw_graph
 from .lattice import draw_lattice as draw_lattice
-from .output import save_figure as save_figure, write_drawing as write_drawing
+from .output import save_figure as save_figure
 from .page import arrangement_page as arrangement_page
 from .planes import draw_planes as draw_planes
 from .planesheet import DrawnFacet as DrawnFacet
 from .sphere import draw_sphere as draw_sphere
 from .stereographic import draw_stereographic as draw_stereographic
-from .views import PICTURE_VIEWS as PICTURE_VIEWS
+from .views import DRAWINGS as DRAWINGS, write_drawing as write_drawing

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable
 from dataclasses import dataclass
-from typing import Any, TypeAlias
+from typing import TypeAlias
 
 from arrangement.errors import InputError
 from arrangement.exact import shown
@@ -54,17 +54,6 @@ def painter(colour: str | Painter) -> Painter:
 def side_colour(sides: int) -> str:
     """Return the colour of a region by its number of sides."""
     return PALETTE[min(max(sides - 2, 0), 5)]
-
-
-def side_keys(drawn: Iterable[DrawnRegion]) -> list[Any]:
-    """Return the legend of the colouring by sides, for the numbers that occur."""
-    from matplotlib.patches import Patch
-
-    return [
-        Patch(fc=side_colour(k), ec="black", lw=0.5, label=f"{k} sides")
-        for k in sorted({region.sides for region in drawn})
-        if k
-    ]
 
 
 def plane_colour(label: int) -> str:

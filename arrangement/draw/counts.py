@@ -12,7 +12,7 @@ from arrangement.library.families import braid, generic, near_pencil, pencil, ty
 from arrangement.planes import Arrangement
 
 from .output import require_matplotlib
-from .sheet import checked_width
+from .scene import checked_width
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure

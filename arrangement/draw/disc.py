@@ -13,7 +13,7 @@ from .colours import DrawnRegion, Painter, side_colour
 from .globe import Globe
 from .labels import flattened, spread, turn, write_inside
 from .projections import Drawn, Projection
-from .sheet import Floats, Sheet
+from .scene import Floats, Scene
 
 #: Room for the numbers of the planes between the rim and the border, at least; in points.
 RIM = 13.0
@@ -21,17 +21,17 @@ RIM = 13.0
 
 @dataclass(frozen=True)
 class Disc:
-    """A place on a sheet for the front half of a globe.
+    """A place on a scene for the front half of a globe.
 
     Attributes:
-        sheet: the sheet.
+        scene: the scene.
         centre, radius: of the limb, in points.
         globe: what is seen.
         drawn: its arcs and regions, cut at the limb, as curves.
         ink: the colour of each class of planes; left out, black.
     """
 
-    sheet: Sheet
+    scene: Scene
     centre: tuple[float, float]
     radius: float
     globe: Globe
@@ -39,7 +39,7 @@ class Disc:
     ink: Callable[[int], str] | None = None
 
     def on_paper(self, points: Floats) -> Floats:
-        """Return points of the disc in points of the sheet."""
+        """Return points of the disc in points of the scene."""
         return np.array(self.centre) + self.radius * points
 
     def draw(
@@ -48,7 +48,7 @@ class Disc:
         """Draw everything, sign vectors off the points `avoid`; return the regions seen."""
         outlines = self.draw_curves(paint, both_ends=both_ends)
         for region, outline in outlines:
-            write_inside(self.sheet, outline, region.signs, other=avoid)
+            write_inside(self.scene, outline, region.signs, other=avoid)
         return [region for region, _ in outlines]
 
     def draw_curves(
@@ -68,7 +68,7 @@ class Disc:
             if front > 0:
                 region = DrawnRegion(tuple(signs), sides[tuple(signs)])
                 outline = self.on_paper(drawn.outline(piece))
-                self.sheet.curve(outline, fc=paint(region), ec="none", gid=f"region-{piece}")
+                self.scene.curve(outline, fc=paint(region), ec="none", gid=f"region-{piece}")
                 found.append((region, outline))
         return found
 
@@ -86,7 +86,7 @@ class Disc:
                 style |= {"ec": colour, "lw": thick, "gid": f"front-{arc}"}
             else:
                 continue
-            self.sheet.curve(self.on_paper(drawn.arc(arc)), **style)
+            self.scene.curve(self.on_paper(drawn.arc(arc)), **style)
 
     def _names(self, both_ends: bool) -> None:
         """Write the numbers of the planes outside the rim, pushed apart along it."""
@@ -106,23 +106,23 @@ class Disc:
             ends_at = np.array([[math.cos(angle), math.sin(angle)], [math.cos(at), math.sin(at)]])
             leader = self.on_paper(ends_at * [[1.0], [1 + 3.2 / self.radius]])
             colour = self.ink(circle) if self.ink is not None else "black"
-            self.sheet.line(leader, ec=colour, lw=0.4, zorder=2)
+            self.scene.line(leader, ec=colour, lw=0.4, zorder=2)
             self._name(ends_at[1], text, colour)
 
     def _name(self, outward: Floats, text: str, colour: str) -> None:
         for size in (7.0, 6.0, 5.0):
-            w, h = self.sheet.measure(text, size)
+            w, h = self.scene.measure(text, size)
             beyond = 3.6 + (abs(outward[0]) * w + abs(outward[1]) * h * 0.75) / 2
             for extra in (0.0, 2.0, 4.0):
                 place = np.array(self.centre) + (self.radius + beyond + extra) * outward
-                if self.sheet.write(place, text, size, color=colour):
+                if self.scene.write(place, text, size, color=colour):
                     return
 
 
-def rim_width(sheet: Sheet, globe: Globe) -> float:
+def rim_width(scene: Scene, globe: Globe) -> float:
     """Return the room that the numbers of the planes need outside the limb, in points."""
     names = map(plane_names, globe.whole.arrangement.distinct)
-    return max(RIM, 5.5 + max((sheet.measure(name, 7.0)[0] for name in names), default=0.0))
+    return max(RIM, 5.5 + max((scene.measure(name, 7.0)[0] for name in names), default=0.0))
 
 
 def front(globe: Globe, projection: Projection) -> Drawn:
@@ -160,14 +160,14 @@ def has_key(colour: str | Painter) -> bool:
 def key_entries(
     colour: str | Painter, drawn: Sequence[DrawnRegion], paint: Painter
 ) -> list[tuple[str, dict[str, Any]]]:
-    """Return the legend of a colouring for the regions that are drawn, for `Sheet.keys`."""
+    """Return the legend of a colouring for the regions that are drawn, for `Scene.keys`."""
     if colour == "sides":
         return side_entries(drawn)
     return sign_entries(drawn, paint) if colour == "signs" else []
 
 
 def side_entries(drawn: Sequence[DrawnRegion]) -> list[tuple[str, dict[str, Any]]]:
-    """Return the legend of the colouring by sides, for `Sheet.keys`."""
+    """Return the legend of the colouring by sides, for `Scene.keys`."""
     return [
         (f"{k} sides" if k > 1 else "1 side", {"fc": side_colour(k)})
         for k in sorted({region.sides for region in drawn})
@@ -176,7 +176,7 @@ def side_entries(drawn: Sequence[DrawnRegion]) -> list[tuple[str, dict[str, Any]
 
 
 def sign_entries(drawn: Sequence[DrawnRegion], paint: Painter) -> list[tuple[str, dict[str, Any]]]:
-    """Return the legend of the colouring by minus signs, for `Sheet.keys`."""
+    """Return the legend of the colouring by minus signs, for `Scene.keys`."""
     groups: dict[str, set[int]] = {}
     for region in drawn:
         groups.setdefault(paint(region), set()).add(region.signs.count(-1))

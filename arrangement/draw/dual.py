@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from itertools import product
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
@@ -16,20 +16,19 @@ from arrangement.polyhedra.inscribed import representative_hull
 from .colours import DrawnRegion, Painter, painter, plane_colour
 from .disc import Disc, front, has_key, key_entries, plane_names, region_sides, rim_width
 from .equalize import evened
+from .figure import picture
 from .globe import Globe, unit_vectors
 from .labels import SIZES, crosses, sign_forms, tried, write_beside
 from .projections import orthographic
-from .sheet import Box, Floats, Sheet, checked_width
+from .scene import Box, Floats, Scene, checked_width
 from .solids import Solid, dual_solid, hull_solid
-
-if TYPE_CHECKING:
-    from matplotlib.figure import Figure
 
 #: Below this width the two panels stand one above the other; in millimetres.
 SIDE_BY_SIDE = 120.0
 _HULL_ONLY, _MISSING = "#d55e00", "#0072b2"
 
 
+@picture
 def draw_dual(
     arrangement: Arrangement,
     *,
@@ -38,7 +37,7 @@ def draw_dual(
     width: float = 180.0,
     hull: bool = False,
     even: bool = False,
-) -> Figure:
+) -> Scene:
     """Draw the great circles of central planes in R^3, and beside them the dual polyhedron.
 
     Both are seen from the same direction. A region of the sphere and its vertex of the dual have
@@ -83,24 +82,24 @@ def draw_dual(
     beside = width >= SIDE_BY_SIDE
     panel = width / 2 if beside else width
     legend = 6.0 * has_key(colour) + (6.0 if hull else 5.0) + 2.0
-    sheet = Sheet(width, panel * (1 if beside else 2) + legend)
-    size = sheet.width / 2 if beside else sheet.width
-    first = (size / 2, sheet.height - size / 2)
+    scene = Scene(width, panel * (1 if beside else 2) + legend)
+    size = scene.width / 2 if beside else scene.width
+    first = (size / 2, scene.height - size / 2)
     second = (size * 1.5, first[1]) if beside else (size / 2, first[1] - size)
-    radius = size / 2 - rim_width(sheet, globe)
-    drawn = _sphere(Disc(sheet, first, radius, globe, front(globe, orthographic), _ink(hull)),
+    radius = size / 2 - rim_width(scene, globe)
+    drawn = _sphere(Disc(scene, first, radius, globe, front(globe, orthographic), _ink(hull)),
                     paint, points)  # fmt: skip
-    picture = _Picture(sheet, globe, solid, paint, hull)
+    picture = _Picture(scene, globe, solid, paint, hull)
     picture.draw(second, radius if hull else size / 2 - 19.0, size / 2)
     y = legend * 72 / 25.4 - 2
     if has_key(colour):
-        y -= sheet.keys(y, key_entries(colour, drawn, paint)) + 3
+        y -= scene.keys(y, key_entries(colour, drawn, paint)) + 3
     if hull:
-        sheet.keys(y, picture.hull_entries())
+        scene.keys(y, picture.hull_entries())
     else:
         note = "vertex = region, zone of parallel edges = circle; hidden edges dashed"
-        sheet.write((sheet.width / 2, y - 7), note, 6.0)
-    return sheet.figure
+        scene.write((scene.width / 2, y - 7), note, 6.0)
+    return scene
 
 
 def _oblique_direction(globe: Globe) -> IntegerVector:
@@ -129,7 +128,7 @@ def _sphere(disc: Disc, paint: Painter, points: Floats | None) -> list[DrawnRegi
     if points is not None:
         places = disc.on_paper(points[points[:, 2] > 0][:, :2])
         for place in places:
-            disc.sheet.circle(place, 1.1, fc="black", ec="none", zorder=4)
+            disc.scene.circle(place, 1.1, fc="black", ec="none", zorder=4)
     return disc.draw(paint, avoid=places)
 
 
@@ -137,30 +136,30 @@ class _Picture:
     """The second panel."""
 
     def __init__(
-        self, sheet: Sheet, globe: Globe, solid: Solid, paint: Painter, hull: bool
+        self, scene: Scene, globe: Globe, solid: Solid, paint: Painter, hull: bool
     ) -> None:
-        self.sheet, self.globe, self.solid, self.hull = sheet, globe, solid, hull
+        self.scene, self.globe, self.solid, self.hull = scene, globe, solid, hull
         sides = region_sides(globe)
         self.fills = [paint(DrawnRegion(signs, sides[signs])) for signs in solid.signs]
 
     def draw(self, centre: tuple[float, float], radius: float, half: float) -> None:
         """Draw into the square around `centre` with sides of twice `half`."""
-        solid, sheet = self.solid, self.sheet
+        solid, scene = self.solid, self.scene
         largest = 1.0 if self.hull else float(np.linalg.norm(solid.places, axis=1).max())
         self.places = np.array(centre) + solid.places * (radius / max(largest, 1e-9))
         if self.hull:
-            sheet.circle(centre, radius, fill=False, ec="0.6", lw=0.4, zorder=1, gid="limb")
+            scene.circle(centre, radius, fill=False, ec="0.6", lw=0.4, zorder=1, gid="limb")
         for k, (cycle, tilt) in enumerate(solid.faces):
             grey = str(round(0.9 + 0.09 * tilt, 3))
-            sheet.polygon(self.places[list(cycle)], fc=grey, ec="none", zorder=1, gid=f"face-{k}")
+            scene.polygon(self.places[list(cycle)], fc=grey, ec="none", zorder=1, gid=f"face-{k}")
         for e, (u, v, c) in enumerate(solid.edges):
-            sheet.line(self.places[[u, v]], gid=f"edge-{e}", **self._style(c, solid.edge_hidden[e]))
+            scene.line(self.places[[u, v]], gid=f"edge-{e}", **self._style(c, solid.edge_hidden[e]))
         small = min(2.6, radius / 14)
         for v, place in enumerate(self.places):
             hidden = solid.vertex_hidden[v]
             style = {"lw": 0.35, "zorder": 2.5} if hidden else {"lw": 0.7, "zorder": 5}
             r = small * (0.7 if hidden else 1.0)
-            sheet.circle(place, r, fc=self.fills[v], ec="black", gid=f"vertex-{v}", **style)
+            scene.circle(place, r, fc=self.fills[v], ec="black", gid=f"vertex-{v}", **style)
         if not self.hull:
             self._zones()
         self._labels(
@@ -190,23 +189,21 @@ class _Picture:
             if not solid.edge_hidden[e]:
                 length = float(np.linalg.norm(self.places[u] - self.places[v]))
                 by_class.setdefault(c, []).append((-round(length, 3), e))
-        style: dict[str, Any] = {"bbox": {"fc": "white", "ec": "none", "pad": 0.5}}
+        style: dict[str, Any] = {"plate": {"fc": "white", "ec": "none", "pad": 0.5}}
         for c, edges in sorted(by_class.items()):
             text = plane_names(classes[c])
             for _, e in sorted(edges):
                 u, v, _ = solid.edges[e]
                 middle = (self.places[u] + self.places[v]) / 2
                 gaps = np.linalg.norm(self.places - middle, axis=1)
-                if gaps.min() > 5.5 and self.sheet.write(
+                if gaps.min() > 5.5 and self.scene.write(
                     middle, text, 6.0, color=plane_colour(c), **style
                 ):
                     break
 
     def _labels(self, centre: Floats, small: float, within: Box) -> None:
         """Write the sign vectors of the vertices, outer ones first, where they fit."""
-        from matplotlib.patheffects import withStroke
-
-        solid, halo = self.solid, [withStroke(linewidth=1.2, foreground="white")]
+        solid, halo = self.solid, (1.2, "white")
         few = len(solid.edges) <= 12
         shown = [
             self.places[[u, v]]
@@ -221,9 +218,9 @@ class _Picture:
                 away = self.places[v] - centre if far[v] else (0.0, 1.0)
                 ink = {"color": "0.35" if solid.vertex_hidden[v] else "black"}
                 write_beside(
-                    self.sheet, self.places[v], sign_forms(solid.signs[v]), SIZES,
+                    self.scene, self.places[v], sign_forms(solid.signs[v]), SIZES,
                     segments=segments, away=away, distance=small + 1.0, within=within,
-                    path_effects=halo, **ink,
+                    halo=halo, **ink,
                 )  # fmt: skip
 
     def hull_entries(self) -> list[tuple[str, dict[str, Any]]]:

@@ -6,7 +6,6 @@ does the cutting. Floats begin when arcs become curves.
 
 from __future__ import annotations
 
-import math
 from collections.abc import Sequence
 from functools import cached_property
 from itertools import product
@@ -63,37 +62,6 @@ class Globe:
     def limb(self) -> int:
         """The circle of the limb."""
         return int(self.cut.plane_circle[-1])
-
-    def arc(self, arc: int) -> Floats:
-        """Return control points (3k + 1, 2) of cubic curves; within 10^-5 of the true ellipse."""
-        incidence = self.cut.incidence
-        normal = self.normals[int(incidence.arc_circle[arc])]
-        start, stop = incidence.origin[2 * arc], incidence.origin[2 * arc + 1]
-        if start < 0:
-            p, angle = np.array([1.0, 0.0, 0.0]), 2 * math.pi
-        else:
-            p, q = self.points[start], self.points[stop]
-            angle = math.atan2(float(np.linalg.norm(np.cross(p, q))), float(p @ q))
-        side = np.cross(normal, p)
-        pieces = max(1, math.ceil(angle / (math.pi / 8)))
-        step = angle / pieces
-        handle = 4 / 3 * math.tan(step / 4)
-        at = np.linspace(0, angle, pieces + 1)[:, None]
-        place = np.cos(at) * p + np.sin(at) * side
-        speed = handle * (np.cos(at) * side - np.sin(at) * p)
-        curve = np.empty((3 * pieces + 1, 3))
-        curve[0::3] = place
-        curve[1::3] = place[:-1] + speed[:-1]
-        curve[2::3] = place[1:] - speed[1:]
-        return curve[:, :2]
-
-    def outline(self, piece: int) -> Floats:
-        """Return the closed boundary of a region of `cut` as control points (3k + 1, 2)."""
-        curves = []
-        for half_edge in self.cut.incidence.boundary(piece).tolist():
-            curve = self.arc(half_edge >> 1)
-            curves.append(curve[::-1] if half_edge & 1 else curve)
-        return np.concatenate([curves[0], *(curve[1:] for curve in curves[1:])])
 
 
 def view_direction(direction: Sequence[object]) -> IntegerVector:

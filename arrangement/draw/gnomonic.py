@@ -5,7 +5,6 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from itertools import product
-from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -15,16 +14,15 @@ from arrangement.planes import Arrangement
 from .colours import Painter, painter
 from .disc import Disc, front, has_key, key_entries, plane_names, rim_width
 from .equalize import evened
+from .figure import picture
 from .globe import Globe, unit_vectors
 from .projections import Chart, Drawn, StraightChart, orthographic
-from .sheet import Floats, Sheet, checked_width
-
-if TYPE_CHECKING:
-    from matplotlib.figure import Figure
+from .scene import Floats, Scene, checked_width
 
 _BOTH_ENDS = 16
 
 
+@picture
 def draw_gnomonic(
     arrangement: Arrangement,
     *,
@@ -32,7 +30,7 @@ def draw_gnomonic(
     colour: str | Painter = "sides",
     width: float = 88.0,
     even: bool = False,
-) -> Figure:
+) -> Scene:
     """Draw central planes in R^3 as lines of the projective plane.
 
     The sphere is projected from its centre to the plane that touches it at the given direction,
@@ -68,23 +66,23 @@ def draw_gnomonic(
     globe = Globe(arrangement, direction)
     if direction is None:
         globe = Globe(arrangement, _central_direction(globe))
-    sheet = Sheet(checked_width(width), width + (12.0 if has_key(colour) else 7.0))
-    radius = sheet.width / 2 - rim_width(sheet, globe)
-    centre = (sheet.width / 2, sheet.height - sheet.width / 2)
+    scene = Scene(checked_width(width), width + (12.0 if has_key(colour) else 7.0))
+    radius = scene.width / 2 - rim_width(scene, globe)
+    centre = (scene.width / 2, scene.height - scene.width / 2)
     drawn = _chart(globe)
-    disc = Disc(sheet, centre, radius, globe, drawn)
+    disc = Disc(scene, centre, radius, globe, drawn)
     dots = None
     if isinstance(drawn.projection, Chart):
         inner = radius * drawn.projection.inner
         dotted = {"lw": 0.5, "ls": (0, (1, 2)), "zorder": 2, "gid": "to-scale"}
-        sheet.circle(centre, inner, fill=False, ec="black", **dotted)
+        scene.circle(centre, inner, fill=False, ec="black", **dotted)
         at = np.linspace(0, 2 * math.pi, 200)
         dots = np.array(centre) + inner * np.stack([np.cos(at), np.sin(at)], axis=1)
     few = globe.whole.circle_count <= _BOTH_ENDS
     regions = disc.draw(paint, both_ends=few, avoid=dots)
-    sheet.write((sheet.width / 2, 3.0), _note(globe), 6.0, anchor=(0.5, 0.0))
-    sheet.keys(25.0, key_entries(colour, regions, paint))
-    return sheet.figure
+    scene.write((scene.width / 2, 3.0), _note(globe), 6.0, anchor=(0.5, 0.0))
+    scene.keys(25.0, key_entries(colour, regions, paint))
+    return scene
 
 
 def _note(globe: Globe) -> str:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
@@ -14,15 +14,13 @@ from arrangement.polyhedra.dual import dual_polygon, dual_polyhedron, dual_segme
 
 from .colours import DrawnRegion, Painter, painter, plane_colour
 from .disc import has_key, key_entries, plane_names
+from .figure import picture
 from .globe import MAX_CIRCLES
 from .labels import SIZES, crosses, segments_meet, sign_forms, tried, write_beside
-from .sheet import POINTS, Floats, Sheet, checked_width
+from .scene import POINTS, Floats, Scene, checked_width
 from .tutte import tutte_places
 
-if TYPE_CHECKING:
-    from matplotlib.figure import Figure
-
-_PAD: dict[str, Any] = {"bbox": {"fc": "white", "ec": "none", "pad": 0.4}}
+_PAD: dict[str, Any] = {"plate": {"fc": "white", "ec": "none", "pad": 0.4}}
 
 
 @dataclass(frozen=True)
@@ -42,12 +40,13 @@ class PlanarGraph:
     outer: tuple[int, ...]
 
 
+@picture
 def draw_graph(
     arrangement: Arrangement,
     *,
     colour: str | Painter = "sides",
     width: float = 88.0,
-) -> Figure:
+) -> Scene:
     """Draw the graph of the dual (regions, and which of them share a facet) without crossings.
 
     The outer polygon is a largest face; all other vertices are at weighted means of their
@@ -71,17 +70,17 @@ def draw_graph(
     paint, width = painter(colour), checked_width(width)
     graph = planar_graph(arrangement)
     bottom = 12.0 + 5.0 * has_key(colour)
-    sheet = Sheet(width, width + bottom)
-    picture = _Picture(arrangement, graph, sheet, paint)
+    scene = Scene(width, width + bottom)
+    picture = _Picture(arrangement, graph, scene, paint)
     picture.draw()
     y = (bottom - 1) * POINTS
     if has_key(colour):
-        y -= sheet.keys(y, key_entries(colour, picture.regions, paint)) + 2
+        y -= scene.keys(y, key_entries(colour, picture.regions, paint)) + 2
     marker = {"fc": "white", "lw": 0.7}
     even = "even number of minus signs"
     if len(arrangement.distinct) < len(arrangement):
         even += ", coincident planes counted once"
-    y -= sheet.keys(
+    y -= scene.keys(
         y,
         [
             (even, {"marker": "round", **marker}),
@@ -92,8 +91,8 @@ def draw_graph(
     if arrangement.rank == 3:
         crossed = sorted({c for u, v, c in graph.edges if u in graph.outer and v in graph.outer})
         names = plane_names(sorted(k for c in crossed for k in arrangement.distinct[c]))
-        sheet.write((sheet.width / 2, y - 6), f"outer polygon: a ray on the planes {names}", 6.0)
-    return sheet.figure
+        scene.write((scene.width / 2, y - 6), f"outer polygon: a ray on the planes {names}", 6.0)
+    return scene
 
 
 def planar_graph(arrangement: Arrangement) -> PlanarGraph:
@@ -135,12 +134,12 @@ def _cycle(arrangement: Arrangement) -> PlanarGraph:
 
 class _Picture:
     def __init__(
-        self, arrangement: Arrangement, graph: PlanarGraph, sheet: Sheet, paint: Painter
+        self, arrangement: Arrangement, graph: PlanarGraph, scene: Scene, paint: Painter
     ) -> None:
-        self.arrangement, self.graph, self.sheet = arrangement, graph, sheet
-        half = sheet.width / 2
-        margin = min(max(sheet.measure(sign_forms(graph.signs[0])[-1], 6.0)) + 6, 26.0)
-        self.centre = np.array([half, sheet.height - half])
+        self.arrangement, self.graph, self.scene = arrangement, graph, scene
+        half = scene.width / 2
+        margin = min(max(scene.measure(sign_forms(graph.signs[0])[-1], 6.0)) + 6, 26.0)
+        self.centre = np.array([half, scene.height - half])
         low, high = graph.places.min(axis=0), graph.places.max(axis=0)
         self.places = self.centre + (graph.places - (low + high) / 2) * (
             2 * (half - margin) / max(float((high - low).max()), 1e-9)
@@ -155,14 +154,14 @@ class _Picture:
         self.size = float(min(3.0, max(0.4, 0.28 * np.quantile(lengths, 0.1))))
 
     def draw(self) -> None:
-        graph, sheet = self.graph, self.sheet
+        graph, scene = self.graph, self.scene
         thick = float(np.clip(0.75 * self.size, 0.3, 1.5))
         for e, (_, _, c) in enumerate(graph.edges):
-            sheet.line(self.segments[e], ec=plane_colour(c), lw=thick, zorder=3, gid=f"edge-{e}")
+            scene.line(self.segments[e], ec=plane_colour(c), lw=thick, zorder=3, gid=f"edge-{e}")
         firsts = [members[0] for members in self.arrangement.distinct]
         for v, place in enumerate(self.places):
             odd = sum(graph.signs[v][k] < 0 for k in firsts) % 2
-            sheet.marker(
+            scene.marker(
                 place, self.size, "square" if odd else "round", fc=self.fills[v], ec="black",
                 lw=min(0.7, 0.35 * self.size), zorder=5, gid=f"vertex-{v}",
             )  # fmt: skip
@@ -180,13 +179,13 @@ class _Picture:
             if self.lengths[e] < 2 * self.size + 10:
                 break
             text = plane_names(self.arrangement.distinct[c])
-            w, h = self.sheet.measure(text, 6.0)
+            w, h = self.scene.measure(text, 6.0)
             if self.lengths[e] < 2 * self.size + max(w, h) + 6:
                 continue
             middle = self.segments[e].mean(axis=0)
             others = np.delete(dots, e, axis=0)
-            box = self.sheet.box(middle, text, 6.0)
-            if not segments_meet(box, others).any() and self.sheet.write(
+            box = self.scene.box(middle, text, 6.0)
+            if not segments_meet(box, others).any() and self.scene.write(
                 middle, text, 6.0, color=plane_colour(c), **_PAD
             ):
                 named.add(c)
@@ -197,10 +196,10 @@ class _Picture:
         far = np.round(np.linalg.norm(self.places - self.centre, axis=1), 3)
         for v in np.argsort(-far, kind="stable").tolist()[: tried(len(far))]:
             write_beside(
-                self.sheet, self.places[v], sign_forms(self.graph.signs[v]), SIZES,
+                self.scene, self.places[v], sign_forms(self.graph.signs[v]), SIZES,
                 segments=segments, away=self._gap(v), distance=self.size + 1.0,
-                within=(0.0, self.centre[1] - self.sheet.width / 2, self.sheet.width,
-                        self.sheet.height),
+                within=(0.0, self.centre[1] - self.scene.width / 2, self.scene.width,
+                        self.scene.height),
             )  # fmt: skip
 
     def _gap(self, v: int) -> tuple[float, float]:

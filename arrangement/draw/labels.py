@@ -10,7 +10,7 @@ from typing import Any, TypeAlias
 import numpy as np
 import numpy.typing as npt
 
-from .sheet import Box, Floats, Place, Sheet
+from .scene import Box, Floats, Place, Scene
 
 Booleans: TypeAlias = npt.NDArray[np.bool_]
 #: Sizes of sign vectors that are tried, in points.
@@ -40,7 +40,7 @@ def flattened(curve: Floats, steps: int = 24) -> Floats:
 
 
 def write_inside(
-    sheet: Sheet,
+    scene: Scene,
     edge: Floats,
     signs: Sequence[int],
     sizes: Sequence[float] = SIZES,
@@ -51,7 +51,7 @@ def write_inside(
     """Write a sign vector inside a closed outline, in the largest size that fits, or not at all.
 
     Args:
-        sheet: where to.
+        scene: where to.
         edge: points along the outline, denser than a label is wide.
         signs: the sign vector.
         sizes: those tried, in points.
@@ -66,7 +66,7 @@ def write_inside(
     fitting = []
     for size, rows in product(sizes, (1, 2, 3)):
         text = sign_rows(signs, rows)
-        box = np.array(sheet.measure(text, size)) * (1.0, 0.92) + 1.8
+        box = np.array(scene.measure(text, size)) * (1.0, 0.92) + 1.8
         if rows <= len(signs) and (box < high - low).all():
             fitting.append((size, text, box))
     if not fitting:
@@ -82,7 +82,7 @@ def write_inside(
         room = (apart / box).max(axis=2).min(axis=1, initial=9.0)
         order = np.argsort(-np.round(room, 4), kind="stable")[:40]
         for place in grid[order][room[order] > 0.5]:
-            if sheet.write(place, text, size, **style):
+            if scene.write(place, text, size, **style):
                 return True
     return False
 
@@ -94,7 +94,7 @@ def _thinned(points: Floats, spacing: float = 1.0) -> Floats:
 
 
 def write_beside(
-    sheet: Sheet,
+    scene: Scene,
     point: Place,
     texts: Sequence[str],
     sizes: Sequence[float],
@@ -108,27 +108,27 @@ def write_beside(
     """Write a label beside a point, off all segments, or not at all.
 
     Args:
-        sheet: where to.
+        scene: where to.
         point: the point.
         texts: the label in different forms, the first one that fits is taken.
         sizes: those tried, in points.
         segments: (k, 2, 2) that must not be covered.
         away: the direction tried first.
         distance: from the point to the nearest part of the label; up to twice as much is tried.
-        within: a part of the sheet that must not be left.
+        within: a part of the scene that must not be left.
         style: goes to matplotlib.
     """
     x, y = float(point[0]), float(point[1])
     close = segments[segments_meet((x - 60, y - 60, x + 60, y + 60), segments)]
     directions = np.array(list(_around(away)))
     for size, text, beyond in product(sizes, texts, (1.0, 2.0)):
-        half = np.array(sheet.measure(text, size)) / 2
+        half = np.array(scene.measure(text, size)) / 2
         reach = distance * beyond + (half / np.maximum(np.abs(directions), 1e-9)).min(axis=1)
         centres = np.asarray(point) + reach[:, None] * directions
         boxes = np.hstack([centres - half, centres + half])
         for k in np.flatnonzero(~segments_meet(boxes, close).any(axis=1)).tolist():
             inside = within is None or _contains(within, boxes[k].tolist())
-            if inside and sheet.write(centres[k], text, size, **style):
+            if inside and scene.write(centres[k], text, size, **style):
                 return True
     return False
 

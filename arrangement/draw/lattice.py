@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
@@ -12,11 +12,9 @@ from arrangement.errors import InputError
 from arrangement.planes import Arrangement
 
 from .disc import plane_names
+from .figure import picture
 from .layers import layered_orders
-from .sheet import GAP, POINTS, Floats, Sheet, checked_width
-
-if TYPE_CHECKING:
-    from matplotlib.figure import Figure
+from .scene import GAP, POINTS, Floats, Scene, checked_width
 
 #: Flats of one rank beyond which a picture of one page shows nothing.
 MAX_FLATS = 500
@@ -26,12 +24,13 @@ _SUPERSCRIPTS = str.maketrans(
 )
 
 
+@picture
 def draw_lattice(
     arrangement: Arrangement,
     *,
     width: float = 88.0,
     moebius: bool = True,
-) -> Figure:
+) -> Scene:
     """Draw the intersections of planes, ordered by reverse inclusion, as a Hasse diagram.
 
     One row for each rank, the whole space at the bottom. A flat is named by the planes that
@@ -77,7 +76,7 @@ class _Row:
 class _Picture:
     def __init__(self, lattice: IntersectionLattice, width: float, moebius: bool) -> None:
         self.lattice, self.moebius = lattice, moebius
-        trial = Sheet(width, 10.0)
+        trial = Scene(width, 10.0)
         margins = [self._margin(rank) for rank in range(len(lattice.flats))]
         self.left = max(trial.measure(text, 6.0)[0] for text in margins) + 8.0
         self.right = trial.width - 4.0
@@ -86,7 +85,7 @@ class _Picture:
         self.gap = min(70.0, max(26.0, 20.0 + 0.5 * edges))
         self.note = 12.0 if moebius else 2.0
         height = sum(row.height for row in self.rows) + self.gap * (len(self.rows) - 1)
-        self.sheet = Sheet(width, (height + self.note + 12.0) / POINTS)
+        self.scene = Scene(width, (height + self.note + 12.0) / POINTS)
         self.margins = margins
 
     def _margin(self, rank: int) -> str:
@@ -97,15 +96,15 @@ class _Picture:
             text += f"\n\u03a3\u03bc = {_signed(total)}"
         return text
 
-    def _row(self, sheet: Sheet, flats: tuple[Flat, ...]) -> _Row:
+    def _row(self, scene: Scene, flats: tuple[Flat, ...]) -> _Row:
         names = [self._name(flat) for flat in flats]
         values = [_signed(self.lattice.moebius[flat]) for flat in flats] if self.moebius else []
         room = (self.right - self.left) / len(flats)
         for turned in (False, True):
             angle = 90.0 if turned else 0.0
             for size in (7.0, 6.0, 5.0):
-                boxes = [sheet.measure(name, size, angle) for name in names]
-                small = [sheet.measure(value, size - 0.5, angle) for value in values]
+                boxes = [scene.measure(name, size, angle) for name in names]
+                small = [scene.measure(value, size - 0.5, angle) for value in values]
                 if max(w for w, _ in boxes + small) + (2.4 if turned else 5.0) <= room:
                     heights = (max(h for _, h in boxes), max((h for _, h in small), default=0.0))
                     if turned and small:
@@ -118,8 +117,8 @@ class _Picture:
             return "\u211d" + str(flat.dimension).translate(_SUPERSCRIPTS)
         return plane_names(flat.planes)
 
-    def draw(self) -> Figure:
-        lattice, sheet = self.lattice, self.sheet
+    def draw(self) -> Scene:
+        lattice, scene = self.lattice, self.scene
         orders = layered_orders([len(flats) for flats in lattice.flats], lattice.covers)
         bottom, spans = self.note + 6.0, []
         for rank, row in enumerate(self.rows):
@@ -127,7 +126,7 @@ class _Picture:
             x = np.empty(count)
             x[orders[rank]] = np.arange(count) + 0.5
             x = self.left + x * (self.right - self.left) / count
-            sheet.write(
+            scene.write(
                 (4.0, bottom + row.height / 2), self.margins[rank], 6.0, anchor=(0.0, 0.5),
                 color="0.25", multialignment="left",
             )  # fmt: skip
@@ -136,8 +135,8 @@ class _Picture:
         self._covers(spans)
         if self.moebius:
             note = "under each name: the M\u00f6bius value \u03bc(whole space, flat)"
-            sheet.write((sheet.width / 2, 3.0), note, 6.0, anchor=(0.5, 0.0))
-        return sheet.figure
+            scene.write((scene.width / 2, 3.0), note, 6.0, anchor=(0.5, 0.0))
+        return scene
 
     def _write_row(self, rank: int, x: Floats, bottom: float) -> Floats:
         """Write one row; return x, bottom and top (n, 3) of each flat, where covers are tied."""
@@ -147,19 +146,19 @@ class _Picture:
         for k, at in enumerate(x.tolist()):
             gid = f"flat-{rank}-{k}"
             foot = (at, bottom + lower)
-            if not row.size or not self.sheet.write(
+            if not row.size or not self.scene.write(
                 foot, row.names[k], row.size, anchor=(0.5, 0.0), rotation=angle, gid=gid
             ):
-                self.sheet.circle((at, bottom + 2.0), 1.3, fc="black", zorder=4, gid=gid)
+                self.scene.circle((at, bottom + 2.0), 1.3, fc="black", zorder=4, gid=gid)
                 spans.append((at, bottom + 2.0, bottom + 2.0))
                 continue
             if row.values:
                 under = foot[1] - GAP - (2.0 if row.turned else 0.1)
-                self.sheet.write(
+                self.scene.write(
                     (at, under), row.values[k], row.size - 0.5,
                     anchor=(0.5, 1.0), rotation=angle, color=_INK,
                 )  # fmt: skip
-            top = foot[1] + self.sheet.measure(row.names[k], row.size, angle)[1]
+            top = foot[1] + self.scene.measure(row.names[k], row.size, angle)[1]
             spans.append((at, bottom - 2.5, top + 0.8))
         return np.array(spans)
 
@@ -172,7 +171,7 @@ class _Picture:
             for k, above in enumerate(level):
                 for cover in above:
                     ends = [spans[rank][k, [0, 2]], spans[rank + 1][cover, [0, 1]]]
-                    self.sheet.line(ends, zorder=2, gid=f"cover-{number}", **style)
+                    self.scene.line(ends, zorder=2, gid=f"cover-{number}", **style)
                     number += 1
 
 

@@ -2,39 +2,23 @@
 
 from __future__ import annotations
 
-import io
-from collections.abc import Callable
 from html import escape
-from typing import TYPE_CHECKING
 
-from arrangement.errors import InputError, MissingExtraError
+from arrangement.errors import MissingExtraError
 from arrangement.planes import Arrangement
 
-from .output import require_matplotlib, save_picture
-
-if TYPE_CHECKING:
-    from matplotlib.figure import Figure
+from .globe import MAX_CIRCLES
+from .output import require_matplotlib, svg_text
+from .sphere import draw_sphere
 
 #: Faces are counted for a table only where that takes no time worth noticing.
 MOST_PLANES, MOST_DIMENSIONS = 10, 4
-
-
-def svg_text(make: Callable[[], Figure]) -> str | None:
-    """Return a figure as SVG text; None without matplotlib, or when `make` refuses."""
-    stream = io.BytesIO()
-    try:
-        save_picture(stream, ".svg", make)
-    except (InputError, MissingExtraError):
-        return None
-    return stream.getvalue().decode("utf-8")
 
 
 def arrangement_svg(arrangement: Arrangement) -> str | None:
     """Return the great circles as SVG text; None where there is no such picture."""
     if not _has_picture(arrangement):
         return None
-    from .sphere import draw_sphere
-
     return svg_text(lambda: draw_sphere(arrangement))
 
 
@@ -57,8 +41,6 @@ def arrangement_html(arrangement: Arrangement) -> str | None:
 
 def _has_picture(arrangement: Arrangement) -> bool:
     """Return whether there are great circles, few enough, and matplotlib to draw them."""
-    from .globe import MAX_CIRCLES
-
     if arrangement.dimension != 3 or not arrangement.is_central or arrangement.rank < 3:
         return False
     try:

@@ -12,10 +12,7 @@ from typing import TYPE_CHECKING, Any
 
 from arrangement.errors import InputError, MissingExtraError
 from arrangement.exact import shown
-from arrangement.io.writing import write_bytes_atomically, write_text_atomically
-from arrangement.planes import Arrangement
-
-from .views import MODEL_VIEWS, PICTURE_VIEWS, check_options, view_function
+from arrangement.io.writing import write_bytes_atomically
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -42,66 +39,6 @@ def require_matplotlib() -> Any:
             "pictures need matplotlib: install the extra with pip install 'slipstates[figures]'"
         ) from None
     return mpl
-
-
-def write_drawing(
-    arrangement: Arrangement,
-    path: str | os.PathLike[str],
-    view: str | None = None,
-    model: str | None = None,
-    **options: Any,
-) -> dict[str, str]:
-    """Draw an arrangement into a file, whole or not at all.
-
-    Args:
-        arrangement: one that the view or model can show; see its function.
-        path: ``.svg``, ``.pdf`` or ``.png`` for a picture; ``.stl``, ``.glb`` or ``.obj`` for a
-            model. STL and OBJ are in millimetres, GLB is in metres as its standard demands;
-            ``.html`` for the interactive page, see `page.arrangement_page`.
-        view: of a picture, one of `views.PICTURE_VIEWS`; "sphere" if left out.
-        model: one of `views.MODEL_VIEWS`; "dual" if left out.
-        options: those of the function of the view, model or page.
-
-    Returns:
-        What was written: ``{"view": name}``, ``{"model": name}`` or ``{"page": "arrangement"}``.
-
-    Raises:
-        InputError: unknown suffix, view, model or option, planes that it cannot show, no place to
-            write.
-        MissingExtraError: matplotlib is absent.
-    """
-    suffix = Path(path).suffix.lower()
-    if suffix not in PICTURES + MODELS + PAGES:
-        known = ", ".join(sorted(PICTURES + MODELS + PAGES))
-        raise InputError(f"the file name ends in {shown(suffix)}; known are {known}")
-    if suffix in MODELS:
-        _refuse_other("view", view, suffix, PICTURES)
-        name = model or "dual"
-        build = view_function(name, MODEL_VIEWS, "model")
-        check_options(name, build, options)
-        write_bytes_atomically(path, build(arrangement, suffix, **options))
-        return {"model": name}
-    _refuse_other("model", model, suffix, MODELS)
-    if suffix in PAGES:
-        from .page import arrangement_page
-
-        _refuse_other("view", view, suffix, PICTURES)
-        check_options("the page", arrangement_page, options)
-        write_text_atomically(path, arrangement_page(arrangement, **options))
-        return {"page": "arrangement"}
-    name = view or "sphere"
-    draw = view_function(name, PICTURE_VIEWS)
-    check_options(name, draw, options)
-    save_figure(path, lambda: draw(arrangement, **options))
-    return {"view": name}
-
-
-def _refuse_other(kind: str, value: str | None, suffix: str, known: tuple[str, ...]) -> None:
-    if value is not None:
-        raise InputError(
-            f"a {kind} was named and the file name ends in {suffix}; a {kind} needs one of "
-            f"{', '.join(known)}"
-        )
 
 
 def millimetres(value: object, name: str) -> float:
@@ -131,3 +68,13 @@ def save_picture(stream: io.BytesIO, suffix: str, make: Callable[[], Figure]) ->
     mpl = require_matplotlib()
     with mpl.rc_context({**mpl.rcParamsDefault, **_STYLE}):
         make().savefig(stream, format=suffix[1:], dpi=300, metadata=_METADATA[suffix])
+
+
+def svg_text(make: Callable[[], Figure]) -> str | None:
+    """Return a figure as SVG text; None without matplotlib, or when `make` refuses."""
+    stream = io.BytesIO()
+    try:
+        save_picture(stream, ".svg", make)
+    except (InputError, MissingExtraError):
+        return None
+    return stream.getvalue().decode("utf-8")

@@ -19,7 +19,7 @@ class Names:
     def __init__(self, picture: PlanesSheet) -> None:
         self.picture = picture
         self.stage, self.lifted = picture.stage, picture.lifted
-        self.sheet, self.place = picture.sheet, picture.place
+        self.scene, self.place = picture.scene, picture.place
         self.outline = picture.outline
 
     def number_planes(self) -> None:
@@ -45,9 +45,9 @@ class Names:
             way = np.array([math.cos(angle), math.sin(angle)])
             edge = way / max(1e-9, self._gauge(way))
             start, stop = self.place(point), self.place(edge) + 4 * way
-            self.sheet.line([start, stop], ec="black", lw=0.4, zorder=4)
+            self.scene.line([start, stop], ec="black", lw=0.4, zorder=4)
             box = {"boxstyle": "round,pad=0.22,rounding_size=0.5", "fc": colour, "ec": "none"}
-            self.sheet.write(self.place(edge) + 8.5 * way, text, 7.0, bbox=box)
+            self.scene.write(self.place(edge) + 8.5 * way, text, 7.0, plate=box)
 
     def _covered(self, points: Floats) -> Floats:
         """Return 1 for points whose number would stand on or at a lifted cell, else 0."""
@@ -100,7 +100,7 @@ class Names:
                 way = item.shift[:2] + 1e-12
                 corners = self.place(item.corners)
                 write_beside(
-                    self.sheet, corners[int(np.argmax(corners @ way))],
+                    self.scene, corners[int(np.argmax(corners @ way))],
                     [sign_rows(item.cell.signs, rows) for rows in (1, 2)], (7.0, 6.0), away=way,
                     segments=segments,
                 )  # fmt: skip
@@ -133,10 +133,10 @@ class Names:
         apart = np.abs(grid[:, None] - walls)
         for size, rows in ((7.0, 1), (6.0, 1), (7.0, 2), (6.0, 2), (6.0, 3)):
             text = sign_rows(signs, rows)
-            box = np.array(self.sheet.measure(text, size)) + 2
+            box = np.array(self.scene.measure(text, size)) + 2
             room = np.round((apart / box).max(axis=2).min(axis=1), 4)
             best = int(np.argmax(room))
-            if room[best] > 0.5 and self.sheet.write(grid[best], text, size):
+            if room[best] > 0.5 and self.scene.write(grid[best], text, size):
                 return True
         return False
 

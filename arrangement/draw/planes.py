@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from typing import TYPE_CHECKING
 
 from arrangement.errors import InputError
 from arrangement.exact import shown
@@ -12,18 +11,16 @@ from arrangement.polyhedra.cells import cut_cells, read_signs
 
 from .colours import fill_colour
 from .exploded_cells import lifted_cells
+from .figure import picture
 from .globe import view_direction
-from .output import require_matplotlib
 from .painting import Stage
 from .planenames import Names
 from .planesheet import LIGHT, FacetPainter, PlanesSheet
-from .sheet import checked_width
+from .scene import Scene, checked_width
 from .view_direction import clear_sight
 
-if TYPE_CHECKING:
-    from matplotlib.figure import Figure
 
-
+@picture
 def draw_planes(
     arrangement: Arrangement,
     *,
@@ -34,7 +31,7 @@ def draw_planes(
     lift: Iterable[str] = (),
     colour: str | FacetPainter = "planes",
     width: float = 88.0,
-) -> Figure:
+) -> Scene:
     """Draw the planes of an arrangement in R^3 inside a ball or a cube, cell by cell.
 
     Every facet is a polygon of its own (``facet-3-plane-1``), cut at the other planes. They are
@@ -59,7 +56,6 @@ def draw_planes(
             other in a circle, unknown body or colouring.
         MissingExtraError: matplotlib is absent.
     """
-    require_matplotlib()
     paint = _painter(colour)
     paper = checked_width(width)
     texts = [lift] if isinstance(lift, str) else list(lift)
@@ -73,7 +69,7 @@ def draw_planes(
     names = Names(picture)
     names.number_planes()
     names.name_cells()
-    return picture.figure
+    return picture.scene
 
 
 def _painter(colour: str | FacetPainter) -> FacetPainter:

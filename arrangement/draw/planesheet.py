@@ -1,4 +1,4 @@
-"""Puts a staged arrangement on a sheet: facets, edges of the body, lifted cells, numbers."""
+"""Puts a staged arrangement on a scene: facets, edges of the body, lifted cells, numbers."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ import numpy as np
 from .exploded_cells import Lifted
 from .globe import Floats
 from .painting import Facet, Key, Stage
-from .sheet import POINTS, Sheet
+from .scene import POINTS, Scene
 
 #: Opacity of the facets; what lies behind them shows through.
 OPACITY = 0.82
@@ -70,14 +70,13 @@ class PlanesSheet:
         bottom = min(low[1] * self.scale - MARGIN, least[1] * self.scale - 10)
         top = max(high[1] * self.scale + MARGIN, most[1] * self.scale + 10)
         self.shift = np.array([-left, -bottom])
-        self.sheet = Sheet(width, (top - bottom) / POINTS)
-        self.figure = self.sheet.figure
+        self.scene = Scene(width, (top - bottom) / POINTS)
         self.areas: list[tuple[float, Floats]] = []
         self.painted_at: dict[tuple[int, ...], float] = {}
         self._paint_all()
 
     def place(self, points: Any) -> Floats:
-        """Return points of the picture (.., 2 or 3) on the sheet."""
+        """Return points of the picture (.., 2 or 3) on the scene."""
         placed: Floats = np.asarray(points)[..., :2] * self.scale + self.shift
         return placed
 
@@ -99,7 +98,7 @@ class PlanesSheet:
 
     def _paint_all(self) -> None:
         """Paint everything in the order of its keys."""
-        self.sheet.polygon(self.place(self.outline), fc="#f7f7f5", ec="none", zorder=0)
+        self.scene.polygon(self.place(self.outline), fc="#f7f7f5", ec="none", zorder=0)
         gone = {item.cell.signs for item in self.lifted}
         stage = self.stage
         todo: list[tuple[int, Key, Callable[[], None]]] = []
@@ -127,7 +126,7 @@ class PlanesSheet:
 
         def act() -> None:
             self.areas.append((self.z, corners))
-            self.sheet.polygon(
+            self.scene.polygon(
                 corners, fc=colour, ec="none", alpha=OPACITY, zorder=self.z, gid=name
             )
             for rim, style in ((True, {"lw": 0.9}), (False, {"lw": 0.55})):
@@ -154,7 +153,7 @@ class PlanesSheet:
 
     def _line(self, points: Any, style: dict[str, Any]) -> None:
         base = {"ec": "black", "capstyle": "round", "joinstyle": "round", "zorder": self.z}
-        self.sheet.line(points, **{**base, **style})
+        self.scene.line(points, **{**base, **style})
 
     def _frame_pieces(self) -> list[tuple[Key, tuple[int, ...], Floats]]:
         """Return the edges of the cube, or the outline of the ball, cut at the planes."""
@@ -201,7 +200,7 @@ class PlanesSheet:
                     normal = corners.mean(axis=0) - item.shift
                     normal = normal / np.linalg.norm(normal)
                 colour = _shaded(SKIN if wall < 0 else self.colour(wall), normal)
-                self.sheet.polygon(
+                self.scene.polygon(
                     self.place(corners), fc=colour, ec=colour, lw=0.3,
                     zorder=self.z, joinstyle="round", gid=name,
                 )  # fmt: skip

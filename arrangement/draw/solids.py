@@ -14,7 +14,7 @@ from arrangement.planes import Arrangement
 from arrangement.polyhedra.dual import DualPolyhedron, dual_polygon, dual_polyhedron, dual_segment
 from arrangement.polyhedra.inscribed import RepresentativeHull
 
-from .sheet import Floats
+from .scene import Floats
 
 
 @dataclass(frozen=True)

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -12,15 +11,14 @@ from arrangement.planes import Arrangement
 from .colours import DrawnRegion, Painter, painter
 from .disc import Disc, front, has_key, key_entries, rim_width
 from .equalize import evened
+from .figure import picture
 from .globe import Floats, Globe
 from .labels import flattened, write_inside
 from .projections import orthographic
-from .sheet import Sheet, checked_width
-
-if TYPE_CHECKING:
-    from matplotlib.figure import Figure
+from .scene import Scene, checked_width
 
 
+@picture
 def draw_sphere(
     arrangement: Arrangement,
     *,
@@ -28,7 +26,7 @@ def draw_sphere(
     colour: str | Painter = "sides",
     width: float = 88.0,
     even: bool = False,
-) -> Figure:
+) -> Scene:
     """Draw the great circles of central planes in R^3 as seen from a direction.
 
     A number at the limb names a circle: k for the k-th plane, counted from 1. Sign vectors stand
@@ -51,15 +49,15 @@ def draw_sphere(
     paint, width = painter(colour), checked_width(width)
     arrangement = evened(arrangement) if even else arrangement
     globe = Globe(arrangement, direction)
-    sheet = Sheet(width, width + (5.0 if has_key(colour) else 0.0))
-    centre = (sheet.width / 2, sheet.height - sheet.width / 2)
-    radius = sheet.width / 2 - rim_width(sheet, globe)
-    disc = Disc(sheet, centre, radius, globe, front(globe, orthographic))
+    scene = Scene(width, width + (5.0 if has_key(colour) else 0.0))
+    centre = (scene.width / 2, scene.height - scene.width / 2)
+    radius = scene.width / 2 - rim_width(scene, globe)
+    disc = Disc(scene, centre, radius, globe, front(globe, orthographic))
     hidden = _hidden(disc)
     outlines = disc.draw_curves(paint)
-    _signs(sheet, outlines, hidden, paint)
-    sheet.keys(14.0, key_entries(colour, [region for region, _ in outlines], paint))
-    return sheet.figure
+    _signs(scene, outlines, hidden, paint)
+    scene.keys(14.0, key_entries(colour, [region for region, _ in outlines], paint))
+    return scene
 
 
 def _hidden(disc: Disc) -> Floats:
@@ -69,20 +67,17 @@ def _hidden(disc: Disc) -> Floats:
         if circle != globe.limb and globe.cut.arc_signs(arc)[-1] < 0:
             curve = disc.on_paper(disc.drawn.arc(arc))
             style = {"lw": 0.45, "ls": (0, (3, 3)), "alpha": 0.45, "zorder": 2}
-            disc.sheet.curve(curve, fill=False, ec="black", gid=f"back-{arc}", **style)
+            disc.scene.curve(curve, fill=False, ec="black", gid=f"back-{arc}", **style)
             found.append(flattened(curve))
     return np.concatenate(found)
 
 
 def _signs(
-    sheet: Sheet, outlines: list[tuple[DrawnRegion, Floats]], hidden: Floats, paint: Painter
+    scene: Scene, outlines: list[tuple[DrawnRegion, Floats]], hidden: Floats, paint: Painter
 ) -> None:
     """Write sign vectors off the hidden arcs; where there is no such room, on a halo."""
-    import matplotlib.patheffects as effects
-
     for region, outline in outlines:
         low, high = outline.min(axis=0), outline.max(axis=0)
         near = hidden[((hidden > low) & (hidden < high)).all(axis=1)]
-        if not write_inside(sheet, outline, region.signs, (7.0, 6.0), other=near):
-            halo = effects.withStroke(linewidth=2.0, foreground=paint(region))
-            write_inside(sheet, outline, region.signs, path_effects=[halo])
+        if not write_inside(scene, outline, region.signs, (7.0, 6.0), other=near):
+            write_inside(scene, outline, region.signs, halo=(2.0, paint(region)))

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from itertools import product
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
@@ -16,18 +16,17 @@ from arrangement.planes import Arrangement
 from .colours import DrawnRegion, Painter, painter
 from .disc import Disc, front, has_key, key_entries, plane_names, region_sides, rim_width
 from .equalize import evened
+from .figure import picture
 from .globe import Globe, unit_vectors
 from .labels import flattened, sign_text, write_inside
 from .projections import Drawn, stereographic
-from .sheet import Floats, Sheet, checked_width
-
-if TYPE_CHECKING:
-    from matplotlib.figure import Figure
+from .scene import Floats, Scene, checked_width
 
 #: The whole plane is shown of itself when all circles end within this many radii of the limb.
 FARTHEST = 3.3
 
 
+@picture
 def draw_stereographic(
     arrangement: Arrangement,
     *,
@@ -36,7 +35,7 @@ def draw_stereographic(
     width: float = 88.0,
     whole: bool | None = None,
     even: bool = False,
-) -> Figure:
+) -> Scene:
     """Draw the great circles of central planes in R^3 in stereographic projection.
 
     The point of the sphere in the given direction is the middle of the picture, the opposite
@@ -85,34 +84,34 @@ def draw_stereographic(
     return _draw_whole(globe, paint, colour, checked_width(width))
 
 
-def _draw_half(globe: Globe, paint: Painter, colour: str | Painter, width: float) -> Figure:
-    sheet = Sheet(width, width + (5.0 if has_key(colour) else 0.0))
-    radius = sheet.width / 2 - rim_width(sheet, globe)
-    centre = (sheet.width / 2, sheet.height - sheet.width / 2)
-    drawn = Disc(sheet, centre, radius, globe, front(globe, stereographic)).draw(paint)
-    sheet.keys(14.0, key_entries(colour, drawn, paint))
-    return sheet.figure
+def _draw_half(globe: Globe, paint: Painter, colour: str | Painter, width: float) -> Scene:
+    scene = Scene(width, width + (5.0 if has_key(colour) else 0.0))
+    radius = scene.width / 2 - rim_width(scene, globe)
+    centre = (scene.width / 2, scene.height - scene.width / 2)
+    drawn = Disc(scene, centre, radius, globe, front(globe, stereographic)).draw(paint)
+    scene.keys(14.0, key_entries(colour, drawn, paint))
+    return scene
 
 
-def _draw_whole(globe: Globe, paint: Painter, colour: str | Painter, width: float) -> Figure:
-    sheet = Sheet(width, width + (5.0 if has_key(colour) else 0.0))
-    picture = _Whole(globe, sheet, paint)
+def _draw_whole(globe: Globe, paint: Painter, colour: str | Painter, width: float) -> Scene:
+    scene = Scene(width, width + (5.0 if has_key(colour) else 0.0))
+    picture = _Whole(globe, scene, paint)
     drawn = picture.draw()
-    sheet.keys(14.0, key_entries(colour, drawn, paint))
-    return sheet.figure
+    scene.keys(14.0, key_entries(colour, drawn, paint))
+    return scene
 
 
 class _Whole:
     """The picture of both halves: a frame, the outer region, and all others on top of it."""
 
-    def __init__(self, globe: Globe, sheet: Sheet, paint: Painter) -> None:
-        self.sheet, self.globe, self.paint = sheet, globe, paint
-        self.centre = np.array([sheet.width / 2, sheet.height - sheet.width / 2])
-        self.half = sheet.width / 2 - 1.5
+    def __init__(self, globe: Globe, scene: Scene, paint: Painter) -> None:
+        self.scene, self.globe, self.paint = scene, globe, paint
+        self.centre = np.array([scene.width / 2, scene.height - scene.width / 2])
+        self.half = scene.width / 2 - 1.5
         self.normals = unit_vectors(globe.whole.circle_normals).reshape(-1, 3) @ globe.axes.T
         low, high = self._extent()
         self.middle = (low + high) / 2
-        self.scale = (self.half - rim_width(sheet, globe)) / max(float((high - low).max()) / 2, 1.0)
+        self.scale = (self.half - rim_width(scene, globe)) / max(float((high - low).max()) / 2, 1.0)
         rays = [globe.whole.ray(v) for v in range(globe.whole.vertex_count)]
         points = unit_vectors(rays) @ globe.axes.T if rays else np.empty((0, 3))
         self.drawn = Drawn(globe.whole, points, self.normals, stereographic)
@@ -132,9 +131,9 @@ class _Whole:
         outlines = self._fill()
         for arc in range(self.globe.whole.arc_count):
             curve = self.on_paper(self.drawn.arc(arc))
-            self.sheet.curve(curve, fill=False, ec="black", lw=0.9, zorder=3, gid=f"arc-{arc}")
+            self.scene.curve(curve, fill=False, ec="black", lw=0.9, zorder=3, gid=f"arc-{arc}")
         limb = self.on_paper(np.zeros((1, 2)))[0]
-        self.sheet.circle(
+        self.scene.circle(
             limb, self.scale, fill=False, ec="black", lw=0.6, ls=(0, (3, 2)), alpha=0.7,
             zorder=2, gid="limb",
         )  # fmt: skip
@@ -146,7 +145,7 @@ class _Whole:
             if outline is None:
                 self._outer_signs(region)
             else:
-                write_inside(self.sheet, flattened(outline), region.signs, other=dashes)
+                write_inside(self.scene, flattened(outline), region.signs, other=dashes)
         return [region for region, _ in outlines]
 
     def _fill(self) -> list[tuple[DrawnRegion, Floats | None]]:
@@ -160,11 +159,11 @@ class _Whole:
             region = DrawnRegion(signs, sides[signs])
             style: dict[str, Any] = {"fc": self.paint(region), "ec": "none", "gid": f"region-{r}"}
             if signs == outside:
-                self.sheet.polygon(self._corners(), **style)
+                self.scene.polygon(self._corners(), **style)
                 found.append((region, None))
             else:
                 outline = self.on_paper(self.drawn.outline(r))
-                self.sheet.curve(outline, **style)
+                self.scene.curve(outline, **style)
                 found.append((region, outline))
         return found
 
@@ -173,7 +172,7 @@ class _Whole:
         return self.centre + self.half * signs
 
     def _frame(self) -> None:
-        self.sheet.polygon(self._corners(), fill=False, ec="black", lw=0.4, ls=(0, (1, 2)))
+        self.scene.polygon(self._corners(), fill=False, ec="black", lw=0.4, ls=(0, (1, 2)))
 
     def _names(self) -> None:
         """Write each circle's number outside its farthest point; inner ones go on their line."""
@@ -187,9 +186,9 @@ class _Whole:
     def _name(self, k: int, text: str, *, outside: bool) -> bool:
         a, b, c = self.normals[k].tolist()
         centre, radius = np.array([a / c, b / c]), 1 / abs(c)
-        w, h = self.sheet.measure(text, 7.0)
+        w, h = self.scene.measure(text, 7.0)
         style: dict[str, Any] = (
-            {} if outside else {"bbox": {"fc": "white", "ec": "none", "pad": 0.6}}
+            {} if outside else {"plate": {"fc": "white", "ec": "none", "pad": 0.6}}
         )
         for step in range(84):
             angle = math.atan2(b * c, a * c) + (step + 1) // 2 * 0.075 * (1 if step % 2 else -1)
@@ -199,7 +198,7 @@ class _Whole:
             place = rim + (beyond if outside else 0.0) * outward
             if self._clearance(place, None if outside else k) < (4.5 if outside else 5.5):
                 continue
-            if self.sheet.write(place, text, 7.0, **style):
+            if self.scene.write(place, text, 7.0, **style):
                 return True
         return False
 
@@ -218,9 +217,9 @@ class _Whole:
         for x, y in product((1, 0), (1, 0)):
             corner = self._corners()[{(0, 0): 0, (1, 0): 1, (1, 1): 2, (0, 1): 3}[x, y]]
             inside = corner + np.array([4.0 - 8 * x, 4.0 - 8 * y])
-            box = self.sheet.measure(text, 7.0)
+            box = self.scene.measure(text, 7.0)
             place = inside + np.array(box) * (0.5 - np.array([x, y]))
-            if text and self._clearance(place, None) > 4.5 and self.sheet.write(place, text, 7.0):
+            if text and self._clearance(place, None) > 4.5 and self.scene.write(place, text, 7.0):
                 return
 
 

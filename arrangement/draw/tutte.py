@@ -14,7 +14,7 @@ from typing import TypeAlias
 import numpy as np
 import numpy.typing as npt
 
-from .sheet import Floats
+from .scene import Floats
 
 Indices: TypeAlias = npt.NDArray[np.int64]
 

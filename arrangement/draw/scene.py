@@ -1,0 +1,297 @@
+"""What a picture shows, before any file format: paths, marks and labels on a sheet of paper.
+
+A view adds items to a `Scene`; a writer (`figure`) reads them and knows no view. Every item has a
+name such as ``region-3``, and its role is the first word of it. Coordinates are printer's points
+(1/72 inch) from the lower left corner.
+
+Styles: ``fc`` colour inside, ``ec`` of the line, ``lw`` its width in points, ``ls`` its dashes
+(offset, lengths in line widths), ``alpha``, ``capstyle``, ``joinstyle``, ``hatch``; of labels and
+marks ``color``, ``weight``, ``style``, ``halo`` (width, colour), ``plate`` (a box behind the text).
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from contextlib import contextmanager
+from dataclasses import dataclass, field
+from functools import lru_cache
+from typing import Any, TypeAlias
+
+import numpy as np
+import numpy.typing as npt
+
+from arrangement.errors import InputError
+from arrangement.exact import shown
+
+from .output import millimetres, require_matplotlib
+
+Floats: TypeAlias = npt.NDArray[np.float64]
+#: A point of the scene.
+Place: TypeAlias = Sequence[float] | Floats
+#: Left, bottom, right, top; in points.
+Box: TypeAlias = tuple[float, float, float, float]
+
+#: Millimetres to points.
+POINTS = 72 / 25.4
+#: Resolution at which text is measured; pictures are saved with the same.
+DPI = 300
+#: Size of letters, in points.
+FONT = 7.0
+#: Least distance between two labels, and of a label from the border; in points.
+GAP = 0.8
+_CORNERS = ((-1, -1), (1, -1), (1, 1), (-1, 1))
+
+
+@dataclass(frozen=True, kw_only=True)
+class Item:
+    """Something on the paper.
+
+    Attributes:
+        name: of the element, such as ``region-3``; may be empty.
+        order: what is higher is painted later; if None, lines over fills over nothing.
+        clip: the box, or the disc (centre and radius), outside which it is not seen.
+        style: see the module.
+    """
+
+    name: str = ""
+    order: float | None = None
+    clip: Box | tuple[Place, float] | None = None
+    style: Mapping[str, Any] = field(default_factory=dict)
+
+    @property
+    def role(self) -> str:
+        """The first word of the name: what it is."""
+        return next(iter(re.findall("[a-z]+", self.name)), "label")
+
+
+@dataclass(frozen=True, kw_only=True)
+class Path(Item):
+    """A line or a filled shape.
+
+    Attributes:
+        points: (k, 2) corners; (3k + 1, 2) control points of cubic curves; or one centre.
+        kind: "line" (open), "polygon" (closed), "curve", or "circle".
+        radius: of the circle.
+    """
+
+    points: Floats
+    kind: str
+    radius: float = 0.0
+
+
+@dataclass(frozen=True, kw_only=True)
+class Mark(Item):
+    """A small sign of a fixed size in points: a disc "o", a cross "x", or a dash "_"."""
+
+    place: tuple[float, float]
+    sign: str
+    size: float
+
+
+@dataclass(frozen=True, kw_only=True)
+class Label(Item):
+    """A text; `ha` and `va` tell which of its points is at the place."""
+
+    place: tuple[float, float]
+    text: str
+    size: float
+    ha: str = "center"
+    va: str = "center"
+    rotation: float = 0.0
+
+
+class Scene:
+    """A sheet of paper on which `write` lets no label cover another or leave the sheet.
+
+    Attributes:
+        width, height: in points.
+        items: in the order in which they were added.
+        boxes: what is covered by labels so far.
+    """
+
+    def __init__(self, width: float, height: float) -> None:
+        """Take width and height in millimetres."""
+        require_matplotlib()
+        self.width, self.height = width * POINTS, height * POINTS
+        self.items: list[Item] = []
+        self.boxes: list[Box] = []
+        self._clip: Box | tuple[Place, float] | None = None
+
+    @contextmanager
+    def clipped(self, clip: Box | tuple[Place, float]) -> Iterator[None]:
+        """Cut what is added meanwhile to a box or a disc."""
+        self._clip = clip
+        yield
+        self._clip = None
+
+    def measure(self, text: str, size: float = FONT, rotation: float = 0.0) -> tuple[float, float]:
+        """Return the width and height of a text, in points."""
+        return measure(text, size, rotation)
+
+    def box(self, at: Place, text: str, size: float, rotation: float = 0.0) -> Box:
+        """Return the box of a text centred at a point."""
+        w, h = self.measure(text, size, rotation)
+        return (at[0] - w / 2, at[1] - h / 2, at[0] + w / 2, at[1] + h / 2)
+
+    def is_free(self, box: Box) -> bool:
+        """Whether a box is on the sheet and covers no label."""
+        left, bottom, right, top = box
+        if left < GAP or bottom < GAP or right > self.width - GAP or top > self.height - GAP:
+            return False
+        return not any(
+            left < r + GAP and right > l - GAP and bottom < t + GAP and top > b - GAP
+            for l, b, r, t in self.boxes  # noqa: E741
+        )
+
+    def write(
+        self,
+        at: Place,
+        text: str,
+        size: float = FONT,
+        *,
+        anchor: tuple[float, float] = (0.5, 0.5),
+        rotation: float = 0.0,
+        **style: Any,
+    ) -> bool:
+        """Write a text if its place is free; return whether it was.
+
+        Args:
+            at: a point of the scene.
+            text: one or several lines.
+            size: in points.
+            anchor: the point of the text that is put there: (0, 0) its lower left corner,
+                (1, 1) its upper right one.
+            rotation: in degrees.
+            style: see the module.
+        """
+        w, h = self.measure(text, size, rotation)
+        x, y = at[0] + (0.5 - anchor[0]) * w, at[1] + (0.5 - anchor[1]) * h
+        box = (x - w / 2, y - h / 2, x + w / 2, y + h / 2)
+        if not self.is_free(box):
+            return False
+        self.boxes.append(box)
+        self.text((x, y), text, size, rotation=rotation, **style)
+        return True
+
+    def text(
+        self,
+        at: Place,
+        text: str,
+        size: float = FONT,
+        *,
+        ha: str = "center",
+        va: str = "center",
+        rotation: float = 0.0,
+        **style: Any,
+    ) -> None:
+        """Write a text, whatever is there."""
+        place = float(at[0]), float(at[1])
+        self._add(
+            Label, {"zorder": 6, **style}, place=place, text=text, size=size, ha=ha, va=va,
+            rotation=rotation,
+        )  # fmt: skip
+
+    def curve(self, points: Floats, **style: Any) -> None:
+        """Draw control points (3k + 1, 2) of cubic curves, joined."""
+        self._add(Path, style, points=points, kind="curve")
+
+    def circle(self, centre: Place, radius: float, **style: Any) -> None:
+        """Draw a circle."""
+        self._add(Path, style, points=np.asarray(centre), kind="circle", radius=radius)
+
+    def marker(self, at: Place, size: float, shape: str, **style: Any) -> None:
+        """Draw a small disc ("round") or square ("square") of about the same area."""
+        if shape == "round":
+            self.circle(at, size, **style)
+            return
+        half = size * 0.9
+        corners = [(at[0] + x * half, at[1] + y * half) for x, y in _CORNERS]
+        self.polygon(corners, **style)
+
+    def polygon(self, corners: Any, **style: Any) -> None:
+        """Draw a closed polygon."""
+        self._add(Path, style, points=np.asarray(corners), kind="polygon")
+
+    def line(self, points: Any, **style: Any) -> None:
+        """Draw an open polygonal line."""
+        self._add(Path, style, points=np.asarray(points), kind="line")
+
+    def mark(self, at: Place, sign: str, size: float, **style: Any) -> None:
+        """Draw a disc "o", a cross "x" or a dash "_" of a size in points."""
+        self._add(Mark, style, place=(float(at[0]), float(at[1])), sign=sign, size=size)
+
+    def _add(self, sort: type[Item], style: dict[str, Any], **what: Any) -> None:
+        rest = {key: value for key, value in style.items() if key not in ("gid", "zorder")}
+        name, order = style.get("gid", ""), style.get("zorder")
+        self.items.append(sort(name=name, order=order, clip=self._clip, style=rest, **what))
+
+    def keys(
+        self, y: float, keys: Iterable[tuple[str, dict[str, Any]]], size: float = FONT
+    ) -> float:
+        """Write a legend in rows centred under `y`; return the height that it takes.
+
+        A key is a text with the style of a patch, or of a line if the style has "line".
+        """
+        entries = [(text, style, 15 + self.measure(text, size)[0]) for text, style in keys]
+        rows: list[list[tuple[str, dict[str, Any], float]]] = [[]]
+        for entry in entries:
+            if rows[-1] and sum(e[2] + 9 for e in [*rows[-1], entry]) - 9 > self.width - 6:
+                rows.append([])
+            rows[-1].append(entry)
+        step = size + 3.5
+        for k, row in enumerate(rows):
+            x = (self.width - sum(e[2] + 9 for e in row) + 9) / 2
+            centre = y - step * (k + 0.5)
+            for text, style, length in row:
+                self._key(x, centre, style)
+                self.write((x + 15, centre), text, size, anchor=(0, 0.5))
+                x += length + 9
+        return step * len(rows) if entries else 0.0
+
+    def _key(self, x: float, y: float, style: dict[str, Any]) -> None:
+        if "line" in style:
+            self.line([(x, y), (x + 12, y)], **style["line"])
+        elif "marker" in style:
+            shape = style["marker"]
+            rest = {name: value for name, value in style.items() if name != "marker"}
+            self.marker((x + 8, y), 2.8, shape, **{"ec": "black", **rest})
+        else:
+            corners = [(x + 2, y - 3.5), (x + 11, y - 3.5), (x + 11, y + 3.5), (x + 2, y + 3.5)]
+            self.polygon(corners, **{"ec": "black", "lw": 0.5, **style})
+
+
+def measure(text: str, size: float = FONT, rotation: float = 0.0) -> tuple[float, float]:
+    """Return the width and height of a text in the fonts that are set now, in points."""
+    settings = require_matplotlib().rcParams
+    return _measured(text, size, rotation, (*settings["font.family"], *settings["font.sans-serif"]))
+
+
+@lru_cache(maxsize=8192)
+def _measured(
+    text: str, size: float, rotation: float, _fonts: tuple[str, ...]
+) -> tuple[float, float]:
+    from matplotlib.text import Text
+
+    renderer, figure = _measuring()
+    label = Text(0, 0, text, size=size, rotation=rotation, linespacing=1.0)
+    label.set_figure(figure)
+    extent = label.get_window_extent(renderer)
+    return extent.width * 72 / DPI, extent.height * 72 / DPI
+
+
+@lru_cache(maxsize=1)
+def _measuring() -> Any:
+    from matplotlib.backends import backend_agg
+    from matplotlib.figure import Figure
+
+    renderer: Any = backend_agg.RendererAgg
+    return renderer(10, 10, DPI), Figure(dpi=DPI)
+
+
+def checked_width(width: object, least: float = 40.0) -> float:
+    """Return a width in millimetres, or refuse it."""
+    length = millimetres(width, "the width")
+    if length < least:
+        raise InputError(f"the width is {shown(width)}; give at least {least:g} millimetres")
+    return length
