@@ -11,11 +11,6 @@ from .exact import to_text
 from .io import files
 from .planes import Arrangement, Face
 
-#: The options of ``draw`` that go to the view, when they are given.
-_DRAW_OPTIONS = (
-    "colour", "direction", "width", "body", "centre", "radius", "lift", "explode", "size",
-    "title", "whole", "hull", "moebius", "even",
-)  # fmt: skip
 _SYMBOLS = {1: "+", 0: "0", -1: "-"}
 
 
@@ -44,7 +39,9 @@ def _parser() -> terminal.Parser:
     )
     bounds.add_argument("--largest", type=int, default=12, metavar="M", help="4 to 30 (default 12)")
     bounds.add_argument("-o", "--output", metavar="PATH", help="a picture: .svg, .pdf, .png")
-    bounds.add_argument("--width", type=_length, metavar="MM", help="of the picture (default 180)")
+    bounds.add_argument(
+        "--width", type=terminal.length_argument, metavar="MM", help="of the picture (default 180)"
+    )
     bounds.set_defaults(command=_bounds)
 
     names = commands.add_parser("list", help="list the built-in documents")
@@ -52,7 +49,7 @@ def _parser() -> terminal.Parser:
 
     draw = commands.add_parser("draw", help="draw pictures and pages, or export models to hold")
     _add_file(draw)
-    _add_draw_options(draw)
+    draw.later = lambda: _add_draw_options(draw)
     draw.set_defaults(command=_draw)
 
     for command in (count, faces, bounds, names, draw):
@@ -66,68 +63,6 @@ def _add_file(parser: argparse.ArgumentParser) -> None:
         metavar="FILE",
         help="an arrangement or a grasp: a path, - for standard input, or a built-in name",
     )
-
-
-def _add_draw_options(draw: argparse.ArgumentParser) -> None:
-    draw.add_argument(
-        "-o", "--output", required=True, metavar="PATH",
-        help=".svg, .pdf, .png: a picture; .stl, .glb, .obj: a model; .html: an interactive page",
-    )  # fmt: skip
-    draw.add_argument(
-        "--view", metavar="VIEW",
-        help="of a picture: sphere (the default), planes, stereographic, gnomonic, dual, graph, "
-        "lattice",
-    )  # fmt: skip
-    draw.add_argument("--model", metavar="MODEL", help="dual (the default) or cells")
-    draw.add_argument(
-        "--colour", metavar="BY",
-        help="sides, signs or none; view planes: planes, shade or none; model cells: also planes",
-    )  # fmt: skip
-    draw.add_argument(
-        "--direction", nargs=3, type=terminal.rational_argument, metavar=("X", "Y", "Z"),
-        help="towards the viewer, exact",
-    )  # fmt: skip
-    draw.add_argument("--width", type=_length, metavar="MM", help="of a picture (default 88)")
-    draw.add_argument("--body", metavar="BODY", help="around planes and cells: ball or cube")
-    draw.add_argument(
-        "--centre", nargs=3, type=terminal.rational_argument, metavar=("X", "Y", "Z"),
-        help="of the body, exact; left out, one that contains all vertices is taken",
-    )  # fmt: skip
-    draw.add_argument(
-        "--radius", type=terminal.rational_argument, metavar="R",
-        help="of the ball, or half the edge of the cube, exact",
-    )  # fmt: skip
-    draw.add_argument(
-        "--lift", action="append", metavar="SIGNS",
-        help="lift this cell out; write --lift=-+- with the equals sign; may be repeated",
-    )  # fmt: skip
-    draw.add_argument(
-        "--explode", type=_length, metavar="FACTOR",
-        help="move the cells of a model apart (default 1.3; 1 leaves them together)",
-    )  # fmt: skip
-    draw.add_argument("--size", type=_length, metavar="MM", help="of a model (default 60)")
-    draw.add_argument(
-        "--even", action="store_true", default=None,
-        help="after a linear map that spreads the planes evenly and keeps all signs",
-    )  # fmt: skip
-    draw.add_argument(
-        "--whole", action=argparse.BooleanOptionalAction, default=None,
-        help="stereographic: both halves of the sphere, or one",
-    )  # fmt: skip
-    draw.add_argument(
-        "--hull", action="store_true", default=None,
-        help="dual: the hull of representatives on the sphere, differing edges marked",
-    )  # fmt: skip
-    draw.add_argument(
-        "--moebius", action=argparse.BooleanOptionalAction, default=None,
-        help="lattice: Moebius values under the names, or none",
-    )  # fmt: skip
-    draw.add_argument("--title", metavar="TEXT", help="the heading of a page")
-
-
-def _length(text: str) -> float:
-    """Read a length on paper or of a model, which is no exact number."""
-    return float(terminal.rational_argument(text))
 
 
 def _count(arguments: argparse.Namespace) -> int:
@@ -188,16 +123,19 @@ def _line(face: Face) -> str:
     return f"{signs}  dim {face.dimension}  ({', '.join(to_text(x) for x in face.witness)})"
 
 
+def _add_draw_options(draw: argparse.ArgumentParser) -> None:
+    from .draw.command import add_options
+    from .draw.views import DRAWINGS
+
+    add_options(draw, DRAWINGS)
+
+
 def _draw(arguments: argparse.Namespace) -> int:
-    from .draw import write_drawing
+    from .draw.command import given_options, write
+    from .draw.views import DRAWINGS
 
     arrangement = files.read_arrangement(arguments.file)
-    given = {name: getattr(arguments, name) for name in _DRAW_OPTIONS}
-    options = {name: value for name, value in given.items() if value is not None}
-    shows = write_drawing(arrangement, arguments.output, arguments.view, arguments.model, **options)
-    if arguments.json:
-        terminal.print_json({"output": arguments.output, **shows})
-    return terminal.YES
+    return write(arguments, DRAWINGS, arrangement, given_options(arguments, DRAWINGS))
 
 
 def _list(arguments: argparse.Namespace) -> int:

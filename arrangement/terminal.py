@@ -13,7 +13,7 @@ import json
 import os
 import re
 import sys
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from fractions import Fraction
 from typing import Any, NoReturn
 
@@ -43,6 +43,16 @@ class Parser(argparse.ArgumentParser):
         super().__init__(**options)
         # argparse asks this pattern which words that start with "-" are values.
         self._negative_number_matcher = _NEGATIVE_NUMBER
+
+        #: Adds the options that take time to find out, when they are asked for.
+        self.later: Callable[[], None] | None = None
+
+    def parse_known_args(self, args: Any = None, namespace: Any = None) -> Any:
+        """Parse, with all options; ``--help`` comes through here too."""
+        later, self.later = self.later, None
+        if later is not None:
+            later()
+        return super().parse_known_args(args, namespace)
 
     def error(self, message: str) -> NoReturn:
         """Print the usage and one line with the error to stderr; exit with 2."""
@@ -83,6 +93,11 @@ def rational_argument(text: str) -> Fraction:
         return rational(text, "value")
     except InputError as error:
         raise argparse.ArgumentTypeError(str(error)) from None
+
+
+def length_argument(text: str) -> float:
+    """Read a length on paper or of a model, which is no exact number."""
+    return float(rational_argument(text))
 
 
 def run(parser: Parser, argv: Sequence[str] | None = None) -> int:

@@ -12,6 +12,9 @@ from arrangement.exact import shown
 #: Light to dark, so that the order stays in grey: numbers of sides 2, 3, 4, 5, 6, and more.
 PALETTE = ("#ffffff", "#fdf0c0", "#b9dfd3", "#7fb9d8", "#6a96c8", "#8a7fb5")
 
+#: Inks; the colours are those of Okabe and Ito.
+BLACK, GREY, PALE, BLUE, VERMILION = "#000000", "#767676", "#f2f2f2", "#0072b2", "#d55e00"
+
 #: For planes, when each has a colour of its own (P. Tol's muted scheme, dark ones first). A number
 #: stands beside every use.
 PLANE_COLOURS = (

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from itertools import product
 from typing import Any
 
@@ -13,26 +12,26 @@ from arrangement.planes import Arrangement
 from arrangement.polyhedra.dual import dual_polyhedron
 from arrangement.polyhedra.inscribed import representative_hull
 
-from .colours import DrawnRegion, Painter, painter, plane_colour
+from .colours import BLUE, VERMILION, DrawnRegion, Painter, painter, plane_colour
 from .disc import Disc, front, has_key, key_entries, plane_names, region_sides, rim_width
 from .equalize import evened
 from .figure import picture
 from .globe import Globe, unit_vectors
 from .labels import SIZES, crosses, sign_forms, tried, write_beside
 from .projections import orthographic
+from .registry import Vector
 from .scene import Box, Floats, Scene, checked_width
 from .solids import Solid, dual_solid, hull_solid
 
 #: Below this width the two panels stand one above the other; in millimetres.
 SIDE_BY_SIDE = 120.0
-_HULL_ONLY, _MISSING = "#d55e00", "#0072b2"
 
 
 @picture
 def draw_dual(
     arrangement: Arrangement,
     *,
-    direction: Sequence[object] | None = None,
+    direction: Vector | None = None,
     colour: str | Painter = "sides",
     width: float = 180.0,
     hull: bool = False,
@@ -235,6 +234,6 @@ class _Picture:
 
 _HULL_STYLES: dict[int, dict[str, Any]] = {
     0: {"ec": "black", "lw": 0.9, "zorder": 3},
-    -1: {"ec": _HULL_ONLY, "lw": 1.7, "zorder": 4},
-    -2: {"ec": _MISSING, "lw": 1.4, "ls": (0, (1.2, 1.2)), "zorder": 4.5},
+    -1: {"ec": VERMILION, "lw": 1.7, "zorder": 4},
+    -2: {"ec": BLUE, "lw": 1.4, "ls": (0, (1.2, 1.2)), "zorder": 4.5},
 }

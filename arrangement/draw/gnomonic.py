@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
 from itertools import product
 
 import numpy as np
@@ -17,6 +16,7 @@ from .equalize import evened
 from .figure import picture
 from .globe import Globe, unit_vectors
 from .projections import Chart, Drawn, StraightChart, orthographic
+from .registry import Vector
 from .scene import Floats, Scene, checked_width
 
 _BOTH_ENDS = 16
@@ -26,7 +26,7 @@ _BOTH_ENDS = 16
 def draw_gnomonic(
     arrangement: Arrangement,
     *,
-    direction: Sequence[object] | None = None,
+    direction: Vector | None = None,
     colour: str | Painter = "sides",
     width: float = 88.0,
     even: bool = False,

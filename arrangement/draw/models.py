@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-
 import numpy as np
 
 from arrangement.errors import InputError
@@ -17,6 +15,7 @@ from arrangement.polyhedra.dual.mesh import content
 from .colours import DrawnRegion, Painter, fill_colour, painter, pale, side_colour
 from .output import millimetres
 from .painting import unit_points
+from .registry import Exact, Vector
 
 #: The surface of the body on a cell.
 SKIN = "#f3ead8"
@@ -42,8 +41,8 @@ def cells_model(
     suffix: str,
     *,
     body: str = "ball",
-    centre: Sequence[object] | None = None,
-    radius: object | None = None,
+    centre: Vector | None = None,
+    radius: Exact | None = None,
     explode: float = 1.3,
     size: float = 60.0,
     colour: str | Painter = "planes",

@@ -6,7 +6,6 @@ place curves on the screen.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from itertools import product
 from typing import Any
 
@@ -21,6 +20,7 @@ from arrangement.polyhedra.dual.incidence import dual_incidence
 from .equalize import evening_map, is_narrow
 from .globe import Globe, clear_direction, picture_axes
 from .html_page import BASE_SCRIPT, BASE_STYLE, one_page, own
+from .registry import Vector
 
 #: Distinct planes beyond which a page is too slow to turn by hand.
 MAX_CIRCLES = 30
@@ -33,7 +33,7 @@ def arrangement_page(
     *,
     title: str | None = None,
     colour: str | None = None,
-    direction: Sequence[object] | None = None,
+    direction: Vector | None = None,
 ) -> str:
     """Return one HTML page, complete in itself, for central planes in R^3.
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable
 
 from arrangement.errors import InputError
 from arrangement.exact import shown
@@ -16,6 +16,7 @@ from .globe import view_direction
 from .painting import Stage
 from .planenames import Names
 from .planesheet import LIGHT, FacetPainter, PlanesSheet
+from .registry import Exact, Vector
 from .scene import Scene, checked_width
 from .view_direction import clear_sight
 
@@ -25,9 +26,9 @@ def draw_planes(
     arrangement: Arrangement,
     *,
     body: str = "ball",
-    centre: Sequence[object] | None = None,
-    radius: object | None = None,
-    direction: Sequence[object] | None = None,
+    centre: Vector | None = None,
+    radius: Exact | None = None,
+    direction: Vector | None = None,
     lift: Iterable[str] = (),
     colour: str | FacetPainter = "planes",
     width: float = 88.0,

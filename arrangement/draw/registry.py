@@ -10,19 +10,25 @@ from __future__ import annotations
 import ast
 import importlib
 import os
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from difflib import get_close_matches
 from functools import cache
 from importlib.resources import files
 from pathlib import Path
-from typing import Any
+from typing import Any, TypeAlias
 
 from arrangement.errors import InputError
 from arrangement.exact import shown
 from arrangement.io.writing import write_bytes_atomically, write_text_atomically
 
 from .output import MODELS, PAGES, PICTURES, save_figure
+
+#: The kinds of options, for signatures; `command` tells how each is written on a command line.
+Vector: TypeAlias = Sequence[object]
+Exact: TypeAlias = object
+Wrench: TypeAlias = Iterable[Any]
+Corner: TypeAlias = Iterable[Any]
 
 
 @dataclass(frozen=True)
@@ -86,62 +92,54 @@ class Drawings:
                 write.
             MissingExtraError: matplotlib is absent.
         """
-        suffix = Path(path).suffix.lower()
-        known = sorted({*PICTURES, *PAGES, *(MODELS if self.models else ())})
-        if suffix not in known:
-            raise refusal("file name", suffix, known, "ends in")
-        if suffix in MODELS:
-            return self._write("model", suffix, path, subject, model, view, options)
-        return self._write(
-            "page" if suffix in PAGES else "view", suffix, path, subject, view, model, options
-        )
-
-    def _write(
-        self,
-        kind: str,
-        suffix: str,
-        path: str | os.PathLike[str],
-        subject: Any,
-        name: str | None,
-        other: str | None,
-        options: Mapping[str, Any],
-    ) -> dict[str, str]:
-        if other is not None:
-            wrong, needed = ("view", PICTURES) if kind == "model" else ("model", MODELS)
-            raise InputError(
-                f"a {wrong} was named and the file name ends in {suffix}; a {wrong} needs one of "
-                f"{', '.join(needed)}"
-            )
-        known = getattr(self, f"{kind}s")
-        name = next(iter(known)) if name is None else name
-        if name not in known:
-            raise refusal(kind, name, known)
-        found = self.options(known[name])
+        kind, name = self.target(path, view, model)
+        found = self.options(kind, name)
         for option in options:
             if option not in found:
-                raise refusal(f"option of the {kind} {name}", option, found, remedy="it has")
-        for option in found.values():
-            if option.required and option.name not in options:
-                raise InputError(f"the {kind} {name} needs {option.name}; give at least one")
-        draw = self._function(known[name])
+                raise refusal(f"option of the {kind} {name}", option, found, "it has")
+        for needed in found.values():
+            if needed.required and needed.name not in options:
+                raise InputError(f"the {kind} {name} needs {needed.name}; give at least one")
+        module, _, function = getattr(self, f"{kind}s")[name].partition(":")
+        draw = getattr(importlib.import_module(f"{self.package}.{module}"), function)
         if kind == "view":
             save_figure(path, lambda: draw(subject, **options))
         elif kind == "page":
             write_text_atomically(path, draw(subject, **options))
         else:
-            write_bytes_atomically(path, draw(subject, suffix, **options))
+            write_bytes_atomically(path, draw(subject, Path(path).suffix.lower(), **options))
         return {kind: name}
 
-    def _function(self, target: str) -> Callable[..., Any]:
-        module, _, name = target.partition(":")
-        found: Callable[..., Any] = getattr(
-            importlib.import_module(f"{self.package}.{module}"), name
-        )
-        return found
+    def target(
+        self, path: str | os.PathLike[str], view: str | None = None, model: str | None = None
+    ) -> tuple[str, str]:
+        """Return what a path asks for: "view", "model" or "page", and the name of it.
 
-    def options(self, target: str) -> dict[str, Option]:
-        """Return the options of ``module:function`` by name."""
-        return _options(self.package, *target.split(":"))
+        Raises:
+            InputError: unknown suffix or name, or a name that does not go with the suffix.
+        """
+        suffix = Path(path).suffix.lower()
+        kinds = {"view": PICTURES, "model": MODELS if self.models else (), "page": PAGES}
+        kind = next((kind for kind, suffixes in kinds.items() if suffix in suffixes), None)
+        if kind is None:
+            ends = sorted(end for suffixes in kinds.values() for end in suffixes)
+            raise InputError(f"the file name ends in {shown(suffix)}; known are {', '.join(ends)}")
+        name, other = (model, view) if kind == "model" else (view, model)
+        if other is not None:
+            wrong = "view" if kind == "model" else "model"
+            raise InputError(
+                f"a {wrong} was named and the file name ends in {suffix}; a {wrong} needs one of "
+                f"{', '.join(kinds[wrong])}"
+            )
+        known = getattr(self, f"{kind}s")
+        name = next(iter(known)) if name is None else name
+        if name not in known:
+            raise refusal(kind, name, known)
+        return kind, name
+
+    def options(self, kind: str, name: str) -> dict[str, Option]:
+        """Return the options of a view, model or page by name."""
+        return _options(self.package, *getattr(self, f"{kind}s")[name].split(":"))
 
 
 @cache
@@ -174,12 +172,10 @@ def _explained(docstring: str) -> dict[str, str]:
 
 
 def refusal(
-    what: str, value: object, known: Iterable[str], verb: str = "is", remedy: str = "known are"
+    what: str, value: object, known: Iterable[str], remedy: str = "known are"
 ) -> InputError:
     """Return the error for a name that does not exist, with the nearest ones that do."""
     names = list(known)
     near = get_close_matches(str(value), names, 3)
     meant = f"did you mean {' or '.join(near)}? " if near else ""
-    return InputError(
-        f"the {what} {verb} {shown(value)}; {meant}{remedy} {', '.join(names) or 'none'}"
-    )
+    return InputError(f"the {what} is {shown(value)}; {meant}{remedy} {', '.join(names) or 'none'}")

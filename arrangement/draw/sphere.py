@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-
 import numpy as np
 
 from arrangement.planes import Arrangement
@@ -15,6 +13,7 @@ from .figure import picture
 from .globe import Floats, Globe
 from .labels import flattened, write_inside
 from .projections import orthographic
+from .registry import Vector
 from .scene import Scene, checked_width
 
 
@@ -22,7 +21,7 @@ from .scene import Scene, checked_width
 def draw_sphere(
     arrangement: Arrangement,
     *,
-    direction: Sequence[object] | None = None,
+    direction: Vector | None = None,
     colour: str | Painter = "sides",
     width: float = 88.0,
     even: bool = False,

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
 from itertools import product
 from typing import Any
 
@@ -20,6 +19,7 @@ from .figure import picture
 from .globe import Globe, unit_vectors
 from .labels import flattened, sign_text, write_inside
 from .projections import Drawn, stereographic
+from .registry import Vector
 from .scene import Floats, Scene, checked_width
 
 #: The whole plane is shown of itself when all circles end within this many radii of the limb.
@@ -30,7 +30,7 @@ FARTHEST = 3.3
 def draw_stereographic(
     arrangement: Arrangement,
     *,
-    direction: Sequence[object] | None = None,
+    direction: Vector | None = None,
     colour: str | Painter = "sides",
     width: float = 88.0,
     whole: bool | None = None,

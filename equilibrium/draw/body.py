@@ -16,13 +16,12 @@ from itertools import pairwise
 from typing import Any
 
 import numpy as np
-import numpy.typing as npt
 
+from arrangement.draw.labels import flattened
+from arrangement.draw.scene import Floats
 from arrangement.exact import RationalVector, rational_vector
 from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import Grasp
-
-Floats = npt.NDArray[np.float64]
 
 
 @dataclass(frozen=True)
@@ -86,15 +85,6 @@ def body(grasp: Grasp, frame: Frame) -> Floats | None:
         if np.abs(centre).max() <= 2 and (curve := _around(stops, centre)) is not None:
             return curve
     return None
-
-
-def sampled(curve: Floats, pieces: int = 16) -> Floats:
-    """Return points on a curve of cubic pieces."""
-    t = np.linspace(0, 1, pieces, endpoint=False)[:, None, None]
-    p, q, r, end = curve[:-1:3], curve[1::3], curve[2::3], curve[3::3]
-    at = (1 - t) ** 3 * p + 3 * t * (1 - t) ** 2 * q + 3 * t**2 * (1 - t) * r + t**3 * end
-    found: Floats = at.transpose(1, 0, 2).reshape(-1, 2)
-    return found
 
 
 _Stop = tuple[Floats, Floats]
@@ -161,7 +151,7 @@ def _around(stops: Sequence[_Stop], centre: Floats) -> Floats | None:
         arm = 0.38 * float(np.linalg.norm(q - p))
         pieces.append((p, p + arm * u, q - arm * v, q))
     curve = _joined(pieces)
-    return None if len(stops) < 3 or _crosses(sampled(curve, 12)) else curve
+    return None if len(stops) < 3 or _crosses(flattened(curve, 12)) else curve
 
 
 def _crosses(points: Floats) -> bool:

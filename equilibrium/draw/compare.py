@@ -4,22 +4,19 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from fractions import Fraction
-from typing import TYPE_CHECKING, Any
 
-from arrangement.draw.output import require_matplotlib
+from arrangement.draw.figure import picture
+from arrangement.draw.registry import Exact, Wrench
+from arrangement.draw.scene import Scene
 from arrangement.progress import watched
 from equilibrium.methods.regions import FORCES, METHODS, MOST_FOR_ALL_CHOICES, method_region
 from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import Grasp, read_wrench
 
-from .legend import Legend
-from .row import read_extent, row_of_panels
+from .row import new_legend, read_extent, row_of_panels
 from .slices import paint_plain
 from .style import SHADE, number, vector
 from .window import joint_window
-
-if TYPE_CHECKING:
-    from matplotlib.figure import Figure
 
 #: Short titles that fit above a small panel.
 TITLES = {
@@ -34,14 +31,15 @@ TITLES = {
 }
 
 
+@picture
 def draw_compare(
     grasp: Grasp,
     *,
-    wrench: Iterable[Any] | None = None,
+    wrench: Wrench | None = None,
     methods: Iterable[str] | None = None,
-    extent: Any = None,
+    extent: Exact | None = None,
     width: float = 180.0,
-) -> Figure:
+) -> Scene:
     """Draw the forces that each method accepts, as exact polygons: small multiples in one plane.
 
     Args:
@@ -57,7 +55,6 @@ def draw_compare(
         GraspError: an unknown method or none, too many contacts, an extent that is not above 0.
         MissingExtraError: matplotlib is absent.
     """
-    require_matplotlib()
     applied = None if wrench is None else read_wrench(wrench)
     torque = Fraction(0) if applied is None else applied[2]
     half = read_extent(extent)
@@ -67,19 +64,19 @@ def draw_compare(
     ]
     marked = [] if applied is None else [applied[:2]]
     window = joint_window(regions, marked, half)
-    legend = Legend(width)
+    legend = new_legend(width)
     legend.key(SHADE, f"accepted forces at torque {number(torque)}")
     legend.key("border", "acceptance ends")
     if half is None:
         legend.key("fade", "without end")
     if applied is not None:
         legend.key("wrench-points", f"w = {vector(applied)}, accepted or not")
-    figure, panels = row_of_panels(
-        len(names), width, window, legend, grasp, columns=max(1, int(width / 44))
+    scene, panels = row_of_panels(
+        len(names), window, legend, grasp, columns=max(1, int(width / 44))
     )
     for panel, name, region in zip(panels, names, regions, strict=True):
         paint_plain(panel, TITLES[name], region, marked, fades=half is None)
-    return figure
+    return scene
 
 
 def _names(grasp: Grasp, methods: Iterable[str] | None) -> list[str]:

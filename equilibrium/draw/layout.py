@@ -10,6 +10,7 @@ from typing import Any
 
 import numpy as np
 
+from arrangement.draw.scene import Floats
 from arrangement.exact import RationalVector
 from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import Grasp
@@ -18,7 +19,7 @@ from equilibrium.solver.equilibrium import Equilibrium
 from equilibrium.solver.state_system import States
 from equilibrium.verdict import Verdict
 
-from .body import Floats, Frame, body, frame_of, polygon, read_outline
+from .body import Frame, body, frame_of, polygon, read_outline
 from .style import nice, rounded
 
 #: Lengths on paper, where the contacts fill [-1, 1]: cones, the largest force, its torque arc.
@@ -30,7 +31,7 @@ _LEAST = 1e-9
 
 
 @dataclass
-class Scene:
+class Layout:
     """What is to be drawn, in paper coordinates.
 
     Attributes:
@@ -61,9 +62,9 @@ class Scene:
     states: States = ()
 
 
-def scene_of(
+def layout_of(
     grasp: Grasp, verdict: Verdict | None, outline: Iterable[Iterable[Any]] | None, piece: int
-) -> Scene:
+) -> Layout:
     """Return all that a picture of a grasp shows (see `draw_grasp` for the arguments)."""
     corners = None if outline is None else read_outline(outline)
     frame = frame_of([*(c.point for c in grasp), *(corners or ())])
@@ -76,17 +77,17 @@ def scene_of(
         if applied is not None:
             x, y, torque = applied
             applied = (x, y, torque - (place[0] * y - place[1] * x))
-    scene = Scene(
+    layout = Layout(
         grasp, verdict, _chosen(verdict, piece), frame, curve, corners is not None,
         frame.paper(place), applied, far,
     )  # fmt: skip
-    scene.places = [frame.paper(c.point) for c in grasp]
-    scene.normals = [np.array([float(x) for x in c.normal]) for c in grasp]
-    _scale_forces(scene)
-    if scene.found is not None:
-        scene.states = states_at(grasp, scene.found.motion)
-        scene.step = _step(scene.found.motion, frame, grasp)
-    return scene
+    layout.places = [frame.paper(c.point) for c in grasp]
+    layout.normals = [np.array([float(x) for x in c.normal]) for c in grasp]
+    _scale_forces(layout)
+    if layout.found is not None:
+        layout.states = states_at(grasp, layout.found.motion)
+        layout.step = _step(layout.found.motion, frame, grasp)
+    return layout
 
 
 def _chosen(verdict: Verdict | None, piece: int) -> Equilibrium | None:
@@ -97,27 +98,27 @@ def _chosen(verdict: Verdict | None, piece: int) -> Equilibrium | None:
     return verdict.equilibria[piece - 1]
 
 
-def _scale_forces(scene: Scene) -> None:
+def _scale_forces(layout: Layout) -> None:
     """Turn all forces into arrows of one scale; exact until the largest one is known."""
-    forces: list[RationalVector | None] = [None] * len(scene.grasp)
-    if scene.found is not None:
-        for i, (c, (c_n, c_t)) in enumerate(zip(scene.grasp, scene.found.forces, strict=True)):
+    forces: list[RationalVector | None] = [None] * len(layout.grasp)
+    if layout.found is not None:
+        for i, (c, (c_n, c_t)) in enumerate(zip(layout.grasp, layout.found.forces, strict=True)):
             forces[i] = tuple(c_n * n + c_t * t for n, t in zip(c.normal, c.tangent, strict=True))
-    load = None if scene.applied is None else scene.applied[:2]
+    load = None if layout.applied is None else layout.applied[:2]
     every = [f for f in (*forces, load) if f is not None]
-    preloads = [c.preload for c in scene.grasp]
-    scene.reference = max((abs(x) for f in [*every, preloads] for x in f), default=Fraction(0))
-    unit = scene.reference or Fraction(1)
+    preloads = [c.preload for c in layout.grasp]
+    layout.reference = max((abs(x) for f in [*every, preloads] for x in f), default=Fraction(0))
+    unit = layout.reference or Fraction(1)
 
     def share(force: RationalVector) -> Floats:
         return np.array([float(x / unit) for x in force])
 
     lengths = [float(np.linalg.norm(share(f))) for f in every]
-    scene.longest = max([*lengths, *(float(q / unit) for q in preloads)], default=1.0) or 1.0
-    factor = FORCE / scene.longest
+    layout.longest = max([*lengths, *(float(q / unit) for q in preloads)], default=1.0) or 1.0
+    factor = FORCE / layout.longest
     arms = [None if f is None or not any(f) else _arm(f, unit, factor) for f in (*forces, load)]
-    *scene.arms, scene.load = arms
-    scene.preloads = [max(factor * float(q / unit), _LEAST) if q else 0.0 for q in preloads]
+    *layout.arms, layout.load = arms
+    layout.preloads = [max(factor * float(q / unit), _LEAST) if q else 0.0 for q in preloads]
 
 
 def _arm(force: RationalVector, unit: Fraction, factor: float) -> Floats:
@@ -144,12 +145,12 @@ def _shift(motion: RationalVector, point: RationalVector) -> RationalVector:
     return (motion[0] - motion[2] * point[1], motion[1] + motion[2] * point[0])
 
 
-def displaced(scene: Scene, places: Floats) -> Floats:
+def displaced(layout: Layout, places: Floats) -> Floats:
     """Return paper points after the motion, to first order."""
-    assert scene.found is not None
-    assert scene.step is not None
-    x, y = _shift(scene.found.motion, scene.frame.centre)
-    shift = np.array([float(scene.step * v / scene.frame.size) for v in (x, y)])
-    turn = float(scene.step * scene.found.motion[2])
+    assert layout.found is not None
+    assert layout.step is not None
+    x, y = _shift(layout.found.motion, layout.frame.centre)
+    shift = np.array([float(layout.step * v / layout.frame.size) for v in (x, y)])
+    turn = float(layout.step * layout.found.motion[2])
     moved: Floats = places + shift + turn * np.stack([-places[:, 1], places[:, 0]], axis=1)
     return moved

@@ -3,23 +3,19 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
-import numpy as np
+from arrangement.draw.colours import BLACK, VERMILION
+from arrangement.draw.scene import POINTS, Scene, measure
 
 from .keys import draw_symbol
-from .shapes import text_size
-from .style import BLACK, FONT, VERMILION, bare, points
 
-if TYPE_CHECKING:
-    from matplotlib.figure import Figure
-
-_ROW, _SIDE, _KEY, _GAP = 3.7, 3.0, 7.0, 3.0
+_ROW, _SIDE, _KEY, _GAP = (x * POINTS for x in (3.7, 3.0, 7.0, 3.0))
 
 
 @dataclass
 class Legend:
-    """Lines and keys, laid out in rows that fit a width in millimetres; `scaled`: with a bar."""
+    """Lines and keys, laid out in rows that fit a width in points; `scaled`: with a bar."""
 
     width: float
     scaled: bool = False
@@ -28,7 +24,7 @@ class Legend:
 
     def line(self, text: str, emphasis: bool = False) -> None:
         """Add a line of text; long ones are shortened."""
-        while len(text) > 8 and _wide(text) > self.width - 2 * _SIDE:
+        while len(text) > 8 and measure(text)[0] > self.width - 2 * _SIDE:
             text = text[:-2] + "…"
         self.lines.append((text, emphasis))
 
@@ -38,12 +34,12 @@ class Legend:
 
     @property
     def height(self) -> float:
-        """The height of the strip in millimetres."""
-        return _ROW * (len(self.lines) + len(self._rows()) + self.scaled) + 1.5
+        """The height of the strip in points."""
+        return _ROW * (len(self.lines) + len(self._rows()) + self.scaled) + 1.5 * POINTS
 
     def _rows(self) -> list[list[tuple[float, str, str]]]:
         """Return rows of (left end, kind, text), in columns where at least two of them fit."""
-        sizes = [_KEY + _wide(text) + _GAP for _, text in self.keys]
+        sizes = [_KEY + measure(text)[0] + _GAP for _, text in self.keys]
         room = self.width - 2 * _SIDE + _GAP
         in_columns = 2 * max(sizes, default=0.0) <= room
         rows: list[list[tuple[float, str, str]]] = []
@@ -57,33 +53,27 @@ class Legend:
             left += cell
         return rows
 
-    def draw(self, figure: Figure, scale: tuple[float, str] | None = None) -> None:
-        """Draw the strip at the bottom; `scale` is a length in millimetres and its label."""
-        total = figure.get_size_inches()[1] * 25.4
-        axes = figure.add_axes((0.0, 0.0, 1.0, self.height / total))
-        bare(axes, (0.0, 0.0), (self.width, self.height))
+    def draw(self, scene: Scene, scale: tuple[float, str] | None = None) -> None:
+        """Draw the strip at the bottom; `scale` is a length in points and its label."""
         y = self.height - _ROW / 2
         for text, emphasis in self.lines:
-            axes.text(_SIDE, y, text, size=FONT, va="center_baseline",
-                      weight="bold" if emphasis else "normal",
-                      color=VERMILION if emphasis else BLACK)  # fmt: skip
+            weight, colour = ("bold", VERMILION) if emphasis else ("normal", BLACK)
+            _text(scene, _SIDE, y, text, weight=weight, color=colour)
             y -= _ROW
         for row in self._rows():
             for left, kind, text in row:
-                draw_symbol(axes, kind, left, y)
-                axes.text(left + _KEY, y, text, size=FONT, va="center_baseline")
+                draw_symbol(scene, kind, left, y)
+                _text(scene, left + _KEY, y, text)
             y -= _ROW
         if scale is not None:
-            _bar(axes, y, *scale)
+            length, text = scale
+            tick = 0.7 * POINTS
+            style = {"ec": BLACK, "lw": 0.8}
+            scene.line([(_SIDE, y), (_SIDE + length, y)], gid="scale", **style)
+            for x in (_SIDE, _SIDE + length):
+                scene.line([(x, y - tick), (x, y + tick)], **style)
+            _text(scene, _SIDE + length + 1.5 * POINTS, y, text)
 
 
-def _wide(text: str) -> float:
-    return text_size(text, 1 / points(1.0))[0]
-
-
-def _bar(axes: Any, y: float, length: float, text: str) -> None:
-    ends = np.array([[_SIDE, y], [_SIDE + length, y]])
-    axes.plot(*ends.T, color=BLACK, lw=0.8, gid="scale", solid_capstyle="butt")
-    for x, _ in ends:
-        axes.plot([x, x], [y - 0.7, y + 0.7], color=BLACK, lw=0.8)
-    axes.text(_SIDE + length + 1.5, y, text, size=FONT, va="center_baseline")
+def _text(scene: Scene, x: float, y: float, text: str, **style: Any) -> None:
+    scene.text((x, y), text, ha="left", va="center_baseline", **style)

@@ -15,6 +15,7 @@ from typing import Any
 import numpy as np
 
 from arrangement.draw.html_page import BASE_SCRIPT, BASE_STYLE, Template, one_page
+from arrangement.draw.labels import flattened
 from arrangement.errors import InputError
 from arrangement.exact import RationalVector, to_text
 from equilibrium.model.grasp import Contact, Grasp, read_wrench
@@ -22,7 +23,7 @@ from equilibrium.solver.elimination import gauss_jordan
 from equilibrium.solver.state_system import States, each_force, state_system
 from equilibrium.wrench_sets import Piece, resistible_set
 
-from .body import Frame, body, frame_of, sampled
+from .body import Frame, body, frame_of
 
 #: Contacts beyond which the pieces are too many for a page.
 MAX_CONTACTS = 8
@@ -160,7 +161,7 @@ def _picture(grasp: Grasp) -> dict[str, Any]:
             }
             for contact in grasp
         ],
-        "outline": None if curve is None else [_floats(p) for p in sampled(curve)],
+        "outline": None if curve is None else [_floats(p) for p in flattened(curve, 16)],
         "origin": _floats(np.clip(frame.paper((Fraction(0),) * 2), -1.5, 1.5)),
         **_frame(frame),
     }

@@ -4,58 +4,56 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from fractions import Fraction
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
-from arrangement.draw.output import require_matplotlib
+from arrangement.draw.colours import BLACK, GREY
+from arrangement.draw.scene import FONT, POINTS, Box, Floats, Place, Scene
 from arrangement.exact import RationalVector
 from equilibrium.solver.state_system import States
 from equilibrium.wrench_sets import Region
 
-from .body import Floats
-from .shapes import text_size
-from .style import BLACK, FILLS, FONT, GREY, SHADE, SYMBOLS, VERMILION, bare, nice, points, rounded
+from .keys import MARKS
+from .style import FILLS, SHADE, SYMBOLS, nice, rounded
 from .window import Window, area, roomiest
 
-if TYPE_CHECKING:
-    from matplotlib.figure import Figure
-
-#: Space in millimetres beside and below a panel, for numbers and names of the axes.
-LEFT, BELOW, ABOVE = 12.0, 9.0, 5.0
+#: Space in points beside and below a panel, for numbers and names of the axes.
+LEFT, BELOW, ABOVE = 12.0 * POINTS, 9.0 * POINTS, 5.0 * POINTS
 HATCH = "//////"
 _RAISED = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 _FADE = 0.16
+_SQUARE = np.array([[-1, -1], [1, -1], [1, 1], [-1, 1], [-1, -1]])
 
 
 @dataclass
 class Panel:
-    """A square with paper coordinates from -1 to 1 for a window.
+    """A square of a scene that shows a window.
 
     Args:
-        figure: where it stands.
-        corner: left and lower end in millimetres.
-        side: its length in millimetres.
-        size: width and height of the figure in millimetres.
+        corner: left and lower end in points.
+        side: its length in points.
         name: a prefix for the names of its elements.
     """
 
-    figure: Figure
+    scene: Scene
     window: Window
     corner: tuple[float, float]
     side: float
-    size: tuple[float, float]
     name: str = ""
-    axes: Any = field(init=False)
-    unit: float = field(init=False)
 
-    def __post_init__(self) -> None:
-        (x, y), (wide, high) = self.corner, self.size
-        self.axes = self.figure.add_axes((x / wide, y / high, self.side / wide, self.side / high))
-        bare(self.axes, (-1.0, -1.0), (1.0, 1.0))
-        self.unit = 2 / points(self.side)
+    def at(self, places: Any) -> Floats:
+        """Return points of the scene for places in the window, from -1 to 1."""
+        points: Floats = np.array(self.corner) + (np.asarray(places) + 1) * (self.side / 2)
+        return points
+
+    @property
+    def box(self) -> Box:
+        """The square, in points of the scene."""
+        x, y = self.corner
+        return x, y, x + self.side, y + self.side
 
     def gid(self, kind: str, index: int) -> str:
         """Return the name of an element."""
@@ -72,7 +70,7 @@ class Panel:
         for k, at in enumerate(zero):
             if abs(at) < 1:
                 ends = np.array([[at, -1.0], [at, 1.0]])[:, :: -1 if k else 1]
-                self.axes.plot(*ends.T, color=GREY, lw=0.4, zorder=1.5)
+                self.scene.line(self.at(ends), ec=GREY, lw=0.4, zorder=1.5)
         half, power = rounded(self.window.half), 0
         if half and math.isfinite(half):
             power = math.floor(math.log10(half))
@@ -82,33 +80,32 @@ class Panel:
                     self._numbers(k, nice(0.6 * half), Fraction(10) ** power)
         factor = f"10{str(power).translate(_RAISED)}" if power else ""
         note = f" ({' '.join(filter(None, (factor, unit)))})" if factor or unit else ""
-        style = {"size": FONT, "ha": "center", "va": "center"}
         if below:
-            self.axes.text(0, -1 - 19 * self.unit, names[0] + note, **style)
+            self.scene.text(self.at((0, -1)) - np.array((0, 19)), names[0] + note)
         if left:
-            place = -1 - 26 * self.unit
-            self.axes.text(place, 0, names[1] + note, rotation=90, **style)
+            self.scene.text(self.at((-1, 0)) - np.array((26, 0)), names[1] + note, rotation=90)
 
     def _numbers(self, k: int, step: Fraction, factor: Fraction) -> None:
         low, high = (self.window.centre[k] + side * self.window.half for side in (-1, 1))
-        edge = -1 - 2 * self.unit
+        out = np.array([(0, -1), (-1, 0)][k])
         for i in range(math.ceil(low / step), math.floor(high / step) + 1):
             at = float((i * step - self.window.centre[k]) / self.window.half)
             text = f"{float(i * step / factor):g}".replace("-", "−")
-            if k == 0 and abs(at) + text_size(text, self.unit)[0] / 2 > 1 + 5 * self.unit:
+            tick = self.at((at, -1.0) if k == 0 else (-1.0, at))
+            beyond = (abs(at) - 1) * self.side / 2 + self.scene.measure(text)[0] / 2
+            if k == 0 and beyond > 5:
                 continue
-            place, tick = ((at, edge), (at, -1.0)) if k == 0 else ((edge, at), (-1.0, at))
-            self.axes.plot(*np.array([place, tick]).T, color=GREY, lw=0.4, clip_on=False)
-            shift = np.array([(0, -6), (-2, 0)][k]) * self.unit
-            self.axes.text(*(np.array(place) + shift), text, size=FONT, clip_on=False,
-                           ha="center" if k == 0 else "right", va="center")  # fmt: skip
+            self.scene.line([tick, tick + 2 * out], ec=GREY, lw=0.4)
+            place, ha = (tick + 8 * out, "center") if k == 0 else (tick + 4 * out, "right")
+            self.scene.text(place, text, ha=ha)
 
-    def title(self, text: str, above: float = 5.0, **style: Any) -> None:
+    def title(self, text: str, above: float = 5.0) -> None:
         """Write a title above, from the left edge; its middle is so many points above the top."""
-        place = 1 + above * self.unit
-        self.axes.text(-1, place, text, size=FONT, ha="left", va="center", **style)
+        self.scene.text(self.at((-1, 1)) + np.array((0, above)), text, ha="left")
 
-    def region(self, region: Region, by_states: bool = True) -> None:
+    def region(
+        self, region: Region, by_states: bool = True, clip: Box | tuple[Place, float] | None = None
+    ) -> None:
         """Fill the polygons, small ones on top, and draw the outline of their union."""
         parts = []
         for i, piece in enumerate(region.polygons):
@@ -116,49 +113,44 @@ class Panel:
             if shape is not None:
                 parts.append((area(shape), i, shape, piece.states))
         parts.sort(key=lambda part: (-part[0], part[1]))
-        for _, i, shape, states in parts:
-            self._piece(i, shape, states, by_states)
+        with self.scene.clipped(clip or self.box):
+            for _, i, shape, states in parts:
+                self._piece(i, self.at(shape), states, by_states)
+            self._outline(region)
         if by_states:
             self._codes([(shape, states) for size, _, shape, states in parts if size])
-        self._outline(region)
 
     def _piece(self, index: int, shape: Floats, states: States, by_states: bool) -> None:
         gid, fill = self.gid("polygon", index), fill_of(states) if by_states else SHADE
         thin = GREY if by_states else SHADE
         if len(shape) == 1:
-            self.axes.plot(*shape.T, "o", ms=2, color=thin, gid=gid, zorder=1.2)
+            self.scene.mark(shape[0], "o", 2, color=thin, gid=gid, zorder=1.2)
         elif len(shape) == 2:
-            self.axes.plot(*shape.T, color=thin, lw=0.6, gid=gid, zorder=1.2)
+            self.scene.line(shape, ec=thin, lw=0.6, gid=gid, zorder=1.2, capstyle="projecting")
         else:
             line = {"ec": "#404040", "lw": 0.4} if by_states else {"ec": fill, "lw": 0.5}
-            self.polygon(shape, fc=fill, gid=gid, zorder=1, **line)
+            style = {"zorder": 1, "joinstyle": "bevel"}
+            self.scene.polygon(shape, fc=fill, gid=gid, **line, **style)
             if by_states and "detached" in states:
-                self.polygon(shape, fc="none", ec="#7d7d7d", lw=0, hatch=HATCH, zorder=1)
-
-    def polygon(self, shape: Floats, **style: Any) -> None:
-        """Add a filled polygon on paper; hatch lines are thin."""
-        from matplotlib.patches import Polygon
-
-        with require_matplotlib().rc_context({"hatch.linewidth": 0.35}):
-            self.axes.add_patch(Polygon(shape, closed=True, joinstyle="bevel", **style))
+                self.scene.polygon(shape, fc="none", ec="#7d7d7d", lw=0, hatch=HATCH, **style)
 
     def _codes(self, parts: Sequence[tuple[Floats, States]]) -> None:
         """Write the states into the polygons where they fit and nothing later covers them."""
         from matplotlib.path import Path
 
-        paths = [Path(shape) for shape, _ in parts]
+        paths, unit = [Path(shape) for shape, _ in parts], 2 / self.side
         for i, (shape, states) in enumerate(parts):
             text = code(states)
-            wide, high = text_size(text, self.unit)
-            half = (wide / 2 + 1.5 * self.unit, high / 2 + 0.5 * self.unit)
+            wide = self.scene.measure(text)[0]
+            half = ((wide / 2 + 1.5) * unit, (FONT / 2 + 0.5) * unit)
             place, room = roomiest(shape, half, 1 - _FADE)
             box = [place + np.array([a * half[0], b * half[1]])
                    for a in (-1, 0, 1) for b in (-1, 0, 1)]  # fmt: skip
             covered = any(path.contains_points(box).any() for path in paths[i + 1 :])
             if text and room > 1 and not covered:
                 plate = {"boxstyle": "square,pad=0.12", "fc": fill_of(states), "ec": "none"}
-                self.axes.text(*place, text, size=FONT, ha="center", va="center_baseline",
-                               zorder=1.6, bbox=plate, gid=self.gid("code", i))  # fmt: skip
+                self.scene.text(self.at(place), text, va="center_baseline", zorder=1.6,
+                                plate=plate, gid=self.gid("code", i))  # fmt: skip
 
     def _outline(self, region: Region) -> None:
         outline = region.outline
@@ -166,33 +158,27 @@ class Panel:
             for i, segment in enumerate(segments):
                 found = self.window.stretch(segment)
                 if found is not None:
-                    self.axes.plot(*found[0].T, color=BLACK, lw=1.3, gid=self.gid(kind, i),
-                                   zorder=2, solid_capstyle="round")  # fmt: skip
+                    self.scene.line(self.at(found[0]), ec=BLACK, lw=1.3, gid=self.gid(kind, i),
+                                    zorder=2, capstyle="round")  # fmt: skip
         for i, point in enumerate(outline.points):
-            self.axes.plot(*self.window.paper(point)[:, None], "o", ms=3.5, color=BLACK,
-                           gid=self.gid("point", i), zorder=3)  # fmt: skip
+            place = self.at(self.window.paper(point))
+            self.scene.mark(place, "o", 3.5, color=BLACK, gid=self.gid("point", i), zorder=3)
 
     def fade(self) -> None:
         """Let what reaches the edge go pale: it has no end."""
-        from matplotlib.patches import PathPatch
-        from matplotlib.path import Path
-
         rings = 12
-        square = np.array([[-1, -1], [1, -1], [1, 1], [-1, 1], [-1, -1]])
-        codes = [Path.MOVETO, *[Path.LINETO] * 3, Path.CLOSEPOLY]
-        for k in range(rings):
-            inner = 1 - _FADE * (rings - k) / rings
-            ring = Path(np.concatenate([1.01 * square, inner * square[::-1]]), codes * 2)
-            self.axes.add_patch(PathPatch(ring, fc="white", ec="none", alpha=0.16, zorder=4))
+        with self.scene.clipped(self.box):
+            for k in range(rings):
+                inner = 1 - _FADE * (rings - k) / rings
+                ring = np.concatenate([1.01 * _SQUARE, inner * _SQUARE[::-1]])
+                self.scene.polygon(self.at(ring), fc="white", ec="none", alpha=0.16, zorder=4)
 
     def wrench(self, point: RationalVector, resisted: bool) -> None:
         """Mark a wrench: a full disc when it is resisted, a cross when not."""
-        style = {"color": VERMILION, "zorder": 6, "gid": f"{self.name}wrench"}
-        place = self.window.paper(point)[:, None]
-        if resisted:
-            self.axes.plot(*place, "o", ms=5, mec="white", mew=0.7, **style)
-        else:
-            self.axes.plot(*place, "x", ms=5.5, mew=1.6, **style)
+        sign, size, style = MARKS["resisted" if resisted else "refused"]
+        edge = {"mec": "white", "mew": 0.7} if resisted else {}
+        place = self.at(self.window.paper(point))
+        self.scene.mark(place, sign, size, zorder=6, gid=f"{self.name}wrench", **style, **edge)
 
 
 def fill_of(states: States) -> str:

@@ -4,11 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from fractions import Fraction
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
-import numpy as np
-
-from arrangement.draw.output import require_matplotlib
+from arrangement.draw.colours import VERMILION
+from arrangement.draw.figure import picture
+from arrangement.draw.registry import Exact
+from arrangement.draw.scene import Floats, Scene
 from arrangement.exact import RationalVector, rational
 from arrangement.polyhedra.intervals import Interval
 from equilibrium.model.errors import GraspError
@@ -16,26 +17,25 @@ from equilibrium.model.grasp import Grasp
 from equilibrium.wrench_sets import Region, resistible_region, search_map
 from equilibrium.wrench_sets.search_map import Entry
 
+from .keys import MARKS
 from .legend import Legend
 from .panel import Panel
-from .row import read_extent, row_of_panels
-from .style import BLUE, RIM, SHADE, VERMILION
+from .row import new_legend, read_extent, row_of_panels
+from .style import RIM, SHADE
 from .window import Window, joint_window
-
-if TYPE_CHECKING:
-    from matplotlib.figure import Figure
 
 MAX_DIRECTIONS = 720
 
 
+@picture
 def draw_polar(
     grasp: Grasp,
     *,
     directions: int = 72,
-    tolerance: Any = None,
-    extent: Any = None,
+    tolerance: Exact | None = None,
+    extent: Exact | None = None,
     width: float = 88.0,
-) -> Figure:
+) -> Scene:
     """Draw what a binary search in each direction finds, on the exact set of resisted forces.
 
     Every direction has one mark, at the magnitude that the search returns, or at the rim when the
@@ -55,7 +55,6 @@ def draw_polar(
         GraspError: a number that is out of range.
         MissingExtraError: matplotlib is absent.
     """
-    require_matplotlib()
     if not 1 <= directions <= MAX_DIRECTIONS:
         raise GraspError(f"directions is {directions}; a picture shows 1 to {MAX_DIRECTIONS}")
     region = resistible_region(grasp)
@@ -63,15 +62,16 @@ def draw_polar(
     step = radius / 1000 if tolerance is None else rational(tolerance, "tolerance")
     found = search_map(grasp, directions, step, 1000 * radius)
     window = Window((Fraction(0), Fraction(0)), radius)
-    legend = Legend(width)
+    legend = new_legend(width)
     _describe(found.entries, region, legend)
-    figure, (panel,) = row_of_panels(1, width, window, legend, grasp)
+    scene, (panel,) = row_of_panels(1, window, legend, grasp)
     panel.title(f"largest resisted force in {directions} directions", above=8.0)
-    panel.region(region, by_states=False)
-    _round(panel)
+    middle, half = panel.at((0, 0)), panel.side / 2
+    panel.region(region, by_states=False, clip=(middle, half))
+    scene.circle(middle, half, fill=False, ec=RIM, lw=0.5, gid="rim")
     for i, entry in enumerate(found.entries):
         _mark(panel, i, entry)
-    return figure
+    return scene
 
 
 def _radius(region: Region) -> Fraction:
@@ -80,39 +80,27 @@ def _radius(region: Region) -> Fraction:
     return window.half + max(map(abs, window.centre))
 
 
-def _round(panel: Panel) -> None:
-    """Cut everything drawn so far to the disc, and draw its rim."""
-    from matplotlib.patches import Circle
-
-    disc = Circle((0, 0), 1, transform=panel.axes.transData)
-    for artist in (*panel.axes.patches, *panel.axes.lines):
-        if artist.get_clip_on():
-            artist.set_clip_path(disc)
-    panel.axes.add_patch(Circle((0, 0), 1, fill=False, ec=RIM, lw=0.5, gid="rim", clip_on=False))
-
-
 def _mark(panel: Panel, index: int, entry: Entry) -> None:
-    style = {"zorder": 6, "clip_on": False, "gid": panel.gid("direction", index)}
-    place = _at(panel.window, entry.direction, entry.found)[:, None]
-    if entry.agrees:
-        panel.axes.plot(*place, "o", ms=2.2, color=BLUE, **style)
-        return
-    panel.axes.plot(*place, "x", ms=4, mew=1.1, color=VERMILION, **style)
+    scene, gid = panel.scene, panel.gid("direction", index)
+    sign, size, style = MARKS["dot" if entry.agrees else "cross"]
+    place = _at(panel, entry.direction, entry.found)
+    scene.mark(place, sign, size, zorder=6, gid=gid, **style)
     kinds: tuple[tuple[str, tuple[Interval, ...], Any], ...] = (
         ("claimed", entry.wrongly_claimed, (0, (2, 1.2))),
         ("missed", entry.missed, "solid"),
     )
-    for kind, parts, dashes in kinds:
-        for k, (low, high) in enumerate(parts):
-            ends = [_at(panel.window, entry.direction, end) for end in (low, high)]
-            panel.axes.plot(*np.array(ends).T, color=VERMILION, lw=1.1, ls=dashes, zorder=5,
-                            gid=f"{panel.gid(kind, index)}-{k}")  # fmt: skip
+    for kind, parts, dashes in kinds if not entry.agrees else ():
+        for k, ends in enumerate(parts):
+            line = [_at(panel, entry.direction, end) for end in ends]
+            scene.line(line, ec=VERMILION, lw=1.1, ls=dashes, zorder=5,
+                       gid=f"{panel.gid(kind, index)}-{k}")  # fmt: skip
 
 
-def _at(window: Window, direction: RationalVector, magnitude: Fraction | None) -> Any:
+def _at(panel: Panel, direction: RationalVector, magnitude: Fraction | None) -> Floats:
     """Return the place of a magnitude, on the rim when it lies beyond or has no end."""
-    reach = window.half if magnitude is None else min(magnitude, window.half)
-    return window.paper([reach * x for x in direction])
+    half = panel.window.half
+    reach = half if magnitude is None else min(magnitude, half)
+    return panel.at(panel.window.paper([reach * x for x in direction]))
 
 
 def _describe(entries: Iterable[Entry], region: Region, legend: Legend) -> None:

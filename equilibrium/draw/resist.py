@@ -2,32 +2,30 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
 from fractions import Fraction
-from typing import TYPE_CHECKING, Any
 
-from arrangement.draw.output import require_matplotlib
+from arrangement.draw.figure import picture
+from arrangement.draw.registry import Exact, Wrench
+from arrangement.draw.scene import Scene
 from arrangement.exact import RationalVector
 from equilibrium.model.grasp import Grasp, read_wrench
 from equilibrium.wrench_sets import Region, resistible_region
 
 from .legend import Legend
 from .panel import fill_of
-from .row import read_extent, row_of_panels
+from .row import new_legend, read_extent, row_of_panels
 from .style import FILLS, SYMBOLS, number, vector
 from .window import window_of
 
-if TYPE_CHECKING:
-    from matplotlib.figure import Figure
 
-
+@picture
 def draw_resist(
     grasp: Grasp,
     *,
-    wrench: Iterable[Any] | None = None,
-    extent: Any = None,
+    wrench: Wrench | None = None,
+    extent: Exact | None = None,
     width: float = 88.0,
-) -> Figure:
+) -> Scene:
     """Draw which forces are resisted, at zero torque or at the torque of a wrench.
 
     Every polygon is exact and stands for one choice of contact states: its colour tells how many
@@ -47,15 +45,14 @@ def draw_resist(
         GraspError: an extent that is not above 0.
         MissingExtraError: matplotlib is absent.
     """
-    require_matplotlib()
     applied = None if wrench is None else read_wrench(wrench)
     torque = Fraction(0) if applied is None else applied[2]
     region = resistible_region(grasp, origin=(0, 0, torque))
     half = read_extent(extent)
     window = window_of(region, [applied[:2]] if applied else [], half)
-    legend = Legend(width)
+    legend = new_legend(width)
     _describe(grasp, region, applied, legend, fades=half is None)
-    figure, (panel,) = row_of_panels(1, width, window, legend, grasp)
+    scene, (panel,) = row_of_panels(1, window, legend, grasp)
     unit = f" {grasp.units.torque}" if grasp.units else ""
     panel.title(f"resisted forces at torque {number(torque)}{unit}")
     panel.region(region)
@@ -63,7 +60,7 @@ def draw_resist(
         panel.fade()
     if applied is not None:
         panel.wrench(applied[:2], region.contains(applied[:2]))
-    return figure
+    return scene
 
 
 def _describe(

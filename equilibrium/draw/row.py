@@ -3,55 +3,50 @@
 from __future__ import annotations
 
 from fractions import Fraction
-from typing import TYPE_CHECKING, Any
 
+from arrangement.draw.registry import Exact
+from arrangement.draw.scene import POINTS, Scene, checked_width
 from arrangement.exact import rational
 from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import Grasp
 
 from .legend import Legend
 from .panel import ABOVE, BELOW, LEFT, Panel
-from .style import new_figure
 from .window import Window
 
-if TYPE_CHECKING:
-    from matplotlib.figure import Figure
+#: Space in points between panels, and right of the last.
+GAP, RIGHT = 4.0 * POINTS, 3.0 * POINTS
+FORCE_NAMES = ("$f_x$", "$f_y$")
 
-#: Space in millimetres between panels, and right of the last.
-GAP, RIGHT = 4.0, 3.0
-FORCE_NAMES = ("force x", "force y")
+
+def new_legend(width: float) -> Legend:
+    """Return an empty legend for a picture of a width in millimetres, or refuse the width."""
+    return Legend(checked_width(width, 20.0) * POINTS)
 
 
 def row_of_panels(
-    number: int,
-    width: float,
-    window: Window,
-    legend: Legend,
-    grasp: Grasp,
-    columns: int | None = None,
-) -> tuple[Figure, list[Panel]]:
-    """Return a figure with empty panels of planes of forces; only outer ones have rulers."""
+    number: int, window: Window, legend: Legend, grasp: Grasp, columns: int | None = None
+) -> tuple[Scene, list[Panel]]:
+    """Return a scene with empty panels of planes of forces; only outer ones have rulers."""
     unit = grasp.units.force if grasp.units else ""
     columns = min(number, columns or number)
     rows = -(-number // columns)
-    side = (width - LEFT - RIGHT - (columns - 1) * GAP) / columns
+    side = (legend.width - LEFT - RIGHT - (columns - 1) * GAP) / columns
     height = rows * (side + ABOVE) + (rows - 1) * GAP / 2 + BELOW + legend.height
-    figure = new_figure(width, height)
+    scene = Scene(legend.width / POINTS, height / POINTS)
     panels = []
     for i in range(number):
         row, column = divmod(i, columns)
         x = LEFT + column * (side + GAP)
         y = height - (row + 1) * (side + ABOVE) - row * GAP / 2
-        panel = Panel(
-            figure, window, (x, y), side, (width, height), "" if number == 1 else f"{i + 1}-"
-        )
+        panel = Panel(scene, window, (x, y), side, "" if number == 1 else f"{i + 1}-")
         panel.rulers(FORCE_NAMES, unit, left=column == 0, below=i + columns >= number)
         panels.append(panel)
-    legend.draw(figure)
-    return figure, panels
+    legend.draw(scene)
+    return scene, panels
 
 
-def read_extent(extent: Any) -> Fraction | None:
+def read_extent(extent: Exact | None) -> Fraction | None:
     """Return half the side of a picture, if it is given.
 
     Raises:

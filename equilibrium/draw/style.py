@@ -1,55 +1,22 @@
-"""What all pictures of the package share: colours, marks, numbers as text, figures in millimetres.
-
-The colours are those of Okabe and Ito or lie between them in lightness, so that they stay apart
-for colour-blind eyes and, by lightness, in grey.
-"""
+"""Marks of contact states, and numbers as labels."""
 
 from __future__ import annotations
 
 import math
 from collections.abc import Iterable
 from fractions import Fraction
-from typing import TYPE_CHECKING, Any
 
-from arrangement.draw.output import require_matplotlib
-from arrangement.errors import InputError
+from arrangement.draw.colours import PALETTE
 from arrangement.exact import to_text
 
-if TYPE_CHECKING:
-    from matplotlib.figure import Figure
-
-BLACK, GREY, PALE = "#000000", "#767676", "#f2f2f2"
-BLUE, VERMILION, GREEN, ORANGE, SKY = "#0072b2", "#d55e00", "#009e73", "#e69f00", "#56b4e9"
 #: Light to dark, by the number of sticking contacts: 0, 1, 2, 3 and more.
-FILLS = ("#fdf0c0", "#b9dfd3", "#7fb9d8", "#8a7fb5")
+FILLS = (*PALETTE[1:4], PALETTE[5])
 #: The fill, half transparent, and the edge of friction cones; the rim of polar maps.
 CONE_FILL, CONE_EDGE, RIM = "#e69f0059", "#b87f00", "#9a9a9a"
 #: One colour for a region without states.
 SHADE = "#c9d8e6"
 #: The state of a contact in one character, for labels.
 SYMBOLS = {"stick": "●", "slip+": "+", "slip-": "−", "detached": "○"}
-FONT = 7.0
-_MILLIMETRES = 25.4
-
-
-def new_figure(width: float, height: float) -> Figure:
-    """Return an empty figure of a size in millimetres.
-
-    Raises:
-        InputError: a width that no page has.
-        MissingExtraError: matplotlib is absent.
-    """
-    require_matplotlib()
-    if not 20 <= width <= 1000:
-        raise InputError(f"the width is {width} mm; give 20 to 1000")
-    from matplotlib.figure import Figure
-
-    return Figure(figsize=(width / _MILLIMETRES, height / _MILLIMETRES))
-
-
-def points(millimetres: float) -> float:
-    """Return a length in printer's points."""
-    return millimetres * 72 / _MILLIMETRES
 
 
 def rounded(value: Fraction | int) -> float:
@@ -94,9 +61,3 @@ def nice(value: float) -> Fraction:
             if float(factor * unit) <= value * (1 + 1e-12):
                 return factor * unit
     return Fraction(10) ** power
-
-
-def bare(axes: Any, low: tuple[float, float], high: tuple[float, float]) -> None:
-    """Prepare axes without ticks, of equal scale, for a box of coordinates."""
-    axes.set(xlim=(low[0], high[0]), ylim=(low[1], high[1]), aspect="equal")
-    axes.set_axis_off()

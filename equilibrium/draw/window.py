@@ -14,11 +14,10 @@ from typing import Any
 
 import numpy as np
 
+from arrangement.draw.scene import Floats
 from arrangement.exact import IntegerVector, RationalVector, dot, primitive
 from arrangement.polyhedra.polyhedron import Polyhedron, from_conditions
 from equilibrium.wrench_sets import Region, Segment, polygon_cycle
-
-from .body import Floats
 
 ZERO: RationalVector = (Fraction(0), Fraction(0))
 #: How far the window reaches beyond what it holds, as a share of its spread.

@@ -158,7 +158,7 @@ class Grasp:
 
     def _repr_svg_(self) -> str | None:
         """Return what a notebook shows: the picture, where matplotlib is installed."""
-        from equilibrium.draw.output import grasp_svg
+        from equilibrium.draw.grasp import grasp_svg
 
         return grasp_svg(self)
 

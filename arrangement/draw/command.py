@@ -1,0 +1,110 @@
+"""The subcommand ``draw`` of both programs: its options are those of the registered views."""
+
+from __future__ import annotations
+
+import argparse
+from collections.abc import Collection, Iterator, Mapping
+from typing import Any
+
+from arrangement import terminal
+from arrangement.errors import InputError
+
+from .registry import Drawings, Option
+
+_KINDS: dict[str, dict[str, Any]] = {
+    "str": {"metavar": "NAME"},
+    "int": {"type": int, "metavar": "K"},
+    "float": {"type": terminal.length_argument, "metavar": "N"},
+    "Exact": {"type": terminal.rational_argument, "metavar": "Q"},
+    "Vector": {"type": terminal.rational_argument, "nargs": 3, "metavar": ("X", "Y", "Z")},
+    "Wrench": {"type": terminal.rational_argument, "nargs": 3, "metavar": ("FX", "FY", "TAU")},
+    "Corner": {"type": lambda text: text.split(","), "metavar": "X,Y"},
+    "bool": {"action": argparse.BooleanOptionalAction, "default": None},
+}
+#: Options of several values that are written one by one.
+_FLAGS = {"wrenches": "wrench"}
+
+
+def add_options(
+    parser: argparse.ArgumentParser, drawings: Drawings, own: Collection[str] = ()
+) -> None:
+    """Add the options of all that can be drawn, but for those that the command has itself."""
+    parser.add_argument(
+        "-o", "--output", required=True, metavar="PATH",
+        help=".svg, .pdf, .png: a picture; .html: an interactive page"
+        + "; .stl, .glb, .obj: a model" * bool(drawings.models),
+    )  # fmt: skip
+    for kind, suffix in (("view", "picture"), ("model", "model")):
+        if known := getattr(drawings, f"{kind}s"):
+            text = f"of a {suffix}: {', '.join(known)} (default: the first)"
+            parser.add_argument(f"--{kind}", metavar=kind.upper(), help=text)
+    found: dict[str, list[tuple[str, Option]]] = {}
+    for name, option in _every(drawings):
+        found.setdefault(_flag(option), []).append((name, option))
+    for flag, uses in found.items():
+        if flag not in own:
+            style = dict(_KINDS[uses[0][1].kind])
+            if any(option.many for _, option in uses):
+                style |= {"action": "append"} if "nargs" in style else _EXTEND
+            parser.add_argument(f"--{flag}", **style, help=_help(uses))
+
+
+_EXTEND = {"action": "extend", "nargs": "+"}
+
+
+def _every(drawings: Drawings) -> Iterator[tuple[str, Option]]:
+    for kind in ("view", "model", "page"):
+        for name in getattr(drawings, f"{kind}s"):
+            shown = name if kind == "view" else f"{kind} {name}"
+            yield from ((shown, option) for option in drawings.options(kind, name).values())
+
+
+def _flag(option: Option) -> str:
+    return _FLAGS.get(option.name, option.name)
+
+
+def _help(uses: list[tuple[str, Option]]) -> str:
+    """Say what an option means, view by view where that differs."""
+    texts: dict[str, list[str]] = {}
+    for name, option in uses:
+        text = option.text.partition(". ")[0].replace("`", "").rstrip(".")
+        texts.setdefault(text, []).append(name)
+    return "; ".join(f"{', '.join(names)}: {text}" for text, names in texts.items()).replace(
+        "%", "%%"
+    )
+
+
+def given_options(arguments: argparse.Namespace, drawings: Drawings) -> dict[str, Any]:
+    """Return the options that were given, as the view, model or page takes them."""
+    kind, name = drawings.target(arguments.output, arguments.view, _model(arguments))
+    takes = {_flag(option): option for option in drawings.options(kind, name).values()}
+    options = {}
+    for flag in dict.fromkeys(_flag(option) for _, option in _every(drawings)):
+        value = getattr(arguments, flag)
+        if value is None:
+            continue
+        option = takes.get(flag)
+        repeated = any(_flag(o) == flag and o.many for _, o in _every(drawings))
+        if option is not None and repeated and not option.many:
+            if len(value) > 1:
+                raise InputError(f"--{flag} is given {len(value)} times; {name} takes one")
+            (value,) = value
+        options[flag if option is None else option.name] = value
+    return options
+
+
+def write(
+    arguments: argparse.Namespace, drawings: Drawings, subject: Any, options: Mapping[str, Any]
+) -> int:
+    """Write the file, and with ``--json`` say what it is."""
+    written = drawings.write(
+        subject, arguments.output, arguments.view, _model(arguments), **options
+    )
+    if arguments.json:
+        terminal.print_json({"output": arguments.output, **written})
+    return terminal.YES
+
+
+def _model(arguments: argparse.Namespace) -> str | None:
+    found: str | None = getattr(arguments, "model", None)
+    return found
