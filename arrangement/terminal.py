@@ -14,6 +14,7 @@ import os
 import re
 import sys
 from collections.abc import Callable, Sequence
+from difflib import get_close_matches
 from fractions import Fraction
 from typing import Any, NoReturn
 
@@ -52,7 +53,12 @@ class Parser(argparse.ArgumentParser):
         later, self.later = self.later, None
         if later is not None:
             later()
-        return super().parse_known_args(args, namespace)
+        found, rest = super().parse_known_args(args, namespace)
+        for word in rest:
+            near = get_close_matches(word, self._option_string_actions, 1)
+            if near and word.startswith("-"):
+                self.error(f"there is no option {word}; did you mean {near[0]}?")
+        return found, rest
 
     def error(self, message: str) -> NoReturn:
         """Print the usage and one line with the error to stderr; exit with 2."""

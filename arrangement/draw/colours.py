@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
-from typing import TypeAlias
+from typing import TypeAlias, TypeVar
 
-from arrangement.errors import InputError
 from arrangement.exact import shown
+
+from .registry import refusal
 
 #: Light to dark, so that the order stays in grey: numbers of sides 2, 3, 4, 5, 6, and more.
 PALETTE = ("#ffffff", "#fdf0c0", "#b9dfd3", "#7fb9d8", "#6a96c8", "#8a7fb5")
@@ -31,6 +32,7 @@ class DrawnRegion:
     sides: int
 
 
+Paint = TypeVar("Paint", bound=Callable[..., str])
 Painter: TypeAlias = Callable[[DrawnRegion], str]
 
 
@@ -40,8 +42,6 @@ def painter(colour: str | Painter) -> Painter:
     Raises:
         InputError: a name that is unknown.
     """
-    if callable(colour):
-        return colour
     painters: dict[str, Painter] = {
         "sides": lambda region: side_colour(region.sides),
         "signs": lambda region: PALETTE[
@@ -49,8 +49,19 @@ def painter(colour: str | Painter) -> Painter:
         ],
         "none": lambda region: "#ffffff",
     }
+    return chosen(colour, painters)
+
+
+def chosen(colour: str | Paint, painters: Mapping[str, Paint]) -> Paint:
+    """Return a colouring by name, or the given function.
+
+    Raises:
+        InputError: a name that is unknown.
+    """
+    if not isinstance(colour, str):
+        return colour
     if colour not in painters:
-        raise InputError(f"the colouring is {shown(colour)}; known are {', '.join(painters)}")
+        raise refusal(f"the colouring is {shown(colour)}", colour, painters)
     return painters[colour]
 
 

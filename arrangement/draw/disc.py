@@ -13,7 +13,7 @@ from .colours import DrawnRegion, Painter, side_colour
 from .globe import Globe
 from .labels import flattened, spread, turn, write_inside
 from .projections import Drawn, Projection
-from .scene import Floats, Scene
+from .scene import Floats, Scene, checked_width
 
 #: Room for the numbers of the planes between the rim and the border, at least; in points.
 RIM = 13.0
@@ -28,7 +28,7 @@ class Disc:
         centre, radius: of the limb, in points.
         globe: what is seen.
         drawn: its arcs and regions, cut at the limb, as curves.
-        ink: the colour of each class of planes; left out, black.
+        ink: the colour of each class of planes; if omitted, black.
     """
 
     scene: Scene
@@ -117,6 +117,16 @@ class Disc:
                 place = np.array(self.centre) + (self.radius + beyond + extra) * outward
                 if self.scene.write(place, text, size, color=colour):
                     return
+
+
+def alone(
+    globe: Globe, drawn: Drawn, colour: str | Painter, width: float, below: float = 0.0
+) -> Disc:
+    """Return a disc as wide as its scene, with room for a legend and more below, all in mm."""
+    width = checked_width(width)
+    scene = Scene(width, width + below + 5.0 * has_key(colour))
+    centre = (scene.width / 2, scene.height - scene.width / 2)
+    return Disc(scene, centre, scene.width / 2 - rim_width(scene, globe), globe, drawn)
 
 
 def rim_width(scene: Scene, globe: Globe) -> float:

@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-from itertools import product
 from typing import Any
 
 import numpy as np
 
-from arrangement.exact import IntegerVector, primitive
+from arrangement.exact import IntegerVector
 from arrangement.planes import Arrangement
 from arrangement.polyhedra.dual import dual_polyhedron
 from arrangement.polyhedra.inscribed import representative_hull
@@ -16,7 +15,7 @@ from .colours import BLUE, VERMILION, DrawnRegion, Painter, painter, plane_colou
 from .disc import Disc, front, has_key, key_entries, plane_names, region_sides, rim_width
 from .equalize import evened
 from .figure import picture
-from .globe import Globe, unit_vectors
+from .globe import Globe, clear_direction
 from .labels import SIZES, crosses, sign_forms, tried, write_beside
 from .projections import orthographic
 from .registry import Vector
@@ -54,13 +53,13 @@ def draw_dual(
 
     Args:
         arrangement: central, in R^3, of rank 1 to 3; rank 3 for the hull.
-        direction: the exact direction towards the viewer; left out, one from above in which no
+        direction: the exact direction towards the viewer; if omitted, one from above in which no
             circle is edge-on and no vertex hides its opposite.
         colour: as for `draw_sphere`.
         width: of the figure, in millimetres; below 120 the panels stand one above the other.
         hull: draw the hull of representatives.
         even: draw the planes after a linear map that spreads their normals evenly and changes no
-            sign vector (see `evening.evened`); the direction counts after it.
+            sign vector (see `equalize.evened`); the direction counts after it.
 
     Raises:
         InputError: another space or rank, planes off the origin, too many circles, unknown
@@ -104,17 +103,18 @@ def draw_dual(
 def _oblique_direction(globe: Globe) -> IntegerVector:
     """Return a direction clear of the limb as usual, and of the vertices of the dual."""
     whole = globe.whole
-    lines = [*whole.circle_normals, *(whole.ray(v) for v in range(whole.vertex_count)), (0, 0, 1)]
-    views = [v for v in product(range(1, 8), range(-7, 8), range(1, 7)) if primitive(v) == v]
-    units = unit_vectors(views)
-    score = np.abs(units @ unit_vectors(lines).T).min(axis=1)
-    if whole.circle_count:
-        corners = dual_solid(whole.arrangement, (0, 0, 1), np.eye(3)).corners
-        norms = np.linalg.norm(corners, axis=1)
-        near = np.abs(units @ corners.T / norms).max(axis=1)
-        score = np.minimum(score, np.sqrt(np.maximum(0, 1 - near**2)))
-    high = (units[:, 2] > 0.25) & (units[:, 2] < 0.75)
-    return views[int(np.argmax(np.round(np.where(high, score, -1.0), 9)))]
+    lines = [*whole.circle_normals, *(whole.ray(v) for v in range(whole.vertex_count))]
+    if not whole.circle_count:
+        return clear_direction(lines)
+    corners = dual_solid(whole.arrangement, (0, 0, 1), np.eye(3)).corners
+    corners = corners / np.linalg.norm(corners, axis=1, keepdims=True)
+
+    def apart(units: Floats) -> Floats:
+        near = np.abs(units @ corners.T).max(axis=1)
+        found: Floats = np.sqrt(np.maximum(0, 1 - near**2))
+        return found
+
+    return clear_direction(lines, apart)
 
 
 def _ink(hull: bool) -> Any:

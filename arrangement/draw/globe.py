@@ -6,7 +6,7 @@ does the cutting. Floats begin when arcs become curves.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from functools import cached_property
 from itertools import product
 
@@ -72,17 +72,29 @@ def view_direction(direction: Sequence[object]) -> IntegerVector:
     return vector
 
 
-def clear_direction(lines: Sequence[IntegerVector]) -> IntegerVector:
+def clear_direction(
+    lines: Sequence[IntegerVector], also: Callable[[Floats], Floats] | None = None
+) -> IntegerVector:
     """Return a direction from above that is as far as can be from orthogonal to all `lines`.
 
     With the normals of planes as lines no plane is seen edge-on; with the rays as well, no ray
-    is near the limb.
+    is near the limb. `also` takes unit vectors and returns more numbers to be kept from 0.
     """
     views = [v for v in product(range(1, 8), range(-7, 8), range(1, 7)) if primitive(v) == v]
     units = unit_vectors(views)
+    score = np.abs(units @ unit_vectors([*lines, (0, 0, 1)]).T).min(axis=1)
+    if also is not None:
+        score = np.minimum(score, also(units))
     high = (units[:, 2] > 0.25) & (units[:, 2] < 0.75)
-    clearance = np.abs(units @ unit_vectors([*lines, (0, 0, 1)]).T).min(axis=1)
-    return views[int(np.argmax(np.round(np.where(high, clearance, -1.0), 9)))]
+    return views[int(np.argmax(np.round(np.where(high, score, -1.0), 9)))]
+
+
+def best_direction(arrangement: Arrangement, score: Callable[[Floats], Floats]) -> IntegerVector:
+    """Return the direction with the highest score of its unit vector, on the fewest planes."""
+    views = [v for v in product(range(-7, 8), repeat=3) if any(v) and primitive(v) == v]
+    scores = np.round(score(unit_vectors(views)), 6)
+    best = [views[k] for k in np.flatnonzero(scores == scores.max())]
+    return max(best, key=lambda v: sum(arrangement.signs_at(v)))
 
 
 def picture_axes(direction: IntegerVector) -> Floats:

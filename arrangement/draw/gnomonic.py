@@ -3,21 +3,20 @@
 from __future__ import annotations
 
 import math
-from itertools import product
 
 import numpy as np
 
-from arrangement.exact import IntegerVector, primitive
+from arrangement.exact import IntegerVector
 from arrangement.planes import Arrangement
 
 from .colours import Painter, painter
-from .disc import Disc, front, has_key, key_entries, plane_names, rim_width
+from .disc import alone, front, key_entries, plane_names
 from .equalize import evened
 from .figure import picture
-from .globe import Globe, unit_vectors
+from .globe import Globe, best_direction, unit_vectors
 from .projections import Chart, Drawn, StraightChart, orthographic
 from .registry import Vector
-from .scene import Floats, Scene, checked_width
+from .scene import Floats, Scene
 
 _BOTH_ENDS = 16
 
@@ -50,12 +49,12 @@ def draw_gnomonic(
 
     Args:
         arrangement: central, in R^3, any rank.
-        direction: the exact direction of the middle; left out, one in which all rays stay far
+        direction: the exact direction of the middle; if omitted, one in which all rays stay far
             from infinity.
         colour: as for `draw_sphere`.
         width: of the figure, in millimetres.
         even: draw the planes after a linear map that spreads their normals evenly and changes no
-            sign vector (see `evening.evened`); the direction counts after it.
+            sign vector (see `equalize.evened`); the direction counts after it.
 
     Raises:
         InputError: another space, planes off the origin, too many circles, unknown colouring.
@@ -66,18 +65,15 @@ def draw_gnomonic(
     globe = Globe(arrangement, direction)
     if direction is None:
         globe = Globe(arrangement, _central_direction(globe))
-    scene = Scene(checked_width(width), width + (12.0 if has_key(colour) else 7.0))
-    radius = scene.width / 2 - rim_width(scene, globe)
-    centre = (scene.width / 2, scene.height - scene.width / 2)
     drawn = _chart(globe)
-    disc = Disc(scene, centre, radius, globe, drawn)
-    dots = None
+    disc = alone(globe, drawn, colour, width, below=7.0)
+    scene, dots = disc.scene, None
     if isinstance(drawn.projection, Chart):
-        inner = radius * drawn.projection.inner
+        inner = drawn.projection.inner
         dotted = {"lw": 0.5, "ls": (0, (1, 2)), "zorder": 2, "gid": "to-scale"}
-        scene.circle(centre, inner, fill=False, ec="black", **dotted)
+        scene.circle(disc.centre, disc.radius * inner, fill=False, ec="black", **dotted)
         at = np.linspace(0, 2 * math.pi, 200)
-        dots = np.array(centre) + inner * np.stack([np.cos(at), np.sin(at)], axis=1)
+        dots = disc.on_paper(inner * np.stack([np.cos(at), np.sin(at)], axis=1))
     few = globe.whole.circle_count <= _BOTH_ENDS
     regions = disc.draw(paint, both_ends=few, avoid=dots)
     scene.write((scene.width / 2, 3.0), _note(globe), 6.0, anchor=(0.5, 0.0))
@@ -128,8 +124,5 @@ def _central_direction(globe: Globe) -> IntegerVector:
     rays = [globe.whole.ray(v) for v in range(globe.whole.vertex_count)]
     if len(rays) <= 2:
         return globe.direction
-    views = [v for v in product(range(-7, 8), repeat=3) if primitive(v) == v and any(v)]
-    heights = np.abs(unit_vectors(views) @ unit_vectors(rays).T)
-    score = np.round(heights.min(axis=1), 6)
-    best = [views[k] for k in np.flatnonzero(score == score.max())]
-    return max(best, key=lambda v: sum(globe.whole.arrangement.signs_at(v)))
+    lines = unit_vectors(rays).T
+    return best_direction(globe.whole.arrangement, lambda units: np.abs(units @ lines).min(axis=1))

@@ -46,6 +46,7 @@ def write_inside(
     sizes: Sequence[float] = SIZES,
     *,
     other: Floats | None = None,
+    hiders: Sequence[Floats] = (),
     **style: Any,
 ) -> bool:
     """Write a sign vector inside a closed outline, in the largest size that fits, or not at all.
@@ -56,6 +57,7 @@ def write_inside(
         signs: the sign vector.
         sizes: those tried, in points.
         other: more points that must not be covered.
+        hiders: polygons that cover a part of it.
         style: goes to matplotlib.
     """
     from matplotlib.path import Path
@@ -72,11 +74,15 @@ def write_inside(
     if not fitting:
         return False
     grid = np.stack(np.meshgrid(*np.linspace(low, high, 29).T), axis=-1).reshape(-1, 2)
-    grid = grid[Path(edge).contains_points(grid)]
-    obstacles = _thinned(edge)
+    near = [h for h in hiders if (h.max(axis=0) > low).all() and (h.min(axis=0) < high).all()]
+    free = Path(edge).contains_points(grid)
+    for hider in near:
+        free &= ~Path(hider).contains_points(grid)
+    grid = grid[free]
+    obstacles = np.vstack([_thinned(edge), *map(dense, near)])
     if other is not None:
-        near = ((other > low) & (other < high)).all(axis=1)
-        obstacles = np.vstack([obstacles, other[near]])
+        inside = ((other > low) & (other < high)).all(axis=1)
+        obstacles = np.vstack([obstacles, other[inside]])
     apart = np.abs(grid[:, None] - obstacles)
     for size, text, box in fitting:
         room = (apart / box).max(axis=2).min(axis=1, initial=9.0)
@@ -85,6 +91,15 @@ def write_inside(
             if scene.write(place, text, size, **style):
                 return True
     return False
+
+
+def dense(outline: Floats) -> Floats:
+    """Return a polygon with at most 2 points of paper between neighbouring corners."""
+    pieces = []
+    for p, q in zip(outline, np.roll(outline, -1, axis=0), strict=True):
+        steps = max(1, math.ceil(float(np.linalg.norm(q - p)) / 2))
+        pieces.append(p + (q - p) * np.arange(steps)[:, None] / steps)
+    return np.concatenate(pieces)
 
 
 def _thinned(points: Floats, spacing: float = 1.0) -> Floats:

@@ -18,9 +18,9 @@ from arrangement.planes import Arrangement
 from arrangement.polyhedra.dual.incidence import dual_incidence
 
 from .equalize import evening_map, is_narrow
-from .globe import Globe, clear_direction, picture_axes
+from .globe import Globe, clear_direction, picture_axes, unit_vectors
 from .html_page import BASE_SCRIPT, BASE_STYLE, one_page, own
-from .registry import Vector
+from .registry import Vector, refusal
 
 #: Distinct planes beyond which a page is too slow to turn by hand.
 MAX_CIRCLES = 30
@@ -43,16 +43,16 @@ def arrangement_page(
 
     Args:
         arrangement: central, in R^3, any rank, up to `MAX_CIRCLES` distinct planes.
-        title: a heading; left out, the number of planes.
+        title: a heading; if omitted, the number of planes.
         colour: of the regions at first: "sides" (by number of sides), "signs" (by number of minus
-            signs), "parity" (two colours), "none"; left out, sides if they differ, else parity.
-        direction: the exact first direction towards the viewer; left out, a clear one.
+            signs), "parity" (two colours), "none"; if omitted, sides if they differ, else parity.
+        direction: the exact first direction towards the viewer; if omitted, a clear one.
 
     Raises:
         InputError: another space, planes off the origin, too many planes, unknown colouring.
     """
     if colour is not None and colour not in COLOURINGS:
-        raise InputError(f"the colouring is {shown(colour)}; known are {', '.join(COLOURINGS)}")
+        raise refusal(f"the colouring is {shown(colour)}", colour, COLOURINGS)
     if arrangement.is_central and len(arrangement.distinct) > MAX_CIRCLES:
         raise InputError(
             f"{len(arrangement.distinct)} distinct planes; a page shows at most {MAX_CIRCLES}"
@@ -206,13 +206,9 @@ def _norm(vector: IntegerVector) -> float:
 
 
 def _unit(vector: IntegerVector) -> list[float]:
-    """Return a unit vector; the zero vector stays. Integers may have any length."""
-    largest = _longest(vector)
-    if not largest:
-        return [0.0] * len(vector)
-    scaled = np.array([x / largest for x in vector])
-    rounded: list[float] = _floats(scaled / np.linalg.norm(scaled))
-    return rounded
+    """Return a unit vector; the zero vector stays."""
+    unit: list[float] = _floats(unit_vectors([vector])[0]) if any(vector) else [0.0] * len(vector)
+    return unit
 
 
 def _floats(array: Any) -> Any:

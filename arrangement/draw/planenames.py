@@ -3,13 +3,12 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
 
 import numpy as np
 
 from .exploded_cells import Lifted
 from .globe import Floats
-from .labels import sign_rows, spread, turn, write_beside
+from .labels import dense, sign_rows, spread, turn, write_beside, write_inside
 from .planesheet import Colour, PlanesSheet
 
 
@@ -96,7 +95,10 @@ class Names:
             hiders = self._hiders(item)
             outlines = [self.place(loop) for loop in item.visible_outlines(self.picture.round)]
             outlines.sort(key=_area, reverse=True)
-            if not any(self._name_on(outline, hiders, item.cell.signs) for outline in outlines):
+            if not any(
+                write_inside(self.scene, dense(outline), item.cell.signs, (7, 6), hiders=hiders)
+                for outline in outlines
+            ):
                 way = item.shift[:2] + 1e-12
                 corners = self.place(item.corners)
                 write_beside(
@@ -116,41 +118,8 @@ class Names:
         own = self.picture.painted_at[item.cell.signs]
         return [area for z, area in self.picture.areas if z > own]
 
-    def _name_on(self, outline: Floats, hiders: list[Floats], signs: Sequence[int]) -> bool:
-        """Write a sign vector on a face, off its edges and off what hides it, if there is room."""
-        from matplotlib.path import Path
-
-        low, high = outline.min(axis=0), outline.max(axis=0)
-        near = [h for h in hiders if (h.max(axis=0) > low).all() and (h.min(axis=0) < high).all()]
-        grid = np.stack(np.meshgrid(*np.linspace(low, high, 33).T), axis=-1).reshape(-1, 2)
-        free = Path(outline).contains_points(grid)
-        for hider in near:
-            free &= ~Path(hider).contains_points(grid)
-        if not free.any():
-            return False
-        grid = grid[free]
-        walls = np.concatenate([_dense(loop) for loop in (outline, *near)])
-        apart = np.abs(grid[:, None] - walls)
-        for size, rows in ((7.0, 1), (6.0, 1), (7.0, 2), (6.0, 2), (6.0, 3)):
-            text = sign_rows(signs, rows)
-            box = np.array(self.scene.measure(text, size)) + 2
-            room = np.round((apart / box).max(axis=2).min(axis=1), 4)
-            best = int(np.argmax(room))
-            if room[best] > 0.5 and self.scene.write(grid[best], text, size):
-                return True
-        return False
-
 
 def _area(outline: Floats) -> float:
     """Return the area of a polygon in the plane, rounded so that ties stay ties."""
     x, y = outline.T
     return round(abs(float(x @ np.roll(y, -1) - y @ np.roll(x, -1))) / 2, 3)
-
-
-def _dense(outline: Floats) -> Floats:
-    """Return a polygon with at most 2 points of paper between neighbouring corners."""
-    pieces = []
-    for p, q in zip(outline, np.roll(outline, -1, axis=0), strict=True):
-        steps = max(1, math.ceil(float(np.linalg.norm(q - p)) / 2))
-        pieces.append(p + (q - p) * np.arange(steps)[:, None] / steps)
-    return np.concatenate(pieces)

@@ -4,12 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
-from arrangement.errors import InputError
-from arrangement.exact import shown
 from arrangement.planes import Arrangement
 from arrangement.polyhedra.cells import cut_cells, read_signs
 
-from .colours import fill_colour
+from .colours import chosen, fill_colour
 from .exploded_cells import lifted_cells
 from .figure import picture
 from .globe import view_direction
@@ -45,7 +43,7 @@ def draw_planes(
         body: "ball" or "cube".
         centre, radius: exact, of the body, instead of one that contains all vertices. For planes
             whose vertices are far apart; what is outside is left out.
-        direction: exact, towards the viewer; left out, one in which no plane is edge-on.
+        direction: exact, towards the viewer; if omitted, one in which no plane is edge-on.
         lift: sign vectors of cells such as ``"+-+"``, over the input planes. These cells are
             drawn as solids, moved outward.
         colour: "planes" (each its own colour), "shade" (grey by the angle to the light), "none",
@@ -74,16 +72,12 @@ def draw_planes(
 
 
 def _painter(colour: str | FacetPainter) -> FacetPainter:
-    if callable(colour):
-        return colour
     painters: dict[str, FacetPainter] = {
         "planes": lambda facet: fill_colour(facet.label),
         "shade": lambda facet: _grey(abs(float(LIGHT @ facet.normal))),
         "none": lambda facet: "#ffffff",
     }
-    if colour not in painters:
-        raise InputError(f"the colouring is {shown(colour)}; known are {', '.join(painters)}")
-    return painters[colour]
+    return chosen(colour, painters)
 
 
 def _grey(light: float) -> str:

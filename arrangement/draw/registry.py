@@ -96,7 +96,9 @@ class Drawings:
         found = self.options(kind, name)
         for option in options:
             if option not in found:
-                raise refusal(f"option of the {kind} {name}", option, found, "it has")
+                raise refusal(
+                    f"the {kind} {name} has no option {shown(option)}", option, found, "it has"
+                )
         for needed in found.values():
             if needed.required and needed.name not in options:
                 raise InputError(f"the {kind} {name} needs {needed.name}; give at least one")
@@ -134,7 +136,7 @@ class Drawings:
         known = getattr(self, f"{kind}s")
         name = next(iter(known)) if name is None else name
         if name not in known:
-            raise refusal(kind, name, known)
+            raise refusal(f"the {kind} is {shown(name)}", name, known)
         return kind, name
 
     def options(self, kind: str, name: str) -> dict[str, Option]:
@@ -172,10 +174,10 @@ def _explained(docstring: str) -> dict[str, str]:
 
 
 def refusal(
-    what: str, value: object, known: Iterable[str], remedy: str = "known are"
+    mistake: str, value: object, known: Iterable[str], remedy: str = "known are"
 ) -> InputError:
     """Return the error for a name that does not exist, with the nearest ones that do."""
     names = list(known)
     near = get_close_matches(str(value), names, 3)
     meant = f"did you mean {' or '.join(near)}? " if near else ""
-    return InputError(f"the {what} is {shown(value)}; {meant}{remedy} {', '.join(names) or 'none'}")
+    return InputError(f"{mistake}; {meant}{remedy} {', '.join(names) or 'none'}")

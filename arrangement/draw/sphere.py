@@ -7,14 +7,14 @@ import numpy as np
 from arrangement.planes import Arrangement
 
 from .colours import DrawnRegion, Painter, painter
-from .disc import Disc, front, has_key, key_entries, rim_width
+from .disc import Disc, alone, front, key_entries
 from .equalize import evened
 from .figure import picture
 from .globe import Floats, Globe
 from .labels import flattened, write_inside
 from .projections import orthographic
 from .registry import Vector
-from .scene import Scene, checked_width
+from .scene import Scene
 
 
 @picture
@@ -34,29 +34,26 @@ def draw_sphere(
 
     Args:
         arrangement: central, in R^3, any rank.
-        direction: exact, towards the viewer; left out, one in which no circle is edge-on.
+        direction: exact, towards the viewer; if omitted, one in which no circle is edge-on.
         colour: "sides" (by number of sides), "signs" (by number of minus signs), "none", or a
             function from a `DrawnRegion` to a colour.
         width: of the figure, in millimetres.
         even: draw the planes after a linear map that spreads their normals evenly and changes no
-            sign vector (see `evening.evened`); the direction counts after it.
+            sign vector (see `equalize.evened`); the direction counts after it.
 
     Raises:
         InputError: another space, planes off the origin, too many circles, unknown colouring.
         MissingExtraError: matplotlib is absent.
     """
-    paint, width = painter(colour), checked_width(width)
+    paint = painter(colour)
     arrangement = evened(arrangement) if even else arrangement
     globe = Globe(arrangement, direction)
-    scene = Scene(width, width + (5.0 if has_key(colour) else 0.0))
-    centre = (scene.width / 2, scene.height - scene.width / 2)
-    radius = scene.width / 2 - rim_width(scene, globe)
-    disc = Disc(scene, centre, radius, globe, front(globe, orthographic))
+    disc = alone(globe, front(globe, orthographic), colour, width)
     hidden = _hidden(disc)
     outlines = disc.draw_curves(paint)
-    _signs(scene, outlines, hidden, paint)
-    scene.keys(14.0, key_entries(colour, [region for region, _ in outlines], paint))
-    return scene
+    _signs(disc.scene, outlines, hidden, paint)
+    disc.scene.keys(14.0, key_entries(colour, [region for region, _ in outlines], paint))
+    return disc.scene
 
 
 def _hidden(disc: Disc) -> Floats:

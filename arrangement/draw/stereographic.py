@@ -9,14 +9,14 @@ from typing import Any
 import numpy as np
 
 from arrangement.errors import InputError
-from arrangement.exact import IntegerVector, primitive
+from arrangement.exact import IntegerVector
 from arrangement.planes import Arrangement
 
 from .colours import DrawnRegion, Painter, painter
-from .disc import Disc, front, has_key, key_entries, plane_names, region_sides, rim_width
+from .disc import alone, front, has_key, key_entries, plane_names, region_sides, rim_width
 from .equalize import evened
 from .figure import picture
-from .globe import Globe, unit_vectors
+from .globe import Globe, best_direction, unit_vectors
 from .labels import flattened, sign_text, write_inside
 from .projections import Drawn, stereographic
 from .registry import Vector
@@ -51,13 +51,13 @@ def draw_stereographic(
 
     Args:
         arrangement: central, in R^3, any rank.
-        direction: the exact direction of the middle; left out, one is chosen.
+        direction: the exact direction of the middle; if omitted, one is chosen.
         colour: as for `draw_sphere`.
         width: of the figure, in millimetres.
-        whole: both halves, or the front half; left out, both where all circles stay within
+        whole: both halves, or the front half; if omitted, both where all circles stay within
             3.3 radii, as for few circles.
         even: draw the planes after a linear map that spreads their normals evenly and changes no
-            sign vector (see `evening.evened`); the direction counts after it.
+            sign vector (see `equalize.evened`); the direction counts after it.
 
     Raises:
         InputError: another space, planes off the origin, too many circles, unknown colouring; or
@@ -74,30 +74,18 @@ def draw_stereographic(
     if whole is None:
         whole = 0 < _farthest(globe) <= FARTHEST
     if not whole:
-        return _draw_half(globe, paint, colour, checked_width(width))
+        disc = alone(globe, front(globe, stereographic), colour, width)
+        disc.scene.keys(14.0, key_entries(colour, disc.draw(paint), paint))
+        return disc.scene
     if math.isinf(_farthest(globe)):
         k = next(i for i, s in enumerate(arrangement.signs_at(globe.direction)) if s == 0)
         raise InputError(
-            f"the direction lies on plane {k}, whose circle would pass through infinity; choose "
-            "another direction, or the front half alone (whole=False)"
+            f"the direction lies on plane {k + 1}, whose circle would pass through infinity; "
+            "choose another direction, or the front half alone (whole=False)"
         )
-    return _draw_whole(globe, paint, colour, checked_width(width))
-
-
-def _draw_half(globe: Globe, paint: Painter, colour: str | Painter, width: float) -> Scene:
+    width = checked_width(width)
     scene = Scene(width, width + (5.0 if has_key(colour) else 0.0))
-    radius = scene.width / 2 - rim_width(scene, globe)
-    centre = (scene.width / 2, scene.height - scene.width / 2)
-    drawn = Disc(scene, centre, radius, globe, front(globe, stereographic)).draw(paint)
-    scene.keys(14.0, key_entries(colour, drawn, paint))
-    return scene
-
-
-def _draw_whole(globe: Globe, paint: Painter, colour: str | Painter, width: float) -> Scene:
-    scene = Scene(width, width + (5.0 if has_key(colour) else 0.0))
-    picture = _Whole(globe, scene, paint)
-    drawn = picture.draw()
-    scene.keys(14.0, key_entries(colour, drawn, paint))
+    scene.keys(14.0, key_entries(colour, _Whole(globe, scene, paint).draw(), paint))
     return scene
 
 
@@ -237,8 +225,7 @@ def _inner_direction(globe: Globe) -> IntegerVector:
     """Return the direction that keeps farthest from all planes."""
     if not globe.whole.circle_count:
         return (1, 1, 1)
-    views = [v for v in product(range(-7, 8), repeat=3) if any(v) and primitive(v) == v]
-    normals = unit_vectors(globe.whole.circle_normals)
-    heights = np.round(np.abs(unit_vectors(views) @ normals.T).min(axis=1), 6)
-    best = [views[k] for k in np.flatnonzero(heights == heights.max())]
-    return max(best, key=lambda v: sum(globe.whole.arrangement.signs_at(v)))
+    normals = unit_vectors(globe.whole.circle_normals).T
+    return best_direction(
+        globe.whole.arrangement, lambda units: np.abs(units @ normals).min(axis=1)
+    )

@@ -40,6 +40,6 @@ def _draw(arguments: argparse.Namespace) -> int:
     grasp = read_grasp(arguments.grasp)
     options = given_options(arguments, DRAWINGS)
     kind, name = DRAWINGS.target(arguments.output, arguments.view)
-    if arguments.preload is not None and "preload" not in DRAWINGS.options(kind, name):
-        grasp = grasp.with_preload(arguments.preload)
+    if "preload" in options and "preload" not in DRAWINGS.options(kind, name):
+        grasp = grasp.with_preload(options.pop("preload"))
     return write(arguments, DRAWINGS, grasp, options)

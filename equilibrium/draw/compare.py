@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from fractions import Fraction
 
 from arrangement.draw.figure import picture
 from arrangement.draw.registry import Exact, Wrench
@@ -11,12 +10,10 @@ from arrangement.draw.scene import Scene
 from arrangement.progress import watched
 from equilibrium.methods.regions import FORCES, METHODS, MOST_FOR_ALL_CHOICES, method_region
 from equilibrium.model.errors import GraspError
-from equilibrium.model.grasp import Grasp, read_wrench
+from equilibrium.model.grasp import Grasp
 
-from .row import new_legend, read_extent, row_of_panels
-from .slices import paint_plain
-from .style import SHADE, number, vector
-from .window import joint_window
+from .row import Question
+from .slices import draw_parts
 
 #: Short titles that fit above a small panel.
 TITLES = {
@@ -46,37 +43,21 @@ def draw_compare(
         grasp: contacts; springs and preload count where a method knows of them.
         wrench: marked in every panel: a disc where the method accepts it, a cross where it does
             not; the plane has its torque.
-        methods: keys of `equilibrium.methods.regions.METHODS`; left out, all (without the one that
-            tries 3^m choices when the contacts are too many for it).
-        extent: half the side of each panel, about the origin; left out, all borders are shown.
+        methods: keys of `equilibrium.methods.regions.METHODS`; if omitted, all (without the one
+            that tries 3^m choices when the contacts are too many for it).
+        extent: half the side of each panel, about the origin; if omitted, all borders are shown.
         width: of the figure, in millimetres.
 
     Raises:
         GraspError: an unknown method or none, too many contacts, an extent that is not above 0.
         MissingExtraError: matplotlib is absent.
     """
-    applied = None if wrench is None else read_wrench(wrench)
-    torque = Fraction(0) if applied is None else applied[2]
-    half = read_extent(extent)
-    names = _names(grasp, methods)
-    regions = [
-        method_region(name, grasp, FORCES, (0, 0, torque)) for name in watched(names, "methods")
+    question = Question(wrench, extent)
+    parts = [
+        (TITLES[name], method_region(name, grasp, FORCES, (0, 0, question.torque)))
+        for name in watched(_names(grasp, methods), "methods")
     ]
-    marked = [] if applied is None else [applied[:2]]
-    window = joint_window(regions, marked, half)
-    legend = new_legend(width)
-    legend.key(SHADE, f"accepted forces at torque {number(torque)}")
-    legend.key("border", "acceptance ends")
-    if half is None:
-        legend.key("fade", "without end")
-    if applied is not None:
-        legend.key("wrench-points", f"w = {vector(applied)}, accepted or not")
-    scene, panels = row_of_panels(
-        len(names), window, legend, grasp, columns=max(1, int(width / 44))
-    )
-    for panel, name, region in zip(panels, names, regions, strict=True):
-        paint_plain(panel, TITLES[name], region, marked, fades=half is None)
-    return scene
+    return draw_parts(grasp, parts, question, width, columns=max(1, int(width / 44)))
 
 
 def _names(grasp: Grasp, methods: Iterable[str] | None) -> list[str]:

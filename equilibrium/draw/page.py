@@ -16,6 +16,7 @@ import numpy as np
 
 from arrangement.draw.html_page import BASE_SCRIPT, BASE_STYLE, Template, one_page
 from arrangement.draw.labels import flattened
+from arrangement.draw.registry import Wrench
 from arrangement.errors import InputError
 from arrangement.exact import RationalVector, to_text
 from equilibrium.model.grasp import Contact, Grasp, read_wrench
@@ -30,9 +31,7 @@ MAX_CONTACTS = 8
 _SCRIPTS = ("rational.js", "resisted.js", "plane.js", "graspview.js", "resist.js")
 
 
-def resist_page(
-    grasp: Grasp, *, wrench: Iterable[Any] | None = None, title: str | None = None
-) -> str:
+def resist_page(grasp: Grasp, *, wrench: Wrench | None = None, title: str | None = None) -> str:
     """Return one HTML page, complete in itself: the resisted forces of a grasp.
 
     The plane of forces shows every piece (one choice of contact states) at a torque and a preload
@@ -41,8 +40,8 @@ def resist_page(
 
     Args:
         grasp: up to `MAX_CONTACTS` contacts.
-        wrench: chosen at first; left out, none is, and the torque is 0.
-        title: a heading; left out, the number of contacts.
+        wrench: chosen at first; if omitted, none is, and the torque is 0.
+        title: a heading; if omitted, the number of contacts.
 
     Raises:
         InputError: too many contacts, or no wrench.
@@ -193,7 +192,7 @@ def _window(grasp: Grasp, applied: RationalVector | None) -> dict[str, Any]:
     if applied is not None:
         forces += applied[:2]
         torques.append(applied[2])
-    names = [f"force {axis}" for axis in "xy"]
+    names = ["f_x", "f_y"]
     units = grasp.units
     return {
         "half": _reach(forces, 1.4, 2.0),

@@ -45,10 +45,10 @@ def draw_polar(
 
     Args:
         grasp: contacts.
-        directions: how many, evenly spaced from force x, counter-clockwise.
-        tolerance: of the search; left out, a thousandth of the radius of the picture.
-        extent: that radius; left out, the whole border is shown. The search tries magnitudes up to
-            1000 times as much.
+        directions: how many, evenly spaced from f_x, counter-clockwise.
+        tolerance: of the search; if omitted, a thousandth of the radius of the picture.
+        extent: that radius; if omitted, the whole border is shown. The search tries magnitudes up
+            to 1000 times as much.
         width: of the figure, in millimetres.
 
     Raises:

@@ -2,18 +2,16 @@
 
 from __future__ import annotations
 
-from fractions import Fraction
-
 from arrangement.draw.figure import picture
 from arrangement.draw.registry import Exact, Wrench
 from arrangement.draw.scene import Scene
 from arrangement.exact import RationalVector
-from equilibrium.model.grasp import Grasp, read_wrench
+from equilibrium.model.grasp import Grasp
 from equilibrium.wrench_sets import Region, resistible_region
 
 from .legend import Legend
 from .panel import fill_of
-from .row import new_legend, read_extent, row_of_panels
+from .row import Question, new_legend, row_of_panels
 from .style import FILLS, SYMBOLS, number, vector
 from .window import window_of
 
@@ -38,18 +36,17 @@ def draw_resist(
         grasp: contacts.
         wrench: marked: a disc when it is resisted, a cross when not; the plane has its torque.
         extent: half the side of the picture, about the origin; then nothing fades, as what
-            reaches the edge may end beyond; left out, the whole border is shown.
+            reaches the edge may end beyond; if omitted, the whole border is shown.
         width: of the figure, in millimetres.
 
     Raises:
         GraspError: an extent that is not above 0.
         MissingExtraError: matplotlib is absent.
     """
-    applied = None if wrench is None else read_wrench(wrench)
-    torque = Fraction(0) if applied is None else applied[2]
+    question = Question(wrench, extent)
+    applied, half, torque = question.wrench, question.half, question.torque
     region = resistible_region(grasp, origin=(0, 0, torque))
-    half = read_extent(extent)
-    window = window_of(region, [applied[:2]] if applied else [], half)
+    window = window_of(region, question.marked, half)
     legend = new_legend(width)
     _describe(grasp, region, applied, legend, fades=half is None)
     scene, (panel,) = row_of_panels(1, window, legend, grasp)
@@ -58,8 +55,8 @@ def draw_resist(
     panel.region(region)
     if half is None:
         panel.fade()
-    if applied is not None:
-        panel.wrench(applied[:2], region.contains(applied[:2]))
+    for point in question.marked:
+        panel.wrench(point, region.contains(point))
     return scene
 
 

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from fractions import Fraction
 
-from arrangement.draw.registry import Exact
+from arrangement.draw.registry import Exact, Wrench
 from arrangement.draw.scene import POINTS, Scene, checked_width
-from arrangement.exact import rational
+from arrangement.exact import RationalVector, rational
 from equilibrium.model.errors import GraspError
-from equilibrium.model.grasp import Grasp
+from equilibrium.model.grasp import Grasp, read_wrench
 
 from .legend import Legend
 from .panel import ABOVE, BELOW, LEFT, Panel
@@ -17,6 +17,28 @@ from .window import Window
 #: Space in points between panels, and right of the last.
 GAP, RIGHT = 4.0 * POINTS, 3.0 * POINTS
 FORCE_NAMES = ("$f_x$", "$f_y$")
+
+
+class Question:
+    """What a picture of a plane of forces is asked: a wrench to be marked, and half its side.
+
+    Raises:
+        GraspError: no wrench, or an extent that is not above 0.
+    """
+
+    def __init__(self, wrench: Wrench | None, extent: Exact | None) -> None:
+        self.wrench = None if wrench is None else read_wrench(wrench)
+        self.half = read_extent(extent)
+
+    @property
+    def torque(self) -> Fraction:
+        """The torque of the plane."""
+        return Fraction(0) if self.wrench is None else self.wrench[2]
+
+    @property
+    def marked(self) -> list[RationalVector]:
+        """The force to be marked, if there is one."""
+        return [] if self.wrench is None else [self.wrench[:2]]
 
 
 def new_legend(width: float) -> Legend:

@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from arrangement.draw.scene import FONT, Box, Floats, Scene
+from arrangement.draw.scene import FONT, Floats, Scene
 
 
 def arrow(scene: Scene, start: Floats, end: Floats, **style: Any) -> None:
@@ -86,7 +86,7 @@ class Labels:
 
     def __init__(self, scene: Scene) -> None:
         self.scene = scene
-        self._boxes: list[Box] = []
+        self._boxes: list[Floats] = []
         self._points: list[Floats] = []
 
     def avoid(self, points: Iterable[Floats]) -> None:
@@ -98,21 +98,15 @@ class Labels:
         self.avoid(start + s * (end - start) for s in np.linspace(0, 1, 24))
 
     def place(self, text: str, wanted: Sequence[Floats]) -> Floats:
-        """Return the first wanted centre that is free, else the one with the least overlap."""
+        """Return the first wanted centre that is free, else the one that covers least."""
         half = np.array([self.scene.measure(text)[0] / 2 + 2, FONT / 2 + 1])
-        costs = [self._cost(centre, half) for centre in wanted]
-        best = wanted[int(np.argmin(costs))]
-        low, high = (best - half).tolist(), (best + half).tolist()
-        self._boxes.append((low[0], low[1], high[0], high[1]))
+        best = min(wanted, key=lambda centre: self._covered(centre - half, centre + half))
+        self._boxes.append(np.array([best - half, best + half]))
         return best
 
-    def _cost(self, centre: Floats, half: Floats) -> float:
-        (left, low), (right, high) = centre - half, centre + half
-        cost = 0.0
-        for a, b, c, d in self._boxes:
-            across, up = min(right, c) - max(left, a), min(high, d) - max(low, b)
-            cost += 1000 * across * up if across > 0 and up > 0 else 0
-        if self._points:
-            inside = np.abs(np.array(self._points) - centre) < half
-            cost += float(inside.all(axis=1).sum())
-        return cost
+    def _covered(self, low: Floats, high: Floats) -> float:
+        """Return how much of a box is taken: the area of labels counts most, then points."""
+        shared = [np.minimum(high, b) - np.maximum(low, a) for a, b in self._boxes]
+        area = sum(float(w * h) for w, h in shared if w > 0 and h > 0)
+        points = np.array(self._points).reshape(-1, 2)
+        return 1000 * area + float(((points > low) & (points < high)).all(axis=1).sum())

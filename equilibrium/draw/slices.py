@@ -2,19 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Sequence
 from fractions import Fraction
 
 from arrangement.draw.figure import picture
 from arrangement.draw.registry import Exact, Wrench
 from arrangement.draw.scene import Scene
-from arrangement.exact import RationalVector, rational
+from arrangement.exact import rational
 from equilibrium.methods.regions import FORCES, method_region
-from equilibrium.model.grasp import Grasp, read_wrench
+from equilibrium.model.grasp import Grasp
 from equilibrium.wrench_sets import Region, resistible_region
 
-from .panel import Panel
-from .row import new_legend, read_extent, row_of_panels
+from .row import Question, new_legend, row_of_panels
 from .style import SHADE, number, vector
 from .window import joint_window
 
@@ -39,29 +38,43 @@ def draw_slice(
         grasp: contacts.
         wrench: marked in every part; the plane has its torque.
         preload: of part (c); 1 in the paper.
-        extent: half the side of each part, about the origin; left out, all borders are shown.
+        extent: half the side of each part, about the origin; if omitted, all borders are shown.
         width: of the figure, in millimetres.
 
     Raises:
         GraspError: an extent that is not above 0.
         MissingExtraError: matplotlib is absent.
     """
-    applied = None if wrench is None else read_wrench(wrench)
-    torque = Fraction(0) if applied is None else applied[2]
-    half = read_extent(extent)
-    parts = slices(grasp, torque, rational(preload, "preload"))
-    marked = [] if applied is None else [applied[:2]]
-    window = joint_window([region for _, region in parts], marked, half)
+    question = Question(wrench, extent)
+    parts = slices(grasp, question.torque, rational(preload, "preload"))
+    return draw_parts(grasp, parts, question, width)
+
+
+def draw_parts(
+    grasp: Grasp,
+    parts: Sequence[tuple[str, Region]],
+    question: Question,
+    width: float,
+    columns: int | None = None,
+) -> Scene:
+    """Return panels of one window with a region each, in one colour."""
+    marked, fades = question.marked, question.half is None
+    window = joint_window([region for _, region in parts], marked, question.half)
     legend = new_legend(width)
-    legend.key(SHADE, f"resisted forces at torque {number(torque)}")
+    legend.key(SHADE, f"resisted forces at torque {number(question.torque)}")
     legend.key("border", "resistance ends")
-    if half is None:
+    if fades:
         legend.key("fade", "without end")
-    if applied is not None:
-        legend.key("wrench-points", f"w = {vector(applied)}")
-    scene, panels = row_of_panels(3, window, legend, grasp)
+    if question.wrench is not None:
+        legend.key("wrench-points", f"w = {vector(question.wrench)}, resisted or not")
+    scene, panels = row_of_panels(len(parts), window, legend, grasp, columns)
     for panel, (title, region) in zip(panels, parts, strict=True):
-        paint_plain(panel, title, region, marked, fades=half is None)
+        panel.title(title)
+        panel.region(region, by_states=False)
+        if fades:
+            panel.fade()
+        for point in marked:
+            panel.wrench(point, region.contains(point))
     return scene
 
 
@@ -74,20 +87,3 @@ def slices(grasp: Grasp, torque: Fraction, preload: Fraction) -> list[tuple[str,
         ("(b) no preload", resistible_region(grasp.with_preload(0), FORCES, origin)),
         (f"(c) preload {number(preload)}", loaded),
     ]
-
-
-def paint_plain(
-    panel: Panel,
-    title: str,
-    region: Region,
-    marked: Iterable[RationalVector],
-    *,
-    fades: bool,
-) -> None:
-    """Fill one panel with a region in one colour."""
-    panel.title(title)
-    panel.region(region, by_states=False)
-    if fades:
-        panel.fade()
-    for point in marked:
-        panel.wrench(point, region.contains(point))

@@ -51,7 +51,7 @@ def test_sign_vectors_that_fit_are_written_once() -> None:
 def test_bad_requests_write_nothing(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     target = str(tmp_path / "a.svg")
     assert main(["draw", "pencil", "-o", target, "--view", "shadow"]) == 2
-    assert "known are planes, sphere" in capsys.readouterr().err
+    assert "known are sphere, planes" in capsys.readouterr().err
     assert main(["draw", "pencil", "-o", target, "--colour", "mood"]) == 2
     assert main(["draw", "parallel-planes-affine", "-o", target]) == 2
     assert main(["draw", "pencil", "-o", str(tmp_path / "a.gif")]) == 2

@@ -26,11 +26,12 @@ from arrangement.draw import (
 )
 from arrangement.draw.colours import PALETTE
 from arrangement.draw.equalize import evened
+from arrangement.draw.figure import figure
 from arrangement.draw.graph import PlanarGraph, planar_graph
 from arrangement.draw.labels import segments_meet, spread
 from arrangement.draw.layers import layered_orders
 from arrangement.draw.projections import Chart, stereographic
-from arrangement.draw.sheet import Sheet
+from arrangement.draw.scene import Scene
 from arrangement.draw.solids import dual_solid
 from arrangement.draw.tutte import tutte_places
 from arrangement.io.files import read_arrangement
@@ -412,13 +413,13 @@ def test_labels_of_the_counts_do_not_collide(options: dict[str, Any]) -> None:
 
 
 def test_the_check_for_collisions_finds_them() -> None:
-    sheet = Sheet(40, 20)
-    assert sheet.write((30, 30), "one")
-    assert not sheet.write((33, 30), "two")
-    assert overlaps(sheet.figure) == []
-    sheet.axes.text(33, 30, "two", size=7)
-    sheet.axes.text(0, 5, "three", size=7, ha="right")
-    assert len(overlaps(sheet.figure)) == 2
+    scene = Scene(40, 20)
+    assert scene.write((30, 30), "one")
+    assert not scene.write((33, 30), "two")
+    assert overlaps(figure(scene)) == []
+    scene.text((33, 30), "two")
+    scene.text((0, 5), "three", ha="right")
+    assert len(overlaps(figure(scene))) == 2
 
 
 @settings(max_examples=60, deadline=None)
@@ -480,7 +481,7 @@ def test_bad_options_are_refused() -> None:
     planes = read_arrangement("coordinate-planes")
     with pytest.raises(InputError, match="known are sides"):
         draw_stereographic(planes, colour="mood")
-    with pytest.raises(InputError, match="lies on plane 2"):
+    with pytest.raises(InputError, match="lies on plane 3"):
         draw_stereographic(planes, direction=(1, 1, 0), whole=True)
     with pytest.raises(InputError, match="at least 40 millimetres"):
         draw_gnomonic(planes, width=10.0)

@@ -241,7 +241,7 @@ def test_the_picture_agrees_with_the_solver(name: str, browser: Browser, opened:
 def test_pointing_at_a_force_tells_its_states(browser: Browser, opened: Opened) -> None:
     grasp = opened("paper-three-contacts-preload-1")
     browser.pointer("mouseMoved", *paper_place(browser, 1.5, -1.1))
-    x, y = (Fraction(v) for v in facts(browser)["force"].strip("()").split(", "))
+    x, y = (Fraction(v) for v in facts(browser)["force (f_x, f_y)"].strip("()").split(", "))
     assert abs(x - Fraction("1.5")) < Fraction("0.1")
     assert verdict(browser) == "Resisted"
     check_law(grasp, [x, y, Fraction(0)], browser)
@@ -259,7 +259,7 @@ def test_a_click_keeps_the_force_and_shows_its_exact_piece(
     browser.click_at(*paper_place(browser, 0.1, -1))
     browser.pointer("mouseMoved", 3, 3)
     assert verdict(browser) == "Resisted"
-    assert re.search(r"2x \+ p ≥ 0", facts(browser)["piece"])
+    assert re.search(r"2 f_x \+ p ≥ 0", facts(browser)["piece"])
     browser.run("document.getElementById('plane').focus()")
     browser.key("Escape")
     assert verdict(browser) == "No force chosen"
@@ -315,7 +315,7 @@ def test_what_is_no_number_is_marked_and_changes_nothing(browser: Browser, opene
     for text in ("x", "1/0", "1e3", "", "--1", "0x1"):
         enter(browser, force_y=text)
         assert told(browser, "input.wrong") == [""]
-        assert facts(browser)["force"] == "(0, -1)"
+        assert facts(browser)["force (f_x, f_y)"] == "(0, -1)"
     enter(browser, force_y="-1/3")
     assert told(browser, "input.wrong") == []
     enter(browser, preload="-1")

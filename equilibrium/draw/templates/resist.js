@@ -41,7 +41,7 @@ function describe(point) {
       button.addEventListener("click", () => { state.wanted = codeOf(other.states); follow(); });
     });
   }
-  const list = point ? [["force", tuple(point.slice(0, 2).map(decimal)), true]] : [];
+  const list = point ? [["force (f_x, f_y)", tuple(point.slice(0, 2).map(decimal)), true]] : [];
   if (piece) {
     list.push(["states", piece.states.join(", ")]);
     if (state.found.length > 1) list.push(["", `${state.found.length} choices of states resist it`]);
@@ -55,12 +55,12 @@ function describe(point) {
     `forces at torque ${decimal(state.torque)}, ${preloadWords()}`;
 }
 
-// The exact conditions of a piece, in the force (x, y), the torque r and the preload factor p.
+// The exact conditions of a piece, in the wrench (f_x, f_y, τ) and the preload factor p.
 function conditions(piece) {
   const words = (row) => row.map((text, i) => {
     const size = text.replace("-", "");
     if (size === "0") return "";
-    return `${text.startsWith("-") ? "- " : "+ "}${size === "1" ? "" : size}${"xyrp"[i]}`;
+    return `${text.startsWith("-") ? "- " : "+ "}${size === "1" ? "" : `${size} `}${["f_x", "f_y", "τ", "p"][i]}`;
   }).filter(Boolean).join(" ").replace(/^\+ /, "").replace(/^- /, "-");
   return [...piece.raw.inequalities.map((row) => `${words(row)} ≥ 0`),
     ...piece.raw.equalities.map((row) => `${words(row)} = 0`)].join("\n") || "all wrenches";

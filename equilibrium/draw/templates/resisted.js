@@ -1,5 +1,5 @@
-// The resisted wrenches. A condition (a, b, c, d) says a x + b y + c r + d p >= 0 for the force
-// (x, y), the torque r and the factor p of the preloads: motion, forces, wrench and preload grow
+// The resisted wrenches. A condition (a, b, c, d) says a f_x + b f_y + c τ + d p >= 0 for the force
+// (f_x, f_y), the torque τ and the factor p of the preloads: motion, forces, wrench and preload grow
 // together, so that one exact set serves for every factor above 0.
 const sets = new Map(data.sets.map((set) => [set.name, set.pieces.map((piece) => readPiece(piece, set.name))]));
 

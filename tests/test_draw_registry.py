@@ -1,0 +1,134 @@
+"""The registries of drawings: options are those of the views, scenes know no format, no circles."""
+
+from __future__ import annotations
+
+import ast
+import importlib
+import inspect
+from collections.abc import Iterator
+from graphlib import CycleError, TopologicalSorter
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+from arrangement import InputError, read_arrangement
+from arrangement.cli import main as draw_planes
+from arrangement.draw import DRAWINGS as OF_PLANES
+from arrangement.draw.command import _KINDS
+from arrangement.draw.registry import Drawings
+from arrangement.draw.scene import Item, Label, Mark, Scene
+from equilibrium import read_grasp
+from equilibrium.cli.program import main as draw_grasp
+from equilibrium.draw import DRAWINGS as OF_GRASPS
+from tests.docpages import ROOT
+
+KINDS = ("view", "model", "page")
+ALL = [
+    (drawings, kind, name)
+    for drawings in (OF_PLANES, OF_GRASPS)
+    for kind in KINDS
+    for name in getattr(drawings, f"{kind}s")
+]
+SUBJECTS = {
+    "arrangement.draw": read_arrangement("braid-a3"),
+    "equilibrium.draw": read_grasp("paper-three-contacts-preload-1"),
+}
+
+
+def function(drawings: Drawings, kind: str, name: str) -> Any:
+    module, _, found = getattr(drawings, f"{kind}s")[name].partition(":")
+    return getattr(importlib.import_module(f"{drawings.package}.{module}"), found)
+
+
+@pytest.mark.parametrize(("drawings", "kind", "name"), ALL)
+def test_options_are_the_keyword_only_parameters(drawings: Drawings, kind: str, name: str) -> None:
+    """Read from the source without an import, they are what Python itself reports."""
+    parameters = inspect.signature(function(drawings, kind, name)).parameters.values()
+    expected = {p.name: p.default is p.empty for p in parameters if p.kind is p.KEYWORD_ONLY}
+    found = drawings.options(kind, name)
+    assert {option.name: option.required for option in found.values()} == expected
+    assert all(option.kind in _KINDS and option.text for option in found.values())
+
+
+@pytest.mark.parametrize(("drawings", "name"), [(d, n) for d, k, n in ALL if k == "view"])
+def test_a_view_makes_a_scene_that_knows_no_format(drawings: Drawings, name: str) -> None:
+    options = {"wrenches": [(0, 1, 0)]} if "wrenches" in drawings.options("view", name) else {}
+    scene = inspect.unwrap(function(drawings, "view", name))(SUBJECTS[drawings.package], **options)
+    assert isinstance(scene, Scene)
+    assert scene.items
+    assert {"label"} < {item.role for item in scene.items}
+    for item in scene.items:
+        assert isinstance(item, Item)
+        points = item.place if isinstance(item, Label | Mark) else item.points  # type: ignore[attr-defined]
+        assert np.isfinite(np.asarray(points)).all()
+
+
+@pytest.mark.parametrize(
+    ("drawings", "view", "options", "meant"),
+    [
+        (OF_PLANES, "spere", {}, "did you mean sphere"),
+        (OF_PLANES, "lattice", {"mobius": True}, "did you mean moebius"),
+        (OF_PLANES, "sphere", {"colour": "side"}, "did you mean sides"),
+        (OF_GRASPS, "slices", {}, "did you mean slice"),
+        (OF_GRASPS, "resist", {"extend": 3}, "did you mean extent"),
+    ],
+)
+def test_mistakes_name_the_nearest_names(
+    drawings: Drawings, view: str, options: dict[str, Any], meant: str, tmp_path: Path
+) -> None:
+    with pytest.raises(InputError, match=meant):
+        drawings.write(SUBJECTS[drawings.package], tmp_path / "a.svg", view, **options)
+    assert list(tmp_path.iterdir()) == []
+
+
+@pytest.mark.parametrize(
+    ("main", "words"),
+    [
+        (draw_planes, ["pencil", "--with", "90"]),
+        (draw_grasp, ["paper-three-contacts", "--with", "90"]),
+    ],
+)
+def test_the_command_line_names_the_nearest_option(
+    main: Any, words: list[str], capsys: pytest.CaptureFixture[str], tmp_path: Path
+) -> None:
+    with pytest.raises(SystemExit) as stopped:
+        main(["draw", *words, "-o", str(tmp_path / "a.svg")])
+    assert stopped.value.code == 2
+    assert "did you mean --width?" in capsys.readouterr().err
+
+
+def test_a_slice_takes_the_preload_of_its_last_part(tmp_path: Path) -> None:
+    command = ["draw", "paper-three-contacts", "--view", "slice", "--preload", "2"]
+    assert draw_grasp([*command, "-o", str(tmp_path / "a.svg")]) == 0
+    scene = inspect.unwrap(function(OF_GRASPS, "view", "slice"))(
+        read_grasp("paper-three-contacts"), preload=2
+    )
+    assert "(c) preload 2" in {item.text for item in scene.items if isinstance(item, Label)}
+
+
+def imports(path: Path, package: str) -> Iterator[str]:
+    """Yield the modules of a package that one of them names, inside functions too."""
+    for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+        if isinstance(node, ast.ImportFrom) and node.module:
+            if node.level == 1:
+                yield f"{package}.{node.module}"
+            elif node.level == 0 and node.module.startswith(package + "."):
+                yield node.module
+
+
+def test_no_circle_of_imports_among_the_drawings() -> None:
+    graph = {}
+    for package in ("arrangement.draw", "equilibrium.draw"):
+        for path in ROOT.joinpath(*package.split(".")).glob("*.py"):
+            graph[f"{package}.{path.stem}"] = set(imports(path, package))
+    assert len(graph) > 40
+    list(TopologicalSorter(graph).static_order())
+    graph["arrangement.draw.scene"].add("arrangement.draw.sphere")
+    with pytest.raises(CycleError):
+        list(TopologicalSorter(graph).static_order())
+    views = {f"{d.package}.{t.split(':')[0]}" for d in (OF_PLANES, OF_GRASPS)
+             for t in (*d.views.values(), *d.models.values(), *d.pages.values())}  # fmt: skip
+    for low in ("registry", "command", "scene", "figure", "output"):
+        assert not graph[f"arrangement.draw.{low}"] & views - {"arrangement.draw.sphere"}
