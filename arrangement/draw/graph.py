@@ -18,6 +18,7 @@ from .figure import picture
 from .globe import MAX_CIRCLES
 from .labels import SIZES, crosses, segments_meet, sign_forms, tried, write_beside
 from .scene import POINTS, Floats, Scene, checked_width
+from .solids import edges_of, flat_edges
 from .tutte import tutte_places
 
 _PAD: dict[str, Any] = {"plate": {"fc": "white", "ec": "none", "pad": 0.4}}
@@ -108,28 +109,20 @@ def planar_graph(arrangement: Arrangement) -> PlanarGraph:
     if arrangement.is_central and arrangement.rank in (1, 2):
         return _cycle(arrangement)
     dual = dual_polyhedron(arrangement)
-    pairs = [(int(u), int(v)) for u, v in dual.edges.tolist()]
     degrees = np.bincount(dual.edges.ravel()).tolist()
     outer = max(dual.faces, key=lambda f: (len(f), sum(min(degrees[v], 5) for v in f)))[::-1]
-    edges = tuple((u, v, c) for (u, v), c in zip(pairs, dual.edge_classes.tolist(), strict=True))
     places = tutte_places(len(dual.signs), dual.faces, outer)
-    return PlanarGraph(places, tuple(map(tuple, dual.signs.tolist())), edges, outer)
+    return PlanarGraph(places, tuple(map(tuple, dual.signs.tolist())), edges_of(dual), outer)
 
 
 def _cycle(arrangement: Arrangement) -> PlanarGraph:
     """Return the cycle of a pencil, or the one edge of a single plane."""
-    rank_two = arrangement.rank == 2
-    signs = (dual_polygon if rank_two else dual_segment)(arrangement).signs
+    signs = (dual_polygon if arrangement.rank == 2 else dual_segment)(arrangement).signs
     count = len(signs)
-    pairs = [(k, (k + 1) % count) for k in range(count if rank_two else 1)]
-    edges = tuple(
-        (u, v, arrangement.class_of[next(i for i, s in enumerate(signs[u]) if s != signs[v][i])])
-        for u, v in pairs
-    )
     at = math.pi * (1 - 1 / count) - 2 * math.pi * np.arange(count) / count
-    at += math.pi / 2 * (not rank_two)
+    at += math.pi / 2 * (count == 2)
     places = np.round(np.stack([np.cos(at), np.sin(at)], axis=1), 9) + 0.0
-    return PlanarGraph(places, signs, edges, tuple(range(count)))
+    return PlanarGraph(places, signs, flat_edges(arrangement, signs), tuple(range(count)))
 
 
 class _Picture:

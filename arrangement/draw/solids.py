@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from math import isqrt
+from typing import TypeAlias
 
 import numpy as np
 
@@ -15,6 +16,9 @@ from arrangement.polyhedra.dual import DualPolyhedron, dual_polygon, dual_polyhe
 from arrangement.polyhedra.inscribed import RepresentativeHull
 
 from .scene import Floats
+
+#: Vertex, vertex, and class of planes.
+Edge: TypeAlias = tuple[int, int, int]
 
 
 @dataclass(frozen=True)
@@ -52,19 +56,26 @@ def dual_solid(arrangement: Arrangement, direction: IntegerVector, axes: Floats)
     lengths = unit_lengths(arrangement)
     if arrangement.rank == 3:
         return _polyhedron(dual_polyhedron(arrangement, lengths), direction, axes)
-    if arrangement.rank == 2:
-        polygon = dual_polygon(arrangement, lengths)
-        corners, signs, count = polygon.vertices, polygon.signs, len(polygon.signs)
-        pairs = [(k, (k + 1) % count) for k in range(count)]
-    else:
-        segment = dual_segment(arrangement, lengths)
-        corners, signs, count = segment.vertices, segment.signs, 2
-        pairs = [(0, 1)]
-    edges = tuple((u, v, _crossed(arrangement, signs[u], signs[v])) for u, v in pairs)
-    seen = np.array([[float(x) for x in corner] for corner in corners]) @ axes.T
-    shown = (False,) * count
-    faces = ((tuple(range(count)), 1.0),) if count > 2 else ()
-    return Solid(seen, tuple(signs), edges, shown[: len(edges)], shown, faces)
+    flat = (dual_polygon if arrangement.rank == 2 else dual_segment)(arrangement, lengths)
+    edges = flat_edges(arrangement, flat.signs)
+    seen = np.array([[float(x) for x in corner] for corner in flat.vertices]) @ axes.T
+    shown = (False,) * len(flat.signs)
+    faces = ((tuple(range(len(shown))), 1.0),) if len(shown) > 2 else ()
+    return Solid(seen, tuple(flat.signs), edges, shown[: len(edges)], shown, faces)
+
+
+def flat_edges(arrangement: Arrangement, signs: Sequence[tuple[int, ...]]) -> tuple[Edge, ...]:
+    """Return the edges of a dual polygon, or of a segment, between regions in cyclic order."""
+    count = len(signs)
+    pairs = [(k, (k + 1) % count) for k in range(count if count > 2 else 1)]
+    return tuple((u, v, _crossed(arrangement, signs[u], signs[v])) for u, v in pairs)
+
+
+def edges_of(dual: DualPolyhedron) -> tuple[Edge, ...]:
+    """Return the edges of a dual polyhedron: vertex, vertex, and class of planes."""
+    return tuple(
+        (u, v, c) for (u, v), c in zip(dual.edges.tolist(), dual.edge_classes.tolist(), strict=True)
+    )
 
 
 def unit_lengths(arrangement: Arrangement) -> tuple[Fraction, ...]:
@@ -80,7 +91,8 @@ def unit_lengths(arrangement: Arrangement) -> tuple[Fraction, ...]:
 
 def _polyhedron(dual: DualPolyhedron, direction: IntegerVector, axes: Floats) -> Solid:
     towards = [dot(normal, direction) for normal in dual.face_normals]
-    pairs = [(int(u), int(v)) for u, v in dual.edges.tolist()]
+    edges = edges_of(dual)
+    pairs = [(u, v) for u, v, _ in edges]
     edge_hidden, vertex_hidden = _hidden(pairs, dual.faces, towards, len(dual.signs))
     points = np.array([[float(x) for x in vertex] for vertex in dual.vertices])
     normals = np.array(dual.face_normals, dtype=float) @ axes.T
@@ -90,7 +102,6 @@ def _polyhedron(dual: DualPolyhedron, direction: IntegerVector, axes: Floats) ->
         for cycle, tilt, ahead in zip(dual.faces, tilts, towards, strict=True)
         if ahead > 0
     )
-    edges = tuple((u, v, c) for (u, v), c in zip(pairs, dual.edge_classes.tolist(), strict=True))
     signs = tuple(map(tuple, dual.signs.tolist()))
     return Solid(points @ axes.T, signs, edges, edge_hidden, vertex_hidden, visible)
 
@@ -107,7 +118,7 @@ def hull_solid(hull: RepresentativeHull, direction: IntegerVector, axes: Floats)
         for triangle in hull.hull.triangles
     ]
     true, missing = sorted(hull.hull.true_edges), sorted(hull.missing)
-    shared = {(min(u, v), max(u, v)): c for u, v, c in _labelled(hull.dual)}
+    shared = {(min(u, v), max(u, v)): c for u, v, c in edges_of(hull.dual)}
     edge_hidden, vertex_hidden = _hidden(true, hull.hull.triangles, towards, len(points))
     heights = [dot(point, direction) for point in points]
     edges = [(u, v, shared.get((u, v), -1)) for u, v in true] + [(u, v, -2) for u, v in missing]
@@ -120,12 +131,6 @@ def hull_solid(hull: RepresentativeHull, direction: IntegerVector, axes: Floats)
     seen = np.array([[float(x) for x in point] for point in points]) @ axes.T
     signs = tuple(map(tuple, hull.dual.signs.tolist()))
     return Solid(seen, signs, tuple(edges), edge_hidden, vertex_hidden, faces)
-
-
-def _labelled(dual: DualPolyhedron) -> list[tuple[int, int, int]]:
-    return [
-        (u, v, c) for (u, v), c in zip(dual.edges.tolist(), dual.edge_classes.tolist(), strict=True)
-    ]
 
 
 def _hidden(
