@@ -6,12 +6,12 @@ every dimension (a line in R^2, a hyperplane in R^5).
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
 from itertools import combinations
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from .errors import InputError
 from .exact import (
@@ -25,10 +25,6 @@ from .exact import (
     to_text,
 )
 from .linear import rank
-
-if TYPE_CHECKING:
-    from .completeness import CompletenessEvidence
-    from .enumeration.great_circles import SphereArrangement
 
 
 @dataclass(frozen=True, slots=True)
@@ -46,12 +42,10 @@ class Face:
     witness: RationalVector
 
 
-class Arrangement:
-    """Finitely many planes ``n_i . x = b_i`` in R^d.
+class Planes:
+    """Finitely many planes ``n_i . x = b_i`` in R^d: a value that knows no algorithm.
 
-    Each plane keeps its own orientation and its place in the input. It is stored as the positive
-    multiple with coprime integer entries, so that equal planes compare equal: ``[2, 0, 0]`` and
-    ``[1, 0, 0]`` give equal arrangements, ``[-1, 0, 0]`` does not (its sides are exchanged).
+    `arrangement.Arrangement` is the same with its faces; its page says how planes are stored.
 
     Args:
         normals: m vectors of length d, exact numbers (see `arrangement.rational`).
@@ -61,9 +55,8 @@ class Arrangement:
     Raises:
         InputError: a float, a zero normal (named by its index), or lengths that differ.
 
-    >>> three = Arrangement([[1, 0, 0], [0, 1, 0], ["1/2", "1/3", 1]])
-    >>> three.f_vector
-    (1, 6, 12, 8)
+    >>> Planes([[2, 0, 0], [0, 1, 0], ["1/2", "1/3", 1]]).integer_planes
+    ((1, 0, 0, 0), (0, 1, 0, 0), (3, 2, 6, 0))
     """
 
     dimension: int
@@ -96,12 +89,10 @@ class Arrangement:
         self.__dict__.update(dimension=d, _integer_planes=planes)
 
     def __setattr__(self, name: str, value: object) -> None:
-        raise AttributeError(
-            f"an Arrangement is immutable, so {name} cannot be set; build a new one"
-        )
+        raise AttributeError(f"planes are immutable, so {name} cannot be set; build new ones")
 
     def __delattr__(self, name: str) -> None:
-        raise AttributeError(f"an Arrangement is immutable, so {name} cannot be deleted")
+        raise AttributeError(f"planes are immutable, so {name} cannot be deleted")
 
     def __getstate__(self) -> dict[str, Any]:
         """Copies and pickles carry the planes, not what was computed from them."""
@@ -126,7 +117,7 @@ class Arrangement:
         return len(self._integer_planes)
 
     def __eq__(self, other: object) -> bool:
-        if not isinstance(other, Arrangement):
+        if not isinstance(other, Planes):
             return NotImplemented
         return (self.dimension, self._integer_planes) == (other.dimension, other._integer_planes)
 
@@ -136,21 +127,9 @@ class Arrangement:
     def __repr__(self) -> str:
         kind = "central" if self.is_central else "affine"
         return (
-            f"<Arrangement: {len(self)} planes ({len(self.distinct)} distinct) in "
+            f"<{type(self).__name__}: {len(self)} planes ({len(self.distinct)} distinct) in "
             f"R^{self.dimension}, rank {self.rank}, {kind}>"
         )
-
-    def _repr_svg_(self) -> str | None:
-        """Return what a notebook shows: the great circles, where there are any."""
-        from .draw.notebook import arrangement_svg
-
-        return arrangement_svg(self)
-
-    def _repr_html_(self) -> str | None:
-        """Return what a notebook shows where there is no picture: a table of counts."""
-        from .draw.notebook import arrangement_html
-
-        return arrangement_html(self)
 
     @cached_property
     def class_of(self) -> tuple[int, ...]:
@@ -209,50 +188,6 @@ class Arrangement:
             raise InputError(f"point has {len(x)} coordinates; this space has {self.dimension}")
         integers = primitive((*x, Fraction(-1)))
         return tuple(sign(dot(plane, integers)) for plane in self._integer_planes)
-
-    def iter_faces(self, dimension: int | None = None) -> Iterator[Face]:
-        """Yield every face (of one dimension, if given) with an exact witness.
-
-        Order: by dimension, lowest first. Complexity: see `arrangement.enumeration.any_dimension`.
-        """
-        return iter(self.faces(dimension))
-
-    def faces(self, dimension: int | None = None) -> tuple[Face, ...]:
-        """Return every face, or those of one dimension, lowest dimension first."""
-        if dimension is None:
-            return tuple(face for level in self._faces for face in level)
-        if type(dimension) is not int or not 0 <= dimension <= self.dimension:
-            raise InputError(
-                f"dimension is {shown(dimension)}; faces have dimension 0 to {self.dimension}"
-            )
-        return self._faces[dimension]
-
-    @cached_property
-    def _faces(self) -> tuple[tuple[Face, ...], ...]:
-        from .enumeration.any_dimension import enumerate_faces
-
-        return enumerate_faces(self)
-
-    def regions(self) -> tuple[Face, ...]:
-        """Return the faces of full dimension: the cells that no plane meets."""
-        return self.faces(self.dimension)
-
-    @cached_property
-    def f_vector(self) -> tuple[int, ...]:
-        """The number of faces of dimension 0, 1, ..., d, by enumeration."""
-        return tuple(len(level) for level in self._faces)
-
-    def sphere(self) -> SphereArrangement:
-        """Return the great circles of a central arrangement in R^3, with their full incidence."""
-        from .enumeration.great_circles import sphere_arrangement
-
-        return sphere_arrangement(self)
-
-    def certify_complete(self) -> CompletenessEvidence:
-        """Compare `faces` with Zaslavsky's theorem, face by face and in number."""
-        from .completeness import certify_complete
-
-        return certify_complete(self)
 
     def to_dict(self) -> dict[str, Any]:
         """Return the file form (see `arrangement.read_arrangement`)."""
