@@ -155,6 +155,8 @@ def from_floats(values: Any) -> Any:
 
 def rational_vector(values: Any, name: str = "vector") -> RationalVector:
     """Return a sequence of accepted numbers as a tuple of `Fraction`; errors name the entry."""
+    if callable(getattr(values, "flat", None)):  # SymPy's matrices
+        values = values.flat()
     if isinstance(values, (str, bytes)) or not isinstance(values, Iterable):
         raise InputError(f"{name} is {shown(values)}; give a sequence of exact numbers")
     return tuple(rational(value, f"{name}[{i}]") for i, value in enumerate(values))

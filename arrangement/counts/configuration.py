@@ -1,4 +1,4 @@
-"""The vectors behind an arrangement, and the fraction-free elimination that counting rests on.
+"""The vectors behind an arrangement, in as few coordinates as their rank, and determinants.
 
 A central arrangement is the configuration of its normals. An affine one is homogenised: plane
 ``n . x = b`` becomes the vector ``(n, b)``, and one more vector, *infinity* ``(0, ..., 0, 1)``,
@@ -9,11 +9,12 @@ is outside the span of their vectors, and then the intersection has codimension 
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 from arrangement.exact import IntegerVector
 from arrangement.planes import Arrangement
+from arrangement.symbolic import integer_matrix
 
 
 @dataclass(frozen=True)
@@ -42,7 +43,7 @@ def configuration(arrangement: Arrangement) -> Configuration:
         vectors = [plane[:-1] for plane in planes]
     else:
         vectors = [*planes, (0,) * arrangement.dimension + (1,)]
-    columns = pivot_columns(vectors)
+    columns = pivot_columns(vectors, arrangement.dimension + (not arrangement.is_central))
     kept = [tuple(vector[j] for j in columns) for vector in vectors]
     infinity = None if arrangement.is_central else kept.pop()
     return Configuration(tuple(kept), infinity, len(columns))
@@ -61,33 +62,23 @@ def unoriented(vector: Sequence[int]) -> IntegerVector:
     return tuple(x // divisor for x in vector)
 
 
-def pivot_columns(rows: Iterable[Sequence[int]]) -> tuple[int, ...]:
-    """Return columns that form a basis of the column space; their number is the rank.
+def pivot_columns(rows: Sequence[Sequence[int]], width: int) -> tuple[int, ...]:
+    """Return the first columns that form a basis of the column space; their number is the rank.
 
-    Each row is reduced by the rows kept so far, without fractions. O(m d rank) operations.
+    A few rows mostly have the full rank, so they are asked before all of them.
     """
-    basis: list[tuple[int, IntegerVector]] = []
-    for row in rows:
-        if len(basis) == len(row):
+    for some in (rows[: 2 * width], rows):
+        pivots: tuple[int, ...] = integer_matrix(some, width).rref_den()[2]
+        if len(pivots) == width:
             break
-        for pivot, kept in basis:
-            if row[pivot]:
-                row = [x * kept[pivot] - y * row[pivot] for x, y in zip(row, kept, strict=True)]
-        row = unoriented(row)
-        if any(row):
-            basis.append((next(j for j, x in enumerate(row) if x), row))
-    return tuple(sorted(pivot for pivot, _ in basis))
-
-
-def rank(rows: Iterable[Sequence[int]]) -> int:
-    """Return the rank of integer rows."""
-    return len(pivot_columns(rows))
+    return pivots
 
 
 def determinant(rows: Sequence[Sequence[int]]) -> int:
     """Return the determinant of a square integer matrix by Bareiss' fraction-free elimination.
 
-    Every division is exact, and every intermediate number is a minor of the matrix.
+    Every division is exact, and every intermediate number is a minor of the matrix. A chirotope
+    takes many tiny determinants: SymPy's take 1.3 to 2.2 times as long in all.
     Source: E. Bareiss, Math. Comp. 22 (1968).
 
     >>> determinant([[2, 1], [1, 3]])

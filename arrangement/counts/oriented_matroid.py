@@ -40,7 +40,7 @@ def chirotope(arrangement: Arrangement) -> Mapping[tuple[int, ...], int]:
     if not arrangement.is_central:
         raise InputError("the arrangement is not central; take the chirotope of its cone")
     normals = [plane[:-1] for plane in arrangement.integer_planes]
-    columns = pivot_columns(normals)
+    columns = pivot_columns(normals, arrangement.dimension)
     rows = [[normal[j] for j in columns] for normal in normals]
     return {
         chosen: sign(determinant([rows[i] for i in chosen]))
