@@ -10,9 +10,9 @@ from pathlib import Path
 from random import Random
 from typing import Any
 
+from arrangement.arrangement import Arrangement
 from arrangement.io.writing import write_text_atomically
 from arrangement.library.census import census
-from arrangement.planes import Arrangement
 
 from .claim import Verdict
 from .errors import OwnClaimError

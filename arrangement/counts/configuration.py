@@ -13,7 +13,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from arrangement.exact import IntegerVector
-from arrangement.planes import Arrangement
+from arrangement.planes import Planes
 from arrangement.symbolic import integer_matrix
 
 
@@ -32,7 +32,7 @@ class Configuration:
     rank: int
 
 
-def configuration(arrangement: Arrangement) -> Configuration:
+def configuration(arrangement: Planes) -> Configuration:
     """Return the vectors of an arrangement in as few coordinates as their rank.
 
     The coordinates kept are the pivot columns. Leaving out the others is injective on the span,

@@ -13,7 +13,7 @@ from functools import cached_property
 
 from arrangement.errors import InputError
 from arrangement.exact import IntegerVector
-from arrangement.planes import Arrangement
+from arrangement.planes import Planes
 
 from .configuration import Configuration, configuration, unoriented
 from .low_rank import WhitneyMatrix, rank_two_groups
@@ -47,7 +47,7 @@ class IntersectionLattice:
         covers: for each flat, positions in the next level of the flats that cover it.
     """
 
-    arrangement: Arrangement
+    arrangement: Planes
     masks: tuple[tuple[int, ...], ...] = field(repr=False)
     covers: tuple[tuple[tuple[int, ...], ...], ...] = field(repr=False)
 
@@ -123,7 +123,7 @@ class IntersectionLattice:
         return levels
 
 
-def intersection_lattice(arrangement: Arrangement) -> IntersectionLattice:
+def intersection_lattice(arrangement: Planes) -> IntersectionLattice:
     """Return every flat of an arrangement, with covers and Moebius function.
 
     Hypotheses: none; central or affine, any rank, coincident planes allowed.
@@ -134,6 +134,7 @@ def intersection_lattice(arrangement: Arrangement) -> IntersectionLattice:
 
     Source: R. Stanley, An Introduction to Hyperplane Arrangements (2007), lectures 1 to 3.
 
+    >>> from arrangement import Arrangement
     >>> braid = Arrangement([[1, -1, 0], [1, 0, -1], [0, 1, -1]])
     >>> lattice = intersection_lattice(braid)
     >>> [len(level) for level in lattice.flats]
@@ -161,9 +162,10 @@ def intersection_lattice(arrangement: Arrangement) -> IntersectionLattice:
     return IntersectionLattice(arrangement, tuple(masks), tuple(covers))
 
 
-def moebius(arrangement: Arrangement) -> Mapping[Flat, int]:
+def moebius(arrangement: Planes) -> Mapping[Flat, int]:
     """Return mu(whole space, X) for every flat X; see `intersection_lattice`.
 
+    >>> from arrangement import Arrangement
     >>> values = moebius(Arrangement([[1, 0], [0, 1], [1, 1]]))
     >>> sorted(values.values())
     [-1, -1, -1, 1, 2]
@@ -270,7 +272,7 @@ def _bits(mask: int) -> tuple[int, ...]:
     return tuple(found)
 
 
-def _checked(arrangement: Arrangement, plane: int) -> int:
+def _checked(arrangement: Planes, plane: int) -> int:
     """Return a plane index, or refuse it."""
     if isinstance(plane, bool) or not 0 <= plane < len(arrangement):
         raise InputError(

@@ -23,13 +23,11 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 from fractions import Fraction
-from typing import TYPE_CHECKING, TypeAlias
+from typing import TypeAlias
 
 from arrangement.exact import IntegerVector, dot
 from arrangement.linear import cut, rank, reduced, unit_vectors
-
-if TYPE_CHECKING:
-    from arrangement.planes import Arrangement, Face
+from arrangement.planes import Face, Planes
 
 #: (mask of the planes with sign +, mask of the planes with sign -)
 Signs: TypeAlias = tuple[int, int]
@@ -37,7 +35,7 @@ Signs: TypeAlias = tuple[int, int]
 Level: TypeAlias = dict[Signs, IntegerVector]
 
 
-def enumerate_faces(arrangement: Arrangement) -> tuple[tuple[Face, ...], ...]:
+def enumerate_faces(arrangement: Planes) -> tuple[tuple[Face, ...], ...]:
     """Return the faces of dimension 0, 1, ..., d (see `Arrangement.faces`)."""
     first = [arrangement.integer_planes[members[0]] for members in arrangement.distinct]
     d = arrangement.dimension
@@ -55,10 +53,8 @@ def enumerate_faces(arrangement: Arrangement) -> tuple[tuple[Face, ...], ...]:
     return tuple(by_dimension)
 
 
-def _as_faces(arrangement: Arrangement, level: Level, dimension: int) -> tuple[Face, ...]:
+def _as_faces(arrangement: Planes, level: Level, dimension: int) -> tuple[Face, ...]:
     """Translate masks over classes into sign vectors over the input planes."""
-    from arrangement.planes import Face
-
     bits = [1 << label for label in arrangement.class_of]
     flips = arrangement.orientation
     central = arrangement.is_central

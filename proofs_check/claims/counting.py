@@ -7,9 +7,9 @@ from collections.abc import Iterator
 from typing import Any
 
 from arrangement import counts
+from arrangement.arrangement import Arrangement
 from arrangement.enumeration.great_circles import sphere_arrangement
 from arrangement.enumeration.paper_steps import published_enumeration
-from arrangement.planes import Arrangement
 from proofs_check.claim import Case, Claim, Hypothesis, Kind, Route, Verdict
 from proofs_check.instances.arrangements import (
     arrangement_case,

@@ -9,8 +9,8 @@ from functools import lru_cache
 import networkx as nx
 
 from arrangement import counts
+from arrangement.arrangement import Arrangement
 from arrangement.enumeration.paper_steps import published_enumeration
-from arrangement.planes import Arrangement
 from proofs_check.claim import Case, Claim, Hypothesis, Kind, Route, Verdict
 from proofs_check.instances.arrangements import (
     census_cases,
