@@ -176,6 +176,35 @@ def primitive(vector: Sequence[Fraction | int]) -> IntegerVector:
     return tuple(integers) if divisor <= 1 else tuple(x // divisor for x in integers)
 
 
+def unoriented(vector: Sequence[int]) -> IntegerVector:
+    """Return the coprime multiple whose first nonzero entry is positive: one name for a line.
+
+    >>> unoriented([0, -4, 6])
+    (0, 2, -3)
+    """
+    divisor = math.gcd(*vector)
+    for x in vector:
+        if x:
+            if x < 0:
+                divisor = -divisor
+            break
+    return tuple(vector) if divisor in (0, 1) else tuple(x // divisor for x in vector)
+
+
+def bits(mask: int) -> tuple[int, ...]:
+    """Return the positions of the ones of a mask, increasing.
+
+    >>> bits(0b1101)
+    (0, 2, 3)
+    """
+    found = []
+    while mask:
+        lowest = mask & -mask
+        found.append(lowest.bit_length() - 1)
+        mask ^= lowest
+    return tuple(found)
+
+
 def to_text(value: Fraction | int) -> str:
     """Return the canonical text of a rational of any size: ``"7/3"``, ``"2"``, ``"-1/2"``."""
     numerator = _integer_text(value.numerator)

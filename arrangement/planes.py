@@ -23,6 +23,7 @@ from .exact import (
     shown,
     sign,
     to_text,
+    unoriented,
 )
 from .linear import rank
 from .symbolic import equations_of, integer_matrix, planes_of, to_sympy
@@ -185,7 +186,7 @@ class Planes:
     def class_of(self) -> tuple[int, ...]:
         """For each plane, the index of its class of coincident planes."""
         index: dict[IntegerVector, int] = {}
-        return tuple(index.setdefault(_unoriented(p), len(index)) for p in self._integer_planes)
+        return tuple(index.setdefault(unoriented(p), len(index)) for p in self._integer_planes)
 
     @cached_property
     def distinct(self) -> tuple[tuple[int, ...], ...]:
@@ -276,9 +277,3 @@ def _common_length(rows: list[RationalVector], dimension: int | None) -> int:
                 "all normals need one entry for each coordinate"
             )
     return dimension
-
-
-def _unoriented(plane: IntegerVector) -> IntegerVector:
-    """Return the plane or its negative, whichever has a positive leading entry."""
-    leading = next(x for x in plane if x)
-    return plane if leading > 0 else tuple(-x for x in plane)

@@ -1,4 +1,4 @@
-"""The vectors behind an arrangement, in as few coordinates as their rank, and determinants.
+"""The vectors behind an arrangement, in as few coordinates as their rank.
 
 A central arrangement is the configuration of its normals. An affine one is homogenised: plane
 ``n . x = b`` becomes the vector ``(n, b)``, and one more vector, *infinity* ``(0, ..., 0, 1)``,
@@ -8,7 +8,6 @@ is outside the span of their vectors, and then the intersection has codimension 
 
 from __future__ import annotations
 
-import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 
@@ -49,19 +48,6 @@ def configuration(arrangement: Planes) -> Configuration:
     return Configuration(tuple(kept), infinity, len(columns))
 
 
-def unoriented(vector: Sequence[int]) -> IntegerVector:
-    """Return the coprime multiple whose first nonzero entry is positive: one name for a line."""
-    divisor = math.gcd(*vector)
-    if divisor == 0:
-        return tuple(vector)
-    for x in vector:
-        if x:
-            if x < 0:
-                divisor = -divisor
-            break
-    return tuple(x // divisor for x in vector)
-
-
 def pivot_columns(rows: Sequence[Sequence[int]], width: int) -> tuple[int, ...]:
     """Return the first columns that form a basis of the column space; their number is the rank.
 
@@ -72,31 +58,3 @@ def pivot_columns(rows: Sequence[Sequence[int]], width: int) -> tuple[int, ...]:
         if len(pivots) == width:
             break
     return pivots
-
-
-def determinant(rows: Sequence[Sequence[int]]) -> int:
-    """Return the determinant of a square integer matrix by Bareiss' fraction-free elimination.
-
-    Every division is exact, and every intermediate number is a minor of the matrix. A chirotope
-    takes many tiny determinants: SymPy's take 1.3 to 2.2 times as long in all.
-    Source: E. Bareiss, Math. Comp. 22 (1968).
-
-    >>> determinant([[2, 1], [1, 3]])
-    5
-    """
-    matrix = [list(row) for row in rows]
-    size, sign, previous = len(matrix), 1, 1
-    for k in range(size):
-        swap = next((i for i in range(k, size) if matrix[i][k]), None)
-        if swap is None:
-            return 0
-        if swap != k:
-            matrix[k], matrix[swap] = matrix[swap], matrix[k]
-            sign = -sign
-        pivot = matrix[k][k]
-        for row in matrix[k + 1 :]:
-            factor = row[k]
-            for j in range(k + 1, size):
-                row[j] = (row[j] * pivot - factor * matrix[k][j]) // previous
-        previous = pivot
-    return sign * previous

@@ -131,7 +131,9 @@ def flat_chart(arrangement: Planes, planes: Indices) -> Chart:
     echelon, scale, pivots = arrangement.matrix.extract(chosen, range(dimension + 1)).rref_den()
     if dimension in pivots:
         raise InputError(f"planes {sorted(chosen)} have no common point")
-    rows = {pivot: [int(x) for x in row] for pivot, row in zip(pivots, echelon.to_list())}
+    rows = {
+        pivot: [int(x) for x in row] for pivot, row in zip(pivots, echelon.to_list(), strict=False)
+    }
     scale = int(scale)
     origin = tuple(
         Fraction(rows[j][dimension], scale) if j in rows else Fraction(0) for j in range(dimension)

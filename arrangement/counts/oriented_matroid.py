@@ -13,9 +13,10 @@ from itertools import combinations
 
 from arrangement.errors import InputError
 from arrangement.exact import sign
+from arrangement.linear import determinant
 from arrangement.planes import Planes
 
-from .configuration import determinant, pivot_columns
+from .configuration import pivot_columns
 from .operations import cone
 
 SignVector = tuple[int, ...]
