@@ -7,9 +7,11 @@ import json
 from collections.abc import Sequence
 
 from . import terminal
+from .arrangement import Arrangement
 from .exact import to_text
 from .io import files
-from .planes import Arrangement, Face
+from .io.arrangements import read_arrangement
+from .planes import Face
 
 _SYMBOLS = {1: "+", 0: "0", -1: "-"}
 
@@ -66,7 +68,7 @@ def _add_file(parser: argparse.ArgumentParser) -> None:
 
 
 def _count(arguments: argparse.Namespace) -> int:
-    arrangement = files.read_arrangement(arguments.file)
+    arrangement = read_arrangement(arguments.file)
     counts = {
         "planes": len(arrangement),
         "distinct_planes": len(arrangement.distinct),
@@ -87,7 +89,7 @@ def _count(arguments: argparse.Namespace) -> int:
 
 
 def _faces(arguments: argparse.Namespace) -> int:
-    arrangement: Arrangement = files.read_arrangement(arguments.file)
+    arrangement: Arrangement = read_arrangement(arguments.file)
     for face in arrangement.iter_faces(arguments.dimension):
         if arguments.json:
             terminal.print_json(
@@ -134,7 +136,7 @@ def _draw(arguments: argparse.Namespace) -> int:
     from .draw.command import given_options, write
     from .draw.views import DRAWINGS
 
-    arrangement = files.read_arrangement(arguments.file)
+    arrangement = read_arrangement(arguments.file)
     return write(arguments, DRAWINGS, arrangement, given_options(arguments, DRAWINGS))
 
 

@@ -6,8 +6,8 @@ from typing import Any
 
 import numpy as np
 
+from arrangement.arrangement import Arrangement
 from arrangement.exact import IntegerVector
-from arrangement.planes import Arrangement
 from arrangement.polyhedra.dual import dual_polyhedron
 from arrangement.polyhedra.inscribed import representative_hull
 

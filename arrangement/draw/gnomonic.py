@@ -6,8 +6,8 @@ import math
 
 import numpy as np
 
+from arrangement.arrangement import Arrangement
 from arrangement.exact import IntegerVector
-from arrangement.planes import Arrangement
 
 from .colours import Painter, painter
 from .disc import alone, front, key_entries, plane_names

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from html import escape
 
+from arrangement.arrangement import Arrangement
 from arrangement.errors import MissingExtraError
-from arrangement.planes import Arrangement
 
 from .globe import MAX_CIRCLES
 from .output import require_matplotlib, svg_text

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
-from arrangement.planes import Arrangement
+from arrangement.arrangement import Arrangement
 from arrangement.polyhedra.cells import cut_cells, read_signs
 
 from .colours import chosen, fill_colour

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from arrangement.planes import Arrangement
+from arrangement.arrangement import Arrangement
 
 from .colours import DrawnRegion, Painter, painter
 from .disc import Disc, alone, front, key_entries

@@ -11,7 +11,6 @@ import numpy as np
 from arrangement.draw.colours import BLACK, BLUE, GREY, PALE, VERMILION
 from arrangement.draw.figure import picture
 from arrangement.draw.labels import flattened
-from arrangement.draw.output import svg_text
 from arrangement.draw.registry import Corner, Wrench
 from arrangement.draw.scene import POINTS, Floats, Scene
 from equilibrium.model.errors import GraspError
@@ -59,11 +58,6 @@ def draw_grasp(
         raise GraspError("without a wrench nothing is solved; give one with the piece")
     verdict = None if wrench is None else solve(grasp, read_wrench(wrench))
     return _drawn(layout_of(grasp, verdict, outline, piece), width)
-
-
-def grasp_svg(grasp: Grasp) -> str | None:
-    """Return the view grasp as SVG text; None without matplotlib."""
-    return svg_text(lambda: draw_grasp(grasp))
 
 
 def _content(layout: Layout) -> Floats:
