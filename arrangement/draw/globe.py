@@ -17,6 +17,7 @@ from arrangement.arrangement import Arrangement
 from arrangement.enumeration.great_circles import sphere_arrangement
 from arrangement.errors import InputError
 from arrangement.exact import IntegerVector, primitive, rational_vector
+from arrangement.planes import Planes
 
 Floats = npt.NDArray[np.float64]
 #: Circles beyond which a picture of one column shows nothing.
@@ -89,7 +90,7 @@ def clear_direction(
     return views[int(np.argmax(np.round(np.where(high, score, -1.0), 9)))]
 
 
-def best_direction(arrangement: Arrangement, score: Callable[[Floats], Floats]) -> IntegerVector:
+def best_direction(arrangement: Planes, score: Callable[[Floats], Floats]) -> IntegerVector:
     """Return the direction with the highest score of its unit vector, on the fewest planes."""
     views = [v for v in product(range(-7, 8), repeat=3) if any(v) and primitive(v) == v]
     scores = np.round(score(unit_vectors(views)), 6)
