@@ -39,7 +39,8 @@ def figure(scene: Scene) -> Figure:
     require_matplotlib()
     from matplotlib.figure import Figure
 
-    made = Figure(figsize=(scene.width / 72, scene.height / 72), dpi=DPI)
+    width, height = scene.paper
+    made = Figure(figsize=(width / 25.4, height / 25.4), dpi=DPI)
     axes: Any = made.add_axes((0.0, 0.0, 1.0, 1.0))
     axes.set(xlim=(0, scene.width), ylim=(0, scene.height))
     axes.set_axis_off()

@@ -105,6 +105,7 @@ class Scene:
     """A sheet of paper on which `write` lets no label cover another or leave the sheet.
 
     Attributes:
+        paper: width and height in millimetres.
         width, height: in points.
         items: in the order in which they were added.
         boxes: what is covered by labels so far.
@@ -113,6 +114,7 @@ class Scene:
     def __init__(self, width: float, height: float) -> None:
         """Take width and height in millimetres."""
         require_matplotlib()
+        self.paper = width, height
         self.width, self.height = width * POINTS, height * POINTS
         self.items: list[Item] = []
         self.boxes: list[Box] = []

@@ -165,11 +165,11 @@ class _Picture:
             if preload > 0:
                 away = p - preload * n
                 arrow(scene, away, p - 3.2 * n * (preload > 12), fc="white", ec=GREY, lw=0.7,
-                      gid=f"preload-{i + 1}", zorder=3.5)  # fmt: skip
+                      size=1.6, gid=f"preload-{i + 1}", zorder=3.5)  # fmt: skip
                 labels.avoid_line(away, p)
             if arm is not None:
                 end = p + self.scale * arm
-                arrow(scene, p, end, fc=BLACK, ec="none", gid=f"force-{i + 1}", zorder=5.5)
+                arrow(scene, p, end, 1.0, fc=BLACK, ec="none", gid=f"force-{i + 1}", zorder=5.5)
                 labels.avoid_line(p, end)
             if layout.found is not None:
                 # Marks of contacts at one place stand one behind the other.

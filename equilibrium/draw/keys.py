@@ -16,10 +16,10 @@ from .style import CONE_EDGE, CONE_FILL, RIM
 WIDTH = 5.5 * POINTS
 
 _ARROWS: dict[str, dict[str, Any]] = {
-    "force": {"fc": BLACK, "ec": "none"},
+    "force": {"fc": BLACK, "ec": "none", "size": 1.0},
     "wrench": {"fc": VERMILION, "ec": "none"},
     "shift": {"fc": BLUE, "ec": "none"},
-    "preload": {"fc": "white", "ec": GREY, "lw": 0.7},
+    "preload": {"fc": "white", "ec": GREY, "lw": 0.7, "size": 1.6},
 }
 _LINES: dict[str, dict[str, Any]] = {
     "motion": {"ec": BLUE, "lw": 0.9, "ls": (0, (1, 1.5))},
@@ -34,7 +34,7 @@ MARKS: dict[str, tuple[str, float, dict[str, Any]]] = {
     "refused": ("x", 5, {"mew": 1.6, "color": VERMILION}),
     "accepted": ("o", 4.5, {"color": BLACK}),
     "refusal": ("x", 4, {"mew": 1.0, "color": BLACK}),
-    "silence": ("_", 4.5, {"mew": 0.8, "color": BLACK}),
+    "silence": ("_", 5, {"mew": 0.8, "color": BLACK}),
     "dot": ("o", 2.2, {"color": BLUE}),
     "cross": ("x", 4, {"mew": 1.1, "color": VERMILION}),
 }

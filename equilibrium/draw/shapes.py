@@ -11,14 +11,18 @@ import numpy as np
 from arrangement.draw.scene import FONT, Floats, Scene
 
 
-def arrow(scene: Scene, start: Floats, end: Floats, **style: Any) -> None:
-    """Draw an arrow, at least 2.5 points long so that what is not zero can be seen."""
+def arrow(scene: Scene, start: Floats, end: Floats, size: float = 1.5, **style: Any) -> None:
+    """Draw an arrow, never so short that what is not zero cannot be seen.
+
+    Args:
+        size: of its head, and of its least length, in units of 2.5 points.
+    """
     along = end - start
     along = along / float(np.linalg.norm(along))
-    length = max(float(np.linalg.norm(end - start)), 2.5)
+    length = max(float(np.linalg.norm(end - start)), 2.5 * size)
     side = np.array([-along[1], along[0]])
-    head = min(6.5, 0.7 * length)
-    wide, thin = 0.42 * head, min(0.8, 0.1 * head)
+    head = min(6.5 * size, 0.7 * length)
+    wide, thin = 0.42 * head, min(0.8 * size, 0.1 * head)
     end = start + length * along
     neck = end - head * along
     corners = [

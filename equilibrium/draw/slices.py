@@ -66,7 +66,7 @@ def draw_parts(
     if fades:
         legend.key("fade", "without end")
     if question.wrench is not None:
-        legend.key("wrench-points", f"w = {vector(question.wrench)}, resisted or not")
+        legend.key("wrench-points", f"w = {vector(question.wrench)}: yes, no")
     scene, panels = row_of_panels(len(parts), window, legend, grasp, columns)
     for panel, (title, region) in zip(panels, parts, strict=True):
         panel.title(title)
