@@ -16,6 +16,9 @@ PALETTE = ("#ffffff", "#fdf0c0", "#b9dfd3", "#7fb9d8", "#6a96c8", "#8a7fb5")
 #: Inks; the colours are those of Okabe and Ito.
 BLACK, GREY, PALE, BLUE, VERMILION = "#000000", "#767676", "#f2f2f2", "#0072b2", "#d55e00"
 
+#: The surface of a ball or cube on its cells.
+SKIN = "#f3ead8"
+
 #: For planes, when each has a colour of its own (P. Tol's muted scheme, dark ones first). A number
 #: stands beside every use.
 PLANE_COLOURS = (

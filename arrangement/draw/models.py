@@ -12,13 +12,10 @@ from arrangement.polyhedra.cells import Cell, Cells, cut_cells
 from arrangement.polyhedra.dual import dual_polyhedron
 from arrangement.polyhedra.dual.mesh import content
 
-from .colours import DrawnRegion, Painter, fill_colour, painter, pale, side_colour
+from .colours import SKIN, DrawnRegion, Painter, fill_colour, painter, pale, side_colour
 from .output import millimetres
 from .painting import unit_points
 from .registry import Exact, Vector
-
-#: The surface of the body on a cell.
-SKIN = "#f3ead8"
 
 
 def dual_model(arrangement: Arrangement, suffix: str, *, size: float = 60.0) -> bytes:

@@ -5,10 +5,13 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from functools import partial
+from itertools import groupby
 from typing import Any, TypeAlias
 
 import numpy as np
 
+from .colours import SKIN
 from .exploded_cells import Lifted
 from .globe import Floats
 from .painting import Facet, Key, Stage
@@ -22,8 +25,6 @@ WHITE = 0.42
 LIGHT = np.array([-0.35, 0.65, 0.68]) / np.linalg.norm([-0.35, 0.65, 0.68])
 #: Room for the numbers around the body, in points.
 MARGIN = 15.0
-#: The surface of the body on a lifted cell.
-SKIN = "#f3ead8"
 
 
 @dataclass(frozen=True)
@@ -55,7 +56,7 @@ class PlanesSheet:
         self.stage, self.lifted, self.paint = stage, lifted, paint
         self.round = stage.cells.body.kind == "ball"
         self.outline = self._outline()
-        low, high = self._frame()
+        low, high = self.outline.min(axis=0), self.outline.max(axis=0)
         loose = [item.corners[:, :2] for item in lifted] or [np.zeros((1, 2))]
         corner = np.concatenate(loose)
         least, most = corner.min(axis=0), corner.max(axis=0)
@@ -91,9 +92,6 @@ class PlanesSheet:
         outline: Floats = flat[ConvexHull(flat).vertices]
         return outline
 
-    def _frame(self) -> tuple[Floats, Floats]:
-        return self.outline.min(axis=0), self.outline.max(axis=0)
-
     # Pieces, back to front
 
     def _paint_all(self) -> None:
@@ -103,53 +101,40 @@ class PlanesSheet:
         stage = self.stage
         todo: list[tuple[int, Key, Callable[[], None]]] = []
         for number, facet in enumerate(stage.facets):
-            todo.append((0, stage.key(facet.sides), self._facet(facet, number)))
+            todo.append((0, stage.key(facet.sides), partial(self._facet, facet, number)))
         for item in self.lifted:
             key = stage.key(item.cell.sides) if item.place == 0 else ()
-            todo.append((item.place, key, self._solid(item)))
+            todo.append((item.place, key, partial(self._solid, item)))
         for key, signs, ends in self._frame_pieces():
             if signs not in gone:
-                todo.append((0, key, self._frame_line(ends)))
+                style = {"lw": 0.5, "ec": "#555555"}
+                todo.append((0, key, partial(self._line, self.place(ends), style)))
         todo.sort(key=lambda item: item[:2])
-        for step, (_, _, act) in enumerate(todo):
+        for step, (_, _, paint) in enumerate(todo):
             self.z = 1 + step / (len(todo) + 1)
-            act()
+            paint()
 
-    def _facet(self, facet: Facet, number: int) -> Callable[[], None]:
+    def _facet(self, facet: Facet, number: int) -> None:
         stage = self.stage
-        members = stage.arrangement.distinct[facet.label]
         normal = stage.planes[facet.label][0]
         drawn = DrawnFacet(facet.label, stage.signs(facet.sides), (normal[0], normal[1], normal[2]))
-        colour = _pale(self.paint(drawn))
         corners = self.place(stage.points[list(facet.corners)])
-        name = f"facet-{number}-plane-{members[0] + 1}"
-
-        def act() -> None:
-            self.areas.append((self.z, corners))
-            self.scene.polygon(
-                corners, fc=colour, ec="none", alpha=OPACITY, zorder=self.z, gid=name
-            )
-            for rim, style in ((True, {"lw": 0.9}), (False, {"lw": 0.55})):
-                self._edges(corners, [r is rim for r in facet.rim], style)
-
-        return act
+        name = f"facet-{number}-plane-{stage.arrangement.distinct[facet.label][0] + 1}"
+        self.areas.append((self.z, corners))
+        style = {"alpha": OPACITY, "zorder": self.z, "gid": name}
+        self.scene.polygon(corners, fc=_pale(self.paint(drawn)), ec="none", **style)
+        for rim, line in ((True, {"lw": 0.9}), (False, {"lw": 0.55})):
+            self._edges(corners, [r is rim for r in facet.rim], line)
 
     def _edges(self, corners: Floats, wanted: list[bool], style: dict[str, Any]) -> None:
         """Draw the wanted edges of a polygon as few open lines."""
         n = len(corners)
-        if not any(wanted):
-            return
         start = next((k for k in range(n) if wanted[k] and not wanted[k - 1]), 0)
-        run: list[Any] = []
-        for k in range(start, start + n):
-            if wanted[k % n]:
-                run = run or [corners[k % n]]
-                run.append(corners[(k + 1) % n])
-            elif run:
-                self._line(run, style)
-                run = []
-        if run:
-            self._line(run, style)
+        edges = [(start + k) % n for k in range(n)]
+        for drawn, run in groupby(edges, key=lambda k: wanted[k]):
+            if drawn:
+                firsts = list(run)
+                self._line(corners[[*firsts, (firsts[-1] + 1) % n]], style)
 
     def _line(self, points: Any, style: dict[str, Any]) -> None:
         base = {"ec": "black", "capstyle": "round", "joinstyle": "round", "zorder": self.z}
@@ -183,31 +168,24 @@ class PlanesSheet:
                 runs.append(np.column_stack([np.cos(angles), np.sin(angles), 0 * angles]))
         return runs
 
-    def _frame_line(self, ends: Floats) -> Callable[[], None]:
-        return lambda: self._line(self.place(ends), {"lw": 0.5, "ec": "#555555"})
-
-    def _solid(self, item: Lifted) -> Callable[[], None]:
+    def _solid(self, item: Lifted) -> None:
         """Paint a lifted cell: its visible faces, shaded, then its edges."""
         name = "cell-" + "".join("+" if s > 0 else "-" for s in item.cell.signs)
-
-        def act() -> None:
-            self.painted_at[item.cell.signs] = self.z
-            self.areas += [(self.z, self.place(loop)) for loop in item.visible_outlines(self.round)]
-            for k in item.visible:
-                face, wall = item.cell.faces[k], item.cell.walls[k]
-                corners, normal = item.points[list(face)], item.normals[k]
-                if wall < 0 and self.round:
-                    normal = corners.mean(axis=0) - item.shift
-                    normal = normal / np.linalg.norm(normal)
-                colour = _shaded(SKIN if wall < 0 else self.colour(wall), normal)
-                self.scene.polygon(
-                    self.place(corners), fc=colour, ec=colour, lw=0.3,
-                    zorder=self.z, joinstyle="round", gid=name,
-                )  # fmt: skip
-            for segment in item.outlines():
-                self._line(self.place(segment), {"lw": 0.9})
-
-        return act
+        self.painted_at[item.cell.signs] = self.z
+        self.areas += [(self.z, self.place(loop)) for loop in item.visible_outlines(self.round)]
+        for k in item.visible:
+            face, wall = item.cell.faces[k], item.cell.walls[k]
+            corners, normal = item.points[list(face)], item.normals[k]
+            if wall < 0 and self.round:
+                normal = corners.mean(axis=0) - item.shift
+                normal = normal / np.linalg.norm(normal)
+            colour = _shaded(SKIN if wall < 0 else self.colour(wall), normal)
+            self.scene.polygon(
+                self.place(corners), fc=colour, ec=colour, lw=0.3,
+                zorder=self.z, joinstyle="round", gid=name,
+            )  # fmt: skip
+        for segment in item.outlines():
+            self._line(self.place(segment), {"lw": 0.9})
 
     def colour(self, label: int) -> Colour:
         """Return the colour of a plane, as its facets have it."""
