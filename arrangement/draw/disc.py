@@ -172,29 +172,15 @@ def key_entries(
 ) -> list[tuple[str, dict[str, Any]]]:
     """Return the legend of a colouring for the regions that are drawn, for `Scene.keys`."""
     if colour == "sides":
-        return side_entries(drawn)
-    return sign_entries(drawn, paint) if colour == "signs" else []
-
-
-def side_entries(drawn: Sequence[DrawnRegion]) -> list[tuple[str, dict[str, Any]]]:
-    """Return the legend of the colouring by sides, for `Scene.keys`."""
-    return [
-        (f"{k} sides" if k > 1 else "1 side", {"fc": side_colour(k)})
-        for k in sorted({region.sides for region in drawn})
-        if k
-    ]
-
-
-def sign_entries(drawn: Sequence[DrawnRegion], paint: Painter) -> list[tuple[str, dict[str, Any]]]:
-    """Return the legend of the colouring by minus signs, for `Scene.keys`."""
+        numbers = sorted({region.sides for region in drawn} - {0})
+        return [(f"{k} sides" if k > 1 else "1 side", {"fc": side_colour(k)}) for k in numbers]
     groups: dict[str, set[int]] = {}
-    for region in drawn:
+    for region in drawn if colour == "signs" else ():
         groups.setdefault(paint(region), set()).add(region.signs.count(-1))
-    entries = []
-    for colour, counts in sorted(groups.items(), key=lambda item: min(item[1])):
+    entries: list[tuple[str, dict[str, Any]]] = []
+    for fill, counts in sorted(groups.items(), key=lambda item: min(item[1])):
         low, high = min(counts), max(counts)
-        text = f"{low}" if low == high else f"{low}\u2013{high}"
-        entries.append((text, {"fc": colour}))
+        entries.append((f"{low}" if low == high else f"{low}\u2013{high}", {"fc": fill}))
     if entries:
         entries[-1] = (f"{entries[-1][0]} minus signs", entries[-1][1])
     return entries

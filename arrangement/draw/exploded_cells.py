@@ -8,8 +8,9 @@ from the whole body; two lifted cells are compared where they overlap in the pic
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import cached_property
+from graphlib import CycleError, TopologicalSorter
 from typing import Any
 
 import numpy as np
@@ -154,19 +155,13 @@ def _back_to_front(lifted: Sequence[Lifted]) -> tuple[Lifted, ...]:
     n = len(lifted)
     behind = {(i, j) for i in range(n) for j in range(n) if i != j and _hides(lifted[j], lifted[i])}
     behind |= {(i, j) for i in range(n) for j in range(n) if lifted[i].place < lifted[j].place}
-    order: list[int] = []
-    while len(order) < n:
-        free = [
-            j
-            for j in range(n)
-            if j not in order and all(i in order for i in range(n) if (i, j) in behind)
-        ]
-        if not free:
-            raise InputError(
-                "the lifted cells hide each other in a circle; choose another direction"
-            )
-        order.append(free[0])
-    return tuple(replace(lifted[i]) for i in order)
+    order = TopologicalSorter({j: {i for i in range(n) if (i, j) in behind} for j in range(n)})
+    try:
+        return tuple(lifted[i] for i in order.static_order())
+    except CycleError:
+        raise InputError(
+            "the lifted cells hide each other in a circle; choose another direction"
+        ) from None
 
 
 def _hides(near: Lifted, far: Lifted) -> bool:

@@ -12,7 +12,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import lru_cache
-from itertools import product
+from itertools import combinations, product
 
 import numpy as np
 
@@ -195,12 +195,13 @@ def _geodesic(n: int) -> tuple[np.ndarray[tuple[int, int], np.dtype[np.float64]]
         for shift in range(3)
         for s, t in product((-1, 1), repeat=2)
     ]
-    sides = [
-        (i, j, k)
-        for i, j, k in product(range(12), repeat=3)
-        if i < j and i < k and _near(corners, i, j) and _near(corners, j, k)
-        and _near(corners, k, i) and _volume(corners[i], corners[j], corners[k]) > 0
-    ]  # fmt: skip
+    sides = []
+    for i, j, k in combinations(range(12), 3):
+        a, b, c = np.array([corners[i], corners[j], corners[k]])
+        if max(math.dist(a, b), math.dist(b, c), math.dist(c, a)) < 2.1:
+            outward = float(np.linalg.det(np.array([a, b, c]))) > 0
+            sides.append((i, j, k) if outward else (i, k, j))
+    sides.sort()
     index: dict[tuple[tuple[int, int], ...], int] = {}
     points: list[list[float]] = []
 
@@ -225,14 +226,6 @@ def _geodesic(n: int) -> tuple[np.ndarray[tuple[int, int], np.dtype[np.float64]]
                 faces.append((grid[a + 1, b], grid[a + 1, b + 1], grid[a, b + 1]))
     array = np.array(points)
     return array / np.linalg.norm(array, axis=1, keepdims=True), tuple(faces)
-
-
-def _near(corners: list[tuple[float, ...]], i: int, j: int) -> bool:
-    return abs(math.dist(corners[i], corners[j]) - 2) < 1e-9
-
-
-def _volume(a: tuple[float, ...], b: tuple[float, ...], c: tuple[float, ...]) -> float:
-    return float(np.linalg.det(np.array([a, b, c])))
 
 
 _SOLIDS = {"ball": _ball, "cube": _cube}
