@@ -142,19 +142,12 @@ def write_beside(
         centres = np.asarray(point) + reach[:, None] * directions
         boxes = np.hstack([centres - half, centres + half])
         for k in np.flatnonzero(~segments_meet(boxes, close).any(axis=1)).tolist():
-            inside = within is None or _contains(within, boxes[k].tolist())
+            left, low, right, high = within or boxes[k]
+            x0, y0, x1, y1 = boxes[k]
+            inside = left <= x0 and low <= y0 and x1 <= right and y1 <= high
             if inside and scene.write(centres[k], text, size, **style):
                 return True
     return False
-
-
-def _contains(outer: Box, inner: Sequence[float]) -> bool:
-    return (
-        outer[0] <= inner[0]
-        and outer[1] <= inner[1]
-        and inner[2] <= outer[2]
-        and inner[3] <= outer[3]
-    )
 
 
 def crosses(points: Floats, radius: float) -> Floats:

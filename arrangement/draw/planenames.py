@@ -10,6 +10,7 @@ from .exploded_cells import Lifted
 from .globe import Floats
 from .labels import dense, sign_rows, spread, turn, write_beside, write_inside
 from .planesheet import Colour, PlanesSheet
+from .scene import area
 
 
 class Names:
@@ -94,7 +95,7 @@ class Names:
         for item in self.lifted:
             hiders = self._hiders(item)
             outlines = [self.place(loop) for loop in item.visible_outlines(self.picture.round)]
-            outlines.sort(key=_area, reverse=True)
+            outlines.sort(key=lambda outline: round(area(outline), 3), reverse=True)
             if not any(
                 write_inside(self.scene, dense(outline), item.cell.signs, (7, 6), hiders=hiders)
                 for outline in outlines
@@ -117,9 +118,3 @@ class Names:
         """Return the outlines of all that is painted after a lifted cell."""
         own = self.picture.painted_at[item.cell.signs]
         return [area for z, area in self.picture.areas if z > own]
-
-
-def _area(outline: Floats) -> float:
-    """Return the area of a polygon in the plane, rounded so that ties stay ties."""
-    x, y = outline.T
-    return round(abs(float(x @ np.roll(y, -1) - y @ np.roll(x, -1))) / 2, 3)

@@ -291,6 +291,14 @@ def _measuring() -> Any:
     return renderer(10, 10, DPI), Figure(dpi=DPI)
 
 
+def area(corners: Floats) -> float:
+    """Return the area of a polygon; of fewer than three corners, 0."""
+    if len(corners) < 3:
+        return 0.0
+    x, y = corners.T
+    return abs(float(x @ np.roll(y, -1) - y @ np.roll(x, -1))) / 2
+
+
 def checked_width(width: object, least: float = 40.0) -> float:
     """Return a width in millimetres, or refuse it."""
     length = millimetres(width, "the width")

@@ -14,7 +14,7 @@ from typing import TypeAlias
 import numpy as np
 import numpy.typing as npt
 
-from .scene import Floats
+from .scene import Floats, area
 
 Indices: TypeAlias = npt.NDArray[np.int64]
 
@@ -46,7 +46,7 @@ def tutte_places(
         if step < rounds:
             steps = places[pairs[:, 0]] - places[pairs[:, 1]]
             lengths = _even(np.hypot(steps[:, 0], steps[:, 1]))
-            areas = _even(np.array([_area(places[list(cycle)]) for cycle in inside]))
+            areas = _even(np.array([area(places[list(cycle)]) for cycle in inside]))
             mean = np.sqrt(areas[beside[:, 0]] * areas[beside[:, 1]])
             weights = np.asarray(np.clip(weights * mean**0.15 * lengths**0.05, _LEAST, _MOST))
     rounded: Floats = np.round(places, 9) + 0.0
@@ -60,11 +60,6 @@ def _edges(faces: Sequence[Sequence[int]]) -> tuple[Indices, Indices]:
         for u, v in zip(cycle, [*cycle[1:], cycle[0]], strict=True):
             found.setdefault((min(u, v), max(u, v)), []).append(f)
     return np.array(list(found)), np.array([(f[0], f[-1]) for f in found.values()])
-
-
-def _area(corners: Floats) -> float:
-    x, y = corners.T
-    return abs(float(x @ np.roll(y, -1) - y @ np.roll(x, -1))) / 2
 
 
 def _even(values: Floats) -> Floats:

@@ -65,23 +65,22 @@ def _line(vector: Sequence[int]) -> IntegerVector:
 def _asymmetry(units: Floats, normals: Floats) -> Floats:
     """Return how far each view is from the planes of symmetry between two of the planes."""
     pairs = list(combinations(normals, 2))[:_MOST_PAIRS]
-    mirrors = np.array([mirror for a, b in pairs for mirror in (a - b, a + b)]).reshape(-1, 3)
-    mirrors = mirrors[np.linalg.norm(mirrors, axis=1) > 1e-6]
-    mirrors /= np.linalg.norm(mirrors, axis=1, keepdims=True)
-    asymmetry: Floats = np.abs(units @ mirrors.T).min(axis=1, initial=1.0)
-    return asymmetry
+    return _apart(units, [mirror for a, b in pairs for mirror in (a - b, a + b)])
 
 
 def _clearance(units: Floats, lines: Sequence[IntegerVector]) -> Floats:
     """Return how far each view is from the planes spanned by two of the lines."""
-    if len(lines) < 2:
-        return np.ones(len(units))
-    rays = unit_vectors(lines)
-    spans = np.array([np.cross(a, b) for a, b in list(combinations(rays, 2))[:_MOST_PAIRS]])
-    spans = spans[np.linalg.norm(spans, axis=1) > 1e-6]
-    spans /= np.linalg.norm(spans, axis=1, keepdims=True)
-    clearance: Floats = np.abs(units @ spans.T).min(axis=1)
-    return clearance
+    pairs = list(combinations(unit_vectors(lines), 2))[:_MOST_PAIRS]
+    return _apart(units, [np.cross(a, b) for a, b in pairs])
+
+
+def _apart(units: Floats, normals: Sequence[Floats]) -> Floats:
+    """Return how far each view is from planes; normals of length 0 do not count."""
+    rows = np.array(normals).reshape(-1, 3)
+    lengths = np.linalg.norm(rows, axis=1)
+    rows = rows[lengths > 1e-6] / lengths[lengths > 1e-6, None]
+    apart: Floats = np.abs(units @ rows.T).min(axis=1, initial=1.0)
+    return apart
 
 
 def _ways(cells: Cells, lifted: Sequence[tuple[int, ...]]) -> list[Floats]:

@@ -11,14 +11,14 @@ from typing import Any
 import numpy as np
 
 from arrangement.draw.colours import BLACK, GREY
-from arrangement.draw.scene import FONT, POINTS, Box, Floats, Place, Scene
+from arrangement.draw.scene import FONT, POINTS, Box, Floats, Place, Scene, area
 from arrangement.exact import RationalVector
 from equilibrium.solver.state_system import States
 from equilibrium.wrench_sets import Region
 
 from .keys import MARKS
 from .style import FILLS, SHADE, SYMBOLS, nice, rounded
-from .window import Window, area, roomiest
+from .window import Window, roomiest
 
 #: Space in points beside and below a panel, for numbers and names of the axes.
 LEFT, BELOW, ABOVE = 12.0 * POINTS, 9.0 * POINTS, 5.0 * POINTS

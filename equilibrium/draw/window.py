@@ -141,14 +141,6 @@ def _box(points: Sequence[RationalVector]) -> tuple[list[Fraction], list[Fractio
     return lows, [max(p[k] for p in points) for k in (0, 1)]
 
 
-def area(points: Floats) -> float:
-    """Return twice the area of a polygon."""
-    if len(points) < 3:
-        return 0.0
-    after = np.roll(points, -1, axis=0)
-    return float(np.sum(points[:, 0] * after[:, 1] - points[:, 1] * after[:, 0]))
-
-
 def roomiest(points: Floats, shape: tuple[float, float], limit: float) -> tuple[Any, float]:
     """Return the place in a convex polygon where a box of a shape fits best, and its scale there.
 
