@@ -53,10 +53,11 @@ def draw_compare(
         MissingExtraError: matplotlib is absent.
     """
     question = Question(wrench, extent)
-    parts = [
-        (TITLES[name], method_region(name, grasp, FORCES, (0, 0, question.torque)))
+    regions = {
+        name: method_region(name, grasp, FORCES, (0, 0, question.torque))
         for name in watched(_names(grasp, methods), "methods")
-    ]
+    }
+    parts = [(TITLES[name], region) for name, region in regions.items()]
     return draw_parts(grasp, parts, question, width, columns=max(1, int(width / 44)))
 
 
