@@ -44,7 +44,7 @@ def draw_grasp(
 
     Args:
         grasp: contacts; none, coincident ones and coordinates of any size are possible.
-        wrench: applied force x, force y and torque about the origin; if omitted, none acts and
+        wrench: applied (f_x, f_y, tau), the torque about the origin; if omitted, none acts and
             nothing is solved.
         outline: corners of the object, exact; if omitted, an indicative curve.
         piece: which of the equilibria found (see `solve`), from 1.

@@ -38,7 +38,7 @@ def draw_methods(grasp: Grasp, *, wrenches: Iterable[Wrench], width: float = 88.
 
     Args:
         grasp: contacts.
-        wrenches: at least one, at most `MAX_WRENCHES`.
+        wrenches: at least one, at most 24.
         width: of the figure, in millimetres.
 
     Raises:
