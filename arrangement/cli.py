@@ -134,12 +134,14 @@ def _length(text: str) -> float:
 
 def _count(arguments: argparse.Namespace) -> int:
     arrangement = read_arrangement(arguments.file)
+    faces = arrangement.faces()
     counts = {
         "planes": len(arrangement),
         "distinct_planes": len(arrangement.distinct),
         "rank": arrangement.rank,
-        "f_vector": list(arrangement.f_vector),
-        "states": sum(arrangement.f_vector),
+        "f_vector": list(faces.f_vector),
+        "states": len(faces),
+        "engine": faces.engine,
     }
     if arguments.json:
         terminal.print_json(counts)
@@ -147,7 +149,7 @@ def _count(arguments: argparse.Namespace) -> int:
     print(f"planes           {counts['planes']}")
     print(f"distinct planes  {counts['distinct_planes']}")
     print(f"rank             {counts['rank']}")
-    for dimension, number in enumerate(arrangement.f_vector):
+    for dimension, number in enumerate(faces.f_vector):
         print(f"faces of dim {dimension}   {number}")
     print(f"states           {counts['states']}")
     return terminal.YES
