@@ -5,13 +5,15 @@ from __future__ import annotations
 import argparse
 import json
 from collections.abc import Sequence
+from typing import TYPE_CHECKING
 
 from . import terminal
-from .arrangement import Arrangement
 from .exact import to_text
 from .io import files
-from .io.arrangements import read_arrangement
-from .planes import Face
+
+if TYPE_CHECKING:
+    from .arrangement import Arrangement
+    from .planes import Face
 
 #: The options of ``draw`` that go to the view, when they are given.
 _DRAW_OPTIONS = (
@@ -132,8 +134,14 @@ def _length(text: str) -> float:
     return float(terminal.rational_argument(text))
 
 
+def _read(arguments: argparse.Namespace) -> Arrangement:
+    from .io.arrangements import read_arrangement
+
+    return read_arrangement(arguments.file)
+
+
 def _count(arguments: argparse.Namespace) -> int:
-    arrangement = read_arrangement(arguments.file)
+    arrangement = _read(arguments)
     faces = arrangement.faces()
     counts = {
         "planes": len(arrangement),
@@ -156,7 +164,7 @@ def _count(arguments: argparse.Namespace) -> int:
 
 
 def _faces(arguments: argparse.Namespace) -> int:
-    arrangement: Arrangement = read_arrangement(arguments.file)
+    arrangement = _read(arguments)
     for face in arrangement.iter_faces(arguments.dimension):
         if arguments.json:
             terminal.print_json(
@@ -195,7 +203,7 @@ def _line(face: Face) -> str:
 def _draw(arguments: argparse.Namespace) -> int:
     from .draw import write_drawing
 
-    arrangement = read_arrangement(arguments.file)
+    arrangement = _read(arguments)
     given = {name: getattr(arguments, name) for name in _DRAW_OPTIONS}
     options = {name: value for name, value in given.items() if value is not None}
     shows = write_drawing(arrangement, arguments.output, arguments.view, arguments.model, **options)
