@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from copy import copy
 from dataclasses import dataclass
 
 from arrangement.errors import InputError
@@ -55,6 +56,7 @@ def enumerate_faces(planes: Planes, engine: str | None = None) -> FaceSequence:
     Raises:
         InputError: no engine of this name, or one that cannot do these planes.
     """
+    planes = copy(planes)  # planes may keep their faces, so the faces do not keep those planes
     if engine is None:
         engine = next(name for name, known in ENGINES.items() if known.ranks(planes))
     if engine not in ENGINES:
