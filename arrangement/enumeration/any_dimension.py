@@ -32,7 +32,7 @@ from arrangement.exact import IntegerVector
 from arrangement.linear import rank, unit_vectors
 from arrangement.planes import Planes
 
-from .sequence import Integers, Level, Rows, Signs, no_faces
+from .sequence import Integers, Level, Rows, Signs, no_faces, primitive_rows
 
 Indices: TypeAlias = NDArray[np.intp]
 #: (..., W) 64-bit words; class k has bit 2k for + and bit 2k + 1 for -, counted over all words.
@@ -149,7 +149,7 @@ def _all_rises(vectors: Sequence[IntegerVector], n: int) -> list[_Rises]:
         flat, plane = np.nonzero(forms.any(axis=1))
         if not len(flat):
             return levels
-        rows = _primitive(forms[flat, :, plane])
+        rows = primitive_rows(forms[flat, :, plane])
         pivot = np.argmax(rows != 0, axis=1)
         beside = np.take_along_axis(rows, pivot[:, None], axis=1) > 0
         first, group = _grouped(np.column_stack([flat, np.where(beside, rows, -rows)]))
@@ -192,7 +192,7 @@ def _cut(bases: Integers, forms: Integers, pivot: Indices) -> Integers:
     top, base = forms[rows, pivot], bases[rows, pivot]
     left = top[:, None, None] * bases[rows[:, None], others]
     right = forms[rows[:, None], others][..., None] * base[:, None, :]
-    return _primitive(left - right)
+    return primitive_rows(left - right)
 
 
 def _as_level(planes: Planes, faces: CentralFaces) -> Level:
@@ -259,10 +259,3 @@ def _for_products(array: Integers, factor: int) -> Integers:
 def _largest(array: Integers) -> int:
     """Return the largest absolute value of an entry; those of int64 arrays are below 2^62."""
     return int(np.abs(array).max(initial=0))
-
-
-def _primitive(rows: Integers) -> Integers:
-    """Return vectors along the last axis, each divided by its greatest common divisor."""
-    divisor = np.gcd.reduce(rows, axis=-1, keepdims=True)
-    found: Integers = rows // np.maximum(divisor, 1)
-    return found

@@ -142,11 +142,17 @@ class FaceSequence(Sequence[Face]):
             rows = run - (self._ends[of[0]] - level.count)
             points = level.points(rows)
             if self._planes.is_central:  # every positive multiple of a point is in the same face
-                divisor = np.gcd.reduce(points[:, :-1], axis=1, keepdims=True)
-                points = np.hstack([points[:, :-1] // np.maximum(divisor, 1), points[:, -1:] ** 0])
+                points = np.column_stack([primitive_rows(points[:, :-1]), np.ones_like(points[:, -1])])
             witnesses = rational_points(points)
             for signs, witness in zip(level.signs(rows).tolist(), witnesses, strict=True):
                 yield Face(tuple(signs), dimension, witness)
+
+
+def primitive_rows(rows: Integers) -> Integers:
+    """Return vectors along the last axis, each divided by its greatest common divisor."""
+    divisor = np.abs(np.gcd.reduce(rows, axis=-1, keepdims=True))  # of one object: with its sign
+    found: Integers = rows // np.maximum(divisor, 1)
+    return found
 
 
 def rational_points(points: Integers) -> Iterator[RationalVector]:
