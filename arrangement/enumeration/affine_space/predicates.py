@@ -10,7 +10,7 @@ determinant of three normals and D4 that of four rows,
   ``t_l - t_k = D4(i, j, k, l) / (D3(i, j, k) D3(i, j, l))``.
 
 Error bound. A row is divided by a power of two, which moves nothing, and rounded to floats. All
-determinants are sums of products; no product takes more than `ROUNDINGS`, in any order of
+determinants are sums of products; no product takes more than `_ROUNDINGS`, in any order of
 summation, so `arrangement.float_filter` bounds the error. S = 0 proves that the determinant is 0:
 four planes through the origin need no integers.
 
@@ -37,8 +37,8 @@ Signs: TypeAlias = NDArray[np.int8]
 Indices: TypeAlias = NDArray[np.intp]
 
 #: Of each product in D4: four entries, two minors of two each, one product, five sums.
-ROUNDINGS = 4 + 2 * 2 + 1 + 5
-ERROR = error_bound(ROUNDINGS)
+_ROUNDINGS = 4 + 2 * 2 + 1 + 5
+ERROR = error_bound(_ROUNDINGS)
 #: No sum exceeds twice the sum of its absolute products, so this bound decides nothing.
 UNUSABLE = 2.0
 

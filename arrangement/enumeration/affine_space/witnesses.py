@@ -21,7 +21,7 @@ from .packing import Bits, unpack
 from .predicates import ERROR, Numbers, PlaneTable
 
 #: Significant bits of the largest coordinate, in the order they are tried.
-PRECISIONS = (6, 10, 16, 26, 50)
+_PRECISIONS = (6, 10, 16, 26, 50)
 #: Regions handled at once: temporary arrays of so many signs stay in the cache.
 BLOCK = 1 << 16
 
@@ -96,7 +96,7 @@ def _short_points(table: PlaneTable, centres: Floats, signs: Floats) -> NDArray[
     """Return points with all these signs for sure, as short as found; W = 0 where none is."""
     points = np.zeros((len(centres), 4), np.int64)
     open_ = np.arange(len(centres))
-    for bits in PRECISIONS:
+    for bits in _PRECISIONS:
         if not len(open_):
             break
         rounded = _rounded(centres[open_], bits)

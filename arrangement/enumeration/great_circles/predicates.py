@@ -17,7 +17,9 @@ With ``d_ij = n_i x n_j`` and ``turn_ij`` = +1 or -1 so that ``turn_ij d_ij`` is
 
 Bounds. Let B be the largest absolute value of an entry. Then ``|d_ij| <= 2 B^2`` in each
 coordinate; a determinant ``n_k . d_ij`` and each partial sum of it is at most ``6 B^3``; the
-numerator of a slope is at most ``4 B^3``. All are exact in int64 if ``6 B^3 < 2^63``.
+numerator of a slope is at most ``4 B^3``. All are exact in int64 if ``6 B^3 < 2^63``. SymPy's
+matrices take 150 times as long for all crossings of 200 circles (4 times with python-flint, before
+anything is read out of them).
 """
 
 from __future__ import annotations
