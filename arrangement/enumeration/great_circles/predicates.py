@@ -30,6 +30,8 @@ from typing import Any, TypeAlias
 import numpy as np
 from numpy.typing import NDArray
 
+from arrangement.linear import cross
+
 #: int64, or Python integers in an object array where int64 could overflow.
 Integers: TypeAlias = NDArray[Any]
 Signs: TypeAlias = NDArray[np.int8]
@@ -94,8 +96,8 @@ def slope_terms(normals: Integers, directions: Components) -> tuple[Integers, In
 
 def exact_slope_terms(normal: tuple[int, ...], other: tuple[int, ...]) -> tuple[int, int]:
     """Return (p, q) of the positive crossing of two circles in Python integers, ``q >= 0``."""
-    (a, b, c), (u, v, w) = normal, other
-    x, y, z = b * w - c * v, c * u - a * w, a * v - b * u
+    _, b, c = normal
+    x, y, z = cross(normal, other)
     leading = x or y or z
     p, q = (z, y) if b == c == 0 else (y * c - z * b, x)
     return (p, q) if leading > 0 else (-p, -q)
