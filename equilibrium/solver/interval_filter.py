@@ -18,7 +18,6 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass
-from functools import lru_cache
 
 import numpy as np
 
@@ -27,7 +26,7 @@ from arrangement.float_filter import Booleans, Floats, error_bound
 from arrangement.progress import watched
 from equilibrium.model.grasp import Grasp
 
-from .contact_states import DETACHED, Codes, contact_codes
+from .contact_states import DETACHED, Codes
 from .float_contacts import Integers, OutOfRange, RoundedContacts, floats
 
 #: The conditions that a choice of states may violate, by contact. The last two: the friction limit
@@ -39,8 +38,9 @@ UNDECIDED = -1
 #: Above the rounding errors of a bound's own computation: sums of positive numbers, a few hundred
 #: roundings at most. Nothing that matters is as small as `_TINY`.
 _MARGIN, _TINY = 1.01, 1e-200
-#: Of a scalar product with a motion: two rounded factors, their product, three sums; taken twice.
-_PRODUCT = error_bound(2 * 5)
+#: Of a preload less a scalar product of a motion and ``k N``: two rounded factors and their product,
+#: the product with the motion, three sums; three to spare.
+_PRODUCT = error_bound(7 + 3)
 #: Of a number that is rounded once, and once more when it is used.
 _ROUNDED = error_bound(2)
 _ROWS = 8192
@@ -49,21 +49,15 @@ _CONTACTS = 12
 _ALL = slice(None)
 
 
-@lru_cache(maxsize=8)
-def screen_of(grasp: Grasp) -> Screen:
-    """Return the screen of a grasp; kept for the next wrench."""
-    return Screen(grasp)
-
-
 class Screen:
     """The systems of all contact states of one grasp, ready for any wrench.
 
-    Attributes:
-        codes: see `cells.contact_codes`.
+    Args:
+        codes: choices of contact states, as `contact_states.codes_of_faces` returns them.
     """
 
-    def __init__(self, grasp: Grasp) -> None:
-        self.codes = contact_codes(grasp)
+    def __init__(self, grasp: Grasp, codes: Codes) -> None:
+        self.codes = codes
         self._batches: list[_Batch] = []
         try:
             contacts = RoundedContacts(grasp)
@@ -188,7 +182,8 @@ class _Batch:
             unit = np.eye(self.size)
             self.inverse = np.linalg.inv(np.where(regular[:, None, None], self.matrix, unit))
             size = np.abs(self.inverse)
-            # Two roundings of an entry, one of the product, size of the sum; taken twice.
+            # An entry is rounded and multiplied, then size sums with that of the unit matrix; one
+            # to spare, and all of it twice.
             product = error_bound(2 * (self.size + 3))
             slack = self.matrix_error + product * np.abs(self.matrix)
             residual = np.abs(unit - self.inverse @ self.matrix) + size @ slack
