@@ -52,7 +52,7 @@ def pivot_columns(rows: Sequence[Sequence[int]], width: int) -> tuple[int, ...]:
     """Return the first columns that form a basis of the column space; their number is the rank.
 
     A few rows mostly have the full rank, so they are asked before all of them. SymPy costs 0.1 ms
-    more than plain elimination, which fewer than 20 planes notice (1.2 to 2.4 times as long in all).
+    more than plain elimination; counts of ten planes take 1.7 times as long, of fifty 1.2 times.
     """
     pivots: tuple[int, ...] = integer_matrix(rows[: 2 * width], width).rref_den()[2]
     if len(pivots) == width or len(rows) <= 2 * width:
