@@ -61,7 +61,7 @@ def test_a_view_makes_a_scene_that_knows_no_format(drawings: Drawings, name: str
     assert {"label"} < {item.role for item in scene.items}
     for item in scene.items:
         assert isinstance(item, Item)
-        points = item.place if isinstance(item, Label | Mark) else item.points  # type: ignore[attr-defined]
+        points = item.place if isinstance(item, Label | Mark) else item.points
         assert np.isfinite(np.asarray(points)).all()
 
 

@@ -308,7 +308,8 @@ def test_methods_and_wrenches_are_a_table_of_the_comparisons() -> None:
 )
 def test_files_repeat_byte_for_byte(view: str, suffix: str, tmp_path: Path) -> None:
     for name in "ab":
-        options = {"wrenches": [(0, 1, 0), (0, -1, 0)]} if view == "methods" else {}
+        loads = [(0, 1, 0), (0, -1, 0)]
+        options: dict[str, Any] = {"wrenches": loads} if view == "methods" else {}
         write_drawing(THREE, tmp_path / f"{name}{suffix}", view, **options)
     assert (tmp_path / f"a{suffix}").read_bytes() == (tmp_path / f"b{suffix}").read_bytes()
     assert len(list(tmp_path.iterdir())) == 2
