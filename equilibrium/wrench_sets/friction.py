@@ -19,7 +19,17 @@ from arrangement.exact import RationalVector, rational, to_text
 from arrangement.progress import watched
 from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import Contact, Grasp, read_wrench
-from equilibrium.solver.contact_rows import DIRECTION, normal_force_row
+from equilibrium.solver.contact_rows import (
+    DIRECTION,
+    Pair,
+    balance_rows,
+    cone_rows,
+    negated,
+    normal_force_row,
+    slip_row,
+    sum_row,
+    unit_row,
+)
 from equilibrium.solver.prepared import contact_states
 from equilibrium.solver.state_system import States
 from equilibrium.verdict import solve
@@ -171,55 +181,29 @@ def relaxed_rows(
     The variables are the motion and the tangential force of each contact that touches; every
     solution with a coefficient in ``[low, high]`` satisfies the rows.
     """
-    touching = [i for i, state in enumerate(states) if state != "detached"]
-    n = 3 + len(touching)
+    n = 3 + len(states) - states.count("detached")
+    columns = iter(range(3, n))
     inequalities: list[RationalVector] = []
     sticking: list[RationalVector] = []
-    balance = [[Fraction(0)] * n + [w] for w in wrench]
-    for i, (contact, state) in enumerate(zip(grasp, states, strict=True)):
-        *normal, preload = normal_force_row(contact)
-        spring = (*normal, *[Fraction(0)] * (n - 3), preload)
+    forces: list[Pair] = []
+    for contact, state in zip(grasp, states, strict=True):
+        normal, slip = normal_force_row(contact, n), slip_row(contact, n)
         if state == "detached":
-            inequalities.append(tuple(-x for x in spring))
+            inequalities.append(negated(normal))
+            forces.append(((Fraction(0),) * (n + 1),) * 2)
             continue
-        column = 3 + touching.index(i)
-        inequalities.append(spring)
-        slip = (*contact.tangential_wrench, *[Fraction(0)] * (n - 2))
+        tangential = unit_row(next(columns), n)
+        forces.append((normal, tangential))
+        inequalities.append(normal)
+        if high is not None:
+            inequalities += cone_rows(high, normal, tangential)
         if state == "stick":
             sticking.append(slip)
-            inequalities += _cone(spring, column, high)
         else:
-            side = DIRECTION[state]
-            inequalities.append(tuple(-side * x for x in slip))
-            inequalities += _edge(spring, column, side, low, high)
-        pairs = zip(contact.normal_wrench, contact.tangential_wrench, strict=True)
-        for row, (along_normal, along_tangent) in zip(balance, pairs, strict=True):
-            row[column] += along_tangent
-            for j in (0, 1, 2, n):
-                row[j] += along_normal * spring[j]
-    return [*map(tuple, balance), *sticking], inequalities, n
-
-
-def _cone(spring: RationalVector, column: int, high: Fraction | None) -> list[RationalVector]:
-    """Return ``|c_t| <= high c_n`` as two rows."""
-    if high is None:
-        return []
-    return [_combination(spring, high, column, side) for side in (1, -1)]
-
-
-def _edge(
-    spring: RationalVector, column: int, side: int, low: Fraction, high: Fraction | None
-) -> list[RationalVector]:
-    """Return ``low c_n <= side c_t <= high c_n``."""
-    rows = [_combination(spring, -low, column, side)]
-    return rows if high is None else [*rows, _combination(spring, high, column, -side)]
-
-
-def _combination(
-    spring: RationalVector, factor: Fraction, column: int, side: int
-) -> RationalVector:
-    """Return the row of ``factor c_n + side c_t``."""
-    return tuple(factor * x + (side if j == column else 0) for j, x in enumerate(spring))
+            pull = tuple(DIRECTION[state] * x for x in tangential)
+            inequalities.append(sum_row(pull, normal, -low))
+            inequalities.append(tuple(-DIRECTION[state] * x for x in slip))
+    return [*balance_rows(grasp, forces, wrench, n), *sticking], inequalities, n
 
 
 def _ranges() -> Iterator[tuple[Fraction, Fraction]]:
