@@ -4,10 +4,12 @@ from __future__ import annotations
 
 import argparse
 from collections.abc import Iterable
+from fractions import Fraction
+from math import gcd
 from typing import TYPE_CHECKING, Any
 
 from arrangement import terminal
-from arrangement.exact import to_text
+from arrangement.exact import IntegerVector, to_text
 
 if TYPE_CHECKING:
     from equilibrium.methods.survey import Example, Survey
@@ -110,6 +112,7 @@ def _wrench_space(arguments: argparse.Namespace) -> int:
 
     grasp = _grasp(arguments)
     space = GraspWrenchSpace(grasp, arguments.norm, arguments.torque_scale)
+    facets = sorted(map(_outward, space.facets))
     corners = space.slice(origin=(0, 0, arguments.torque))
     document = {
         "norm": space.norm,
@@ -117,8 +120,8 @@ def _wrench_space(arguments: argparse.Namespace) -> int:
         "force_closure": space.force_closure,
         "epsilon_squared": space.epsilon_squared,
         "volume": space.volume,
-        "vertices": space.hull.vertices,
-        "facets": [[*facet.normal, -facet.offset] for facet in space.hull.facets],
+        "vertices": sorted(space.polytope.points),
+        "facets": facets,
         "slice": {"torque": arguments.torque, "corners": corners},
     }
     units = grasp.units
@@ -136,11 +139,16 @@ def _wrench_space(arguments: argparse.Namespace) -> int:
             f"epsilon          {space.epsilon:.6g}{force and f' {force}'}  (its square is {square})"
         )
         print(f"volume           {to_text(space.volume)}{force and f' {force}^3'}")
-        print(f"facets           {len(space.hull.facets)}")
+        print(f"facets           {len(facets)}")
         print(f"resisted forces at torque {arguments.torque}{torque}:")
         for corner in corners:
             print(f"  ({', '.join(map(to_text, corner))})")
     return terminal.YES if space.force_closure else terminal.NO
+
+
+def _outward(row: IntegerVector) -> list[Fraction]:
+    """Return ``(normal, constant)`` with the normal outward and of coprime integers."""
+    return [Fraction(-x, gcd(*row[:-1])) for x in row]
 
 
 def _as_text(value: Any) -> Any:

@@ -213,7 +213,7 @@ def _map(arguments: argparse.Namespace) -> int:
 
 
 def _figure(arguments: argparse.Namespace) -> int:
-    from equilibrium.wrench_sets import resistance_figure
+    from equilibrium.methods import resistance_figure
 
     spans = (arguments.first, arguments.second)
     grasp = _grasp(arguments)

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 from arrangement.draw.output import require_matplotlib
 from arrangement.progress import watched
-from equilibrium.methods.regions import FORCES, METHODS, MOST_FOR_ALL_CHOICES, method_region
+from equilibrium.methods.registry import METHODS, WITH_REGION, method_named
 from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import Grasp, read_wrench
 
@@ -20,18 +20,6 @@ from .window import joint_window
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
-
-#: Short titles that fit above a small panel.
-TITLES = {
-    "complete": "complete model",
-    "cones": "springs and cones only",
-    "wrench-space-L1": "wrench space, L1",
-    "wrench-space-Linf": "wrench space, L∞",
-    "weak": "weakly stable",
-    "frictionless": "frictionless stable",
-    "linear-compliance": "linear compliance",
-    "frictionless-slip": "frictionless slip",
-}
 
 
 def draw_compare(
@@ -48,9 +36,9 @@ def draw_compare(
         grasp: contacts; springs and preload count where a method knows of them.
         wrench: marked in every panel: a disc where the method accepts it, a cross where it does
             not; the plane has its torque.
-        methods: keys of `equilibrium.methods.regions.METHODS`; left out, all (without the one that
-            tries 3^m choices when the contacts are too many for it).
-        extent: half the side of each panel, about the origin; left out, all borders are shown.
+        methods: keys of `equilibrium.methods.METHODS`; if omitted, all that have a region (without
+            those for which the contacts are too many).
+        extent: half the side of each panel, about the origin; if omitted, all borders are shown.
         width: of the figure, in millimetres.
 
     Raises:
@@ -63,7 +51,8 @@ def draw_compare(
     half = read_extent(extent)
     names = _names(grasp, methods)
     regions = [
-        method_region(name, grasp, FORCES, (0, 0, torque)) for name in watched(names, "methods")
+        method_named(name).region(grasp, origin=(0, 0, torque))
+        for name in watched(names, "methods")
     ]
     marked = [] if applied is None else [applied[:2]]
     window = joint_window(regions, marked, half)
@@ -78,15 +67,14 @@ def draw_compare(
         len(names), width, window, legend, grasp, columns=max(1, int(width / 44))
     )
     for panel, name, region in zip(panels, names, regions, strict=True):
-        paint_plain(panel, TITLES[name], region, marked, fades=half is None)
+        paint_plain(panel, METHODS[name].label, region, marked, fades=half is None)
     return figure
 
 
 def _names(grasp: Grasp, methods: Iterable[str] | None) -> list[str]:
     if methods is None:
-        few = len(grasp) <= MOST_FOR_ALL_CHOICES
-        return [name for name in METHODS if few or name != "frictionless-slip"]
+        return [name for name in WITH_REGION if METHODS[name].tries(grasp)]
     names = list(methods)
     if not names:
-        raise GraspError(f"no method is given; known are {', '.join(METHODS)}")
+        raise GraspError(f"no method is given; known are {', '.join(WITH_REGION)}")
     return names

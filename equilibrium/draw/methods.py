@@ -6,11 +6,10 @@ from collections.abc import Iterable, Sequence
 from typing import TYPE_CHECKING, Any
 
 from arrangement.draw.output import require_matplotlib
-from equilibrium.methods.compare import Comparison, compare
+from equilibrium.methods import METHODS, Comparison, compare
 from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import Grasp, read_wrench
 
-from .compare import TITLES
 from .legend import Legend
 from .shapes import text_size
 from .style import BLACK, FONT, GREY, bare, new_figure, points, vector
@@ -19,13 +18,6 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 MAX_WRENCHES = 24
-ALL_TITLES = {
-    **TITLES,
-    "printed": "the paper as printed",
-    "wrench-space": "wrench space, unbounded",
-    "form-closure": "form closure",
-    "strong": "strongly stable",
-}
 _ROW, _SIDE, _TINT = 4.6, 3.0, "#f3c9a5"
 
 
@@ -64,7 +56,7 @@ def draw_methods(grasp: Grasp, *, wrenches: Iterable[Iterable[Any]], width: floa
     share = height / (height + legend.height)
     axes = figure.add_axes((0.0, 1 - share, 1.0, share))
     bare(axes, (0.0, 0.0), (width, height))
-    _paint(axes, [ALL_TITLES[name] for name in names], heads, answers, height - above)
+    _paint(axes, [METHODS[name].label for name in names], heads, answers, height - above)
     legend.draw(figure)
     return figure
 

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 from arrangement.draw.output import require_matplotlib
 from arrangement.exact import RationalVector
-from equilibrium.methods.regions import FORCES, method_region
+from equilibrium.methods import METHODS
 from equilibrium.model.grasp import Grasp, read_wrench
 from equilibrium.wrench_sets import Region, resistible_region
 
@@ -70,9 +70,9 @@ def slices(grasp: Grasp, torque: Fraction) -> list[tuple[str, Region]]:
     """Return title and region of the three parts."""
     origin = (0, 0, torque)
     return [
-        ("(a) Grasp Wrench Space, L1", method_region("wrench-space-L1", grasp, FORCES, origin)),
-        ("(b) no preload", resistible_region(grasp.with_preload(0), FORCES, origin)),
-        ("(c) preload 1", resistible_region(grasp.with_preload(1), FORCES, origin)),
+        ("(a) Grasp Wrench Space, L1", METHODS["wrench-space-L1"].region(grasp, origin=origin)),
+        ("(b) no preload", resistible_region(grasp.with_preload(0), origin=origin)),
+        ("(c) preload 1", resistible_region(grasp.with_preload(1), origin=origin)),
     ]
 
 

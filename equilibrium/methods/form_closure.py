@@ -19,8 +19,9 @@ from arrangement.exact import RationalVector, primitive
 from arrangement.linear import rank
 from arrangement.linprog import Infeasible, Optimal, Row, feasible_point, minimize
 from equilibrium.model.grasp import Grasp
+from equilibrium.solver.contact_rows import friction_edges
 
-from .grasp_wrench_space import cone_edges
+from .method import Method, Outcome
 
 
 @dataclass(frozen=True)
@@ -51,7 +52,7 @@ def form_closure(grasp: Grasp, *, friction: bool = False) -> FormClosure:
     (Fraction(0, 1), Fraction(0, 1), Fraction(1, 1))
     """
     if friction:
-        wrenches = [edge for contact in grasp for edge in cone_edges(contact)]
+        wrenches = [edge for contact in grasp for edge in friction_edges(contact)]
     else:
         wrenches = [contact.normal_wrench for contact in grasp]
     value = ray_value(wrenches)
@@ -103,3 +104,11 @@ def _nonzero_rows(wrenches: Sequence[RationalVector]) -> Iterator[Row]:
     for axis in range(3):
         for side in (1, -1):
             yield [*(side * int(axis == k) for k in range(3)), -1]
+
+
+def _decide(grasp: Grasp, _: RationalVector) -> Outcome:
+    closed = form_closure(grasp).accepts
+    return closed, "every wrench" if closed else "no form closure: nothing follows for one wrench"
+
+
+FORM_CLOSURE = Method("form-closure", "form closure (Liu 1999)", "form closure", _decide)

@@ -19,9 +19,10 @@ from arrangement.progress import watched
 from equilibrium.inputs.random import random_grasp, random_wrench
 from equilibrium.model.grasp import Contact, Grasp
 
-from .compare import METHODS, ask
+from .compare import ask
+from .registry import DECIDING
 
-OTHERS = tuple(METHODS)[1:]
+OTHERS = DECIDING[1:]
 
 
 @dataclass(frozen=True)

@@ -27,13 +27,16 @@ from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
 
-from arrangement.exact import RationalVector, rational, rational_vector
+from arrangement.exact import RationalVector, primitive, rational, rational_vector, to_text
 from arrangement.linprog import Infeasible, Row, feasible_point, minimize
 from arrangement.planes import Arrangement
+from arrangement.polyhedra.polyhedron import Polyhedron, from_generators
 from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import Contact, Grasp, read_wrench
+from equilibrium.solver.contact_rows import friction_edges, negated
 
 from .grasp_wrench_space import GraspWrenchSpace
+from .method import Method, Outcome, cut
 
 
 @dataclass(frozen=True)
@@ -72,8 +75,7 @@ def weak_strong(
     """
     load = read_wrench(wrench)
     matrix = mass_matrix(mass, inertia, centre)
-    without = Grasp(Contact(c.point, c.normal, 0) for c in grasp)
-    frictionless = GraspWrenchSpace(without).verdict(load)
+    frictionless = GraspWrenchSpace(_without_friction(grasp)).verdict(load)
     weak = frictionless.accepts or GraspWrenchSpace(grasp).verdict(load).accepts
     moving = None
     if weak and not frictionless.accepts:
@@ -85,6 +87,10 @@ def weak_strong(
         moving,
         frictionless.separating_motion,
     )
+
+
+def _without_friction(grasp: Grasp) -> Grasp:
+    return Grasp(Contact(c.point, c.normal, 0) for c in grasp)
 
 
 def mass_matrix(mass: Any, inertia: Any, centre: Iterable[Any]) -> tuple[RationalVector, ...]:
@@ -196,3 +202,41 @@ def _directions(n: int) -> Iterator[list[int]]:
 def _row(n: int, entries: dict[int, Any]) -> list[Fraction]:
     """Return a homogeneous row."""
     return [Fraction(entries.get(j, 0)) for j in range(n + 1)]
+
+
+def _decide_weak(grasp: Grasp, wrench: RationalVector) -> Outcome:
+    return GraspWrenchSpace(grasp).verdict(wrench).accepts, "forces inside the cones exist"
+
+
+def _decide_strong(grasp: Grasp, wrench: RationalVector) -> Outcome:
+    found = weak_strong(grasp, wrench)
+    if found.acceleration is None:
+        return found.strong, "unit mass and inertia about the origin"
+    return False, f"may start with acceleration ({', '.join(map(to_text, found.acceleration))})"
+
+
+def _decide_frictionless(grasp: Grasp, wrench: RationalVector) -> Outcome:
+    return GraspWrenchSpace(_without_friction(grasp)).verdict(wrench).accepts, "normal forces alone"
+
+
+def _balanced(forces: Iterable[RationalVector]) -> Iterator[Polyhedron | None]:
+    """Yield the cone of the wrenches that combinations of forces balance."""
+    rays = [(*primitive(negated(force)), 0) for force in forces]
+    yield from_generators([(0, 0, 0, 1), *rays], (), 3)
+
+
+WEAK = Method(
+    "weak",
+    "weakly stable (Pang, Trinkle 2000)",
+    "weakly stable",
+    _decide_weak,
+    cut(lambda grasp: _balanced(edge for c in grasp for edge in friction_edges(c))),
+)
+STRONG = Method("strong", "strongly stable (Pang, Trinkle 2000)", "strongly stable", _decide_strong)
+FRICTIONLESS = Method(
+    "frictionless",
+    "frictionless stable (Pang, Trinkle 2000)",
+    "frictionless stable",
+    _decide_frictionless,
+    cut(lambda grasp: _balanced(c.normal_wrench for c in grasp)),
+)

@@ -9,7 +9,6 @@
 
 from arrangement.polyhedra.polyhedron import Polyhedron as Polyhedron
 
-from .figure import resistance_figure as resistance_figure
 from .friction import (
     FrictionBracket as FrictionBracket,
     least_friction as least_friction,

@@ -48,7 +48,7 @@ class TestGraspWrenchSpace:
         assert GraspWrenchSpace(three).verdict(wrench).accepts
 
     def test_preload_and_stiffness_change_nothing(self, three):
-        assert GraspWrenchSpace(three.with_preload(1)).hull == GraspWrenchSpace(three).hull
+        assert GraspWrenchSpace(three.with_preload(1)).polytope == GraspWrenchSpace(three).polytope
 
     def test_slice_of_the_figure(self, three):
         # Upwards the side contacts give 1/2 with total normal force 1; downwards contact 2 gives 1.
@@ -76,7 +76,7 @@ class TestGraspWrenchSpace:
         space = GraspWrenchSpace(read_grasp("frictionless-opposed-contacts"))
         assert not space.force_closure
         assert (space.volume, space.epsilon_squared) == (0, 0)
-        assert space.hull.dimension == 1
+        assert space.polytope.dimension == 1
         assert space.slice() == ((-1, 0), (1, 0))
 
     def test_no_contacts(self):
