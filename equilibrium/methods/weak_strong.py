@@ -32,7 +32,7 @@ from arrangement.linprog import Infeasible, Row, feasible_point, minimize
 from arrangement.planes import Arrangement
 from arrangement.polyhedra.polyhedron import Polyhedron, from_generators
 from equilibrium.model.errors import GraspError
-from equilibrium.model.grasp import Contact, Grasp, read_wrench
+from equilibrium.model.grasp import Grasp, read_wrench
 from equilibrium.solver.contact_rows import friction_edges, negated
 
 from .grasp_wrench_space import GraspWrenchSpace
@@ -75,7 +75,7 @@ def weak_strong(
     """
     load = read_wrench(wrench)
     matrix = mass_matrix(mass, inertia, centre)
-    frictionless = GraspWrenchSpace(_without_friction(grasp)).verdict(load)
+    frictionless = GraspWrenchSpace(grasp.with_friction(0)).verdict(load)
     weak = frictionless.accepts or GraspWrenchSpace(grasp).verdict(load).accepts
     moving = None
     if weak and not frictionless.accepts:
@@ -87,10 +87,6 @@ def weak_strong(
         moving,
         frictionless.separating_motion,
     )
-
-
-def _without_friction(grasp: Grasp) -> Grasp:
-    return Grasp(Contact(c.point, c.normal, 0) for c in grasp)
 
 
 def mass_matrix(mass: Any, inertia: Any, centre: Iterable[Any]) -> tuple[RationalVector, ...]:
@@ -216,7 +212,7 @@ def _decide_strong(grasp: Grasp, wrench: RationalVector) -> Outcome:
 
 
 def _decide_frictionless(grasp: Grasp, wrench: RationalVector) -> Outcome:
-    return GraspWrenchSpace(_without_friction(grasp)).verdict(wrench).accepts, "normal forces alone"
+    return GraspWrenchSpace(grasp.with_friction(0)).verdict(wrench).accepts, "normal forces alone"
 
 
 def _balanced(forces: Iterable[RationalVector]) -> Iterator[Polyhedron | None]:

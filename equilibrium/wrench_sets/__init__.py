@@ -12,7 +12,6 @@ from arrangement.polyhedra.polyhedron import Polyhedron as Polyhedron
 from .friction import (
     FrictionBracket as FrictionBracket,
     least_friction as least_friction,
-    with_friction as with_friction,
 )
 from .gaps import Gap as Gap, gaps as gaps
 from .line import Magnitudes as Magnitudes, resisted_magnitudes as resisted_magnitudes

@@ -17,8 +17,9 @@ from typing import Any
 from arrangement import linprog
 from arrangement.exact import RationalVector, rational, to_text
 from arrangement.progress import watched
+from equilibrium.inputs.conversion import simplest_between
 from equilibrium.model.errors import GraspError
-from equilibrium.model.grasp import Contact, Grasp, read_wrench
+from equilibrium.model.grasp import Grasp, read_wrench
 from equilibrium.solver.contact_rows import (
     DIRECTION,
     Pair,
@@ -145,7 +146,7 @@ class _Search:
         """Return the states that the relaxation over a range does not refute."""
         kept = []
         for choice in watched(states, "contact states"):
-            equalities, inequalities, n = relaxed_rows(self.grasp, choice, self.wrench, low, high)
+            equalities, inequalities, n = _relaxed_rows(self.grasp, choice, self.wrench, low, high)
             answer = linprog.feasible_point(n, inequalities, equalities)
             if not isinstance(answer, linprog.Infeasible):
                 kept.append(choice)
@@ -153,27 +154,10 @@ class _Search:
 
     def resists(self, coefficient: Fraction) -> bool:
         """Return whether the wrench is resisted at one coefficient; exact."""
-        return solve(with_friction(self.grasp, coefficient), self.wrench).stable
+        return solve(self.grasp.with_friction(coefficient), self.wrench).stable
 
 
-def simplest_between(low: Fraction, high: Fraction) -> Fraction:
-    """Return the fraction of least denominator in ``[low, high]``, for ``0 <= low <= high``.
-
-    >>> simplest_between(Fraction(333, 1000), Fraction(334, 1000))
-    Fraction(1, 3)
-    """
-    whole = -(-low.numerator // low.denominator)
-    if whole <= high:
-        return Fraction(whole)
-    return whole - 1 + 1 / simplest_between(1 / (high - whole + 1), 1 / (low - whole + 1))
-
-
-def with_friction(grasp: Grasp, friction: Any) -> Grasp:
-    """Return the same grasp with one friction coefficient at every contact."""
-    return Grasp(Contact(c.point, c.normal, friction, c.stiffness, c.preload) for c in grasp)
-
-
-def relaxed_rows(
+def _relaxed_rows(
     grasp: Grasp, states: States, wrench: RationalVector, low: Fraction, high: Fraction | None
 ) -> tuple[list[RationalVector], list[RationalVector], int]:
     """Return equalities, inequalities and the number of variables of the relaxation.

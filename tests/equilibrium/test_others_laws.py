@@ -15,7 +15,6 @@ from equilibrium.methods.frictionless_slip import frictionless_slip
 from equilibrium.methods.grasp_wrench_space import GraspWrenchSpace, _hull, _volume
 from equilibrium.methods.linear_compliance import linear_compliance
 from equilibrium.methods.weak_strong import mass_matrix, weak_strong
-from equilibrium.model.grasp import Contact, Grasp
 from equilibrium.solver.contact_rows import friction_edges
 from equilibrium.verdict import solve
 
@@ -244,6 +243,6 @@ class TestStrongStability:
     @given(grasps(most=3), wrenches, frictions)
     @settings(max_examples=30, deadline=None)
     def test_frictionless_stable_loads_are_strong_for_every_friction(self, grasp, wrench, friction):
-        other = Grasp(Contact(c.point, c.normal, friction) for c in grasp)
+        other = grasp.with_friction(friction)
         if weak_strong(grasp, wrench).frictionless:
             assert weak_strong(other, wrench).strong
