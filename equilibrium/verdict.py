@@ -19,6 +19,7 @@ from typing import Any
 import numpy as np
 
 from arrangement.exact import RationalVector, to_text
+from arrangement.plugins import display
 from arrangement.progress import watched
 
 from .certificate.checker import Reason, Report, check
@@ -28,7 +29,6 @@ from .certificate.document import (
     stable_certificate,
     unstable_certificate,
 )
-from .draw.notebook import verdict_html
 from .model.grasp import Grasp, read_wrench
 from .solver.all_stick import rest_refutation
 from .solver.contact_states import Codes, letters_of_codes, states_at, states_of_code
@@ -104,9 +104,9 @@ class Verdict:
             "grasp": self.grasp.to_dict(),
         }
 
-    def _repr_html_(self) -> str:
+    def _repr_html_(self) -> str | None:
         """What a notebook shows: every equilibrium with its forces."""
-        return verdict_html(self.grasp, self.wrench, self.equilibria)
+        return display("verdict-html", self)
 
 
 def solve(grasp: Grasp, wrench: Iterable[Any]) -> Verdict:

@@ -16,9 +16,9 @@ from fractions import Fraction
 from itertools import product
 from typing import Any
 
+from arrangement.arrangement import Arrangement
 from arrangement.exact import IntegerVector, RationalVector, dot, primitive
 from arrangement.linprog import Infeasible, feasible_point
-from arrangement.planes import Arrangement
 from arrangement.polyhedra.cones import generators
 from arrangement.polyhedra.polyhedron import Polyhedron, from_generators
 from equilibrium.model.grasp import Grasp, read_wrench

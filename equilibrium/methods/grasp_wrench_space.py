@@ -27,8 +27,9 @@ from arrangement.exact import (
     rational_vector,
     to_text,
 )
+from arrangement.linear import cross
 from arrangement.linprog import Infeasible, Optimal, Row, minimize
-from arrangement.polyhedra.polyhedron import Polyhedron, cross, from_generators
+from arrangement.polyhedra.polyhedron import Polyhedron, from_generators
 from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import Grasp, read_wrench
 from equilibrium.solver.contact_rows import friction_edges, sum_row

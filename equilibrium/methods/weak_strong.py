@@ -27,9 +27,9 @@ from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
 
+from arrangement.arrangement import Arrangement
 from arrangement.exact import RationalVector, primitive, rational, rational_vector, to_text
 from arrangement.linprog import Infeasible, Row, feasible_point, minimize
-from arrangement.planes import Arrangement
 from arrangement.polyhedra.polyhedron import Polyhedron, from_generators
 from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import Grasp, read_wrench

@@ -20,8 +20,9 @@ from arrangement.exact import (
     rational_vector,
     to_text,
 )
+from arrangement.linear import cross
 from arrangement.polyhedra.intervals import Interval, intersection, union
-from arrangement.polyhedra.polyhedron import Polyhedron, cross
+from arrangement.polyhedra.polyhedron import Polyhedron
 from arrangement.progress import watched
 from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import Grasp, read_wrench
