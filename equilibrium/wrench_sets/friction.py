@@ -15,7 +15,8 @@ from fractions import Fraction
 from typing import Any
 
 from arrangement import linprog
-from arrangement.exact import RationalVector, rational, to_text
+from arrangement.exact import RationalVector, rational
+from arrangement.polyhedra.intervals import end_text
 from arrangement.progress import watched
 from equilibrium.inputs.conversion import simplest_between
 from equilibrium.model.errors import GraspError
@@ -67,7 +68,7 @@ class FrictionBracket:
     def to_dict(self) -> dict[str, Any]:
         """Return a JSON form; numbers are strings, null means none."""
         numbers = {"low": self.low, "high": self.high, "width": self.width}
-        texts = {name: None if x is None else to_text(x) for name, x in numbers.items()}
+        texts = {name: end_text(x) for name, x in numbers.items()}
         return {**texts, "impossible": self.impossible}
 
 
