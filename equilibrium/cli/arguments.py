@@ -13,7 +13,7 @@ from arrangement.exact import to_text
 if TYPE_CHECKING:
     from equilibrium.model.grasp import Grasp
 
-WRENCH = "applied force x, force y, torque about the origin"
+WRENCH = "applied force (f_x, f_y) and torque tau about the origin"
 _AXES = ("F_X", "F_Y", "TAU")
 
 

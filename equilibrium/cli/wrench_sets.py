@@ -56,8 +56,8 @@ def add_commands(commands: Any) -> None:
 
 def _add_plane(parser: argparse.ArgumentParser) -> None:
     add_wrench(parser, "--origin", "a wrench of the plane (default: zero)", _ZERO)
-    add_wrench(parser, "--first", "first span (default: force x)", (1, 0, 0))
-    add_wrench(parser, "--second", "second span (default: force y)", (0, 1, 0))
+    add_wrench(parser, "--first", "first span (default: 1 0 0)", (1, 0, 0))
+    add_wrench(parser, "--second", "second span (default: 0 1 0)", (0, 1, 0))
 
 
 def _limit(arguments: argparse.Namespace) -> int:

@@ -82,7 +82,7 @@ def compare(grasp: Grasp, wrench: Iterable[Any]) -> Comparison:
 
     Args:
         grasp: contacts.
-        wrench: applied force x, force y and torque.
+        wrench: applied, ``(f_x, f_y, tau)``.
 
     Returns:
         All verdicts. The compliance methods start from tangential forces that balance the

@@ -55,13 +55,13 @@ def form_closure(grasp: Grasp, *, friction: bool = False) -> FormClosure:
         wrenches = [edge for contact in grasp for edge in friction_edges(contact)]
     else:
         wrenches = [contact.normal_wrench for contact in grasp]
-    value = ray_value(wrenches)
+    value = _ray_value(wrenches)
     if value is None or value >= 1:
         return FormClosure(None, value, None, _free_motion(wrenches))
     return FormClosure(True, value, _multipliers(wrenches), None)
 
 
-def ray_value(wrenches: Sequence[RationalVector]) -> Fraction | None:
+def _ray_value(wrenches: Sequence[RationalVector]) -> Fraction | None:
     """Return Liu's optimum z for wrenches that span space, else None.
 
     None as well when their hull is flat, which shows as an unbounded program.

@@ -79,7 +79,7 @@ def weak_strong(
     weak = frictionless.accepts or GraspWrenchSpace(grasp).verdict(load).accepts
     moving = None
     if weak and not frictionless.accepts:
-        moving = starting_acceleration(grasp, load, matrix)
+        moving = _starting_acceleration(grasp, load, matrix)
     return LoadStability(
         weak,
         weak and moving is None,
@@ -106,7 +106,7 @@ def mass_matrix(mass: Any, inertia: Any, centre: Iterable[Any]) -> tuple[Rationa
     return ((m, zero, -m * y), (zero, m, m * x), (-m * y, m * x, i + m * (x * x + y * y)))
 
 
-def starting_acceleration(
+def _starting_acceleration(
     grasp: Grasp, load: RationalVector, matrix: Sequence[RationalVector]
 ) -> RationalVector | None:
     """Return a nonzero acceleration with which the load may move the object, or None."""

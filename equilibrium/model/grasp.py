@@ -191,10 +191,10 @@ class Grasp:
 
 
 def read_wrench(values: Iterable[Any]) -> RationalVector:
-    """Return an applied wrench (force x, force y, torque) as three rationals."""
+    """Return an applied wrench ``(f_x, f_y, tau)`` as three rationals."""
     wrench = rational_vector(values, "wrench")
     if len(wrench) != 3:
-        raise GraspError(f"wrench has {len(wrench)} entries; give force x, force y and torque")
+        raise GraspError(f"wrench has {len(wrench)} entries; give f_x, f_y and tau")
     return wrench
 
 

@@ -39,7 +39,7 @@ class Magnitudes:
     """All t >= 0 with ``base + t direction`` resisted.
 
     Attributes:
-        base, direction: wrenches (force x, force y, torque).
+        base, direction: wrenches ``(f_x, f_y, tau)``.
         intervals: disjoint, closed, increasing; an upper end None means no end.
     """
 
@@ -72,7 +72,7 @@ def resisted_magnitudes(
     """Return the exact set of t >= 0 for which a grasp resists ``base + t direction``.
 
     Args:
-        direction: force x, force y, torque; not all zero.
+        direction: of the wrench, ``(f_x, f_y, tau)``; not all zero.
         base: a wrench that acts in any case.
 
     Raises:

@@ -1,7 +1,7 @@
 """Which wrenches of a plane a grasp resists: the exact union of polygons, possibly unbounded.
 
 A point ``(a, b)`` of the plane stands for the wrench ``origin + a first + b second``; by default
-the plane holds the forces at zero torque about the origin of the object frame.
+the plane has the forces at zero torque about the origin of the object frame.
 """
 
 from __future__ import annotations

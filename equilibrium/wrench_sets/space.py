@@ -35,7 +35,7 @@ class Piece:
 
 @dataclass(frozen=True)
 class ResistibleSet:
-    """A finite union of convex polyhedra of wrenches (force x, force y, torque).
+    """A finite union of convex polyhedra of wrenches ``(f_x, f_y, tau)``.
 
     Attributes:
         pieces: those that lie in no other single one; they may overlap and touch.
