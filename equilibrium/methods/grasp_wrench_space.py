@@ -32,7 +32,7 @@ from arrangement.linprog import Infeasible, Optimal, Row, minimize
 from arrangement.polyhedra.polyhedron import Polyhedron, from_generators
 from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import Grasp, read_wrench
-from equilibrium.solver.contact_rows import friction_edges, sum_row
+from equilibrium.solver.contact_rows import friction_edges, sum_row, unit_row
 from equilibrium.wrench_sets.plane import polygon_cycle
 
 from .method import Method, Outcome, cut
@@ -132,11 +132,12 @@ class GraspWrenchSpace:
         """Return whether the method counts a wrench as resisted; one exact linear program."""
         load = read_wrench(wrench)
         columns = [edge for contact in self.grasp for edge in friction_edges(contact)]
-        n, m = len(columns), len(self.grasp)
+        n = len(columns)
         # Variables: a factor for each cone edge, then the bound on single normal forces.
-        rows: list[Row] = [_row(n, {j: 1}) for j in range(n + 1)]
+        rows = [unit_row(j, n + 1) for j in range(n + 1)]
         if self.norm == "Linf":
-            rows += [_row(n, {2 * i: -1, 2 * i + 1: -1, n: 1}) for i in range(m)]
+            edges = zip(rows[:n:2], rows[1:n:2], strict=True)
+            rows += [sum_row(rows[n], sum_row(one, other, 1), -1) for one, other in edges]
         balance: list[Row] = [[*(c[k] for c in columns), Fraction(0), load[k]] for k in range(3)]
         objective = [0] * n + [1] if self.norm == "Linf" else [1] * n + [0]
         answer = minimize(objective, rows, balance)
@@ -211,11 +212,6 @@ def _volume(polytope: Polyhedron) -> Fraction:
             one, two = (away[i] for i in edge)
             total += abs(dot(away[min(facet)], cross(one, two)))
     return total / 6
-
-
-def _row(n: int, entries: dict[int, int]) -> list[int]:
-    """Return a row over n factors, the bound and the constant."""
-    return [entries.get(j, 0) for j in range(n + 2)]
 
 
 def _decide(grasp: Grasp, wrench: RationalVector) -> Outcome:
