@@ -114,7 +114,7 @@ def solve(grasp: Grasp, wrench: Iterable[Any]) -> Verdict:
 
     Args:
         grasp: contacts in the object frame.
-        wrench: applied force x, force y and torque about the origin.
+        wrench: applied, ``(f_x, f_y, tau)``, the torque about the origin.
 
     Complexity: one linear system of at most 3 + m unknowns for each of the contact states:
     O(m^2) of them without preload, O(m^3) with; most are decided in floating point with a proven

@@ -9,9 +9,21 @@ from collections.abc import Iterable, Sequence
 from fractions import Fraction
 from typing import TypeAlias
 
+from arrangement.exact import to_text
+
 Interval: TypeAlias = tuple[Fraction | None, Fraction | None]
 
 LINE: Interval = (None, None)
+
+
+def end_text(end: Fraction | None) -> str | None:
+    """Return the JSON form of an end: a text, or None for no end."""
+    return None if end is None else to_text(end)
+
+
+def texts(interval: Interval) -> list[str | None]:
+    """Return the JSON form of an interval."""
+    return [end_text(end) for end in interval]
 
 
 def where_positive(rows: Iterable[tuple[Fraction | int, Fraction | int]]) -> Interval | None:

@@ -5,7 +5,6 @@ from _plane import BLUE, GREY, ORANGE, arrow, body, dot, label, panels, save
 from equilibrium import read_grasp, solve
 from equilibrium.methods.cones import cones
 from equilibrium.methods.linear_compliance import linear_compliance
-from equilibrium.wrench_sets import with_friction
 
 SQUARE = [(-1, -1), (1, -1), (1, 1), (-1, 1)]
 TALL = [(-1, -1.6), (1, -1.6), (1, 1.6), (-1, 1.6)]
@@ -45,7 +44,7 @@ def linear():
 
 
 def twisted():
-    grasp, wrench = with_friction(read_grasp("paper-four-contacts"), 2), (0, -1, 0)
+    grasp, wrench = read_grasp("paper-four-contacts").with_friction(2), (0, -1, 0)
     window = (-1.6, 1.8, -1.8, 1.75)
     titles = ["cones alone: accepted", "complete model: not resisted"]
     figure, (left, right) = panels([window, window], scale=18, titles=titles)

@@ -1,3 +1,5 @@
 """The command ``equilibrium``."""
 
-from .program import main as main
+from .program import main
+
+__all__ = ["main"]

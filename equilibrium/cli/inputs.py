@@ -9,9 +9,13 @@ from __future__ import annotations
 import argparse
 import json
 import sys
+from collections.abc import Callable
+from fractions import Fraction
 from typing import TYPE_CHECKING, Any
 
 from arrangement import terminal
+
+from .arguments import add_command, add_count, add_number, show
 
 if TYPE_CHECKING:
     from equilibrium.inputs import Conversion
@@ -23,51 +27,40 @@ def add_commands(commands: Any) -> None:
     make = commands.add_parser("make", help="a grasp file from a CSV file, a polygon, a circle ...")
     kinds = make.add_subparsers(required=True, metavar="KIND")
 
-    table = kinds.add_parser("csv", help="one contact a line; columns x, y, normal_x, ...")
+    table = _add(kinds, "csv", _csv, "one contact a line; columns x, y, normal_x, ...")
     table.add_argument("file", metavar="FILE.csv")
-    _finish(table, _csv)
 
-    floats = kinds.add_parser("floats", help="measured or simulated data in floats, snapped")
+    floats = _add(kinds, "floats", _floats, "measured or simulated data in floats, snapped")
     floats.add_argument("file", metavar="DATA", help="a JSON or .csv file, or - for stdin (JSON)")
-    floats.add_argument(
-        "--tolerance",
-        type=terminal.rational_argument,
-        default="1/1000000",
-        metavar="Q",
-        help="largest change of a coordinate or value (default: 1/1000000)",
-    )
-    _finish(floats, _floats)
+    text = "largest change of a coordinate or value"
+    add_number(floats, "--tolerance", Fraction(1, 10**6), text)
 
-    polygon = kinds.add_parser("polygon", help="places on the boundary of a polygon (JSON)")
+    polygon = _add(kinds, "polygon", _polygon, "places on the boundary of a polygon (JSON)")
     polygon.add_argument("file", metavar="FILE.json", help="a path, or - for stdin")
-    _finish(polygon, _polygon)
 
-    circle = kinds.add_parser("circle", help="contacts on a circle, normals to its centre")
+    circle = _add(kinds, "circle", _circle, "contacts on a circle, normals to its centre")
     circle.add_argument("--angles", nargs="+", type=float, metavar="DEGREES", required=True)
-    circle.add_argument("--radius", type=terminal.rational_argument, default=1)
-    circle.add_argument("--friction", type=terminal.rational_argument, required=True)
-    circle.add_argument("--preload", type=terminal.rational_argument, default=0)
-    _finish(circle, _circle)
+    add_number(circle, "--radius", 1, "of the circle")
+    circle.add_argument("--friction", metavar="Q", type=terminal.rational_argument, required=True)
+    add_number(circle, "--preload", 0, "of every contact")
 
-    randoms = kinds.add_parser("random", help="contacts around an object, the same for each seed")
+    text = "contacts around an object, the same for each seed"
+    randoms = add_command(kinds, "random", _random, text, grasp=False)
     randoms.add_argument("--contacts", type=int, required=True, metavar="M")
-    randoms.add_argument("--seed", type=int, default=0)
-    randoms.set_defaults(command=_random)
+    add_count(randoms, "--seed", 0, "of the random numbers", "SEED")
     _add_units(randoms)
-    terminal.add_json_option(randoms)
 
 
-def _finish(parser: argparse.ArgumentParser, command: Any) -> None:
-    parser.add_argument(
-        "--angle-tolerance",
-        type=terminal.rational_argument,
-        default="1/1000000",
-        metavar="RADIANS",
-        help="largest error of a normal that has no exact unit form (default: 1/1000000)",
-    )
+def _add(
+    kinds: Any, name: str, read: Callable[[argparse.Namespace], Conversion], text: str
+) -> argparse.ArgumentParser:
+    """Add a kind of input whose conversion rounds."""
+    parser = add_command(kinds, name, _converted, text, grasp=False)
+    parser.set_defaults(read=read)
+    text = "largest error of a normal that has no exact unit form"
+    add_number(parser, "--angle-tolerance", Fraction(1, 10**6), text, "RADIANS")
     _add_units(parser)
-    terminal.add_json_option(parser)
-    parser.set_defaults(command=command)
+    return parser
 
 
 def _add_units(parser: argparse.ArgumentParser) -> None:
@@ -76,64 +69,47 @@ def _add_units(parser: argparse.ArgumentParser) -> None:
     )
 
 
-def _csv(arguments: argparse.Namespace) -> int:
+def _csv(arguments: argparse.Namespace) -> Conversion:
     from equilibrium.inputs import read_csv
 
-    return _show(read_csv(arguments.file, angle_tolerance=arguments.angle_tolerance), arguments)
+    return read_csv(arguments.file, angle_tolerance=arguments.angle_tolerance)
 
 
-def _floats(arguments: argparse.Namespace) -> int:
+def _floats(arguments: argparse.Namespace) -> Conversion:
     from equilibrium.inputs import read_float_data
 
-    found = read_float_data(
-        arguments.file,
-        tolerance=arguments.tolerance,
-        angle_tolerance=arguments.angle_tolerance,
-    )
-    return _show(found, arguments)
+    tolerances = {name: getattr(arguments, name) for name in ("tolerance", "angle_tolerance")}
+    return read_float_data(arguments.file, **tolerances)
 
 
-def _polygon(arguments: argparse.Namespace) -> int:
+def _polygon(arguments: argparse.Namespace) -> Conversion:
     from equilibrium.inputs import read_polygon
 
-    return _show(read_polygon(arguments.file, angle_tolerance=arguments.angle_tolerance), arguments)
+    return read_polygon(arguments.file, angle_tolerance=arguments.angle_tolerance)
 
 
-def _circle(arguments: argparse.Namespace) -> int:
+def _circle(arguments: argparse.Namespace) -> Conversion:
     from equilibrium.inputs import on_circle
 
-    found = on_circle(
-        arguments.angles,
-        arguments.friction,
-        radius=arguments.radius,
-        preload=arguments.preload,
-        angle_tolerance=arguments.angle_tolerance,
-    )
-    return _show(found, arguments)
+    options = {name: getattr(arguments, name) for name in ("radius", "preload", "angle_tolerance")}
+    return on_circle(arguments.angles, arguments.friction, **options)
 
 
 def _random(arguments: argparse.Namespace) -> int:
     from equilibrium.inputs import random_grasp
 
     document = _labelled(random_grasp(arguments.contacts, arguments.seed), arguments).to_dict()
-    if arguments.json:
-        terminal.print_json({"grasp": document})
-    else:
-        print(json.dumps(document, indent=2))
-    return terminal.YES
+    return show(arguments, {"grasp": document}, [json.dumps(document, indent=2)])
 
 
 def _labelled(grasp: Grasp, arguments: argparse.Namespace) -> Grasp:
     return grasp.with_units(*arguments.units) if arguments.units else grasp
 
 
-def _show(found: Conversion, arguments: argparse.Namespace) -> int:
+def _converted(arguments: argparse.Namespace) -> int:
+    found = arguments.read(arguments)
     document = {**found.to_dict(), "grasp": _labelled(found.grasp, arguments).to_dict()}
-    if arguments.json:
-        terminal.print_json(document)
-        return terminal.YES
-    print(json.dumps(document["grasp"], indent=2))
-    if not found.exact:
+    if not found.exact and not arguments.json:
         point = float(max(map(abs, found.point_errors), default=0))
         angle = float(max(map(abs, found.angle_errors), default=0))
         value = f", values by {float(found.value_error):.2g}" if found.value_error else ""
@@ -141,4 +117,4 @@ def _show(found: Conversion, arguments: argparse.Namespace) -> int:
             f"rounded: points by {point:.2g}, normals by {angle:.2g} radians{value}",
             file=sys.stderr,
         )
-    return terminal.YES
+    return show(arguments, document, [json.dumps(document["grasp"], indent=2)])

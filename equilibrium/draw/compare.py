@@ -8,24 +8,12 @@ from arrangement.draw.figure import picture
 from arrangement.draw.registry import Exact, Wrench
 from arrangement.draw.scene import Scene
 from arrangement.progress import watched
-from equilibrium.methods.regions import FORCES, METHODS, MOST_FOR_ALL_CHOICES, method_region
+from equilibrium.methods.registry import METHODS, WITH_REGION, method_named
 from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import Grasp
 
 from .row import Question
 from .slices import draw_parts
-
-#: Short titles that fit above a small panel.
-TITLES = {
-    "complete": "complete model",
-    "cones": "springs and cones only",
-    "wrench-space-L1": "wrench space, L1",
-    "wrench-space-Linf": "wrench space, L∞",
-    "weak": "weakly stable",
-    "frictionless": "frictionless stable",
-    "linear-compliance": "linear compliance",
-    "frictionless-slip": "frictionless slip",
-}
 
 
 @picture
@@ -43,8 +31,8 @@ def draw_compare(
         grasp: contacts; springs and preload count where a method knows of them.
         wrench: marked in every panel: a disc where the method accepts it, a cross where it does
             not; the plane has its torque.
-        methods: keys of `equilibrium.methods.regions.METHODS`; if omitted, all (without the one
-            that tries 3^m choices when the contacts are too many for it).
+        methods: keys of `equilibrium.methods.METHODS`; if omitted, all that have a region (without
+            those for which the contacts are too many).
         extent: half the side of each panel, about the origin; if omitted, all borders are shown.
         width: of the figure, in millimetres.
 
@@ -53,19 +41,17 @@ def draw_compare(
         MissingExtraError: matplotlib is absent.
     """
     question = Question(wrench, extent)
-    regions = {
-        name: method_region(name, grasp, FORCES, (0, 0, question.torque))
+    parts = [
+        (METHODS[name].label, method_named(name).region(grasp, origin=(0, 0, question.torque)))
         for name in watched(_names(grasp, methods), "methods")
-    }
-    parts = [(TITLES[name], region) for name, region in regions.items()]
+    ]
     return draw_parts(grasp, parts, question, width, columns=max(1, int(width / 44)))
 
 
 def _names(grasp: Grasp, methods: Iterable[str] | None) -> list[str]:
     if methods is None:
-        few = len(grasp) <= MOST_FOR_ALL_CHOICES
-        return [name for name in METHODS if few or name != "frictionless-slip"]
+        return [name for name in WITH_REGION if METHODS[name].tries(grasp)]
     names = list(methods)
     if not names:
-        raise GraspError(f"no method is given; known are {', '.join(METHODS)}")
+        raise GraspError(f"no method is given; known are {', '.join(WITH_REGION)}")
     return names

@@ -8,23 +8,15 @@ from arrangement.draw.colours import GREY
 from arrangement.draw.figure import picture
 from arrangement.draw.registry import Wrench
 from arrangement.draw.scene import POINTS, Scene, measure
-from equilibrium.methods.compare import Comparison, compare
+from equilibrium.methods import METHODS, Comparison, compare
 from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import Grasp, read_wrench
 
-from .compare import TITLES
 from .keys import MARKS
 from .row import new_legend
 from .style import vector
 
 MAX_WRENCHES = 24
-ALL_TITLES = {
-    **TITLES,
-    "printed": "the paper as printed",
-    "wrench-space": "wrench space, unbounded",
-    "form-closure": "form closure",
-    "strong": "strongly stable",
-}
 _ROW, _SIDE, _TINT = 4.6 * POINTS, 3.0 * POINTS, "#f3c9a5"
 _ANSWERS = {True: "accepted", False: "refusal", None: "silence"}
 
@@ -61,7 +53,7 @@ def draw_methods(grasp: Grasp, *, wrenches: Iterable[Wrench], width: float = 88.
     above = max(measure(head)[0] for head in heads) + 3.0 * POINTS
     height = above + _ROW * len(names) + 2.0 * POINTS + legend.height
     scene = Scene(width, height / POINTS)
-    _paint(scene, [ALL_TITLES[name] for name in names], heads, answers, height - above)
+    _paint(scene, [METHODS[name].label for name in names], heads, answers, height - above)
     legend.draw(scene)
     return scene
 

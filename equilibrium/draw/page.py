@@ -20,6 +20,7 @@ from arrangement.draw.registry import Wrench
 from arrangement.errors import InputError
 from arrangement.exact import RationalVector, to_text
 from equilibrium.model.grasp import Contact, Grasp, read_wrench
+from equilibrium.solver.contact_rows import unit_row
 from equilibrium.solver.elimination import gauss_jordan
 from equilibrium.solver.state_system import States, each_force, state_system
 from equilibrium.wrench_sets import Piece, resistible_set
@@ -128,13 +129,9 @@ def _solution(
     for row, pivot in zip(rows, pivots, strict=False):
         if pivot < n and not any(row[j] for j in range(n) if j != pivot):
             forms[pivot] = tuple(Fraction(-x, scale) for x in row[n:])
-    motion = [_combined(forms, _row(j, n)) for j in range(3)]
+    motion = [_combined(forms, unit_row(j, n)) for j in range(3)]
     forces = [_combined(forms, row) for row in each_force(system)]
     return motion, forces
-
-
-def _row(j: int, n: int) -> RationalVector:
-    return tuple(Fraction(int(i == j)) for i in range(n + 1))
 
 
 def _combined(forms: Sequence[RationalVector | None], row: RationalVector) -> RationalVector | None:

@@ -9,7 +9,7 @@ from arrangement.draw.figure import picture
 from arrangement.draw.registry import Exact, Wrench
 from arrangement.draw.scene import Scene
 from arrangement.exact import rational
-from equilibrium.methods.regions import FORCES, method_region
+from equilibrium.methods import METHODS
 from equilibrium.model.grasp import Grasp
 from equilibrium.wrench_sets import Region, resistible_region
 
@@ -81,9 +81,9 @@ def draw_parts(
 def slices(grasp: Grasp, torque: Fraction, preload: Fraction) -> list[tuple[str, Region]]:
     """Return title and region of the three parts."""
     origin = (0, 0, torque)
-    loaded = resistible_region(grasp.with_preload(preload), FORCES, origin)
+    loaded = resistible_region(grasp.with_preload(preload), origin=origin)
     return [
-        ("(a) Grasp Wrench Space, L1", method_region("wrench-space-L1", grasp, FORCES, origin)),
-        ("(b) no preload", resistible_region(grasp.with_preload(0), FORCES, origin)),
+        ("(a) Grasp Wrench Space, L1", METHODS["wrench-space-L1"].region(grasp, origin=origin)),
+        ("(b) no preload", resistible_region(grasp.with_preload(0), origin=origin)),
         (f"(c) preload {number(preload)}", loaded),
     ]

@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
 
-from arrangement.exact import RationalVector, from_floats, to_text
+from arrangement.exact import RationalVector, from_floats, rational, to_text
 from equilibrium.model.errors import GraspError
-from equilibrium.model.grasp import Contact, Grasp
+from equilibrium.model.grasp import VALUES, Contact, Grasp
 from equilibrium.model.unit_normal import UnitNormal, unit_normal
 
 DEFAULT_TOLERANCE = Fraction(1, 10**6)
@@ -103,7 +103,20 @@ def assembled(
     )
 
 
-def for_each(value: Any, number: int, name: str) -> list[Any]:
+def contact_values(
+    number: int,
+    friction: Any,
+    stiffness: Any,
+    preload: Any,
+    read: Callable[[Any, str], Any] = rational,
+) -> list[dict[str, Any]]:
+    """Return the values of each contact by name, from one for all or a sequence of each kind."""
+    given = zip(VALUES, (friction, stiffness, preload), strict=True)
+    columns = [[read(x, name) for x in _for_each(value, number, name)] for name, value in given]
+    return [dict(zip(VALUES, row, strict=True)) for row in zip(*columns, strict=True)]
+
+
+def _for_each(value: Any, number: int, name: str) -> list[Any]:
     """Return one value for each contact, from one for all or a sequence of them."""
     if isinstance(value, Iterable) and not isinstance(value, (str, bytes)):
         found = list(value)

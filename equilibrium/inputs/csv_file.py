@@ -18,13 +18,13 @@ from typing import Any
 
 from arrangement.exact import RationalVector, rational, shown
 from equilibrium.model.errors import GraspError
-from equilibrium.model.grasp import Contact
+from equilibrium.model.grasp import VALUES, Contact
 from equilibrium.model.unit_normal import UnitNormal, unit_normal
 
 from .conversion import DEFAULT_TOLERANCE, Conversion, assembled
 
-_REQUIRED = ("x", "y", "normal_x", "normal_y", "friction")
-OPTIONAL = ("stiffness", "preload")
+_REQUIRED = ("x", "y", "normal_x", "normal_y", VALUES[0])
+_OPTIONAL = VALUES[1:]
 MAX_BYTES = 4 * 2**20
 
 
@@ -55,7 +55,7 @@ def parse_csv(text: str, *, angle_tolerance: Any = DEFAULT_TOLERANCE) -> Convers
             numbers = {name: rational(entry, name) for name, entry in row.items()}
             normal = unit_normal((numbers["normal_x"], numbers["normal_y"]), angle_tolerance)
             point = (numbers["x"], numbers["y"])
-            rest = {name: x for name, x in numbers.items() if name in ("friction", *OPTIONAL)}
+            rest = {name: x for name, x in numbers.items() if name in VALUES}
             Contact(point, normal.normal, **rest)
         except ValueError as error:
             raise GraspError(f"line {line}: {error}") from None
@@ -89,9 +89,9 @@ def _check_header(header: list[str]) -> None:
             f"the first line must name the columns {', '.join(_REQUIRED)}; {missing[0]} is missing"
         )
     for name in header:
-        if name not in (*_REQUIRED, *OPTIONAL):
+        if name not in (*_REQUIRED, *_OPTIONAL):
             raise GraspError(
-                f"the column {shown(name)} is unknown; known are {', '.join(_REQUIRED + OPTIONAL)}"
+                f"the column {shown(name)} is unknown; known are {', '.join(_REQUIRED + _OPTIONAL)}"
             )
         if header.count(name) > 1:
             raise GraspError(f"the column {name} appears twice; keep one")

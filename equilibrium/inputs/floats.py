@@ -2,7 +2,7 @@
 
 The JSON form of a file is ``{"schema_version": 1, "points": [[-0.1, 0], ...], "normals": [[1, 0],
 ...], "friction": 0.3}``, if wanted with ``stiffness`` and ``preload``; each of these three is one
-number for all contacts or a list. A CSV file has the columns of `csvfile`. Numbers are decimals,
+number for all contacts or a list. A CSV file has the columns of `csv_file`. Numbers are decimals,
 also with an exponent such as ``2.5e-3``, or ratios.
 """
 
@@ -17,12 +17,18 @@ from typing import Any
 from arrangement.exact import RationalVector, rational, shown
 from arrangement.io.files import Source, check_keys, check_list, read_document
 from equilibrium.model.errors import GraspError
-from equilibrium.model.grasp import Grasp
+from equilibrium.model.grasp import VALUES, Grasp
 
-from .conversion import DEFAULT_TOLERANCE, Conversion, assembled, for_each, snapped, unit_normals
-from .csv_file import OPTIONAL, csv_rows, csv_text
+from .conversion import (
+    DEFAULT_TOLERANCE,
+    Conversion,
+    assembled,
+    contact_values,
+    snapped,
+    unit_normals,
+)
+from .csv_file import csv_rows, csv_text
 
-_VALUES = ("friction", *OPTIONAL)
 _DECIMAL = re.compile(r"[+-]?([0-9]{1,400}\.?[0-9]{0,400}|\.[0-9]{1,400})([eE][+-]?[0-9]{1,4})?")
 
 
@@ -58,12 +64,12 @@ def from_float_data(
     directions = unit_normals(normals, angle_tolerance)
     if len(directions) != len(places):
         raise GraspError(f"{len(directions)} normals for {len(places)} points; give one for each")
-    values: list[dict[str, Fraction]] = [{} for _ in places]
-    worst = Fraction(0)
-    for name, given in (("friction", friction), ("stiffness", stiffness), ("preload", preload)):
-        for value, number in zip(values, for_each(given, len(places), name), strict=True):
-            value[name], change = snapped(number, tolerance)
-            worst = max(worst, abs(change))
+    found = contact_values(
+        len(places), friction, stiffness, preload, lambda x, _: snapped(x, tolerance)
+    )
+    values = [{name: x for name, (x, _) in entry.items()} for entry in found]
+    changes = (abs(change) for entry in found for _, change in entry.values())
+    worst = max(changes, default=Fraction(0))
     return assembled(places, directions, values, worst)
 
 
@@ -87,9 +93,8 @@ def read_float_data(
     if isinstance(source, (str, os.PathLike)) and os.fspath(source).lower().endswith(".csv"):
         return _joined([_contact(*row, tolerances) for row in csv_rows(csv_text(source))])
     document = read_document(source, ("points",), floats=True)
-    optional = (*OPTIONAL, "description")
-    required = ("schema_version", "points", "normals", "friction")
-    check_keys(document, required, optional, "the document")
+    required = ("schema_version", "points", "normals", VALUES[0])
+    check_keys(document, required, (*VALUES[1:], "description"), "the document")
     points, normals = (
         [
             [_plain(x, f"{key}[{i}]") for x in check_list(pair, f"{key}[{i}]", 2)]
@@ -100,7 +105,7 @@ def read_float_data(
     values = {
         key: [_plain(x, key) for x in given] if isinstance(given, list) else _plain(given, key)
         for key, given in document.items()
-        if key in _VALUES
+        if key in VALUES
     }
     return from_float_data(points, normals, **values, **tolerances)
 
@@ -108,7 +113,7 @@ def read_float_data(
 def _plain(value: Any, where: str) -> Any:
     """Return a JSON number or text; anything else is refused."""
     if isinstance(value, bool) or not isinstance(value, (int, float, str)):
-        raise GraspError(f"{where} holds {shown(value)}; numbers are due")
+        raise GraspError(f"{where} is {shown(value)}; expected a number")
     return value
 
 
@@ -117,7 +122,7 @@ def _contact(line: int, row: dict[str, str], tolerances: dict[str, Any]) -> Conv
     try:
         numbers = {name: _number(entry, name) for name, entry in row.items()}
         point, normal = [numbers["x"], numbers["y"]], [numbers["normal_x"], numbers["normal_y"]]
-        values = {name: numbers[name] for name in _VALUES if name in numbers}
+        values = {name: numbers[name] for name in VALUES if name in numbers}
         return from_float_data([point], [normal], **values, **tolerances)
     except ValueError as error:
         raise GraspError(f"line {line}: {error}") from None

@@ -9,8 +9,9 @@ from typing import Any, NamedTuple
 from arrangement.exact import RationalVector, rational, rational_vector, sign
 from arrangement.io.files import Source, check_keys, check_list, read_document
 from equilibrium.model.errors import GraspError
+from equilibrium.model.grasp import VALUES
 
-from .conversion import DEFAULT_TOLERANCE, Conversion, assembled, for_each, unit_normals
+from .conversion import DEFAULT_TOLERANCE, Conversion, assembled, contact_values, unit_normals
 
 
 class OnEdge(NamedTuple):
@@ -53,7 +54,7 @@ def from_polygon(
     (Fraction(-3, 5), Fraction(-4, 5))
     """
     corners = [_corner(v, i) for i, v in enumerate(vertices)]
-    inside = orientation(corners)
+    inside = _orientation(corners)
     found = [
         _placed(corners, place, i) if isinstance(place, OnEdge) else _located(corners, place, i)
         for i, place in enumerate(places)
@@ -62,15 +63,14 @@ def from_polygon(
     for edge, _ in found:
         along = _minus(corners[(edge + 1) % len(corners)], corners[edge])
         directions.append((-inside * along[1], inside * along[0]))
-    values = _values(len(found), friction, stiffness, preload)
     return assembled(
         [(point, Fraction(0)) for _, point in found],
         unit_normals(directions, angle_tolerance),
-        values,
+        contact_values(len(found), friction, stiffness, preload),
     )
 
 
-def orientation(corners: Sequence[RationalVector]) -> int:
+def _orientation(corners: Sequence[RationalVector]) -> int:
     """Return 1 for a counter-clockwise simple polygon, -1 for a clockwise one.
 
     Raises:
@@ -160,14 +160,6 @@ def _placed(
     return edge, tuple(x + s * (y - x) for x, y in zip(start, end, strict=True))
 
 
-def _values(number: int, friction: Any, stiffness: Any, preload: Any) -> list[dict[str, Fraction]]:
-    columns = {
-        name: [rational(x, name) for x in for_each(given, number, name)]
-        for name, given in (("friction", friction), ("stiffness", stiffness), ("preload", preload))
-    }
-    return [{name: column[i] for name, column in columns.items()} for i in range(number)]
-
-
 def _corner(values: Iterable[Any], index: int) -> RationalVector:
     corner = rational_vector(values, f"vertices[{index}]")
     if len(corner) != 2:
@@ -199,12 +191,12 @@ def read_polygon(source: Source, *, angle_tolerance: Any = DEFAULT_TOLERANCE) ->
         for i, v in enumerate(check_list(document["polygon"], "polygon"))
     ]
     places: list[OnEdge | list[Any]] = []
-    columns: dict[str, list[Any]] = {"friction": [], "stiffness": [], "preload": []}
+    columns: dict[str, list[Any]] = {name: [] for name in VALUES}
     for i, entry in enumerate(check_list(document["places"], "places")):
         name = f"places[{i}]"
         on_edge = isinstance(entry, Mapping) and "edge" in entry
         required = ("edge", "at", "friction") if on_edge else ("point", "friction")
-        check_keys(entry, required, ("stiffness", "preload"), name)
+        check_keys(entry, required, VALUES[1:], name)
         places.append(
             OnEdge(entry["edge"], entry["at"]) if on_edge else check_list(entry["point"], name, 2)
         )

@@ -4,13 +4,12 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable
-from fractions import Fraction
 from typing import Any
 
 from arrangement.exact import rational, rational_vector
 from equilibrium.model.errors import GraspError
 
-from .conversion import DEFAULT_TOLERANCE, Conversion, assembled, for_each, unit_normals
+from .conversion import DEFAULT_TOLERANCE, Conversion, assembled, contact_values, unit_normals
 
 
 def on_circle(
@@ -54,13 +53,7 @@ def on_circle(
         )
         for normal in inward
     ]
-    columns = {
-        name: [rational(x, name) for x in for_each(given, len(places), name)]
-        for name, given in (("friction", friction), ("stiffness", stiffness), ("preload", preload))
-    }
-    values: list[dict[str, Fraction]] = [
-        {name: column[i] for name, column in columns.items()} for i in range(len(places))
-    ]
+    values = contact_values(len(places), friction, stiffness, preload)
     return assembled(places, inward, values)
 
 

@@ -13,14 +13,27 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
+from itertools import product
 from typing import Any
 
 from arrangement.arrangement import Arrangement
-from arrangement.exact import RationalVector
-from arrangement.linprog import Infeasible, Row, feasible_point
+from arrangement.exact import IntegerVector, RationalVector, dot, primitive
+from arrangement.linprog import Infeasible, feasible_point
+from arrangement.polyhedra.cones import generators
+from arrangement.polyhedra.polyhedron import Polyhedron, from_generators
 from equilibrium.model.grasp import Grasp, read_wrench
+from equilibrium.solver.contact_rows import (
+    Pair,
+    balance_rows,
+    cone_rows,
+    friction_edges,
+    negated,
+    normal_force_row,
+    unit_row,
+)
 
-from .springs import Forces, Form, normal_form, value
+from .method import Method, Outcome, cut
+from .springs import APEX, Forces, forces_at
 
 
 @dataclass(frozen=True)
@@ -51,21 +64,17 @@ def cones(grasp: Grasp, wrench: Iterable[Any], *, printed: bool = False) -> Cone
     O(m^3); one in all if `printed`.
     """
     applied = read_wrench(wrench)
-    tried = 0
-    for attached in [(True,) * len(grasp)] if printed else attached_choices(grasp):
-        tried += 1
-        point = feasible_point(3 + len(grasp), *_program(grasp, applied, attached))
+    tried, n = 0, 3 + len(grasp)
+    choices = [(True,) * len(grasp)] if printed else _attached_choices(grasp)
+    for tried, attached in enumerate(choices, 1):
+        pairs, rows = _program(grasp, attached)
+        point = feasible_point(n, rows, balance_rows(grasp, pairs, applied, n))
         if not isinstance(point, Infeasible):
-            motion = point[:3]
-            forces = tuple(
-                (value(normal_form(contact), motion), friction) if touches else (Fraction(0),) * 2
-                for contact, friction, touches in zip(grasp, point[3:], attached, strict=True)
-            )
-            return ConesVerdict(True, motion, forces, tried)
+            return ConesVerdict(True, point[:3], forces_at(pairs, point), tried)
     return ConesVerdict(False, None, None, tried)
 
 
-def attached_choices(grasp: Grasp) -> Iterator[tuple[bool, ...]]:
+def _attached_choices(grasp: Grasp) -> Iterator[tuple[bool, ...]]:
     """Yield which contacts are attached, for every region of the normal planes."""
     planes = Arrangement(
         [[contact.stiffness * x for x in contact.normal_wrench] for contact in grasp],
@@ -76,29 +85,64 @@ def attached_choices(grasp: Grasp) -> Iterator[tuple[bool, ...]]:
         yield tuple(sign < 0 for sign in region.signs)
 
 
-def _program(
-    grasp: Grasp, wrench: RationalVector, attached: Sequence[bool]
-) -> tuple[list[Row], list[Row]]:
-    """Return inequalities and equalities over the motion and one friction force each."""
-    m = len(grasp)
-    inequalities: list[Row] = []
-    balance = [[Fraction(0)] * (3 + m) + [wrench[k]] for k in range(3)]
-    for i, (contact, touches) in enumerate(zip(grasp, attached, strict=True)):
-        normal = normal_form(contact)
-        if not touches:
-            inequalities.append(_wide(m, [-x for x in normal]))
-            continue
-        inequalities.append(_wide(m, normal))
-        edge = [contact.friction * x for x in normal]
-        inequalities += [_wide(m, edge, i, side) for side in (1, -1)]
-        for k in range(3):
-            for j, x in zip((0, 1, 2, -1), normal, strict=True):
-                balance[k][j] += contact.normal_wrench[k] * x
-            balance[k][3 + i] += contact.tangential_wrench[k]
-    return inequalities, list(balance)
+def _program(grasp: Grasp, attached: Sequence[bool]) -> tuple[list[Pair], list[RationalVector]]:
+    """Return forces and conditions as rows in the motion and a friction force a contact."""
+    n = 3 + len(grasp)
+    pairs: list[Pair] = []
+    rows: list[RationalVector] = []
+    for column, (contact, touches) in enumerate(zip(grasp, attached, strict=True), 3):
+        normal, friction = normal_force_row(contact, n), unit_row(column, n)
+        if touches:
+            pairs.append((normal, friction))
+            rows += [normal, *cone_rows(contact.friction, normal, friction)]
+        else:
+            pairs.append(((Fraction(0),) * (n + 1),) * 2)
+            rows.append(negated(normal))
+    return pairs, rows
 
 
-def _wide(m: int, form: Form | list[Fraction], i: int = 0, side: int = 0) -> Row:
-    """Return a form of the motion, plus `side` times friction force i, as a row."""
-    friction = [Fraction(side * int(i == j)) for j in range(m)]
-    return [*form[:3], *friction, form[-1]]
+def _decide(grasp: Grasp, wrench: RationalVector) -> Outcome:
+    found = cones(grasp, wrench)
+    return found.accepts, f"{found.tried} choices of attached contacts tried"
+
+
+@cut
+def _region(grasp: Grasp) -> Iterator[Polyhedron | None]:
+    """Yield one polyhedron for each choice of attached contacts.
+
+    In a region the wrench is linear in the motion and the friction forces, whose limits are linear
+    in the motion: the extreme wrenches come from extreme motions with extreme friction.
+    """
+    for attached in _attached_choices(grasp):
+        rows, touching = [APEX], []
+        for contact, touches in zip(grasp, attached, strict=True):
+            normal = normal_force_row(contact)
+            rows.append(primitive(normal if touches else negated(normal)))
+            if touches:
+                touching.append((normal, friction_edges(contact)))
+        # Along a line of the region no touching spring changes, so the wrench does not either.
+        rays, _ = generators(rows, [], 4)
+        images = {image for ray in rays for image in _extreme_wrenches(touching, ray)}
+        yield from_generators(images, (), 3)
+
+
+def _extreme_wrenches(
+    touching: Sequence[tuple[RationalVector, Pair]], motion: IntegerVector
+) -> Iterator[IntegerVector]:
+    forces = [Fraction(dot(normal, motion)) for normal, _ in touching]
+    for edges in product(*(pair for _, pair in touching)):
+        wrench = [
+            -sum((f * edge[k] for f, edge in zip(forces, edges, strict=True)), Fraction(0))
+            for k in range(3)
+        ]
+        if any(wrench) or motion[3]:
+            yield primitive([*wrench, Fraction(motion[3])])
+
+
+CONES = Method(
+    "cones",
+    "springs and cones without dissipation",
+    "springs and cones only",
+    _decide,
+    _region,
+)

@@ -19,8 +19,9 @@ from arrangement.exact import RationalVector, primitive
 from arrangement.linear import rank
 from arrangement.linprog import Infeasible, Optimal, Row, feasible_point, minimize
 from equilibrium.model.grasp import Grasp
+from equilibrium.solver.contact_rows import friction_edges
 
-from .grasp_wrench_space import cone_edges
+from .method import Method, Outcome
 
 
 @dataclass(frozen=True)
@@ -51,16 +52,16 @@ def form_closure(grasp: Grasp, *, friction: bool = False) -> FormClosure:
     (Fraction(0, 1), Fraction(0, 1), Fraction(1, 1))
     """
     if friction:
-        wrenches = [edge for contact in grasp for edge in cone_edges(contact)]
+        wrenches = [edge for contact in grasp for edge in friction_edges(contact)]
     else:
         wrenches = [contact.normal_wrench for contact in grasp]
-    value = ray_value(wrenches)
+    value = _ray_value(wrenches)
     if value is None or value >= 1:
         return FormClosure(None, value, None, _free_motion(wrenches))
     return FormClosure(True, value, _multipliers(wrenches), None)
 
 
-def ray_value(wrenches: Sequence[RationalVector]) -> Fraction | None:
+def _ray_value(wrenches: Sequence[RationalVector]) -> Fraction | None:
     """Return Liu's optimum z for wrenches that span space, else None.
 
     None as well when their hull is flat, which shows as an unbounded program.
@@ -103,3 +104,11 @@ def _nonzero_rows(wrenches: Sequence[RationalVector]) -> Iterator[Row]:
     for axis in range(3):
         for side in (1, -1):
             yield [*(side * int(axis == k) for k in range(3)), -1]
+
+
+def _decide(grasp: Grasp, _: RationalVector) -> Outcome:
+    closed = form_closure(grasp).accepts
+    return closed, "every wrench" if closed else "no form closure: nothing follows for one wrench"
+
+
+FORM_CLOSURE = Method("form-closure", "form closure (Liu 1999)", "form closure", _decide)

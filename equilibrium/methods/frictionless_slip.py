@@ -10,27 +10,28 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
+from fractions import Fraction
 from itertools import product
 from typing import Any, Literal
 
 from arrangement.exact import RationalVector
-from arrangement.linprog import Infeasible, Row, feasible_point
+from arrangement.linprog import Infeasible, feasible_point
+from arrangement.polyhedra.polyhedron import Polyhedron
 from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import Grasp, read_wrench
+from equilibrium.solver.contact_rows import Pair, balance_rows, negated
 
+from .method import Method, Outcome, cut
 from .springs import (
-    ZERO,
     Forces,
-    Form,
-    balance_rows,
-    cone_rows,
-    normal_form,
-    rest_forces,
-    tangential_form,
-    tangential_stiffnesses,
-    value,
+    balanced_wrenches,
+    force_rows,
+    forces_at,
+    springs_of,
+    usual_springs,
 )
 
+_ZERO: RationalVector = (Fraction(0),) * 4
 State = Literal["stick", "slip", "detached"]
 STATES: tuple[State, ...] = ("stick", "slip", "detached")
 #: More contacts than this are refused: 3^12 systems are half a million.
@@ -78,40 +79,62 @@ def frictionless_slip(
         raise GraspError(
             f"{len(grasp)} contacts are too many for 3^m choices; at most {MAX_CONTACTS} are tried"
         )
-    applied = read_wrench(wrench)
-    stiffnesses = tangential_stiffnesses(grasp, tangential_stiffness)
-    rest = rest_forces(grasp, rest_friction)
-    springs = [
-        (normal_form(contact), tangential_form(contact, k, t))
-        for contact, k, t in zip(grasp, stiffnesses, rest, strict=True)
-    ]
+    springs = springs_of(grasp, tangential_stiffness, rest_friction)
+    return _decided(grasp, read_wrench(wrench), springs, gap)
+
+
+def _decided(
+    grasp: Grasp, wrench: RationalVector, springs: list[Pair], gap: bool = True
+) -> FrictionlessSlipVerdict:
     tried = 0
-    for states in product(STATES, repeat=len(grasp)):
-        tried += 1
-        forms = [forms_of(state, pair) for state, pair in zip(states, springs, strict=True)]
-        rows = list(legal_rows(grasp, states, springs, gap))
-        motion = feasible_point(3, rows, balance_rows(grasp, forms, applied))
+    for tried, states in enumerate(product(STATES, repeat=len(grasp)), 1):
+        forces, rows = _forces(states, springs), _legal_rows(grasp, states, springs, gap)
+        motion = feasible_point(3, list(rows), balance_rows(grasp, forces, wrench))
         if not isinstance(motion, Infeasible):
-            forces = tuple((value(n, motion), value(t, motion)) for n, t in forms)
-            return FrictionlessSlipVerdict(True, states, motion, forces, tried)
+            found = forces_at(forces, motion)
+            return FrictionlessSlipVerdict(True, states, motion, found, tried)
     return FrictionlessSlipVerdict(False, None, None, None, tried)
 
 
-def forms_of(state: State, springs: tuple[Form, Form]) -> tuple[Form, Form]:
-    """Return the two forces of a contact in a state."""
-    if state == "stick":
-        return springs
-    return (springs[0], ZERO) if state == "slip" else (ZERO, ZERO)
+def _forces(states: tuple[State, ...], springs: list[Pair]) -> list[Pair]:
+    """Return the forces of contacts in these states."""
+    return [
+        (_ZERO if state == "detached" else normal, tangential if state == "stick" else _ZERO)
+        for state, (normal, tangential) in zip(states, springs, strict=True)
+    ]
 
 
-def legal_rows(
-    grasp: Grasp, states: tuple[State, ...], springs: list[tuple[Form, Form]], gap: bool
-) -> Iterator[Row]:
+def _legal_rows(
+    grasp: Grasp, states: tuple[State, ...], springs: list[Pair], gap: bool = True
+) -> Iterator[RationalVector]:
     """Yield the conditions that make the forces of the states legal."""
-    for contact, state, (normal, tangential) in zip(grasp, states, springs, strict=True):
+    for contact, state, pair in zip(grasp, states, springs, strict=True):
         if state == "stick":
-            yield from cone_rows(contact, normal, tangential)
+            yield from force_rows(contact, pair)
         elif state == "slip":
-            yield normal
+            yield pair[0]
         elif gap:
-            yield [-x for x in normal]
+            yield negated(pair[0])
+
+
+def _decide(grasp: Grasp, wrench: RationalVector) -> Outcome:
+    springs, remark = usual_springs(grasp)
+    return _decided(grasp, wrench, springs).accepts, remark
+
+
+@cut
+def _region(grasp: Grasp) -> Iterator[Polyhedron | None]:
+    springs, _ = usual_springs(grasp)
+    for states in product(STATES, repeat=len(grasp)):
+        forces, rows = _forces(states, springs), _legal_rows(grasp, states, springs)
+        yield balanced_wrenches(grasp, forces, rows)
+
+
+FRICTIONLESS_SLIP = Method(
+    "frictionless-slip",
+    "stick, frictionless slip, detached (Prattichizzo 1997)",
+    "frictionless slip",
+    _decide,
+    _region,
+    most_contacts=8,
+)

@@ -14,17 +14,28 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
-from itertools import product
+from itertools import permutations, product
 from math import sqrt
 from typing import Any, Literal
 
-from arrangement.exact import RationalVector, dot, rational, rational_vector
+from arrangement.exact import (
+    IntegerVector,
+    RationalVector,
+    dot,
+    primitive,
+    rational,
+    rational_vector,
+    to_text,
+)
 from arrangement.linear import cross
 from arrangement.linprog import Infeasible, Optimal, Row, minimize
+from arrangement.polyhedra.polyhedron import Polyhedron, from_generators
 from equilibrium.model.errors import GraspError
-from equilibrium.model.grasp import Contact, Grasp, read_wrench
+from equilibrium.model.grasp import Grasp, read_wrench
+from equilibrium.solver.contact_rows import friction_edges, sum_row, unit_row
+from equilibrium.wrench_sets.plane import polygon_cycle
 
-from .hull import Hull, convex_hull, plane_hull
+from .method import Method, Outcome, cut
 
 Norm = Literal["L1", "Linf"]
 Forces = tuple[tuple[Fraction, Fraction], ...]
@@ -78,29 +89,34 @@ class GraspWrenchSpace:
             raise GraspError(f"torque_scale is {self.torque_scale}; it must be above 0")
 
     @cached_property
-    def hull(self) -> Hull:
-        """The space as an exact polytope, torques divided by `torque_scale`."""
-        edges = [[self._scaled(edge) for edge in cone_edges(contact)] for contact in self.grasp]
+    def polytope(self) -> Polyhedron:
+        """The space with torques divided by `torque_scale`; flat where the forces are."""
+        edges = [[self._scaled(edge) for edge in friction_edges(c)] for c in self.grasp]
         zero = (Fraction(0),) * 3
         if self.norm == "L1":
-            return convex_hull([zero, *(edge for pair in edges for edge in pair)])
-        hull = convex_hull([zero])
+            return _hull([zero, *(edge for pair in edges for edge in pair)])
+        found = _hull([zero])
         for pair in edges:
-            sums = product(hull.vertices, (zero, *pair))
-            hull = convex_hull([tuple(map(sum, zip(*both, strict=True))) for both in sums])
-        return hull
+            sums = product(found.points, (zero, *pair))
+            found = _hull([sum_row(one, other, 1) for one, other in sums])
+        return found
+
+    @property
+    def facets(self) -> tuple[IntegerVector, ...]:
+        """The conditions ``a . x + b >= 0`` of the facets; none where the space is flat."""
+        return self.polytope.inequalities if self.polytope.dimension == 3 else ()
 
     @property
     def force_closure(self) -> bool:
         """Whether every wrench is resisted: the origin lies strictly inside."""
-        return self.hull.has_inside((0, 0, 0))
+        return bool(self.facets) and all(row[-1] > 0 for row in self.facets)
 
     @property
     def epsilon_squared(self) -> Fraction:
         """The squared radius of the largest ball about the origin inside the space, exact."""
         if not self.force_closure:
             return Fraction(0)
-        return min(f.offset**2 / Fraction(dot(f.normal, f.normal)) for f in self.hull.facets)
+        return min(Fraction(row[-1] ** 2, dot(row[:-1], row[:-1])) for row in self.facets)
 
     @property
     def epsilon(self) -> float:
@@ -109,18 +125,19 @@ class GraspWrenchSpace:
 
     @property
     def volume(self) -> Fraction:
-        """The exact volume of the space."""
-        return self.hull.volume
+        """The exact volume of the space; 0 where it is flat."""
+        return _volume(self.polytope)
 
     def verdict(self, wrench: Iterable[Any]) -> WrenchSpaceVerdict:
         """Return whether the method counts a wrench as resisted; one exact linear program."""
         load = read_wrench(wrench)
-        columns = [edge for contact in self.grasp for edge in cone_edges(contact)]
-        n, m = len(columns), len(self.grasp)
+        columns = [edge for contact in self.grasp for edge in friction_edges(contact)]
+        n = len(columns)
         # Variables: a factor for each cone edge, then the bound on single normal forces.
-        rows: list[Row] = [_row(n, {j: 1}) for j in range(n + 1)]
+        rows = [unit_row(j, n + 1) for j in range(n + 1)]
         if self.norm == "Linf":
-            rows += [_row(n, {2 * i: -1, 2 * i + 1: -1, n: 1}) for i in range(m)]
+            edges = zip(rows[:n:2], rows[1:n:2], strict=True)
+            rows += [sum_row(rows[n], sum_row(one, other, 1), -1) for one, other in edges]
         balance: list[Row] = [[*(c[k] for c in columns), Fraction(0), load[k]] for k in range(3)]
         objective = [0] * n + [1] if self.norm == "Linf" else [1] * n + [0]
         answer = minimize(objective, rows, balance)
@@ -149,45 +166,77 @@ class GraspWrenchSpace:
             holds the forces at zero torque, as in the paper's figure.
         """
         o, a, b = (rational_vector(v, "plane") for v in (origin, first, second))
-        normal = cross(a, b)
-        if not any(normal):
+        if not any(cross(a, b)):
             raise GraspError("first and second are parallel; give two that span a plane")
-        resisted = [self._unscaled(vertex) for vertex in self.hull.vertices]
-        heights = [dot(normal, v) - dot(normal, o) for v in resisted]
-        cut = {v for v, h in zip(resisted, heights, strict=True) if h == 0}
-        for p, hp in zip(resisted, heights, strict=True):
-            for q, hq in zip(resisted, heights, strict=True):
-                if hp > 0 > hq:
-                    t = hp / (hp - hq)
-                    cut.add(tuple(x + t * (y - x) for x, y in zip(p, q, strict=True)))
-        corners = sorted({_coordinates(point, o, a, b) for point in cut})
-        return tuple(corners[i] for i in plane_hull(corners))
+        polygon = self.resisted.cut(o, (a, b))
+        if polygon is None:
+            return ()
+        corners = polygon_cycle(polygon)
+        least = corners.index(min(corners))
+        return (*corners[least:], *corners[:least])
+
+    @cached_property
+    def resisted(self) -> Polyhedron:
+        """The wrenches that forces within the bounds balance."""
+        s = self.torque_scale
+        return _hull([(-x, -y, -s * torque) for x, y, torque in self.polytope.points])
 
     def _scaled(self, wrench: RationalVector) -> RationalVector:
         return (wrench[0], wrench[1], wrench[2] / self.torque_scale)
 
-    def _unscaled(self, vertex: RationalVector) -> RationalVector:
-        """Return the applied wrench that a point of the space balances."""
-        return (-vertex[0], -vertex[1], -vertex[2] * self.torque_scale)
+
+def _hull(points: Iterable[RationalVector]) -> Polyhedron:
+    """Return the convex hull of finitely many points, at least one."""
+    found = from_generators([primitive((*p, Fraction(1))) for p in points], (), 3)
+    assert found is not None
+    return found
 
 
-def cone_edges(contact: Contact) -> tuple[RationalVector, RationalVector]:
-    """Return ``N + mu T`` and ``N - mu T``, the wrenches along the two edges of the cone."""
-    pairs = list(zip(contact.normal_wrench, contact.tangential_wrench, strict=True))
-    mu = contact.friction
-    return tuple(n + mu * t for n, t in pairs), tuple(n - mu * t for n, t in pairs)
+def _volume(polytope: Polyhedron) -> Fraction:
+    """Return the volume of a polytope in space.
+
+    It is cut into the tetrahedra of one vertex, one of each facet, and the edges of the facet.
+    """
+    if polytope.dimension < 3:
+        return Fraction(0)
+    apex, *_ = polytope.points
+    away = [tuple(x - y for x, y in zip(p, apex, strict=True)) for p in polytope.points]
+    facets = [
+        {i for i, point in enumerate(polytope.homogeneous[0]) if dot(row, point) == 0}
+        for row in polytope.inequalities
+    ]
+    total = Fraction(0)
+    for facet, other in permutations(facets, 2):
+        edge = facet & other
+        if len(edge) == 2 and 0 not in facet:
+            one, two = (away[i] for i in edge)
+            total += abs(dot(away[min(facet)], cross(one, two)))
+    return total / 6
 
 
-def _row(n: int, entries: dict[int, int]) -> list[int]:
-    """Return a row over n factors, the bound and the constant."""
-    return [entries.get(j, 0) for j in range(n + 2)]
+def _decide(grasp: Grasp, wrench: RationalVector) -> Outcome:
+    found = GraspWrenchSpace(grasp).verdict(wrench)
+    if found.least_force is None:
+        return False, "no forces inside the cones balance it"
+    return True, f"total normal force at least {to_text(found.least_force)}"
 
 
-def _coordinates(
-    point: RationalVector, origin: RationalVector, first: RationalVector, second: RationalVector
-) -> RationalVector:
-    """Return (u, v) with ``point = origin + u first + v second``."""
-    away = [x - y for x, y in zip(point, origin, strict=True)]
-    normal = cross(first, second)
-    square = dot(normal, normal)
-    return (dot(cross(away, second), normal) / square, dot(cross(first, away), normal) / square)
+#: Without a bound of the forces.
+WRENCH_SPACE = Method(
+    "wrench-space",
+    "Grasp Wrench Space (Ferrari, Canny 1992)",
+    "wrench space, unbounded",
+    _decide,
+)
+WRENCH_SPACE_L1 = Method(
+    "wrench-space-L1",
+    "Grasp Wrench Space, normal forces with sum at most 1",
+    "wrench space, L1",
+    find_region=cut(lambda grasp: [GraspWrenchSpace(grasp, "L1").resisted]),
+)
+WRENCH_SPACE_LINF = Method(
+    "wrench-space-Linf",
+    "Grasp Wrench Space, normal forces at most 1 each",
+    "wrench space, L∞",
+    find_region=cut(lambda grasp: [GraspWrenchSpace(grasp, "Linf").resisted]),
+)

@@ -8,22 +8,24 @@ nor let go, so a spring that leaves its cone makes the method refuse, right or w
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from typing import Any
 
 from arrangement.exact import RationalVector
 from arrangement.linprog import Infeasible, feasible_point
+from arrangement.polyhedra.polyhedron import Polyhedron
 from equilibrium.model.grasp import Grasp, read_wrench
+from equilibrium.solver.contact_rows import Pair, balance_rows
 
+from .method import Method, Outcome, cut
 from .springs import (
     Forces,
-    balance_rows,
-    normal_form,
-    rest_forces,
-    tangential_form,
-    tangential_stiffnesses,
-    value,
+    balanced_wrenches,
+    force_rows,
+    forces_at,
+    springs_of,
+    usual_springs,
 )
 
 
@@ -58,22 +60,42 @@ def linear_compliance(
         grasp: normal stiffness and preload are those of the contacts.
         wrench: applied.
         tangential_stiffness: a factor on each normal stiffness, or a value for each contact.
-        rest_friction: tangential forces at d = 0 (see `balancing_friction`); zeros if left out.
+        rest_friction: tangential forces at d = 0 (see `balancing_friction`); zeros if omitted.
     """
-    applied = read_wrench(wrench)
-    stiffnesses = tangential_stiffnesses(grasp, tangential_stiffness)
-    rest = rest_forces(grasp, rest_friction)
-    forms = [
-        (normal_form(contact), tangential_form(contact, k, t))
-        for contact, k, t in zip(grasp, stiffnesses, rest, strict=True)
-    ]
-    motion = feasible_point(3, [], balance_rows(grasp, forms, applied))
+    springs = springs_of(grasp, tangential_stiffness, rest_friction)
+    return _decided(grasp, read_wrench(wrench), springs)
+
+
+def _decided(grasp: Grasp, wrench: RationalVector, springs: list[Pair]) -> ComplianceVerdict:
+    motion = feasible_point(3, [], balance_rows(grasp, springs, wrench))
     if isinstance(motion, Infeasible):
         return ComplianceVerdict(False, None, None, ())
-    forces = tuple((value(n, motion), value(t, motion)) for n, t in forms)
+    forces = forces_at(springs, motion)
     outside = tuple(
         i
         for i, (contact, (c_n, c_t)) in enumerate(zip(grasp, forces, strict=True))
         if c_n < 0 or abs(c_t) > contact.friction * c_n
     )
     return ComplianceVerdict(not outside, motion, forces, outside)
+
+
+def _decide(grasp: Grasp, wrench: RationalVector) -> Outcome:
+    springs, remark = usual_springs(grasp)
+    return _decided(grasp, wrench, springs).accepts, remark
+
+
+@cut
+def _region(grasp: Grasp) -> Iterator[Polyhedron | None]:
+    springs, _ = usual_springs(grasp)
+    pairs = zip(grasp, springs, strict=True)
+    rows = [row for contact, pair in pairs for row in force_rows(contact, pair)]
+    yield balanced_wrenches(grasp, springs, rows)
+
+
+LINEAR_COMPLIANCE = Method(
+    "linear-compliance",
+    "linear compliance (Bicchi 1993-95; Cutkosky, Kao 1989)",
+    "linear compliance",
+    _decide,
+    _region,
+)

@@ -21,6 +21,8 @@ from equilibrium.solver.elimination import Refutation, decide
 from equilibrium.solver.equilibrium import Equilibrium, equilibrium_of, maximal
 from equilibrium.solver.state_system import State, States, state_system
 
+from .method import Method, Outcome
+
 #: Each option with what it takes over from the printed text.
 OPTIONS = {
     "detachment": "Eqs. 2 and 4 as equalities: no contact may let go",
@@ -133,3 +135,10 @@ def _touching(face: Face) -> States:
 def _attached(face: Face) -> States:
     """Return the states on a face of the tangential planes when no contact detaches."""
     return tuple(_SLIP[sign] for sign in face.signs)
+
+
+def _decide(grasp: Grasp, wrench: RationalVector) -> Outcome:
+    return solve_literal(grasp, wrench, OPTIONS).stable, "all deviations of the text at once"
+
+
+PRINTED = Method("printed", "the paper as printed", "the paper as printed", _decide)

@@ -1,7 +1,4 @@
-"""What the methods with springs share: forces and balance as linear forms of the motion.
-
-A form in the motion ``d = (x, y, r)`` is a tuple of four rationals, the constant last.
-"""
+"""What the methods with springs share: forces as linear rows in the motion."""
 
 from __future__ import annotations
 
@@ -9,84 +6,105 @@ from collections.abc import Iterable, Sequence
 from fractions import Fraction
 from typing import Any, TypeAlias
 
-from arrangement.exact import RationalVector, rational, rational_vector
-from arrangement.linprog import Infeasible, Row, feasible_point
+from arrangement.exact import (
+    IntegerVector,
+    RationalVector,
+    dot,
+    primitive,
+    rational,
+    rational_vector,
+)
+from arrangement.linprog import Infeasible, feasible_point
+from arrangement.polyhedra.cones import generators
+from arrangement.polyhedra.polyhedron import Polyhedron, from_generators
 from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import Contact, Grasp
+from equilibrium.solver.contact_rows import (
+    Pair,
+    balance_rows,
+    cone_rows,
+    normal_force_row,
+    unit_row,
+)
+from equilibrium.solver.state_system import value
 
-Form: TypeAlias = tuple[Fraction, ...]
+#: The point zero as a homogeneous point; also the condition that a homogeneous point is one.
+APEX: IntegerVector = (0, 0, 0, 1)
+#: Normal and tangential force of each contact.
 Forces: TypeAlias = tuple[tuple[Fraction, Fraction], ...]
 
-ZERO: Form = (Fraction(0),) * 4
+
+def forces_at(pairs: Sequence[Pair], motion: RationalVector) -> Forces:
+    """Return the forces at a motion."""
+    return tuple((value(normal, motion), value(tangential, motion)) for normal, tangential in pairs)
 
 
-def normal_form(contact: Contact) -> Form:
-    """Return the force of the normal spring, ``preload - stiffness N . d``."""
-    return (*(-contact.stiffness * x for x in contact.normal_wrench), contact.preload)
-
-
-def tangential_form(contact: Contact, stiffness: Fraction, rest: Fraction) -> Form:
-    """Return the force of a tangential spring, ``rest - stiffness T . d``."""
-    return (*(-stiffness * x for x in contact.tangential_wrench), rest)
-
-
-def balance_rows(
-    grasp: Grasp, forces: Sequence[tuple[Form, Form]], wrench: RationalVector
-) -> list[Row]:
-    """Return the three rows ``sum (c_n N + c_t T) + w = 0`` in the motion."""
-    rows: list[Row] = []
-    for k in range(3):
-        row = [Fraction(0)] * 3 + [wrench[k]]
-        for contact, (normal, tangential) in zip(grasp, forces, strict=True):
-            for form, direction in (
-                (normal, contact.normal_wrench[k]),
-                (tangential, contact.tangential_wrench[k]),
-            ):
-                row = [x + direction * y for x, y in zip(row, form, strict=True)]
-        rows.append(row)
-    return rows
-
-
-def cone_rows(contact: Contact, normal: Form, tangential: Form) -> list[Row]:
+def force_rows(contact: Contact, pair: Pair) -> list[RationalVector]:
     """Return ``c_n >= 0`` and ``|c_t| <= friction c_n`` as rows."""
-    edge = [contact.friction * x for x in normal]
+    return [pair[0], *cone_rows(contact.friction, *pair)]
+
+
+def balanced_wrenches(
+    grasp: Grasp, pairs: Sequence[Pair], rows: Iterable[RationalVector]
+) -> Polyhedron | None:
+    """Return the wrenches that forces linear in the motion balance, under conditions on it."""
+    rays, lines = generators([APEX, *map(primitive, rows)], [], 4)
+    if not any(ray[3] for ray in rays):
+        return None
+    balance = balance_rows(grasp, pairs, (Fraction(0),) * 3)
+
+    def images(motions: Iterable[IntegerVector]) -> list[IntegerVector]:
+        found = (([-Fraction(dot(row, d)) for row in balance], Fraction(d[3])) for d in motions)
+        return [primitive([*wrench, h]) for wrench, h in found if h or any(wrench)]
+
+    return from_generators(images(rays), images(lines), 3)
+
+
+def springs_of(
+    grasp: Grasp, tangential_stiffness: Any = 1, rest_friction: Iterable[Any] | None = None
+) -> list[Pair]:
+    """Return the normal and the tangential spring of each contact as rows in the motion.
+
+    Args:
+        tangential_stiffness: a factor on each normal stiffness, or a value for each contact.
+        rest_friction: the tangential forces at d = 0; none if omitted.
+
+    Raises:
+        GraspError: a wrong number of values, or a stiffness that is not above 0.
+    """
+    if isinstance(tangential_stiffness, Iterable) and not isinstance(tangential_stiffness, str):
+        stiffnesses = rational_vector(tangential_stiffness, "tangential_stiffness")
+    else:
+        factor = rational(tangential_stiffness, "tangential_stiffness")
+        stiffnesses = tuple(factor * contact.stiffness for contact in grasp)
+    rest = [0] * len(grasp) if rest_friction is None else rest_friction
+    forces = rational_vector(rest, "rest_friction")
+    for name, found in (("tangential_stiffness", stiffnesses), ("rest_friction", forces)):
+        if len(found) != len(grasp):
+            raise GraspError(f"{name} has {len(found)} values for {len(grasp)} contacts")
+    for x in stiffnesses:
+        if x <= 0:
+            raise GraspError(f"a tangential stiffness is {x}; it must be above 0")
     return [
-        normal,
-        [a - b for a, b in zip(edge, tangential, strict=True)],
-        [a + b for a, b in zip(edge, tangential, strict=True)],
+        (normal_force_row(c), (*(-k * x for x in c.tangential_wrench), t))
+        for c, k, t in zip(grasp, stiffnesses, forces, strict=True)
     ]
 
 
-def value(form: Form, motion: RationalVector) -> Fraction:
-    """Return a form at a motion."""
-    return sum((a * x for a, x in zip(form, motion, strict=False)), form[-1])
+def usual_springs(grasp: Grasp) -> tuple[list[Pair], str]:
+    """Return the springs that a comparison takes, with a remark.
 
-
-def tangential_stiffnesses(grasp: Grasp, given: Any) -> RationalVector:
-    """Return a tangential stiffness for each contact: the normal one times a factor, or as given.
-
-    Raises:
-        GraspError: a wrong number of values, or one that is not above 0.
+    Tangential ones are as stiff as the normal ones, and at rest they balance the preloads where
+    friction can.
     """
-    if isinstance(given, Iterable) and not isinstance(given, str):
-        found = rational_vector(given, "tangential_stiffness")
-        if len(found) != len(grasp):
-            raise GraspError(f"{len(found)} tangential stiffnesses for {len(grasp)} contacts")
+    rest = balancing_friction(grasp)
+    if rest is None:
+        remark = "no friction at rest, as none would balance the preloads"
+    elif any(rest):
+        remark = "friction at rest balances the preloads"
     else:
-        factor = rational(given, "tangential_stiffness")
-        found = tuple(factor * contact.stiffness for contact in grasp)
-    for x in found:
-        if x <= 0:
-            raise GraspError(f"a tangential stiffness is {x}; it must be above 0")
-    return found
-
-
-def rest_forces(grasp: Grasp, given: Iterable[Any] | None) -> RationalVector:
-    """Return the tangential force of each contact at d = 0; zeros if left out."""
-    found = (Fraction(0),) * len(grasp) if given is None else rational_vector(given, "rest")
-    if len(found) != len(grasp):
-        raise GraspError(f"{len(found)} rest forces for {len(grasp)} contacts; give one for each")
-    return found
+        remark = "no friction at rest"
+    return springs_of(grasp, 1, rest), remark
 
 
 def balancing_friction(grasp: Grasp) -> RationalVector | None:
@@ -100,21 +118,15 @@ def balancing_friction(grasp: Grasp) -> RationalVector | None:
     ['-1/2', '0', '1/2']
     """
     m = len(grasp)
-    cones: list[Row] = []
-    for i, contact in enumerate(grasp):
-        for side in (1, -1):
-            row = [Fraction(side * int(i == j)) for j in range(m)]
-            cones.append([*row, contact.friction * contact.preload])
-    balance: list[Row] = []
-    for k in range(3):
-        preload = sum((c.preload * c.normal_wrench[k] for c in grasp), Fraction(0))
-        balance.append([*(c.tangential_wrench[k] for c in grasp), preload])
-    point = _zero_or_point(m, cones, balance)
-    return None if isinstance(point, Infeasible) else point
-
-
-def _zero_or_point(m: int, cones: list[Row], balance: list[Row]) -> RationalVector | Infeasible:
-    """Prefer no friction at all where that balances."""
+    limits = [contact.friction * contact.preload for contact in grasp]
+    cones = [
+        (*(side * x for x in unit_row(i, m)[:-1]), limit)
+        for i, limit in enumerate(limits)
+        for side in (1, -1)
+    ]
+    at_rest = [((*[Fraction(0)] * m, c.preload), unit_row(i, m)) for i, c in enumerate(grasp)]
+    balance = balance_rows(grasp, at_rest, (Fraction(0),) * 3, m)
     if all(row[-1] == 0 for row in balance):
         return (Fraction(0),) * m
-    return feasible_point(m, cones, balance)
+    point = feasible_point(m, cones, balance)
+    return None if isinstance(point, Infeasible) else point

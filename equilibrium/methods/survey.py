@@ -9,7 +9,7 @@ What no single such step can make smaller is reported; a still smaller one may e
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from fractions import Fraction
 from random import Random
 from typing import Any
@@ -19,9 +19,10 @@ from arrangement.progress import watched
 from equilibrium.inputs.random import random_grasp, random_wrench
 from equilibrium.model.grasp import Contact, Grasp
 
-from .compare import METHODS, ask
+from .compare import ask
+from .registry import DECIDING
 
-OTHERS = tuple(METHODS)[1:]
+OTHERS = DECIDING[1:]
 
 
 @dataclass(frozen=True)
@@ -191,22 +192,15 @@ def _simpler(grasp: Grasp, wrench: RationalVector) -> Iterator[tuple[Grasp, Rati
             yield Grasp([*contacts[:i], other, *contacts[i + 1 :]]), wrench
 
 
-def _simpler_contacts(c: Contact) -> Iterator[Contact]:
-    yield Contact((0, 0), c.normal, c.friction, c.stiffness, c.preload)
+def _simpler_contacts(c: Contact) -> list[Contact]:
+    changes: list[dict[str, Any]] = [{"point": (0, 0)}]
     for k in range(2):
-        for x in _numbers(c.point[k]):
-            point = [*c.point]
-            point[k] = x
-            yield Contact(point, c.normal, c.friction, c.stiffness, c.preload)
-    for normal in ((1, 0), (0, 1), (-1, 0), (0, -1)):
-        yield Contact(c.point, normal, c.friction, c.stiffness, c.preload)
-    for x in _numbers(c.friction):
-        if x >= 0:
-            yield Contact(c.point, c.normal, x, c.stiffness, c.preload)
-    yield Contact(c.point, c.normal, c.friction, 1, c.preload)
-    for x in _numbers(c.preload):
-        if x >= 0:
-            yield Contact(c.point, c.normal, c.friction, c.stiffness, x)
+        found = _numbers(c.point[k])
+        changes += [{"point": (*c.point[:k], x, *c.point[k + 1 :])} for x in found]
+    changes += [{"normal": normal} for normal in ((1, 0), (0, 1), (-1, 0), (0, -1))]
+    changes += [{"friction": x} for x in _numbers(c.friction) if x >= 0]
+    changes += [{"stiffness": 1}, *({"preload": x} for x in _numbers(c.preload) if x >= 0)]
+    return [replace(c, **change) for change in changes]
 
 
 def _numbers(x: Fraction) -> list[Fraction]:

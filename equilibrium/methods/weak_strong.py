@@ -25,15 +25,27 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
+from itertools import product
 from typing import Any
 
 from arrangement.arrangement import Arrangement
-from arrangement.exact import RationalVector, rational, rational_vector
-from arrangement.linprog import Infeasible, Row, feasible_point, minimize
+from arrangement.exact import RationalVector, primitive, rational, rational_vector, to_text
+from arrangement.linprog import Infeasible, Unbounded, feasible_point, minimize
+from arrangement.polyhedra.polyhedron import Polyhedron, from_generators
 from equilibrium.model.errors import GraspError
-from equilibrium.model.grasp import Contact, Grasp, read_wrench
+from equilibrium.model.grasp import Grasp, read_wrench
+from equilibrium.solver.contact_rows import (
+    balance_rows,
+    cone_rows,
+    friction_edges,
+    negated,
+    slip_row,
+    sum_row,
+    unit_row,
+)
 
 from .grasp_wrench_space import GraspWrenchSpace
+from .method import Method, Outcome, cut
 
 
 @dataclass(frozen=True)
@@ -72,12 +84,11 @@ def weak_strong(
     """
     load = read_wrench(wrench)
     matrix = mass_matrix(mass, inertia, centre)
-    without = Grasp(Contact(c.point, c.normal, 0) for c in grasp)
-    frictionless = GraspWrenchSpace(without).verdict(load)
+    frictionless = GraspWrenchSpace(grasp.with_friction(0)).verdict(load)
     weak = frictionless.accepts or GraspWrenchSpace(grasp).verdict(load).accepts
     moving = None
     if weak and not frictionless.accepts:
-        moving = starting_acceleration(grasp, load, matrix)
+        moving = _starting_acceleration(grasp, load, matrix)
     return LoadStability(
         weak,
         weak and moving is None,
@@ -104,7 +115,7 @@ def mass_matrix(mass: Any, inertia: Any, centre: Iterable[Any]) -> tuple[Rationa
     return ((m, zero, -m * y), (zero, m, m * x), (-m * y, m * x, i + m * (x * x + y * y)))
 
 
-def starting_acceleration(
+def _starting_acceleration(
     grasp: Grasp, load: RationalVector, matrix: Sequence[RationalVector]
 ) -> RationalVector | None:
     """Return a nonzero acceleration with which the load may move the object, or None."""
@@ -133,42 +144,35 @@ def _system(
     load: RationalVector,
     matrix: Sequence[RationalVector],
     label: tuple[tuple[int, int], ...],
-) -> tuple[int, list[Row], list[Row]]:
+) -> tuple[int, list[RationalVector], list[RationalVector]]:
     """Return the closed linear conditions of one choice of signs, over a, all c_n and all c_t."""
     m = len(grasp)
     n = 3 + 2 * m
-    inequalities: list[Row] = []
-    equalities: list[Row] = [
-        [
-            *(-x for x in matrix[k]),
-            *(c.normal_wrench[k] for c in grasp),
-            *(c.tangential_wrench[k] for c in grasp),
-            load[k],
-        ]
-        for k in range(3)
-    ]
-    for i, (contact, (normal, slip)) in enumerate(zip(grasp, label, strict=True)):
-        push, friction = 3 + i, 3 + m + i
-        along = dict(enumerate(contact.normal_wrench))
-        across = dict(enumerate(contact.tangential_wrench))
-        mu = contact.friction
+    pairs = [(unit_row(3 + i, n), unit_row(3 + m + i, n)) for i in range(m)]
+    forces = balance_rows(grasp, pairs, load, n)
+    inertia = ((*row, *[Fraction(0)] * (n - 2)) for row in matrix)
+    equalities = [sum_row(a, b, -1) for a, b in zip(forces, inertia, strict=True)]
+    inequalities: list[RationalVector] = []
+    for contact, (push, friction), (normal, slip) in zip(grasp, pairs, label, strict=True):
+        opening = (*contact.normal_wrench, *[Fraction(0)] * (n - 2))
+        sliding = slip_row(contact, n)
         if normal > 0:
-            inequalities.append(_row(n, along))
-            equalities += [_row(n, {push: 1}), _row(n, {friction: 1})]
+            inequalities.append(opening)
+            equalities += [push, friction]
             continue
-        inequalities.append(_row(n, {push: 1}))
-        equalities.append(_row(n, along))
+        inequalities.append(push)
+        equalities.append(opening)
         if slip:
-            inequalities.append(_row(n, {k: slip * x for k, x in across.items()}))
-            equalities.append(_row(n, {friction: 1, push: slip * mu}))
+            inequalities.append(tuple(slip * x for x in sliding))
+            equalities.append(sum_row(friction, push, slip * contact.friction))
         else:
-            equalities.append(_row(n, across))
-            inequalities += [_row(n, {push: mu, friction: side}) for side in (1, -1)]
+            equalities.append(sliding)
+            inequalities += cone_rows(contact.friction, push, friction)
     return n, inequalities, equalities
 
 
 def _nonzero_solution(
-    n: int, inequalities: list[Row], equalities: list[Row]
+    n: int, inequalities: list[RationalVector], equalities: list[RationalVector]
 ) -> RationalVector | None:
     """Return the first three entries of a solution in which they are not all zero, if any."""
     point = feasible_point(n, inequalities, equalities)
@@ -176,23 +180,50 @@ def _nonzero_solution(
         return None
     if any(point[:3]):
         return point[:3]
-    for objective in _directions(n):
-        answer = minimize(objective, inequalities, equalities)
+    for axis, side in product(range(3), (1, -1)):
+        answer = minimize([side * x for x in unit_row(axis, n)[:-1]], inequalities, equalities)
         assert not isinstance(answer, Infeasible)
         found = answer.point
-        if hasattr(answer, "ray"):
-            found = tuple(x + y for x, y in zip(found, answer.ray, strict=True))
+        if isinstance(answer, Unbounded):
+            found = sum_row(found, answer.ray, 1)
         if any(found[:3]):
             return found[:3]
     return None
 
 
-def _directions(n: int) -> Iterator[list[int]]:
-    for axis in range(3):
-        for side in (1, -1):
-            yield [side * int(j == axis) for j in range(n)]
+def _decide_weak(grasp: Grasp, wrench: RationalVector) -> Outcome:
+    return GraspWrenchSpace(grasp).verdict(wrench).accepts, "forces inside the cones exist"
 
 
-def _row(n: int, entries: dict[int, Any]) -> list[Fraction]:
-    """Return a homogeneous row."""
-    return [Fraction(entries.get(j, 0)) for j in range(n + 1)]
+def _decide_strong(grasp: Grasp, wrench: RationalVector) -> Outcome:
+    found = weak_strong(grasp, wrench)
+    if found.acceleration is None:
+        return found.strong, "unit mass and inertia about the origin"
+    return False, f"may start with acceleration ({', '.join(map(to_text, found.acceleration))})"
+
+
+def _decide_frictionless(grasp: Grasp, wrench: RationalVector) -> Outcome:
+    return GraspWrenchSpace(grasp.with_friction(0)).verdict(wrench).accepts, "normal forces alone"
+
+
+def _balanced(forces: Iterable[RationalVector]) -> Iterator[Polyhedron | None]:
+    """Yield the cone of the wrenches that combinations of forces balance."""
+    rays = [(*primitive(negated(force)), 0) for force in forces]
+    yield from_generators([(0, 0, 0, 1), *rays], (), 3)
+
+
+WEAK = Method(
+    "weak",
+    "weakly stable (Pang, Trinkle 2000)",
+    "weakly stable",
+    _decide_weak,
+    cut(lambda grasp: _balanced(edge for c in grasp for edge in friction_edges(c))),
+)
+STRONG = Method("strong", "strongly stable (Pang, Trinkle 2000)", "strongly stable", _decide_strong)
+FRICTIONLESS = Method(
+    "frictionless",
+    "frictionless stable (Pang, Trinkle 2000)",
+    "frictionless stable",
+    _decide_frictionless,
+    cut(lambda grasp: _balanced(c.normal_wrench for c in grasp)),
+)

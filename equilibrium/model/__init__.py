@@ -1,1 +1,18 @@
 """Contacts and grasps, exact: what a question is made of."""
+
+from .errors import CertificateError, EquilibriumError, GraspError
+from .grasp import Contact, Grasp, read_wrench
+from .unit_normal import UnitNormal, unit_normal
+from .units import Units
+
+__all__ = [
+    "CertificateError",
+    "Contact",
+    "EquilibriumError",
+    "Grasp",
+    "GraspError",
+    "UnitNormal",
+    "Units",
+    "read_wrench",
+    "unit_normal",
+]

@@ -9,7 +9,7 @@ the contact point by ``N . d`` along the normal and ``T . d`` along the tangent.
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
-from dataclasses import dataclass, field
+from dataclasses import MISSING, dataclass, field, fields, replace
 from fractions import Fraction
 from functools import cached_property
 from typing import Any
@@ -21,8 +21,6 @@ from arrangement.plugins import display
 
 from .errors import GraspError
 from .units import Units
-
-CONTACT_KEYS = ("point", "normal", "friction", "stiffness", "preload")
 
 
 @dataclass(frozen=True)
@@ -38,7 +36,7 @@ class Contact:
 
     Raises:
         GraspError: a normal that is not unit, or a number out of range.
-        InputError: a float, or text that is no number.
+        InputError: a float, or text that is not a number.
 
     >>> Contact(["-1", 0], [1, 0], "1/2").tangential_wrench
     (Fraction(0, 1), Fraction(1, 1), Fraction(-1, 1))
@@ -90,13 +88,14 @@ class Contact:
 
     def to_dict(self) -> dict[str, Any]:
         """Return the file form of the contact; every number is a string."""
-        return {
-            "point": [to_text(x) for x in self.point],
-            "normal": [to_text(x) for x in self.normal],
-            "friction": to_text(self.friction),
-            "stiffness": to_text(self.stiffness),
-            "preload": to_text(self.preload),
-        }
+        pairs = {name: list(map(to_text, getattr(self, name))) for name in _REQUIRED[:2]}
+        return pairs | {name: to_text(getattr(self, name)) for name in VALUES}
+
+
+_REQUIRED = tuple(f.name for f in fields(Contact) if f.default is MISSING)
+_OPTIONAL = tuple(f.name for f in fields(Contact) if f.default is not MISSING)
+#: What a contact has besides its place: friction, stiffness and preload.
+VALUES = (*_REQUIRED[2:], *_OPTIONAL)
 
 
 @dataclass(frozen=True)
@@ -117,7 +116,7 @@ class Grasp:
             if not isinstance(contact, Contact):
                 raise GraspError(f"contacts[{i}] is {contact!r}; give Contact values")
         if units is not None and not isinstance(units, Units):
-            raise GraspError(f"units is {shown(units)}; give a Units value or leave it out")
+            raise GraspError(f"units is {shown(units)}; give a Units value or omit it")
         object.__setattr__(self, "contacts", listed)
         object.__setattr__(self, "units", units)
 
@@ -150,12 +149,18 @@ class Grasp:
 
     def with_preload(self, preload: Any) -> Grasp:
         """Return the same grasp with one preload at every contact."""
-        contacts = [Contact(c.point, c.normal, c.friction, c.stiffness, preload) for c in self]
-        return Grasp(contacts, self.units)
+        return self._with_each(preload=preload)
+
+    def with_friction(self, friction: Any) -> Grasp:
+        """Return the same grasp with one friction coefficient at every contact."""
+        return self._with_each(friction=friction)
+
+    def _with_each(self, **values: Any) -> Grasp:
+        return replace(self, contacts=tuple(replace(contact, **values) for contact in self))
 
     def with_units(self, length: str, force: str) -> Grasp:
         """Return the same grasp with its units stated; no number changes."""
-        return Grasp(self.contacts, Units(length, force))
+        return replace(self, units=Units(length, force))
 
     def _repr_svg_(self) -> str | None:
         """Return what a notebook shows: the picture, where matplotlib is installed."""
@@ -170,7 +175,7 @@ class Grasp:
     def from_dict(cls, document: Mapping[str, Any]) -> Grasp:
         """Return the grasp of a document with exactly the keys of `to_dict`.
 
-        In a contact, stiffness (1) and preload (0) may be left out; in the grasp, the units.
+        In a contact, stiffness (1) and preload (0) may be omitted; in the grasp, the units.
 
         Raises:
             InputError: unknown or missing keys, an unknown schema version, wrong types.
@@ -186,26 +191,21 @@ class Grasp:
 
 
 def read_wrench(values: Iterable[Any]) -> RationalVector:
-    """Return an applied wrench (force x, force y, torque) as three rationals."""
+    """Return an applied wrench ``(f_x, f_y, tau)`` as three rationals."""
     wrench = rational_vector(values, "wrench")
     if len(wrench) != 3:
-        raise GraspError(f"wrench has {len(wrench)} entries; give force x, force y and torque")
+        raise GraspError(f"wrench has {len(wrench)} entries; give f_x, f_y and tau")
     return wrench
 
 
 def _contact(entry: Any, index: int) -> Contact:
     """Return one contact of a document; errors say which."""
     name = f"contacts[{index}]"
-    check_keys(entry, CONTACT_KEYS[:3], CONTACT_KEYS[3:], name)
+    check_keys(entry, _REQUIRED, _OPTIONAL, name)
     try:
-        return Contact(*(entry[key] for key in CONTACT_KEYS[:3]), **_optional(entry))
+        return Contact(**entry)
     except ValueError as error:
         raise GraspError(f"{name}: {error}") from None
-
-
-def _optional(entry: Mapping[str, Any]) -> dict[str, Any]:
-    """Return the values of the keys that may be left out."""
-    return {key: entry[key] for key in CONTACT_KEYS[3:] if key in entry}
 
 
 def _pair(values: Iterable[Any], name: str) -> RationalVector:

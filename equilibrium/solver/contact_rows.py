@@ -1,23 +1,73 @@
-"""The law of one contact, for everything on the solver's side; the checker has its own.
+"""The law of one contact as linear rows, for everything on the solver's side.
 
-A row has the coefficients of the motion ``d = (x, y, r)`` and the constant last.
+The checker of certificates has its own. A row has one coefficient for each of n variables, the
+motion ``d = (x, y, r)`` first, and the constant last.
 """
 
 from __future__ import annotations
 
+from collections.abc import Iterable, Sequence
+from fractions import Fraction
+from typing import TypeAlias
+
 from arrangement.exact import RationalVector
 from equilibrium.model.grasp import Contact
+
+#: Normal and tangential force.
+Pair: TypeAlias = tuple[RationalVector, RationalVector]
 
 #: The sign of the friction force of a slipping contact: against its motion along the tangent.
 DIRECTION = {"slip+": -1, "slip-": 1}
 
 
-def normal_force_row(contact: Contact) -> RationalVector:
-    """Return the row of the normal force of a touching contact, ``preload - stiffness N . d``."""
-    return (*(-contact.stiffness * x for x in contact.normal_wrench), contact.preload)
+def normal_force_row(contact: Contact, n: int = 3) -> RationalVector:
+    """Return the normal force of a touching contact, ``preload - stiffness N . d``."""
+    spring = (-contact.stiffness * x for x in contact.normal_wrench)
+    return (*spring, *[Fraction(0)] * (n - 3), contact.preload)
 
 
-def friction_edges(contact: Contact) -> tuple[RationalVector, RationalVector]:
+def slip_row(contact: Contact, n: int = 3) -> RationalVector:
+    """Return the motion of the contact point along the tangent, ``T . d``."""
+    return (*contact.tangential_wrench, *[Fraction(0)] * (n - 2))
+
+
+def unit_row(column: int, n: int) -> RationalVector:
+    """Return one variable as a row."""
+    return tuple(Fraction(int(j == column)) for j in range(n + 1))
+
+
+def negated(row: RationalVector) -> RationalVector:
+    """Return the row with all signs changed."""
+    return tuple(-x for x in row)
+
+
+def sum_row(left: RationalVector, right: RationalVector, factor: Fraction | int) -> RationalVector:
+    """Return ``left + factor right``."""
+    return tuple(a + factor * b for a, b in zip(left, right, strict=True))
+
+
+def cone_rows(friction: Fraction, normal: RationalVector, tangential: RationalVector) -> Pair:
+    """Return ``friction c_n - c_t`` and ``friction c_n + c_t``, at least 0 inside the cone."""
+    limit = tuple(friction * x for x in normal)
+    return sum_row(limit, tangential, -1), sum_row(limit, tangential, 1)
+
+
+def balance_rows(
+    contacts: Iterable[Contact], forces: Iterable[Pair], wrench: Sequence[Fraction], n: int = 3
+) -> tuple[RationalVector, ...]:
+    """Return the three rows of ``sum (c_n N + c_t T) + w``."""
+    rows = [[Fraction(0)] * n + [w] for w in wrench]
+    for contact, pair in zip(contacts, forces, strict=True):
+        wrenches = (contact.normal_wrench, contact.tangential_wrench)
+        for direction, force in zip(wrenches, pair, strict=True):
+            for j, x in enumerate(force):
+                if x:
+                    for row, along in zip(rows, direction, strict=True):
+                        row[j] += along * x
+    return tuple(map(tuple, rows))
+
+
+def friction_edges(contact: Contact) -> Pair:
     """Return the edges of the friction cone, ``N + friction T`` and ``N - friction T``."""
     return _edge(contact, 1), _edge(contact, -1)
 
@@ -28,6 +78,4 @@ def slip_edge(contact: Contact, state: str) -> RationalVector:
 
 
 def _edge(contact: Contact, side: int) -> RationalVector:
-    pull = side * contact.friction
-    pairs = zip(contact.normal_wrench, contact.tangential_wrench, strict=True)
-    return tuple(along + pull * across for along, across in pairs)
+    return sum_row(contact.normal_wrench, contact.tangential_wrench, side * contact.friction)

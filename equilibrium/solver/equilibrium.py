@@ -5,18 +5,16 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
 from fractions import Fraction
-from typing import Any, TypeAlias
+from typing import Any
 
 from arrangement import linprog
 from arrangement.exact import RationalVector, rational_vector, to_text
+from arrangement.polyhedra.intervals import Interval, texts
 from equilibrium.model.errors import GraspError
 
 from .elimination import Continuum, Point
 from .min_norm_point import least_point
 from .state_system import States, StateSystem, each_force, value
-
-#: The least and largest value of a number; None where there is no end.
-Range: TypeAlias = tuple[Fraction | None, Fraction | None]
 
 
 @dataclass(frozen=True)
@@ -36,8 +34,8 @@ class Equilibrium:
     motion: RationalVector
     forces: tuple[tuple[Fraction, Fraction], ...]
     unique: bool
-    motion_ranges: tuple[Range, ...]
-    force_ranges: tuple[tuple[Range, Range], ...]
+    motion_ranges: tuple[Interval, ...]
+    force_ranges: tuple[tuple[Interval, Interval], ...]
     system: StateSystem = field(repr=False, compare=False)
 
     @property
@@ -84,8 +82,8 @@ class Equilibrium:
             "forces": [[to_text(x) for x in pair] for pair in self.forces],
             "unique": self.unique,
             "forces_determined": self.forces_determined,
-            "motion_ranges": [_range_text(r) for r in self.motion_ranges],
-            "force_ranges": [[_range_text(r) for r in pair] for pair in self.force_ranges],
+            "motion_ranges": [texts(r) for r in self.motion_ranges],
+            "force_ranges": [[texts(r) for r in pair] for pair in self.force_ranges],
         }
 
 
@@ -122,7 +120,7 @@ def maximal(pieces: Sequence[Equilibrium]) -> tuple[Equilibrium, ...]:
 
 
 def _report(
-    system: StateSystem, z: RationalVector, unique: bool, ranges: Sequence[Range]
+    system: StateSystem, z: RationalVector, unique: bool, ranges: Sequence[Interval]
 ) -> Equilibrium:
     forces = tuple((value(c_n, z), value(c_t, z)) for c_n, c_t in system.forces)
     pairs = tuple((ranges[j], ranges[j + 1]) for j in range(3, len(ranges), 2))
@@ -156,7 +154,7 @@ def _least(system: StateSystem, row: RationalVector) -> Fraction | None:
     return answer.value + row[-1] if isinstance(answer, linprog.Optimal) else None
 
 
-def _range(system: StateSystem, row: RationalVector) -> Range:
+def _range(system: StateSystem, row: RationalVector) -> Interval:
     low = _least(system, row)
     high = _least(system, tuple(-x for x in row))
     return low, None if high is None else -high
@@ -200,7 +198,3 @@ def _conditions(
     ]
     equalities = [*map(carried, outer.equalities), *agree]
     return equalities, [carried(row) for row in outer.inequalities]
-
-
-def _range_text(ends: Range) -> list[str | None]:
-    return [None if end is None else to_text(end) for end in ends]

@@ -15,9 +15,17 @@ from typing import Literal, TypeAlias
 
 from arrangement import linprog
 from arrangement.exact import RationalVector, dot
-from equilibrium.model.grasp import Contact, Grasp
+from equilibrium.model.grasp import Grasp
 
-from .contact_rows import DIRECTION, normal_force_row
+from .contact_rows import (
+    DIRECTION,
+    balance_rows,
+    cone_rows,
+    negated,
+    normal_force_row,
+    slip_row,
+    unit_row,
+)
 
 State: TypeAlias = Literal["detached", "slip+", "slip-", "stick"]
 States: TypeAlias = tuple[State, ...]
@@ -67,31 +75,28 @@ def state_system(
         friction_sign: -1 lets friction pull along the slip (a literal reading only).
         cell_check: False leaves out the direction of slip (a literal reading only).
     """
-    columns = _stick_columns(states)
-    n = 3 + len(columns)
-    balance = [[Fraction(0)] * (n + 1) for _ in range(3)]
+    n = 3 + states.count("stick")
+    columns = iter(range(3, n))
     equalities, inequalities, forces = [], [], []
-    for i, (contact, state) in enumerate(zip(grasp, states, strict=True)):
-        normal = _normal_force(contact, n)
+    for contact, state in zip(grasp, states, strict=True):
+        normal, slip = normal_force_row(contact, n), slip_row(contact, n)
         if state == "detached":
-            inequalities.append(tuple(-x for x in normal))
+            inequalities.append(negated(normal))
             forces.append(((Fraction(0),) * (n + 1),) * 2)
             continue
         inequalities.append(normal)
-        moved = (*contact.tangential_wrench, *[Fraction(0)] * (n - 2))
-        limit = tuple(contact.friction * x for x in normal)
         if state == "stick":
-            tangential = _unit_row(columns[i], n)
-            equalities.append(moved)
-            inequalities += [_sum(limit, tangential, -1), _sum(limit, tangential, 1)]
+            tangential = unit_row(next(columns), n)
+            equalities.append(slip)
+            inequalities += cone_rows(contact.friction, normal, tangential)
         else:
             direction = DIRECTION[state]
-            tangential = tuple(friction_sign * direction * x for x in limit)
+            pull = friction_sign * direction * contact.friction
+            tangential = tuple(pull * x for x in normal)
             if cell_check:
-                inequalities.append(tuple(-direction * x for x in moved))
+                inequalities.append(tuple(-direction * x for x in slip))
         forces.append((normal, tangential))
-        _add_force(balance, contact, normal, tangential)
-    rows = (*map(tuple, balance), *equalities)
+    rows = (*balance_rows(grasp, forces, (Fraction(0),) * 3, n), *equalities)
     system = StateSystem(states, rows, tuple(inequalities), tuple(forces))
     return system if wrench is None else loaded(system, wrench)
 
@@ -101,40 +106,6 @@ def loaded(system: StateSystem, wrench: RationalVector) -> StateSystem:
     pairs = zip(system.equalities, wrench, strict=False)
     rows = (*((*row[:-1], row[-1] + w) for row, w in pairs), *system.equalities[3:])
     return StateSystem(system.states, rows, system.inequalities, system.forces)
-
-
-def _stick_columns(states: States) -> dict[int, int]:
-    """Return the column of the tangential force of each sticking contact."""
-    sticking = [i for i, state in enumerate(states) if state == "stick"]
-    return {contact: 3 + j for j, contact in enumerate(sticking)}
-
-
-def _normal_force(contact: Contact, n: int) -> RationalVector:
-    """Return the row of ``preload - stiffness N . d``."""
-    *spring, preload = normal_force_row(contact)
-    return (*spring, *[Fraction(0)] * (n - 3), preload)
-
-
-def _unit_row(column: int, n: int) -> RationalVector:
-    return tuple(Fraction(int(j == column)) for j in range(n + 1))
-
-
-def _sum(left: RationalVector, right: RationalVector, factor: int) -> RationalVector:
-    return tuple(a + factor * b for a, b in zip(left, right, strict=True))
-
-
-def _add_force(
-    balance: list[list[Fraction]],
-    contact: Contact,
-    normal: RationalVector,
-    tangential: RationalVector,
-) -> None:
-    """Add the wrench of a contact force to the three balance rows."""
-    wrenches = zip(contact.normal_wrench, contact.tangential_wrench, strict=True)
-    for row, (along_normal, along_tangent) in zip(balance, wrenches, strict=True):
-        for j, (c_n, c_t) in enumerate(zip(normal, tangential, strict=True)):
-            if c_n or c_t:
-                row[j] += along_normal * c_n + along_tangent * c_t
 
 
 def value(row: RationalVector, point: RationalVector) -> Fraction:

@@ -15,11 +15,23 @@ from fractions import Fraction
 from typing import Any
 
 from arrangement import linprog
-from arrangement.exact import RationalVector, rational, to_text
+from arrangement.exact import RationalVector, rational
+from arrangement.polyhedra.intervals import end_text
 from arrangement.progress import watched
+from equilibrium.inputs.conversion import simplest_between
 from equilibrium.model.errors import GraspError
-from equilibrium.model.grasp import Contact, Grasp, read_wrench
-from equilibrium.solver.contact_rows import DIRECTION, normal_force_row
+from equilibrium.model.grasp import Grasp, read_wrench
+from equilibrium.solver.contact_rows import (
+    DIRECTION,
+    Pair,
+    balance_rows,
+    cone_rows,
+    negated,
+    normal_force_row,
+    slip_row,
+    sum_row,
+    unit_row,
+)
 from equilibrium.solver.prepared import contact_states
 from equilibrium.solver.state_system import States
 from equilibrium.verdict import solve
@@ -56,7 +68,7 @@ class FrictionBracket:
     def to_dict(self) -> dict[str, Any]:
         """Return a JSON form; numbers are strings, null means none."""
         numbers = {"low": self.low, "high": self.high, "width": self.width}
-        texts = {name: None if x is None else to_text(x) for name, x in numbers.items()}
+        texts = {name: end_text(x) for name, x in numbers.items()}
         return {**texts, "impossible": self.impossible}
 
 
@@ -135,7 +147,7 @@ class _Search:
         """Return the states that the relaxation over a range does not refute."""
         kept = []
         for choice in watched(states, "contact states"):
-            equalities, inequalities, n = relaxed_rows(self.grasp, choice, self.wrench, low, high)
+            equalities, inequalities, n = _relaxed_rows(self.grasp, choice, self.wrench, low, high)
             answer = linprog.feasible_point(n, inequalities, equalities)
             if not isinstance(answer, linprog.Infeasible):
                 kept.append(choice)
@@ -143,27 +155,10 @@ class _Search:
 
     def resists(self, coefficient: Fraction) -> bool:
         """Return whether the wrench is resisted at one coefficient; exact."""
-        return solve(with_friction(self.grasp, coefficient), self.wrench).stable
+        return solve(self.grasp.with_friction(coefficient), self.wrench).stable
 
 
-def simplest_between(low: Fraction, high: Fraction) -> Fraction:
-    """Return the fraction of least denominator in ``[low, high]``, for ``0 <= low <= high``.
-
-    >>> simplest_between(Fraction(333, 1000), Fraction(334, 1000))
-    Fraction(1, 3)
-    """
-    whole = -(-low.numerator // low.denominator)
-    if whole <= high:
-        return Fraction(whole)
-    return whole - 1 + 1 / simplest_between(1 / (high - whole + 1), 1 / (low - whole + 1))
-
-
-def with_friction(grasp: Grasp, friction: Any) -> Grasp:
-    """Return the same grasp with one friction coefficient at every contact."""
-    return Grasp(Contact(c.point, c.normal, friction, c.stiffness, c.preload) for c in grasp)
-
-
-def relaxed_rows(
+def _relaxed_rows(
     grasp: Grasp, states: States, wrench: RationalVector, low: Fraction, high: Fraction | None
 ) -> tuple[list[RationalVector], list[RationalVector], int]:
     """Return equalities, inequalities and the number of variables of the relaxation.
@@ -171,55 +166,29 @@ def relaxed_rows(
     The variables are the motion and the tangential force of each contact that touches; every
     solution with a coefficient in ``[low, high]`` satisfies the rows.
     """
-    touching = [i for i, state in enumerate(states) if state != "detached"]
-    n = 3 + len(touching)
+    n = 3 + len(states) - states.count("detached")
+    columns = iter(range(3, n))
     inequalities: list[RationalVector] = []
     sticking: list[RationalVector] = []
-    balance = [[Fraction(0)] * n + [w] for w in wrench]
-    for i, (contact, state) in enumerate(zip(grasp, states, strict=True)):
-        *normal, preload = normal_force_row(contact)
-        spring = (*normal, *[Fraction(0)] * (n - 3), preload)
+    forces: list[Pair] = []
+    for contact, state in zip(grasp, states, strict=True):
+        normal, slip = normal_force_row(contact, n), slip_row(contact, n)
         if state == "detached":
-            inequalities.append(tuple(-x for x in spring))
+            inequalities.append(negated(normal))
+            forces.append(((Fraction(0),) * (n + 1),) * 2)
             continue
-        column = 3 + touching.index(i)
-        inequalities.append(spring)
-        slip = (*contact.tangential_wrench, *[Fraction(0)] * (n - 2))
+        tangential = unit_row(next(columns), n)
+        forces.append((normal, tangential))
+        inequalities.append(normal)
+        if high is not None:
+            inequalities += cone_rows(high, normal, tangential)
         if state == "stick":
             sticking.append(slip)
-            inequalities += _cone(spring, column, high)
         else:
-            side = DIRECTION[state]
-            inequalities.append(tuple(-side * x for x in slip))
-            inequalities += _edge(spring, column, side, low, high)
-        pairs = zip(contact.normal_wrench, contact.tangential_wrench, strict=True)
-        for row, (along_normal, along_tangent) in zip(balance, pairs, strict=True):
-            row[column] += along_tangent
-            for j in (0, 1, 2, n):
-                row[j] += along_normal * spring[j]
-    return [*map(tuple, balance), *sticking], inequalities, n
-
-
-def _cone(spring: RationalVector, column: int, high: Fraction | None) -> list[RationalVector]:
-    """Return ``|c_t| <= high c_n`` as two rows."""
-    if high is None:
-        return []
-    return [_combination(spring, high, column, side) for side in (1, -1)]
-
-
-def _edge(
-    spring: RationalVector, column: int, side: int, low: Fraction, high: Fraction | None
-) -> list[RationalVector]:
-    """Return ``low c_n <= side c_t <= high c_n``."""
-    rows = [_combination(spring, -low, column, side)]
-    return rows if high is None else [*rows, _combination(spring, high, column, -side)]
-
-
-def _combination(
-    spring: RationalVector, factor: Fraction, column: int, side: int
-) -> RationalVector:
-    """Return the row of ``factor c_n + side c_t``."""
-    return tuple(factor * x + (side if j == column else 0) for j, x in enumerate(spring))
+            pull = tuple(DIRECTION[state] * x for x in tangential)
+            inequalities.append(sum_row(pull, normal, -low))
+            inequalities.append(tuple(-DIRECTION[state] * x for x in slip))
+    return [*balance_rows(grasp, forces, wrench, n), *sticking], inequalities, n
 
 
 def _ranges() -> Iterator[tuple[Fraction, Fraction]]:

@@ -10,9 +10,10 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from fractions import Fraction
 from random import Random
+from typing import Any
 
-from arrangement.exact import RationalVector
-from arrangement.polyhedra.intervals import Interval
+from arrangement.exact import RationalVector, to_text
+from arrangement.polyhedra.intervals import Interval, texts
 from arrangement.progress import watched
 from equilibrium.model.grasp import Contact, Grasp
 
@@ -32,6 +33,14 @@ class Gap:
     grasp: Grasp
     direction: RationalVector
     intervals: tuple[Interval, ...]
+
+    def to_dict(self) -> dict[str, Any]:
+        """Return a JSON form; numbers are strings, null means no end."""
+        return {
+            "grasp": self.grasp.to_dict(),
+            "direction": [to_text(x) for x in self.direction],
+            "intervals": list(map(texts, self.intervals)),
+        }
 
 
 def gaps(contacts: int, seed: int, tries: int) -> Iterator[Gap]:

@@ -13,8 +13,15 @@ from fractions import Fraction
 from typing import Any
 
 from arrangement import linprog
-from arrangement.exact import RationalVector, dot, to_text
-from arrangement.polyhedra.intervals import Interval, holds, intersection, union, where_positive
+from arrangement.exact import RationalVector, dot
+from arrangement.polyhedra.intervals import (
+    Interval,
+    holds,
+    intersection,
+    texts,
+    union,
+    where_positive,
+)
 from arrangement.progress import watched
 from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import Grasp, read_wrench
@@ -32,7 +39,7 @@ class Magnitudes:
     """All t >= 0 with ``base + t direction`` resisted.
 
     Attributes:
-        base, direction: wrenches (force x, force y, torque).
+        base, direction: wrenches ``(f_x, f_y, tau)``.
         intervals: disjoint, closed, increasing; an upper end None means no end.
     """
 
@@ -56,7 +63,7 @@ class Magnitudes:
 
     def to_dict(self) -> dict[str, Any]:
         """Return ``{"intervals": [["0", "1"], ["3/2", null]]}``; null means no end."""
-        return {"intervals": [[_text(low), _text(high)] for low, high in self.intervals]}
+        return {"intervals": list(map(texts, self.intervals))}
 
 
 def resisted_magnitudes(
@@ -65,7 +72,7 @@ def resisted_magnitudes(
     """Return the exact set of t >= 0 for which a grasp resists ``base + t direction``.
 
     Args:
-        direction: force x, force y, torque; not all zero.
+        direction: of the wrench, ``(f_x, f_y, tau)``; not all zero.
         base: a wrench that acts in any case.
 
     Raises:
@@ -127,7 +134,3 @@ def _by_programs(system: StateSystem, equalities: list[RationalVector]) -> Inter
         return None
     largest = linprog.minimize([-x for x in objective], inequalities, equalities)
     return least.value, -largest.value if isinstance(largest, linprog.Optimal) else None
-
-
-def _text(end: Fraction | None) -> str | None:
-    return None if end is None else to_text(end)

@@ -12,8 +12,8 @@ from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
 
-from arrangement.exact import RationalVector, to_text
-from arrangement.polyhedra.intervals import Interval, holds, union
+from arrangement.exact import RationalVector
+from arrangement.polyhedra.intervals import Interval, end_text, holds, texts, union
 from equilibrium.model.grasp import Grasp, read_wrench
 from equilibrium.verdict import Solver, prepare, solve
 
@@ -56,9 +56,9 @@ class Margin:
         """Return a JSON form; numbers are strings, null means no end (or none)."""
         return {
             "resisted": self.resisted,
-            "around": None if self.around is None else _texts(self.around),
-            "nearest": _text(self.nearest),
-            "intervals": [_texts(part) for part in self.intervals],
+            "around": None if self.around is None else texts(self.around),
+            "nearest": end_text(self.nearest),
+            "intervals": list(map(texts, self.intervals)),
         }
 
 
@@ -97,8 +97,8 @@ class Preloads:
     def to_dict(self) -> dict[str, Any]:
         """Return a JSON form; numbers are strings, null means no end (or none)."""
         return {
-            "least": _text(self.least),
-            "intervals": [_texts(part) for part in self.intervals],
+            "least": end_text(self.least),
+            "intervals": list(map(texts, self.intervals)),
         }
 
 
@@ -132,11 +132,3 @@ def _reciprocal(factors: Interval) -> Interval:
     """
     low, high = factors
     return (Fraction(0) if high is None else 1 / high, 1 / low if low else None)
-
-
-def _texts(part: Interval) -> list[str | None]:
-    return [_text(part[0]), _text(part[1])]
-
-
-def _text(end: Fraction | None) -> str | None:
-    return None if end is None else to_text(end)

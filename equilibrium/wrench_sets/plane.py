@@ -1,7 +1,7 @@
 """Which wrenches of a plane a grasp resists: the exact union of polygons, possibly unbounded.
 
 A point ``(a, b)`` of the plane stands for the wrench ``origin + a first + b second``; by default
-the plane holds the forces at zero torque about the origin of the object frame.
+the plane has the forces at zero torque about the origin of the object frame.
 """
 
 from __future__ import annotations
@@ -21,7 +21,7 @@ from arrangement.exact import (
     to_text,
 )
 from arrangement.linear import cross
-from arrangement.polyhedra.intervals import Interval, intersection, union
+from arrangement.polyhedra.intervals import Interval
 from arrangement.polyhedra.polyhedron import Polyhedron
 from arrangement.progress import watched
 from equilibrium.model.errors import GraspError
@@ -32,7 +32,7 @@ from equilibrium.verdict import Solver, prepare
 from .directions import Sector, counter_clockwise, sectors
 from .images import StateImages
 from .outline import Outline, outline_of
-from .space import Piece, maximal_pieces
+from .space import Piece, magnitudes_in, maximal_pieces, states_with
 
 FORCES = ((1, 0, 0), (0, 1, 0))
 
@@ -53,20 +53,16 @@ class Region:
 
     def contains(self, point: Iterable[Any]) -> bool:
         """Return whether the wrench at a point of the plane is resisted."""
-        p = rational_vector(point, "point")
-        return any(piece.polyhedron.contains(p) for piece in self.polygons)
+        return bool(self.states_at(point))
 
     def states_at(self, point: Iterable[Any]) -> tuple[States, ...]:
         """Return the contact states of all polygons at a point."""
-        p = rational_vector(point, "point")
-        return tuple(piece.states for piece in self.polygons if piece.polyhedron.contains(p))
+        return states_with(self.polygons, rational_vector(point, "point"))
 
     def along(self, direction: Iterable[Any]) -> tuple[Interval, ...]:
         """Return the t >= 0 with ``t direction`` in the region, as disjoint closed intervals."""
         u = rational_vector(direction, "direction")
-        parts = (piece.polyhedron.along((0, 0), u) for piece in self.polygons)
-        kept = (intersection(part, (Fraction(0), None)) for part in parts if part is not None)
-        return union(part for part in kept if part is not None)
+        return magnitudes_in(self.polygons, (Fraction(0),) * 2, u)
 
     @cached_property
     def outline(self) -> Outline:
@@ -121,7 +117,7 @@ def resistible_region(
     """
     frame = [read_wrench(span) for span in spans]
     start = read_wrench(origin)
-    if len(frame) != 2 or not _independent(*frame):
+    if len(frame) != 2 or not any(cross(*frame)):
         raise GraspError("a plane needs two spanning wrenches that are not parallel")
     plane = _plane(start, *frame)
     solver = prepare(grasp)
@@ -153,10 +149,6 @@ def _end_of(polygon: Polyhedron, row: IntegerVector, edge: IntegerVector) -> Rat
     """Return the vertex at which an edge ends."""
     tight = [point for point in polygon.points if dot(row, (*point, 1)) == 0]
     return max(tight, key=lambda point: Fraction(dot(edge, point)))
-
-
-def _independent(one: RationalVector, other: RationalVector) -> bool:
-    return any(cross(one, other))
 
 
 def _plane(origin: RationalVector, one: RationalVector, other: RationalVector) -> IntegerVector:

@@ -14,7 +14,15 @@ from math import cos, pi, sin
 from typing import Any
 
 from arrangement.exact import RationalVector, rational, to_text
-from arrangement.polyhedra.intervals import Interval, holds, intersection, remainder, union
+from arrangement.polyhedra.intervals import (
+    Interval,
+    end_text,
+    holds,
+    intersection,
+    remainder,
+    texts,
+    union,
+)
 from arrangement.progress import watched
 from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import Grasp
@@ -56,9 +64,9 @@ class Entry:
         }
         return {
             "direction": [to_text(x) for x in self.direction],
-            "found": _text(self.found),
+            "found": end_text(self.found),
             "agrees": self.agrees,
-            **{name: [[_text(a), _text(b)] for a, b in part] for name, part in parts.items()},
+            **{name: list(map(texts, part)) for name, part in parts.items()},
         }
 
 
@@ -153,7 +161,3 @@ def binary_search(
         else:
             high = middle
     return low
-
-
-def _text(end: Fraction | None) -> str | None:
-    return None if end is None else to_text(end)

@@ -10,7 +10,8 @@ from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
 
-from arrangement.polyhedra.intervals import Interval, union
+from arrangement.exact import RationalVector
+from arrangement.polyhedra.intervals import Interval, intersection, union
 from arrangement.polyhedra.polyhedron import Polyhedron
 from arrangement.polyhedra.separation import surely_outside
 from arrangement.progress import watched
@@ -35,7 +36,7 @@ class Piece:
 
 @dataclass(frozen=True)
 class ResistibleSet:
-    """A finite union of convex polyhedra of wrenches (force x, force y, torque).
+    """A finite union of convex polyhedra of wrenches ``(f_x, f_y, tau)``.
 
     Attributes:
         pieces: those that lie in no other single one; they may overlap and touch.
@@ -46,26 +47,17 @@ class ResistibleSet:
 
     def contains(self, wrench: Iterable[Any]) -> bool:
         """Return whether a wrench is resisted; the same answer as `solve`."""
-        w = read_wrench(wrench)
-        return any(piece.polyhedron.contains(w) for piece in self.pieces)
+        return bool(self.states_at(wrench))
 
     def states_at(self, wrench: Iterable[Any]) -> tuple[States, ...]:
         """Return the contact states of all pieces that contain a wrench."""
-        w = read_wrench(wrench)
-        return tuple(piece.states for piece in self.pieces if piece.polyhedron.contains(w))
+        return states_with(self.pieces, read_wrench(wrench))
 
     def along(
         self, direction: Iterable[Any], base: Iterable[Any] = (0, 0, 0)
     ) -> tuple[Interval, ...]:
         """Return the magnitudes t >= 0 with ``base + t direction`` inside, as closed intervals."""
-        start, u = read_wrench(base), read_wrench(direction)
-        found = (piece.polyhedron.along(start, u) for piece in self.pieces)
-        halves = (
-            (max(low or Fraction(0), Fraction(0)), high)
-            for low, high in (part for part in found if part is not None)
-            if high is None or high >= 0
-        )
-        return union(halves)
+        return magnitudes_in(self.pieces, read_wrench(base), read_wrench(direction))
 
     def to_dict(self) -> dict[str, Any]:
         """Return a JSON form; numbers are strings of rationals."""
@@ -88,6 +80,20 @@ def resistible_set(grasp: Grasp | Solver) -> ResistibleSet:
     found = ((states, images.resisted_with(states)) for states in every)
     pieces = [Piece(states, shape) for states, shape in found if shape is not None]
     return ResistibleSet(solver.grasp, maximal_pieces(pieces))
+
+
+def states_with(pieces: Sequence[Piece], point: RationalVector) -> tuple[States, ...]:
+    """Return the contact states of all pieces that contain a point."""
+    return tuple(piece.states for piece in pieces if piece.polyhedron.contains(point))
+
+
+def magnitudes_in(
+    pieces: Sequence[Piece], start: RationalVector, direction: RationalVector
+) -> tuple[Interval, ...]:
+    """Return the t >= 0 with ``start + t direction`` in a piece, as disjoint closed intervals."""
+    parts = (piece.polyhedron.along(start, direction) for piece in pieces)
+    kept = (intersection(part, (Fraction(0), None)) for part in parts if part is not None)
+    return union(part for part in kept if part is not None)
 
 
 def maximal_pieces(pieces: Sequence[Piece]) -> tuple[Piece, ...]:

@@ -28,7 +28,7 @@ class Asked:
     """A question put to a method, and what the paper says: the method's verdict and the right one.
 
     Attributes:
-        method: a key of `equilibrium.methods.compare.METHODS`.
+        method: a key of `equilibrium.methods.METHODS`.
         rest: tangential forces before the wrench is applied.
     """
 

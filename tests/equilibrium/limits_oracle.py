@@ -1,5 +1,6 @@
 """Random small grasps, and an oracle for resisted magnitudes: all 4^m states, full systems."""
 
+from dataclasses import replace
 from fractions import Fraction
 from itertools import product
 
@@ -109,13 +110,9 @@ def rotated(grasp, cosine, sine):
     def turn(v):
         return (cosine * v[0] - sine * v[1], sine * v[0] + cosine * v[1])
 
-    return Grasp(
-        Contact(turn(c.point), turn(c.normal), c.friction, c.stiffness, c.preload) for c in grasp
-    )
+    return Grasp(replace(c, point=turn(c.point), normal=turn(c.normal)) for c in grasp)
 
 
 def reloaded(grasp, factor):
     """The grasp with all preloads times a factor."""
-    return Grasp(
-        Contact(c.point, c.normal, c.friction, c.stiffness, factor * c.preload) for c in grasp
-    )
+    return Grasp(replace(c, preload=factor * c.preload) for c in grasp)

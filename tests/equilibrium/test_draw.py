@@ -32,9 +32,10 @@ from equilibrium.draw import (
 from equilibrium.draw.body import body, frame_of
 from equilibrium.draw.style import nice, number
 from equilibrium.inputs import random_grasp
+from equilibrium.methods import METHODS, resistance_figure
 from equilibrium.methods.compare import compare
-from equilibrium.methods.regions import METHODS, method_region
-from equilibrium.wrench_sets import gaps, resistance_figure, resistible_region, search_map
+from equilibrium.methods.registry import WITH_REGION
+from equilibrium.wrench_sets import gaps, resistible_region, search_map
 
 from .strategies import grasps, wrenches
 
@@ -275,8 +276,8 @@ def test_polar_marks_are_the_entries_of_the_map() -> None:
 
 def test_comparison_has_a_panel_for_each_method_with_its_region() -> None:
     figure = draw_compare(FOUR.with_preload(1), wrench=(0, 2, 0))
-    for i, method in enumerate(METHODS, 1):
-        region = method_region(method, FOUR.with_preload(1))
+    for i, method in enumerate(WITH_REGION, 1):
+        region = METHODS[method].region(FOUR.with_preload(1))
         assert count(figure, f"{i}-polygon-") == len(region.polygons)
         assert count(figure, f"{i}-border-") == len(region.outline.border)
         point = next(x for x in figure.axes[0].lines if x.get_gid() == f"{i}-wrench")

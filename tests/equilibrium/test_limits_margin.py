@@ -7,7 +7,7 @@ from equilibrium.io.files import read_grasp
 from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import Contact, Grasp
 from equilibrium.verdict import solve
-from equilibrium.wrench_sets.friction import least_friction, with_friction
+from equilibrium.wrench_sets.friction import least_friction
 from equilibrium.wrench_sets.margin import margin, sufficient_preloads
 from equilibrium.wrench_sets.search_map import binary_search, compare, search_map
 
@@ -125,9 +125,9 @@ def test_no_friction_is_enough_without_preload():
 def test_below_the_bracket_nothing_is_resisted(grasp, wrench, friction):
     found = least_friction(grasp, wrench, "1/64")
     if found.high is not None:
-        assert solve(with_friction(grasp, found.high), wrench).stable
+        assert solve(grasp.with_friction(found.high), wrench).stable
     if found.impossible or friction < found.low:
-        assert not solve(with_friction(grasp, friction), wrench).stable
+        assert not solve(grasp.with_friction(friction), wrench).stable
 
 
 def test_a_width_must_be_positive():

@@ -12,7 +12,7 @@ from arrangement.exact import RationalVector
 from equilibrium import Contact, Grasp, GraspError, read_grasp
 from equilibrium.methods.compare import ask
 from equilibrium.methods.grasp_wrench_space import GraspWrenchSpace
-from equilibrium.methods.regions import FORCES, METHODS, method_region
+from equilibrium.methods.registry import METHODS, WITH_REGION, method_named
 from equilibrium.wrench_sets import Region
 
 from .strategies import grasps
@@ -39,7 +39,7 @@ def probes(region: Region) -> list[RationalVector]:
     return [*near, *middles]
 
 
-@pytest.mark.parametrize("method", METHODS)
+@pytest.mark.parametrize("method", WITH_REGION)
 @settings(max_examples=12)
 @given(grasp=grasps(), torque=st.sampled_from([0, 0, HALF, -1]))
 @example(grasp=read_grasp("paper-three-contacts-preload-1"), torque=0)
@@ -55,7 +55,7 @@ def probes(region: Region) -> list[RationalVector]:
     torque=0,
 )
 def test_region_and_single_verdicts_agree(method: str, grasp: Grasp, torque: Fraction) -> None:
-    region = method_region(method, grasp, FORCES, (0, 0, torque))
+    region = METHODS[method].region(grasp, origin=(0, 0, torque))
     for x, y in probes(region):
         load = (x, y, Fraction(torque))
         assert region.contains((x, y)) is accepts(method, grasp, load), load
@@ -64,13 +64,15 @@ def test_region_and_single_verdicts_agree(method: str, grasp: Grasp, torque: Fra
 @pytest.mark.parametrize("norm", ["L1", "Linf"])
 def test_wrench_space_region_has_the_corners_of_its_slice(norm: str) -> None:
     grasp = read_grasp("paper-three-contacts")
-    (piece,) = method_region(f"wrench-space-{norm}", grasp).polygons
+    (piece,) = METHODS[f"wrench-space-{norm}"].region(grasp).polygons
     corners = GraspWrenchSpace(grasp, "L1" if norm == "L1" else "Linf").slice()
     assert set(piece.polyhedron.points) == set(corners)
 
 
 def test_unknown_methods_and_too_many_contacts_are_refused() -> None:
     with pytest.raises(GraspError, match="known are complete"):
-        method_region("guess", Grasp([]))
-    with pytest.raises(GraspError, match="at most 6"):
-        method_region("frictionless-slip", Grasp([Contact((0, 0), (1, 0), 0)] * 7))
+        method_named("guess")
+    with pytest.raises(GraspError, match="at most 8"):
+        METHODS["frictionless-slip"].region(Grasp([Contact((0, 0), (1, 0), 0)] * 9))
+    with pytest.raises(GraspError, match="no region"):
+        METHODS["strong"].region(Grasp())

@@ -29,10 +29,6 @@ def four():
     return read_grasp("paper-four-contacts")
 
 
-def with_friction(grasp, friction):
-    return Grasp(Contact(c.point, c.normal, friction, c.stiffness, c.preload) for c in grasp)
-
-
 def square(friction=0):
     """Eight frictionless fingers, two on each side of a square: form closure."""
     places = [((side, s * HALF), (-side, 0)) for side in (1, -1) for s in (1, -1)]
@@ -48,7 +44,7 @@ class TestGraspWrenchSpace:
         assert GraspWrenchSpace(three).verdict(wrench).accepts
 
     def test_preload_and_stiffness_change_nothing(self, three):
-        assert GraspWrenchSpace(three.with_preload(1)).hull == GraspWrenchSpace(three).hull
+        assert GraspWrenchSpace(three.with_preload(1)).polytope == GraspWrenchSpace(three).polytope
 
     def test_slice_of_the_figure(self, three):
         # Upwards the side contacts give 1/2 with total normal force 1; downwards contact 2 gives 1.
@@ -76,7 +72,7 @@ class TestGraspWrenchSpace:
         space = GraspWrenchSpace(read_grasp("frictionless-opposed-contacts"))
         assert not space.force_closure
         assert (space.volume, space.epsilon_squared) == (0, 0)
-        assert space.hull.dimension == 1
+        assert space.polytope.dimension == 1
         assert space.slice() == ((-1, 0), (1, 0))
 
     def test_no_contacts(self):
@@ -177,20 +173,20 @@ class TestCones:
 
     @pytest.mark.parametrize("wrench", [(0, 2, 0), (0, -200, 0), (5, 3, -1)])
     def test_accepts_everything_with_friction_above_one(self, four, wrench):
-        assert cones(with_friction(four, 2), wrench).accepts
-        assert cones(with_friction(four, "101/100"), wrench).accepts
+        assert cones(four.with_friction(2), wrench).accepts
+        assert cones(four.with_friction("101/100"), wrench).accepts
 
     @pytest.mark.parametrize("friction", [HALF, 1])
     def test_the_statement_fails_up_to_friction_one(self, four, friction):
         # A turn loads two opposite contacts with c each, whose normal forces have the torque -2 c
         # and whose friction has at most 2 mu c: nothing is left against (0, w, 0).
-        verdict = cones(with_friction(four, friction), (0, 2, 0))
+        verdict = cones(four.with_friction(friction), (0, 2, 0))
         assert not verdict.accepts
         # All sign choices of two pairs of parallel planes.
         assert verdict.tried == 4
 
     def test_springs_that_cannot_let_go_refuse_all_loads_on_the_four_contacts(self, four):
-        assert not cones(with_friction(four, 2), (0, 2, 0), printed=True).accepts
+        assert not cones(four.with_friction(2), (0, 2, 0), printed=True).accepts
         assert cones(four, (0, 0, 3)).accepts
         assert not cones(four, (0, 0, 3), printed=True).accepts
 

@@ -1,12 +1,17 @@
 """The table of all verdicts, the survey of disagreements, and their commands."""
 
+import importlib
 import json
+from pkgutil import iter_modules
 
 import pytest
 
+from equilibrium import methods
 from equilibrium.cli.program import main
 from equilibrium.io.files import read_grasp
-from equilibrium.methods.compare import METHODS, ask, compare
+from equilibrium.methods.compare import ask, compare
+from equilibrium.methods.method import Method
+from equilibrium.methods.registry import DECIDING, METHODS
 from equilibrium.methods.survey import OTHERS, shrunk, size, smallest_examples, survey
 
 
@@ -32,7 +37,15 @@ def test_rows_of_the_papers_tables(name, preload, wrench, stable, disagreeing):
     assert found.stable is stable
     assert set(found.disagreeing) - {"printed"} == disagreeing - {"printed"}
     assert found["form-closure"].accepts is None
-    assert [answer.method for answer in found.answers] == list(METHODS)
+    assert [answer.method for answer in found.answers] == list(DECIDING)
+
+
+def test_every_file_of_a_method_is_in_the_table():
+    files = (f"{methods.__name__}.{file.name}" for file in iter_modules(methods.__path__))
+    values = [value for file in files for value in vars(importlib.import_module(file)).values()]
+    written = {id(value) for value in values if isinstance(value, Method)}
+    # Two methods with one key would leave one of them out.
+    assert {id(method) for method in METHODS.values()} == written
 
 
 def test_many_contacts_leave_the_exponential_method_out():

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Sequence
+from dataclasses import replace
 from fractions import Fraction
 from itertools import product
 from pathlib import Path
@@ -175,10 +176,7 @@ def test_different_preloads_are_scaled_together(browser: Browser, opened: Opened
     opened(MIXED)
     for factor, y in product(("1", "1/2", "3"), ("-4", "-1", "2/3")):
         enter(browser, preload=factor, force_x="1/7", force_y=y)
-        scaled = Grasp(
-            Contact(c.point, c.normal, c.friction, c.stiffness, c.preload * Fraction(factor))
-            for c in MIXED
-        )
+        scaled = Grasp(replace(c, preload=c.preload * Fraction(factor)) for c in MIXED)
         wrench = [Fraction("1/7"), Fraction(y), Fraction(0)]
         assert (verdict(browser) == "Resisted") == solve(scaled, wrench).stable
     browser.run(

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from fractions import Fraction
 
 import pytest
@@ -54,9 +55,7 @@ def test_pieces_are_maximal(grasp, wrench):
 @settings(max_examples=40, deadline=None)
 @given(grasps(), wrenches, st.sampled_from([2, Fraction(1, 3), 10**20]))
 def test_scaling_wrench_and_preload_scales_motion_and_forces(grasp, wrench, factor):
-    scaled = Grasp(
-        Contact(c.point, c.normal, c.friction, c.stiffness, factor * c.preload) for c in grasp
-    )
+    scaled = Grasp(replace(c, preload=factor * c.preload) for c in grasp)
     before = solve(grasp, wrench).equilibria
     after = solve(scaled, [factor * w for w in wrench]).equilibria
     assert len(before) == len(after)
@@ -68,7 +67,7 @@ def test_scaling_wrench_and_preload_scales_motion_and_forces(grasp, wrench, fact
 @settings(max_examples=40, deadline=None)
 @given(grasps(), wrenches)
 def test_scaling_all_stiffness_scales_motion_only(grasp, wrench):
-    stiff = Grasp(Contact(c.point, c.normal, c.friction, 3 * c.stiffness, c.preload) for c in grasp)
+    stiff = Grasp(replace(c, stiffness=3 * c.stiffness) for c in grasp)
     before, after = solve(grasp, wrench).equilibria, solve(stiff, wrench).equilibria
     assert [p.forces for p in before] == [p.forces for p in after]
     assert [p.motion for p in before] == [tuple(3 * x for x in p.motion) for p in after]
@@ -88,10 +87,7 @@ def turned(v, cosine, sine):
 )
 def test_rotating_the_frame_changes_no_force(grasp, wrench, angle):
     rotated = Grasp(
-        Contact(
-            turned(c.point, *angle), turned(c.normal, *angle), c.friction, c.stiffness, c.preload
-        )
-        for c in grasp
+        replace(c, point=turned(c.point, *angle), normal=turned(c.normal, *angle)) for c in grasp
     )
     before = solve(grasp, wrench).equilibria
     after = solve(rotated, (*turned(wrench[:2], *angle), wrench[2])).equilibria
@@ -103,10 +99,7 @@ def test_rotating_the_frame_changes_no_force(grasp, wrench, angle):
 @given(grasps(), wrenches, st.tuples(st.integers(-3, 3), st.integers(-3, 3)))
 def test_moving_the_origin_keeps_the_solutions(grasp, wrench, shift):
     a, b = shift
-    moved = Grasp(
-        Contact((c.point[0] + a, c.point[1] + b), c.normal, c.friction, c.stiffness, c.preload)
-        for c in grasp
-    )
+    moved = Grasp(replace(c, point=(c.point[0] + a, c.point[1] + b)) for c in grasp)
     torque = wrench[2] + a * wrench[1] - b * wrench[0]
     before, after = solve(grasp, wrench), solve(moved, (*wrench[:2], torque))
     assert before.stable == after.stable
@@ -120,13 +113,7 @@ def test_moving_the_origin_keeps_the_solutions(grasp, wrench, shift):
 @given(grasps(), wrenches)
 def test_mirror_image_turns_tangential_forces_round(grasp, wrench):
     mirrored = Grasp(
-        Contact(
-            (-c.point[0], c.point[1]),
-            (-c.normal[0], c.normal[1]),
-            c.friction,
-            c.stiffness,
-            c.preload,
-        )
+        replace(c, point=(-c.point[0], c.point[1]), normal=(-c.normal[0], c.normal[1]))
         for c in grasp
     )
     before = solve(grasp, wrench).equilibria

@@ -1,6 +1,9 @@
 """The published schema of grasp files against the reader, and the units that files carry."""
 
+import dataclasses
 import json
+from dataclasses import fields, replace
+from fractions import Fraction
 
 import jsonschema
 import pytest
@@ -97,6 +100,24 @@ def test_the_schema_is_a_schema():
     jsonschema.Draft202012Validator.check_schema(grasp_schema())
 
 
+@pytest.mark.parametrize(
+    ("kind", "part"),
+    [(Contact, ("$defs", "contact")), (Units, ("properties", "units")), (Grasp, ())],
+)
+def test_the_schema_has_the_fields_and_defaults_of_the_code(kind, part):
+    schema = grasp_schema()
+    for key in part:
+        schema = schema[key]
+    given = {field.name: field.default for field in fields(kind)}
+    properties = schema["properties"]
+    assert properties.keys() - {"schema_version", "description"} == given.keys()
+    assert set(schema["required"]) - {"schema_version"} == {
+        name for name, default in given.items() if default is dataclasses.MISSING
+    }
+    defaults = {name: str(x) for name, x in given.items() if isinstance(x, Fraction)}
+    assert {k: v["default"] for k, v in properties.items() if "default" in v} == defaults
+
+
 @pytest.mark.parametrize("document", GOOD)
 def test_good_documents_pass_both(document):
     assert accepted(document)
@@ -133,6 +154,20 @@ class TestUnits:
         assert verdict.to_dict()["grasp"]["units"] == {"length": "mm", "force": "N"}
         assert verdict.certificate.to_dict()["grasp"]["units"]["force"] == "N"
         assert check(verdict.certificate.to_dict()).valid
+
+    def test_units_survive_every_changed_copy(self):
+        (contact,) = self.grasp
+        other = replace(contact, preload="3/2")
+        copies = {
+            "preload": self.grasp.with_preload("3/2"),
+            "friction": self.grasp.with_friction("3/2"),
+            "contacts": replace(self.grasp, contacts=(other,)),
+        }
+        assert {copy.units for copy in copies.values()} == {Units("mm", "N")}
+        assert copies["preload"] == copies["contacts"]
+        assert copies["friction"].contacts[0] == Contact((-1, 0), (1, 0), "3/2")
+        with pytest.raises(GraspError, match="preload is -1"):
+            replace(contact, preload=-1)
 
     def test_units_change_no_verdict_and_no_comparison(self):
         bare = Grasp(self.grasp.contacts)

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from fractions import Fraction
 
 import numpy as np
 import pytest
 from hypothesis import given, settings, strategies as st
 
-from equilibrium import Contact, Grasp, Solver, read_grasp, solve
+from equilibrium import Grasp, Solver, read_grasp, solve
 from equilibrium.certificate.conditions import conditions_of, violation_problem
 from equilibrium.certificate.determinants import KINDS, proven_violations
 from equilibrium.inputs.random import random_grasp, random_wrench
@@ -57,10 +58,7 @@ def test_a_decided_choice_of_an_awkward_question_violates_the_named_condition(se
 
 def beside(grasp: Grasp, shift: Fraction) -> Grasp:
     """Return the contacts, each twice, the second time moved a little."""
-    moved = (
-        Contact((c.point[0] + shift, c.point[1]), c.normal, c.friction, c.stiffness, c.preload)
-        for c in grasp
-    )
+    moved = (replace(c, point=(c.point[0] + shift, c.point[1])) for c in grasp)
     return Grasp([*grasp, *moved])
 
 
@@ -74,12 +72,10 @@ def test_nearly_coincident_contacts(digits):
 def test_stiffness_and_size_of_very_different_scale(power):
     scale = Fraction(10) ** power
     contacts = [
-        Contact(
-            [x * (scale if i == 1 else 1) for x in c.point],
-            c.normal,
-            c.friction,
-            c.stiffness * (scale if i == 0 else 1),
-            c.preload,
+        replace(
+            c,
+            point=[x * (scale if i == 1 else 1) for x in c.point],
+            stiffness=c.stiffness * (scale if i == 0 else 1),
         )
         for i, c in enumerate(random_grasp(4, seed=1))
     ]
@@ -90,7 +86,7 @@ def test_stiffness_and_size_of_very_different_scale(power):
 def test_numbers_that_floats_should_not_see_are_left_to_rationals(power):
     c = random_grasp(1, seed=1).contacts[0]
     scale = Fraction(10) ** power
-    grasp = Grasp([Contact(c.point, c.normal, c.friction, c.stiffness * scale, 0)] * 2)
+    grasp = Grasp([replace(c, stiffness=c.stiffness * scale, preload=0)] * 2)
     assert set(PreparedGrasp(grasp).screen.violations(W).tolist()) == {UNDECIDED}
     states = PreparedGrasp(grasp).codes
     assert not proven_violations(

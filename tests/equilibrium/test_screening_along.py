@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from fractions import Fraction
 
 import numpy as np
@@ -89,7 +90,7 @@ def test_numbers_that_floats_should_not_see_rule_nothing_out(power):
     scale = Fraction(10) ** power
     assert PreparedGrasp(random_grasp(3, seed=1)).screen.possible_along(ZERO, (scale, *W[1:])).all()
     c = random_grasp(1, seed=1).contacts[0]
-    stiff = Grasp([Contact(c.point, c.normal, c.friction, c.stiffness * scale, 0)] * 2)
+    stiff = Grasp([replace(c, stiffness=c.stiffness * scale, preload=0)] * 2)
     assert PreparedGrasp(stiff).screen.possible_along(ZERO, W).all()
 
 

@@ -6,10 +6,10 @@ from collections.abc import Iterable, Sequence
 from typing import Any
 
 from arrangement.exact import to_text
-from equilibrium.methods.grasp_wrench_space import GraspWrenchSpace
 from equilibrium.model.grasp import Grasp
+from equilibrium.wrench_sets.plane import FORCES, resistible_region
 
-from .plane import FORCES, resistible_region
+from .grasp_wrench_space import GraspWrenchSpace
 
 
 def resistance_figure(

@@ -1,0 +1,107 @@
+"""What the subcommands share: the grasp, wrenches and numbers they take, and how they print."""
+
+from __future__ import annotations
+
+import argparse
+from collections.abc import Callable, Iterable
+from fractions import Fraction
+from typing import TYPE_CHECKING, Any
+
+from arrangement import terminal
+from arrangement.exact import to_text
+
+if TYPE_CHECKING:
+    from equilibrium.model.grasp import Grasp
+
+WRENCH = "applied force (f_x, f_y) and torque tau about the origin"
+_AXES = ("F_X", "F_Y", "TAU")
+
+
+def add_command(
+    commands: Any,
+    name: str,
+    function: Callable[[argparse.Namespace], int],
+    text: str,
+    *,
+    grasp: bool = True,
+    preload: bool = True,
+) -> argparse.ArgumentParser:
+    """Add a subcommand; most take a grasp, and a preload in place of its own ones."""
+    parser: argparse.ArgumentParser = commands.add_parser(name, help=text)
+    if grasp:
+        parser.add_argument(
+            "grasp", metavar="GRASP", help="a path, - for stdin, or a built-in name"
+        )
+    if grasp and preload:
+        text = "use this preload at every contact instead of the grasp's own"
+        add_number(parser, "--preload", None, text, metavar="P")
+    terminal.add_json_option(parser)
+    parser.set_defaults(command=function)
+    return parser
+
+
+def add_wrench(
+    parser: argparse.ArgumentParser, name: str = "--wrench", text: str = WRENCH, default: Any = None
+) -> None:
+    """Add three numbers; they are required where there is no default."""
+    parser.add_argument(
+        name,
+        nargs=3,
+        required=default is None,
+        default=default,
+        metavar=_AXES,
+        type=terminal.rational_argument,
+        help=text,
+    )
+
+
+def add_number(
+    parser: argparse.ArgumentParser, name: str, default: Any, text: str, metavar: str = "Q"
+) -> None:
+    """Add an exact number."""
+    shown = text if default is None else f"{text} (default: {to_text(Fraction(default))})"
+    value = None if default is None else Fraction(default)
+    parser.add_argument(
+        name, metavar=metavar, type=terminal.rational_argument, default=value, help=shown
+    )
+
+
+def add_count(
+    parser: argparse.ArgumentParser, name: str, default: int, text: str, metavar: str = "N"
+) -> None:
+    """Add a whole number."""
+    parser.add_argument(
+        name, type=int, default=default, metavar=metavar, help=f"{text} (default: {default})"
+    )
+
+
+def grasp_of(arguments: argparse.Namespace) -> Grasp:
+    """Return the grasp that the arguments name."""
+    from equilibrium.io.files import read_grasp
+
+    grasp = read_grasp(arguments.grasp)
+    preload = getattr(arguments, "preload", None)
+    return grasp if preload is None else grasp.with_preload(preload)
+
+
+def show(
+    arguments: argparse.Namespace,
+    document: dict[str, Any],
+    lines: Iterable[str],
+    yes: bool = True,
+    grasp: Grasp | None = None,
+) -> int:
+    """Print one JSON object or the lines, with the units of a grasp; return the exit code."""
+    units = None if grasp is None else grasp.units
+    if arguments.json:
+        stated = {"units": units.to_dict()} if units and "grasp" not in document else {}
+        terminal.print_json({**document, **stated})
+    else:
+        for line in [str(units), *lines] if units else lines:
+            print(line)
+    return terminal.YES if yes else terminal.NO
+
+
+def vector(numbers: Iterable[Fraction | int]) -> str:
+    """Return numbers in parentheses."""
+    return f"({', '.join(map(to_text, numbers))})"

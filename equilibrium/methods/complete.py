@@ -1,0 +1,24 @@
+"""The complete model: springs, cones, dissipation, detachment. The measure of the others."""
+
+from __future__ import annotations
+
+from arrangement.exact import RationalVector
+from equilibrium.model.grasp import Grasp
+from equilibrium.verdict import solve
+from equilibrium.wrench_sets.plane import resistible_region
+
+from .method import Method, Outcome
+
+
+def _decide(grasp: Grasp, wrench: RationalVector) -> Outcome:
+    pieces = solve(grasp, wrench).equilibria
+    return bool(pieces), f"{len(pieces)} maximal pieces of solutions"
+
+
+COMPLETE = Method(
+    "complete",
+    "complete model (springs, cones, dissipation, detachment)",
+    "complete model",
+    _decide,
+    resistible_region,
+)

@@ -1,0 +1,83 @@
+"""What a compared method is: its names, its verdict on one wrench, its accepted wrenches."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Sequence
+from dataclasses import dataclass
+from typing import Any, TypeAlias
+
+from arrangement.exact import RationalVector
+from arrangement.polyhedra.polyhedron import Polyhedron
+from equilibrium.model.errors import GraspError
+from equilibrium.model.grasp import Grasp, read_wrench
+from equilibrium.wrench_sets.plane import FORCES, Region
+from equilibrium.wrench_sets.space import Piece, maximal_pieces
+
+#: Whether a method accepts (None: it says nothing), and what the answer rests on.
+Outcome: TypeAlias = tuple[bool | None, str]
+Decide: TypeAlias = Callable[[Grasp, RationalVector], Outcome]
+FindRegion: TypeAlias = Callable[[Grasp, Sequence[Iterable[Any]], Iterable[Any]], Region]
+
+
+@dataclass(frozen=True)
+class Method:
+    """One method.
+
+    Attributes:
+        key: its name in commands and JSON.
+        title, label: what it is; the same in a few words, for pictures.
+        decide: its verdict on one wrench; None if it has only a region.
+        find_region: the accepted wrenches of a plane; None if it has only verdicts.
+        most_contacts: where more would take too long.
+    """
+
+    key: str
+    title: str
+    label: str
+    decide: Decide | None = None
+    find_region: FindRegion | None = None
+    most_contacts: int | None = None
+
+    def tries(self, grasp: Grasp) -> bool:
+        """Return whether the contacts are few enough."""
+        return self.most_contacts is None or len(grasp) <= self.most_contacts
+
+    def outcome(self, grasp: Grasp, wrench: RationalVector) -> Outcome:
+        """Return the verdict on one wrench, with what it rests on."""
+        if self.decide is None:
+            return None, "no verdict on one wrench"
+        if not self.tries(grasp):
+            return None, f"not tried: {len(grasp)} contacts, at most {self.most_contacts}"
+        return self.decide(grasp, wrench)
+
+    def region(
+        self,
+        grasp: Grasp,
+        spans: Sequence[Iterable[Any]] = FORCES,
+        origin: Iterable[Any] = (0, 0, 0),
+    ) -> Region:
+        """Return the accepted wrenches ``origin + a spans[0] + b spans[1]``, exactly.
+
+        Raises:
+            GraspError: a method without region, too many contacts for it, or parallel spans.
+        """
+        if self.find_region is None:
+            raise GraspError(f"the method {self.key} has verdicts on single wrenches, no region")
+        if not self.tries(grasp):
+            raise GraspError(
+                f"{len(grasp)} contacts are too many for the method {self.key}; "
+                f"at most {self.most_contacts} are tried"
+            )
+        return self.find_region(grasp, spans, origin)
+
+
+def cut(shapes: Callable[[Grasp], Iterable[Polyhedron | None]]) -> FindRegion:
+    """Return how to find the region of a method that accepts a union of polyhedra of wrenches."""
+
+    def region(grasp: Grasp, spans: Sequence[Iterable[Any]], origin: Iterable[Any]) -> Region:
+        frame, start = [read_wrench(span) for span in spans], read_wrench(origin)
+        cuts = (shape.cut(start, frame) for shape in shapes(grasp) if shape is not None)
+        pieces = maximal_pieces([Piece((), shape) for shape in cuts if shape is not None])
+        return Region(start, (frame[0], frame[1]), pieces)
+
+    return region

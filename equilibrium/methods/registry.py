@@ -1,0 +1,53 @@
+"""The one table of methods. A new one is a file of its own and its name here."""
+
+from __future__ import annotations
+
+from arrangement.exact import shown
+from equilibrium.model.errors import GraspError
+
+from .complete import COMPLETE
+from .cones import CONES
+from .form_closure import FORM_CLOSURE
+from .frictionless_slip import FRICTIONLESS_SLIP
+from .grasp_wrench_space import WRENCH_SPACE, WRENCH_SPACE_L1, WRENCH_SPACE_LINF
+from .linear_compliance import LINEAR_COMPLIANCE
+from .method import Method
+from .printed_model import PRINTED
+from .weak_strong import FRICTIONLESS, STRONG, WEAK
+
+#: By key. The first one is the measure of the others.
+METHODS: dict[str, Method] = {
+    method.key: method
+    for method in (
+        COMPLETE,
+        PRINTED,
+        CONES,
+        WRENCH_SPACE,
+        WRENCH_SPACE_L1,
+        WRENCH_SPACE_LINF,
+        FORM_CLOSURE,
+        WEAK,
+        STRONG,
+        FRICTIONLESS,
+        LINEAR_COMPLIANCE,
+        FRICTIONLESS_SLIP,
+    )
+}
+#: The keys of the methods that have a verdict on a single wrench, and of those with a region.
+DECIDING = tuple(key for key, method in METHODS.items() if method.decide is not None)
+WITH_REGION = tuple(key for key, method in METHODS.items() if method.find_region is not None)
+
+
+def method_named(key: str) -> Method:
+    """Return a method by its key.
+
+    Raises:
+        GraspError: a key that is not in the table.
+
+    >>> from equilibrium.io.files import read_grasp
+    >>> method_named("weak").region(read_grasp("paper-three-contacts")).unlimited[0].whole
+    True
+    """
+    if key not in METHODS:
+        raise GraspError(f"method is {shown(key)}; known are {', '.join(METHODS)}")
+    return METHODS[key]
