@@ -13,12 +13,13 @@ from numpy.typing import NDArray
 from arrangement.enumeration.any_dimension import enumerate_faces
 from arrangement.errors import InputError
 from arrangement.exact import primitive
+from arrangement.float_filter import Signs
 from arrangement.planes import Face, Planes
 
 from .faces_around_lines import Faces, faces_around
 from .lines import Lines, trace_lines
 from .packing import Words, unpack
-from .predicates import Numbers, PlaneTable, Signs
+from .predicates import Numbers, PlaneTable
 from .witnesses import interior_points
 
 Point: TypeAlias = tuple[Fraction, Fraction, Fraction]
