@@ -16,7 +16,7 @@ from itertools import product
 
 import numpy as np
 
-from arrangement.enumeration.choose import faces as listed
+from arrangement.enumeration.choose import enumerate_faces
 from arrangement.errors import InputError
 from arrangement.exact import (
     IntegerVector,
@@ -113,9 +113,8 @@ def _extent(arrangement: Planes) -> tuple[RationalVector, Fraction]:
     origin = (Fraction(0),) * 3
     if arrangement.is_central:
         return origin, Fraction(1)
-    points = [
-        _in_span(arrangement, face.witness) for face in listed(arrangement, 3 - arrangement.rank)
-    ]
+    lowest = enumerate_faces(arrangement).of_dimension(3 - arrangement.rank)
+    points = [_in_span(arrangement, face.witness) for face in lowest]
     columns = list(zip(*points, strict=True))
     centre = tuple((min(column) + max(column)) / 2 for column in columns)
     squares = (sum((x - c) ** 2 for x, c in zip(p, centre, strict=True)) for p in points)

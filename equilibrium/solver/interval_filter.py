@@ -38,8 +38,8 @@ UNDECIDED = -1
 #: Above the rounding errors of a bound's own computation: sums of positive numbers, a few hundred
 #: roundings at most. Nothing that matters is as small as `_TINY`.
 _MARGIN, _TINY = 1.01, 1e-200
-#: Of a preload less the scalar product of a motion and ``k N``: two rounded factors, their product,
-#: the product with the motion, three sums; three to spare.
+#: Of a preload less a scalar product of a motion and ``k N``: two rounded factors and their
+#: product, the product with the motion, three sums; three to spare.
 _PRODUCT = error_bound(7 + 3)
 #: Of a number that is rounded once, and once more when it is used.
 _ROUNDED = error_bound(2)

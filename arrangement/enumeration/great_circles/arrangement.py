@@ -14,7 +14,7 @@ import numpy as np
 
 from arrangement.errors import InputError
 from arrangement.exact import IntegerVector, primitive, unoriented
-from arrangement.planes import Face, Planes
+from arrangement.planes import Planes
 
 from .crossings import Crossings, sort_crossings
 from .incidence import Incidence, Indices
@@ -163,15 +163,6 @@ class SphereArrangement:
     def packed_vertex_signs(self) -> tuple[PackedSigns, PackedSigns]:
         """Where the signs of each vertex are +, and where they are -; each (V, ceil(m / 8))."""
         return self._packer.vertices()
-
-    def faces(self) -> tuple[tuple[Face, ...], ...]:
-        """Return the same faces as `Arrangement.faces`, by dimension 0 to 3, each with a witness.
-
-        A pencil has one line, not two rays: both its vertices have the same sign vector.
-        """
-        from .listing import list_faces
-
-        return list_faces(self)
 
     def validate(self) -> None:
         """Check the topology, then the geometry; raise `ArrangementError` naming what failed.
