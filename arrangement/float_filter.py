@@ -21,6 +21,7 @@ from .exact import IntegerVector
 
 Floats: TypeAlias = NDArray[np.float64]
 Booleans: TypeAlias = NDArray[np.bool_]
+Signs: TypeAlias = NDArray[np.int8]
 
 #: The unit roundoff u of double precision: no operation has a larger relative error.
 UNIT = 2.0**-53
@@ -45,6 +46,13 @@ def certain(values: Any, sizes: Any, bound: float) -> Booleans:
     """
     found: Booleans = np.abs(values) > bound * sizes
     return found
+
+
+def signs_of(values: NDArray[Any]) -> Signs:
+    """Return the sign of every entry as int8."""
+    positive: Booleans = values > 0
+    negative: Booleans = values < 0
+    return positive.view(np.int8) - negative.view(np.int8)
 
 
 def scaled(rows: Sequence[IntegerVector]) -> tuple[Floats, Booleans]:

@@ -14,13 +14,14 @@ from arrangement import linear
 from arrangement.enumeration import great_circles
 from arrangement.enumeration.sequence import Level, Rows, rational_points
 from arrangement.errors import InputError
+from arrangement.float_filter import Signs
 from arrangement.planes import Planes
 
 from .exact_points import edge_point, vertex_point
 from .faces_around_lines import Faces, faces_around
 from .lines import Lines, trace_lines
 from .packing import Words, unit_words, unpack
-from .predicates import Numbers, PlaneTable, Signs
+from .predicates import Numbers, PlaneTable
 from .witnesses import interior_points
 
 Point: TypeAlias = tuple[Fraction, Fraction, Fraction]

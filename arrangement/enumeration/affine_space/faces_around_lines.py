@@ -26,9 +26,11 @@ from typing import TypeAlias
 import numpy as np
 from numpy.typing import NDArray
 
+from arrangement.float_filter import Signs
+
 from .lines import Lines
 from .packing import Bits, Words, distinct_labelled, distinct_rows, pack, unit_words
-from .predicates import Indices, PlaneTable, Signs
+from .predicates import Indices, PlaneTable
 
 #: (..., 2) half planes that bound a region at a segment, as ``s (j + 1)`` for class j and side s.
 Wedges: TypeAlias = NDArray[np.int32]

@@ -28,12 +28,19 @@ import numpy as np
 from numpy.typing import NDArray
 
 from arrangement.exact import IntegerVector
-from arrangement.float_filter import EXACT, Floats, certain, error_bound, scaled
+from arrangement.float_filter import (
+    EXACT,
+    Floats,
+    Signs,
+    certain,
+    error_bound,
+    scaled,
+    signs_of,
+)
 
 #: Python integers.
 Integers: TypeAlias = NDArray[Any]
 Numbers: TypeAlias = NDArray[Any]
-Signs: TypeAlias = NDArray[np.int8]
 Indices: TypeAlias = NDArray[np.intp]
 
 #: Of each product in D4: four entries, two minors of two each, one product, five sums.
@@ -160,13 +167,6 @@ def scaled_floats(rows: Sequence[IntegerVector]) -> tuple[Floats, float]:
         return np.array(rows, dtype=np.float64).reshape(-1, 4), 0.0
     floats, usable = scaled(rows)
     return (floats, ERROR) if usable.all() else (np.ones_like(floats), UNUSABLE)
-
-
-def signs_of(values: Numbers) -> Signs:
-    """Return the sign of every entry as int8."""
-    positive: NDArray[np.bool_] = values > 0
-    negative: NDArray[np.bool_] = values < 0
-    return positive.view(np.int8) - negative.view(np.int8)
 
 
 def minors(left: Numbers, right: Numbers) -> Numbers:

@@ -17,14 +17,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from arrangement.errors import ArrangementError
+from arrangement.float_filter import Signs, signs_of
 
 from .predicates import (
     Components,
     Integers,
-    Signs,
     cross_products,
     exact_slope_terms,
-    signs_of,
     slope_terms,
     turns,
 )

@@ -30,11 +30,11 @@ from typing import Any, TypeAlias
 import numpy as np
 from numpy.typing import NDArray
 
+from arrangement.float_filter import Signs, signs_of
 from arrangement.linear import cross
 
 #: int64, or Python integers in an object array where int64 could overflow.
 Integers: TypeAlias = NDArray[Any]
-Signs: TypeAlias = NDArray[np.int8]
 Components: TypeAlias = tuple[Integers, Integers, Integers]
 
 
@@ -50,13 +50,6 @@ def integer_array(
     array = np.empty((len(rows), 3), dtype=np.int64 if exact_in_int64 else object)
     array[...] = np.array(rows, dtype=array.dtype).reshape(-1, 3)
     return array
-
-
-def signs_of(values: Integers) -> Signs:
-    """Return the sign of every entry as int8."""
-    positive: NDArray[np.bool_] = values > 0
-    negative: NDArray[np.bool_] = values < 0
-    return positive.view(np.int8) - negative.view(np.int8)
 
 
 def cross_products(left: Integers, right: Integers) -> Components:
