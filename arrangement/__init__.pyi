@@ -43,5 +43,6 @@ from .polyhedra.inscribed import (
     inscribability as inscribability,
     representative_hull as representative_hull,
 )
+from .symbolic import to_sympy as to_sympy
 
 __version__: str

@@ -14,8 +14,8 @@ import numpy as np
 import numpy.typing as npt
 
 from .counts import f_vector, region_count
-from .counts.configuration import rank
 from .exact import primitive
+from .linear import rank
 from .planes import Face, Planes
 
 _MAX_PROBLEMS = 20
@@ -195,7 +195,7 @@ def _problem(
         return f"has a witness {tuple(map(str, face.witness))} with other signs"
     zero = tuple(i for i, sign in enumerate(signs) if sign == 0)
     if zero not in ranks:
-        ranks[zero] = rank(arrangement.integer_planes[i][:-1] for i in zero)
+        ranks[zero] = rank([arrangement.integer_planes[i][:-1] for i in zero])
     dimension = arrangement.dimension - ranks[zero]
     if face.dimension != dimension:
         return f"has dimension {dimension}, not {face.dimension}"

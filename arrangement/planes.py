@@ -11,7 +11,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
 from itertools import combinations
-from typing import Any
+from typing import TYPE_CHECKING, Any, Self
 
 from .errors import InputError
 from .exact import (
@@ -23,8 +23,14 @@ from .exact import (
     shown,
     sign,
     to_text,
+    unoriented,
 )
 from .linear import rank
+from .symbolic import equations_of, integer_matrix, planes_of, to_sympy
+
+if TYPE_CHECKING:
+    import sympy
+    from sympy.polys.matrices import DomainMatrix
 
 
 @dataclass(frozen=True, slots=True)
@@ -41,6 +47,10 @@ class Face:
     dimension: int
     witness: RationalVector
 
+    def point(self) -> sympy.ImmutableMatrix:
+        """Return the witness as a SymPy column; see `to_sympy`."""
+        return to_sympy(self.witness)
+
 
 class Planes:
     """Finitely many planes ``n_i . x = b_i`` in R^d: a value that knows no algorithm.
@@ -48,7 +58,8 @@ class Planes:
     `arrangement.Arrangement` is the same with its faces; its page says how planes are stored.
 
     Args:
-        normals: m vectors of length d, exact numbers (see `arrangement.rational`).
+        normals: m vectors of length d, exact numbers (see `arrangement.rational`); or a SymPy
+            matrix or an array of them, m x d.
         offsets: m exact numbers; left out, all planes pass through the origin.
         dimension: d; needed only when there are no planes.
 
@@ -88,6 +99,41 @@ class Planes:
         planes = tuple(primitive((*row, b)) for row, b in zip(rows, constants, strict=True))
         self.__dict__.update(dimension=d, _integer_planes=planes)
 
+    @classmethod
+    def from_equations(
+        cls, equations: Iterable[Any], symbols: Iterable[sympy.Symbol] | None = None
+    ) -> Self:
+        """Return the planes of linear equations in SymPy symbols.
+
+        Args:
+            equations: ``Eq(left, right)``, or expressions that are zero on the plane. The positive
+                side is where the left side is the larger one, or the expression is positive.
+            symbols: the coordinates in their order. If omitted, all symbols of the equations,
+                sorted by name; then a coordinate that no equation has is missing.
+
+        Raises:
+            InputError: text, which is never evaluated; or a term that is not a rational number
+                times one of the symbols, or not a rational constant. The message names it.
+
+        >>> from sympy import Eq
+        >>> from sympy.abc import x, y, z
+        >>> Planes.from_equations([Eq(x, y), 2*x + 3*z - 1], (x, y, z)).integer_planes
+        ((1, -1, 0, 0), (2, 0, 3, 1))
+        """
+        normals, offsets, dimension = planes_of(equations, symbols)
+        return cls(normals, offsets, dimension=dimension or None)
+
+    def equations(self, symbols: Iterable[sympy.Symbol] | None = None) -> tuple[sympy.Eq, ...]:
+        """Return an equation ``n . x = b`` for each plane, in the stored scaling.
+
+        Args:
+            symbols: one for each coordinate; if omitted, x, y, z, or x1, x2, ... beyond R^3.
+
+        >>> Planes([[2, -1], [0, 3]], [1, 2]).equations()
+        (Eq(2*x - y, 1), Eq(3*y, 2))
+        """
+        return equations_of(self._integer_planes, self.dimension, symbols)
+
     def __setattr__(self, name: str, value: object) -> None:
         raise AttributeError(f"planes are immutable, so {name} cannot be set; build new ones")
 
@@ -102,6 +148,11 @@ class Planes:
     def integer_planes(self) -> tuple[IntegerVector, ...]:
         """The planes as coprime integers ``(n_1, ..., n_d, b)``, in input order."""
         return self._integer_planes
+
+    @cached_property
+    def matrix(self) -> DomainMatrix:
+        """The planes as a SymPy matrix over ZZ with the rows ``n_1 ... n_d b``."""
+        return integer_matrix(self._integer_planes, self.dimension + 1)
 
     @property
     def normals(self) -> tuple[RationalVector, ...]:
@@ -135,7 +186,7 @@ class Planes:
     def class_of(self) -> tuple[int, ...]:
         """For each plane, the index of its class of coincident planes."""
         index: dict[IntegerVector, int] = {}
-        return tuple(index.setdefault(_unoriented(p), len(index)) for p in self._integer_planes)
+        return tuple(index.setdefault(unoriented(p), len(index)) for p in self._integer_planes)
 
     @cached_property
     def distinct(self) -> tuple[tuple[int, ...], ...]:
@@ -204,6 +255,8 @@ class Planes:
 
 def _listed(normals: Any) -> list[Any]:
     """Return the rows of the input as a list, refusing what is no sequence."""
+    if hasattr(normals, "tolist"):  # SymPy's matrices and arrays run through their entries
+        normals = normals.tolist()
     if isinstance(normals, (str, bytes)) or not isinstance(normals, Iterable):
         raise InputError("normals must be a sequence of vectors, one for each plane")
     return list(normals)
@@ -224,9 +277,3 @@ def _common_length(rows: list[RationalVector], dimension: int | None) -> int:
                 "all normals need one entry for each coordinate"
             )
     return dimension
-
-
-def _unoriented(plane: IntegerVector) -> IntegerVector:
-    """Return the plane or its negative, whichever has a positive leading entry."""
-    leading = next(x for x in plane if x)
-    return plane if leading > 0 else tuple(-x for x in plane)

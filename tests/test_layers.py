@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import os
+import re
 import shutil
 import subprocess
 import sys
@@ -66,7 +67,7 @@ def test_a_planted_circle_is_found(tmp_path: Path) -> None:
 
 PLANTED = [
     ("arrangement/exact.py", "import equilibrium.model.grasp", "Planes know no forces"),
-    ("equilibrium/model/errors.py", "import proofs_check.claim", "Planes know no forces"),
+    ("equilibrium/model/errors.py", "import proofs_check.statement", "Planes know no forces"),
     ("arrangement/errors.py", "import arrangement.planes", "Inside arrangement"),
     ("arrangement/enumeration/any_dimension.py", "import arrangement.counts", "Inside arrangement"),
     ("arrangement/counts/whitney.py", "import arrangement.linprog", "take nothing from enum"),
@@ -83,7 +84,11 @@ PLANTED = [
     ("equilibrium/certificate/checker.py", "import arrangement.enumeration", "The checker of cert"),
     ("proofs_check/routes/oracle.py", "import equilibrium.verdict", "brute-force route"),
     ("proofs_check/routes/oracle.py", "import arrangement.counts", "brute-force route"),
-    ("proofs_check/claim.py", "import proofs_check.reports.report", "Inside proofs_check"),
+    ("proofs_check/statement.py", "import proofs_check.reports.report", "Inside proofs_check"),
+    ("proofs_check/routes/rivin.py", "import proofs_check.evidence", "Inside proofs_check"),
+    ("proofs_check/routes/rivin.py", "import arrangement.polyhedra.inscribed", "Second routes"),
+    ("proofs_check/routes/dual_graph.py", "import arrangement.enumeration", "Second routes"),
+    ("proofs_check/routes/fourier_motzkin.py", "import arrangement.exact", "brute-force route"),
 ]
 
 
@@ -127,6 +132,17 @@ def test_a_renamed_module_is_caught(tmp_path: Path, old: str, new: str) -> None:
     copy_packages(tmp_path)
     (tmp_path / old).rename(tmp_path / new)
     assert lint_imports(tmp_path).returncode == 1
+
+
+def test_every_second_route_of_the_table_has_a_test_that_exists() -> None:
+    page = (ROOT / "docs" / "architecture.rst").read_text(encoding="utf-8")
+    _, _, table = page.partition("\nSecond routes\n")
+    table, _, _ = table.removeprefix("-" * len("Second routes")).partition("\n-----")
+    rows = table.count("   * - ") - 1
+    named = re.findall(r"``(tests/\S+\.py)::(\w+)``", table)
+    assert len(named) == rows > 0
+    for path, test in named:
+        assert f"def {test}(" in (ROOT / path).read_text(encoding="utf-8"), f"{path}::{test}"
 
 
 def copy_packages(folder: Path) -> None:

@@ -13,9 +13,10 @@ from itertools import combinations
 
 from arrangement.errors import InputError
 from arrangement.exact import sign
+from arrangement.linear import determinant
 from arrangement.planes import Planes
 
-from .configuration import determinant, pivot_columns
+from .configuration import pivot_columns
 from .operations import cone
 
 SignVector = tuple[int, ...]
@@ -41,7 +42,7 @@ def chirotope(arrangement: Planes) -> Mapping[tuple[int, ...], int]:
     if not arrangement.is_central:
         raise InputError("the arrangement is not central; take the chirotope of its cone")
     normals = [plane[:-1] for plane in arrangement.integer_planes]
-    columns = pivot_columns(normals)
+    columns = pivot_columns(normals, arrangement.dimension)
     rows = [[normal[j] for j in columns] for normal in normals]
     return {
         chosen: sign(determinant([rows[i] for i in chosen]))

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, NamedTuple
 from arrangement.errors import InputError
 from arrangement.planes import Planes
 
-from .configuration import configuration, rank
+from .configuration import configuration
 from .lattice import intersection_lattice
 from .low_rank import MAX_RANK, WhitneyMatrix, whitney_matrix
 
@@ -102,8 +102,8 @@ def bounded_region_count(arrangement: Planes, *, relative: bool = False) -> int:
     >>> bounded_region_count(Arrangement([[1, 0], [0, 1], [1, 1]], [0, 0, 1]))
     1
     """
-    normals = [plane[:-1] for plane in arrangement.integer_planes]
-    if not relative and rank(normals) < arrangement.dimension:
+    config = configuration(arrangement)
+    if not relative and config.rank - (config.infinity is not None) < arrangement.dimension:
         return 0
     return abs(sum(whitney_numbers(arrangement).first))
 

@@ -10,6 +10,7 @@ from math import isqrt
 import numpy as np
 
 from arrangement.exact import IntegerVector, dot
+from arrangement.linear import triple_product
 from arrangement.planes import Planes
 from arrangement.polyhedra.dual import DualPolyhedron, dual_polygon, dual_polyhedron, dual_segment
 from arrangement.polyhedra.inscribed import RepresentativeHull
@@ -148,10 +149,12 @@ def _hidden(
 def _determinant_with(direction: IntegerVector, *corners: Sequence[Fraction]) -> Fraction:
     """Return how far the normal (q - p) x (r - p) looks along a direction."""
     p, q, r = corners
-    a, b, c = (y - x for x, y in zip(p, q, strict=True))
-    x, y, z = (v - u for u, v in zip(p, r, strict=True))
-    normal = (b * z - c * y, c * x - a * z, a * y - b * x)
-    return sum((n * d for n, d in zip(normal, direction, strict=True)), Fraction(0))
+    found: Fraction = triple_product(direction, _minus(q, p), _minus(r, p))
+    return found
+
+
+def _minus(left: Sequence[Fraction], right: Sequence[Fraction]) -> list[Fraction]:
+    return [x - y for x, y in zip(left, right, strict=True)]
 
 
 def _crossed(arrangement: Planes, left: tuple[int, ...], right: tuple[int, ...]) -> int:

@@ -27,6 +27,7 @@ from arrangement.exact import (
     rational_vector,
     shown,
 )
+from arrangement.linear import cross
 from arrangement.planes import Planes
 
 #: The edges of the icosahedron are cut into so many parts; the ball has 10 n^2 + 2 corners.
@@ -131,17 +132,13 @@ def _in_span(arrangement: Planes, point: RationalVector) -> RationalVector:
     normals = [plane[:3] for plane in arrangement.integer_planes]
     if arrangement.rank == 1:
         return _projection(point, normals[0])
-    along = next(c for c in (_cross(normals[0], n) for n in normals) if any(c))
+    along = next(c for c in (cross(normals[0], n) for n in normals) if any(c))
     return tuple(x - y for x, y in zip(point, _projection(point, along), strict=True))
 
 
 def _projection(point: RationalVector, line: IntegerVector) -> RationalVector:
     factor = Fraction(dot(point, line)) / dot(line, line)
     return tuple(factor * x for x in line)
-
-
-def _cross(a: IntegerVector, b: IntegerVector) -> IntegerVector:
-    return (a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0])
 
 
 def _homogeneous(point: list[Fraction]) -> IntegerVector:

@@ -19,8 +19,8 @@ from typing import TypeAlias
 import numpy as np
 import numpy.typing as npt
 
-from arrangement.counts.configuration import rank
 from arrangement.exact import sign
+from arrangement.linear import rank
 from arrangement.planes import Planes
 
 #: Rows of signs, or of contact states: 0 stick, +1 and -1 slip, 2 detached.
@@ -54,7 +54,7 @@ def due_states(planes: Planes, regions: Rows) -> Rows:
             through = _through_line(planes, first, one, other)
             edges, _ = _between(facets, facet_hashes, through, other, keys)
             found.append(_states(planes, edges))
-    if rank(planes.integer_planes[i][:-1] for i in range(m)) == 3:
+    if rank([planes.integer_planes[i][:-1] for i in range(m)]) == 3:
         at_rest = [[-sign(planes.integer_planes[i][-1]) for i in first]]
         found.append(_states(planes, np.array(at_rest, dtype=np.int8)))
     return sorted_rows(np.concatenate(found))

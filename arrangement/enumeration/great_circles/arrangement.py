@@ -13,7 +13,7 @@ from typing import TypeAlias
 import numpy as np
 
 from arrangement.errors import InputError
-from arrangement.exact import IntegerVector, primitive
+from arrangement.exact import IntegerVector, primitive, unoriented
 from arrangement.planes import Planes
 
 from .crossings import Crossings, sort_crossings
@@ -203,7 +203,7 @@ def sphere_arrangement(arrangement: Planes) -> SphereArrangement:
             "circles need offsets 0: use Arrangement.faces for affine planes"
         )
     planes = arrangement.integer_planes
-    circle_normals = tuple(_positive(planes[members[0]][:3]) for members in arrangement.distinct)
+    circle_normals = tuple(unoriented(planes[members[0]][:3]) for members in arrangement.distinct)
     normals = integer_array(circle_normals)
     crossings = sort_crossings(normals)
     incidence = build_incidence(crossings)
@@ -225,12 +225,6 @@ def _rays(normals: Integers, incidence: Incidence) -> Integers:
             rays[part, k] = left[:, i] * right[:, j] - left[:, j] * right[:, i]
     np.negative(rays[:lines], out=rays[lines:])
     return rays
-
-
-def _positive(normal: IntegerVector) -> IntegerVector:
-    """Return the normal or its negative, whichever has a positive first nonzero entry."""
-    leading = next(x for x in normal if x)
-    return normal if leading > 0 else tuple(-x for x in normal)
 
 
 def _sum(vectors: Iterable[IntegerVector]) -> IntegerVector:
