@@ -142,9 +142,8 @@ class FaceSequence(Sequence[Face]):
             rows = run - (self._ends[of[0]] - level.count)
             points = level.points(rows)
             if self._planes.is_central:  # every positive multiple of a point is in the same face
-                points = np.column_stack(
-                    [primitive_rows(points[:, :-1]), np.ones_like(points[:, -1])]
-                )
+                directions = primitive_rows(points[:, :-1])
+                points = np.column_stack([directions, np.ones_like(points[:, -1])])
             witnesses = rational_points(points)
             for signs, witness in zip(level.signs(rows).tolist(), witnesses, strict=True):
                 yield Face(tuple(signs), dimension, witness)

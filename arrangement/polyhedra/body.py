@@ -31,9 +31,9 @@ from arrangement.linear import cross
 from arrangement.planes import Planes
 
 #: The edges of the icosahedron are cut into so many parts; the ball has 10 n^2 + 2 corners.
-FREQUENCY = 16
+_FREQUENCY = 16
 #: Distinct planes beyond which neither a picture nor a model shows anything.
-MAX_PLANES = 40
+_MAX_PLANES = 40
 
 Faces = tuple[tuple[int, ...], ...]
 
@@ -87,9 +87,9 @@ def body_around(
         raise InputError(
             f"the planes lie in R^{arrangement.dimension}; a ball or cube can show those of R^3"
         )
-    if len(arrangement.distinct) > MAX_PLANES:
+    if len(arrangement.distinct) > _MAX_PLANES:
         raise InputError(
-            f"{len(arrangement.distinct)} distinct planes; at most {MAX_PLANES} can be shown"
+            f"{len(arrangement.distinct)} distinct planes; at most {_MAX_PLANES} can be shown"
         )
     middle, reach = _extent(arrangement)
     if centre is not None:
@@ -160,7 +160,7 @@ def _ball() -> tuple[tuple[IntegerVector, ...], Faces]:
     It is turned out of every symmetric position, so that planes with small integers do not pass
     close to its corners.
     """
-    points, faces = _geodesic(FREQUENCY)
+    points, faces = _geodesic(_FREQUENCY)
     a, b, c = 0.3719, 0.5923, 0.2281
     turn = _rotation(2, a) @ _rotation(0, b) @ _rotation(2, c)
     return tuple(_on_sphere(*point) for point in (points @ turn.T).tolist()), faces

@@ -17,7 +17,7 @@ from .packing import unpack
 from .predicates import Indices, PlaneTable
 
 #: The first number of fractional bits that is tried; the next ones are doubled.
-FIRST_BITS = 32
+_FIRST_BITS = 32
 
 
 def exact_point(table: PlaneTable, lines: Lines, faces: Faces, region: int) -> IntegerVector:
@@ -30,7 +30,7 @@ def exact_point(table: PlaneTable, lines: Lines, faces: Faces, region: int) -> I
     point = _half_way(table, lines, faces, region, signs)
     if not _has_signs(table, point, signs):  # pragma: no cover - two exact methods would disagree
         raise ArrangementError(f"no interior point of region {region}; report this input")
-    bits = FIRST_BITS
+    bits = _FIRST_BITS
     while bits < point[3].bit_length():
         rounded = _rounded(point, bits)
         if _has_signs(table, rounded, signs):

@@ -221,8 +221,7 @@ def _rays(normals: Integers, incidence: Incidence) -> Integers:
         left, right = (
             normals[incidence.slot_circle[incidence.line_slots[first + place]]] for place in (0, 1)
         )
-        for k, (i, j) in enumerate(((1, 2), (2, 0), (0, 1))):
-            rays[part, k] = left[:, i] * right[:, j] - left[:, j] * right[:, i]
+        rays[part] = np.cross(left, right)
     np.negative(rays[:lines], out=rays[lines:])
     return rays
 

@@ -93,7 +93,7 @@ def check_geometry(
     if lines == 1:  # rank 2
         return
     _require_all(
-        _dot(circle, _cross(start, end)) > 0,
+        _dot(circle, np.cross(start, end)) > 0,
         "an arc runs counterclockwise for less than half a turn: arc",
     )
     beyond = rays[incidence.origin[incidence.next[incidence.next]]]
@@ -115,13 +115,6 @@ def _distinct(rays: Integers) -> int:
 def _dot(left: Integers, right: Integers) -> Integers:
     products: Integers = (left * right).sum(axis=1)
     return products
-
-
-def _cross(left: Integers, right: Integers) -> Integers:
-    columns = [
-        left[:, i] * right[:, j] - left[:, j] * right[:, i] for i, j in ((1, 2), (2, 0), (0, 1))
-    ]
-    return np.stack(columns, axis=1)
 
 
 def _cycle_count(permutation: Indices) -> int:
