@@ -28,21 +28,20 @@ def in_dimension(planes: Planes, n: int) -> tuple[Planes, tuple[int, ...]]:
     """Return the same planes, with the same signs, in R^n, where n is at least the rank.
 
     Returns:
-        The planes, and for each of their n coordinates the one of `planes` that it is; from d on,
-        coordinates are new, and 0 in all normals.
+        The planes, and for each of their n coordinates the one of `planes` that it is: coordinates
+        of independent columns of the normals. From d on they are new, and 0 in all normals.
     """
     d = planes.dimension
-    if n == d:
+    if planes.rank == n == d:
         return planes, tuple(range(d))
     columns: list[int] = []
     by_column = list(zip(*planes.integer_planes, strict=True))[:-1]
     for j, column in enumerate(by_column):
         if rank([*(by_column[i] for i in columns), column]) > len(columns):
             columns.append(j)
-    others = (j for j in range(max(d, n)) if j not in columns)
-    chosen = tuple(sorted([*columns, *(next(others) for _ in range(n - len(columns)))]))
-    rows = [[plane[j] if j < d else 0 for j in chosen] for plane in planes.integer_planes]
-    return Planes(rows, planes.offsets, dimension=n), chosen
+    columns += range(d, d + n - len(columns))
+    rows = [[plane[j] if j < d else 0 for j in columns] for plane in planes.integer_planes]
+    return Planes(rows, planes.offsets, dimension=n), tuple(columns)
 
 
 def from_dimension(
@@ -50,7 +49,7 @@ def from_dimension(
 ) -> tuple[Level, ...]:
     """Return the faces of planes, from those of ``in_dimension(planes, n)``."""
     d, more = planes.dimension, planes.dimension - len(columns)
-    if not more:
+    if list(columns) == list(range(d)):
         return tuple(levels)
     kept = [i for i, j in enumerate(columns) if j < d]
     places = [columns[i] for i in kept]

@@ -44,7 +44,7 @@ RANK_3 = Hypothesis("the normals have rank 3", lambda planes: planes.rank == 3)
 
 @lru_cache(maxsize=256)
 def _faces_graph(planes: Arrangement) -> DualGraph:
-    return from_faces(planes)
+    return from_faces(planes.faces())
 
 
 @lru_cache(maxsize=256)

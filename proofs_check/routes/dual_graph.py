@@ -8,12 +8,12 @@ chirotope. The graph functions of this module are its own, so that they can stan
 from __future__ import annotations
 
 from collections import deque
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
 from arrangement import counts
-from arrangement.arrangement import Arrangement
+from arrangement.planes import Face, Planes
 
 Signs = tuple[int, ...]
 Edge = frozenset[Signs]
@@ -44,16 +44,12 @@ class DualGraph:
         return found
 
 
-def from_faces(planes: Arrangement) -> DualGraph:
-    """Return the dual graph by enumeration of all faces of R^3."""
-    return _graph(
-        [face.signs for face in planes.faces(3)],
-        [face.signs for face in planes.faces(2)],
-        [face.signs for face in planes.faces(1)],
-    )
+def from_faces(faces: Sequence[Face]) -> DualGraph:
+    """Return the dual graph from a list of all faces of R^3."""
+    return _graph(*([face.signs for face in faces if face.dimension == k] for k in (3, 2, 1)))
 
 
-def from_covectors(planes: Arrangement) -> DualGraph:
+def from_covectors(planes: Planes) -> DualGraph:
     """Return the dual graph from the covectors, whose ranks are read off their zero sets."""
     vectors = counts.covectors(planes)
     levels: dict[int, list[Signs]] = {0: [], 1: [], 2: [], 3: []}

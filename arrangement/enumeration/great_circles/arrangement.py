@@ -21,6 +21,7 @@ from .incidence import Incidence, Indices
 from .predicates import Integers, integer_array
 from .signs import PackedSigns, SignPacker
 from .tracing import CHUNK, build_incidence, chunks
+from .validation import check_geometry, check_topology
 
 SignVector: TypeAlias = tuple[int, ...]
 
@@ -169,9 +170,9 @@ class SphereArrangement:
 
         Complexity: O(E) exact operations and O(E log E) time.
         """
-        from .validation import validate
-
-        validate(self)
+        check_topology(self.incidence)
+        if self.vertex_count:
+            check_geometry(self.incidence, self.circle_normals, self.rays)
 
 
 def sphere_arrangement(arrangement: Planes) -> SphereArrangement:

@@ -6,28 +6,19 @@ evaluated, and every sign is computed again from normals and rays.
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from collections.abc import Sequence
 
 import numpy as np
 from numpy.typing import NDArray
 
 from arrangement.errors import ArrangementError
+from arrangement.exact import IntegerVector
 
 from .incidence import Incidence, Indices
 from .predicates import Integers, integer_array, turns
 
-if TYPE_CHECKING:
-    from .arrangement import SphereArrangement
 
-
-def validate(sphere: SphereArrangement) -> None:
-    """Raise `ArrangementError` at the first failure (see `SphereArrangement.validate`)."""
-    _check_topology(sphere.incidence)
-    if sphere.incidence.vertex_count:
-        _check_geometry(sphere)
-
-
-def _check_topology(incidence: Incidence) -> None:
+def check_topology(incidence: Incidence) -> None:
     """Check that the half-edges form a subdivision of the sphere with an antipodal symmetry."""
     if incidence.arc_count == 0:
         _require(incidence.region_count == 1, "without arcs there is one region", 0)
@@ -79,14 +70,15 @@ def _check_antipodes(incidence: Incidence) -> None:
     _require_all(antipode[antipode] == regions, "antipodes come in pairs: region")
 
 
-def _check_geometry(sphere: SphereArrangement) -> None:
+def check_geometry(
+    incidence: Incidence, circle_normals: Sequence[IntegerVector], rays: Integers
+) -> None:
     """Check rays, arcs and corners against the normals, exactly.
 
     ``|det(n, u, v)| <= 24 B^5`` for rays u, v with entries up to ``2 B^2``.
     """
-    incidence = sphere.incidence
-    normals = integer_array(sphere.circle_normals, degree_bound=5, factor=24)
-    rays = sphere.rays.astype(normals.dtype)
+    normals = integer_array(circle_normals, degree_bound=5, factor=24)
+    rays = rays.astype(normals.dtype)
     lines = incidence.vertex_count // 2
     _require_all((rays[lines:] == -rays[:lines]).all(axis=1), "antipodal rays are opposite: line")
     _require_all(
@@ -98,7 +90,7 @@ def _check_geometry(sphere: SphereArrangement) -> None:
     start, end = rays[incidence.origin[0::2]], rays[incidence.origin[1::2]]
     _require_all(_dot(circle, start) == 0, "an arc starts on its circle: arc")
     _require_all(_dot(circle, end) == 0, "an arc ends on its circle: arc")
-    if sphere.rank == 2:
+    if lines == 1:  # rank 2
         return
     _require_all(
         _dot(circle, np.cross(start, end)) > 0,
