@@ -91,7 +91,7 @@ def _add_draw_options(draw: argparse.ArgumentParser) -> None:
     draw.add_argument("--body", metavar="BODY", help="around planes and cells: ball or cube")
     draw.add_argument(
         "--centre", nargs=3, type=terminal.rational_argument, metavar=("X", "Y", "Z"),
-        help="of the body, exact; left out, one that contains all vertices is taken",
+        help="of the body, exact; if omitted, one that contains all vertices is taken",
     )  # fmt: skip
     draw.add_argument(
         "--radius", type=terminal.rational_argument, metavar="R",

@@ -9,7 +9,7 @@ import pytest
 from arrangement import Arrangement
 from arrangement.counts import f_vector
 from arrangement.enumeration.great_circles import sphere_arrangement
-from tests.arrangement.sphere_oracle import covectors
+from tests.arrangement.oracle import covectors
 
 
 def degenerate(generator: random.Random) -> list[tuple[int, ...]]:
