@@ -11,6 +11,7 @@ planes: every combinatorial type, and every arrangement with entries -1, 0, 1.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
+from dataclasses import replace
 from fractions import Fraction
 from itertools import product
 from typing import Any
@@ -130,21 +131,16 @@ def _grasp_steps(grasp: Grasp) -> Iterator[Grasp]:
 
 def _smaller_contacts(contact: Contact) -> list[Contact]:
     """Return contacts with one of point, normal, friction, stiffness, preload simpler."""
-    point, normal = contact.point, contact.normal
-    rest = (contact.friction, contact.stiffness, contact.preload)
-    found = [Contact((x, y), normal, *rest) for x, y in product((0, 1, -1), repeat=2)]
-    for j, value in enumerate(point):
-        for nearer in _nearer(value):
-            moved = (nearer, point[1]) if j == 0 else (point[0], nearer)
-            found.append(Contact(moved, normal, *rest))
-    found += [Contact(point, axis, *rest) for axis in _AXES]
-    for friction in (1, 0, Fraction(1, 2)):
-        found.append(Contact(point, normal, friction, rest[1], rest[2]))
-    found.append(Contact(point, normal, rest[0], 1, rest[2]))
-    found += [Contact(point, normal, rest[0], rest[1], preload) for preload in (0, 1)]
+    x, y = contact.point
+    points: list[tuple[Fraction | int, ...]] = [*product((0, 1, -1), repeat=2)]
+    points += [(nearer, y) for nearer in _nearer(x)] + [(x, nearer) for nearer in _nearer(y)]
+    changes: list[dict[str, Any]] = [{"point": point} for point in points]
+    changes += [{"normal": axis} for axis in _AXES]
+    changes += [{"friction": friction} for friction in (1, 0, Fraction(1, 2))]
+    changes += [{"stiffness": 1}, {"preload": 0}, {"preload": 1}]
+    found = {replace(contact, **change) for change in changes}
     here = _contact_weight(contact)
-    smaller = {c for c in found if _contact_weight(c) < here}
-    return sorted(smaller, key=_contact_weight)
+    return sorted((c for c in found if _contact_weight(c) < here), key=_contact_weight)
 
 
 def _nearer(value: Fraction) -> tuple[Fraction, ...]:

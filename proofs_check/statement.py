@@ -12,6 +12,7 @@ from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from difflib import get_close_matches
 from enum import Enum
+from itertools import chain
 from random import Random
 from typing import Any
 
@@ -173,6 +174,10 @@ class Claim:
     def includes(self, subject: Any) -> bool:
         """Whether the statement speaks of a subject."""
         return self.applies is None or self.applies(subject)
+
+    def cases(self, generator: Random) -> Iterator[Case]:
+        """Yield the cases of all sources."""
+        return chain.from_iterable(source.cases(generator) for source in self.sources)
 
     def draw(self, seed: int, index: int, sizes: tuple[int, int]) -> Any:
         """Return the random instance with a number: it depends on seed, id and number alone."""

@@ -42,14 +42,8 @@ _VEF_ROUTES = (
 RANK_3 = Hypothesis("the normals have rank 3", lambda planes: planes.rank == 3)
 
 
-@lru_cache(maxsize=256)
-def _faces_graph(planes: Arrangement) -> DualGraph:
-    return from_faces(planes)
-
-
-@lru_cache(maxsize=256)
-def _covector_graph(planes: Arrangement) -> DualGraph:
-    return from_covectors(planes)
+_faces_graph = lru_cache(maxsize=256)(from_faces)
+_covector_graph = lru_cache(maxsize=256)(from_covectors)
 
 
 def _vef(f: tuple[int, ...]) -> tuple[int, int, int]:
