@@ -16,9 +16,9 @@ from fractions import Fraction
 from itertools import product
 from typing import Any
 
+from arrangement.arrangement import Arrangement
 from arrangement.exact import IntegerVector, primitive
 from arrangement.library.census import MOST_PLANES, census
-from arrangement.planes import Arrangement
 from equilibrium.model.grasp import Contact, Grasp
 
 from .instances.arrangements import smallest_arrangements

@@ -27,7 +27,7 @@ from hashlib import sha256
 from pathlib import Path
 from typing import Any
 
-from arrangement.planes import Arrangement
+from arrangement.arrangement import Arrangement
 from arrangement.polyhedra.dual import dual_polyhedron
 
 from .errors import OwnClaimError

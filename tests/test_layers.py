@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import os
 import re
 import shutil
@@ -32,6 +33,36 @@ def lint_imports(folder: Path) -> subprocess.CompletedProcess[str]:
 def test_imports_point_one_way() -> None:
     result = lint_imports(ROOT)
     assert result.returncode == 0, result.stdout + result.stderr
+
+
+CIRCLES = """
+import grimp, json, networkx, sys
+graph = grimp.build_graph(*sys.argv[1:], exclude_type_checking_imports=True, cache_dir=None)
+pairs = ((m, n) for m in graph.modules for n in graph.find_modules_directly_imported_by(m))
+parts = networkx.strongly_connected_components(networkx.DiGraph(pairs))
+print(json.dumps([sorted(part) for part in parts if len(part) > 1]))
+"""
+
+
+def circles(folder: Path) -> list[list[str]]:
+    """Modules that import each other in circles; imports inside functions count, types do not."""
+    command = [sys.executable, "-c", CIRCLES, *PACKAGES]
+    environment = {**os.environ, "PYTHONPATH": str(folder)}
+    printed = subprocess.check_output(command, cwd=folder, env=environment, timeout=120)
+    found: list[list[str]] = json.loads(printed)
+    return found
+
+
+def test_no_modules_import_each_other_in_a_circle() -> None:
+    assert circles(ROOT) == []
+
+
+def test_a_planted_circle_is_found(tmp_path: Path) -> None:
+    copy_packages(tmp_path)
+    with (tmp_path / "arrangement" / "planes.py").open("a", encoding="utf-8") as stream:
+        stream.write("\ndef draw():\n    from .draw import notebook\n")
+    [found] = circles(tmp_path)
+    assert {"arrangement.planes", "arrangement.draw.notebook"} <= set(found)
 
 
 PLANTED = [
@@ -131,10 +162,10 @@ def test_counts_work_with_the_enumerators_out_of_reach() -> None:
     """Three generic planes have (1, 6, 12, 8) faces: eight octants and what bounds them."""
     program = """
 import sys
-for name in ("completeness", "enumeration", "linprog"):
+for name in ("arrangement", "completeness", "enumeration", "linprog"):
     sys.modules["arrangement." + name] = None
-from arrangement import Arrangement
+from arrangement import Planes
 from arrangement.counts import f_vector
-assert tuple(f_vector(Arrangement([[1, 0, 0], [0, 1, 0], [0, 0, 1]]))) == (1, 6, 12, 8)
+assert tuple(f_vector(Planes([[1, 0, 0], [0, 1, 0], [0, 0, 1]]))) == (1, 6, 12, 8)
 """
     subprocess.run([sys.executable, "-c", program], check=True, timeout=60)

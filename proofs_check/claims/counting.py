@@ -8,9 +8,9 @@ from functools import partial
 from typing import Any
 
 from arrangement import counts
+from arrangement.arrangement import Arrangement
 from arrangement.enumeration.great_circles import sphere_arrangement
 from arrangement.enumeration.paper_steps import published_enumeration
-from arrangement.planes import Arrangement
 from proofs_check.instances.arrangements import (
     TYPES,
     arrangement_case,

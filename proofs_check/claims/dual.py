@@ -9,8 +9,8 @@ from functools import lru_cache, partial
 import networkx as nx
 
 from arrangement import counts
+from arrangement.arrangement import Arrangement
 from arrangement.enumeration.paper_steps import published_enumeration
-from arrangement.planes import Arrangement
 from proofs_check.instances.arrangements import (
     EVERY_TYPE,
     TYPES,
@@ -25,7 +25,7 @@ from proofs_check.routes.dual_graph import (
     DualGraph,
     distances,
     from_covectors,
-    from_faces,
+    from_signs,
     is_sphere,
     is_three_connected,
     minimum_cycle_lengths,
@@ -42,7 +42,11 @@ _VEF_ROUTES = (
 RANK_3 = Hypothesis("the normals have rank 3", lambda planes: planes.rank == 3)
 
 
-_faces_graph = lru_cache(maxsize=256)(from_faces)
+@lru_cache(maxsize=256)
+def _faces_graph(planes: Arrangement) -> DualGraph:
+    return from_signs(*([face.signs for face in planes.faces(k)] for k in (3, 2, 1)))
+
+
 _covector_graph = lru_cache(maxsize=256)(from_covectors)
 
 

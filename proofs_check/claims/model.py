@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 import random
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from fractions import Fraction
 from functools import partial
 from itertools import combinations, product
 from math import comb
 
 from arrangement import counts
+from arrangement.linear import determinant
 from equilibrium.model.grasp import Contact, Grasp
 from proofs_check.routes.fourier_motzkin import Row, project
 from proofs_check.statement import Case, Claim, Route, Source, proved
@@ -53,22 +54,12 @@ def in_general_position(grasp: Grasp) -> bool:
     """
     rows = [tuple(plane) for plane in grasp.motion_arrangement().integer_planes]
     m = len(grasp)
-    if any(_determinant([row[:3] for row in three]) == 0 for three in combinations(rows, 3)):
+    if any(determinant([row[:3] for row in three]) == 0 for three in combinations(rows, 3)):
         return False
     if not _has_preload(grasp):
         return True
     fours = (four for four in combinations(range(2 * m), 4) if four[-1] >= m)
-    return all(_determinant([rows[i] for i in four]) for four in fours)
-
-
-def _determinant(rows: Sequence[Sequence[int]]) -> int:
-    if len(rows) == 1:
-        return rows[0][0]
-    return sum(
-        (-1 if j % 2 else 1) * x * _determinant([[*row[:j], *row[j + 1 :]] for row in rows[1:]])
-        for j, x in enumerate(rows[0])
-        if x
-    )
+    return all(determinant([rows[i] for i in four]) for four in fours)
 
 
 def _within(grasp: Grasp, f: Faces) -> bool:

@@ -9,8 +9,8 @@ from fractions import Fraction
 from functools import lru_cache
 from itertools import combinations, product
 
+from arrangement.arrangement import Arrangement
 from arrangement.exact import RationalVector, to_text
-from arrangement.planes import Arrangement
 from arrangement.polyhedra.dual import dual_polyhedron
 from arrangement.polyhedra.inscribed import (
     FarkasCertificate,

@@ -13,8 +13,8 @@ from functools import partial
 from itertools import combinations
 
 from arrangement import counts
+from arrangement.arrangement import Arrangement
 from arrangement.enumeration.great_circles import sphere_arrangement
-from arrangement.planes import Arrangement
 from proofs_check.instances.arrangements import (
     arrangement_case,
     simple_arrangement,

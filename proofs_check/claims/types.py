@@ -7,8 +7,8 @@ from itertools import combinations
 
 import networkx as nx
 
+from arrangement.arrangement import Arrangement
 from arrangement.library.census import PUBLISHED, PUBLISHED_SIMPLE, census
-from arrangement.planes import Arrangement
 from proofs_check.routes.dual_graph import DualGraph, Edge, Signs, from_covectors
 from proofs_check.statement import Case, Claim, Route, exhaustive
 

@@ -6,9 +6,9 @@ import random
 from collections.abc import Iterator
 from itertools import combinations_with_replacement, product
 
+from arrangement.arrangement import Arrangement
 from arrangement.exact import primitive
 from arrangement.library import census
-from arrangement.planes import Arrangement
 from proofs_check.statement import Case, Source, proved
 
 Vector = tuple[int, ...]

@@ -11,8 +11,8 @@ from fractions import Fraction
 from random import Random
 from typing import Any
 
+from arrangement.arrangement import Arrangement
 from arrangement.library import families
-from arrangement.planes import Arrangement
 from equilibrium.model.grasp import Contact, Grasp
 from proofs_check.errors import UnknownDomainError
 from proofs_check.routes.oracle import Question

@@ -10,7 +10,8 @@ from random import Random
 import pytest
 
 import arrangement.enumeration.any_dimension
-from arrangement.planes import Arrangement, Face
+from arrangement.arrangement import Arrangement
+from arrangement.planes import Face
 from proofs_check import evaluate, registry
 from proofs_check.claims import dual, tables
 from proofs_check.routes import oracle
