@@ -203,8 +203,8 @@ class Claim:
     @property
     def kind(self) -> Kind:
         """How far the evidence reaches as a whole: as far as that of the weakest source."""
-        kinds = [source.kind for source in self.sources]
-        return Kind.SAMPLED if self.samples else max(kinds, key=list(Kind).index)
+        kinds = [Kind.SAMPLED] if self.samples else [source.kind for source in self.sources]
+        return max(kinds, key=list(Kind).index, default=Kind.SAMPLED)
 
     @property
     def over(self) -> str:
