@@ -9,7 +9,7 @@ from random import Random
 
 import pytest
 
-import arrangement.enumeration.any_dimension
+import arrangement.enumeration.choose
 from arrangement.arrangement import Arrangement
 from arrangement.planes import Face
 from proofs_check import evaluate, registry
@@ -57,12 +57,12 @@ def test_without_a_bug_all_are_as_expected() -> None:
 def test_a_wrong_enumerator_is_caught(
     bug: Callable[[Levels], Levels], monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    right = arrangement.enumeration.any_dimension.enumerate_faces
+    right = arrangement.enumeration.choose.enumerate_faces
 
     def wrong(planes: Arrangement) -> Levels:
         return bug(right(planes))
 
-    monkeypatch.setattr(arrangement.enumeration.any_dimension, "enumerate_faces", wrong)
+    monkeypatch.setattr(arrangement.enumeration.choose, "enumerate_faces", wrong)
     dual._faces_graph.cache_clear()
     try:
         caught = unexpected(*QUICK)
