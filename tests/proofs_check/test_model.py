@@ -7,7 +7,7 @@ from random import Random
 import pytest
 from hypothesis import given, settings, strategies as st
 
-import arrangement.enumeration.any_dimension
+import arrangement.enumeration.choose
 from arrangement.arrangement import Arrangement
 from arrangement.planes import Face
 from equilibrium.io.files import read_grasp
@@ -76,11 +76,11 @@ def test_the_grasps_of_the_paper_are_not_in_general_position() -> None:
 
 
 def test_a_dropped_region_is_caught(monkeypatch: pytest.MonkeyPatch) -> None:
-    right = arrangement.enumeration.any_dimension.enumerate_faces
+    right = arrangement.enumeration.choose.enumerate_faces
 
     def wrong(planes: Arrangement) -> tuple[tuple[Face, ...], ...]:
         levels = right(planes)
         return (*levels[:-1], levels[-1][1:])
 
-    monkeypatch.setattr(arrangement.enumeration.any_dimension, "enumerate_faces", wrong)
+    monkeypatch.setattr(arrangement.enumeration.choose, "enumerate_faces", wrong)
     assert evaluate(registry()["model-faces-with-preload"]).verdict is None
