@@ -22,7 +22,7 @@ class Arrangement(Planes):
 
     Args:
         normals: m vectors of length d, exact numbers (see `arrangement.rational`).
-        offsets: m exact numbers; left out, all planes pass through the origin.
+        offsets: m exact numbers; if omitted, all planes pass through the origin.
         dimension: d; needed only when there are no planes.
 
     Raises:

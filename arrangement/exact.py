@@ -57,7 +57,7 @@ def rational(value: Rational, name: str = "number") -> Fraction:
         return Fraction(int(value.numerator), int(value.denominator))
     if isinstance(value, numbers.Real):
         raise InputError(
-            f"{name} is the float {shown(value)}, and exact numbers are due; write a string "
+            f"{name} is the float {shown(value)}, expected an exact number; write a string "
             'such as "7/3" or "-0.25", or convert on purpose with arrangement.from_floats'
         )
     numerator, denominator = (getattr(value, k, None) for k in ("numerator", "denominator"))
@@ -146,7 +146,7 @@ def from_floats(values: Any) -> Any:
         values = values.tolist()
     if isinstance(values, float):
         if not math.isfinite(values):
-            raise InputError(f"float {values} is no number; only finite floats can be converted")
+            raise InputError(f"float {values} is not a number; only finite floats can be converted")
         return Fraction(values)
     if isinstance(values, Iterable) and not isinstance(values, (str, bytes)):
         return tuple(from_floats(value) for value in values)

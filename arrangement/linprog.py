@@ -91,7 +91,7 @@ class Program:
         """
         n = self._dictionary.variables
         if len(objective) != n:
-            raise ArrangementError(f"the objective has {len(objective)} entries; {n} are due")
+            raise ArrangementError(f"the objective has {len(objective)} entries; expected {n}")
         if self._infeasible is not None:
             return self._infeasible
         self._dictionary.set_cost(objective)

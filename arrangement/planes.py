@@ -60,7 +60,7 @@ class Planes:
     Args:
         normals: m vectors of length d, exact numbers (see `arrangement.rational`); or a SymPy
             matrix or an array of them, m x d.
-        offsets: m exact numbers; left out, all planes pass through the origin.
+        offsets: m exact numbers; if omitted, all planes pass through the origin.
         dimension: d; needed only when there are no planes.
 
     Raises:

@@ -132,16 +132,15 @@ def _grasp_steps(grasp: Grasp) -> Iterator[Grasp]:
 def _smaller_contacts(contact: Contact) -> list[Contact]:
     """Return contacts with one of point, normal, friction, stiffness, preload simpler."""
     x, y = contact.point
-    places: list[tuple[Any, ...]] = [*product((0, 1, -1), repeat=2)]
-    places += [*((near, y) for near in _nearer(x)), *((x, near) for near in _nearer(y))]
-    changes: list[dict[str, Any]] = [{"point": place} for place in places]
+    points: list[tuple[Fraction | int, ...]] = [*product((0, 1, -1), repeat=2)]
+    points += [(nearer, y) for nearer in _nearer(x)] + [(x, nearer) for nearer in _nearer(y)]
+    changes: list[dict[str, Any]] = [{"point": point} for point in points]
     changes += [{"normal": axis} for axis in _AXES]
     changes += [{"friction": friction} for friction in (1, 0, Fraction(1, 2))]
     changes += [{"stiffness": 1}, {"preload": 0}, {"preload": 1}]
-    found = [replace(contact, **change) for change in changes]
+    found = {replace(contact, **change) for change in changes}
     here = _contact_weight(contact)
-    smaller = {c for c in found if _contact_weight(c) < here}
-    return sorted(smaller, key=_contact_weight)
+    return sorted((c for c in found if _contact_weight(c) < here), key=_contact_weight)
 
 
 def _nearer(value: Fraction) -> tuple[Fraction, ...]:

@@ -12,6 +12,7 @@ from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from difflib import get_close_matches
 from enum import Enum
+from itertools import chain
 from random import Random
 from typing import Any
 
@@ -174,6 +175,10 @@ class Claim:
         """Whether the statement speaks of a subject."""
         return self.applies is None or self.applies(subject)
 
+    def cases(self, generator: Random) -> Iterator[Case]:
+        """Yield the cases of all sources."""
+        return chain.from_iterable(source.cases(generator) for source in self.sources)
+
     def draw(self, seed: int, index: int, sizes: tuple[int, int]) -> Any:
         """Return the random instance with a number: it depends on seed, id and number alone."""
         if self.domain is None:
@@ -198,8 +203,8 @@ class Claim:
     @property
     def kind(self) -> Kind:
         """How far the evidence reaches as a whole: as far as that of the weakest source."""
-        kinds = [source.kind for source in self.sources]
-        return Kind.SAMPLED if self.samples else max(kinds, key=list(Kind).index)
+        kinds = [Kind.SAMPLED] if self.samples else [source.kind for source in self.sources]
+        return max(kinds, key=list(Kind).index, default=Kind.SAMPLED)
 
     @property
     def over(self) -> str:

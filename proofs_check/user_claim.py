@@ -97,7 +97,11 @@ def claim(
         def applies(subject: Any) -> bool:
             if len(subject) < chosen.least or not chosen.contains(subject):
                 return False
-            return when is None or bool(when(given(subject)))
+            try:
+                return when is None or bool(when(given(subject)))
+            except Exception as error:
+                text = f"{type(error).__name__}: {error}"
+                raise OwnClaimError(f"the hypothesis `when` of {name} raised {text}") from error
 
         sources: tuple[Source, ...] = ()
         if chosen.unit == "planes":

@@ -60,6 +60,6 @@ def _planes(document: Mapping[str, Any]) -> Arrangement:
 def _dimension(value: Any) -> int:
     if type(value) is not int or not 1 <= value <= MAX_DIMENSION:
         raise InputError(
-            f"dimension is {kind_of(value)}; an integer from 1 to {MAX_DIMENSION} is due"
+            f"dimension is {kind_of(value)}; expected an integer from 1 to {MAX_DIMENSION}"
         )
     return value

@@ -71,7 +71,7 @@ def check_keys(
 ) -> Mapping[str, Any]:
     """Check that `mapping` is a mapping with all required keys and no unknown ones; return it."""
     if not isinstance(mapping, Mapping):
-        raise InputError(f"{where} is {kind_of(mapping)}; a JSON object is due")
+        raise InputError(f"{where} is {kind_of(mapping)}; expected a JSON object")
     known = [*required, *optional]
     for key in mapping:
         if key not in known:
@@ -82,16 +82,16 @@ def check_keys(
         if key not in mapping:
             raise InputError(f'{where} has no key "{key}"; it is required')
     if not isinstance(mapping.get("description", ""), str):
-        raise InputError(f"the description of {where} is no text; write a string")
+        raise InputError(f"the description of {where} is not a text; write a string")
     return mapping
 
 
 def check_list(value: Any, where: str, length: int | None = None) -> list[Any]:
     """Check that `value` is a list (of the given length); return it as a list."""
     if not isinstance(value, (list, tuple)):
-        raise InputError(f"{where} is {kind_of(value)}; a list is due")
+        raise InputError(f"{where} is {kind_of(value)}; expected a list")
     if length is not None and len(value) != length:
-        raise InputError(f"{where} has {len(value)} entries; {length} are due")
+        raise InputError(f"{where} has {len(value)} entries; expected {length}")
     return list(value)
 
 
@@ -188,7 +188,7 @@ def _refuse_float(text: str) -> Any:
 
 
 def _refuse_constant(text: str) -> Any:
-    raise InputError(f'{text} is no exact number; write an integer or a string such as "1/4"')
+    raise InputError(f'{text} is not an exact number; write an integer or a string such as "1/4"')
 
 
 def _check_kind(document: dict[str, Any], kinds: Collection[str], name: str) -> None:

@@ -99,8 +99,8 @@ def _rounded(part: Part, step: float) -> Part:
     points = (grid[used] * step).astype(np.float64)
     if not _is_closed(renumbered) or volume(points, renumbered) <= 0:
         raise ArrangementError(
-            f"the part {part.name} is too thin for a model: rounded to single precision it is no "
-            "solid any more"
+            f"the part {part.name} is too thin for a model: rounded to single precision it is not "
+            "a solid any more"
         )
     shift = np.round(np.array(part.shift) / step) * step
     return Part(

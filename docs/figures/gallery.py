@@ -5,9 +5,9 @@ import shlex
 from pathlib import Path
 
 import arrangement.cli
-import equilibrium.cli.program
+import equilibrium.cli
 
-MAIN = {"arrangement": arrangement.cli.main, "equilibrium": equilibrium.cli.program}
+MAIN = {"arrangement": arrangement.cli.main, "equilibrium": equilibrium.cli.main}
 PAGE = Path(__file__).parents[1] / "gallery.rst"
 
 found = re.findall(

@@ -37,20 +37,12 @@ ENUMERATION = "enumeration of all faces"
 THEOREM = "Zaslavsky's theorem on the intersection lattice"
 
 
-def _regions_traced(planes: Arrangement) -> int:
-    return sphere_arrangement(planes).region_count
-
-
 def _states_enumerated(planes: Arrangement) -> int:
     return len({face.signs for face in planes.faces()})
 
 
 def _states_counted(planes: Arrangement) -> int:
     return sum(counts.f_vector(planes))
-
-
-def _published_listed(planes: Arrangement) -> int:
-    return len(published_enumeration(planes).states)
 
 
 def _published_predicted(planes: Arrangement) -> int:
@@ -141,7 +133,10 @@ CLAIMS = (
         "exactly when no two coincide and no three pass through one point.",
         quantity="number of regions",
         routes=(
-            Route("great circles: arcs traced around regions", _regions_traced),
+            Route(
+                "great circles: arcs traced around regions",
+                lambda planes: sphere_arrangement(planes).region_count,
+            ),
             Route("|chi(-1)| of the characteristic polynomial", counts.region_count),
         ),
         judge=_region_maximum,
@@ -156,7 +151,10 @@ CLAIMS = (
         hypotheses=("the m tangential planes are in general position",),
         quantity="number of states listed, repeats counted",
         routes=(
-            Route("Steps 1 to 3 as published, run", _published_listed),
+            Route(
+                "Steps 1 to 3 as published, run",
+                lambda planes: len(published_enumeration(planes).states),
+            ),
             Route("V + E + (E - V + 2) from Zaslavsky's theorem", _published_predicted),
         ),
         judge=lambda planes, listed: listed == STATE_COUNTS[len(planes)],

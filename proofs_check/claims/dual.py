@@ -25,7 +25,7 @@ from proofs_check.routes.dual_graph import (
     DualGraph,
     distances,
     from_covectors,
-    from_faces,
+    from_signs,
     is_sphere,
     is_three_connected,
     minimum_cycle_lengths,
@@ -44,12 +44,10 @@ RANK_3 = Hypothesis("the normals have rank 3", lambda planes: planes.rank == 3)
 
 @lru_cache(maxsize=256)
 def _faces_graph(planes: Arrangement) -> DualGraph:
-    return from_faces(planes.faces())
+    return from_signs(*([face.signs for face in planes.faces(k)] for k in (3, 2, 1)))
 
 
-@lru_cache(maxsize=256)
-def _covector_graph(planes: Arrangement) -> DualGraph:
-    return from_covectors(planes)
+_covector_graph = lru_cache(maxsize=256)(from_covectors)
 
 
 def _vef(f: tuple[int, ...]) -> tuple[int, int, int]:

@@ -8,7 +8,7 @@ printed, alone or together.
 from __future__ import annotations
 
 import random
-from collections.abc import Callable, Collection, Iterable, Iterator
+from collections.abc import Callable, Collection, Iterator
 from fractions import Fraction
 from functools import partial
 from typing import Any
@@ -42,57 +42,42 @@ def _reading(options: Collection[str]) -> Reading:
     )
 
 
-def _table_cases(_rng: random.Random) -> Iterator[Case]:
+def _table_rows() -> Iterator[tuple[Question, printed.PrintedRow]]:
     for contacts, rows in (
         (printed.THREE_CONTACT_GRASP, printed.THREE_CONTACTS),
         (printed.FOUR_CONTACT_GRASP, printed.FOUR_CONTACTS),
     ):
         for row in rows:
             wrench, _ = printed.read_vector(row.wrench)
-            question = paper_question(contacts, wrench, Fraction(row.preload))
-            label = f"m={len(contacts)} w={row.wrench.replace(' ', '')} P={row.preload}"
-            yield Case(f"{label} {row.stable}", question, question.to_dict())
+            yield paper_question(contacts, wrench, Fraction(row.preload)), row
 
 
-def _printed_verdict(question: Question) -> str:
-    """The verdict of the table for one of its questions."""
-    rows = printed.THREE_CONTACTS if len(question.contacts) == 3 else printed.FOUR_CONTACTS
-    preload = question.contacts[0][-1]
-    for row in rows:
-        wrench, _ = printed.read_vector(row.wrench)
-        if wrench == question.wrench and Fraction(row.preload) == preload:
-            return row.stable
-    raise LookupError("the question is in no table")
+_PRINTED = dict(_table_rows())
+
+
+def _table_cases(_rng: random.Random) -> Iterator[Case]:
+    for question, row in _PRINTED.items():
+        label = f"m={len(question.contacts)} w={row.wrench.replace(' ', '')} P={row.preload}"
+        yield Case(f"{label} {row.stable}", question, question.to_dict())
 
 
 def _word(stable: bool) -> str:
     return "Yes" if stable else "No"
 
 
-def _by_oracle(reading: Reading, question: Question) -> str:
-    return _word(oracle.stable(question, reading))
+def _by_oracle(options: Collection[str], question: Question) -> str:
+    return _word(oracle.stable(question, _reading(options)))
 
 
-def _by_literal(options: frozenset[str], question: Question) -> str:
+def _by_literal(options: Collection[str], question: Question) -> str:
     return _word(solve_literal(grasp_of(question), question.wrench, options).stable)
 
 
-def _routes(options: Iterable[str]) -> tuple[Route, Route]:
-    chosen = frozenset(options)
-    return (
-        Route("elimination over all choices of states", partial(_by_oracle, _reading(chosen))),
-        Route("the solver's literal reading", partial(_by_literal, chosen)),
-    )
-
-
 def _explain_printed(question: Question, value: str) -> str:
-    if value == _printed_verdict(question):
+    verdict = _PRINTED[question].stable
+    if value == verdict:
         return ""
-    alone = [
-        name
-        for name in DEVIATIONS
-        if _by_oracle(_reading([name]), question) != _printed_verdict(question)
-    ]
+    alone = [name for name in DEVIATIONS if _by_oracle([name], question) != verdict]
     return f"enough alone: {', '.join(alone)}" if alone else "only several together do this"
 
 
@@ -104,6 +89,10 @@ _on_tables = partial(
 )
 
 
+def _search(contacts: range, **options: Any) -> Callable[[], Iterator[Case]]:
+    return lambda: smallest_questions(contacts, WRENCHES, **options)
+
+
 def _deviation_claim(name: str, locator: str, what: str, meaning: str) -> Claim:
     """One deviation alone: it should change no verdict of the model."""
     return _on_tables(
@@ -112,10 +101,10 @@ def _deviation_claim(name: str, locator: str, what: str, meaning: str) -> Claim:
         statement=f"{what}, every verdict is that of the model which the result tables follow.",
         quantity="(verdict with the deviation, verdict of the model)",
         routes=(
-            Route("elimination over all choices of states", partial(_deviation_pair, name)),
-            Route("the solver and its literal reading", partial(_pair_by_solver, (name,))),
+            Route("elimination over all choices of states", partial(_deviation_pair, [name])),
+            Route("the solver and its literal reading", partial(_pair_by_solver, [name])),
         ),
-        judge=lambda question, pair: pair[0] == pair[1],
+        judge=_equal,
         search=_search(range(1, 3)),
         meaning=meaning,
     )
@@ -124,7 +113,11 @@ def _deviation_claim(name: str, locator: str, what: str, meaning: str) -> Claim:
 Pair = tuple[str, str]
 
 
-def _pair_by_oracle(options: Collection[str], question: Question) -> Pair:
+def _equal(_: Question, pair: Pair) -> bool:
+    return pair[0] == pair[1]
+
+
+def _listed_pair(options: Collection[str], question: Question) -> Pair:
     """The verdict of Algorithm 2 over the states of Steps 1 to 3, and that of the model."""
     states = listed_states(
         grasp_of(question),
@@ -132,23 +125,29 @@ def _pair_by_oracle(options: Collection[str], question: Question) -> Pair:
         all_stick="all-stick" not in options,
     )
     found = oracle.stable(question, _reading(options), states)
-    return _word(found), _word(oracle.stable(question))
+    return _word(found), _by_oracle((), question)
 
 
-def _deviation_pair(name: str, question: Question) -> Pair:
-    return _by_oracle(_reading([name]), question), _by_oracle(_reading(()), question)
+def _deviation_pair(options: Collection[str], question: Question) -> Pair:
+    return _by_oracle(options, question), _by_oracle((), question)
 
 
 def _pair_by_solver(options: Collection[str], question: Question) -> Pair:
-    grasp = grasp_of(question)
-    found = solve_literal(grasp, question.wrench, options)
-    return _word(found.stable), _word(solve(grasp, question.wrench).stable)
+    model = solve(grasp_of(question), question.wrench)
+    return _by_literal(options, question), _word(model.stable)
 
 
-def _algorithm_routes(*options: str) -> tuple[Route, Route]:
-    return (
-        Route("elimination over the states of Steps 1 to 3", partial(_pair_by_oracle, options)),
-        Route("the solver and its literal reading", partial(_pair_by_solver, options)),
+def _algorithm_2(*options: str) -> partial[Claim]:
+    """What the claims on Algorithm 2 with some points taken as printed share."""
+    return partial(
+        _on_tables,
+        hypotheses=("preload term and signs corrected", "all-stick state added"),
+        quantity="(verdict of Algorithm 2, verdict of the model)",
+        routes=(
+            Route("elimination over the states of Steps 1 to 3", partial(_listed_pair, options)),
+            Route("the solver and its literal reading", partial(_pair_by_solver, options)),
+        ),
+        search=_search(range(1, 3)),
     )
 
 
@@ -186,10 +185,6 @@ def _constraint_cases(largest: int, _rng: Any = None) -> Iterator[Case]:
             yield Case(f"m = {m}, l = {slipping} slipping", (m, slipping), {"m": m, "l": slipping})
 
 
-def _search(contacts: range, **options: Any) -> Callable[[], Iterator[Case]]:
-    return lambda: smallest_questions(contacts, WRENCHES, **options)
-
-
 CLAIMS = (
     _on_tables(
         id="printed-equations",
@@ -197,8 +192,11 @@ CLAIMS = (
         statement="With the equations as printed (no detachment, no preload term, printed signs), "
         "the verdicts of both result tables come out.",
         quantity="verdict",
-        routes=_routes(DEVIATIONS),
-        judge=lambda question, value: value == _printed_verdict(question),
+        routes=(
+            Route("elimination over all choices of states", partial(_by_oracle, DEVIATIONS)),
+            Route("the solver's literal reading", partial(_by_literal, DEVIATIONS)),
+        ),
+        judge=lambda question, value: value == _PRINTED[question].stable,
         explain=_explain_printed,
         meaning="The tables were computed with other equations than the printed ones.",
         rows=True,
@@ -240,32 +238,24 @@ CLAIMS = (
         meaning="A slip of the pen: l is first the number of slipping contacts and then of "
         "sticking ones. There are 3 + m + l and m - l, in all 3 + 2m, as many as unknowns.",
     ),
-    _on_tables(
+    _algorithm_2("cell-check", "detachment")(
         id="algorithm-2-sound",
         domain=domain("question"),
         locator="Algorithm 2",
         statement="A grasp that Algorithm 2 calls stable has an equilibrium.",
-        hypotheses=("preload term and signs corrected", "all-stick state added"),
-        quantity="(verdict of Algorithm 2, verdict of the model)",
-        routes=_algorithm_routes("cell-check", "detachment"),
         judge=lambda question, pair: pair != ("Yes", "No"),
-        search=_search(range(1, 3)),
         meaning="Algorithm 2 never checks that the motion it finds slips as its slip state says; "
         "then friction may push the object along.",
     ),
-    _on_tables(
+    _algorithm_2("cell-check", "detachment")(
         id="algorithm-2-complete",
         locator="Algorithm 2; Section V-B",
         statement="If Algorithm 2 finds no solution, the grasp has no equilibrium.",
-        hypotheses=("preload term and signs corrected", "all-stick state added"),
-        quantity="(verdict of Algorithm 2, verdict of the model)",
-        routes=_algorithm_routes("cell-check", "detachment"),
         judge=lambda question, pair: pair != ("No", "Yes"),
-        search=_search(range(1, 3)),
         meaning="Relative to its own equations the algorithm is complete; relative to contacts "
         "that can let go it is not.",
     ),
-    _on_tables(
+    _algorithm_2("all-stick")(
         id="all-stick-listed",
         domain=domain("question"),
         locator="Algorithm 2; Section IV-B",
@@ -273,8 +263,7 @@ CLAIMS = (
         "one is found in a listed state.",
         hypotheses=("equations corrected", "cell checked", "coincident planes merged"),
         quantity="(verdict over the listed states, verdict of the model)",
-        routes=_algorithm_routes("all-stick"),
-        judge=lambda question, pair: pair[0] == pair[1],
+        judge=_equal,
         search=lambda: smallest_questions(range(3, 4), WRENCHES[:1], preloads=(1,)),
         meaning="With preload the object often just stays, and d = 0 is in no listed state "
         "once three tangential planes are independent.",

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import random
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from functools import partial
@@ -124,9 +124,11 @@ def _asked(
 _THREE, _FOUR = printed.THREE_CONTACT_GRASP, printed.FOUR_CONTACT_GRASP
 
 
-def _wrench_space(_rng: random.Random) -> Iterator[Case]:
-    for force, says in (("1", "yn"), ("100", "yn"), ("-1", "yy"), ("-100", "yy")):
-        yield _asked("wrench-space", _THREE, force, 0, says)
+def _three(
+    method: str, says: Mapping[str, str], preload: int = 0
+) -> Callable[[random.Random], Iterator[Case]]:
+    """What a method says of vertical forces on the three-contact grasp, and what is right."""
+    return lambda _: (_asked(method, _THREE, force, preload, say) for force, say in says.items())
 
 
 def _cones(_rng: random.Random) -> Iterator[Case]:
@@ -144,26 +146,8 @@ def _grips(asked: Asked) -> bool:
     return all(touch.friction > 1 for touch in asked.question.touches)
 
 
-def _compliance(_rng: random.Random) -> Iterator[Case]:
-    for force in ("-1", "-2", "-100"):
-        yield _asked("linear-compliance", _THREE, force, 0, "ny")
-
-
-def _downwards(_rng: random.Random) -> Iterator[Case]:
-    for force in ("0", "-1", "-2", "-100"):
-        yield _asked("frictionless-slip", _THREE, force, 0, "yy")
-
-
-def _upwards(_rng: random.Random) -> Iterator[Case]:
-    yield _asked("frictionless-slip", _THREE, "1", 1, "ny")
-
-
 _MODEL = ("the corrected model decides what is right", "friction 1/2, stiffness 1")
 _SPRINGS = (*_MODEL, "tangential springs as stiff as the normal ones")
-
-
-def _as_stated(asked: Asked, found: tuple[bool, bool]) -> bool:
-    return found == asked.says
 
 
 #: What the claims on methods share, unless one says otherwise.
@@ -174,7 +158,7 @@ _method = partial(
         Route("the method and the solver of the package", _by_packages),
         Route("Fourier-Motzkin elimination of the method's own conditions", _by_elimination),
     ),
-    judge=_as_stated,
+    judge=lambda asked, found: found == asked.says,
 )
 
 CLAIMS = (
@@ -184,7 +168,10 @@ CLAIMS = (
         statement="The Grasp Wrench Space of the three-contact grasp holds forces up and down "
         "alike; without preload those up are not resisted.",
         hypotheses=(*_MODEL, "any total normal force"),
-        sources=sampled("forces of 1 and 100, up and down", _wrench_space),
+        sources=sampled(
+            "forces of 1 and 100, up and down",
+            _three("wrench-space", {"1": "yn", "100": "yn", "-1": "yy", "-100": "yy"}),
+        ),
     ),
     _method(
         id="method-cones-only",
@@ -207,7 +194,10 @@ CLAIMS = (
         statement="Linear springs in both directions refuse every downward force on the "
         "three-contact grasp without preload, which is resisted.",
         hypotheses=_SPRINGS,
-        sources=sampled("forces -1, -2 and -100", _compliance),
+        sources=sampled(
+            "forces -1, -2 and -100",
+            _three("linear-compliance", dict.fromkeys(("-1", "-2", "-100"), "ny")),
+        ),
     ),
     _method(
         id="method-frictionless-slip-down",
@@ -215,7 +205,10 @@ CLAIMS = (
         statement="With contacts that stick, slip without friction or detach, the three-contact "
         "grasp withstands all forces (0, w_y, 0) with w_y <= 0.",
         hypotheses=_SPRINGS,
-        sources=sampled("forces 0, -1, -2 and -100, no preload", _downwards),
+        sources=sampled(
+            "forces 0, -1, -2 and -100, no preload",
+            _three("frictionless-slip", dict.fromkeys(("0", "-1", "-2", "-100"), "yy")),
+        ),
     ),
     _method(
         id="method-frictionless-slip-up",
@@ -223,7 +216,10 @@ CLAIMS = (
         statement="No combination of sticking, frictionless slipping and detached contacts gives "
         "legal forces on the preloaded three-contact grasp under (0, 1, 0), which is resisted.",
         hypotheses=(*_SPRINGS, "at rest the friction of Table I", "detached contacts do not press"),
-        sources=exhaustive("all 27 combinations for this wrench", _upwards),
+        sources=exhaustive(
+            "all 27 combinations for this wrench",
+            _three("frictionless-slip", {"1": "ny"}, preload=1),
+        ),
         meaning="The method is too cautious, as the paper says.",
     ),
 )

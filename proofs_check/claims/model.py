@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import random
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from fractions import Fraction
+from functools import partial
 from itertools import combinations, product
 from math import comb
 
@@ -12,7 +13,7 @@ from arrangement import counts
 from arrangement.linear import determinant
 from equilibrium.model.grasp import Contact, Grasp
 from proofs_check.routes.fourier_motzkin import Row, project
-from proofs_check.statement import Case, Claim, Route, proved
+from proofs_check.statement import Case, Claim, Route, Source, proved
 
 #: Rational unit normals: multiples of 1/5, 1/13 and 1/17, turned and mirrored below.
 _TRIPLES = ((3, 4, 5), (5, 12, 13), (8, 15, 17), (1, 0, 1))
@@ -86,25 +87,24 @@ def _random_grasp(rng: random.Random, m: int, *, preload: bool) -> Grasp:
     return Grasp(contacts)
 
 
-def _grasps(rng: random.Random, most: int, *, preload: bool) -> Iterator[Case]:
+def _grasps(rng: random.Random, most: int, preloads: Sequence[bool]) -> Iterator[Case]:
     """Yield for each m two grasps in general position and two that need not be."""
-    for m in range(1, most + 1):
-        generic = 0
-        plain = 0
-        while generic < 2 or plain < 2:
+    for preload, m in product(preloads, range(1, most + 1)):
+        wanted = {"general position": 2, "as drawn": 2}
+        while any(wanted.values()):
             grasp = _random_grasp(rng, m, preload=preload)
             if _has_preload(grasp) != preload:
                 continue
-            if in_general_position(grasp) and generic < 2:
-                generic += 1
-                yield _case(grasp, "general position")
-            elif plain < 2:
-                plain += 1
-                yield _case(grasp, "as drawn")
+            generic = wanted["general position"] and in_general_position(grasp)
+            remark = "general position" if generic else "as drawn"
+            if wanted[remark]:
+                wanted[remark] -= 1
+                yield Case(f"m = {m}, {remark}", grasp, grasp.to_dict())
 
 
-def _case(grasp: Grasp, remark: str) -> Case:
-    return Case(f"m = {len(grasp)}, {remark}", grasp, grasp.to_dict())
+def _random_grasps(most: int, *preloads: bool, what: str = "the numbers of") -> tuple[Source, ...]:
+    over = f"{what} random grasps of 1 to {most} contacts"
+    return proved(over, lambda rng: _grasps(rng, most, preloads))
 
 
 def _states_of_faces(grasp: Grasp) -> int:
@@ -155,72 +155,51 @@ def _few_states(grasp: Grasp, states: int) -> bool:
     return states <= sum(most_faces(len(grasp), preload=_has_preload(grasp)))
 
 
-def _small(rng: random.Random) -> Iterator[Case]:
-    for preload in (False, True):
-        yield from _grasps(rng, 3, preload=preload)
-
-
-_ROUTES = (
-    Route("enumeration of all faces of 2m planes", _enumerated),
-    Route("Zaslavsky's theorem on the intersection lattice", _counted),
+_on_faces = partial(
+    Claim,
+    locator="our theorem, after Section IV-A",
+    quantity="f-vector",
+    routes=(
+        Route("enumeration of all faces of 2m planes", _enumerated),
+        Route("Zaslavsky's theorem on the intersection lattice", _counted),
+    ),
 )
 
 CLAIMS = (
-    Claim(
+    _on_faces(
         id="model-faces-without-preload",
-        locator="our theorem, after Section IV-A",
         statement="Without preload the m tangential and m normal planes have at most "
         "16m^2 - 8m + 3 faces: 1 origin, 2m(2m-1) rays, 4m(2m-1) facets, 4m^2 - 2m + 2 regions; "
         "these numbers are reached in general position for m >= 2.",
         hypotheses=("the corrected model", "all preloads are 0"),
-        quantity="f-vector",
-        routes=_ROUTES,
         judge=_within,
-        sources=proved(
-            "the numbers of random grasps of 1 to 7 contacts",
-            lambda rng: _grasps(rng, 7, preload=False),
-        ),
+        sources=_random_grasps(7, False),
         meaning="The number of states stays quadratic when contacts may let go.",
     ),
-    Claim(
+    _on_faces(
         id="model-faces-with-preload",
-        locator="our theorem, after Section IV-A",
         statement="With preload the m tangential and m normal planes, m >= 3, have at most "
         "C(2m,3) - C(m,3) + 1 points, C(m,2)(m+2) + (C(2m,2) - C(m,2))(2m-1) lines, "
         "m(2m-2 + sum_{j=m-1}^{2m-2} (1+j)) + m(2m + C(2m-1,2)) facets and "
         "m^2 - m + 2 + sum_{j=m}^{2m-1} (1+j+C(j,2)) regions, and these numbers are reached in "
         "general position.",
         hypotheses=("the corrected model", "for m < 3 the bound of Eq. 11 for 2m planes"),
-        quantity="f-vector",
-        routes=_ROUTES,
         judge=_within,
-        sources=proved(
-            "the numbers of random grasps of 1 to 5 contacts",
-            lambda rng: _grasps(rng, 5, preload=True),
-        ),
+        sources=_random_grasps(5, True),
         meaning="With preload the number of states is cubic, about 28/3 m^3 at most; the planes of "
         "the paper alone do not describe it.",
     ),
-    Claim(
+    _on_faces(
         id="model-linear-by-regions",
-        locator="our theorem, after Section IV-A",
         statement="With V regions of the motion there are at most V points, 3V lines and 3V facets "
         "of the 2m planes, with or without preload.",
         hypotheses=("the corrected model",),
-        quantity="f-vector",
-        routes=_ROUTES,
         judge=_linear,
-        sources=proved(
-            "the numbers of random grasps of 1 to 5 contacts",
-            lambda rng: (
-                case for preload in (False, True) for case in _grasps(rng, 5, preload=preload)
-            ),
-        ),
+        sources=_random_grasps(5, False, True),
         meaning="The linear bound by V carries over to the corrected model.",
     ),
-    Claim(
+    _on_faces(
         id="model-states",
-        locator="our theorem, after Section IV-A",
         statement="The contacts have at most as many states (detached, slip+, slip-, stick for "
         "each) under rigid motions as the maximal numbers of faces add up to.",
         hypotheses=("the corrected model",),
@@ -230,7 +209,7 @@ CLAIMS = (
             Route("4^m choices by Fourier-Motzkin elimination", _states_by_elimination),
         ),
         judge=_few_states,
-        sources=proved("counted on random grasps of 1 to 3 contacts", _small),
+        sources=_random_grasps(3, False, True, what="counted on"),
         meaning="Algorithm 2 with detachment is polynomial: quadratic, or cubic with preload.",
     ),
 )

@@ -14,7 +14,6 @@ from arrangement.exact import RationalVector, to_text
 from arrangement.polyhedra.dual import dual_polyhedron
 from arrangement.polyhedra.inscribed import (
     FarkasCertificate,
-    Inscribability,
     WeightCertificate,
     inscribability,
     representative_hull,
@@ -24,10 +23,7 @@ from proofs_check.routes import rivin
 from proofs_check.routes.dual_graph import from_covectors
 from proofs_check.statement import Case, Claim, Route, Verdict, exhaustive
 
-
-@lru_cache(maxsize=64)
-def _answer(planes: Arrangement) -> Inscribability:
-    return inscribability(planes)
+_answer = lru_cache(maxsize=64)(inscribability)
 
 
 def _verified(planes: Arrangement) -> bool:

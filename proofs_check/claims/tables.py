@@ -95,25 +95,21 @@ def _ray(
     contacts: Iterable[Sequence[int]], preload: int, low: Fraction | None, high: Fraction
 ) -> Case:
     """The statement that exactly the forces (0, t, 0) with low <= t <= high are held."""
-    factors = {Fraction(-(10**6)), Fraction(-1), Fraction(0), Fraction(1), high, high + TINY}
-    factors |= {high - TINY} | (set() if low is None else {low, low - TINY, low + TINY})
-    ordered = tuple(sorted(factors))
+    ends = [high] if low is None else [low, high]
+    near = (end + tiny for end in ends for tiny in (-TINY, 0, TINY))
+    ordered = tuple(sorted({*map(Fraction, (-(10**6), -1, 0, 1)), *near}))
     held = tuple((low is None or low <= t) and t <= high for t in ordered)
     question = paper_question(contacts, (Fraction(0), Fraction(1), Fraction(0)), preload)
     name = "three" if len(question.contacts) == 3 else "four"
-    return Case(
-        f"{name} contacts, P = {preload}, w = (0, t, 0)",
-        Probes(question, ordered, held),
-        question.to_dict(),
-    )
+    label = f"{name} contacts, P = {preload}, w = (0, t, 0)"
+    return Case(label, Probes(question, ordered, held), question.to_dict())
 
 
 def _rays(_rng: random.Random) -> Iterator[Case]:
-    zero, two = Fraction(0), Fraction(2)
-    yield _ray(printed.THREE_CONTACT_GRASP, 0, None, zero)
+    yield _ray(printed.THREE_CONTACT_GRASP, 0, None, Fraction(0))
     yield _ray(printed.THREE_CONTACT_GRASP, 1, None, Fraction(1))
-    yield _ray(printed.FOUR_CONTACT_GRASP, 0, zero, zero)
-    yield _ray(printed.FOUR_CONTACT_GRASP, 1, -two, two)
+    yield _ray(printed.FOUR_CONTACT_GRASP, 0, Fraction(0), Fraction(0))
+    yield _ray(printed.FOUR_CONTACT_GRASP, 1, Fraction(-2), Fraction(2))
 
 
 def _held_exactly(probes: Probes) -> tuple[bool, ...]:

@@ -2,10 +2,7 @@
 
 from __future__ import annotations
 
-import random
 from collections.abc import Iterator
-from dataclasses import dataclass
-from functools import partial
 from itertools import combinations
 
 import networkx as nx
@@ -16,33 +13,27 @@ from proofs_check.routes.dual_graph import DualGraph, Edge, Signs, from_covector
 from proofs_check.statement import Case, Claim, Route, exhaustive
 
 
-@dataclass(frozen=True)
-class Listed:
-    """The types that the census lists for a number of planes."""
-
-    planes: int
-
-    def arrangements(self) -> Iterator[Arrangement]:
-        """Yield new arrangements of the list that have rank 3 and that many distinct planes."""
-        for found in census(self.planes):
-            fresh = Arrangement(found.normals)
-            if fresh.rank == 3 and len(fresh.distinct) == self.planes:
-                yield fresh
+def _listed(m: int) -> Iterator[Arrangement]:
+    """Yield new arrangements of the census that have rank 3 and m distinct planes."""
+    for found in census(m):
+        fresh = Arrangement(found.normals)
+        if fresh.rank == 3 and len(fresh.distinct) == m:
+            yield fresh
 
 
-def _by_codes(listed: Listed) -> tuple[int, int]:
+def _by_codes(m: int) -> tuple[int, int]:
     """All and simple types, told apart by the smallest code of the dual as a map on the sphere."""
     codes = {}
-    for planes in listed.arrangements():
+    for planes in _listed(m):
         graph = from_covectors(planes)
         codes[_code(graph)] = all(len(face) == 4 for face in graph.faces)
     return len(codes), sum(codes.values())
 
 
-def _by_isomorphism(listed: Listed) -> tuple[int, int]:
+def _by_isomorphism(m: int) -> tuple[int, int]:
     """The same, by tests for isomorphic graphs (networkx) among graphs of equal hash."""
     kept: dict[str, list[tuple[nx.Graph, bool]]] = {}
-    for planes in listed.arrangements():
+    for planes in _listed(m):
         graph = nx.Graph([tuple(edge) for edge in _adjacent(planes)])
         nx.set_node_attributes(graph, dict(graph.degree), "degree")
         text = nx.weisfeiler_lehman_graph_hash(graph, node_attr="degree", iterations=4)
@@ -145,11 +136,6 @@ def _walk(turn: dict[Signs, list[Signs]], v: Signs, w: Signs, sense: int) -> tup
     return tuple(code)
 
 
-def _cases(counts: range, _rng: random.Random) -> Iterator[Case]:
-    for m in counts:
-        yield Case(f"m = {m}", Listed(m), {"planes_count": m})
-
-
 CLAIMS = (
     Claim(
         id="census-types",
@@ -163,13 +149,12 @@ CLAIMS = (
             Route("smallest codes of the duals as maps (covectors)", _by_codes),
             Route("isomorphism tests of networkx (enumerated faces)", _by_isomorphism),
         ),
-        judge=lambda listed, found: (
-            found == (PUBLISHED[listed.planes], PUBLISHED_SIMPLE[listed.planes])
-            and len(census(listed.planes)) == found[0]
+        judge=lambda m, found: (
+            found == (PUBLISHED[m], PUBLISHED_SIMPLE[m]) and len(census(m)) == found[0]
         ),
         sources=exhaustive(
             "the list for m = 3 to 7; a list with as many different types as exist is complete",
-            partial(_cases, range(3, 8)),
+            lambda _: (Case(f"m = {m}", m, {"planes_count": m}) for m in range(3, 8)),
         ),
         meaning="Claims that hold on the list hold for every arrangement of that many planes.",
     ),

@@ -105,20 +105,18 @@ def _affine(rng: Random, m: int) -> Arrangement:
     return random_arrangement(rng, m, size=rng.choice((1, 2, 9)), affine=rng.random() < 0.5)
 
 
-def _until(
-    draw: Callable[[Random, int, int], Arrangement], contains: Callable[[Any], bool]
-) -> Callable[[Random, int], Arrangement]:
-    """Return a drawer that tries again, with larger entries each time, until one belongs."""
+def _belonging(
+    name: str, text: str, least: int, contains: Callable[[Any], bool], *, affine: bool = False
+) -> Domain:
+    """Return a domain that is drawn from by trying, with larger entries each time."""
 
-    def drawn(rng: Random, m: int) -> Arrangement:
+    def draw(rng: Random, m: int) -> Arrangement:
         reach = rng.choice((1, 2, 9))
-        while True:
-            planes = draw(rng, m, reach)
-            if contains(planes):
-                return planes
+        while not contains(planes := random_arrangement(rng, m, size=reach, affine=affine)):
             reach += 1
+        return planes
 
-    return drawn
+    return Domain(name, text, "planes", least, draw, contains)
 
 
 def _random_grasp(rng: Random, m: int) -> Grasp:
@@ -167,67 +165,27 @@ def _is_simple_affine(planes: Any) -> bool:
     return distinct and not planes.is_central and planes.is_simple
 
 
-def _affine_draw(rng: Random, m: int, reach: int) -> Arrangement:
-    return random_arrangement(rng, m, size=reach, affine=True)
-
-
-def _central_draw(rng: Random, m: int, reach: int) -> Arrangement:
-    return random_arrangement(rng, m, size=reach)
-
-
-def _table(*listed: Domain) -> Mapping[str, Domain]:
-    return {entry.name: entry for entry in listed}
-
-
-DOMAINS = _table(
+_LISTED = (
     Domain("central", "central arrangements in R^3", "planes", 1, _central, _is_central),
-    Domain(
-        "rank-3",
-        "central arrangements of rank 3",
-        "planes",
-        3,
-        _until(_central_draw, _is_rank_3),
-        _is_rank_3,
-    ),
-    Domain(
-        "distinct",
-        "central arrangements of different planes, of rank 3",
-        "planes",
-        3,
-        _until(_central_draw, _is_distinct),
-        _is_distinct,
-    ),
-    Domain(
-        "simple",
-        "central arrangements in general position in R^3",
-        "planes",
-        1,
-        _until(_central_draw, _is_simple),
-        _is_simple,
-    ),
+    _belonging("rank-3", "central arrangements of rank 3", 3, _is_rank_3),
+    _belonging("distinct", "central arrangements of different planes, of rank 3", 3, _is_distinct),
+    _belonging("simple", "central arrangements in general position in R^3", 1, _is_simple),
     Domain("affine", "arrangements in R^3, central or not", "planes", 1, _affine, _in_space),
-    Domain(
+    _belonging(
         "simple-affine",
         "affine arrangements in general position in R^3",
-        "planes",
         2,
-        _until(_affine_draw, _is_simple_affine),
         _is_simple_affine,
+        affine=True,
     ),
-    Domain(
-        "grasp",
-        "grasps",
-        "contacts",
-        1,
-        _random_grasp,
-        lambda grasp: isinstance(grasp, Grasp),
-    ),
+    Domain("grasp", "grasps", "contacts", 1, _random_grasp, lambda x: isinstance(x, Grasp)),
     Domain(
         "question",
         "grasps under a wrench",
         "contacts",
         1,
         _random_question,
-        lambda question: isinstance(question, Question),
+        lambda x: isinstance(x, Question),
     ),
 )
+DOMAINS: Mapping[str, Domain] = {entry.name: entry for entry in _LISTED}

@@ -105,20 +105,16 @@ def _e(text: str) -> str:
     return html.escape(text)
 
 
-_LATEX = {
-    "\\": r"\textbackslash{}",
-    "{": r"\{",
-    "}": r"\}",
-    "$": r"\$",
-    "&": r"\&",
-    "#": r"\#",
-    "%": r"\%",
-    "_": r"\_",
-    "^": r"\textasciicircum{}",
-    "~": r"\textasciitilde{}",
-    "<": r"\textless{}",
-    ">": r"\textgreater{}",
-    "|": r"\textbar{}",
+_LATEX = {c: f"\\{c}" for c in "{}$&#%_"} | {
+    c: rf"\text{name}{{}}"
+    for c, name in {
+        "\\": "backslash",
+        "^": "asciicircum",
+        "~": "asciitilde",
+        "<": "less",
+        ">": "greater",
+        "|": "bar",
+    }.items()
 }
 
 

@@ -1,19 +1,19 @@
-"""The dual graph of an arrangement, twice: from enumerated faces, and from covectors.
+"""The dual graph of an arrangement, from given sign vectors, and from covectors.
 
 Vertices are regions, edges are facets, faces are rays (of a rank 3 arrangement). The first
-builder takes the faces of the geometric engine; the second composes cocircuits read off the
+builder takes the faces that an engine found; the second composes cocircuits read off the
 chirotope. The graph functions of this module are its own, so that they can stand against networkx.
 """
 
 from __future__ import annotations
 
 from collections import deque
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable
 from dataclasses import dataclass
 from functools import cached_property
 
 from arrangement import counts
-from arrangement.planes import Face, Planes
+from arrangement.planes import Planes
 
 Signs = tuple[int, ...]
 Edge = frozenset[Signs]
@@ -44,9 +44,13 @@ class DualGraph:
         return found
 
 
-def from_faces(faces: Sequence[Face]) -> DualGraph:
-    """Return the dual graph from a list of all faces of R^3."""
-    return _graph(*([face.signs for face in faces if face.dimension == k] for k in (3, 2, 1)))
+def from_signs(regions: list[Signs], facets: list[Signs], lines: list[Signs]) -> DualGraph:
+    """Return the dual graph of the faces of R^3 with these sign vectors."""
+    vertices = frozenset(regions)
+    beside = {facet: [r for r in regions if _below(facet, r)] for facet in facets}
+    edges = {facet: frozenset(pair) for facet, pair in beside.items()}
+    around = (frozenset(edges[f] for f in facets if _below(line, f)) for line in lines)
+    return DualGraph(vertices, frozenset(edges.values()), tuple(around))
 
 
 def from_covectors(planes: Planes) -> DualGraph:
@@ -56,15 +60,7 @@ def from_covectors(planes: Planes) -> DualGraph:
     for signs in vectors:
         zero = [planes.integer_planes[i][:-1] for i, s in enumerate(signs) if s == 0]
         levels[_rank(zero)].append(signs)
-    return _graph(levels[0], levels[1], levels[2])
-
-
-def _graph(regions: list[Signs], facets: list[Signs], lines: list[Signs]) -> DualGraph:
-    vertices = frozenset(regions)
-    beside = {facet: [r for r in regions if _below(facet, r)] for facet in facets}
-    edges = {facet: frozenset(pair) for facet, pair in beside.items()}
-    around = (frozenset(edges[f] for f in facets if _below(line, f)) for line in lines)
-    return DualGraph(vertices, frozenset(edges.values()), tuple(around))
+    return from_signs(levels[0], levels[1], levels[2])
 
 
 def _below(small: Signs, large: Signs) -> bool:

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from proofs_check.evidence import OUTCOMES, verdict_from
+from proofs_check.evidence import verdict_from
 from proofs_check.reports.report import instance_text, record_of
 from proofs_check.statement import Verdict
 
@@ -58,18 +58,14 @@ def _over(plan: Plan, claim: dict[str, Any]) -> str:
 
 
 def _evidence(plan: Plan, claim: dict[str, Any], sums: Total, found: Verdict | None) -> str:
-    names = (
-        "that hold",
-        "that fail",
-        "that fail outside the hypothesis",
-        "broken",
-        "outside the hypothesis",
-    )
-    numbers = [
-        f"{sums.number(kind)} {name}"
-        for kind, name in zip(OUTCOMES, names, strict=True)
-        if sums.number(kind)
-    ]
+    names = {
+        "holds": "that hold",
+        "fails": "that fail",
+        "excused": "that fail outside the hypothesis",
+        "broken": "broken",
+        "outside": "outside the hypothesis",
+    }
+    numbers = [f"{n} {names[kind]}" for kind, n in sums.outcomes.items() if n]
     done = (
         str(plan.samples) if sums.samples == plan.samples else f"{sums.samples} of {plan.samples}"
     )

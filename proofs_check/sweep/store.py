@@ -195,7 +195,7 @@ def _checked(path: str, connection: sqlite3.Connection) -> Store:
     if application != APPLICATION or layout != LAYOUT:
         connection.close()
         raise SweepError(
-            f"{path} is no store of a sweep (or of another version); name another file"
+            f"{path} is not a store of a sweep (or of another version); name another file"
         )
     return Store(path, connection)
 

@@ -13,7 +13,7 @@ from arrangement import Arrangement, InputError, counts
 from arrangement.counts import low_rank as lowrank
 from arrangement.counts.configuration import configuration
 
-from . import counting_oracle as oracle
+from . import oracle
 from .strategies import arrangements, invertible_matrices, product
 
 T = oracle.T

@@ -22,7 +22,7 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[2]))
 from milp import BOUND, Answer, solve_milp, violation
 
 from equilibrium import Verdict, solve
-from tests.equilibrium import bruteforce
+from tests.equilibrium import oracle
 from tests.equilibrium.agreement import disagreements
 from tests.equilibrium.awkward import Question, question
 
@@ -70,7 +70,7 @@ def explained(one: Question, verdict: Verdict, answer: Answer) -> tuple[str, Fra
         return f"it says stable, exactly unstable: {side}; its point violates the model", amount
     if mine == "unstable":
         return AGREED, zero
-    if bruteforce.is_stable(one.grasp, one.wrench, BOUND):
+    if oracle.is_stable(one.grasp, one.wrench, BOUND):
         again = solve_milp(one.grasp, one.wrench, presolve=False).verdict
         note = f"without its presolve it says {again}"
         return f"it says unstable, an equilibrium is within the bound; {note}", zero

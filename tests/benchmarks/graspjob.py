@@ -119,10 +119,10 @@ def milp(grasp: Grasp, wrench: Wrench) -> Found:
 
 def brute(grasp: Grasp, wrench: Wrench) -> Found:
     """Exact brute force over all 4^m states."""
-    from tests.equilibrium import bruteforce
+    from tests.equilibrium import oracle
 
     start = time.process_time()
-    found = list(bruteforce.solutions(grasp, wrench))
+    found = list(oracle.solutions(grasp, wrench))
     seconds = time.process_time() - start
     return {"verdict": "stable" if found else "unstable", "seconds": seconds}
 

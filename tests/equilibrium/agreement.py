@@ -5,7 +5,7 @@ from __future__ import annotations
 from equilibrium import solve
 from equilibrium.verdict import Verdict
 
-from . import bruteforce, oracle
+from . import oracle
 from .awkward import Question
 
 
@@ -18,7 +18,7 @@ def disagreements(asked: Question, verdict: Verdict | None = None) -> list[str]:
     grasp, wrench = asked.grasp, asked.wrench
     verdict = solve(grasp, wrench) if verdict is None else verdict
     pieces = verdict.equilibria
-    found = list(bruteforce.solutions(grasp, wrench))
+    found = list(oracle.solutions(grasp, wrench))
     problems = []
     if verdict.stable != bool(found):
         problems.append(f"solver: {verdict.stable}, brute force: {bool(found)}")

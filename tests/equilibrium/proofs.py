@@ -15,7 +15,7 @@ from typing import Any
 
 from equilibrium import Grasp
 
-from . import bruteforce, oracle
+from . import oracle
 
 Vector = list[Fraction]
 Signs = tuple[int, ...]
@@ -109,7 +109,7 @@ def _strict_point(planes: list[Vector], signs: Signs) -> Vector | None:
     for plane, sign in zip(planes, signs, strict=True):
         row = _whole([sign * x if sign else x for x in plane])
         (least if sign else equal).append([*row, -1 if sign else 0])
-    found = bruteforce._point(equal, least, 4)
+    found = oracle._point(equal, least, 4)
     return None if found is None else [x / found[3] for x in found[:3]]
 
 
@@ -198,7 +198,7 @@ def _fails(grasp: Grasp, wrench: tuple, letters: str, kind: str, contact: int) -
     corners = [[Fraction(int(i == j)) for i in range(size)] for j in range(-1, size)]
     zero, *units = (_equalities(grasp, wrench, letters, groups, z) for z in corners)
     rows = [_whole([*(u[i] - zero[i] for u in units), zero[i]]) for i in range(len(zero))]
-    reduced, pivots = bruteforce._eliminated(rows)
+    reduced, pivots = oracle._eliminated(rows)
     if pivots != list(range(size)):
         return False
     z = [Fraction(-row[-1], row[j]) for j, row in enumerate(reduced[:size])]

@@ -62,9 +62,9 @@ def fits(states: tuple[str, ...], grasp: Grasp, motion: tuple) -> bool:
 @given(grasps(2), wrenches)
 def test_every_solution_has_listed_states(grasp, wrench):
     listed = contact_states(grasp)
-    for motion, _ in oracle.solutions(grasp, wrench):
-        assert any(fits(states, grasp, motion) for states in listed)
-        assert fits(states_at(grasp, motion), grasp, motion)
+    for found in oracle.solutions(grasp, wrench):
+        assert any(fits(states, grasp, found.motion) for states in listed)
+        assert fits(states_at(grasp, found.motion), grasp, found.motion)
 
 
 @settings(max_examples=30, deadline=None)

@@ -5,6 +5,7 @@ from __future__ import annotations
 import copy
 from collections.abc import Iterator
 from fractions import Fraction
+from functools import cache
 from typing import Any
 
 import pytest
@@ -87,9 +88,10 @@ def test_any_changed_multiplier_is_refused_by_mathematics(key):
             assert report.lines[-1].name == f"branch {states}"
 
 
+@pytest.mark.parametrize("step", [4, pytest.param(1, marks=pytest.mark.campaign)])
 @pytest.mark.parametrize("rationals_only", [False, True])
-def test_a_name_is_accepted_exactly_when_that_condition_fails(rationals_only):
-    named = {s: r for s, r in UNSTABLE["branches"].items() if isinstance(r, str)}
+def test_a_name_is_accepted_exactly_when_that_condition_fails(rationals_only, step):
+    named = [s for s, r in UNSTABLE["branches"].items() if isinstance(r, str)][::step]
     kinds = ["normal", "slip", "friction-", "friction+"]
     names = [f"{kind} {i}" for kind in kinds for i in range(3)]
     accepted = 0
@@ -103,6 +105,7 @@ def test_a_name_is_accepted_exactly_when_that_condition_fails(rationals_only):
     assert accepted >= len(named)
 
 
+@cache
 def conditions(letters: str) -> dict[str, Fraction]:
     """Return the values of the conditions at the only solution, by SymPy."""
     grasp = read_grasp("paper-three-contacts-preload-1")

@@ -11,15 +11,14 @@ from equilibrium.verdict import solve
 from equilibrium.wrench_sets.gaps import gaps
 from equilibrium.wrench_sets.line import resisted_magnitudes
 
-from .limits_oracle import (
-    brute_intervals,
+from .limits_strategies import (
     directions,
     grasps,
-    merged,
     reloaded,
     rotated,
     wrenches,
 )
+from .oracle import intervals, merged
 
 TINY = Fraction(1, 10**30)
 THREE, FOUR = "paper-three-contacts", "paper-four-contacts"
@@ -76,14 +75,14 @@ def test_seeded_search_finds_gaps_with_three_contacts_and_not_with_one():
 @given(grasps(most=2), directions, wrenches)
 def test_all_states_by_brute_force(grasp, direction, base):
     found = resisted_magnitudes(grasp, direction, base).intervals
-    assert found == merged(brute_intervals(grasp, direction, base))
+    assert found == merged(intervals(grasp, direction, base))
 
 
 @settings(max_examples=6)
 @given(grasps(least=3), directions, wrenches)
 def test_all_states_by_brute_force_three_contacts(grasp, direction, base):
     found = resisted_magnitudes(grasp, direction, base).intervals
-    assert found == merged(brute_intervals(grasp, direction, base))
+    assert found == merged(intervals(grasp, direction, base))
 
 
 @settings(max_examples=25)

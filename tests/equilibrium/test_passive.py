@@ -24,8 +24,8 @@ def test_brute_force_agrees(grasp, wrench):
     verdict = solve(grasp, wrench)
     found = list(oracle.solutions(grasp, wrench))
     assert verdict.stable == bool(found)
-    for motion, forces in found:
-        assert any(piece.contains(motion, forces) for piece in verdict.equilibria)
+    for one in found:
+        assert any(piece.contains(one.motion, one.forces) for piece in verdict.equilibria)
 
 
 @settings(max_examples=60, deadline=None)

@@ -17,7 +17,7 @@ from equilibrium.solver.prepared import PreparedGrasp
 from equilibrium.wrench_sets.line import _interval, resisted_magnitudes
 
 from .awkward import question
-from .limits_oracle import directions
+from .limits_strategies import directions
 from .strategies import grasps, wrenches
 from .test_screening import beside
 

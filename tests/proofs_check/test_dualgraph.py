@@ -17,11 +17,16 @@ from proofs_check.instances.arrangements import (
 from proofs_check.routes.dual_graph import (
     DualGraph,
     from_covectors,
-    from_faces,
+    from_signs,
     is_sphere,
     is_three_connected,
     minimum_cycle_lengths,
 )
+
+
+def from_faces(planes: Arrangement) -> DualGraph:
+    return from_signs(*([face.signs for face in planes.faces(k)] for k in (3, 2, 1)))
+
 
 SMALL = [case.subject for case in mixed_cases(Random(5), range(1, 6), per_count=3)]
 

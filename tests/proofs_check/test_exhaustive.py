@@ -11,6 +11,7 @@ from arrangement.arrangement import Arrangement
 from arrangement.library.census import PUBLISHED, PUBLISHED_SIMPLE, census
 from proofs_check import Kind, Verdict, evaluate, registry
 from proofs_check.instances.arrangements import census_cases
+from proofs_check.statement import exhaustive
 
 #: Text in `over` -> the types it promises.
 PROMISED = {
@@ -62,7 +63,7 @@ def test_a_claim_that_fails_on_one_type_alone_is_refuted_by_it() -> None:
     claim = replace(
         registry()["great-circle-regions"],
         judge=lambda planes, regions: planes != special,
-        cases=lambda rng: census_cases(range(6, 8)),
+        sources=exhaustive("types", lambda rng: census_cases(range(6, 8))),
     )
     result = evaluate(claim)
     assert result.verdict is Verdict.REFUTED

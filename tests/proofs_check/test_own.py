@@ -128,6 +128,7 @@ def test_a_failure_that_only_many_planes_show_does_not_shrink_below_them(
         ('@claim("s", planes=(2, 5))\ndef f(p): return True\n', "at least 3"),
         ('@claim("s", expected="yes")\ndef f(p): return True\n', "expected is 'yes'"),
         ('@claim("s")\ndef f(p): return None\n', "returned None"),
+        ('@claim("s", when=lambda p: 1 / 0)\ndef f(p): return True\n', "`when` of f raised ZeroD"),
         ('@claim("s", id="a b")\ndef f(p): return True\n', "'a b' is not an id"),
         (
             '@claim("s", id="x")\ndef f(p): return True\n@claim("t", id="x")\ndef g(p): return 1\n',
@@ -199,6 +200,15 @@ def test_instances_outside_the_hypothesis_are_passed_over_and_counted() -> None:
         return True
 
     assert evaluate(nothing).verdict is None
+
+
+def test_a_claim_that_is_checked_on_nothing_has_no_verdict(
+    write: Callable[[str], str], capsys: pytest.CaptureFixture[str]
+) -> None:
+    path = write('@claim("s", census=0, families=False, samples=0)\ndef f(p): return True\n')
+    assert main(["run", path, "--json"]) == 1
+    (result,) = json.loads(capsys.readouterr().out)["results"]
+    assert (result["verdict"], result["evidence"]) == (None, "no case was checked")
 
 
 def test_a_dual_claim_gets_the_dual_polyhedron() -> None:

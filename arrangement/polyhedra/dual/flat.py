@@ -63,7 +63,7 @@ def dual_polygon(arrangement: Planes, lengths: Iterable[Any] | None = None) -> D
 
     Args:
         arrangement: central planes whose normals span a plane.
-        lengths: a positive factor for each normal; 1 if left out.
+        lengths: a positive factor for each normal; 1 if omitted.
 
     Raises:
         InputError: another rank, an affine arrangement, or bad lengths.

@@ -106,7 +106,7 @@ class DualPolyhedron:
         """Return a `trimesh.Trimesh` with the same vertex numbers, watertight, faces outward.
 
         Args:
-            size: the largest side of the bounding box, in millimetres; left out, the coordinates
+            size: the largest side of the bounding box, in millimetres; if omitted, the coordinates
                 are the exact ones, rounded to the nearest float.
 
         Raises:
@@ -141,7 +141,7 @@ def dual_polyhedron(arrangement: Planes, lengths: Iterable[Any] | None = None) -
 
     Args:
         arrangement: central, in R^3, of rank 3. Coincident planes are fine.
-        lengths: a positive exact factor for each normal; 1 if left out. The factors change
+        lengths: a positive exact factor for each normal; 1 if omitted. The factors change
             the shape and never the combinatorics. The normals count in their stored scaling,
             which has coprime integers.
 

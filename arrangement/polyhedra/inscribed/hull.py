@@ -86,7 +86,7 @@ def representative_hull(
 
     Args:
         dual: the dual polyhedron of the arrangement.
-        points: for each vertex of the dual an exact unit vector inside its region; left out,
+        points: for each vertex of the dual an exact unit vector inside its region; if omitted,
             `sphere_points` chooses.
 
     Raises:
