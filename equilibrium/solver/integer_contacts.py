@@ -65,15 +65,21 @@ class IntegerContacts:
         return math.lcm(*(self.spring_unit * self.wrench_unit * self.friction_unit).tolist())
 
     @cached_property
+    def shares(self) -> Whole:
+        """`common_unit` over the product of the three units of each contact."""
+        units = self.spring_unit * self.wrench_unit * self.friction_unit
+        shares: Whole = self.common_unit // units
+        return shares
+
+    @cached_property
     def balance(self) -> tuple[Whole, Whole]:
         """Return N and friction times T, (m, 3), ready to be added up.
 
         Multiplied by spring rows without their unit, they are wrenches times `common_unit`.
         """
-        factor = self.common_unit // (self.spring_unit * self.wrench_unit * self.friction_unit)
         return (
-            self.normal * (factor * self.friction_unit)[:, None],
-            self.tangent * (factor * self.friction)[:, None],
+            self.normal * (self.shares * self.friction_unit)[:, None],
+            self.tangent * (self.shares * self.friction)[:, None],
         )
 
     @cached_property
