@@ -1,16 +1,17 @@
-from . import census as census, counts as counts, families as families
-from .certify import (
+from . import counts as counts
+from .completeness import (
     CompletenessEvidence as CompletenessEvidence,
     certify_complete as certify_complete,
 )
-from .dual import (
-    DualPolygon as DualPolygon,
-    DualPolyhedron as DualPolyhedron,
-    DualSegment as DualSegment,
-    dual_polygon as dual_polygon,
-    dual_polyhedron as dual_polyhedron,
-    dual_segment as dual_segment,
-    dual_zonotope as dual_zonotope,
+from .enumeration.affine_space import SpaceFaces as SpaceFaces, space_faces as space_faces
+from .enumeration.great_circles import (
+    Incidence as Incidence,
+    SphereArrangement as SphereArrangement,
+    sphere_arrangement as sphere_arrangement,
+)
+from .enumeration.paper_steps import (
+    PublishedEnumeration as PublishedEnumeration,
+    published_enumeration as published_enumeration,
 )
 from .errors import (
     ArrangementError as ArrangementError,
@@ -23,23 +24,23 @@ from .exact import (
     rational as rational,
     to_text as to_text,
 )
-from .files import read_arrangement as read_arrangement
-from .inscribed import (
+from .io.files import read_arrangement as read_arrangement
+from .io.writing import write_text_atomically as write_text_atomically
+from .library import census as census, families as families
+from .planes import Arrangement as Arrangement, Face as Face
+from .polyhedra.dual import (
+    DualPolygon as DualPolygon,
+    DualPolyhedron as DualPolyhedron,
+    DualSegment as DualSegment,
+    dual_polygon as dual_polygon,
+    dual_polyhedron as dual_polyhedron,
+    dual_segment as dual_segment,
+    dual_zonotope as dual_zonotope,
+)
+from .polyhedra.inscribed import (
     Inscribability as Inscribability,
     inscribability as inscribability,
     representative_hull as representative_hull,
 )
-from .planes import Arrangement as Arrangement, Face as Face
-from .published import (
-    PublishedEnumeration as PublishedEnumeration,
-    published_enumeration as published_enumeration,
-)
-from .space import SpaceFaces as SpaceFaces, space_faces as space_faces
-from .sphere import (
-    Incidence as Incidence,
-    SphereArrangement as SphereArrangement,
-    sphere_arrangement as sphere_arrangement,
-)
-from .writing import write_text_atomically as write_text_atomically
 
 __version__: str

@@ -6,8 +6,9 @@ import argparse
 import json
 from collections.abc import Sequence
 
-from . import console, files
+from . import terminal
 from .exact import to_text
+from .io import files
 from .planes import Arrangement, Face
 
 #: The options of ``draw`` that go to the view, when they are given.
@@ -20,11 +21,11 @@ _SYMBOLS = {1: "+", 0: "0", -1: "-"}
 
 def main(argv: Sequence[str] | None = None) -> int:
     """Run the command; return its exit code."""
-    return console.run(_parser(), argv)
+    return terminal.run(_parser(), argv)
 
 
-def _parser() -> console.Parser:
-    parser = console.command_parser(
+def _parser() -> terminal.Parser:
+    parser = terminal.command_parser(
         "arrangement", "Exact arrangements of planes: faces of every dimension, with witnesses."
     )
     commands = parser.add_subparsers(required=True, metavar="COMMAND")
@@ -55,7 +56,7 @@ def _parser() -> console.Parser:
     draw.set_defaults(command=_draw)
 
     for command in (count, faces, bounds, names, draw):
-        console.add_json_option(command)
+        terminal.add_json_option(command)
     return parser
 
 
@@ -83,17 +84,17 @@ def _add_draw_options(draw: argparse.ArgumentParser) -> None:
         help="sides, signs or none; view planes: planes, shade or none; model cells: also planes",
     )  # fmt: skip
     draw.add_argument(
-        "--direction", nargs=3, type=console.rational_argument, metavar=("X", "Y", "Z"),
+        "--direction", nargs=3, type=terminal.rational_argument, metavar=("X", "Y", "Z"),
         help="towards the viewer, exact",
     )  # fmt: skip
     draw.add_argument("--width", type=_length, metavar="MM", help="of a picture (default 88)")
     draw.add_argument("--body", metavar="BODY", help="around planes and cells: ball or cube")
     draw.add_argument(
-        "--centre", nargs=3, type=console.rational_argument, metavar=("X", "Y", "Z"),
+        "--centre", nargs=3, type=terminal.rational_argument, metavar=("X", "Y", "Z"),
         help="of the body, exact; left out, one that contains all vertices is taken",
     )  # fmt: skip
     draw.add_argument(
-        "--radius", type=console.rational_argument, metavar="R",
+        "--radius", type=terminal.rational_argument, metavar="R",
         help="of the ball, or half the edge of the cube, exact",
     )  # fmt: skip
     draw.add_argument(
@@ -126,7 +127,7 @@ def _add_draw_options(draw: argparse.ArgumentParser) -> None:
 
 def _length(text: str) -> float:
     """Read a length on paper or of a model, which is no exact number."""
-    return float(console.rational_argument(text))
+    return float(terminal.rational_argument(text))
 
 
 def _count(arguments: argparse.Namespace) -> int:
@@ -139,27 +140,27 @@ def _count(arguments: argparse.Namespace) -> int:
         "states": sum(arrangement.f_vector),
     }
     if arguments.json:
-        console.print_json(counts)
-        return console.YES
+        terminal.print_json(counts)
+        return terminal.YES
     print(f"planes           {counts['planes']}")
     print(f"distinct planes  {counts['distinct_planes']}")
     print(f"rank             {counts['rank']}")
     for dimension, number in enumerate(arrangement.f_vector):
         print(f"faces of dim {dimension}   {number}")
     print(f"states           {counts['states']}")
-    return console.YES
+    return terminal.YES
 
 
 def _faces(arguments: argparse.Namespace) -> int:
     arrangement: Arrangement = files.read_arrangement(arguments.file)
     for face in arrangement.iter_faces(arguments.dimension):
         if arguments.json:
-            console.print_json(
+            terminal.print_json(
                 {"signs": face.signs, "dimension": face.dimension, "witness": face.witness}
             )
         else:
             print(_line(face))
-    return console.YES
+    return terminal.YES
 
 
 def _bounds(arguments: argparse.Namespace) -> int:
@@ -173,13 +174,13 @@ def _bounds(arguments: argparse.Namespace) -> int:
         width = {} if arguments.width is None else {"width": arguments.width}
         save_figure(arguments.output, lambda: draw_counts(largest=arguments.largest, **width))
     if arguments.json:
-        console.print_json({"counts": table})
-        return console.YES
+        terminal.print_json({"counts": table})
+        return terminal.YES
     print("m central planes in general position in R^3, by Zaslavsky's theorem; with the printed")
     print("m^2 - m + 2 regions and 4m^2 - 4m + 3 states, and the bound for planes off the origin")
     for row in table:
         print("  ".join(f"{name} {value}" for name, value in row.items()))
-    return console.YES
+    return terminal.YES
 
 
 def _line(face: Face) -> str:
@@ -195,22 +196,22 @@ def _draw(arguments: argparse.Namespace) -> int:
     options = {name: value for name, value in given.items() if value is not None}
     shows = write_drawing(arrangement, arguments.output, arguments.view, arguments.model, **options)
     if arguments.json:
-        console.print_json({"output": arguments.output, **shows})
-    return console.YES
+        terminal.print_json({"output": arguments.output, **shows})
+    return terminal.YES
 
 
 def _list(arguments: argparse.Namespace) -> int:
     documents = {name: json.loads(path.read_bytes()) for name, path in files.instances().items()}
     described = {name: document.get("description", "") for name, document in documents.items()}
     if arguments.json:
-        console.print_json(
+        terminal.print_json(
             {"names": [{"name": name, "description": text} for name, text in described.items()]}
         )
-        return console.YES
+        return terminal.YES
     width = max(map(len, described), default=0)
     for name, text in described.items():
         print(f"{name:<{width}}  {text}".rstrip())
-    return console.YES
+    return terminal.YES
 
 
 if __name__ == "__main__":

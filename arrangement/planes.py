@@ -27,8 +27,8 @@ from .exact import (
 from .linear import rank
 
 if TYPE_CHECKING:
-    from .certify import CompletenessEvidence
-    from .sphere import SphereArrangement
+    from .completeness import CompletenessEvidence
+    from .enumeration.great_circles import SphereArrangement
 
 
 @dataclass(frozen=True, slots=True)
@@ -213,7 +213,7 @@ class Arrangement:
     def iter_faces(self, dimension: int | None = None) -> Iterator[Face]:
         """Yield every face (of one dimension, if given) with an exact witness.
 
-        Order: by dimension, lowest first. Complexity: see `arrangement.faces`.
+        Order: by dimension, lowest first. Complexity: see `arrangement.enumeration.any_dimension`.
         """
         return iter(self.faces(dimension))
 
@@ -229,7 +229,7 @@ class Arrangement:
 
     @cached_property
     def _faces(self) -> tuple[tuple[Face, ...], ...]:
-        from .faces import enumerate_faces
+        from .enumeration.any_dimension import enumerate_faces
 
         return enumerate_faces(self)
 
@@ -244,13 +244,13 @@ class Arrangement:
 
     def sphere(self) -> SphereArrangement:
         """Return the great circles of a central arrangement in R^3, with their full incidence."""
-        from .sphere import sphere_arrangement
+        from .enumeration.great_circles import sphere_arrangement
 
         return sphere_arrangement(self)
 
     def certify_complete(self) -> CompletenessEvidence:
         """Compare `faces` with Zaslavsky's theorem, face by face and in number."""
-        from .certify import certify_complete
+        from .completeness import certify_complete
 
         return certify_complete(self)
 

@@ -1,23 +1,23 @@
-from . import inputs as inputs, limits as limits, others as others
-from .cells import contact_states as contact_states
-from .certificate import Certificate as Certificate
-from .checker import Report as Report, check as check
-from .errors import (
-    CertificateError as CertificateError,
-    EquilibriumError as EquilibriumError,
-    GraspError as GraspError,
-)
-from .files import (
+from . import inputs as inputs, methods as methods, wrench_sets as wrench_sets
+from .certificate.checker import Report as Report, check as check
+from .certificate.document import Certificate as Certificate
+from .io.files import (
     read_certificate as read_certificate,
     read_grasp as read_grasp,
     verify as verify,
     write_certificate as write_certificate,
 )
-from .grasp import Contact as Contact, Grasp as Grasp
-from .literal import LiteralVerdict as LiteralVerdict, solve_literal as solve_literal
-from .measures import Units as Units
-from .passive import Solution as Solution, Verdict as Verdict, solve as solve
-from .pieces import Equilibrium as Equilibrium
-from .units import UnitNormal as UnitNormal, unit_normal as unit_normal
+from .methods.printed_model import LiteralVerdict as LiteralVerdict, solve_literal as solve_literal
+from .model.errors import (
+    CertificateError as CertificateError,
+    EquilibriumError as EquilibriumError,
+    GraspError as GraspError,
+)
+from .model.grasp import Contact as Contact, Grasp as Grasp
+from .model.unit_normal import UnitNormal as UnitNormal, unit_normal as unit_normal
+from .model.units import Units as Units
+from .solver.contact_states import contact_states as contact_states
+from .solver.equilibrium import Equilibrium as Equilibrium
+from .verdict import Solution as Solution, Verdict as Verdict, solve as solve
 
 __version__: str

@@ -15,13 +15,13 @@ from fractions import Fraction
 from itertools import product
 from typing import Any
 
-from arrangement.census import MOST_PLANES, census
 from arrangement.exact import IntegerVector, primitive
+from arrangement.library.census import MOST_PLANES, census
 from arrangement.planes import Arrangement
-from equilibrium.grasp import Contact, Grasp
+from equilibrium.model.grasp import Contact, Grasp
 
-from .domains import contact_numbers
-from .instances import smallest_arrangements
+from .instances.arrangements import smallest_arrangements
+from .instances.domains import contact_numbers
 
 MOST_TRIES = 4000
 #: Small numbers of planes for which all arrangements with entries -1, 0, 1 are tried.

@@ -97,13 +97,13 @@ for name in ("arrangement", "equilibrium", "proofs_check"):
     for module in pkgutil.walk_packages(package.__path__, name + "."):
         if not module.name.endswith("__main__"):
             importlib.import_module(module.name)
-from arrangement.census import census
-from arrangement.files import read_arrangement
-from arrangement.instances import paths as arrangements
-from arrangement.schemas import arrangement_schema
-from equilibrium.files import read_grasp
+from arrangement.library.census import census
+from arrangement.io.files import read_arrangement
+from arrangement.library.instances import paths as arrangements
+from arrangement.io.schemas import arrangement_schema
+from equilibrium.io.files import read_grasp
 from equilibrium.instances import paths as grasps
-from equilibrium.schemas import grasp_schema
+from equilibrium.io.schemas import grasp_schema
 assert len(census(5)) > 1 and arrangement_schema() and grasp_schema()
 assert arrangements() and grasps()
 for name in arrangements():
@@ -123,5 +123,7 @@ def walk(words, parser):
             for name, inner in action.choices.items():
                 walk([*words, name], inner)
 for program in ("arrangement", "equilibrium", "proofs-check"):
-    walk([program], importlib.import_module(program.replace("-", "_") + ".cli")._parser())
+    package = program.replace("-", "_")
+    module = package + (".cli" if package == "arrangement" else ".cli.program")
+    walk([program], importlib.import_module(module)._parser())
 """

@@ -6,7 +6,7 @@ imports nothing but errors, exact numbers and planes. So its counts can certify 
 
 from .lattice import Flat, IntersectionLattice, intersection_lattice, moebius
 from .operations import cone, deletion, essentialization, localization, restriction
-from .orientedmatroid import chirotope, cocircuits, covectors, topes
+from .oriented_matroid import chirotope, cocircuits, covectors, topes
 from .whitney import (
     WhitneyNumbers,
     bounded_region_count,

@@ -16,7 +16,7 @@ from arrangement.exact import IntegerVector
 from arrangement.planes import Arrangement
 
 from .configuration import Configuration, configuration, unoriented
-from .lowrank import WhitneyMatrix, rank_two_groups
+from .low_rank import WhitneyMatrix, rank_two_groups
 
 
 @dataclass(frozen=True, slots=True)

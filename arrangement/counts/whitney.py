@@ -13,7 +13,7 @@ from arrangement.planes import Arrangement
 
 from .configuration import configuration, rank
 from .lattice import intersection_lattice
-from .lowrank import MAX_RANK, WhitneyMatrix, whitney_matrix
+from .low_rank import MAX_RANK, WhitneyMatrix, whitney_matrix
 
 if TYPE_CHECKING:
     import sympy

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 from arrangement.counts import f_vector, fukuda_bound
 from arrangement.errors import InputError
 from arrangement.exact import shown
-from arrangement.families import braid, generic, near_pencil, pencil, type_b
+from arrangement.library.families import braid, generic, near_pencil, pencil, type_b
 from arrangement.planes import Arrangement
 
 from .output import require_matplotlib

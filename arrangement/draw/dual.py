@@ -8,14 +8,14 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from arrangement.dual import dual_polyhedron
 from arrangement.exact import IntegerVector, primitive
-from arrangement.inscribed import representative_hull
 from arrangement.planes import Arrangement
+from arrangement.polyhedra.dual import dual_polyhedron
+from arrangement.polyhedra.inscribed import representative_hull
 
 from .colours import DrawnRegion, Painter, painter, plane_colour
 from .disc import Disc, front, has_key, key_entries, plane_names, region_sides, rim_width
-from .evening import evened
+from .equalize import evened
 from .globe import Globe, unit_vectors
 from .labels import SIZES, crosses, sign_forms, tried, write_beside
 from .projections import orthographic
@@ -47,7 +47,7 @@ def draw_dual(
     the dual have length 1. In rank 2 the dual is a polygon, in rank 1 a segment.
 
     With `hull` the second panel has instead the convex hull of one point of the unit sphere for
-    each region (see `arrangement.inscribed.representative_hull`). Edges of the hull between
+    each region (see `arrangement.representative_hull`). Edges of the hull between
     regions that are not adjacent stand out, and so do adjacencies that are no edges of the hull;
     the legend counts them.
 

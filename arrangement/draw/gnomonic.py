@@ -14,7 +14,7 @@ from arrangement.planes import Arrangement
 
 from .colours import Painter, painter
 from .disc import Disc, front, has_key, key_entries, plane_names, rim_width
-from .evening import evened
+from .equalize import evened
 from .globe import Globe, unit_vectors
 from .projections import Chart, Drawn, StraightChart, orthographic
 from .sheet import Floats, Sheet, checked_width

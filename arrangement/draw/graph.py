@@ -8,9 +8,9 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from arrangement.dual import dual_polygon, dual_polyhedron, dual_segment
 from arrangement.errors import InputError
 from arrangement.planes import Arrangement
+from arrangement.polyhedra.dual import dual_polygon, dual_polyhedron, dual_segment
 
 from .colours import DrawnRegion, Painter, painter, plane_colour
 from .disc import has_key, key_entries, plane_names

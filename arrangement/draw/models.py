@@ -6,14 +6,14 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from arrangement.dual import dual_polyhedron
-from arrangement.dual.mesh import content
 from arrangement.errors import InputError
 from arrangement.exact import shown
-from arrangement.meshfiles import Floats, Part, model_bytes, triangles
+from arrangement.io.meshes import Floats, Part, model_bytes, triangles
 from arrangement.planes import Arrangement
+from arrangement.polyhedra.cells import Cell, Cells, cut_cells
+from arrangement.polyhedra.dual import dual_polyhedron
+from arrangement.polyhedra.dual.mesh import content
 
-from .cells import Cell, Cells, cut_cells
 from .colours import DrawnRegion, Painter, fill_colour, painter, pale, side_colour
 from .output import millimetres
 from .painting import unit_points

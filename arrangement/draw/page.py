@@ -12,15 +12,15 @@ from typing import Any
 
 import numpy as np
 
-from arrangement.dual.incidence import dual_incidence
+from arrangement.enumeration.great_circles import SphereArrangement
 from arrangement.errors import InputError
 from arrangement.exact import IntegerVector, primitive, shown
 from arrangement.planes import Arrangement
-from arrangement.sphere import SphereArrangement
+from arrangement.polyhedra.dual.incidence import dual_incidence
 
-from .evening import evening_map, is_narrow
+from .equalize import evening_map, is_narrow
 from .globe import Globe, clear_direction, picture_axes
-from .onepage import BASE_SCRIPT, BASE_STYLE, one_page, own
+from .html_page import BASE_SCRIPT, BASE_STYLE, one_page, own
 
 #: Distinct planes beyond which a page is too slow to turn by hand.
 MAX_CIRCLES = 30

@@ -20,8 +20,8 @@ import numpy.typing as npt
 
 from arrangement.exact import IntegerVector, dot, sign
 from arrangement.planes import Arrangement
+from arrangement.polyhedra.cells import Cell, Cells
 
-from .cells import Cell, Cells
 from .globe import Floats, picture_axes
 
 Key = tuple[int, ...]

@@ -7,9 +7,9 @@ from collections.abc import Sequence
 
 import numpy as np
 
+from .exploded_cells import Lifted
 from .globe import Floats
 from .labels import sign_rows, spread, turn, write_beside
-from .lifting import Lifted
 from .planesheet import Colour, PlanesSheet
 
 

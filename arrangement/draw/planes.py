@@ -8,17 +8,17 @@ from typing import TYPE_CHECKING
 from arrangement.errors import InputError
 from arrangement.exact import shown
 from arrangement.planes import Arrangement
+from arrangement.polyhedra.cells import cut_cells, read_signs
 
-from .cells import cut_cells, read_signs
 from .colours import fill_colour
+from .exploded_cells import lifted_cells
 from .globe import view_direction
-from .lifting import lifted_cells
 from .output import require_matplotlib
 from .painting import Stage
 from .planenames import Names
 from .planesheet import LIGHT, FacetPainter, PlanesSheet
 from .sheet import checked_width
-from .sight import clear_sight
+from .view_direction import clear_sight
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure

@@ -9,8 +9,8 @@ from typing import Any, TypeAlias
 
 import numpy as np
 
+from .exploded_cells import Lifted
 from .globe import Floats
-from .lifting import Lifted
 from .painting import Facet, Key, Stage
 from .sheet import POINTS, Sheet
 

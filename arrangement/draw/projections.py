@@ -15,7 +15,7 @@ from typing import TypeAlias
 
 import numpy as np
 
-from arrangement.sphere import SphereArrangement
+from arrangement.enumeration.great_circles import SphereArrangement
 
 from .sheet import Floats
 

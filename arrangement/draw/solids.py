@@ -9,10 +9,10 @@ from math import isqrt
 
 import numpy as np
 
-from arrangement.dual import DualPolyhedron, dual_polygon, dual_polyhedron, dual_segment
 from arrangement.exact import IntegerVector, dot
-from arrangement.inscribed import RepresentativeHull
 from arrangement.planes import Arrangement
+from arrangement.polyhedra.dual import DualPolyhedron, dual_polygon, dual_polyhedron, dual_segment
+from arrangement.polyhedra.inscribed import RepresentativeHull
 
 from .sheet import Floats
 

@@ -11,7 +11,7 @@ from arrangement.planes import Arrangement
 
 from .colours import DrawnRegion, Painter, painter
 from .disc import Disc, front, has_key, key_entries, rim_width
-from .evening import evened
+from .equalize import evened
 from .globe import Floats, Globe
 from .labels import flattened, write_inside
 from .projections import orthographic

@@ -15,7 +15,7 @@ from arrangement.planes import Arrangement
 
 from .colours import DrawnRegion, Painter, painter
 from .disc import Disc, front, has_key, key_entries, plane_names, region_sides, rim_width
-from .evening import evened
+from .equalize import evened
 from .globe import Globe, unit_vectors
 from .labels import flattened, sign_text, write_inside
 from .projections import Drawn, stereographic

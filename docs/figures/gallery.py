@@ -5,9 +5,9 @@ import shlex
 from pathlib import Path
 
 import arrangement.cli
-import equilibrium.cli
+import equilibrium.cli.program
 
-MAIN = {"arrangement": arrangement.cli.main, "equilibrium": equilibrium.cli.main}
+MAIN = {"arrangement": arrangement.cli.main, "equilibrium": equilibrium.cli.program}
 PAGE = Path(__file__).parents[1] / "gallery.rst"
 
 found = re.findall(

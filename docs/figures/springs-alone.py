@@ -3,9 +3,9 @@
 from _plane import BLUE, GREY, ORANGE, arrow, body, dot, label, panels, save
 
 from equilibrium import read_grasp, solve
-from equilibrium.limits import with_friction
-from equilibrium.others.cones import cones
-from equilibrium.others.linear_compliance import linear_compliance
+from equilibrium.methods.cones import cones
+from equilibrium.methods.linear_compliance import linear_compliance
+from equilibrium.wrench_sets import with_friction
 
 SQUARE = [(-1, -1), (1, -1), (1, 1), (-1, 1)]
 TALL = [(-1, -1.6), (1, -1.6), (1, 1.6), (-1, 1.6)]

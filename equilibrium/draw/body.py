@@ -19,8 +19,8 @@ import numpy as np
 import numpy.typing as npt
 
 from arrangement.exact import RationalVector, rational_vector
-from equilibrium.errors import GraspError
-from equilibrium.grasp import Grasp
+from equilibrium.model.errors import GraspError
+from equilibrium.model.grasp import Grasp
 
 Floats = npt.NDArray[np.float64]
 

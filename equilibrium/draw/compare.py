@@ -8,9 +8,9 @@ from typing import TYPE_CHECKING, Any
 
 from arrangement.draw.output import require_matplotlib
 from arrangement.progress import watched
-from equilibrium.errors import GraspError
-from equilibrium.grasp import Grasp, read_wrench
-from equilibrium.others.regions import FORCES, METHODS, MOST_FOR_ALL_CHOICES, method_region
+from equilibrium.methods.regions import FORCES, METHODS, MOST_FOR_ALL_CHOICES, method_region
+from equilibrium.model.errors import GraspError
+from equilibrium.model.grasp import Grasp, read_wrench
 
 from .legend import Legend
 from .row import read_extent, row_of_panels
@@ -48,7 +48,7 @@ def draw_compare(
         grasp: contacts; springs and preload count where a method knows of them.
         wrench: marked in every panel: a disc where the method accepts it, a cross where it does
             not; the plane has its torque.
-        methods: keys of `equilibrium.others.regions.METHODS`; left out, all (without the one that
+        methods: keys of `equilibrium.methods.regions.METHODS`; left out, all (without the one that
             tries 3^m choices when the contacts are too many for it).
         extent: half the side of each panel, about the origin; left out, all borders are shown.
         width: of the figure, in millimetres.

@@ -9,9 +9,9 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from arrangement.draw.output import require_matplotlib
-from equilibrium.errors import GraspError
-from equilibrium.grasp import Grasp, read_wrench
-from equilibrium.passive import solve
+from equilibrium.model.errors import GraspError
+from equilibrium.model.grasp import Grasp, read_wrench
+from equilibrium.verdict import solve
 
 from .body import Floats, sampled
 from .legend import Legend

@@ -6,9 +6,9 @@ from collections.abc import Iterable, Sequence
 from typing import TYPE_CHECKING, Any
 
 from arrangement.draw.output import require_matplotlib
-from equilibrium.errors import GraspError
-from equilibrium.grasp import Grasp, read_wrench
-from equilibrium.others.compare import Comparison, compare
+from equilibrium.methods.compare import Comparison, compare
+from equilibrium.model.errors import GraspError
+from equilibrium.model.grasp import Grasp, read_wrench
 
 from .compare import TITLES
 from .legend import Legend

@@ -12,9 +12,9 @@ from arrangement.draw.notebook import svg_text
 from arrangement.draw.output import PAGES, PICTURES, save_figure
 from arrangement.draw.views import check_options
 from arrangement.exact import shown
-from arrangement.writing import write_text_atomically
-from equilibrium.errors import GraspError
-from equilibrium.grasp import Grasp
+from arrangement.io.writing import write_text_atomically
+from equilibrium.model.errors import GraspError
+from equilibrium.model.grasp import Grasp
 
 #: Name -> module of this package and function, ``f(grasp, **options) -> Figure``.
 VIEWS = {

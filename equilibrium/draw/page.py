@@ -14,13 +14,13 @@ from typing import Any
 
 import numpy as np
 
-from arrangement.draw.onepage import BASE_SCRIPT, BASE_STYLE, Template, one_page
+from arrangement.draw.html_page import BASE_SCRIPT, BASE_STYLE, Template, one_page
 from arrangement.errors import InputError
 from arrangement.exact import RationalVector, to_text
-from equilibrium.elimination import gauss_jordan
-from equilibrium.grasp import Contact, Grasp, read_wrench
-from equilibrium.limits import Piece, resistible_set
-from equilibrium.systems import States, each_force, state_system
+from equilibrium.model.grasp import Contact, Grasp, read_wrench
+from equilibrium.solver.elimination import gauss_jordan
+from equilibrium.solver.state_system import States, each_force, state_system
+from equilibrium.wrench_sets import Piece, resistible_set
 
 from .body import Frame, body, frame_of, sampled
 

@@ -12,8 +12,8 @@ import numpy as np
 
 from arrangement.draw.output import require_matplotlib
 from arrangement.exact import RationalVector
-from equilibrium.limits import Region
-from equilibrium.systems import States
+from equilibrium.solver.state_system import States
+from equilibrium.wrench_sets import Region
 
 from .body import Floats
 from .shapes import text_size

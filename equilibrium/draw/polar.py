@@ -10,11 +10,11 @@ import numpy as np
 
 from arrangement.draw.output import require_matplotlib
 from arrangement.exact import RationalVector, rational
-from equilibrium.errors import GraspError
-from equilibrium.grasp import Grasp
-from equilibrium.limits import Region, resistible_region, search_map
-from equilibrium.limits.intervals import Interval
-from equilibrium.limits.search_map import Entry
+from arrangement.polyhedra.intervals import Interval
+from equilibrium.model.errors import GraspError
+from equilibrium.model.grasp import Grasp
+from equilibrium.wrench_sets import Region, resistible_region, search_map
+from equilibrium.wrench_sets.search_map import Entry
 
 from .legend import Legend
 from .panel import Panel

@@ -6,8 +6,8 @@ from fractions import Fraction
 from typing import TYPE_CHECKING, Any
 
 from arrangement.exact import rational
-from equilibrium.errors import GraspError
-from equilibrium.grasp import Grasp
+from equilibrium.model.errors import GraspError
+from equilibrium.model.grasp import Grasp
 
 from .legend import Legend
 from .panel import ABOVE, BELOW, LEFT, Panel

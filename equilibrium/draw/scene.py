@@ -11,12 +11,12 @@ from typing import Any
 import numpy as np
 
 from arrangement.exact import RationalVector
-from equilibrium.cells import states_at
-from equilibrium.errors import GraspError
-from equilibrium.grasp import Grasp
-from equilibrium.passive import Verdict
-from equilibrium.pieces import Equilibrium
-from equilibrium.systems import States
+from equilibrium.model.errors import GraspError
+from equilibrium.model.grasp import Grasp
+from equilibrium.solver.contact_states import states_at
+from equilibrium.solver.equilibrium import Equilibrium
+from equilibrium.solver.state_system import States
+from equilibrium.verdict import Verdict
 
 from .body import Floats, Frame, body, frame_of, polygon, read_outline
 from .style import nice, rounded

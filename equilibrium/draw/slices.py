@@ -8,9 +8,9 @@ from typing import TYPE_CHECKING, Any
 
 from arrangement.draw.output import require_matplotlib
 from arrangement.exact import RationalVector
-from equilibrium.grasp import Grasp, read_wrench
-from equilibrium.limits import Region, resistible_region
-from equilibrium.others.regions import FORCES, method_region
+from equilibrium.methods.regions import FORCES, method_region
+from equilibrium.model.grasp import Grasp, read_wrench
+from equilibrium.wrench_sets import Region, resistible_region
 
 from .legend import Legend
 from .panel import Panel

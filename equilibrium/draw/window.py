@@ -15,8 +15,8 @@ from typing import Any
 import numpy as np
 
 from arrangement.exact import IntegerVector, RationalVector, dot, primitive
-from equilibrium.limits import Region, Segment, polygon_cycle
-from equilibrium.limits.polyhedron import Polyhedron, from_conditions
+from arrangement.polyhedra.polyhedron import Polyhedron, from_conditions
+from equilibrium.wrench_sets import Region, Segment, polygon_cycle
 
 from .body import Floats
 

@@ -5,7 +5,7 @@ exactly; the grasp that comes out is exact.
 """
 
 from .conversion import Conversion, simplest_between, snapped
-from .csvfile import read_csv
+from .csv_file import read_csv
 from .floats import from_float_data, read_float_data
 from .polygon import OnEdge, from_polygon, read_polygon
 from .random import random_grasp, random_wrench

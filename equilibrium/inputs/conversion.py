@@ -8,9 +8,9 @@ from fractions import Fraction
 from typing import Any
 
 from arrangement.exact import RationalVector, from_floats, to_text
-from equilibrium.errors import GraspError
-from equilibrium.grasp import Contact, Grasp
-from equilibrium.units import UnitNormal, unit_normal
+from equilibrium.model.errors import GraspError
+from equilibrium.model.grasp import Contact, Grasp
+from equilibrium.model.unit_normal import UnitNormal, unit_normal
 
 DEFAULT_TOLERANCE = Fraction(1, 10**6)
 

@@ -15,12 +15,12 @@ from fractions import Fraction
 from typing import Any
 
 from arrangement.exact import RationalVector, rational, shown
-from arrangement.files import Source, check_keys, check_list, read_document
-from equilibrium.errors import GraspError
-from equilibrium.grasp import Grasp
+from arrangement.io.files import Source, check_keys, check_list, read_document
+from equilibrium.model.errors import GraspError
+from equilibrium.model.grasp import Grasp
 
 from .conversion import DEFAULT_TOLERANCE, Conversion, assembled, for_each, snapped, unit_normals
-from .csvfile import OPTIONAL, csv_rows, csv_text
+from .csv_file import OPTIONAL, csv_rows, csv_text
 
 _VALUES = ("friction", *OPTIONAL)
 _DECIMAL = re.compile(r"[+-]?([0-9]{1,400}\.?[0-9]{0,400}|\.[0-9]{1,400})([eE][+-]?[0-9]{1,4})?")

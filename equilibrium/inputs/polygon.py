@@ -7,8 +7,8 @@ from fractions import Fraction
 from typing import Any, NamedTuple
 
 from arrangement.exact import RationalVector, rational, rational_vector, sign
-from arrangement.files import Source, check_keys, check_list, read_document
-from equilibrium.errors import GraspError
+from arrangement.io.files import Source, check_keys, check_list, read_document
+from equilibrium.model.errors import GraspError
 
 from .conversion import DEFAULT_TOLERANCE, Conversion, assembled, for_each, unit_normals
 

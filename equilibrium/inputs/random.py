@@ -6,8 +6,8 @@ from fractions import Fraction
 from random import Random
 
 from arrangement.exact import RationalVector
-from equilibrium.errors import GraspError
-from equilibrium.grasp import Contact, Grasp
+from equilibrium.model.errors import GraspError
+from equilibrium.model.grasp import Contact, Grasp
 
 #: Denominator of the half-angle tangents, and of all other numbers.
 _FINE = 64

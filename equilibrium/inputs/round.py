@@ -8,7 +8,7 @@ from fractions import Fraction
 from typing import Any
 
 from arrangement.exact import rational, rational_vector
-from equilibrium.errors import GraspError
+from equilibrium.model.errors import GraspError
 
 from .conversion import DEFAULT_TOLERANCE, Conversion, assembled, for_each, unit_normals
 

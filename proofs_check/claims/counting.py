@@ -7,11 +7,11 @@ from collections.abc import Iterator
 from typing import Any
 
 from arrangement import counts
+from arrangement.enumeration.great_circles import sphere_arrangement
+from arrangement.enumeration.paper_steps import published_enumeration
 from arrangement.planes import Arrangement
-from arrangement.published import published_enumeration
-from arrangement.sphere import sphere_arrangement
 from proofs_check.claim import Case, Claim, Hypothesis, Kind, Route, Verdict
-from proofs_check.instances import (
+from proofs_check.instances.arrangements import (
     arrangement_case,
     census_cases,
     random_arrangement,
@@ -19,7 +19,7 @@ from proofs_check.instances import (
     smallest_arrangements,
     types_and_samples,
 )
-from proofs_check.printed import STATE_COUNTS
+from proofs_check.instances.paper_tables import STATE_COUNTS
 
 ENUMERATION = "enumeration of all faces"
 THEOREM = "Zaslavsky's theorem on the intersection lattice"

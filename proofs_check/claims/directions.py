@@ -6,11 +6,12 @@ import random
 from collections.abc import Iterator
 from fractions import Fraction
 
-from equilibrium.limits import resisted_magnitudes
-from proofs_check import oracle, printed
+from equilibrium.wrench_sets import resisted_magnitudes
 from proofs_check.claim import Case, Claim, Kind, Route, Verdict
-from proofs_check.grasps import grasp_case, grasp_of, paper_question, smallest_questions
-from proofs_check.oracle import Interval, Question
+from proofs_check.instances import paper_tables as printed
+from proofs_check.instances.grasps import grasp_case, grasp_of, paper_question, smallest_questions
+from proofs_check.routes import oracle
+from proofs_check.routes.oracle import Interval, Question
 
 AXES = ((1, 0, 0), (0, 1, 0), (0, 0, 1))
 

@@ -9,10 +9,16 @@ from functools import lru_cache
 import networkx as nx
 
 from arrangement import counts
+from arrangement.enumeration.paper_steps import published_enumeration
 from arrangement.planes import Arrangement
-from arrangement.published import published_enumeration
 from proofs_check.claim import Case, Claim, Hypothesis, Kind, Route, Verdict
-from proofs_check.dualgraph import (
+from proofs_check.instances.arrangements import (
+    census_cases,
+    mixed_cases,
+    smallest_arrangements,
+    types_and_samples,
+)
+from proofs_check.routes.dual_graph import (
     DualGraph,
     distances,
     from_covectors,
@@ -20,12 +26,6 @@ from proofs_check.dualgraph import (
     is_sphere,
     is_three_connected,
     minimum_cycle_lengths,
-)
-from proofs_check.instances import (
-    census_cases,
-    mixed_cases,
-    smallest_arrangements,
-    types_and_samples,
 )
 
 FACES = "enumerated faces"

@@ -13,14 +13,20 @@ from fractions import Fraction
 from functools import partial
 from typing import Any
 
-from equilibrium.literal import solve_literal
-from equilibrium.passive import solve
-from proofs_check import oracle, printed
+from equilibrium.methods.printed_model import solve_literal
+from equilibrium.verdict import solve
 from proofs_check.claim import Case, Claim, Kind, Route, Verdict
-from proofs_check.grasps import grasp_of, listed_states, paper_question, smallest_questions
-from proofs_check.oracle import Interval, Question, Reading
+from proofs_check.instances import paper_tables as printed
+from proofs_check.instances.grasps import (
+    grasp_of,
+    listed_states,
+    paper_question,
+    smallest_questions,
+)
+from proofs_check.routes import oracle
+from proofs_check.routes.oracle import Interval, Question, Reading
 
-#: The deviations of the printed equations, by the names of `equilibrium.literal`.
+#: The deviations of the printed equations, by the names of `equilibrium.methods.printed_model`.
 DEVIATIONS = ("detachment", "preload", "signs")
 WRENCHES = ((0, 0, 0), (0, -1, 0), (0, 1, 0), (-1, 0, 0), (1, 0, 0), (0, 0, 1), (0, 0, -1))
 

@@ -9,13 +9,14 @@ from fractions import Fraction
 from functools import partial
 from itertools import product
 
-from equilibrium.others.compare import ask
-from equilibrium.passive import solve
-from proofs_check import oracle, printed
+from equilibrium.methods.compare import ask
+from equilibrium.verdict import solve
 from proofs_check.claim import Case, Claim, Hypothesis, Kind, Route, Verdict
-from proofs_check.fouriermotzkin import Row, project
-from proofs_check.grasps import grasp_of, paper_question
-from proofs_check.oracle import Question, Touch
+from proofs_check.instances import paper_tables as printed
+from proofs_check.instances.grasps import grasp_of, paper_question
+from proofs_check.routes import oracle
+from proofs_check.routes.fourier_motzkin import Row, project
+from proofs_check.routes.oracle import Question, Touch
 
 System = tuple[list[Row], list[Row]]
 #: At rest with preload 1 the contacts 1 and 3 carry friction (Table I, second row).
@@ -27,7 +28,7 @@ class Asked:
     """A question put to a method, and what the paper says: the method's verdict and the right one.
 
     Attributes:
-        method: a key of `equilibrium.others.compare.METHODS`.
+        method: a key of `equilibrium.methods.compare.METHODS`.
         rest: tangential forces before the wrench is applied.
     """
 

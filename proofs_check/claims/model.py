@@ -9,9 +9,9 @@ from itertools import combinations, product
 from math import comb
 
 from arrangement import counts
-from equilibrium.grasp import Contact, Grasp
+from equilibrium.model.grasp import Contact, Grasp
 from proofs_check.claim import Case, Claim, Kind, Route, Verdict
-from proofs_check.fouriermotzkin import Row, project
+from proofs_check.routes.fourier_motzkin import Row, project
 
 #: Rational unit normals: multiples of 1/5, 1/13 and 1/17, turned and mirrored below.
 _TRIPLES = ((3, 4, 5), (5, 12, 13), (8, 15, 17), (1, 0, 1))

@@ -9,20 +9,20 @@ from fractions import Fraction
 from functools import lru_cache
 from itertools import combinations, product
 
-from arrangement.dual import dual_polyhedron
 from arrangement.exact import RationalVector, to_text
-from arrangement.inscribed import (
+from arrangement.planes import Arrangement
+from arrangement.polyhedra.dual import dual_polyhedron
+from arrangement.polyhedra.inscribed import (
     FarkasCertificate,
     Inscribability,
     WeightCertificate,
     inscribability,
     representative_hull,
 )
-from arrangement.planes import Arrangement
-from proofs_check import rivin
 from proofs_check.claim import Case, Claim, Kind, Route, Verdict
-from proofs_check.dualgraph import from_covectors
-from proofs_check.instances import census_cases, smallest_arrangements
+from proofs_check.instances.arrangements import census_cases, smallest_arrangements
+from proofs_check.routes import rivin
+from proofs_check.routes.dual_graph import from_covectors
 
 
 @lru_cache(maxsize=64)

@@ -13,10 +13,14 @@ from functools import partial
 from itertools import combinations
 
 from arrangement import counts
+from arrangement.enumeration.great_circles import sphere_arrangement
 from arrangement.planes import Arrangement
-from arrangement.sphere import sphere_arrangement
 from proofs_check.claim import Case, Claim, Kind, Route, Verdict
-from proofs_check.instances import arrangement_case, simple_arrangement, types_and_samples
+from proofs_check.instances.arrangements import (
+    arrangement_case,
+    simple_arrangement,
+    types_and_samples,
+)
 
 _OVER = (
     "any m (proof: docs, Proofs); counted on all 167 types of 3 to 7 distinct planes of rank 3, "

@@ -8,12 +8,13 @@ from dataclasses import dataclass
 from fractions import Fraction
 from functools import partial
 
-from equilibrium.passive import solve
-from proofs_check import oracle, printed
+from equilibrium.verdict import solve
 from proofs_check.claim import Case, Claim, Kind, Route, Verdict
-from proofs_check.fouriermotzkin import Row
-from proofs_check.grasps import grasp_of, paper_question
-from proofs_check.oracle import Question
+from proofs_check.instances import paper_tables as printed
+from proofs_check.instances.grasps import grasp_of, paper_question
+from proofs_check.routes import oracle
+from proofs_check.routes.fourier_motzkin import Row
+from proofs_check.routes.oracle import Question
 
 BRUTE_FORCE = "substitution into the model, and brute force over 4^m states by elimination"
 SOLVER = "the solver with its certificate, and its pieces of solutions"

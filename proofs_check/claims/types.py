@@ -10,10 +10,10 @@ from itertools import combinations
 
 import networkx as nx
 
-from arrangement.census import PUBLISHED, PUBLISHED_SIMPLE, census
+from arrangement.library.census import PUBLISHED, PUBLISHED_SIMPLE, census
 from arrangement.planes import Arrangement
 from proofs_check.claim import Case, Claim, Kind, Route, Verdict
-from proofs_check.dualgraph import DualGraph, Edge, Signs, from_covectors
+from proofs_check.routes.dual_graph import DualGraph, Edge, Signs, from_covectors
 
 
 @dataclass(frozen=True)

@@ -9,7 +9,7 @@ import pytest
 from hypothesis import given, settings, strategies as st
 
 from arrangement import Arrangement, InputError
-from arrangement.census import (
+from arrangement.library.census import (
     MOST_PLANES,
     PUBLISHED,
     PUBLISHED_SIMPLE,

@@ -10,7 +10,7 @@ import sympy
 from hypothesis import given, settings, strategies as st
 
 from arrangement import Arrangement, InputError, counts
-from arrangement.counts import lowrank
+from arrangement.counts import low_rank as lowrank
 from arrangement.counts.configuration import configuration
 
 from . import counting_oracle as oracle

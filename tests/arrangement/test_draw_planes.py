@@ -18,11 +18,11 @@ from arrangement import Arrangement, InputError
 from arrangement.cli import main
 from arrangement.counts import f_vector
 from arrangement.draw import write_drawing
-from arrangement.draw.cells import cut_cells
-from arrangement.draw.lifting import lifted_cells
+from arrangement.draw.exploded_cells import lifted_cells
 from arrangement.draw.painting import Facet, Stage
 from arrangement.draw.planes import draw_planes
-from arrangement.files import read_arrangement
+from arrangement.io.files import read_arrangement
+from arrangement.polyhedra.cells import cut_cells
 
 from .strategies import arrangements
 

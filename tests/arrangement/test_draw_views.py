@@ -25,7 +25,7 @@ from arrangement.draw import (
     write_drawing,
 )
 from arrangement.draw.colours import PALETTE
-from arrangement.draw.evening import evened
+from arrangement.draw.equalize import evened
 from arrangement.draw.graph import PlanarGraph, planar_graph
 from arrangement.draw.labels import segments_meet, spread
 from arrangement.draw.layers import layered_orders
@@ -33,9 +33,9 @@ from arrangement.draw.projections import Chart, stereographic
 from arrangement.draw.sheet import Sheet
 from arrangement.draw.solids import dual_solid
 from arrangement.draw.tutte import tutte_places
-from arrangement.dual import dual_polyhedron
-from arrangement.files import read_arrangement
-from arrangement.inscribed import representative_hull
+from arrangement.io.files import read_arrangement
+from arrangement.polyhedra.dual import dual_polyhedron
+from arrangement.polyhedra.inscribed import representative_hull
 
 NAMES = [
     "coordinate-planes",

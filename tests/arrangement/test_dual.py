@@ -15,7 +15,7 @@ import pytest
 from hypothesis import assume, given, settings, strategies as st
 
 from arrangement import Arrangement, ArrangementError, InputError, MissingExtraError, counts
-from arrangement.dual import (
+from arrangement.polyhedra.dual import (
     DualPolyhedron,
     dual_polygon,
     dual_polyhedron,

@@ -13,8 +13,9 @@ import networkx as nx
 import pytest
 import sympy
 
-from arrangement import Arrangement, InputError, counts, families
-from arrangement.certify import certify_complete
+from arrangement import Arrangement, InputError, counts
+from arrangement.completeness import certify_complete
+from arrangement.library import families
 
 T = sympy.Symbol("t")
 

@@ -13,13 +13,7 @@ from typing import Any
 import pytest
 
 from arrangement import Arrangement, InputError, read_arrangement, write_text_atomically
-from arrangement.files import (
-    MAX_BYTES,
-    check_keys,
-    check_list,
-    instances,
-    read_document,
-)
+from arrangement.io.files import MAX_BYTES, check_keys, check_list, instances, read_document
 
 THREE = {"schema_version": 1, "planes": [["1", "0", "0"], ["0", "1", "0"], ["1/2", "-0.25", 3]]}
 Write = Callable[[str | bytes], Path]

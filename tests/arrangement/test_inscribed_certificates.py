@@ -9,8 +9,8 @@ import networkx as nx
 import pytest
 
 from arrangement import Arrangement, ArrangementError, inscribability
-from arrangement.families import generic
-from arrangement.inscribed import (
+from arrangement.library.families import generic
+from arrangement.polyhedra.inscribed import (
     FarkasCertificate,
     IndependentSetCertificate,
     WeightCertificate,

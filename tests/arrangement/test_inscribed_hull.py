@@ -12,17 +12,17 @@ import pytest
 from hypothesis import assume, given, settings, strategies as st
 
 from arrangement import Arrangement, ArrangementError, InputError, dual_polyhedron
-from arrangement.dual import DualPolyhedron
 from arrangement.exact import dot
-from arrangement.families import generic, simplicial, type_b
-from arrangement.inscribed import (
+from arrangement.library.families import generic, simplicial, type_b
+from arrangement.polyhedra.dual import DualPolyhedron
+from arrangement.polyhedra.inscribed import (
     hull as hull_module,
     inscribed_zonotope,
     representative_hull,
     sphere_hull,
     sphere_points,
 )
-from arrangement.inscribed.points import rational_direction
+from arrangement.polyhedra.inscribed.points import rational_direction
 
 from .test_dual import A3, SQUARE_AXES, rank_three, rank_three_only
 

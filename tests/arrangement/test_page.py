@@ -14,10 +14,10 @@ import pytest
 from arrangement import Arrangement, InputError
 from arrangement.cli import main
 from arrangement.draw import arrangement_page
-from arrangement.draw.evening import evening_map
+from arrangement.draw.equalize import evening_map
 from arrangement.draw.page import MAX_CIRCLES
-from arrangement.dual import dual_polyhedron
-from arrangement.files import read_arrangement
+from arrangement.io.files import read_arrangement
+from arrangement.polyhedra.dual import dual_polyhedron
 from tests.browser import Browser
 
 #: Regions, arcs and crossings, from the literature: coordinate planes (cube), A3 (permutohedron),

@@ -6,7 +6,7 @@ import sys
 
 import pytest
 
-from arrangement import console, progress
+from arrangement import progress, terminal
 from arrangement.progress import Bar, shown, watched
 
 
@@ -36,14 +36,14 @@ def test_the_bar_is_on_a_terminal_only(
 
 
 @pytest.fixture
-def terminal(monkeypatch: pytest.MonkeyPatch) -> None:
+def on_a_terminal(monkeypatch: pytest.MonkeyPatch) -> None:
     """Take every stderr for a terminal, and let lines come at once."""
     monkeypatch.setattr(progress, "on_terminal", lambda: True)
     monkeypatch.setattr(progress, "_PATIENCE", 0.0)
     monkeypatch.setattr(progress, "_PAUSE", 0.0)
 
 
-@pytest.mark.usefixtures("terminal")
+@pytest.mark.usefixtures("on_a_terminal")
 def test_a_bar_waits_and_says_what_is_at_work(
     capsys: pytest.CaptureFixture[str],
 ) -> None:
@@ -57,7 +57,7 @@ def test_a_bar_waits_and_says_what_is_at_work(
     assert capsys.readouterr().err.endswith("left: the second")
 
 
-@pytest.mark.usefixtures("terminal")
+@pytest.mark.usefixtures("on_a_terminal")
 def test_watched_items_are_the_items_and_the_line_is_taken_away(
     capsys: pytest.CaptureFixture[str],
 ) -> None:
@@ -71,7 +71,7 @@ def test_watched_items_are_the_items_and_the_line_is_taken_away(
     assert captured.err.endswith("\r\x1b[K")
 
 
-@pytest.mark.usefixtures("terminal")
+@pytest.mark.usefixtures("on_a_terminal")
 def test_of_nested_loops_the_outermost_tells(capsys: pytest.CaptureFixture[str]) -> None:
     with shown():
         for _ in watched(range(2), "outer"):
@@ -83,7 +83,7 @@ def test_of_nested_loops_the_outermost_tells(capsys: pytest.CaptureFixture[str])
     assert "2/2 next" in err
 
 
-@pytest.mark.usefixtures("terminal")
+@pytest.mark.usefixtures("on_a_terminal")
 def test_a_loop_that_breaks_off_leaves_the_next_one_its_line(
     capsys: pytest.CaptureFixture[str],
 ) -> None:
@@ -97,7 +97,7 @@ def test_a_loop_that_breaks_off_leaves_the_next_one_its_line(
     assert "2/2 next" in capsys.readouterr().err
 
 
-@pytest.mark.usefixtures("terminal")
+@pytest.mark.usefixtures("on_a_terminal")
 def test_a_program_that_does_not_ask_sees_no_line(capsys: pytest.CaptureFixture[str]) -> None:
     items = [1, 2]
     assert watched(items, "things") is items
@@ -110,15 +110,15 @@ def test_without_a_terminal_there_is_no_line(capsys: pytest.CaptureFixture[str])
     assert capsys.readouterr() == ("", "")
 
 
-@pytest.mark.usefixtures("terminal")
+@pytest.mark.usefixtures("on_a_terminal")
 def test_every_command_shows_the_line_on_stderr_alone(capsys: pytest.CaptureFixture[str]) -> None:
     def command(_: object) -> int:
-        console.print_json(sum(watched([1, 2], "things")))
-        return console.YES
+        terminal.print_json(sum(watched([1, 2], "things")))
+        return terminal.YES
 
-    parser = console.command_parser("program", "Count.")
+    parser = terminal.command_parser("program", "Count.")
     parser.set_defaults(command=command)
-    assert console.run(parser, []) == 0
+    assert terminal.run(parser, []) == 0
     captured = capsys.readouterr()
     assert captured.out == "3\n"
     assert "2/2 things" in captured.err

@@ -6,9 +6,9 @@ import jsonschema
 import pytest
 
 from arrangement.errors import InputError
-from arrangement.files import read_arrangement
-from arrangement.instances import paths
-from arrangement.schemas import arrangement_schema
+from arrangement.io.files import read_arrangement
+from arrangement.io.schemas import arrangement_schema
+from arrangement.library.instances import paths
 
 VALIDATOR = jsonschema.Draft202012Validator(arrangement_schema())
 PLANES = [["0", "1", "-1/2"], [1, 0, "-0.25"]]

@@ -11,7 +11,7 @@ from hypothesis import assume, given, settings, strategies as st
 
 from arrangement import Arrangement, InputError
 from arrangement.counts import f_vector
-from arrangement.space import SpaceFaces, predicates, space_faces, witnesses
+from arrangement.enumeration.affine_space import SpaceFaces, predicates, space_faces, witnesses
 from tests.arrangement.strategies import arrangements
 
 NEAR = Fraction(1, 10**30)
@@ -104,7 +104,7 @@ def test_any_float_proposal_leads_to_the_same_faces(planes, seed):
         return np.where(triple == 0, np.inf, generator.normal(size=triple.shape))
 
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr("arrangement.space.lines._parameters", hostile)
+        patch.setattr("arrangement.enumeration.affine_space.lines._parameters", hostile)
         found = space_faces(planes)
         for name in ("edges", "facets", "regions"):
             assert set(rows(getattr(found, name))) == set(rows(getattr(expected, name)))
@@ -235,7 +235,9 @@ def test_different_rows_with_one_key_stay_different(monkeypatch):
     """More than 64 classes need two words; here their mixed keys are made to collide."""
     planes = random_planes(Random(3), 66, 66, 40)
     expected = space_faces(planes)
-    monkeypatch.setattr("arrangement.space.packing._keys", lambda rows: rows[:, 0] & np.uint64(7))
+    monkeypatch.setattr(
+        "arrangement.enumeration.affine_space.packing._keys", lambda rows: rows[:, 0] & np.uint64(7)
+    )
     found = space_faces(planes)
     assert found.f_vector == expected.f_vector == f_vector(planes)
     assert set(rows(found.regions)) == set(rows(expected.regions))

@@ -8,8 +8,8 @@ import numpy as np
 import pytest
 
 from arrangement import Arrangement, InputError
-from arrangement.sphere import SphereArrangement, sphere_arrangement
-from arrangement.sphere.signs import unpack
+from arrangement.enumeration.great_circles import SphereArrangement, sphere_arrangement
+from arrangement.enumeration.great_circles.signs import unpack
 
 COORDINATES = [(1, 0, 0), (0, 1, 0), (0, 0, 1)]
 B3 = [*COORDINATES, (1, 1, 0), (1, -1, 0), (1, 0, 1), (1, 0, -1), (0, 1, 1), (0, 1, -1)]

@@ -9,8 +9,8 @@ import pytest
 
 from arrangement import Arrangement
 from arrangement.counts import region_count
-from arrangement.sphere import crossings, sphere_arrangement
-from arrangement.sphere.predicates import integer_array, signs_of, turns
+from arrangement.enumeration.great_circles import crossings, sphere_arrangement
+from arrangement.enumeration.great_circles.predicates import integer_array, signs_of, turns
 from tests.arrangement.test_sphere import B3, GENERIC, NEAR_PENCIL, PENCIL
 
 Normals = list[tuple[int, ...]]

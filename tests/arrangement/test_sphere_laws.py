@@ -8,7 +8,7 @@ import numpy as np
 from hypothesis import given, settings, strategies as st
 
 from arrangement import Arrangement
-from arrangement.sphere import SphereArrangement, sphere_arrangement
+from arrangement.enumeration.great_circles import SphereArrangement, sphere_arrangement
 from tests.arrangement.strategies import NONZERO_RATIONALS, arrangements, invertible_matrices
 
 CENTRAL = arrangements(dimensions=(3, 3), planes=(0, 9), central=True)

@@ -8,7 +8,7 @@ import pytest
 
 from arrangement import Arrangement
 from arrangement.counts import f_vector
-from arrangement.sphere import sphere_arrangement
+from arrangement.enumeration.great_circles import sphere_arrangement
 from tests.arrangement.sphere_oracle import covectors
 
 

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from arrangement import Arrangement, ArrangementError
-from arrangement.sphere import SphereArrangement, sphere_arrangement
+from arrangement.enumeration.great_circles import SphereArrangement, sphere_arrangement
 from tests.arrangement.test_sphere import B3, GENERIC, NEAR_PENCIL, PENCIL
 
 

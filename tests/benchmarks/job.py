@@ -54,7 +54,7 @@ def thirty_digits(planes: int) -> Work:
 
 def _sphere(normals: Normals, ask: Callable[[Any], Any]) -> Work:
     from arrangement import Arrangement
-    from arrangement.sphere import sphere_arrangement
+    from arrangement.enumeration.great_circles import sphere_arrangement
 
     def work() -> int:
         made = sphere_arrangement(Arrangement(normals))
@@ -103,7 +103,7 @@ def polynomial(planes: int) -> Work:
 def published(planes: int) -> Work:
     """The published Steps 1 to 3; the number of regions."""
     from arrangement import Arrangement
-    from arrangement.published import published_enumeration
+    from arrangement.enumeration.paper_steps import published_enumeration
 
     normals = random_normals(planes)
     return lambda: len(published_enumeration(Arrangement(normals)).regions)
@@ -111,7 +111,7 @@ def published(planes: int) -> Work:
 
 def published_step_1(planes: int) -> Work:
     """Step 1 alone, regions plane by plane; the number of regions."""
-    from arrangement.published import _regions
+    from arrangement.enumeration.paper_steps import _regions
 
     normals = [tuple(row) for row in random_normals(planes)]
     return lambda: len(_regions(normals))
@@ -119,7 +119,7 @@ def published_step_1(planes: int) -> Work:
 
 def published_step_2(planes: int) -> Work:
     """Step 2 alone, all pairs of regions; the number of facets."""
-    from arrangement.published import _graph, _regions
+    from arrangement.enumeration.paper_steps import _graph, _regions
 
     regions = _regions([tuple(row) for row in random_normals(planes)])
     return lambda: _graph(regions).number_of_edges()
@@ -127,7 +127,7 @@ def published_step_2(planes: int) -> Work:
 
 def published_step_3(planes: int) -> Work:
     """Step 3 alone, networkx's minimum cycle basis and its sum; the number of faces."""
-    from arrangement.published import _cycles, _graph, _regions
+    from arrangement.enumeration.paper_steps import _cycles, _graph, _regions
 
     graph = _graph(_regions([tuple(row) for row in random_normals(planes)]))
     return lambda: len(_cycles(graph))
@@ -135,7 +135,7 @@ def published_step_3(planes: int) -> Work:
 
 def _dual_edges(planes: int) -> tuple[int, list[tuple[int, int]]]:
     from arrangement import Arrangement
-    from arrangement.sphere import sphere_arrangement
+    from arrangement.enumeration.great_circles import sphere_arrangement
 
     made = sphere_arrangement(Arrangement(random_normals(planes))).incidence
     return made.region_count, list(zip(*made.region.reshape(-1, 2).T.tolist(), strict=True))

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from equilibrium import solve
-from equilibrium.passive import Verdict
+from equilibrium.verdict import Verdict
 
 from . import bruteforce, oracle
 from .awkward import Question

@@ -13,7 +13,7 @@ from random import Random
 
 from equilibrium import Contact, Grasp
 from equilibrium.inputs.random import random_grasp
-from equilibrium.limits.line import resisted_magnitudes
+from equilibrium.wrench_sets.line import resisted_magnitudes
 
 Wrench = tuple[Fraction, ...]
 TINY = Fraction(1, 10**30)

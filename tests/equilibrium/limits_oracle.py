@@ -6,7 +6,7 @@ from itertools import product
 from hypothesis import strategies as st
 
 from arrangement import linprog
-from equilibrium.grasp import Contact, Grasp
+from equilibrium.model.grasp import Contact, Grasp
 
 UNITS = [(1, 0), (0, 1), (-1, 0), (0, -1)] + [
     (Fraction(a, 5), Fraction(b, 5)) for a in (3, -3) for b in (4, -4)

@@ -4,7 +4,7 @@ from fractions import Fraction
 
 from hypothesis import strategies as st
 
-from equilibrium.grasp import Contact, Grasp
+from equilibrium.model.grasp import Contact, Grasp
 
 NORMALS = [(1, 0), (-1, 0), (0, 1), (0, -1), ("3/5", "4/5"), ("-4/5", "3/5"), ("5/13", "-12/13")]
 

@@ -7,9 +7,9 @@ import pytest
 from hypothesis import given, settings
 
 from equilibrium import Grasp, contact_states, read_grasp
-from equilibrium.cells import contact_codes, motion_faces, states_at
-from equilibrium.coverage import due_states, sorted_rows
+from equilibrium.certificate.coverage import due_states, sorted_rows
 from equilibrium.inputs.random import random_grasp
+from equilibrium.solver.contact_states import contact_codes, motion_faces, states_at
 
 from . import oracle
 from .awkward import question

@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 from arrangement.cli import main as arrangement_main
-from equilibrium.cli import main
+from equilibrium.cli.program import main
 
 THREE = "paper-three-contacts"
 
@@ -66,8 +66,8 @@ def test_rationals_only_takes_no_sign_from_floats(
     def refuse(*_: object) -> None:
         raise AssertionError("floating point was asked")
 
-    monkeypatch.setattr("equilibrium.checker.proven_violations", refuse)
-    monkeypatch.setattr("arrangement.certify._surely", refuse)
+    monkeypatch.setattr("equilibrium.certificate.checker.proven_violations", refuse)
+    monkeypatch.setattr("arrangement.completeness._surely", refuse)
     plain, out, _ = call(capsys, "verify", str(path), "--rationals-only", "--json")
     assert (plain, json.loads(out)["valid"]) == (0, True)
     if code:

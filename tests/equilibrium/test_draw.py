@@ -16,7 +16,7 @@ from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 
 from equilibrium import Contact, Grasp, GraspError, read_grasp, solve
-from equilibrium.cli import main
+from equilibrium.cli.program import main
 from equilibrium.draw import (
     VIEWS,
     draw_compare,
@@ -30,9 +30,9 @@ from equilibrium.draw import (
 from equilibrium.draw.body import body, frame_of, sampled
 from equilibrium.draw.style import nice, number
 from equilibrium.inputs import random_grasp
-from equilibrium.limits import gaps, resistance_figure, resistible_region, search_map
-from equilibrium.others.compare import compare
-from equilibrium.others.regions import METHODS, method_region
+from equilibrium.methods.compare import compare
+from equilibrium.methods.regions import METHODS, method_region
+from equilibrium.wrench_sets import gaps, resistance_figure, resistible_region, search_map
 
 from .strategies import grasps, wrenches
 

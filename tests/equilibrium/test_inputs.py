@@ -9,9 +9,7 @@ import pytest
 from hypothesis import given, settings, strategies as st
 
 from arrangement.errors import InputError
-from equilibrium.cli import main
-from equilibrium.errors import GraspError
-from equilibrium.grasp import Grasp
+from equilibrium.cli.program import main
 from equilibrium.inputs import (
     OnEdge,
     from_float_data,
@@ -25,7 +23,9 @@ from equilibrium.inputs import (
     simplest_between,
     snapped,
 )
-from equilibrium.inputs.csvfile import parse_csv
+from equilibrium.inputs.csv_file import parse_csv
+from equilibrium.model.errors import GraspError
+from equilibrium.model.grasp import Grasp
 
 TRIANGLE = [(0, 0), (4, 0), (0, 3)]
 HEADER = "x,y,normal_x,normal_y,friction"

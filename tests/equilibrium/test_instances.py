@@ -5,11 +5,11 @@ from fractions import Fraction
 
 import pytest
 
-from equilibrium.files import read_grasp
 from equilibrium.instances import paths
-from equilibrium.limits import resisted_magnitudes
-from equilibrium.literal import solve_literal
-from equilibrium.passive import solve
+from equilibrium.io.files import read_grasp
+from equilibrium.methods.printed_model import solve_literal
+from equilibrium.verdict import solve
+from equilibrium.wrench_sets import resisted_magnitudes
 
 
 @pytest.mark.parametrize("name", paths())

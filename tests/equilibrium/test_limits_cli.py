@@ -4,8 +4,8 @@ from fractions import Fraction
 
 import pytest
 
-from equilibrium.cli import main
-from equilibrium.files import read_grasp
+from equilibrium.cli.program import main
+from equilibrium.io.files import read_grasp
 
 THREE = "paper-three-contacts-preload-1"
 

@@ -7,16 +7,16 @@ import pytest
 from hypothesis import given, settings, strategies as st
 
 from arrangement.exact import dot
-from equilibrium.cells import contact_states
+from arrangement.polyhedra.cones import generators
+from arrangement.polyhedra.polyhedron import from_conditions
+from arrangement.polyhedra.separation import possibly_meeting, sides, surely_outside
 from equilibrium.inputs.random import random_grasp
-from equilibrium.limits import outline, space
-from equilibrium.limits.cones import generators
-from equilibrium.limits.images import resisted_with
-from equilibrium.limits.outline import outline_of
-from equilibrium.limits.plane import FORCES, _plane, resistible_region
-from equilibrium.limits.polyhedron import from_conditions
-from equilibrium.limits.separation import possibly_meeting, sides, surely_outside
-from equilibrium.limits.space import resistible_set
+from equilibrium.solver.contact_states import contact_states
+from equilibrium.wrench_sets import outline, space
+from equilibrium.wrench_sets.images import resisted_with
+from equilibrium.wrench_sets.outline import outline_of
+from equilibrium.wrench_sets.plane import FORCES, _plane, resistible_region
+from equilibrium.wrench_sets.space import resistible_set
 
 from .limits_oracle import grasps, wrenches
 

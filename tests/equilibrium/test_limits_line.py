@@ -4,12 +4,12 @@ import pytest
 from hypothesis import given, settings, strategies as st
 
 from arrangement.errors import InputError
-from equilibrium.errors import GraspError
-from equilibrium.files import read_grasp
-from equilibrium.grasp import Grasp
-from equilibrium.limits.gaps import gaps
-from equilibrium.limits.line import resisted_magnitudes
-from equilibrium.passive import solve
+from equilibrium.io.files import read_grasp
+from equilibrium.model.errors import GraspError
+from equilibrium.model.grasp import Grasp
+from equilibrium.verdict import solve
+from equilibrium.wrench_sets.gaps import gaps
+from equilibrium.wrench_sets.line import resisted_magnitudes
 
 from .limits_oracle import (
     brute_intervals,

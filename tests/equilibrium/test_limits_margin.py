@@ -3,13 +3,13 @@ from fractions import Fraction
 import pytest
 from hypothesis import given, settings, strategies as st
 
-from equilibrium.errors import GraspError
-from equilibrium.files import read_grasp
-from equilibrium.grasp import Contact, Grasp
-from equilibrium.limits.friction import least_friction, with_friction
-from equilibrium.limits.margin import margin, sufficient_preloads
-from equilibrium.limits.search_map import binary_search, compare, search_map
-from equilibrium.passive import solve
+from equilibrium.io.files import read_grasp
+from equilibrium.model.errors import GraspError
+from equilibrium.model.grasp import Contact, Grasp
+from equilibrium.verdict import solve
+from equilibrium.wrench_sets.friction import least_friction, with_friction
+from equilibrium.wrench_sets.margin import margin, sufficient_preloads
+from equilibrium.wrench_sets.search_map import binary_search, compare, search_map
 
 from .limits_oracle import directions, grasps, wrenches
 

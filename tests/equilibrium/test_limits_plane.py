@@ -4,15 +4,15 @@ from itertools import pairwise
 import pytest
 from hypothesis import given, settings, strategies as st
 
-from equilibrium.errors import GraspError
-from equilibrium.files import read_grasp
-from equilibrium.grasp import Contact, Grasp
-from equilibrium.limits.directions import counter_clockwise, sectors
-from equilibrium.limits.intervals import holds, remainder, union
-from equilibrium.limits.outline import outline_of
-from equilibrium.limits.plane import polygon_cycle, resistible_region
-from equilibrium.limits.polyhedron import from_conditions
-from equilibrium.passive import solve
+from arrangement.polyhedra.intervals import holds, remainder, union
+from arrangement.polyhedra.polyhedron import from_conditions
+from equilibrium.io.files import read_grasp
+from equilibrium.model.errors import GraspError
+from equilibrium.model.grasp import Contact, Grasp
+from equilibrium.verdict import solve
+from equilibrium.wrench_sets.directions import counter_clockwise, sectors
+from equilibrium.wrench_sets.outline import outline_of
+from equilibrium.wrench_sets.plane import polygon_cycle, resistible_region
 
 from .limits_oracle import grasps, small, wrenches
 

@@ -6,13 +6,13 @@ from hypothesis import given, settings, strategies as st
 
 from arrangement import linprog
 from arrangement.exact import dot
-from equilibrium.files import read_grasp
-from equilibrium.grasp import Contact, Grasp
-from equilibrium.limits.cones import generators
-from equilibrium.limits.line import resisted_magnitudes
-from equilibrium.limits.polyhedron import from_conditions, from_generators
-from equilibrium.limits.space import resisted_with, resistible_set
-from equilibrium.passive import solve
+from arrangement.polyhedra.cones import generators
+from arrangement.polyhedra.polyhedron import from_conditions, from_generators
+from equilibrium.io.files import read_grasp
+from equilibrium.model.grasp import Contact, Grasp
+from equilibrium.verdict import solve
+from equilibrium.wrench_sets.line import resisted_magnitudes
+from equilibrium.wrench_sets.space import resisted_with, resistible_set
 
 from .limits_oracle import directions, grasps, wrenches
 

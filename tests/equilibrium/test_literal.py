@@ -8,8 +8,8 @@ import pytest
 from hypothesis import given, settings
 
 from equilibrium import Contact, Grasp, GraspError, read_grasp, solve, solve_literal
-from equilibrium.cli import LITERAL
-from equilibrium.literal import OPTIONS
+from equilibrium.cli.program import LITERAL
+from equilibrium.methods.printed_model import OPTIONS
 
 from .strategies import grasps, wrenches
 

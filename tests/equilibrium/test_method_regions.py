@@ -10,10 +10,10 @@ from hypothesis import example, given, settings, strategies as st
 
 from arrangement.exact import RationalVector
 from equilibrium import Contact, Grasp, GraspError, read_grasp
-from equilibrium.limits import Region
-from equilibrium.others.compare import ask
-from equilibrium.others.grasp_wrench_space import GraspWrenchSpace
-from equilibrium.others.regions import FORCES, METHODS, method_region
+from equilibrium.methods.compare import ask
+from equilibrium.methods.grasp_wrench_space import GraspWrenchSpace
+from equilibrium.methods.regions import FORCES, METHODS, method_region
+from equilibrium.wrench_sets import Region
 
 from .strategies import grasps
 

@@ -12,7 +12,7 @@ from hypothesis import given, settings
 
 from arrangement.exact import to_text
 from equilibrium import Contact, Grasp, Units, read_grasp, solve
-from equilibrium.notebook import MOST_PIECES
+from equilibrium.draw.notebook import MOST_PIECES
 
 from .strategies import grasps, wrenches
 

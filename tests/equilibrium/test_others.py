@@ -4,16 +4,16 @@ from fractions import Fraction
 
 import pytest
 
-from equilibrium.errors import GraspError
-from equilibrium.files import read_grasp
-from equilibrium.grasp import Contact, Grasp
-from equilibrium.others.cones import cones
-from equilibrium.others.form_closure import form_closure
-from equilibrium.others.frictionless_slip import frictionless_slip
-from equilibrium.others.grasp_wrench_space import GraspWrenchSpace
-from equilibrium.others.linear_compliance import linear_compliance
-from equilibrium.others.springs import balancing_friction
-from equilibrium.others.weak_strong import weak_strong
+from equilibrium.io.files import read_grasp
+from equilibrium.methods.cones import cones
+from equilibrium.methods.form_closure import form_closure
+from equilibrium.methods.frictionless_slip import frictionless_slip
+from equilibrium.methods.grasp_wrench_space import GraspWrenchSpace
+from equilibrium.methods.linear_compliance import linear_compliance
+from equilibrium.methods.springs import balancing_friction
+from equilibrium.methods.weak_strong import weak_strong
+from equilibrium.model.errors import GraspError
+from equilibrium.model.grasp import Contact, Grasp
 
 HALF = Fraction(1, 2)
 PLANE = [(0, 1, 0), (1, 1, 0), (-3, 7, 0), (0, -5, 0)]

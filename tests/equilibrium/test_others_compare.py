@@ -4,10 +4,10 @@ import json
 
 import pytest
 
-from equilibrium.cli import main
-from equilibrium.files import read_grasp
-from equilibrium.others.compare import METHODS, ask, compare
-from equilibrium.others.survey import OTHERS, shrunk, size, smallest_examples, survey
+from equilibrium.cli.program import main
+from equilibrium.io.files import read_grasp
+from equilibrium.methods.compare import METHODS, ask, compare
+from equilibrium.methods.survey import OTHERS, shrunk, size, smallest_examples, survey
 
 
 @pytest.mark.parametrize(

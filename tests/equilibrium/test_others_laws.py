@@ -9,15 +9,15 @@ from scipy.optimize import linprog
 from scipy.spatial import ConvexHull
 
 from arrangement.exact import dot
-from equilibrium.grasp import Contact, Grasp
-from equilibrium.others.cones import cones
-from equilibrium.others.form_closure import form_closure
-from equilibrium.others.frictionless_slip import frictionless_slip
-from equilibrium.others.grasp_wrench_space import GraspWrenchSpace, cone_edges
-from equilibrium.others.hull import convex_hull
-from equilibrium.others.linear_compliance import linear_compliance
-from equilibrium.others.weak_strong import mass_matrix, weak_strong
-from equilibrium.passive import solve
+from equilibrium.methods.cones import cones
+from equilibrium.methods.form_closure import form_closure
+from equilibrium.methods.frictionless_slip import frictionless_slip
+from equilibrium.methods.grasp_wrench_space import GraspWrenchSpace, cone_edges
+from equilibrium.methods.hull import convex_hull
+from equilibrium.methods.linear_compliance import linear_compliance
+from equilibrium.methods.weak_strong import mass_matrix, weak_strong
+from equilibrium.model.grasp import Contact, Grasp
+from equilibrium.verdict import solve
 
 from .others_strategies import frictions, grasps, small, turned, wrenches
 

@@ -13,11 +13,11 @@ import pytest
 
 from arrangement import InputError
 from equilibrium import solve
-from equilibrium.cli import main
+from equilibrium.cli.program import main
 from equilibrium.draw import resist_page
 from equilibrium.draw.page import MAX_CONTACTS
-from equilibrium.files import read_grasp
-from equilibrium.grasp import Contact, Grasp
+from equilibrium.io.files import read_grasp
+from equilibrium.model.grasp import Contact, Grasp
 from tests.browser import Browser
 
 PAPER = (

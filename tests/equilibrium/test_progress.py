@@ -8,10 +8,11 @@ from pathlib import Path
 import pytest
 
 from arrangement import progress
-from equilibrium import cells, passive, screening
-from equilibrium.cli import main
+from equilibrium import verdict as passive
+from equilibrium.cli.program import main
 from equilibrium.inputs import random_grasp
-from equilibrium.limits.space import resistible_set
+from equilibrium.solver import contact_states as cells, interval_filter as screening
+from equilibrium.wrench_sets.space import resistible_set
 
 LONG = {
     "solve": ("--wrench", "50", "5", "1"),

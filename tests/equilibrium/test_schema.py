@@ -6,16 +6,16 @@ import jsonschema
 import pytest
 
 from arrangement.errors import InputError
-from equilibrium.checker import check
-from equilibrium.cli import main
-from equilibrium.errors import GraspError
-from equilibrium.files import read_grasp
-from equilibrium.grasp import Contact, Grasp
+from equilibrium.certificate.checker import check
+from equilibrium.cli.program import main
 from equilibrium.inputs import random_grasp
 from equilibrium.instances import paths
-from equilibrium.measures import Units
-from equilibrium.passive import solve
-from equilibrium.schemas import grasp_schema
+from equilibrium.io.files import read_grasp
+from equilibrium.io.schemas import grasp_schema
+from equilibrium.model.errors import GraspError
+from equilibrium.model.grasp import Contact, Grasp
+from equilibrium.model.units import Units
+from equilibrium.verdict import solve
 
 VALIDATOR = jsonschema.Draft202012Validator(grasp_schema())
 CONTACT = {"point": ["-1", 0], "normal": ["3/5", "-0.8"], "friction": "1/2"}

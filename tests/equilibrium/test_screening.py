@@ -8,17 +8,17 @@ import numpy as np
 import pytest
 from hypothesis import given, settings, strategies as st
 
-from equilibrium import Contact, Grasp, passive, read_grasp, solve
-from equilibrium.balance import balances_of
-from equilibrium.cells import contact_codes, states_of_code
-from equilibrium.conditions import conditions_of, violation_problem
-from equilibrium.determinants import KINDS, proven_violations
-from equilibrium.elimination import Refutation, decide, point_with_idle
+from equilibrium import Contact, Grasp, read_grasp, solve, verdict as passive
+from equilibrium.certificate.conditions import conditions_of, violation_problem
+from equilibrium.certificate.determinants import KINDS, proven_violations
 from equilibrium.inputs.random import random_grasp, random_wrench
-from equilibrium.rest import rest_refutation
-from equilibrium.screening import CONDITIONS, UNDECIDED, Screen
-from equilibrium.search import likely_states
-from equilibrium.systems import state_system, value
+from equilibrium.solver.all_stick import rest_refutation
+from equilibrium.solver.contact_states import contact_codes, states_of_code
+from equilibrium.solver.elimination import Refutation, decide, point_with_idle
+from equilibrium.solver.interval_filter import CONDITIONS, UNDECIDED, Screen
+from equilibrium.solver.lemke import likely_states
+from equilibrium.solver.refutations import balances_of
+from equilibrium.solver.state_system import state_system, value
 
 from . import oracle
 from .awkward import question

@@ -9,10 +9,10 @@ import pytest
 from hypothesis import given, settings, strategies as st
 
 from equilibrium import Contact, Grasp, contact_states
-from equilibrium.cells import states_of_code
 from equilibrium.inputs.random import random_grasp, random_wrench
-from equilibrium.limits.line import _interval, resisted_magnitudes
-from equilibrium.screening import Screen
+from equilibrium.solver.contact_states import states_of_code
+from equilibrium.solver.interval_filter import Screen
+from equilibrium.wrench_sets.line import _interval, resisted_magnitudes
 
 from .awkward import question
 from .limits_oracle import directions

@@ -10,7 +10,7 @@ import pytest
 
 import proofs_check.claims
 from proofs_check import Registry, Verdict, registry
-from proofs_check.cli import main
+from proofs_check.cli.program import main
 
 QUICK = ("step-1-square-bound", "table-three-contacts")
 

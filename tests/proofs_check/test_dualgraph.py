@@ -9,7 +9,12 @@ import pytest
 from hypothesis import given, settings, strategies as st
 
 from arrangement.planes import Arrangement
-from proofs_check.dualgraph import (
+from proofs_check.instances.arrangements import (
+    mixed_cases,
+    random_arrangement,
+    smallest_arrangements,
+)
+from proofs_check.routes.dual_graph import (
     DualGraph,
     from_covectors,
     from_faces,
@@ -17,7 +22,6 @@ from proofs_check.dualgraph import (
     is_three_connected,
     minimum_cycle_lengths,
 )
-from proofs_check.instances import mixed_cases, random_arrangement, smallest_arrangements
 
 SMALL = [case.subject for case in mixed_cases(Random(5), range(1, 6), per_count=3)]
 

@@ -7,10 +7,10 @@ from random import Random
 
 import pytest
 
-from arrangement.census import PUBLISHED, PUBLISHED_SIMPLE, census
+from arrangement.library.census import PUBLISHED, PUBLISHED_SIMPLE, census
 from arrangement.planes import Arrangement
 from proofs_check import Kind, Verdict, evaluate, registry
-from proofs_check.instances import census_cases
+from proofs_check.instances.arrangements import census_cases
 
 #: Text in `over` -> the types it promises.
 PROMISED = {

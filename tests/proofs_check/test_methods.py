@@ -8,7 +8,7 @@ from random import Random
 
 import pytest
 
-from equilibrium.others.compare import ask as right
+from equilibrium.methods.compare import ask as right
 from proofs_check import Verdict, evaluate, registry
 from proofs_check.claims import methods
 

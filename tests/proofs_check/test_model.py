@@ -7,10 +7,10 @@ from random import Random
 import pytest
 from hypothesis import given, settings, strategies as st
 
-import arrangement.faces
+import arrangement.enumeration.any_dimension
 from arrangement.planes import Arrangement, Face
-from equilibrium.files import read_grasp
-from equilibrium.grasp import Contact, Grasp
+from equilibrium.io.files import read_grasp
+from equilibrium.model.grasp import Contact, Grasp
 from proofs_check import Verdict, evaluate, registry
 from proofs_check.claims import model
 
@@ -75,11 +75,11 @@ def test_the_grasps_of_the_paper_are_not_in_general_position() -> None:
 
 
 def test_a_dropped_region_is_caught(monkeypatch: pytest.MonkeyPatch) -> None:
-    right = arrangement.faces.enumerate_faces
+    right = arrangement.enumeration.any_dimension.enumerate_faces
 
     def wrong(planes: Arrangement) -> tuple[tuple[Face, ...], ...]:
         levels = right(planes)
         return (*levels[:-1], levels[-1][1:])
 
-    monkeypatch.setattr(arrangement.faces, "enumerate_faces", wrong)
+    monkeypatch.setattr(arrangement.enumeration.any_dimension, "enumerate_faces", wrong)
     assert evaluate(registry()["model-faces-with-preload"]).verdict is None

@@ -6,11 +6,11 @@ from fractions import Fraction
 
 from hypothesis import given, settings, strategies as st
 
-from equilibrium.passive import solve
-from proofs_check.fouriermotzkin import project
-from proofs_check.grasps import grasp_of, paper_question
-from proofs_check.oracle import Question, normal_forces, resistible, stable, violations
-from proofs_check.printed import FOUR_CONTACT_GRASP, THREE_CONTACT_GRASP
+from equilibrium.verdict import solve
+from proofs_check.instances.grasps import grasp_of, paper_question
+from proofs_check.instances.paper_tables import FOUR_CONTACT_GRASP, THREE_CONTACT_GRASP
+from proofs_check.routes.fourier_motzkin import project
+from proofs_check.routes.oracle import Question, normal_forces, resistible, stable, violations
 
 ZERO, ONE, HALF = Fraction(0), Fraction(1), Fraction(1, 2)
 NORMALS = [(1, 0), (0, 1), (-1, 0), (0, -1), (Fraction(3, 5), Fraction(4, 5))]

@@ -12,18 +12,18 @@ import pytest
 from hypothesis import given, settings, strategies as st
 
 from arrangement import Arrangement, dual_polyhedron, read_arrangement
-from arrangement.census import census
-from equilibrium.files import read_grasp
-from equilibrium.grasp import Grasp
-from proofs_check import ownrun
+from arrangement.library.census import census
+from equilibrium.io.files import read_grasp
+from equilibrium.model.grasp import Grasp
+from proofs_check import user_run as ownrun
 from proofs_check.claim import Verdict
-from proofs_check.cli import main
-from proofs_check.domains import DOMAINS, domain, known_families, size
+from proofs_check.cli.program import main
 from proofs_check.errors import OwnClaimError, UnknownDomainError
-from proofs_check.own import claim
+from proofs_check.instances.domains import DOMAINS, domain, known_families, size
 from proofs_check.shrink import shrink, smaller_instances
+from proofs_check.user_claim import claim
 
-HEAD = "from proofs_check.own import claim\n"
+HEAD = "from proofs_check.user_claim import claim\n"
 
 
 @pytest.fixture

@@ -9,10 +9,11 @@ from random import Random
 
 import pytest
 
-import arrangement.faces
+import arrangement.enumeration.any_dimension
 from arrangement.planes import Arrangement, Face
-from proofs_check import evaluate, oracle, registry
+from proofs_check import evaluate, registry
 from proofs_check.claims import dual, tables
+from proofs_check.routes import oracle
 
 Levels = tuple[tuple[Face, ...], ...]
 
@@ -55,12 +56,12 @@ def test_without_a_bug_all_are_as_expected() -> None:
 def test_a_wrong_enumerator_is_caught(
     bug: Callable[[Levels], Levels], monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    right = arrangement.faces.enumerate_faces
+    right = arrangement.enumeration.any_dimension.enumerate_faces
 
     def wrong(planes: Arrangement) -> Levels:
         return bug(right(planes))
 
-    monkeypatch.setattr(arrangement.faces, "enumerate_faces", wrong)
+    monkeypatch.setattr(arrangement.enumeration.any_dimension, "enumerate_faces", wrong)
     dual._faces_graph.cache_clear()
     try:
         caught = unexpected(*QUICK)

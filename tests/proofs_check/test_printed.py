@@ -6,9 +6,9 @@ from fractions import Fraction
 
 import pytest
 
-from equilibrium.files import read_grasp
-from proofs_check import printed
-from proofs_check.grasps import grasp_of, paper_question
+from equilibrium.io.files import read_grasp
+from proofs_check.instances import paper_tables as printed
+from proofs_check.instances.grasps import grasp_of, paper_question
 
 
 def test_there_are_seven_and_ten_rows_and_eight_counts() -> None:

@@ -7,8 +7,8 @@ from fractions import Fraction
 import pytest
 
 from arrangement.planes import Arrangement
-from proofs_check import rivin
-from proofs_check.dualgraph import DualGraph, from_covectors
+from proofs_check.routes import rivin
+from proofs_check.routes.dual_graph import DualGraph, from_covectors
 
 CUBE = from_covectors(Arrangement([[1, 0, 0], [0, 1, 0], [0, 0, 1]]))
 DODECAHEDRON = from_covectors(Arrangement([[1, 0, 0], [0, 1, 0], [0, 0, 1], [1, 1, 1]]))

@@ -7,13 +7,13 @@ from random import Random
 import pytest
 from hypothesis import given, settings, strategies as st
 
-import arrangement.census
+import arrangement.library.census
+from arrangement.enumeration.paper_steps import published_enumeration
 from arrangement.planes import Arrangement
-from arrangement.published import published_enumeration
 from proofs_check import Verdict, evaluate, registry
 from proofs_check.claims import steps, types
-from proofs_check.dualgraph import from_covectors
-from proofs_check.instances import simple_arrangement
+from proofs_check.instances.arrangements import simple_arrangement
+from proofs_check.routes.dual_graph import from_covectors
 
 
 @pytest.mark.parametrize("m", [1, 2, 3, 4])
@@ -43,11 +43,11 @@ def test_each_holds(id: str) -> None:
 @given(st.integers(0, 16), st.randoms(use_true_random=False))
 @settings(max_examples=20, deadline=None)
 def test_the_code_does_not_see_labels_and_sides(index: int, rng: Random) -> None:
-    normals = [list(map(int, n)) for n in arrangement.census.census(6)[index].normals]
+    normals = [list(map(int, n)) for n in arrangement.library.census.census(6)[index].normals]
     rng.shuffle(normals)
     turned = [rng.choice((1, -1)) for _ in normals]
     changed = Arrangement([[s * x for x in n] for s, n in zip(turned, normals, strict=True)])
-    plain = Arrangement(arrangement.census.census(6)[index].normals)
+    plain = Arrangement(arrangement.library.census.census(6)[index].normals)
     assert types._code(from_covectors(changed)) == types._code(from_covectors(plain))
 
 
@@ -55,7 +55,7 @@ def test_the_code_does_not_see_labels_and_sides(index: int, rng: Random) -> None
 def test_a_missing_or_repeated_type_is_caught(
     change: object, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    right = arrangement.census.census
+    right = arrangement.library.census.census
 
     def wrong(planes: int) -> tuple[Arrangement, ...]:
         found = right(planes)

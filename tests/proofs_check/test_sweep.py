@@ -13,13 +13,13 @@ from typing import Any
 import pytest
 from hypothesis import given, settings, strategies as st
 
-from proofs_check import store, sweepreport, workers
 from proofs_check.claim import Verdict
 from proofs_check.claims import registry
-from proofs_check.cli import main
+from proofs_check.cli.program import main
 from proofs_check.errors import SweepError
-from proofs_check.sweep import Plan, instance, merge, plan_sweep, run_chunk, sweep, total
-from proofs_check.targets import SWEEPS, target
+from proofs_check.sweep import report as sweepreport, store, workers
+from proofs_check.sweep.sweep import Plan, instance, merge, plan_sweep, run_chunk, sweep, total
+from proofs_check.sweep.sweepable import SWEEPS, target
 
 CLAIM = "step-1-square-bound"
 
@@ -140,7 +140,7 @@ def own_file(folder: Path, *lines: str) -> str:
     body = "\n".join(f"    {line}" for line in lines)
     path = folder / "mine.py"
     path.write_text(
-        "import os, pathlib\nfrom proofs_check.own import claim\n"
+        "import os, pathlib\nfrom proofs_check.user_claim import claim\n"
         "MARK = pathlib.Path(__file__).with_suffix('.mark')\n"
         f'@claim("s", of="central")\ndef mine(planes):\n{body}\n',
         encoding="utf-8",

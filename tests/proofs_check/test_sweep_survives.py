@@ -15,8 +15,8 @@ from pathlib import Path
 
 import pytest
 
-from proofs_check import store, sweepreport
 from proofs_check.errors import SweepError
+from proofs_check.sweep import report as sweepreport, store
 
 #: Git is kept out, so that an edit of the checkout between two runs cannot make reports differ.
 ENVIRONMENT = {**os.environ, "GIT_DIR": os.devnull}

@@ -10,10 +10,10 @@ from pathlib import Path
 import pytest
 
 from arrangement import Arrangement
-from arrangement.families import generic
-from equilibrium.files import read_grasp
-from proofs_check.environment import commit
-from proofs_check.pictures import picture
+from arrangement.library.families import generic
+from equilibrium.io.files import read_grasp
+from proofs_check.reports.environment import commit
+from proofs_check.reports.pictures import picture
 
 
 def test_planes_are_drawn_as_curves_inside_the_disk() -> None:

@@ -1,0 +1,1 @@
+"""Lists of all faces: one engine for any dimension, two fast ones, and the published steps."""

@@ -1,0 +1,191 @@
+"""The enumeration of slip states as published, for comparison only.
+
+[HaasHeger2018] describes it in the section "Slip state enumeration": Algorithm 1 builds the
+regions plane by plane, Step 2 joins regions that differ in one sign, Step 3 takes a minimum cycle
+basis of that graph and its symmetric sum for the faces of the dual polyhedron. Use
+`Arrangement.faces` for the true list; this module keeps what the text says, its limits included:
+
+* The origin, where every contact sticks, is listed only when some line lies in all planes.
+* In rank 2 the graph is one cycle. It is its own symmetric sum, so its state is listed twice: two
+  planes give 10 states, 9 of them different (the published table has 10).
+* One plane gives one edge and no cycle. The last face is the empty sum, from which no state can
+  be read, so its two regions and one facet are all.
+* Coincident planes change sign together. No edge of Step 2 crosses them, and the states on them
+  are missing, unless they are merged first.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from fractions import Fraction
+from functools import cached_property
+from itertools import combinations
+from typing import TYPE_CHECKING, TypeAlias
+
+from arrangement.errors import InputError
+from arrangement.exact import IntegerVector, RationalVector, dot, sign
+from arrangement.linprog import Infeasible, feasible_point
+from arrangement.planes import Arrangement
+
+if TYPE_CHECKING:
+    import networkx as nx
+
+SignVector: TypeAlias = tuple[int, ...]
+#: A set of edges (j, k) with j < k, indices of regions, in increasing order.
+Cycle: TypeAlias = tuple[tuple[int, int], ...]
+
+
+@dataclass(frozen=True)
+class PublishedEnumeration:
+    """What Steps 1 to 3 as published give for one arrangement.
+
+    Sign vectors run over the input planes, in input order.
+
+    Attributes:
+        regions: Step 1, one sign vector for each region.
+        facets: Step 2, one sign vector for each edge of the graph.
+        lines: Step 3, one sign vector for each cycle, repeats kept.
+        cycles: the minimum cycle basis, then its symmetric sum, as edges between region indices.
+        graph: the graph of Step 2 (networkx, frozen), on region indices, with node attribute
+            "signs" and edge attribute "planes" (the input planes that the edge crosses).
+    """
+
+    regions: tuple[SignVector, ...]
+    facets: tuple[SignVector, ...]
+    lines: tuple[SignVector, ...]
+    cycles: tuple[Cycle, ...]
+    graph: nx.Graph = field(repr=False, compare=False)
+
+    @property
+    def states(self) -> tuple[SignVector, ...]:
+        """Regions, facets and lines one after the other, counted as the paper counts."""
+        return self.regions + self.facets + self.lines
+
+    @cached_property
+    def distinct_states(self) -> tuple[SignVector, ...]:
+        """The states without repeats, in order of first appearance."""
+        return tuple(dict.fromkeys(self.states))
+
+
+def published_enumeration(arrangement: Arrangement, merge: bool = False) -> PublishedEnumeration:
+    """Run Steps 1 to 3 of the published enumeration, each decision exact.
+
+    Args:
+        arrangement: central, in R^3 (the space of planar motions).
+        merge: replace coincident planes by one before Step 1; their signs are filled in
+            afterwards. Without it the text is followed to the letter.
+
+    Raises:
+        InputError: an affine arrangement, or a dimension other than three.
+
+    Complexity: with V regions and E edges, Step 1 solves at most V small linear programs for each
+    plane; Step 2 compares all pairs of regions; Step 3 is networkx's minimum cycle basis, about
+    the sixth power of the number of planes.
+
+    Source: [HaasHeger2018], "Slip state enumeration", Steps 1 to 3 and Algorithm 1.
+
+    >>> two = published_enumeration(Arrangement([[1, 0, 0], [0, 1, 0]]))
+    >>> len(two.states), len(two.distinct_states)
+    (10, 9)
+    """
+    if arrangement.dimension != 3 or not arrangement.is_central:
+        raise InputError(
+            f"{arrangement!r}: the published enumeration is stated for planes through the origin "
+            "of R^3; use Arrangement.faces() otherwise"
+        )
+    planes = [plane[:-1] for plane in arrangement.integer_planes]
+    classes = arrangement.distinct if merge else tuple((i,) for i in range(len(planes)))
+    regions = _regions([planes[members[0]] for members in classes])
+    graph = _graph(regions)
+    cycles = _cycles(graph)
+    lines = [_line(regions, graph, cycle) for cycle in cycles]
+    facets = [_on_planes(regions[k], {plane}) for k, _, plane in graph.edges(data="plane")]
+    turns = arrangement.orientation
+    owner = {plane: c for c, members in enumerate(classes) for plane in members}
+
+    def filled(signs: SignVector) -> SignVector:
+        if not merge:
+            return signs
+        return tuple(turns[plane] * signs[owner[plane]] for plane in range(len(planes)))
+
+    return PublishedEnumeration(
+        regions=tuple(filled(signs) for signs in regions),
+        facets=tuple(filled(signs) for signs in facets),
+        lines=tuple(filled(signs) for signs in lines),
+        cycles=cycles,
+        graph=_described(graph, [filled(signs) for signs in regions], classes),
+    )
+
+
+def _regions(planes: list[IntegerVector]) -> list[SignVector]:
+    """Step 1, Algorithm 1: split every region by one plane after the other."""
+    found: dict[SignVector, RationalVector] = {(): (Fraction(0),) * 3}
+    for i, plane in enumerate(planes):
+        split: dict[SignVector, RationalVector] = {}
+        for signs, inside in found.items():
+            side = sign(dot(plane, inside))
+            for s in (1, -1):
+                point = inside if s == side else _point_inside((*signs, s), planes[: i + 1])
+                if point is not None:
+                    split[*signs, s] = point
+        found = split
+    return list(found)
+
+
+def _point_inside(signs: SignVector, planes: list[IntegerVector]) -> RationalVector | None:
+    """Return a point strictly on the given sides of central planes in R^3, or None.
+
+    A cone ``s_i n_i . x > 0`` is nonempty exactly when ``s_i n_i . x >= 1`` can be solved.
+    """
+    rows = [[*(s * x for x in plane), -1] for s, plane in zip(signs, planes, strict=False)]
+    answer = feasible_point(3, rows)
+    return None if isinstance(answer, Infeasible) else answer
+
+
+def _graph(regions: list[SignVector]) -> nx.Graph:
+    """Step 2: join every two regions that differ in a single sign."""
+    import networkx as nx
+
+    graph = nx.Graph()
+    graph.add_nodes_from(range(len(regions)))
+    for (j, one), (k, other) in combinations(enumerate(regions), 2):
+        differing = [i for i, (a, b) in enumerate(zip(one, other, strict=True)) if a != b]
+        if len(differing) == 1:
+            graph.add_edge(j, k, plane=differing[0])
+    return graph
+
+
+def _cycles(graph: nx.Graph) -> tuple[Cycle, ...]:
+    """Step 3, first half: a minimum cycle basis, and the symmetric sum of its cycles."""
+    import networkx as nx
+
+    basis: list[Cycle] = []
+    last: set[tuple[int, int]] = set()
+    for nodes in nx.minimum_cycle_basis(graph):
+        edges = {(min(e), max(e)) for e in zip(nodes, nodes[1:] + nodes[:1], strict=True)}
+        basis.append(tuple(sorted(edges)))
+        last ^= edges
+    return (*basis, tuple(sorted(last))) if basis else ()
+
+
+def _line(regions: list[SignVector], graph: nx.Graph, cycle: Cycle) -> SignVector:
+    """Step 3, second half: start at a region of the cycle, let every crossed plane stick."""
+    return _on_planes(regions[cycle[0][0]], {graph.edges[edge]["plane"] for edge in cycle})
+
+
+def _on_planes(signs: SignVector, zero: set[int]) -> SignVector:
+    return tuple(0 if i in zero else s for i, s in enumerate(signs))
+
+
+def _described(
+    graph: nx.Graph, signs: list[SignVector], classes: tuple[tuple[int, ...], ...]
+) -> nx.Graph:
+    """Return a frozen copy of the graph with the attributes that readers expect."""
+    import networkx as nx
+
+    described = nx.Graph()
+    described.add_nodes_from((k, {"signs": vector}) for k, vector in enumerate(signs))
+    described.add_edges_from(
+        (j, k, {"planes": classes[plane]}) for j, k, plane in graph.edges(data="plane")
+    )
+    return nx.freeze(described)

@@ -1,0 +1,272 @@
+"""Files: strict reading of JSON documents, built-in documents by name, and safe writing.
+
+A document is a JSON object with ``"schema_version": 1``. Numbers in it are integers or strings
+such as ``"7/3"`` and ``"-0.25"``; a float is refused, because its decimal text and its binary
+value differ. Nothing from a file is ever evaluated. Every refusal is an `InputError` that says
+where, what, and the rule.
+
+An arrangement::
+
+    {"schema_version": 1, "planes": [["0", "1", "-1"], ["1", "0", "0"]], "offsets": ["0", "2"]}
+
+with optional ``offsets``, ``dimension`` (needed only when there are no planes) and
+``description``. Packages above this one announce further kinds of document that stand for an
+arrangement in the entry-point group ``slipstates.documents`` (name: the key that tells the kind;
+value: a function from the document to an `Arrangement`), and built-in documents in the group
+``slipstates.instances`` (value: a module whose ``paths()`` gives files by name).
+"""
+
+from __future__ import annotations
+
+import json
+import os
+import re
+import sys
+from collections.abc import Callable, Collection, Iterable, Mapping
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, BinaryIO, TypeAlias
+
+from arrangement.errors import InputError
+from arrangement.exact import MAX_TEXT_LENGTH, integer, shown
+from arrangement.planes import Arrangement
+
+from .writing import reason
+
+if TYPE_CHECKING:
+    from importlib.resources.abc import Traversable
+
+#: What a document can be read from: a path, ``"-"`` (stdin), a built-in name, or a mapping.
+Source: TypeAlias = "str | os.PathLike[str] | Mapping[str, Any]"
+
+SCHEMA_VERSION = 1
+#: Largest file that is read, unless a caller allows more.
+MAX_BYTES = 4 * 2**20
+#: Largest dimension that a file may name for an arrangement (rows of planes speak for themselves).
+MAX_DIMENSION = 1000
+
+_NAME = re.compile(r"[a-z0-9]+(?:-[a-z0-9]+)*")
+
+
+def read_arrangement(source: Source) -> Arrangement:
+    """Read an arrangement from a path, ``"-"`` (stdin), a built-in name or a mapping.
+
+    A grasp file (or name) is accepted too, when the package that knows grasps is installed: its
+    tangential planes are meant.
+
+    Raises:
+        InputError: for anything that is not exactly a valid document (see this module).
+
+    >>> read_arrangement({"schema_version": 1, "planes": [["0", "1", "-1"], ["0", "-1", "-1"]]})
+    <Arrangement: 2 planes (2 distinct) in R^3, rank 2, central>
+    """
+    readers: dict[str, Callable[[], Callable[[Mapping[str, Any]], Arrangement]]]
+    readers = {point.name: point.load for point in _entry_points("slipstates.documents")}
+    readers["planes"] = lambda: _planes
+    document = read_document(source, readers)
+    kind = next(key for key in readers if key in document)
+    return readers[kind]()(document)
+
+
+def _planes(document: Mapping[str, Any]) -> Arrangement:
+    """Read a document of the kind "planes"."""
+    optional = ("offsets", "dimension", "description")
+    check_keys(document, ("schema_version", "planes"), optional, "the arrangement")
+    planes = check_list(document["planes"], "planes")
+    return Arrangement(
+        [check_list(row, f"planes[{i}]") for i, row in enumerate(planes)],
+        check_list(document["offsets"], "offsets") if "offsets" in document else None,
+        dimension=_dimension(document["dimension"]) if "dimension" in document else None,
+    )
+
+
+def _dimension(value: Any) -> int:
+    if type(value) is not int or not 1 <= value <= MAX_DIMENSION:
+        raise InputError(
+            f"dimension is {_kind_of(value)}; an integer from 1 to {MAX_DIMENSION} is due"
+        )
+    return value
+
+
+def read_document(
+    source: Source, kinds: Collection[str], *, max_bytes: int = MAX_BYTES, floats: bool = False
+) -> dict[str, Any]:
+    """Read a JSON object that has ``schema_version`` 1 and exactly one of the keys `kinds`.
+
+    The caller checks the remaining keys with `check_keys`. A name such as ``paper-three-contacts``
+    means the built-in document even when a file of that name exists; write ``./name`` for the file.
+
+    Args:
+        floats: take numbers such as 0.1 and 1e-3 too, as the binary floats that they are; for data
+            whose conversion is the purpose.
+
+    Raises:
+        InputError: a file that cannot be read, is longer than `max_bytes`, is not UTF-8, is not
+            strict JSON (duplicate keys, NaN, floats, deep nesting), or is no such document.
+    """
+    if isinstance(source, Mapping):
+        document: Any = dict(source)
+        name = "the document"
+    else:
+        name = "standard input" if source == "-" else shown(_path_text(source))
+        document = _parse(_read_bytes(source, name, max_bytes), name, floats)
+    if not isinstance(document, dict):
+        raise InputError(f"{name} holds {_kind_of(document)}; a document is a JSON object")
+    _check_kind(document, kinds, name)
+    return document
+
+
+def check_keys(
+    mapping: Any, required: Iterable[str], optional: Iterable[str], where: str
+) -> Mapping[str, Any]:
+    """Check that `mapping` is a mapping with all required keys and no unknown ones; return it."""
+    if not isinstance(mapping, Mapping):
+        raise InputError(f"{where} is {_kind_of(mapping)}; a JSON object is due")
+    known = [*required, *optional]
+    for key in mapping:
+        if key not in known:
+            raise InputError(
+                f"{where} has the unknown key {shown(key)}; known keys are {', '.join(known)}"
+            )
+    for key in required:
+        if key not in mapping:
+            raise InputError(f'{where} has no key "{key}"; it is required')
+    if not isinstance(mapping.get("description", ""), str):
+        raise InputError(f"the description of {where} is no text; write a string")
+    return mapping
+
+
+def check_list(value: Any, where: str, length: int | None = None) -> list[Any]:
+    """Check that `value` is a list (of the given length); return it as a list."""
+    if not isinstance(value, (list, tuple)):
+        raise InputError(f"{where} is {_kind_of(value)}; a list is due")
+    if length is not None and len(value) != length:
+        raise InputError(f"{where} has {len(value)} entries; {length} are due")
+    return list(value)
+
+
+def instances() -> dict[str, Traversable]:
+    """Return every built-in document by name, in alphabetical order."""
+    found: dict[str, Traversable] = {}
+    for point in _entry_points("slipstates.instances"):
+        found.update(point.load().paths())
+    return dict(sorted(found.items()))
+
+
+def _built_in(name: str) -> Traversable | None:
+    """Look a name up in one package after the other, loading no more of them than needed."""
+    tables = (point.load().paths() for point in _entry_points("slipstates.instances"))
+    return next((table[name] for table in tables if name in table), None)
+
+
+def _entry_points(group: str) -> Any:
+    from importlib.metadata import entry_points
+
+    return entry_points(group=group)
+
+
+def _path_text(source: Any) -> str:
+    if not isinstance(source, (str, os.PathLike)):
+        raise InputError(
+            f"the source is {_kind_of(source)}; give a path, a built-in name or a mapping"
+        )
+    return os.fsdecode(source)
+
+
+def _read_bytes(source: str | os.PathLike[str], name: str, max_bytes: int) -> bytes:
+    """Return the content of stdin, a built-in document or a file, with a limit on its length."""
+    try:
+        if source == "-":
+            return _limited(sys.stdin.buffer, name, max_bytes)
+        if isinstance(source, str) and _NAME.fullmatch(source):
+            built_in = _built_in(source)
+            if built_in is not None:
+                return built_in.read_bytes()
+        with Path(source).open("rb") as stream:
+            return _limited(stream, name, max_bytes)
+    except (OSError, ValueError) as error:
+        if isinstance(error, InputError):
+            raise
+        names = "" if os.sep in str(source) else " (built-in names: see `arrangement list`)"
+        raise InputError(f"cannot read {name}: {reason(error)}{names}") from None
+
+
+def _limited(stream: BinaryIO, name: str, max_bytes: int) -> bytes:
+    content = stream.read(max_bytes + 1)
+    if len(content) > max_bytes:
+        raise InputError(f"{name} is longer than {max_bytes} bytes, the most that is read")
+    return content
+
+
+def _parse(content: bytes, name: str, floats: bool) -> Any:
+    """Parse strict JSON: UTF-8, no duplicate keys, no floats unless wanted, no NaN, flat."""
+    try:
+        return json.loads(
+            content.decode("utf-8-sig"),
+            object_pairs_hook=_without_duplicates,
+            parse_int=_parse_integer,
+            parse_float=float if floats else _refuse_float,
+            parse_constant=_refuse_constant,
+        )
+    except InputError as error:
+        raise InputError(f"{name}: {error}") from None
+    except UnicodeDecodeError as error:
+        raise InputError(f"{name} is not UTF-8 text (byte {error.start} is wrong)") from None
+    except json.JSONDecodeError as error:
+        raise InputError(
+            f"{name} is not valid JSON: {error.msg} (line {error.lineno}, column {error.colno})"
+        ) from None
+    except RecursionError:
+        raise InputError(f"{name} is nested too deeply; no document needs that") from None
+
+
+def _without_duplicates(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
+    mapping: dict[str, Any] = {}
+    for key, value in pairs:
+        if key in mapping:
+            raise InputError(f"the key {shown(key)} appears twice in one object; keep one")
+        mapping[key] = value
+    return mapping
+
+
+def _parse_integer(text: str) -> int:
+    if len(text) > MAX_TEXT_LENGTH:
+        raise InputError(
+            f"an integer has {len(text)} digits; at most {MAX_TEXT_LENGTH} are read as one number"
+        )
+    return integer(text)
+
+
+def _refuse_float(text: str) -> Any:
+    raise InputError(
+        f'the number {shown(text)} is a float; write an integer or a string such as "1/4", "-0.25"'
+    )
+
+
+def _refuse_constant(text: str) -> Any:
+    raise InputError(f'{text} is no exact number; write an integer or a string such as "1/4"')
+
+
+def _check_kind(document: dict[str, Any], kinds: Collection[str], name: str) -> None:
+    """Check the version of the schema, and that the document is of exactly one of the kinds."""
+    if "schema_version" not in document:
+        raise InputError(f'{name} has no key "schema_version"; add "schema_version": 1')
+    version = document["schema_version"]
+    if type(version) is not int or version != SCHEMA_VERSION:
+        raise InputError(
+            f"{name} has schema_version {shown(version)}; this version reads {SCHEMA_VERSION}"
+        )
+    present = [kind for kind in kinds if kind in document]
+    if len(present) != 1:
+        found = " and ".join(present) if present else "none"
+        raise InputError(
+            f"{name} must have exactly one of the keys {', '.join(sorted(kinds))}; it has {found}"
+        )
+
+
+def _kind_of(value: Any) -> str:
+    """Name what a JSON value is, with its content where that is short."""
+    if isinstance(value, Mapping):
+        return "an object"
+    if isinstance(value, (list, tuple)):
+        return "a list"
+    return "null" if value is None else shown(value)

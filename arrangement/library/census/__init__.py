@@ -1,0 +1,10 @@
+"""Every combinatorial type of m distinct planes of rank 3, m = 3 to 8, with a representative.
+
+Two arrangements have the same type if one becomes the other by relabelling planes and exchanging
+their sides, as far as sign vectors are concerned. The list ships with the package;
+`arrangement.library.census.generate` makes it again, byte for byte.
+"""
+
+from .catalogue import MOST_PLANES, PUBLISHED, PUBLISHED_SIMPLE, census
+
+__all__ = ["MOST_PLANES", "PUBLISHED", "PUBLISHED_SIMPLE", "census"]

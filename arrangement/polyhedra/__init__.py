@@ -1,0 +1,1 @@
+"""Exact polyhedra: cones, polygons and solids, cells of an arrangement, and its dual."""

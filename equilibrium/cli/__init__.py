@@ -1,0 +1,3 @@
+"""The command ``equilibrium``."""
+
+from .program import main as main

@@ -1,0 +1,70 @@
+"""What a notebook shows of a verdict: every equilibrium as a table of exact forces.
+
+Plain HTML without scripts; no extra is needed.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from fractions import Fraction
+from html import escape
+
+from arrangement.exact import RationalVector, to_text
+from equilibrium.model.grasp import Grasp
+from equilibrium.solver.equilibrium import Equilibrium
+
+#: How many equilibria are listed, and how long an exact number may be before it is rounded.
+MOST_PIECES, LONGEST = 8, 24
+
+
+def verdict_html(grasp: Grasp, wrench: RationalVector, equilibria: Sequence[Equilibrium]) -> str:
+    """Return the answer as HTML: state, normal and tangential force of each contact.
+
+    Contacts are numbered from 1, as in pictures. A number too long for a cell is rounded, with a
+    sign that says so; its exact value is in the title of the cell.
+    """
+    units = f"<p>{escape(str(grasp.units))}</p>" if grasp.units else ""
+    applied = f"w = {_vector(wrench)}"
+    if not equilibria:
+        return f"<div>{units}<p><b>no equilibrium</b> under {applied}</p></div>"
+    number = len(equilibria)
+    heading = f"<b>stable</b> under {applied}: {number} " + (
+        "equilibrium" if number == 1 else "equilibria"
+    )
+    tables = "".join(_table(piece) for piece in equilibria[:MOST_PIECES])
+    more = f"<p>and {number - MOST_PIECES} more</p>" if number > MOST_PIECES else ""
+    return f"<div>{units}<p>{heading}</p>{tables}{more}</div>"
+
+
+def _table(piece: Equilibrium) -> str:
+    head = "<tr><th>contact</th><th>state</th><th>c<sub>n</sub></th><th>c<sub>t</sub></th></tr>"
+    rows = "".join(
+        f"<tr><td>{i}</td><td>{escape(state)}</td><td>{_number(c_n)}</td><td>{_number(c_t)}</td></tr>"
+        for i, (state, (c_n, c_t)) in enumerate(zip(piece.states, piece.forces, strict=True), 1)
+    )
+    caption = f"d = {_vector(piece.motion)}{_freedom(piece)}"
+    return f"<table><caption>{caption}</caption><thead>{head}</thead><tbody>{rows}</tbody></table>"
+
+
+def _freedom(piece: Equilibrium) -> str:
+    if piece.unique:
+        return ""
+    what = "the motion is" if piece.forces_determined else "motion and forces are"
+    return f" ({what} not determined: least norm)"
+
+
+def _vector(values: Iterable[Fraction]) -> str:
+    return f"({', '.join(map(_number, values))})"
+
+
+def _number(value: Fraction) -> str:
+    """Return an exact number, or a rounded one with its exact value as a title."""
+    text = to_text(value)
+    if len(text) <= LONGEST:
+        return escape(text)
+    try:
+        near = f"{float(value):.6g}"
+    except OverflowError:
+        near = f"{text[:8]}…"
+    exact = text if len(text) <= 400 else f"{text[:400]}…"
+    return f'<span title="{escape(exact, quote=True)}">≈{near}</span>'

@@ -1,0 +1,114 @@
+"""Grasps from CSV files: one contact a line, strictly read.
+
+The first line names the columns: ``x``, ``y``, ``normal_x``, ``normal_y``, ``friction`` and, if
+wanted, ``stiffness`` and ``preload``, in any order, separated by commas. Numbers are exact
+decimals or ratios, as ``-0.25`` and ``7/3``. A normal may have any length; one of irrational length
+is replaced by a near unit vector and the error reported.
+"""
+
+from __future__ import annotations
+
+import csv
+import io
+import os
+from collections.abc import Iterator
+from fractions import Fraction
+from pathlib import Path
+from typing import Any
+
+from arrangement.exact import RationalVector, rational, shown
+from equilibrium.model.errors import GraspError
+from equilibrium.model.grasp import Contact
+from equilibrium.model.unit_normal import UnitNormal, unit_normal
+
+from .conversion import DEFAULT_TOLERANCE, Conversion, assembled
+
+REQUIRED = ("x", "y", "normal_x", "normal_y", "friction")
+OPTIONAL = ("stiffness", "preload")
+MAX_BYTES = 4 * 2**20
+
+
+def read_csv(
+    path: str | os.PathLike[str], *, angle_tolerance: Any = DEFAULT_TOLERANCE
+) -> Conversion:
+    """Read a grasp from a CSV file.
+
+    Raises:
+        GraspError: names the line and the rule; also for a file that cannot be read, is longer
+            than 4 MiB or is not UTF-8.
+    """
+    return parse_csv(csv_text(path), angle_tolerance=angle_tolerance)
+
+
+def parse_csv(text: str, *, angle_tolerance: Any = DEFAULT_TOLERANCE) -> Conversion:
+    """Read a grasp from CSV text.
+
+    >>> found = parse_csv("x,y,normal_x,normal_y,friction\\n-1,0,2,0,0.5\\n")
+    >>> found.grasp.contacts[0].normal, found.exact
+    ((Fraction(1, 1), Fraction(0, 1)), True)
+    """
+    places: list[tuple[RationalVector, Fraction]] = []
+    normals: list[UnitNormal] = []
+    values: list[dict[str, Fraction]] = []
+    for line, row in csv_rows(text):
+        try:
+            numbers = {name: rational(entry, name) for name, entry in row.items()}
+            normal = unit_normal((numbers["normal_x"], numbers["normal_y"]), angle_tolerance)
+            point = (numbers["x"], numbers["y"])
+            rest = {name: x for name, x in numbers.items() if name in ("friction", *OPTIONAL)}
+            Contact(point, normal.normal, **rest)
+        except ValueError as error:
+            raise GraspError(f"line {line}: {error}") from None
+        places.append((point, Fraction(0)))
+        normals.append(normal)
+        values.append(rest)
+    return assembled(places, normals, values)
+
+
+def csv_rows(text: str) -> Iterator[tuple[int, dict[str, str]]]:
+    """Yield line numbers and entries by column."""
+    reader = csv.reader(io.StringIO(text), strict=True)
+    try:
+        header = [name.strip() for name in next(reader, [])]
+        _check_header(header)
+        for row in reader:
+            if len(row) != len(header):
+                raise GraspError(
+                    f"line {reader.line_num} has {len(row)} entries; the header has {len(header)}"
+                )
+            yield reader.line_num, dict(zip(header, (entry.strip() for entry in row), strict=True))
+    except csv.Error as error:
+        raise GraspError(f"line {reader.line_num}: {error}") from None
+
+
+def _check_header(header: list[str]) -> None:
+    """Refuse missing, unknown and repeated columns."""
+    missing = [name for name in REQUIRED if name not in header]
+    if missing:
+        raise GraspError(
+            f"the first line must name the columns {', '.join(REQUIRED)}; {missing[0]} is missing"
+        )
+    for name in header:
+        if name not in (*REQUIRED, *OPTIONAL):
+            raise GraspError(
+                f"the column {shown(name)} is unknown; known are {', '.join(REQUIRED + OPTIONAL)}"
+            )
+        if header.count(name) > 1:
+            raise GraspError(f"the column {name} appears twice; keep one")
+
+
+def csv_text(path: str | os.PathLike[str]) -> str:
+    """Return the text of a file, with a limit on its length."""
+    name = shown(str(path))
+    try:
+        with Path(path).open("rb") as stream:
+            content = stream.read(MAX_BYTES + 1)
+    except (OSError, ValueError) as error:
+        reason = getattr(error, "strerror", None) or error
+        raise GraspError(f"cannot read {name}: {reason}") from None
+    if len(content) > MAX_BYTES:
+        raise GraspError(f"{name} is longer than {MAX_BYTES} bytes, the most that is read")
+    try:
+        return content.decode("utf-8-sig")
+    except UnicodeDecodeError as error:
+        raise GraspError(f"{name} is not UTF-8 text (byte {error.start} is wrong)") from None

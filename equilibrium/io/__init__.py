@@ -1,0 +1,1 @@
+"""Files: grasps and certificates, and their schemas."""

@@ -1,0 +1,141 @@
+"""The paper read literally, each deviation from the complete model a switch of its own.
+
+[HaasHeger2018] prints a model and an algorithm that its own result tables do not follow in every
+point. Here each point can be switched on alone, to show what it changes. With no option the answer
+is that of `solve`. No certificate comes with these answers: they are for comparison.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterable
+from dataclasses import dataclass
+from functools import lru_cache
+from typing import Any
+
+from arrangement.enumeration.paper_steps import published_enumeration
+from arrangement.exact import RationalVector, to_text
+from arrangement.planes import Face
+from arrangement.progress import watched
+from equilibrium.model.errors import GraspError
+from equilibrium.model.grasp import Grasp, read_wrench
+from equilibrium.solver.elimination import Refutation, decide
+from equilibrium.solver.equilibrium import Equilibrium, equilibrium_of, maximal
+from equilibrium.solver.state_system import State, States, state_system
+
+#: Each option with what it takes over from the printed text.
+OPTIONS = {
+    "detachment": "Eqs. 2 and 4 as equalities: no contact may let go",
+    "preload": "Eq. 4 as printed carries no preload: every preload counts as 0",
+    "signs": "Eqs. 1 and 4 in one frame (outward normals): friction then pulls along the slip",
+    "cell-check": "Algorithm 2 never checks that d lies in the slip state's own cell",
+    "all-stick": "the enumeration does not list the state in which all contacts stick, d = 0",
+    "coincident-planes": "Steps 1 to 3 without merging coincident planes",
+    "single-solution": "Algorithm 2 stops at the first solution, as if it were the only one",
+}
+
+
+_SLIP: dict[int, State] = {1: "slip+", 0: "stick", -1: "slip-"}
+
+
+@dataclass(frozen=True)
+class LiteralVerdict:
+    """The answer of a literal reading.
+
+    Attributes:
+        grasp, wrench: the question as asked (the option "preload" does not change it).
+        options: the deviations that were switched on, in the order of `OPTIONS`.
+        equilibria: as in `Verdict`, under the conditions of this reading.
+    """
+
+    grasp: Grasp
+    wrench: RationalVector
+    options: tuple[str, ...]
+    equilibria: tuple[Equilibrium, ...]
+
+    @property
+    def stable(self) -> bool:
+        """Whether this reading finds an equilibrium."""
+        return bool(self.equilibria)
+
+    def to_dict(self) -> dict[str, Any]:
+        """Return a JSON form; numbers are strings of rationals."""
+        return {
+            "stable": self.stable,
+            "literal": list(self.options),
+            "equilibria": [piece.to_dict() for piece in self.equilibria],
+            "wrench": [to_text(x) for x in self.wrench],
+            "grasp": self.grasp.to_dict(),
+        }
+
+
+def solve_literal(
+    grasp: Grasp, wrench: Iterable[Any], options: Collection[str] = ()
+) -> LiteralVerdict:
+    """Decide as the printed text does in the chosen points, and completely in all others.
+
+    Args:
+        options: any of the keys of `OPTIONS`.
+
+    Raises:
+        GraspError: an unknown option.
+    """
+    unknown = sorted(set(options) - OPTIONS.keys())
+    if unknown:
+        raise GraspError(
+            f"literal option {unknown[0]!r} is unknown; choose of {', '.join(OPTIONS)}"
+        )
+    applied = read_wrench(wrench)
+    chosen = tuple(name for name in OPTIONS if name in options)
+    posed = grasp.with_preload(0) if "preload" in chosen else grasp
+    pieces: list[Equilibrium] = []
+    for states in watched(_states(posed, chosen), "contact states"):
+        system = state_system(
+            posed,
+            states,
+            applied,
+            friction_sign=-1 if "signs" in chosen else 1,
+            cell_check="cell-check" not in chosen,
+        )
+        outcome = decide(system)
+        if not isinstance(outcome, Refutation):
+            pieces.append(equilibrium_of(system, outcome))
+            if "single-solution" in chosen:
+                break
+    return LiteralVerdict(grasp, applied, chosen, maximal(pieces))
+
+
+def _states(grasp: Grasp, options: tuple[str, ...]) -> tuple[States, ...]:
+    """Return the contact states that the chosen reading tries, without repeats."""
+    label, faces = _touching, grasp.motion_arrangement().faces()
+    if "detachment" in options:
+        faces, label = grasp.tangential_arrangement().faces(), _attached
+    listed = [face for face in faces if _is_listed(grasp, face, options)]
+    return tuple(dict.fromkeys(map(label, listed)))
+
+
+def _touching(face: Face) -> States:
+    """Return the states on a face of the tangential and normal planes."""
+    m = len(face.signs) // 2
+    return tuple("detached" if face.signs[m + i] >= 0 else _SLIP[face.signs[i]] for i in range(m))
+
+
+def _attached(face: Face) -> States:
+    """Return the states on a face of the tangential planes when no contact detaches."""
+    return tuple(_SLIP[sign] for sign in face.signs)
+
+
+def _is_listed(grasp: Grasp, face: Face, options: tuple[str, ...]) -> bool:
+    """Return whether the enumeration of this reading reaches a face, by its tangential signs."""
+    slips = face.signs[: len(grasp)]
+    if not any(slips):
+        # The origin; where the tangential planes share a line, the enumeration lists that line.
+        return "all-stick" not in options or grasp.tangential_arrangement().rank < 3
+    if "coincident-planes" not in options:
+        return True
+    return slips in _published(grasp)
+
+
+@lru_cache(maxsize=16)
+def _published(grasp: Grasp) -> frozenset[tuple[int, ...]]:
+    """Return the slip states of Steps 1 to 3 as printed."""
+    return frozenset(published_enumeration(grasp.tangential_arrangement()).states)

@@ -1,0 +1,1 @@
+"""Contacts and grasps, exact: what a question is made of."""

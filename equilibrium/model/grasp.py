@@ -1,0 +1,235 @@
+"""Contacts and grasps of a planar object, exact and frozen.
+
+Conventions (all in one object frame, counter-clockwise positive): the normal n points INTO the
+object; the tangent is n turned by +90 degrees, ``t = (-n_y, n_x)``; a force f at the point p has
+the wrench ``(f, p x f)`` with ``a x b = a_x b_y - a_y b_x``. A small motion ``d = (x, y, r)`` moves
+the contact point by ``N . d`` along the normal and ``T . d`` along the tangent.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import dataclass, field
+from fractions import Fraction
+from functools import cached_property
+from typing import Any
+
+from arrangement.exact import RationalVector, rational, rational_vector, shown, to_text
+from arrangement.io.files import check_keys, check_list
+from arrangement.planes import Arrangement
+
+from .errors import GraspError
+from .units import Units
+
+CONTACT_KEYS = ("point", "normal", "friction", "stiffness", "preload")
+
+
+@dataclass(frozen=True)
+class Contact:
+    """One frictional contact with a unilateral normal spring.
+
+    Args:
+        point: contact point p (length).
+        normal: exactly unit, rational, pointing into the object; see `unit_normal`.
+        friction: Coulomb coefficient, at least 0.
+        stiffness: of the normal spring (force per length), above 0.
+        preload: spring force at d = 0, at least 0.
+
+    Raises:
+        GraspError: a normal that is not unit, or a number out of range.
+        InputError: a float, or text that is no number.
+
+    >>> Contact(["-1", 0], [1, 0], "1/2").tangential_wrench
+    (Fraction(0, 1), Fraction(1, 1), Fraction(-1, 1))
+    """
+
+    point: RationalVector
+    normal: RationalVector
+    friction: Fraction
+    stiffness: Fraction = Fraction(1)
+    preload: Fraction = Fraction(0)
+
+    def __init__(
+        self,
+        point: Iterable[Any],
+        normal: Iterable[Any],
+        friction: Any,
+        stiffness: Any = 1,
+        preload: Any = 0,
+    ) -> None:
+        values = {
+            "point": _pair(point, "point"),
+            "normal": _unit(normal),
+            "friction": rational(friction, "friction"),
+            "stiffness": rational(stiffness, "stiffness"),
+            "preload": rational(preload, "preload"),
+        }
+        for name, value in values.items():
+            object.__setattr__(self, name, value)
+        for name in ("friction", "preload"):
+            if getattr(self, name) < 0:
+                raise GraspError(f"{name} is {getattr(self, name)}; it must be at least 0")
+        if self.stiffness <= 0:
+            raise GraspError(f"stiffness is {self.stiffness}; it must be above 0")
+
+    @property
+    def tangent(self) -> RationalVector:
+        """The normal turned by +90 degrees."""
+        return (-self.normal[1], self.normal[0])
+
+    @cached_property
+    def normal_wrench(self) -> RationalVector:
+        """N, the wrench of a unit force along the normal."""
+        return _wrench(self.point, self.normal)
+
+    @cached_property
+    def tangential_wrench(self) -> RationalVector:
+        """T, the wrench of a unit force along the tangent."""
+        return _wrench(self.point, self.tangent)
+
+    def to_dict(self) -> dict[str, Any]:
+        """Return the file form of the contact; every number is a string."""
+        return {
+            "point": [to_text(x) for x in self.point],
+            "normal": [to_text(x) for x in self.normal],
+            "friction": to_text(self.friction),
+            "stiffness": to_text(self.stiffness),
+            "preload": to_text(self.preload),
+        }
+
+
+@dataclass(frozen=True)
+class Grasp:
+    """Finitely many contacts on one rigid planar object; none is allowed too.
+
+    Attributes:
+        contacts: in the order given.
+        units: what the numbers are measured in, if stated; a label that no comparison looks at.
+    """
+
+    contacts: tuple[Contact, ...]
+    units: Units | None = field(default=None, compare=False)
+
+    def __init__(self, contacts: Iterable[Contact] = (), units: Units | None = None) -> None:
+        listed = tuple(contacts)
+        for i, contact in enumerate(listed):
+            if not isinstance(contact, Contact):
+                raise GraspError(f"contacts[{i}] is {contact!r}; give Contact values")
+        if units is not None and not isinstance(units, Units):
+            raise GraspError(f"units is {shown(units)}; give a Units value or leave it out")
+        object.__setattr__(self, "contacts", listed)
+        object.__setattr__(self, "units", units)
+
+    @cached_property
+    def _hash(self) -> int:
+        return hash(self.contacts)
+
+    def __hash__(self) -> int:
+        """Return the hash of the contacts, computed once: results are kept by grasp."""
+        return self._hash
+
+    def __len__(self) -> int:
+        return len(self.contacts)
+
+    def __iter__(self) -> Iterator[Contact]:
+        return iter(self.contacts)
+
+    def tangential_arrangement(self) -> Arrangement:
+        """Return the m planes ``T . d = 0`` in the space of motions d."""
+        return Arrangement([c.tangential_wrench for c in self], dimension=3)
+
+    def motion_arrangement(self) -> Arrangement:
+        """Return the m planes ``T . d = 0``, then the m planes ``stiffness N . d = preload``."""
+        normals = [tuple(c.stiffness * x for x in c.normal_wrench) for c in self]
+        return Arrangement(
+            [c.tangential_wrench for c in self] + normals,
+            [Fraction(0)] * len(self) + [c.preload for c in self],
+            dimension=3,
+        )
+
+    def with_preload(self, preload: Any) -> Grasp:
+        """Return the same grasp with one preload at every contact."""
+        contacts = [Contact(c.point, c.normal, c.friction, c.stiffness, preload) for c in self]
+        return Grasp(contacts, self.units)
+
+    def with_units(self, length: str, force: str) -> Grasp:
+        """Return the same grasp with its units stated; no number changes."""
+        return Grasp(self.contacts, Units(length, force))
+
+    def _repr_svg_(self) -> str | None:
+        """Return what a notebook shows: the picture, where matplotlib is installed."""
+        from equilibrium.draw.output import grasp_svg
+
+        return grasp_svg(self)
+
+    def to_dict(self) -> dict[str, Any]:
+        """Return the file form (see `read_grasp`)."""
+        stated = {} if self.units is None else {"units": self.units.to_dict()}
+        return {"schema_version": 1, **stated, "contacts": [c.to_dict() for c in self]}
+
+    @classmethod
+    def from_dict(cls, document: Mapping[str, Any]) -> Grasp:
+        """Return the grasp of a document with exactly the keys of `to_dict`.
+
+        In a contact, stiffness (1) and preload (0) may be left out; in the grasp, the units.
+
+        Raises:
+            InputError: unknown or missing keys, an unknown schema version, wrong types.
+        """
+        optional = ("description", "units")
+        check_keys(document, ("schema_version", "contacts"), optional, "the grasp")
+        version = document["schema_version"]
+        if type(version) is not int or version != 1:
+            raise GraspError(f"schema_version is {version!r}; this version reads 1")
+        contacts = check_list(document["contacts"], "contacts")
+        units = Units.from_dict(document["units"]) if "units" in document else None
+        return cls([_contact(entry, i) for i, entry in enumerate(contacts)], units)
+
+
+def read_wrench(values: Iterable[Any]) -> RationalVector:
+    """Return an applied wrench (force x, force y, torque) as three rationals."""
+    wrench = rational_vector(values, "wrench")
+    if len(wrench) != 3:
+        raise GraspError(f"wrench has {len(wrench)} entries; give force x, force y and torque")
+    return wrench
+
+
+def _contact(entry: Any, index: int) -> Contact:
+    """Return one contact of a document; errors say which."""
+    name = f"contacts[{index}]"
+    check_keys(entry, CONTACT_KEYS[:3], CONTACT_KEYS[3:], name)
+    try:
+        return Contact(*(entry[key] for key in CONTACT_KEYS[:3]), **_optional(entry))
+    except ValueError as error:
+        raise GraspError(f"{name}: {error}") from None
+
+
+def _optional(entry: Mapping[str, Any]) -> dict[str, Any]:
+    """Return the values of the keys that may be left out."""
+    return {key: entry[key] for key in CONTACT_KEYS[3:] if key in entry}
+
+
+def _pair(values: Iterable[Any], name: str) -> RationalVector:
+    """Return two rationals."""
+    pair = rational_vector(values, name)
+    if len(pair) != 2:
+        raise GraspError(f"{name} has {len(pair)} coordinates; give two")
+    return pair
+
+
+def _unit(values: Iterable[Any]) -> RationalVector:
+    """Return an exactly unit normal, or say how to get one."""
+    normal = _pair(values, "normal")
+    square = normal[0] ** 2 + normal[1] ** 2
+    if square != 1:
+        written = ", ".join(to_text(x)[:40] for x in normal)
+        raise GraspError(
+            f"normal is ({written}), whose squared length is not exactly 1; "
+            "unit_normal(direction, tolerance) returns an exactly unit rational vector"
+        )
+    return normal
+
+
+def _wrench(point: RationalVector, force: RationalVector) -> RationalVector:
+    """Return the wrench of a force at a point."""
+    return (force[0], force[1], point[0] * force[1] - point[1] * force[0])

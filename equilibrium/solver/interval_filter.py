@@ -1,0 +1,312 @@
+"""Many small systems at once in floating point, each answer proven by an error bound.
+
+The conditions of one choice of states, when its sticking contacts lie on at most two tangential
+planes, are ``A z = b`` with A square, and inequalities. The unknowns z are d and, for each of these
+planes, the sum C of the tangential forces of the contacts that stick on it. For an approximate
+inverse R of A with ``|I - R A| <= beta < 1`` (largest row sum), A is regular, and its only solution
+is within ``|R (b - A z')| / (1 - beta)`` of any approximate one z'. Both are bounded with the
+rounding errors of their own computation, in any order of summation [Higham2002], [Rump2010]. A
+condition that is negative everywhere so near proves that no equilibrium has these states. What the
+bound does not decide is left to exact arithmetic.
+
+Along ``base + t direction``, t > 0, the solution is ``z0 + t z1``: that of the base, and t times
+that of the direction without preload. So each condition has an upper bound linear in t, the sum of
+two bounds as above. Where no t > 0 satisfies all of them, no equilibrium has these states.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from functools import lru_cache
+from typing import TypeAlias
+
+import numpy as np
+import numpy.typing as npt
+
+from arrangement.exact import RationalVector
+from arrangement.progress import watched
+from equilibrium.model.grasp import Grasp
+
+from .contact_states import DETACHED, Codes, contact_codes
+from .float_contacts import UNIT, Floats, Integers, OutOfRange, RoundedContacts, floats
+
+Booleans: TypeAlias = npt.NDArray[np.bool_]
+
+#: The conditions that a choice of states may violate, by contact. The last two: the friction limit
+#: of all contacts that stick on one tangential plane, less or plus their force along the tangent
+#: of the first of them.
+CONDITIONS = ("normal", "slip", "friction-", "friction+")
+UNDECIDED = -1
+
+#: Above the rounding errors of a bound's own computation.
+_MARGIN, _TINY = 1.01, 1e-200
+_ROWS = 8192
+#: Contacts looked at together; most choices fail at one of the first.
+_CONTACTS = 12
+_ALL = slice(None)
+
+
+@lru_cache(maxsize=8)
+def screen_of(grasp: Grasp) -> Screen:
+    """Return the screen of a grasp; kept for the next wrench."""
+    return Screen(grasp)
+
+
+class Screen:
+    """The systems of all contact states of one grasp, ready for any wrench.
+
+    Attributes:
+        codes: see `cells.contact_codes`.
+    """
+
+    def __init__(self, grasp: Grasp) -> None:
+        self.codes = contact_codes(grasp)
+        self._batches: list[_Batch] = []
+        try:
+            contacts = RoundedContacts(grasp)
+        except OutOfRange:
+            return
+        parts = [
+            (planes, rows[start : start + _ROWS], classes[start : start + _ROWS])
+            for planes, rows, classes in _by_sticking_planes(contacts, self.codes)
+            for start in range(0, len(rows), _ROWS)
+        ]
+        for planes, rows, classes in watched(parts, "batches of states"):
+            self._batches.append(_Batch(contacts, self.codes[rows], rows, classes, planes))
+
+    def violations(self, wrench: RationalVector) -> Integers:
+        """Return a violated condition for each choice of states, or `UNDECIDED`.
+
+        The condition ``kind * contacts + contact`` is the one with that kind of `CONDITIONS`.
+        """
+        found = np.full(len(self.codes), UNDECIDED, dtype=np.int64)
+        try:
+            applied = floats([wrench])[0]
+        except OutOfRange:
+            return found
+        for batch in watched(self._batches, "batches of states"):
+            found[batch.rows] = batch.violations(applied)
+        return found
+
+    def possible_along(self, base: RationalVector, direction: RationalVector) -> Booleans:
+        """Return for each choice of states whether ``base + t direction`` may have it, t > 0.
+
+        False is proven: no equilibrium with these states holds such a wrench for any t > 0.
+        """
+        possible = np.ones(len(self.codes), dtype=np.bool_)
+        try:
+            start, along = floats([base, direction])
+        except OutOfRange:
+            return possible
+        for batch in self._batches:
+            possible[batch.rows] = batch.possible_along(start, along)
+        return possible
+
+
+def _by_sticking_planes(
+    contacts: RoundedContacts, codes: Codes
+) -> Iterator[tuple[int, Integers, Integers]]:
+    """Yield the choices with 0, 1 and 2 tangential planes on which contacts stick.
+
+    Each with the number of planes, the rows of the choices, and the planes (choices, number).
+    """
+    present = np.zeros((len(codes), len(contacts.plane)), dtype=bool)
+    for contact, plane in enumerate(contacts.class_of.tolist()):
+        present[:, plane] |= codes[:, contact] == 0
+    number = present.sum(axis=1)
+    for planes in range(3):
+        rows = np.flatnonzero(number == planes)
+        if len(rows):
+            yield planes, rows, np.nonzero(present[rows])[1].reshape(len(rows), planes)
+
+
+@dataclass(frozen=True)
+class _Solutions:
+    """Approximate solutions with a bound of their errors: motions, forces C, bound per row.
+
+    Attributes:
+        loaded: 1, or 0 if the preloads are left out.
+    """
+
+    motion: Floats
+    forces: Floats
+    error: Floats
+    loaded: float
+
+    @property
+    def reach(self) -> Floats:
+        """The error, with that of the product of a motion and three rounded numbers."""
+        reach: Floats = self.error + 12 * UNIT * np.abs(self.motion).max(axis=1)
+        return reach
+
+    def at(self, rows: Integers) -> _Solutions:
+        """Return those of some rows."""
+        return _Solutions(self.motion[rows], self.forces[rows], self.error[rows], self.loaded)
+
+
+class _Batch:
+    """Choices of states with equally many tangential planes on which contacts stick."""
+
+    def __init__(
+        self,
+        contacts: RoundedContacts,
+        codes: Codes,
+        rows: Integers,
+        classes: Integers,
+        planes: int,
+    ) -> None:
+        self.contacts, self.codes, self.rows, self.classes = contacts, codes, rows, classes
+        self.size = 3 + planes
+        self._build()
+        self._invert()
+
+    def _build(self) -> None:
+        count, data = len(self.codes), self.contacts
+        attached = (self.codes != DETACHED).astype(np.float64)
+        slip = np.where(self.codes == DETACHED, 0, self.codes).astype(np.float64)
+        towards, along = data.stiffness_terms
+        self.matrix = np.zeros((count, self.size, self.size))
+        self.matrix[:, :3, :3] = (attached @ towards - slip @ along).reshape(count, 3, 3)
+        for j in range(self.size - 3):
+            plane = data.plane[self.classes[:, j]]
+            self.matrix[:, :3, 3 + j], self.matrix[:, 3 + j, :3] = -plane, plane
+        self.matrix_error = np.zeros((self.size, self.size))
+        total = np.abs(towards).sum(axis=0) + np.abs(along).sum(axis=0)
+        self.matrix_error[:3, :3] = data.relative_error * total.reshape(3, 3)
+        towards, along = data.preload_terms
+        self.load = attached @ towards - slip @ along
+        total = np.abs(towards).sum(axis=0) + np.abs(along).sum(axis=0)
+        self.load_error = data.relative_error * total
+
+    def _invert(self) -> None:
+        """Compute R and beta; where A is singular in floating point, beta is above 1."""
+        with np.errstate(all="ignore"):
+            regular = np.abs(np.linalg.det(self.matrix)) > 0
+            unit = np.eye(self.size)
+            self.inverse = np.linalg.inv(np.where(regular[:, None, None], self.matrix, unit))
+            size = np.abs(self.inverse)
+            # Entries of A have a relative error of 2 units, the product one of size + 2.
+            slack = self.matrix_error + (2 * self.size + 8) * UNIT * np.abs(self.matrix)
+            residual = np.abs(unit - self.inverse @ self.matrix) + size @ slack
+            beta = _MARGIN * residual.sum(axis=2).max(axis=1) + 1e-12
+        self.beta = np.where(regular & (beta < 0.5), beta, np.inf)
+
+    def _solve(self, wrench: Floats, loaded: float = 1.0) -> _Solutions:
+        """Solve for one wrench, with the preloads or (`loaded` 0) without."""
+        given = np.zeros((len(self.codes), self.size, 1))
+        given[:, :3, 0] = loaded * self.load + wrench
+        z = self.inverse @ given
+        size = np.abs(z)
+        bound = np.abs(given - self.matrix @ z) + self.matrix_error @ size
+        bound += (2 * self.size + 10) * UNIT * (np.abs(given) + np.abs(self.matrix) @ size)
+        bound[:, :3, 0] += loaded * self.load_error + 4 * UNIT * np.abs(wrench)
+        spread = (np.abs(self.inverse) @ bound)[:, :, 0].max(axis=1)
+        error = _MARGIN * spread / (1 - self.beta) + _TINY
+        # Without any load and wrench the solution is 0, and nothing was rounded.
+        error = np.where(bound.any(axis=(1, 2)), error, 0.0)
+        error = np.where(self.beta < 1, error, np.inf)
+        return _Solutions(z[:, :3, 0], z[:, 3:, 0], error, loaded)
+
+    def violations(self, wrench: Floats) -> Integers:
+        """Return a condition that surely fails in each choice, or `UNDECIDED`.
+
+        Springs first, a few contacts at a time; slip and friction where they leave a choice open.
+        """
+        m = self.codes.shape[1]
+        violated = np.full(len(self.codes), UNDECIDED)
+        if m == 0:
+            return violated
+        with np.errstate(all="ignore"):
+            found, left = self._solve(wrench), np.arange(len(self.codes))
+            for start in range(0, m, _CONTACTS):
+                some = slice(start, start + _CONTACTS)
+                worst = _worst(self._springs(found.at(left), left, some))
+                violated[left] = np.where(worst == UNDECIDED, UNDECIDED, start + worst)
+                left = left[worst == UNDECIDED]
+            if len(left):
+                worst = _worst(self._slips_and_friction(found.at(left), left))
+                violated[left] = np.where(worst == UNDECIDED, UNDECIDED, m + worst)
+        return violated
+
+    def possible_along(self, base: Floats, direction: Floats) -> Booleans:
+        """Return whether some t > 0 may satisfy all conditions of each choice; see `Screen`."""
+        if self.codes.shape[1] == 0:
+            return np.ones(len(self.codes), dtype=np.bool_)
+        with np.errstate(all="ignore"):
+            pair = self._solve(base), self._solve(direction, 0.0)
+            every = np.arange(len(self.codes))
+            springs = [self._springs(found, every) for found in pair]
+            possible = ~_surely_empty(*springs)
+            left = np.flatnonzero(possible)
+            if len(left):
+                others = [self._slips_and_friction(found.at(left), left) for found in pair]
+                both = [np.hstack([a[left], b]) for a, b in zip(springs, others, strict=True)]
+                possible[left] = ~_surely_empty(*both)
+        return possible
+
+    def _springs(self, found: _Solutions, rows: Integers, contacts: slice = _ALL) -> Floats:
+        """Return upper bounds of the spring conditions of some rows, by contact."""
+        normal, doubt = self._normal_forces(found, contacts)
+        detached = self.codes[rows, contacts] == DETACHED
+        bounds: Floats = np.where(detached, -normal, normal) + doubt
+        return bounds
+
+    def _normal_forces(self, found: _Solutions, contacts: slice = _ALL) -> tuple[Floats, Floats]:
+        """Return ``preload - stiffness N . d`` and a bound of its error, by contact."""
+        spring, preload = self.contacts.spring[contacts], self.contacts.preload[contacts]
+        normal = found.loaded * preload - found.motion @ spring.T
+        doubt = _MARGIN * np.outer(found.reach, np.abs(spring).sum(axis=1))
+        return normal, doubt + found.loaded * (12 * _MARGIN * UNIT * preload)
+
+    def _slips_and_friction(self, found: _Solutions, rows: Integers) -> Floats:
+        """Return upper bounds of the other `CONDITIONS` of some rows; infinite where none is."""
+        data, codes = self.contacts, self.codes[rows]
+        moved = found.motion @ data.tangent.T
+        doubt = _MARGIN * np.outer(found.reach, np.abs(data.tangent).sum(axis=1))
+        slips = (codes != 0) & (codes != DETACHED)
+        bounds = [np.where(slips, moved * codes + doubt, np.inf)]
+        if self.size > 3:
+            bounds += self._friction(found, rows)
+        return np.concatenate(bounds, axis=1)
+
+    def _friction(self, found: _Solutions, chosen: Integers) -> list[Floats]:
+        """Return upper bounds of the friction conditions, at the first sticking contacts."""
+        data, codes, m = self.contacts, self.codes[chosen], self.codes.shape[1]
+        normal, doubt = self._normal_forces(found)
+        lower, upper = np.full((2, len(codes), m), np.inf)
+        rows = np.arange(len(codes))
+        for j in range(self.size - 3):
+            sticking = (codes == 0) & (data.class_of == self.classes[chosen, j][:, None])
+            share = sticking * data.friction
+            limit = (share * normal).sum(axis=1)
+            unsure = (share * (doubt + 2 * (m + 4) * UNIT * np.abs(normal))).sum(axis=1)
+            first = sticking.argmax(axis=1)
+            force = found.forces[:, j] * data.orientation[first]
+            unsure = _MARGIN * (unsure + found.error + 4 * UNIT * np.abs(force))
+            lower[rows, first] = limit - force + unsure
+            upper[rows, first] = limit + force + unsure
+        return [lower, upper]
+
+
+def _surely_empty(at_zero: Floats, growth: Floats) -> Booleans:
+    """Return for each row whether no t > 0 has ``at_zero + t growth >= 0`` in every column.
+
+    A column that is not finite says nothing. The ends are rounded by less than 10^-15 of their
+    size; the largest and the smallest numbers are kept clear of the limits of the format.
+    """
+    known = np.isfinite(at_zero) & np.isfinite(growth)
+    never = known & (at_zero <= 0) & (growth <= 0) & ((at_zero < 0) | (growth < 0))
+    ends = at_zero / -growth
+    low = np.where(known & (growth > 0) & (at_zero < 0), ends, 0.0).max(axis=1)
+    high = np.where(known & (growth < 0) & (at_zero > 0), ends, np.inf).min(axis=1)
+    apart = np.minimum(low, 1e300) * (1 - 1e-15) > high * (1 + 1e-15) + 1e-290
+    empty: Booleans = never.any(axis=1) | apart
+    return empty
+
+
+def _worst(bounds: Floats) -> Integers:
+    """Return the column of the least upper bound in each row if it is negative."""
+    worst = np.argmin(bounds, axis=1)
+    fails = np.take_along_axis(bounds, worst[:, None], axis=1)[:, 0] < 0
+    return np.where(fails, worst, UNDECIDED)

@@ -1,0 +1,229 @@
+"""The least uniform friction coefficient with which a wrench is resisted: an exact bracket.
+
+In the coefficient the equations are not linear, and more friction is not always better, so plain
+bisection would be wrong. Instead a whole range of coefficients is refuted at once: let every
+slipping contact have its own coefficient anywhere in the range, and every sticking one the largest.
+That is a linear program for each choice of contact states; if all are infeasible, no coefficient of
+the range resists the wrench. Ranges that are not refuted are halved, the lower half first.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+from typing import Any
+
+from arrangement import linprog
+from arrangement.exact import RationalVector, rational, to_text
+from arrangement.progress import watched
+from equilibrium.model.errors import GraspError
+from equilibrium.model.grasp import Contact, Grasp, read_wrench
+from equilibrium.solver.contact_states import contact_states
+from equilibrium.solver.state_system import DIRECTION, States
+from equilibrium.verdict import solve
+
+#: Coefficients above this are tried all at once only.
+LARGEST = 64
+
+
+@dataclass(frozen=True)
+class FrictionBracket:
+    """Where the least sufficient coefficient lies.
+
+    Attributes:
+        low: no coefficient below this one resists the wrench (proved).
+        high: this one does (an exact verdict), and where possible it is the simplest fraction of
+            the last range; None when none was found, see `impossible`.
+        impossible: whether it is proved that no coefficient at all resists the wrench.
+    """
+
+    wrench: RationalVector
+    low: Fraction | None
+    high: Fraction | None
+
+    @property
+    def impossible(self) -> bool:
+        """Whether no coefficient resists the wrench; proved."""
+        return self.low is None
+
+    @property
+    def width(self) -> Fraction | None:
+        """The length of the bracket; 0 when the least coefficient is exactly `high`."""
+        return None if self.low is None or self.high is None else self.high - self.low
+
+    def to_dict(self) -> dict[str, Any]:
+        """Return a JSON form; numbers are strings, null means none."""
+        numbers = {"low": self.low, "high": self.high, "width": self.width}
+        texts = {name: None if x is None else to_text(x) for name, x in numbers.items()}
+        return {**texts, "impossible": self.impossible}
+
+
+def least_friction(
+    grasp: Grasp, wrench: Iterable[Any], width: Any = Fraction(1, 2**20)
+) -> FrictionBracket:
+    """Bracket the least coefficient that, the same at all contacts, makes a grasp resist a wrench.
+
+    Args:
+        grasp: its own coefficients are replaced.
+        width: the wanted length of the bracket. It comes out longer where coefficients are resisted
+            only on a range shorter than this, or just missed by less than this.
+
+    Raises:
+        GraspError: a width that is not above 0.
+
+    Complexity: one exact linear program for each choice of contact states and each range that is
+    looked at; after the first few ranges few states are left. Without any program where 0 is
+    enough.
+
+    >>> from equilibrium.io.files import read_grasp
+    >>> found = least_friction(read_grasp("paper-four-contacts-preload-1"), [0, 2, 0], "1/1000")
+    >>> found.low < Fraction(1, 2) <= found.high
+    True
+    """
+    goal = rational(width, "width")
+    if goal <= 0:
+        raise GraspError(f"width is {goal}; it must be above 0")
+    search = _Search(grasp, read_wrench(wrench), goal)
+    return search.run()
+
+
+class _Search:
+    """The state of one search, from small coefficients to large ones."""
+
+    def __init__(self, grasp: Grasp, wrench: RationalVector, width: Fraction) -> None:
+        self.grasp, self.wrench, self.width = grasp, wrench, width
+        self.first_open: Fraction | None = None
+
+    def run(self) -> FrictionBracket:
+        """Look at ever larger ranges until one holds a sufficient coefficient."""
+        if self.resists(Fraction(0)):
+            return FrictionBracket(self.wrench, Fraction(0), Fraction(0))
+        alive = self.possible(contact_states(self.grasp), Fraction(0), None)
+        if not alive:
+            return FrictionBracket(self.wrench, None, None)
+        for low, high in _ranges():
+            found = self.lowest(alive, low, high)
+            if found is not None:
+                assert self.first_open is not None
+                return FrictionBracket(self.wrench, self.first_open, found)
+        if self.first_open is not None or self.possible(alive, Fraction(LARGEST), None):
+            low = Fraction(LARGEST) if self.first_open is None else self.first_open
+            return FrictionBracket(self.wrench, low, None)
+        return FrictionBracket(self.wrench, None, None)
+
+    def lowest(self, states: Sequence[States], low: Fraction, high: Fraction) -> Fraction | None:
+        """Return a sufficient coefficient of a range, after all ranges below it are looked at."""
+        alive = self.possible(states, low, high)
+        if not alive:
+            return None
+        if high - low > self.width:
+            middle = (low + high) / 2
+            lower = self.lowest(alive, low, middle)
+            return self.lowest(alive, middle, high) if lower is None else lower
+        if self.first_open is None:
+            self.first_open = low
+        if not self.resists(high):
+            return None
+        simple = simplest_between(low, high)
+        return simple if self.resists(simple) else high
+
+    def possible(
+        self, states: Iterable[States], low: Fraction, high: Fraction | None
+    ) -> list[States]:
+        """Return the states that the relaxation over a range does not refute."""
+        kept = []
+        for choice in watched(states, "contact states"):
+            equalities, inequalities, n = relaxed_rows(self.grasp, choice, self.wrench, low, high)
+            answer = linprog.feasible_point(n, inequalities, equalities)
+            if not isinstance(answer, linprog.Infeasible):
+                kept.append(choice)
+        return kept
+
+    def resists(self, coefficient: Fraction) -> bool:
+        """Return whether the wrench is resisted at one coefficient; exact."""
+        return solve(with_friction(self.grasp, coefficient), self.wrench).stable
+
+
+def simplest_between(low: Fraction, high: Fraction) -> Fraction:
+    """Return the fraction of least denominator in ``[low, high]``, for ``0 <= low <= high``.
+
+    >>> simplest_between(Fraction(333, 1000), Fraction(334, 1000))
+    Fraction(1, 3)
+    """
+    whole = -(-low.numerator // low.denominator)
+    if whole <= high:
+        return Fraction(whole)
+    return whole - 1 + 1 / simplest_between(1 / (high - whole + 1), 1 / (low - whole + 1))
+
+
+def with_friction(grasp: Grasp, friction: Any) -> Grasp:
+    """Return the same grasp with one friction coefficient at every contact."""
+    return Grasp(Contact(c.point, c.normal, friction, c.stiffness, c.preload) for c in grasp)
+
+
+def relaxed_rows(
+    grasp: Grasp, states: States, wrench: RationalVector, low: Fraction, high: Fraction | None
+) -> tuple[list[RationalVector], list[RationalVector], int]:
+    """Return equalities, inequalities and the number of variables of the relaxation.
+
+    The variables are the motion and the tangential force of each contact that touches; every
+    solution with a coefficient in ``[low, high]`` satisfies the rows.
+    """
+    touching = [i for i, state in enumerate(states) if state != "detached"]
+    n = 3 + len(touching)
+    inequalities: list[RationalVector] = []
+    sticking: list[RationalVector] = []
+    balance = [[Fraction(0)] * n + [w] for w in wrench]
+    for i, (contact, state) in enumerate(zip(grasp, states, strict=True)):
+        normal = [-contact.stiffness * x for x in contact.normal_wrench]
+        spring = (*normal, *[Fraction(0)] * (n - 3), contact.preload)
+        if state == "detached":
+            inequalities.append(tuple(-x for x in spring))
+            continue
+        column = 3 + touching.index(i)
+        inequalities.append(spring)
+        slip = (*contact.tangential_wrench, *[Fraction(0)] * (n - 2))
+        if state == "stick":
+            sticking.append(slip)
+            inequalities += _cone(spring, column, high)
+        else:
+            side = DIRECTION[state]
+            inequalities.append(tuple(-side * x for x in slip))
+            inequalities += _edge(spring, column, side, low, high)
+        pairs = zip(contact.normal_wrench, contact.tangential_wrench, strict=True)
+        for row, (along_normal, along_tangent) in zip(balance, pairs, strict=True):
+            row[column] += along_tangent
+            for j in (0, 1, 2, n):
+                row[j] += along_normal * spring[j]
+    return [*map(tuple, balance), *sticking], inequalities, n
+
+
+def _cone(spring: RationalVector, column: int, high: Fraction | None) -> list[RationalVector]:
+    """Return ``|c_t| <= high c_n`` as two rows."""
+    if high is None:
+        return []
+    return [_combination(spring, high, column, side) for side in (1, -1)]
+
+
+def _edge(
+    spring: RationalVector, column: int, side: int, low: Fraction, high: Fraction | None
+) -> list[RationalVector]:
+    """Return ``low c_n <= side c_t <= high c_n``."""
+    rows = [_combination(spring, -low, column, side)]
+    return rows if high is None else [*rows, _combination(spring, high, column, -side)]
+
+
+def _combination(
+    spring: RationalVector, factor: Fraction, column: int, side: int
+) -> RationalVector:
+    """Return the row of ``factor c_n + side c_t``."""
+    return tuple(factor * x + (side if j == column else 0) for j, x in enumerate(spring))
+
+
+def _ranges() -> Iterator[tuple[Fraction, Fraction]]:
+    """Yield [0, 1], [1, 2], [2, 4], ... up to the largest coefficient."""
+    low, high = Fraction(0), Fraction(1)
+    while low < LARGEST:
+        yield low, high
+        low, high = high, 2 * high

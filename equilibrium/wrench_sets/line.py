@@ -1,0 +1,132 @@
+"""Which magnitudes of a wrench along a direction a grasp resists: exact intervals.
+
+With the contact states fixed, the wrench stands only in the constants of the balances. So along
+``base + t direction`` every choice of states allows one closed interval of t. Their union over all
+states is exact, and it need not be one interval that starts at 0.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+from fractions import Fraction
+from typing import Any
+
+from arrangement import linprog
+from arrangement.exact import RationalVector, dot, to_text
+from arrangement.polyhedra.intervals import Interval, holds, intersection, union, where_positive
+from arrangement.progress import watched
+from equilibrium.model.errors import GraspError
+from equilibrium.model.grasp import Grasp, read_wrench
+from equilibrium.solver.contact_states import states_of_code
+from equilibrium.solver.elimination import gauss_jordan
+from equilibrium.solver.interval_filter import screen_of
+from equilibrium.solver.state_system import States, StateSystem, state_system
+from equilibrium.verdict import solve
+
+_MAGNITUDES: Interval = (Fraction(0), None)
+
+
+@dataclass(frozen=True)
+class Magnitudes:
+    """All t >= 0 with ``base + t direction`` resisted.
+
+    Attributes:
+        base, direction: wrenches (force x, force y, torque).
+        intervals: disjoint, closed, increasing; an upper end None means no end.
+    """
+
+    base: RationalVector
+    direction: RationalVector
+    intervals: tuple[Interval, ...]
+
+    @property
+    def unlimited(self) -> bool:
+        """Whether every magnitude above some value is resisted."""
+        return bool(self.intervals) and self.intervals[-1][1] is None
+
+    @property
+    def from_zero(self) -> bool:
+        """Whether the set is one interval that starts at 0, as a binary search assumes."""
+        return len(self.intervals) == 1 and self.intervals[0][0] == 0
+
+    def contains(self, magnitude: Fraction) -> bool:
+        """Return whether this magnitude is resisted."""
+        return holds(self.intervals, magnitude)
+
+    def to_dict(self) -> dict[str, Any]:
+        """Return ``{"intervals": [["0", "1"], ["3/2", null]]}``; null means no end."""
+        return {"intervals": [[_text(low), _text(high)] for low, high in self.intervals]}
+
+
+def resisted_magnitudes(
+    grasp: Grasp, direction: Iterable[Any], base: Iterable[Any] = (0, 0, 0)
+) -> Magnitudes:
+    """Return the exact set of t >= 0 for which a grasp resists ``base + t direction``.
+
+    Args:
+        direction: force x, force y, torque; not all zero.
+        base: a wrench that acts in any case.
+
+    Raises:
+        GraspError: a zero direction, or a wrench of wrong length.
+
+    Complexity: two small systems for each choice of contact states, in floating point with a proven
+    error bound; for those that this leaves possible an exact elimination, and for singular ones two
+    exact linear programs. Source: [HaasHeger2018], the maps of resistible forces, without search.
+
+    >>> from equilibrium.io.files import read_grasp
+    >>> resisted_magnitudes(read_grasp("paper-three-contacts-preload-1"), [0, 1, 0]).intervals
+    ((Fraction(0, 1), Fraction(1, 1)),)
+    """
+    along, start = read_wrench(direction), read_wrench(base)
+    if not any(along):
+        raise GraspError("direction is (0, 0, 0); give a wrench other than zero")
+    screen = screen_of(grasp)
+    possible = screen.codes[screen.possible_along(start, along)].tolist()
+    found = (
+        _interval(grasp, states_of_code(row), start, along) for row in watched(possible, "states")
+    )
+    parts = [part for part in found if part is not None]
+    # The screen speaks of t > 0 only.
+    if not any(low == 0 for low, _ in parts) and solve(grasp, start).stable:
+        parts.append((Fraction(0), Fraction(0)))
+    return Magnitudes(start, along, union(parts))
+
+
+def _interval(
+    grasp: Grasp, states: States, base: RationalVector, along: RationalVector
+) -> Interval | None:
+    """Return the magnitudes that one choice of states allows."""
+    system = state_system(grasp, states, base)
+    n = system.size
+    moved = (*along, *[Fraction(0)] * (n - 3))
+    rows = [(*row[:-1], u, row[-1]) for row, u in zip(system.equalities, moved, strict=True)]
+    reduced, pivots, scale = gauss_jordan(rows)
+    if n + 1 in pivots:
+        return None
+    if pivots != list(range(n)):
+        return _by_programs(system, rows)
+    slopes = [Fraction(-row[n], scale) for row in reduced]
+    constants = [Fraction(-row[n + 1], scale) for row in reduced]
+    allowed = where_positive(
+        (dot(row[:-1], slopes), dot(row[:-1], constants) + row[-1]) for row in system.inequalities
+    )
+    return None if allowed is None else intersection(allowed, _MAGNITUDES)
+
+
+def _by_programs(system: StateSystem, equalities: list[RationalVector]) -> Interval | None:
+    """Return the least and largest magnitude when the equalities leave more than t free."""
+    n = system.size
+    inequalities = [(*row[:-1], Fraction(0), row[-1]) for row in system.inequalities]
+    objective = [Fraction(0)] * n + [Fraction(1)]
+    inequalities.append((*objective, Fraction(0)))
+    least = linprog.minimize(objective, inequalities, equalities)
+    if not isinstance(least, linprog.Optimal):
+        return None
+    largest = linprog.minimize([-x for x in objective], inequalities, equalities)
+    return least.value, -largest.value if isinstance(largest, linprog.Optimal) else None
+
+
+def _text(end: Fraction | None) -> str | None:
+    return None if end is None else to_text(end)

@@ -1,0 +1,172 @@
+"""Which wrenches of a plane a grasp resists: the exact union of polygons, possibly unbounded.
+
+A point ``(a, b)`` of the plane stands for the wrench ``origin + a first + b second``; by default
+the plane holds the forces at zero torque about the origin of the object frame.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+from functools import cached_property
+from typing import Any
+
+from arrangement.exact import (
+    IntegerVector,
+    RationalVector,
+    dot,
+    primitive,
+    rational_vector,
+    to_text,
+)
+from arrangement.polyhedra.intervals import Interval, intersection, union
+from arrangement.polyhedra.polyhedron import Polyhedron, cross
+from arrangement.progress import watched
+from equilibrium.model.errors import GraspError
+from equilibrium.model.grasp import Grasp, read_wrench
+from equilibrium.solver.contact_states import contact_states
+from equilibrium.solver.state_system import States
+
+from .directions import Sector, counter_clockwise, sectors
+from .images import resisted_with
+from .outline import Outline, outline_of
+from .space import Piece, maximal_pieces
+
+FORCES = ((1, 0, 0), (0, 1, 0))
+
+
+@dataclass(frozen=True)
+class Region:
+    """The resisted wrenches of a plane.
+
+    Attributes:
+        origin, spans: the plane.
+        polygons: convex, possibly unbounded or flat; none lies in another single one. Points and
+            rays are in plane coordinates.
+    """
+
+    origin: RationalVector
+    spans: tuple[RationalVector, RationalVector]
+    polygons: tuple[Piece, ...]
+
+    def contains(self, point: Iterable[Any]) -> bool:
+        """Return whether the wrench at a point of the plane is resisted."""
+        p = rational_vector(point, "point")
+        return any(piece.polyhedron.contains(p) for piece in self.polygons)
+
+    def states_at(self, point: Iterable[Any]) -> tuple[States, ...]:
+        """Return the contact states of all polygons at a point."""
+        p = rational_vector(point, "point")
+        return tuple(piece.states for piece in self.polygons if piece.polyhedron.contains(p))
+
+    def along(self, direction: Iterable[Any]) -> tuple[Interval, ...]:
+        """Return the t >= 0 with ``t direction`` in the region, as disjoint closed intervals."""
+        u = rational_vector(direction, "direction")
+        parts = (piece.polyhedron.along((0, 0), u) for piece in self.polygons)
+        kept = (intersection(part, (Fraction(0), None)) for part in parts if part is not None)
+        return union(part for part in kept if part is not None)
+
+    @cached_property
+    def outline(self) -> Outline:
+        """The exact boundary of the union: there is border only where resistance ends."""
+        return outline_of([piece.polyhedron for piece in self.polygons])
+
+    @cached_property
+    def unlimited(self) -> tuple[Sector, ...]:
+        """The directions u for which every ``t u`` with large enough t is resisted.
+
+        This property changes only at the rays and lines of polygons.
+        """
+        shapes = [piece.polyhedron for piece in self.polygons]
+        ends = [ray for shape in shapes for ray in (*shape.rays, *shape.lines)]
+        ends += [(-x, -y) for shape in shapes for x, y in shape.lines]
+        return sectors(ends, self._is_unlimited)
+
+    def _is_unlimited(self, direction: IntegerVector) -> bool:
+        endless = [piece.polyhedron for piece in self.polygons if not piece.polyhedron.bounded]
+        parts = (shape.along((0, 0), direction) for shape in endless)
+        return any(part is not None and part[1] is None for part in parts)
+
+    def to_dict(self) -> dict[str, Any]:
+        """Return a JSON form; numbers are strings of rationals, null means no end."""
+        return {
+            "plane": {
+                "origin": [to_text(x) for x in self.origin],
+                "spans": [[to_text(x) for x in span] for span in self.spans],
+            },
+            "polygons": [_polygon_dict(piece) for piece in self.polygons],
+            "outline": self.outline.to_dict(),
+            "unlimited": [sector.to_dict() for sector in self.unlimited],
+        }
+
+
+def resistible_region(
+    grasp: Grasp,
+    spans: Sequence[Iterable[Any]] = FORCES,
+    origin: Iterable[Any] = (0, 0, 0),
+) -> Region:
+    """Return the exact set of resisted wrenches ``origin + a spans[0] + b spans[1]``.
+
+    Raises:
+        GraspError: not two spans, or parallel ones.
+
+    Source: [HaasHeger2018], the maps of resistible forces without and with preload, exactly.
+
+    >>> from equilibrium.io.files import read_grasp
+    >>> region = resistible_region(read_grasp("paper-three-contacts"))
+    >>> [sector.to_dict()["start"] for sector in region.unlimited]
+    [['-1', '0']]
+    """
+    frame = [read_wrench(span) for span in spans]
+    start = read_wrench(origin)
+    if len(frame) != 2 or not _independent(*frame):
+        raise GraspError("a plane needs two spanning wrenches that are not parallel")
+    plane = _plane(start, *frame)
+    every = watched(contact_states(grasp), "contact states")
+    found = ((states, resisted_with(grasp, states, plane)) for states in every)
+    cuts = ((states, shape.cut(start, frame)) for states, shape in found if shape is not None)
+    polygons = [Piece(states, shape) for states, shape in cuts if shape is not None]
+    return Region(start, (frame[0], frame[1]), maximal_pieces(polygons))
+
+
+def polygon_cycle(polygon: Polyhedron) -> tuple[RationalVector, ...]:
+    """Return the vertices of a polygon counter-clockwise; of an unbounded one from end to end."""
+    if polygon.dimension < 2 or polygon.lines:
+        return polygon.points
+    rows: dict[IntegerVector, IntegerVector] = {(r[1], -r[0]): r for r in polygon.inequalities}
+    edges = counter_clockwise(rows)
+    if polygon.rays:
+        first = next(i for i, edge in enumerate(edges) if _comes_in(edge, polygon.rays))
+        edges = [*edges[first:], *edges[:first]][:-1]
+    return tuple(_end_of(polygon, rows[edge], edge) for edge in edges)
+
+
+def _comes_in(edge: IntegerVector, rays: Iterable[IntegerVector]) -> bool:
+    """Return whether an edge comes from infinity: its direction is opposite to a ray."""
+    return any(edge[0] * y == edge[1] * x and dot(edge, (x, y)) < 0 for x, y in rays)
+
+
+def _end_of(polygon: Polyhedron, row: IntegerVector, edge: IntegerVector) -> RationalVector:
+    """Return the vertex at which an edge ends."""
+    tight = [point for point in polygon.points if dot(row, (*point, 1)) == 0]
+    return max(tight, key=lambda point: Fraction(dot(edge, point)))
+
+
+def _independent(one: RationalVector, other: RationalVector) -> bool:
+    return any(cross(one, other))
+
+
+def _plane(origin: RationalVector, one: RationalVector, other: RationalVector) -> IntegerVector:
+    """Return ``(a, b)`` with ``a . w + b = 0`` in the plane."""
+    normal = cross(one, other)
+    return primitive((*normal, -dot(normal, origin)))
+
+
+def _polygon_dict(piece: Piece) -> dict[str, Any]:
+    """Return the JSON form of a polygon, its vertices counter-clockwise."""
+    shape = piece.polyhedron
+    return {
+        **piece.to_dict(),
+        "points": [[to_text(x) for x in p] for p in polygon_cycle(shape)],
+    }

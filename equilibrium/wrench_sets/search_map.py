@@ -1,0 +1,159 @@
+"""The paper's map of resistible forces: a binary search in each of N directions, approximate.
+
+The search assumes that a direction is resisted up to one magnitude and never beyond. Where the
+exact set is not one interval that starts at 0, its answer is wrong by more than the tolerance: it
+may stop below a part that is resisted, or pass over a gap. Each entry of the map says so.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+from math import cos, pi, sin
+from typing import Any
+
+from arrangement.exact import RationalVector, rational, to_text
+from arrangement.polyhedra.intervals import Interval, holds, intersection, remainder, union
+from arrangement.progress import watched
+from equilibrium.model.errors import GraspError
+from equilibrium.model.grasp import Grasp
+from equilibrium.model.unit_normal import unit_normal
+
+from .plane import FORCES, resistible_region
+
+
+@dataclass(frozen=True)
+class Entry:
+    """One direction of the map.
+
+    Attributes:
+        direction: exactly unit, rational, in plane coordinates.
+        found: what the binary search says is the largest resisted magnitude, within the tolerance;
+            None when the largest magnitude tried is resisted ("without limit").
+        exact: the resisted magnitudes, disjoint closed intervals.
+        wrongly_claimed: magnitudes up to the answer that are not resisted (closures of gaps).
+        missed: resisted magnitudes above the answer by more than the tolerance, up to the limit.
+    """
+
+    direction: RationalVector
+    found: Fraction | None
+    exact: tuple[Interval, ...]
+    wrongly_claimed: tuple[Interval, ...]
+    missed: tuple[Interval, ...]
+
+    @property
+    def agrees(self) -> bool:
+        """Whether the answer of the search is right within the tolerance, up to the limit."""
+        return not self.wrongly_claimed and not self.missed
+
+    def to_dict(self) -> dict[str, Any]:
+        """Return a JSON form; numbers are strings, null means no end."""
+        parts = {
+            "exact": self.exact,
+            "wrongly_claimed": self.wrongly_claimed,
+            "missed": self.missed,
+        }
+        return {
+            "direction": [to_text(x) for x in self.direction],
+            "found": _text(self.found),
+            "agrees": self.agrees,
+            **{name: [[_text(a), _text(b)] for a, b in part] for name, part in parts.items()},
+        }
+
+
+@dataclass(frozen=True)
+class SearchMap:
+    """The map, with the tolerance and the largest magnitude of its searches."""
+
+    tolerance: Fraction
+    limit: Fraction
+    entries: tuple[Entry, ...]
+
+    @property
+    def disagreements(self) -> tuple[Entry, ...]:
+        """The directions in which the search is wrong."""
+        return tuple(entry for entry in self.entries if not entry.agrees)
+
+    def to_dict(self) -> dict[str, Any]:
+        """Return a JSON form; numbers are strings of rationals."""
+        return {
+            "tolerance": to_text(self.tolerance),
+            "limit": to_text(self.limit),
+            "entries": [entry.to_dict() for entry in self.entries],
+            "disagreements": len(self.disagreements),
+        }
+
+
+def search_map(
+    grasp: Grasp,
+    directions: int = 72,
+    tolerance: Any = Fraction(1, 1000),
+    limit: Any = 1000,
+    spans: Sequence[Iterable[Any]] = FORCES,
+) -> SearchMap:
+    """Return the map by binary search in evenly spaced directions, beside the exact sets.
+
+    Directions are exactly unit rational vectors within 10^-6 (radians) of evenly spaced ones, so
+    every verdict in the search is about an exact wrench.
+
+    Args:
+        directions: how many, starting with the first span, counter-clockwise.
+        tolerance: the searches end when the answer is known to within this.
+        limit: the largest magnitude tried.
+
+    Raises:
+        GraspError: a count, tolerance or limit that is not positive.
+
+    Source: [HaasHeger2018], Section VI, the maps of resistible forces.
+    """
+    step, largest = rational(tolerance, "tolerance"), rational(limit, "limit")
+    if directions < 1 or step <= 0 or largest <= 0:
+        raise GraspError(
+            f"directions {directions}, tolerance {step}, limit {largest}: all must be above 0"
+        )
+    region = resistible_region(grasp, spans)
+    entries = []
+    for i in watched(range(directions), "directions"):
+        angle = 2 * pi * i / directions
+        direction = unit_normal([cos(angle), sin(angle)]).normal
+        entries.append(compare(direction, region.along(direction), step, largest))
+    return SearchMap(step, largest, tuple(entries))
+
+
+def compare(
+    direction: RationalVector, exact: tuple[Interval, ...], tolerance: Fraction, limit: Fraction
+) -> Entry:
+    """Run the binary search with exact verdicts, and set its answer beside the exact set."""
+    found = binary_search(exact, tolerance, limit)
+    answer = limit if found is None else found
+    claimed = (Fraction(0), answer)
+    wrong = remainder(claimed, exact)
+    beyond = (min(answer + tolerance, limit), limit)
+    missed = [] if found is None else [intersection(part, beyond) for part in exact]
+    kept = (part for part in missed if part is not None and part[1] != beyond[0])
+    return Entry(direction, found, exact, wrong, union(kept))
+
+
+def binary_search(
+    resisted: Iterable[Interval], tolerance: Fraction, limit: Fraction
+) -> Fraction | None:
+    """Return the paper's answer; None when the limit itself is resisted.
+
+    The interval [low, high] keeps low resisted (or 0, without asking) and high not resisted.
+    """
+    parts = tuple(resisted)
+    if holds(parts, limit):
+        return None
+    low, high = Fraction(0), limit
+    while high - low > tolerance:
+        middle = (low + high) / 2
+        if holds(parts, middle):
+            low = middle
+        else:
+            high = middle
+    return low
+
+
+def _text(end: Fraction | None) -> str | None:
+    return None if end is None else to_text(end)

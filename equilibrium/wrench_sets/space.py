@@ -1,0 +1,104 @@
+"""The whole set of wrenches that a grasp resists, as convex polyhedra with exact half-spaces.
+
+It is the union, over all contact states, of what `images.resisted_with` returns.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+from functools import lru_cache
+from typing import Any
+
+from arrangement.polyhedra.intervals import Interval, union
+from arrangement.polyhedra.polyhedron import Polyhedron
+from arrangement.polyhedra.separation import surely_outside
+from arrangement.progress import watched
+from equilibrium.model.grasp import Grasp, read_wrench
+from equilibrium.solver.contact_states import contact_states
+from equilibrium.solver.state_system import States
+
+from .images import resisted_with
+
+
+@dataclass(frozen=True)
+class Piece:
+    """All wrenches that are resisted with one choice of contact states (a convex polyhedron)."""
+
+    states: States
+    polyhedron: Polyhedron
+
+    def to_dict(self) -> dict[str, Any]:
+        """Return a JSON form."""
+        return {"states": list(self.states), **self.polyhedron.to_dict()}
+
+
+@dataclass(frozen=True)
+class ResistibleSet:
+    """A finite union of convex polyhedra of wrenches (force x, force y, torque).
+
+    Attributes:
+        pieces: those that lie in no other single one; they may overlap and touch.
+    """
+
+    grasp: Grasp
+    pieces: tuple[Piece, ...]
+
+    def contains(self, wrench: Iterable[Any]) -> bool:
+        """Return whether a wrench is resisted; the same answer as `passive.solve`."""
+        w = read_wrench(wrench)
+        return any(piece.polyhedron.contains(w) for piece in self.pieces)
+
+    def states_at(self, wrench: Iterable[Any]) -> tuple[States, ...]:
+        """Return the contact states of all pieces that contain a wrench."""
+        w = read_wrench(wrench)
+        return tuple(piece.states for piece in self.pieces if piece.polyhedron.contains(w))
+
+    def along(
+        self, direction: Iterable[Any], base: Iterable[Any] = (0, 0, 0)
+    ) -> tuple[Interval, ...]:
+        """Return the magnitudes t >= 0 with ``base + t direction`` inside, as closed intervals."""
+        start, u = read_wrench(base), read_wrench(direction)
+        found = (piece.polyhedron.along(start, u) for piece in self.pieces)
+        halves = (
+            (max(low or Fraction(0), Fraction(0)), high)
+            for low, high in (part for part in found if part is not None)
+            if high is None or high >= 0
+        )
+        return union(halves)
+
+    def to_dict(self) -> dict[str, Any]:
+        """Return a JSON form; numbers are strings of rationals."""
+        return {"polyhedra": [piece.to_dict() for piece in self.pieces]}
+
+
+@lru_cache(maxsize=16)
+def resistible_set(grasp: Grasp) -> ResistibleSet:
+    """Return all wrenches that a grasp resists, exactly.
+
+    Complexity: two conversions between conditions and generators in four homogeneous coordinates
+    for each choice of contact states: O(m^2) of them without preload, O(m^3) with.
+
+    >>> from equilibrium.io.files import read_grasp
+    >>> whole = resistible_set(read_grasp("paper-three-contacts"))
+    >>> whole.contains([0, -5, 0]), whole.contains([0, 1, 0])
+    (True, False)
+    """
+    every = watched(contact_states(grasp), "contact states")
+    found = ((states, resisted_with(grasp, states)) for states in every)
+    pieces = [Piece(states, shape) for states, shape in found if shape is not None]
+    return ResistibleSet(grasp, maximal_pieces(pieces))
+
+
+def maximal_pieces(pieces: Sequence[Piece]) -> tuple[Piece, ...]:
+    """Return the pieces that lie in no other one, in their order; of equal ones the first."""
+    shapes = [piece.polyhedron for piece in pieces]
+    outside = surely_outside(shapes)
+    kept: list[int] = []
+    largest_first = sorted(range(len(pieces)), key=lambda i: -shapes[i].dimension)
+    for i in watched(largest_first, "pieces"):
+        if any(not outside[j, i] and shapes[i].within(shapes[j]) for j in kept):
+            continue
+        kept = [j for j in kept if outside[i, j] or not shapes[j].within(shapes[i])] + [i]
+    return tuple(pieces[i] for i in sorted(kept))

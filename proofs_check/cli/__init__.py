@@ -1,0 +1,3 @@
+"""The command ``proofs-check``."""
+
+from .program import main as main

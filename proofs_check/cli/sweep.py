@@ -1,0 +1,126 @@
+"""The commands of sweeps: sweep, status, merge, and report (of stores and of records)."""
+
+from __future__ import annotations
+
+import argparse
+from pathlib import Path
+from typing import Any
+
+from arrangement import terminal
+from arrangement.errors import InputError
+from arrangement.io.files import read_document
+from arrangement.io.writing import write_text_atomically
+from arrangement.progress import Bar, duration
+from proofs_check.reports import forms as pages
+from proofs_check.sweep import report as sweepreport, store
+from proofs_check.sweep.sweep import merge, plan_sweep, sweep
+
+#: A record of all claims with every case is large; a limit there is nevertheless.
+MAX_RECORD_BYTES = 256 * 2**20
+_SQLITE = b"SQLite format 3\x00"
+
+
+def run_sweep(arguments: argparse.Namespace) -> int:
+    """Do what is left of a sweep, then say what it found."""
+    plan = plan_sweep(
+        arguments.claim, arguments.planes, arguments.samples, arguments.seed, arguments.chunk
+    )
+    bar = Bar(None, "samples")
+
+    def show(done: int, due: int) -> None:
+        if bar.total is None:
+            bar.begin(done, due)
+        bar.update(done)
+
+    try:
+        sweep(
+            plan,
+            arguments.store,
+            jobs=arguments.jobs,
+            shard=arguments.shard,
+            dask=arguments.dask,
+            progress=show,
+        )
+    finally:
+        bar.close()
+    with store.read(arguments.store) as opened:
+        record = sweepreport.record(opened)
+    if arguments.json:
+        terminal.print_json(record)
+    else:
+        print(_summary(record))
+    return terminal.YES if record["as_expected"] else terminal.NO
+
+
+def _summary(record: dict[str, Any]) -> str:
+    (result,) = record["results"]
+    lines = [f"{result['id']} ({result['locator']}): {pages.verdict(result)}"]
+    lines += [f"  {part}" for part in result["evidence"].split("; ")]
+    return "\n".join(lines)
+
+
+def run_status(arguments: argparse.Namespace) -> int:
+    """Say how far a sweep is; exit code 0 when it is complete."""
+    with store.read(arguments.store) as opened:
+        found = sweepreport.status(opened)
+    if arguments.json:
+        terminal.print_json(found)
+        return terminal.YES if found["complete"] else terminal.NO
+    outcomes = ", ".join(f"{kind} {number}" for kind, number in found["outcomes"].items())
+    print(f"claim    {found['claim']}")
+    print(f"chunks   {found['chunks']} of {found['chunks_due']}")
+    print(f"samples  {found['samples']} of {found['samples_due']}: {outcomes}")
+    print(f"work     {duration(found['milliseconds'] / 1000)} of one process")
+    return terminal.YES if found["complete"] else terminal.NO
+
+
+def run_merge(arguments: argparse.Namespace) -> int:
+    """Put the chunks of several stores into one."""
+    new = merge(arguments.store, arguments.parts)
+    with store.read(arguments.store) as opened:
+        found = sweepreport.status(opened)
+    if arguments.json:
+        terminal.print_json({"new": new, **found})
+    else:
+        print(f"{new} new chunks; {found['chunks']} of {found['chunks_due']} are there")
+    return terminal.YES
+
+
+def run_report(arguments: argparse.Namespace) -> int:
+    """Make a report from the store of a sweep or from a JSON record of a run."""
+    make = pages.form(Path(arguments.output).suffix if arguments.output else ".md")
+    record = _read(arguments.source)
+    text = _made(make, record, arguments.source)
+    if arguments.output:
+        write_text_atomically(arguments.output, text)
+    if arguments.json:
+        terminal.print_json(record)
+    elif not arguments.output:
+        print(text, end="")
+    return terminal.YES if record["as_expected"] is True else terminal.NO
+
+
+def _read(source: str) -> dict[str, Any]:
+    """Return the record of a store, or the one in a JSON file."""
+    try:
+        with Path(source).open("rb") as stream:
+            is_store = stream.read(len(_SQLITE)) == _SQLITE
+    except OSError:
+        is_store = False
+    if is_store:
+        with store.read(source) as opened:
+            return sweepreport.record(opened)
+    return read_document(source, ("results",), max_bytes=MAX_RECORD_BYTES)
+
+
+def _made(make: Any, record: dict[str, Any], source: str) -> str:
+    try:
+        text: str = make(record)
+        _ = record["as_expected"]
+    except InputError:
+        raise
+    except (AttributeError, IndexError, KeyError, TypeError, ValueError, RecursionError):
+        raise InputError(
+            f"{source} is no complete record; proofs-check run --report FILE.json writes one"
+        ) from None
+    return text

@@ -1,0 +1,1 @@
+"""What claims are tried on: arrangements, grasps, and the rows printed in the paper."""

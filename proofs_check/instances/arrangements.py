@@ -1,0 +1,113 @@
+"""Arrangements to check claims on: random ones from a seed, and all small ones in order of size."""
+
+from __future__ import annotations
+
+import random
+from collections.abc import Iterator
+from itertools import combinations_with_replacement, product
+
+from arrangement.exact import primitive
+from arrangement.library import census
+from arrangement.planes import Arrangement
+from proofs_check.claim import Case
+
+Vector = tuple[int, ...]
+
+
+def arrangement_case(planes: Arrangement, label: str = "") -> Case:
+    """Return an arrangement as a case with its file form."""
+    kind = "" if planes.is_central else "affine, "
+    text = f"{kind}m = {len(planes)}, rank {planes.rank}"
+    return Case(label or text, planes, planes.to_dict())
+
+
+def random_arrangement(
+    rng: random.Random, m: int, d: int = 3, size: int = 9, *, affine: bool = False
+) -> Arrangement:
+    """Return m planes with entries up to `size`; small sizes make degenerate positions likely."""
+    normals: list[Vector] = []
+    while len(normals) < m:
+        normal = tuple(rng.randint(-size, size) for _ in range(d))
+        if any(normal):
+            normals.append(normal)
+    offsets = [rng.randint(-size, size) for _ in normals] if affine else None
+    return Arrangement(normals, offsets, dimension=d)
+
+
+def simple_arrangement(
+    rng: random.Random, m: int, d: int = 3, *, affine: bool = False
+) -> Arrangement:
+    """Return m different planes in general position."""
+    size = 9
+    while True:
+        planes = random_arrangement(rng, m, d, size, affine=affine)
+        if planes.is_simple and len(planes.distinct) == m and (planes.is_central != affine):
+            return planes
+        size += 3
+
+
+def mixed_cases(
+    rng: random.Random, counts: range, *, per_count: int = 3, rank: int | None = None
+) -> Iterator[Case]:
+    """Yield central arrangements in R^3: simple ones, and ones with small entries.
+
+    Entries up to 1 or 2 give coincident planes, common lines and low rank often.
+    """
+    for m in counts:
+        found = [simple_arrangement(rng, m)]
+        while len(found) < per_count:
+            planes = random_arrangement(rng, m, size=1 + len(found) % 2)
+            if rank is None or planes.rank == rank:
+                found.append(planes)
+        for planes in found:
+            if rank is None or planes.rank == rank:
+                yield arrangement_case(planes)
+
+
+def census_cases(counts: range, *, simple: bool = False) -> Iterator[Case]:
+    """Yield every combinatorial type of m distinct planes of rank 3, for each m.
+
+    The arrangements are new ones each time, so that nothing found for one claim is kept for
+    another.
+    """
+    for m in counts:
+        types = census.census(m, simple=simple)
+        for k, planes in enumerate(types, 1):
+            kind = "simple type" if simple else "type"
+            label = f"m = {m}, {kind} {k} of {len(types)}"
+            yield arrangement_case(Arrangement(planes.normals), label)
+
+
+def types_and_samples(
+    rng: random.Random, counts: range, samples: range, *, per_count: int = 3
+) -> Iterator[Case]:
+    """Yield every type for `counts`, then samples of all ranks, coincident planes included."""
+    yield from census_cases(counts)
+    yield from mixed_cases(rng, samples, per_count=per_count)
+
+
+def smallest_arrangements(
+    planes: range, size: int = 2, *, distinct: bool = False, rank: int | None = None
+) -> Iterator[Case]:
+    """Yield central arrangements in R^3: few planes first, then small entries first.
+
+    Up to reorientation every arrangement with coprime entries up to `size` comes once.
+    """
+    for m in planes:
+        for bound in range(1, size + 1):
+            vectors = _unoriented(bound)
+            for chosen in combinations_with_replacement(vectors, m):
+                if max(max(map(abs, v)) for v in chosen) < bound:
+                    continue
+                found = Arrangement(chosen)
+                if distinct and len(found.distinct) < m:
+                    continue
+                if rank is None or found.rank == rank:
+                    yield arrangement_case(found)
+
+
+def _unoriented(bound: int) -> list[Vector]:
+    """Return the primitive vectors of Z^3 with entries up to `bound`, one of each pair +-v."""
+    entries = range(-bound, bound + 1)
+    vectors = (v for v in product(entries, repeat=3) if v > (0, 0, 0) and primitive(v) == v)
+    return sorted(vectors, key=lambda v: (sum(map(abs, v)), tuple(-x for x in v)))

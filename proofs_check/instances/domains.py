@@ -1,0 +1,259 @@
+"""Domains: which instances a claim is about, how to draw one at random, and known families.
+
+A sweep and a user's own claim name a domain. One draw depends on its random generator and its
+number of planes (or contacts) and on nothing else.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass
+from fractions import Fraction
+from random import Random
+from typing import Any
+
+from arrangement.library import families
+from arrangement.planes import Arrangement
+from equilibrium.model.grasp import Contact, Grasp
+from proofs_check.errors import UnknownDomainError
+from proofs_check.routes.oracle import Question
+
+from .arrangements import random_arrangement
+from .grasps import grasp_of
+
+#: Rational unit normals: along the axes, and of the triangles 3-4-5 and 5-12-13.
+_UNITS = tuple(
+    (Fraction(a, c), Fraction(b, c))
+    for a, b, c in ((1, 0, 1), (0, 1, 1), (3, 4, 5), (4, 3, 5), (5, 12, 13), (12, 5, 13))
+)
+_FRICTIONS = tuple(map(Fraction, ("0", "1/4", "1/2", "1", "2")))
+
+
+@dataclass(frozen=True)
+class Domain:
+    """A set of instances.
+
+    Attributes:
+        name: short, for the command line and for `@claim`.
+        text: what it contains, for reports.
+        unit: what its instances have a number of.
+        least: the smallest number of them that is drawn.
+        draw: a random instance with a given number of planes or contacts.
+        contains: whether an instance belongs to it.
+    """
+
+    name: str
+    text: str
+    unit: str
+    least: int
+    draw: Callable[[Random, int], Any]
+    contains: Callable[[Any], bool]
+
+
+def domain(name: str) -> Domain:
+    """Return a domain by name.
+
+    Raises:
+        UnknownDomainError: no domain has this name; the message lists them all.
+    """
+    if name in DOMAINS:
+        return DOMAINS[name]
+    raise UnknownDomainError(f"no domain is called {name!r}; there are {', '.join(DOMAINS)}")
+
+
+def count(subject: Any) -> int:
+    """Return the number of planes or contacts of an instance."""
+    return len(subject.contacts) if isinstance(subject, Question) else len(subject)
+
+
+def document(subject: Any) -> dict[str, Any]:
+    """Return the file form of an instance."""
+    return dict(subject.to_dict())
+
+
+def size(subject: Any) -> tuple[Any, ...]:
+    """Return a key that sorts instances: fewer planes first, then smaller numbers."""
+    if isinstance(subject, Arrangement):
+        rows = subject.integer_planes
+        entries = [abs(x) for row in rows for x in row]
+        return (len(rows), max(entries, default=0), sum(entries), rows)
+    grasp = grasp_of(subject) if isinstance(subject, Question) else subject
+    numbers = [x for c in grasp for x in contact_numbers(c)]
+    if isinstance(subject, Question):
+        numbers += subject.wrench
+    weight = sum(abs(x.numerator) + x.denominator - 1 for x in numbers)
+    return (len(grasp), weight, tuple(numbers))
+
+
+def contact_numbers(contact: Contact) -> tuple[Fraction, ...]:
+    """Return the numbers of a contact: point, normal, friction, stiffness, preload."""
+    return (
+        *contact.point,
+        *contact.normal,
+        contact.friction,
+        contact.stiffness,
+        contact.preload,
+    )
+
+
+def known_families(chosen: Domain) -> Iterator[tuple[str, Any]]:
+    """Yield the named instances that belong to a domain, with their names."""
+    for name, planes in _named():
+        if chosen.contains(planes):
+            yield name, planes
+
+
+def _named() -> Iterator[tuple[str, Arrangement]]:
+    for m in range(1, 11):
+        yield f"generic({m})", families.generic(m)
+        yield f"pencil({m})", families.pencil(m)
+        if m >= 3:
+            yield f"near_pencil({m})", families.near_pencil(m)
+    yield "coordinate(3)", families.coordinate(3)
+    yield "type_b(3)", families.type_b(3)
+    yield "type_d(3)", families.type_d(3)
+    for planes, number in families.simplicial_entries():
+        yield f"simplicial({planes}, {number})", families.simplicial(planes, number)
+    yield "threshold(3)", families.threshold(3)
+    yield "resonance(3)", families.resonance(3)
+    for m in range(2, 8):
+        yield f"generic({m}, affine=True)", families.generic(m, affine=True)
+    for make in (families.shi, families.catalan, families.linial, families.semiorder):
+        yield f"{make.__name__}(3)", make(3)
+
+
+def _central(rng: Random, m: int) -> Arrangement:
+    """Small entries give coincident planes, common lines and low rank often."""
+    return random_arrangement(rng, m, size=rng.choice((1, 2, 9)))
+
+
+def _affine(rng: Random, m: int) -> Arrangement:
+    return random_arrangement(rng, m, size=rng.choice((1, 2, 9)), affine=rng.random() < 0.5)
+
+
+def _until(
+    draw: Callable[[Random, int, int], Arrangement], contains: Callable[[Any], bool]
+) -> Callable[[Random, int], Arrangement]:
+    """Return a drawer that tries again, with larger entries each time, until one belongs."""
+
+    def drawn(rng: Random, m: int) -> Arrangement:
+        reach = rng.choice((1, 2, 9))
+        while True:
+            planes = draw(rng, m, reach)
+            if contains(planes):
+                return planes
+            reach += 1
+
+    return drawn
+
+
+def _random_grasp(rng: Random, m: int) -> Grasp:
+    return Grasp(_random_contact(rng) for _ in range(m))
+
+
+def _random_contact(rng: Random) -> Contact:
+    a, b = rng.choice(_UNITS)
+    return Contact(
+        (rng.randint(-3, 3), rng.randint(-3, 3)),
+        (a * rng.choice((1, -1)), b * rng.choice((1, -1))),
+        rng.choice(_FRICTIONS),
+        rng.choice((1, 1, 2)),
+        rng.choice((0, 0, 1, 2)),
+    )
+
+
+def _random_question(rng: Random, m: int) -> Question:
+    grasp = _random_grasp(rng, m)
+    wrench = tuple(Fraction(rng.randint(-3, 3)) for _ in range(3))
+    return Question(tuple(contact_numbers(c) for c in grasp), wrench)
+
+
+def _in_space(planes: Any) -> bool:
+    return isinstance(planes, Arrangement) and planes.dimension == 3
+
+
+def _is_central(planes: Any) -> bool:
+    return _in_space(planes) and planes.is_central
+
+
+def _is_rank_3(planes: Any) -> bool:
+    return _is_central(planes) and planes.rank == 3
+
+
+def _is_distinct(planes: Any) -> bool:
+    return _is_rank_3(planes) and len(planes.distinct) == len(planes)
+
+
+def _is_simple(planes: Any) -> bool:
+    return _is_central(planes) and len(planes.distinct) == len(planes) and planes.is_simple
+
+
+def _is_simple_affine(planes: Any) -> bool:
+    distinct = _in_space(planes) and len(planes.distinct) == len(planes)
+    return distinct and not planes.is_central and planes.is_simple
+
+
+def _affine_draw(rng: Random, m: int, reach: int) -> Arrangement:
+    return random_arrangement(rng, m, size=reach, affine=True)
+
+
+def _central_draw(rng: Random, m: int, reach: int) -> Arrangement:
+    return random_arrangement(rng, m, size=reach)
+
+
+def _table(*listed: Domain) -> Mapping[str, Domain]:
+    return {entry.name: entry for entry in listed}
+
+
+DOMAINS = _table(
+    Domain("central", "central arrangements in R^3", "planes", 1, _central, _is_central),
+    Domain(
+        "rank-3",
+        "central arrangements of rank 3",
+        "planes",
+        3,
+        _until(_central_draw, _is_rank_3),
+        _is_rank_3,
+    ),
+    Domain(
+        "distinct",
+        "central arrangements of different planes, of rank 3",
+        "planes",
+        3,
+        _until(_central_draw, _is_distinct),
+        _is_distinct,
+    ),
+    Domain(
+        "simple",
+        "central arrangements in general position in R^3",
+        "planes",
+        1,
+        _until(_central_draw, _is_simple),
+        _is_simple,
+    ),
+    Domain("affine", "arrangements in R^3, central or not", "planes", 1, _affine, _in_space),
+    Domain(
+        "simple-affine",
+        "affine arrangements in general position in R^3",
+        "planes",
+        2,
+        _until(_affine_draw, _is_simple_affine),
+        _is_simple_affine,
+    ),
+    Domain(
+        "grasp",
+        "grasps",
+        "contacts",
+        1,
+        _random_grasp,
+        lambda grasp: isinstance(grasp, Grasp),
+    ),
+    Domain(
+        "question",
+        "grasps under a wrench",
+        "contacts",
+        1,
+        _random_question,
+        lambda question: isinstance(question, Question),
+    ),
+)

@@ -1,0 +1,97 @@
+"""Grasps to check claims on: those of the paper, and small ones in order of size."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Sequence
+from fractions import Fraction
+from functools import lru_cache
+from itertools import combinations, product
+
+from arrangement.enumeration.paper_steps import published_enumeration
+from arrangement.planes import Arrangement
+from equilibrium.model.grasp import Grasp
+from proofs_check.claim import Case
+from proofs_check.routes.fourier_motzkin import Row
+from proofs_check.routes.oracle import Question
+
+from . import paper_tables as printed
+
+#: Unit normals along the axes.
+AXES = ((1, 0), (0, 1), (-1, 0), (0, -1))
+_SLIP = {1: "slip+", -1: "slip-", 0: "stick"}
+
+
+def paper_question(
+    contacts: Iterable[Sequence[int]], wrench: Sequence[Fraction], preload: Fraction | int
+) -> Question:
+    """Return a grasp of the paper under a wrench, with one preload at all contacts."""
+    rows = tuple(
+        (*map(Fraction, contact), printed.FRICTION, Fraction(1), Fraction(preload))
+        for contact in contacts
+    )
+    return Question(rows, tuple(map(Fraction, wrench)))
+
+
+def grasp_of(question: Question) -> Grasp:
+    """Return the grasp of a question in the types of the solver."""
+    document = dict(question.to_dict())
+    del document["wrench"]
+    return Grasp.from_dict(document)
+
+
+def listed_states(
+    grasp: Grasp, *, detachment: bool, all_stick: bool
+) -> tuple[tuple[str, ...], ...]:
+    """Return the slip states of the published Steps 1 to 3, coincident planes merged.
+
+    Args:
+        grasp: its tangential planes are enumerated.
+        detachment: let any of the contacts be detached instead.
+        all_stick: add the state in which every contact sticks, if the steps leave it out.
+    """
+    signs = _published(grasp.tangential_arrangement())
+    slips = [tuple(_SLIP[s] for s in state) for state in signs]
+    if all_stick:
+        slips.append(("stick",) * len(grasp))
+    if detachment:
+        choices = (product(*((state, "detached") for state in states)) for states in slips)
+        slips = [states for chosen in choices for states in chosen]
+    return tuple(dict.fromkeys(slips))
+
+
+@lru_cache(maxsize=256)
+def _published(planes: Arrangement) -> tuple[tuple[int, ...], ...]:
+    return published_enumeration(planes, merge=True).distinct_states
+
+
+def grasp_case(question: Question, label: str = "") -> Case:
+    """Return a question as a case with its file form."""
+    return Case(label or f"m = {len(question.contacts)}", question, question.to_dict())
+
+
+def smallest_questions(
+    contacts: range,
+    wrenches: Sequence[Sequence[int]],
+    *,
+    frictions: Sequence[Fraction] = (Fraction(1),),
+    preloads: Sequence[int] = (0, 1),
+    reach: int = 1,
+) -> Iterator[Case]:
+    """Yield questions with few contacts first, then with small numbers first.
+
+    Contacts at different points of the integer grid up to `reach`, with normals along the axes
+    (at one point two contacts would be a corner); one friction coefficient and one preload for
+    all contacts, stiffness 1.
+    """
+    grid = sorted(
+        product(range(-reach, reach + 1), repeat=2), key=lambda p: (abs(p[0]) + abs(p[1]), p)
+    )
+    places = [(*point, *normal) for point in grid for normal in AXES]
+    for m in contacts:
+        for chosen in combinations(places, m):
+            if len({place[:2] for place in chosen}) < m:
+                continue
+            for friction, preload, wrench in product(frictions, preloads, wrenches):
+                rest: Row = (friction, Fraction(1), Fraction(preload))
+                rows = tuple((*map(Fraction, place), *rest) for place in chosen)
+                yield grasp_case(Question(rows, tuple(map(Fraction, wrench))))

@@ -1,0 +1,1 @@
+"""Records of what was checked, as JSON, Markdown, HTML and LaTeX."""

@@ -1,0 +1,1 @@
+"""Claims over very many cases: stored, resumed, in processes, in parts."""

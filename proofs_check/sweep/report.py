@@ -1,0 +1,138 @@
+"""What the store of a sweep says: a record with the keys of every other result, and its state.
+
+The record has no times and nothing that depends on the order of the work, so that a sweep that was
+interrupted, or done in parts, has the same report, to the byte, as one that was not.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+from proofs_check.claim import Verdict
+from proofs_check.reports.report import instance_text, record_of
+
+from .store import Store
+from .sweep import Plan, Total, read_plan, total
+from .sweepable import OUTCOMES
+
+
+def verdict(sums: Total, saved: bool) -> Verdict | None:
+    """Work out the verdict of a sweep so far.
+
+    None: nothing was checked, or the check itself failed on some instance. Refuted: some instance
+    fails to which the hypotheses apply. Holds under a hypothesis: all failures are outside the
+    saving hypothesis. Holds: no failure.
+    """
+    holds, fails, excused, broken, _ = (sums.number(kind) for kind in OUTCOMES)
+    if broken or not holds + fails + excused:
+        return None
+    if fails or (excused and not holds):
+        return Verdict.REFUTED
+    return Verdict.HOLDS_UNDER_HYPOTHESIS if excused and saved else Verdict.HOLDS
+
+
+def consistent(found: Verdict | None, expected: Verdict) -> bool:
+    """Whether a verdict on samples is compatible with the expected one.
+
+    Samples can miss the instances that refute a statement or need its saving hypothesis, so
+    "holds" contradicts nothing. A counterexample contradicts an expected "holds".
+    """
+    if found is None:
+        return False
+    order = (Verdict.HOLDS, Verdict.HOLDS_UNDER_HYPOTHESIS, Verdict.REFUTED)
+    return order.index(found) <= order.index(expected)
+
+
+def record(opened: Store) -> dict[str, Any]:
+    """Return the JSON record of a sweep, complete or not."""
+    plan, claim, sums = read_plan(opened), opened.claim, total(opened.chunks())
+    found = verdict(sums, claim["saved"])
+    expected = Verdict(claim["record"]["expected"])
+    worst = next((k for k in ("broken", "fails", "excused") if k in sums.smallest), None)
+    result = {
+        **claim["record"],
+        "evidence_kind": "sampled",
+        "over": _over(plan, claim),
+        "verdict": found.value if found else None,
+        "as_expected": consistent(found, expected),
+        "complete": sums.chunks == plan.chunks,
+        "evidence": _evidence(plan, claim, sums, found),
+        "rows": False,
+        "seed": plan.seed,
+        "plan": plan.record(),
+        "records": [],
+        "table": _table(claim["unit"], sums),
+        "counterexample": _entry(worst, sums.smallest[worst]) if worst else None,
+    }
+    return record_of([result], plan.seed, sums.environments)
+
+
+def _over(plan: Plan, claim: dict[str, Any]) -> str:
+    numbers = f"{plan.low}" if plan.low == plan.high else f"{plan.low} to {plan.high}"
+    return f"random {claim['domain']} with {numbers} {claim['unit']}"
+
+
+def _evidence(plan: Plan, claim: dict[str, Any], sums: Total, found: Verdict | None) -> str:
+    names = (
+        "that hold",
+        "that fail",
+        "that fail outside the hypothesis",
+        "broken",
+        "outside the hypothesis",
+    )
+    numbers = [
+        f"{sums.number(kind)} {name}"
+        for kind, name in zip(OUTCOMES, names, strict=True)
+        if sums.number(kind)
+    ]
+    done = (
+        str(plan.samples) if sums.samples == plan.samples else f"{sums.samples} of {plan.samples}"
+    )
+    parts = [f"sampled: {done} {_over(plan, claim)}, seed {plan.seed}: {', '.join(numbers)}"]
+    expected = Verdict(claim["record"]["expected"])
+    if found is not None and found is not expected and consistent(found, expected):
+        parts.append(f"on other instances the verdict is: {expected.value}")
+    for kind, text in (
+        ("broken", "smallest broken instance"),
+        ("fails", "smallest failure"),
+        ("excused", "smallest failure outside the hypothesis"),
+    ):
+        if kind in sums.smallest:
+            entry = sums.smallest[kind]
+            where = f"sample {entry['index']}, {instance_text(entry['instance'])}"
+            parts.append(f"{text}: {where}" + (f": {entry['note']}" if entry["note"] else ""))
+    return "; ".join(parts)
+
+
+def _table(unit: str, sums: Total) -> dict[str, Any]:
+    columns = [unit, "hold", "fail", "fail outside the hypothesis", "broken", "outside"]
+    return {"columns": columns, "rows": [[m, *row] for m, row in sums.counts.items()]}
+
+
+def _entry(kind: str, entry: dict[str, Any]) -> dict[str, Any]:
+    return {
+        "label": f"sample {entry['index']}",
+        "values": entry["values"],
+        "holds": False,
+        "covered": kind != "excused",
+        "note": entry["note"],
+        "assumption": "",
+        "instance": entry["instance"],
+    }
+
+
+def status(opened: Store) -> dict[str, Any]:
+    """Return how far a sweep is, also while it runs."""
+    plan, sums = read_plan(opened), total(opened.chunks())
+    return {
+        "claim": plan.claim,
+        "plan": plan.record(),
+        "chunks": sums.chunks,
+        "chunks_due": plan.chunks,
+        "samples": sums.samples,
+        "samples_due": plan.samples,
+        "complete": sums.chunks == plan.chunks,
+        "outcomes": {kind: sums.number(kind) for kind in OUTCOMES},
+        "milliseconds": sums.milliseconds,
+        "environments": sums.environments,
+    }

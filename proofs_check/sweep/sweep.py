@@ -1,0 +1,264 @@
+"""Sweeps: one claim on very many random instances, in numbered chunks that can be done anywhere.
+
+Instance number k depends on the seed, the claim and k alone. So neither the number of workers, nor
+the order of the chunks, nor any interruption can change what a sweep finds.
+"""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable, Iterable, Iterator
+from dataclasses import asdict, dataclass, field
+from functools import lru_cache
+from pathlib import Path
+from random import Random
+from typing import Any
+
+from proofs_check.errors import SweepError
+from proofs_check.instances.domains import count, document, size
+from proofs_check.reports.environment import environment
+from proofs_check.user_claim import file_digest
+
+from . import store, workers
+from .store import Chunk, Store
+from .sweepable import OUTCOMES, Target, split, target
+
+#: Instances in a chunk, unless another number is given.
+CHUNK = 200
+#: Outcomes of which the smallest instance is kept.
+_KEPT = ("fails", "excused", "broken")
+
+
+@dataclass(frozen=True)
+class Plan:
+    """What a sweep is to do. Equal plans give equal results.
+
+    Attributes:
+        claim: its id.
+        digest: SHA-256 of the file of an own claim, "" for the registry.
+        low, high: smallest and largest number of planes (or contacts).
+        samples: number of instances.
+        seed: of all of them.
+        chunk: instances in one chunk.
+        source: the name under which the claim is found here: ID, or FILE.py:ID.
+    """
+
+    claim: str
+    digest: str
+    low: int
+    high: int
+    samples: int
+    seed: int
+    chunk: int = CHUNK
+    source: str = field(default="", compare=False)
+
+    @property
+    def chunks(self) -> int:
+        """The number of chunks."""
+        return -(-self.samples // self.chunk)
+
+    def indices(self, number: int) -> range:
+        """The numbers of the instances of one chunk."""
+        start = number * self.chunk
+        return range(start, min(start + self.chunk, self.samples))
+
+    def record(self) -> dict[str, Any]:
+        """Return the plan for JSON; where the claim is found is no part of it."""
+        entries = asdict(self)
+        del entries["source"]
+        return entries
+
+
+def plan_sweep(
+    source: str, planes: tuple[int, int], samples: int, seed: int = 0, chunk: int = CHUNK
+) -> Plan:
+    """Return the plan for a claim.
+
+    Args:
+        source: an id of the registry, FILE.py, or FILE.py:ID.
+        planes: smallest and largest number of planes or contacts; instance k has
+            ``low + k mod (high - low + 1)`` of them.
+        samples, seed, chunk: see `Plan`.
+
+    Raises:
+        SweepError: a number out of range, or a claim that cannot be swept.
+    """
+    chosen = target(source)
+    low, high = planes
+    if not chosen.domain.least <= low <= high:
+        raise SweepError(
+            f"planes is {low}..{high}; {chosen.domain.text} need at least {chosen.domain.least}, "
+            "and the smaller number stands first"
+        )
+    for name, value in (("samples", samples), ("chunk", chunk)):
+        if value < 1:
+            raise SweepError(f"{name} is {value}; it must be at least 1")
+    file, _ = split(source)
+    digest = file_digest(file) if file else ""
+    name = f"{Path(file).resolve()}:{chosen.id}" if file else chosen.id
+    return Plan(chosen.id, digest, low, high, samples, seed, chunk, name)
+
+
+def instance(plan: Plan, index: int) -> Any:
+    """Return the random instance with a number."""
+    return _drawn(plan, _target(plan), index)
+
+
+def _drawn(plan: Plan, chosen: Target, index: int) -> Any:
+    rng = Random(f"{plan.seed}/{plan.claim}/{index}")
+    return chosen.domain.draw(rng, plan.low + index % (plan.high - plan.low + 1))
+
+
+@lru_cache(maxsize=4)
+def _found(source: str) -> Target:
+    return target(source)
+
+
+def _target(plan: Plan) -> Target:
+    file, _ = split(plan.source)
+    if file is not None and file_digest(file) != plan.digest:
+        raise SweepError(f"{file} has changed since the sweep began; begin a new store")
+    return _found(plan.source)
+
+
+def run_chunk(plan: Plan, number: int) -> Chunk:
+    """Check the instances of one chunk: counts for each number of planes, smallest failures."""
+    started = time.perf_counter()
+    chosen = _target(plan)
+    counts: dict[str, list[int]] = {}
+    smallest: dict[str, dict[str, Any]] = {}
+    for index in plan.indices(number):
+        subject = _drawn(plan, chosen, index)
+        outcome = chosen.check(subject)
+        row = counts.setdefault(str(count(subject)), [0] * len(OUTCOMES))
+        row[OUTCOMES.index(outcome.kind)] += 1
+        if outcome.kind in _KEPT:
+            entry = {
+                "key": [*size(subject)[:-1], index],
+                "index": index,
+                "values": list(outcome.values),
+                "note": outcome.note,
+                "instance": document(subject),
+            }
+            _keep(smallest, outcome.kind, entry)
+    took = round(1000 * (time.perf_counter() - started))
+    return Chunk(number, {"counts": counts, "smallest": smallest}, environment(), took)
+
+
+def _keep(smallest: dict[str, dict[str, Any]], kind: str, entry: dict[str, Any]) -> None:
+    if kind not in smallest or entry["key"] < smallest[kind]["key"]:
+        smallest[kind] = entry
+
+
+@dataclass
+class Total:
+    """What the chunks of a store say together.
+
+    Attributes:
+        counts: for each number of planes, how often each of `OUTCOMES` came out.
+        smallest: for "fails", "excused" and "broken", the smallest instance.
+        environments: every one that took part, each once.
+    """
+
+    chunks: int = 0
+    milliseconds: int = 0
+    counts: dict[int, list[int]] = field(default_factory=dict)
+    smallest: dict[str, dict[str, Any]] = field(default_factory=dict)
+    environments: list[dict[str, Any]] = field(default_factory=list)
+
+    def number(self, kind: str) -> int:
+        """Return how often an outcome came out."""
+        return sum(row[OUTCOMES.index(kind)] for row in self.counts.values())
+
+    @property
+    def samples(self) -> int:
+        """The number of instances that were drawn."""
+        return sum(map(sum, self.counts.values()))
+
+
+def total(chunks: Iterable[Chunk]) -> Total:
+    """Add chunks up; their order does not matter."""
+    sums = Total()
+    for chunk in chunks:
+        sums.chunks += 1
+        sums.milliseconds += chunk.milliseconds
+        for planes, row in chunk.result["counts"].items():
+            old = sums.counts.get(int(planes), [0] * len(OUTCOMES))
+            sums.counts[int(planes)] = [a + b for a, b in zip(old, row, strict=True)]
+        for kind, entry in chunk.result["smallest"].items():
+            _keep(sums.smallest, kind, entry)
+        if chunk.environment not in sums.environments:
+            sums.environments.append(dict(chunk.environment))
+    sums.counts = dict(sorted(sums.counts.items()))
+    sums.environments.sort(key=repr)
+    return sums
+
+
+def sweep(
+    plan: Plan,
+    path: str,
+    *,
+    jobs: int = 1,
+    shard: tuple[int, int] = (1, 1),
+    dask: str | None = None,
+    progress: Callable[[int, int], None] | None = None,
+) -> None:
+    """Do the chunks that the store does not have yet; each is kept as soon as it is done.
+
+    Args:
+        path: of the store; made when there is none.
+        jobs: processes on this machine.
+        shard: (i, n): only every n-th chunk, beginning with the i-th.
+        dask: address of a scheduler, instead of processes on this machine.
+        progress: called with the numbers of instances done and due.
+
+    Raises:
+        SweepError: a bad argument, a store of another plan, workers that keep dying.
+        MissingExtraError: `dask` is given and not installed.
+    """
+    part, parts = shard
+    if not 1 <= part <= parts:
+        raise SweepError(f"shard is {part}/{parts}; give i/n with i from 1 to n")
+    if jobs < 1:
+        raise SweepError(f"jobs is {jobs}; it must be at least 1")
+    with store.create(path, plan.record(), _target(plan).about()) as opened:
+        due = range(part - 1, plan.chunks, parts)
+        there = opened.numbers()
+        pending = [number for number in due if number not in there]
+        samples = sum(len(plan.indices(number)) for number in due)
+        done = samples - sum(len(plan.indices(number)) for number in pending)
+        if progress:
+            progress(done, samples)
+        for chunk in _executed(plan, pending, jobs, dask):
+            opened.add(chunk)
+            done += len(plan.indices(chunk.number))
+            if progress:
+                progress(done, samples)
+
+
+def _executed(plan: Plan, pending: list[int], jobs: int, dask: str | None) -> Iterator[Chunk]:
+    if not pending:
+        return iter(())
+    if dask is not None:
+        return workers.on_dask(run_chunk, plan, pending, dask)
+    if jobs == 1:
+        return (run_chunk(plan, number) for number in pending)
+    return workers.on_processes(run_chunk, plan, pending, jobs)
+
+
+def merge(path: str, parts: Iterable[str]) -> int:
+    """Put the chunks of stores of one plan into one store; return how many were new.
+
+    Raises:
+        SweepError: the stores belong to different plans, or disagree on a chunk.
+    """
+    new = 0
+    for part in parts:
+        with store.read(part) as source, store.create(path, source.plan, source.claim) as opened:
+            new += sum(opened.add(chunk) for chunk in source.chunks())
+    return new
+
+
+def read_plan(opened: Store) -> Plan:
+    """Return the plan of a store."""
+    return Plan(**opened.plan)

@@ -1,0 +1,104 @@
+"""The plumbing that all commands share."""
+
+from __future__ import annotations
+
+import argparse
+import json
+from fractions import Fraction
+from typing import Any
+
+import pytest
+
+from arrangement import InputError, MissingExtraError, terminal
+
+
+def parser_for(function: Any) -> terminal.Parser:
+    parser = terminal.command_parser("demo", "A demonstration.")
+    commands = parser.add_subparsers(required=True)
+    go = commands.add_parser("go")
+    go.add_argument("--wrench", nargs=3, type=terminal.rational_argument)
+    go.add_argument("where", nargs="?")
+    terminal.add_json_option(go)
+    go.set_defaults(command=function)
+    return parser
+
+
+def parsed(*arguments: str) -> argparse.Namespace:
+    return parser_for(None).parse_args(["go", *arguments])
+
+
+@pytest.mark.parametrize(
+    ("words", "numbers"),
+    [
+        (("-1/2", "-0.25", "-.5"), (Fraction(-1, 2), Fraction(-1, 4), Fraction(-1, 2))),
+        (("0", "-1", "+7/3"), (Fraction(0), Fraction(-1), Fraction(7, 3))),
+    ],
+)
+def test_negative_rationals_are_values(words: tuple[str, ...], numbers: tuple[Fraction]) -> None:
+    assert parsed("--wrench", *words).wrench == list(numbers)
+    assert parsed("here", "--wrench", *words, "--json").wrench == list(numbers)
+    assert parsed("--wrench", *words, "here").where == "here"
+
+
+@pytest.mark.parametrize("word", ["-1e5", "1e999999999", "-1/0", "nan", "-inf", "0x1", "", "1 2"])
+def test_other_numbers_are_refused_with_the_reason(
+    word: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    with pytest.raises(SystemExit) as caught:
+        parsed("--wrench", "0", "0", word)
+    assert caught.value.code == 2
+    error = capsys.readouterr().err.splitlines()[-1]
+    assert error.startswith("error: ")
+
+
+@pytest.mark.parametrize("error", [InputError("broken\x1b[1m\nrule"), MissingExtraError("extra")])
+def test_errors_on_purpose_are_one_line(
+    error: Exception, capsys: pytest.CaptureFixture[str]
+) -> None:
+    def fails(_: argparse.Namespace) -> int:
+        raise error
+
+    assert terminal.run(parser_for(fails), ["go"]) == 2
+    captured = capsys.readouterr()
+    assert captured.out == ""
+    assert captured.err.startswith("error: ")
+    assert captured.err.count("\n") == 1
+    assert "\x1b" not in captured.err
+
+
+def test_a_mistake_of_the_program_is_not_hidden() -> None:
+    def fails(_: argparse.Namespace) -> int:
+        raise ZeroDivisionError
+
+    with pytest.raises(ZeroDivisionError):
+        terminal.run(parser_for(fails), ["go"])
+
+
+@pytest.mark.parametrize(("error", "code"), [(KeyboardInterrupt(), 130), (BrokenPipeError(), 141)])
+def test_interruptions_are_quiet(
+    error: BaseException, code: int, capsys: pytest.CaptureFixture[str]
+) -> None:
+    def fails(_: argparse.Namespace) -> int:
+        raise error
+
+    assert terminal.run(parser_for(fails), ["go"]) == code
+    assert capsys.readouterr().err == ""
+
+
+@pytest.mark.parametrize("code", [0, 1])
+def test_the_command_decides_the_exit_code(code: int) -> None:
+    assert terminal.run(parser_for(lambda _: code), ["go"]) == code
+
+
+def test_json_is_one_line_with_rationals_as_strings(capsys: pytest.CaptureFixture[str]) -> None:
+    terminal.print_json({"x": [Fraction(-7, 3), Fraction(2)], "text": "ß\n", "n": 3, "none": None})
+    out = capsys.readouterr().out
+    assert out.count("\n") == 1
+    assert out.isascii()
+    assert json.loads(out) == {"x": ["-7/3", "2"], "text": "ß\n", "n": 3, "none": None}
+
+
+@pytest.mark.parametrize(("value", "error"), [(float("nan"), ValueError), (object(), TypeError)])
+def test_json_takes_nothing_that_json_cannot_say(value: Any, error: type[Exception]) -> None:
+    with pytest.raises(error):
+        terminal.print_json({"x": value})
