@@ -17,7 +17,7 @@ import numpy as np
 
 from arrangement.exact import RationalVector
 
-from ..grasp import Grasp
+from equilibrium.model.grasp import Grasp
 from .integer_contacts import FloatContacts, Floats, integer_contacts, nearest
 from .state_equilibrium import Guess, Solution, exact_equilibrium
 

@@ -17,7 +17,7 @@ import numpy.typing as npt
 
 from arrangement.exact import RationalVector
 
-from ..grasp import Grasp
+from equilibrium.model.grasp import Grasp
 
 Floats: TypeAlias = npt.NDArray[np.float64]
 #: Python integers in an array.

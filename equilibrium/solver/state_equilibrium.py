@@ -14,7 +14,7 @@ import numpy as np
 
 from arrangement.exact import RationalVector
 
-from ..elimination import gauss_jordan
+from .elimination import gauss_jordan
 from .integer_contacts import Floats, IntegerContacts, Whole
 
 #: Shares of the friction limit are multiples of one over this.
