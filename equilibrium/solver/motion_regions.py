@@ -24,17 +24,30 @@ from equilibrium.model.grasp import Grasp
 from .continuation import Continuation, motion_scale
 from .integer_contacts import Floats, IntegerContacts, integer_contacts
 from .leaf_test import closed, product
-from .linear_cells import LinearCell, Node
+from .state_splits import Node, StateSplits, TooManyParts
 from .state_equilibrium import Solution, exact_equilibrium
 from .virtual_motions import Regions, VirtualMotions
 
 EDGES = tuple(itertools.combinations(range(4), 2))
-_SIGNS = tuple(itertools.product((1, -1), repeat=3))
+#: Generators of all homogeneous motions, and of the eight orthants in the order of certificates.
+HALF_SPACE = (
+    (1, 0, 0, 0),
+    *(tuple(sign * (k == n) for k in range(4)) for n in (1, 2, 3) for sign in (1, -1)),
+)
+ORTHANTS = tuple(
+    ((1, 0, 0, 0), (0, x, 0, 0), (0, 0, y, 0), (0, 0, 0, z))
+    for x, y, z in itertools.product((1, -1), repeat=3)
+)
 #: Numbers of numpy arrays at once.
 _NUMBERS = 3_000_000
 _ROUNDS = 6
-#: Cuts at about the middle of an edge before a region is cut where contacts change.
-_PATIENCE = 40
+#: A region cut out so often, and every fourth time from then on, is tried by states.
+_PATIENCE = 12
+#: Few contacts are tried by states as a whole after some cuts; with a limit of programs.
+_SMALL, _SMALL_CUTS, _SMALL_PARTS = 6, 40, 300
+#: Cuts after which edges are cut where springs end, too.
+_FEW = 4
+_TINY = 1e-9
 
 
 @dataclass(eq=False, slots=True)
@@ -48,6 +61,23 @@ class _Region:
     def close(self, node: Node) -> None:
         siblings, index = self.place
         siblings[index] = node
+
+
+def _shortened(vector: IntegerVector) -> list[float]:
+    """Return a vector in floating point; a very long one at another scale."""
+    excess = max(0, max(map(int.bit_length, vector)) - 900)
+    return [float(x >> excess) for x in vector]
+
+
+def _simple(ratio: Floats, even: Any) -> tuple[Floats, Floats]:
+    """Return small positive integers p, q with p / q near a ratio; 1, 1 where `even`."""
+    ratio = np.where(even, 1.0, np.clip(ratio, 1e-15, 1e15))
+    fine = np.rint(4 * ratio)
+    common = np.gcd(fine.astype(np.int64), 4)
+    between = (ratio > 1 / 3) & (ratio < 3)
+    p = np.where(between, fine / common, np.maximum(np.rint(ratio), 1.0))
+    q = np.where(between, 4 / common, np.maximum(np.rint(1 / ratio), 1.0))
+    return p, q
 
 
 class MotionRegions:
@@ -68,33 +98,41 @@ class MotionRegions:
         Raises:
             TimeLimitError: the deadline has passed.
         """
-        whole = self._half_space()
-        if whole is not None:
-            return whole
         children: list[Node] = [None] * 8
-        axes = np.eye(4, dtype=int).tolist()
-        orthants = [
-            _Region(
-                (tuple(axes[0]), *(tuple(s * x for x in a) for s, a in zip(signs, axes[1:], strict=True))),
-                (children, n),
-            )
-            for n, signs in enumerate(_SIGNS)
-        ]
-        active = self._unclosed(orthants)
+        active = self._unclosed(
+            [_Region(orthant, (children, n)) for n, orthant in enumerate(ORTHANTS)]
+        )
+        cuts = 0
         while active:
             if time.monotonic() > self.deadline:
                 raise TimeLimitError(
                     f"the time limit has passed with {len(active)} regions of motions open; "
                     "give more time, or none"
                 )
+            if len(self.contacts) <= _SMALL and cuts >= _SMALL_CUTS:
+                cuts = -(10**9)
+                root: list[Node] = [None]
+                if self._by_states(_Region(HALF_SPACE, (root, 0)), _SMALL_PARTS):
+                    return root[0] if self.solution is None else self.solution
+            active.sort(key=lambda region: region.depth)
             chosen, active = active[-self.batch :], active[: -self.batch]
-            tired = [r for r in chosen if r.depth >= _PATIENCE]
-            active += self._unclosed(self._halves([r for r in chosen if r.depth < _PATIENCE]))
-            for region in tired:
-                active += self._unclosed(self._cut(region))
-                if self.solution is not None:
-                    return self.solution
+            whole = []
+            for region in chosen:
+                if self._is_hard(region):
+                    if self._by_states(region, 10 * 2.0 ** (region.depth // 8)):
+                        if self.solution is not None:
+                            return self.solution
+                        continue
+                whole.append(region)
+            cuts += len(whole)
+            active += self._unclosed(self._halves(whole))
         return {"orthants": children}
+
+    def _is_hard(self, region: _Region) -> bool:
+        """Whether the states of contacts are worth a try."""
+        if region.depth < _PATIENCE or region.depth % 4:
+            return False
+        return True
 
     def _half_space(self) -> Node | None:
         """Return the leaf that closes all motions at once, if there is one."""
@@ -117,7 +155,8 @@ class MotionRegions:
 
     def _scaled(self, regions: Sequence[Sequence[IntegerVector]]) -> tuple[Floats, Floats]:
         """Return generators of the length 1 (R, 4, 4), and their lengths."""
-        generators = np.array(regions, dtype=float).reshape(-1, 4, 4)
+        generators = np.array([_shortened(g) for region in regions for g in region])
+        generators = generators.reshape(-1, 4, 4)
         size = np.linalg.norm(generators * self.lengths, axis=-1)
         return generators / size[..., None], size
 
@@ -144,31 +183,51 @@ class MotionRegions:
         return [region for n, region in enumerate(regions) if n not in done]
 
     def _halves(self, regions: list[_Region]) -> list[_Region]:
-        """Cut each region at about the middle of the edge that promises most."""
+        """Cut each region at an edge that promises most: near its middle, or where a spring ends."""
         if not regions:
             return []
         generators, size = self._scaled([r.generators for r in regions])
+        floats = self._floats(generators)
         first, second = (list(ends) for ends in zip(*EDGES, strict=True))
-        steps = np.rint(np.log2(size[:, second] / size[:, first]))
-        steps = np.where(np.abs(steps) <= 1, 0, steps).astype(int)
-        left = size[:, first] * 2.0 ** np.maximum(steps, 0)
-        right = size[:, second] * 2.0 ** np.maximum(-steps, 0)
-        middle = left[..., None] * generators[:, first] + right[..., None] * generators[:, second]
+        ratio = size[:, second] / size[:, first]
+        left, right = _simple(np.exp2(np.rint(np.log2(ratio))), np.abs(np.log2(ratio)) < 1.5)
+        if any(region.depth >= _FEW for region in regions):
+            crossing, there = self._springs_end(floats, first, second)
+            crossing = np.where(crossing > 0, crossing * ratio, 1.0)
+            more = _simple(crossing, np.zeros(1, dtype=bool))
+            left, right = (np.concatenate(x, axis=1) for x in zip((left, right), more, strict=True))
+            first, second = first * 2, second * 2
+            possible = np.concatenate([np.ones_like(there), there], axis=1)
+        else:
+            possible = np.ones(left.shape, dtype=bool)
+        middle = (left * size[:, first])[..., None] * generators[:, first]
+        middle = middle + (right * size[:, second])[..., None] * generators[:, second]
         middle /= np.linalg.norm(middle * self.lengths, axis=-1, keepdims=True)
-        parts = np.repeat(generators[:, None], 12, axis=1).reshape(-1, 6, 2, 4, 4)
-        for n, (j, k) in enumerate(EDGES):
+        choices = len(first)
+        parts = np.repeat(generators[:, None], 2 * choices, axis=1).reshape(-1, choices, 2, 4, 4)
+        for n, (j, k) in enumerate(zip(first, second, strict=True)):
             parts[:, n, 0, j] = middle[:, n]
             parts[:, n, 1, k] = middle[:, n]
         _, values = self.virtual.best(self._floats(parts.reshape(-1, 4, 4)))
-        values = values.reshape(-1, 6, 2)
+        values = values.reshape(-1, choices, 2)
         missing = np.minimum(values, 0).sum(axis=2)
         cosine = np.sum(generators[:, first] * generators[:, second] * self.lengths**2, axis=-1)
-        score = missing / (1e-9 - missing.min(axis=1, keepdims=True)) - cosine + (values > 0).sum(axis=2)
+        score = missing / (1e-9 - missing.min(axis=1, keepdims=True)) - cosine
+        score = np.where(possible, score + (values > 0).sum(axis=2), -np.inf)
         result = []
-        for region, choice, step in zip(regions, score.argmax(axis=1).tolist(), steps.tolist(), strict=True):
-            shift = step[choice]
-            result += self._split(region, *EDGES[choice], 2 ** max(shift, 0), 2 ** max(-shift, 0))
+        for n, choice in enumerate(score.argmax(axis=1).tolist()):
+            weights = int(left[n, choice]), int(right[n, choice])
+            result += self._split(regions[n], first[choice], second[choice], *weights)
         return result
+
+    def _springs_end(self, floats: Regions, first: list[int], second: list[int]) -> tuple[Floats, Any]:
+        """Return for each edge the weights' ratio where a spring ends, and whether one does."""
+        one, two = floats.spring[:, first], floats.spring[:, second]
+        strength = np.where(one * two < 0, np.minimum(np.abs(one), np.abs(two)), 0.0)
+        chosen = strength.argmax(axis=2)[..., None]
+        there = np.take_along_axis(strength, chosen, axis=2)[..., 0] > _TINY
+        one, two = (np.abs(np.take_along_axis(x, chosen, axis=2)[..., 0]) for x in (one, two))
+        return np.where(there, two / np.where(there, one, 1.0), 0.0), there
 
     def _split(self, region: _Region, j: int, k: int, p: int, q: int) -> list[_Region]:
         """Cut the edge between two generators; return the parts."""
@@ -184,42 +243,20 @@ class MotionRegions:
             for place, n in enumerate((j, k))
         ]
 
-    def _cut(self, region: _Region) -> list[_Region]:
-        """Cut a region where a spring or a slip vanishes; or decide it, where none does inside."""
-        self._try_there(region)
-        if self.solution is not None:
-            return []
-        rows = np.array(region.generators, dtype=object)
-        spring = product(rows, self.contacts.spring.T)
-        slip = product(rows[:, 1:], self.contacts.tangent.T)
-        slip = slip[:, (spring > 0).any(axis=0) & (self.contacts.friction > 0)]
-        for values in (spring, slip):
-            changing = np.flatnonzero((values > 0).any(axis=0) & (values < 0).any(axis=0))
-            if len(changing):
-                j, k, p, q = self._crossing(rows, values[:, changing])
-                return self._split(region, j, k, p, q)
-        decided = LinearCell(self.contacts, self.wrench, region.generators).decide()
+    def _by_states(self, region: _Region, limit: float) -> bool:
+        """Decide a region by the states of contacts; return whether that ended."""
+        splits = StateSplits(
+            self.contacts, self.wrench, region.generators, limit, self.deadline
+        )
+        try:
+            decided = splits.decide()
+        except TooManyParts:
+            return False
         if isinstance(decided, Solution):
             self.solution = decided
         else:
             region.close(decided)
-        return []
-
-    def _crossing(self, rows: Any, values: Any) -> tuple[int, int, int, int]:
-        """Return where a value vanishes on the longest edge where one does."""
-        generators, _ = self._scaled([rows])
-        scaled = generators[0] * self.lengths
-        best, found = -math.inf, (0, 0, 1, 1)
-        for j, k in EDGES:
-            crossing = np.flatnonzero(values[j] * values[k] < 0)
-            if len(crossing):
-                length = 1 - float(scaled[j] @ scaled[k])
-                if length > best:
-                    i = crossing[0]
-                    p, q = abs(values[k, i]), abs(values[j, i])
-                    common = math.gcd(p, q)
-                    best, found = length, (j, k, p // common, q // common)
-        return found
+        return True
 
     def _try_there(self, region: _Region) -> None:
         """Look for an equilibrium near the middle of a region."""
