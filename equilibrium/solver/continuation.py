@@ -133,7 +133,7 @@ class Continuation:
         force = c.spring[:, 0] + c.spring[:, 1:] @ motion
         slip = c.tangent @ motion
         ratio = -slip / np.sqrt(slip * slip + eps * eps)
-        return Guess.read(force, ratio, np.abs(ratio) > 0.9999)
+        return Guess.read(motion, force, ratio, np.abs(ratio) > 0.9999)
 
 
 def _step(jacobian: Floats, value: Floats, damping: float) -> Floats:

@@ -116,42 +116,41 @@ class MotionRegions:
                     return root[0] if self.solution is None else self.solution
             active.sort(key=lambda region: region.depth)
             chosen, active = active[-self.batch :], active[: -self.batch]
-            whole = []
-            for region in chosen:
-                if self._is_hard(region):
-                    if self._by_states(region, 10 * 2.0 ** (region.depth // 8)):
-                        if self.solution is not None:
-                            return self.solution
-                        continue
-                whole.append(region)
+            whole = [region for region in chosen if not self._decided(region)]
+            if self.solution is not None:
+                return self.solution
             cuts += len(whole)
             active += self._unclosed(self._halves(whole))
         return {"orthants": children}
 
-    def _is_hard(self, region: _Region) -> bool:
-        """Whether the states of contacts are worth a try."""
+    def _decided(self, region: _Region) -> bool:
+        """Try the states of contacts on a small region, now and then; return whether that ended."""
+        if self.solution is not None:
+            return True
         if region.depth < _PATIENCE or region.depth % 4:
             return False
-        return True
+        if region.depth == _PATIENCE:
+            self._try_there(region)
+        loose = self._floats(self._scaled([region.generators])[0])
+        count = int(np.sum(loose.mixed | (loose.touching & (loose.slip == 0))))
+        if self.solution is not None or count > region.depth - _PATIENCE // 2:
+            return self.solution is not None
+        return self._by_states(region, 10 * 2.0 ** (region.depth // 8))
 
-    def _half_space(self) -> Node | None:
-        """Return the leaf that closes all motions at once, if there is one."""
-        c, v = self.contacts.floats, self.virtual
+    def half_space(self) -> Node | None:
+        """Return the leaf that closes all motions at once, if one of the candidates does.
+
+        The load then works, and no contact can work against it, whatever its spring does.
+        """
+        v, c = self.virtual, self.contacts
         load, least, _, _ = v.works
-        good = (load > 1e-9) & (least.min(axis=0, initial=1.0) >= -1e-9)
-        for row in np.flatnonzero(good):
-            motion = v.integers(v.candidates[row])
-            if self._half_space_holds(motion):
+        for row in np.flatnonzero((load > _TINY) & (least.min(axis=0, initial=1.0) > -_TINY)):
+            motion = np.array(v.integers(v.candidates[row]), dtype=object)
+            across = np.abs(c.tangent.dot(motion) * c.friction)
+            work = sum(int(x) * w for x, w in zip(motion, self.wrench, strict=True))
+            if work > 0 and (c.normal.dot(motion) * c.friction_unit >= across).all():
                 return [str(x) for x in motion]
-        del c
         return None
-
-    def _half_space_holds(self, motion: Sequence[int]) -> bool:
-        c = self.contacts
-        chosen = np.array(motion, dtype=object)
-        across = abs(c.tangent.dot(chosen) * c.friction)
-        least = c.normal.dot(chosen) * c.friction_unit - across
-        return bool((least >= 0).all()) and sum(x * w for x, w in zip(motion, self.wrench, strict=True)) > 0
 
     def _scaled(self, regions: Sequence[Sequence[IntegerVector]]) -> tuple[Floats, Floats]:
         """Return generators of the length 1 (R, 4, 4), and their lengths."""

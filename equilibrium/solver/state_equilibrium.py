@@ -7,7 +7,7 @@ few whose tangential planes fix the motion carry what is missing.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from fractions import Fraction
 
 import numpy as np
@@ -37,15 +37,17 @@ class Guess:
         touching: the contacts with a normal force.
         sticking: those among them that do not slip.
         shares: of its friction limit, over `_SHARES`, for each contact; exact when it slips.
+        motion: over `_SHARES`, rounded.
     """
 
     touching: tuple[bool, ...]
     sticking: tuple[bool, ...]
     shares: tuple[int, ...]
+    motion: tuple[int, ...] = field(compare=False)
 
     @classmethod
-    def read(cls, force: Floats, ratio: Floats, slips: Floats) -> Guess:
-        """Return the guess of floats: spring force, share of the friction limit, slip."""
+    def read(cls, motion: Floats, force: Floats, ratio: Floats, slips: Floats) -> Guess:
+        """Return the guess of floats: motion, spring force, share of the friction limit, slip."""
         touching = force > 0
         sticking = touching & ~slips.astype(bool)
         shares = np.where(sticking, np.rint(ratio * _SHARES), np.sign(ratio) * _SHARES)
@@ -53,6 +55,7 @@ class Guess:
             tuple(touching.tolist()),
             tuple(sticking.tolist()),
             tuple(int(x) for x in np.nan_to_num(shares).tolist()),
+            tuple(round(x * _SHARES) for x in np.nan_to_num(motion).tolist()),
         )
 
 
@@ -76,13 +79,21 @@ def exact_equilibrium(
     for i in pillars:
         still = [*contacts.tangent[i].tolist(), *[0] * len(pillars), 0]
         rows.append([Fraction(x) for x in still])
-    reduced, pivots, scale = gauss_jordan(rows)
     size = 3 + len(pillars)
-    if pivots != list(range(size)):
+    reduced, pivots, scale = gauss_jordan(rows)
+    if size in pivots:
         return None
+    scale_up, free = 1, [j for j in range(size) if j not in pivots]
+    point = [0] * size
+    if free:
+        # What the equations leave open is taken from the guess.
+        scale_up = _SHARES
+        for j in free:
+            point[j] = guess.motion[j] * scale if j < 3 else 0
+    for row, pivot in zip(reduced, pivots, strict=False):
+        point[pivot] = -row[size] * scale_up - sum(row[j] * point[j] // scale for j in free)
     sign = -1 if scale < 0 else 1
-    point = [-sign * row[size] for row in reduced]
-    return _checked(contacts, wrench, guess, pillars, point, sign * scale)
+    return _checked(contacts, wrench, guess, pillars, [sign * x for x in point], sign * scale * scale_up)
 
 
 def _pillars(contacts: IntegerContacts, guess: Guess) -> list[int]:
