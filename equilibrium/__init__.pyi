@@ -1,6 +1,6 @@
 from . import inputs as inputs, methods as methods, wrench_sets as wrench_sets
-from .certificate.checker import Report as Report, check as check
-from .certificate.document import Certificate as Certificate
+from .certificate.regions_checker import Report as Report, check as check
+from .certificate.regions_document import Certificate as Certificate
 from .io.files import (
     read_certificate as read_certificate,
     read_grasp as read_grasp,

@@ -21,8 +21,8 @@ import numpy as np
 from arrangement.exact import RationalVector, to_text
 from arrangement.progress import watched
 
-from .certificate.checker import Reason, Report, check
-from .certificate.document import (
+from .certificate.regions_checker import Reason, Report, check
+from .certificate.regions_document import (
     Certificate,
     regions_text,
     stable_certificate,

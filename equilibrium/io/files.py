@@ -9,8 +9,8 @@ from typing import Any
 from arrangement.io.files import Source, read_document
 from arrangement.io.writing import write_text_atomically
 from arrangement.planes import Arrangement
-from equilibrium.certificate.checker import Report, check
-from equilibrium.certificate.document import Certificate
+from equilibrium.certificate.regions_checker import Report, check
+from equilibrium.certificate.regions_document import Certificate
 from equilibrium.model.grasp import Grasp
 
 #: Certificates list every face of the motion arrangement, so they may be large.
