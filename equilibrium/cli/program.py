@@ -71,6 +71,12 @@ def _add_solve(commands: Any) -> None:
     )
     solve.add_argument("--certificate", metavar="OUT.json", help="write the certificate here")
     solve.add_argument(
+        "--time-limit", metavar="SECONDS", type=_seconds, help="give up then (exit 2)"
+    )
+    solve.add_argument(
+        "--shorten", action="store_true", help="look longer for a smaller proof of a no"
+    )
+    solve.add_argument(
         "--literal",
         nargs="+",
         action="extend",
@@ -83,16 +89,19 @@ def _add_solve(commands: Any) -> None:
     solve.set_defaults(command=_solve)
 
 
+def _seconds(text: str) -> float:
+    """Return a positive number of seconds."""
+    seconds = float(terminal.rational_argument(text))
+    if seconds <= 0:
+        raise argparse.ArgumentTypeError(f"{text} is not above 0; give a number of seconds")
+    return seconds
+
+
 def _add_verify(commands: Any) -> None:
     verify = commands.add_parser(
         "verify", help="check a certificate without the solver (exit 0 valid, 1 not)"
     )
     verify.add_argument("certificate", metavar="CERT.json", help="a path, or - for stdin")
-    verify.add_argument(
-        "--rationals-only",
-        action="store_true",
-        help="take every sign from rationals, none from floating point with a proven bound; slow",
-    )
     terminal.add_json_option(verify)
     verify.set_defaults(command=_verify)
 
@@ -112,7 +121,9 @@ def _solve(arguments: argparse.Namespace) -> int:
         literal = solve_literal(grasp, arguments.wrench, arguments.literal)
         document, pieces = literal.to_dict(), literal.equilibria
     else:
-        verdict = solve(grasp, arguments.wrench)
+        verdict = solve(
+            grasp, arguments.wrench, time_limit=arguments.time_limit, shorten=arguments.shorten
+        )
         document, pieces = verdict.to_dict(), verdict.equilibria
         if arguments.certificate:
             write_certificate(arguments.certificate, verdict.certificate)
@@ -149,15 +160,14 @@ def _freedom(piece: Equilibrium) -> str:
 def _verify(arguments: argparse.Namespace) -> int:
     from equilibrium.io.files import verify
 
-    report = verify(arguments.certificate, rationals_only=arguments.rationals_only)
+    report = verify(arguments.certificate)
     if arguments.json:
         terminal.print_json(report.to_dict())
-    elif report.valid:
-        print(f"valid: the verdict is {report.kind} ({len(report.lines)} lines checked)")
+    elif report:
+        print(f"valid: {report.kind}" + (f", {report.leaves} leaves" if report.leaves else ""))
     else:
-        failed = next(line for line in report.lines if not line.holds)
-        print(f"not valid: line {failed.name!r} fails: {terminal.printable(failed.problem)}")
-    return terminal.YES if report.valid else terminal.NO
+        print(f"not valid: {terminal.printable(report.problem)}")
+    return terminal.YES if report else terminal.NO
 
 
 if __name__ == "__main__":

@@ -11,18 +11,14 @@ states. A failure proves nothing.
 from __future__ import annotations
 
 from collections.abc import Iterator
-from fractions import Fraction
 
 import numpy as np
 
 from arrangement.exact import RationalVector
 
-from equilibrium.model.grasp import Grasp
-from .integer_contacts import FloatContacts, Floats, integer_contacts, nearest
+from .integer_contacts import FloatContacts, Floats, IntegerContacts, nearest
 from .state_equilibrium import Guess, Solution, exact_equilibrium
 
-#: Further starts, when the first finds nothing.
-_STARTS = 3
 _STEPS = 30
 #: Sharpness grows by one over this, or less where a step fails.
 _FACTOR, _SLOW = 0.1, 0.7
@@ -30,16 +26,23 @@ _FACTOR, _SLOW = 0.1, 0.7
 _PATH, _SHARP, _SHARPEST = 40, 2e-2, 1e-8
 #: Residuals relative to the load.
 _CLOSE = 1e-8
+_NEAR = 1e-3
 _EXACT = 1e-12
 
 
-def find_equilibrium(grasp: Grasp, wrench: RationalVector) -> Solution | None:
-    """Return an exact equilibrium, or None where the search finds none."""
-    contacts = integer_contacts(grasp)
+def find_equilibrium(
+    contacts: IntegerContacts, wrench: RationalVector, start: Floats | None = None
+) -> Solution | None:
+    """Return an exact equilibrium, or None where the search finds none.
+
+    Args:
+        start: a motion that may be near one; the path then begins with rather sharp contacts.
+    """
     search = Continuation(contacts.floats, wrench)
+    path = search.path(np.zeros(3)) if start is None else search.path(start, _NEAR)
     tried: set[Guess] = set()
     with np.errstate(all="ignore"):
-        for motion, eps in search.paths():
+        for motion, eps in path:
             guess = search.guess(motion, eps)
             if guess not in tried:
                 tried.add(guess)
@@ -61,13 +64,6 @@ class Continuation:
         self.load = np.array([nearest(w) for w in wrench])
         self.scale = motion_scale(contacts, self.load)
         self.size = float(np.abs(self.load).max() + np.abs(contacts.preload).max(initial=0.0))
-
-    def paths(self) -> Iterator[tuple[Floats, float]]:
-        """Yield motions on paths from d = 0 and random motions, each with how sharp it is."""
-        source = np.random.default_rng(12)
-        for start in range(1 + _STARTS):
-            motion = np.zeros(3) if start == 0 else source.normal(size=3) * self.scale
-            yield from self.path(motion)
 
     def path(self, motion: Floats, first: float = 1.0) -> Iterator[tuple[Floats, float]]:
         """Yield motions along a path, from a sharpness on; the steps adapt."""
@@ -140,7 +136,8 @@ def _step(jacobian: Floats, value: Floats, damping: float) -> Floats:
     """Return the step of least ``|J x + v|^2 + damping |J|^2 |x|^2`` (Levenberg, Marquardt)."""
     if damping == 0.0:
         try:
-            return np.linalg.solve(jacobian, -value)
+            exact: Floats = np.linalg.solve(jacobian, -value)
+            return exact
         except np.linalg.LinAlgError:
             damping = 1e-10
     weight = np.sqrt(damping) * np.linalg.norm(jacobian) + 1e-300

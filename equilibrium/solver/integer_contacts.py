@@ -9,14 +9,13 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from fractions import Fraction
-from functools import cached_property, lru_cache
+from functools import cached_property
 from typing import Any, TypeAlias
 
 import numpy as np
 import numpy.typing as npt
 
 from arrangement.exact import RationalVector
-
 from equilibrium.model.grasp import Grasp
 
 Floats: TypeAlias = npt.NDArray[np.float64]
@@ -24,12 +23,6 @@ Floats: TypeAlias = npt.NDArray[np.float64]
 Whole: TypeAlias = npt.NDArray[Any]
 
 _LARGE = 1e100
-
-
-@lru_cache(maxsize=8)
-def integer_contacts(grasp: Grasp) -> IntegerContacts:
-    """Return the numbers of a grasp; kept for the next wrench."""
-    return IntegerContacts(grasp)
 
 
 class IntegerContacts:

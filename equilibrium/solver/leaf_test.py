@@ -51,10 +51,11 @@ def closed(
 
 def product(left: Whole, right: Whole) -> Whole:
     """Return the exact matrix product; in machine words where they cannot overflow."""
-    size = left.shape[1] * max(map(abs, left.flat), default=0) * max(map(abs, right.flat), default=0)
-    if size < _WORD:
+    one, other = (max(map(abs, factor.flat), default=0) for factor in (left, right))
+    if left.shape[1] * one * other < _WORD and max(one, other) < _WORD:
         return (left.astype(np.int64) @ right.astype(np.int64)).astype(object)
-    return left.dot(right)
+    exact: Whole = left.dot(right)
+    return exact
 
 
 def _array(values: Sequence[object], shape: tuple[int, ...]) -> Whole:

@@ -19,13 +19,12 @@ import numpy as np
 
 from arrangement.exact import IntegerVector, RationalVector
 from equilibrium.model.errors import TimeLimitError
-from equilibrium.model.grasp import Grasp
 
-from .continuation import Continuation, motion_scale
-from .integer_contacts import Floats, IntegerContacts, integer_contacts
-from .leaf_test import closed, product
+from .continuation import find_equilibrium, motion_scale
+from .integer_contacts import Floats, IntegerContacts
+from .leaf_test import closed
+from .state_equilibrium import Solution
 from .state_splits import Node, StateSplits, TooManyParts
-from .state_equilibrium import Solution, exact_equilibrium
 from .virtual_motions import Regions, VirtualMotions
 
 EDGES = tuple(itertools.combinations(range(4), 2))
@@ -40,7 +39,6 @@ ORTHANTS = tuple(
 )
 #: Numbers of numpy arrays at once.
 _NUMBERS = 3_000_000
-_ROUNDS = 6
 #: A region cut out so often, and every fourth time from then on, is tried by states.
 _PATIENCE = 12
 #: Few contacts are tried by states as a whole after some cuts; with a limit of programs.
@@ -81,15 +79,28 @@ def _simple(ratio: Floats, even: Any) -> tuple[Floats, Floats]:
 
 
 class MotionRegions:
-    """The search for one question."""
+    """The search for one question.
 
-    def __init__(self, grasp: Grasp, wrench: RationalVector, deadline: float = math.inf) -> None:
-        self.contacts: IntegerContacts = integer_contacts(grasp)
-        self.wrench, self.deadline = wrench, deadline
+    Args:
+        deadline: on the clock `time.monotonic`.
+        rounds: how often the numbers of a virtual motion are made finer before a region is cut.
+        turn: how much wide angles count when an edge is chosen.
+    """
+
+    def __init__(
+        self,
+        contacts: IntegerContacts,
+        wrench: RationalVector,
+        deadline: float = math.inf,
+        rounds: int = 6,
+        turn: float = 1.0,
+    ) -> None:
+        self.contacts, self.wrench, self.deadline = contacts, wrench, deadline
+        self.rounds, self.turn = rounds, turn
         self.virtual = VirtualMotions(self.contacts, wrench)
         scale = motion_scale(self.contacts.floats, self.virtual.load)
         self.lengths = np.array([1.0, *(1 / scale)])
-        self.batch = max(1, _NUMBERS // (50 * max(len(grasp), 30)))
+        self.batch = max(1, _NUMBERS // (50 * max(len(contacts), 30)))
         self.solution: Solution | None = None
 
     def search(self) -> Node | Solution:
@@ -130,7 +141,7 @@ class MotionRegions:
         if region.depth < _PATIENCE or region.depth % 4:
             return False
         if region.depth == _PATIENCE:
-            self._try_there(region)
+            self._look_inside(region)
         loose = self._floats(self._scaled([region.generators])[0])
         count = int(np.sum(loose.mixed | (loose.touching & (loose.slip == 0))))
         if self.solution is not None or count > region.depth - _PATIENCE // 2:
@@ -161,19 +172,22 @@ class MotionRegions:
 
     def _floats(self, generators: Floats) -> Regions:
         c = self.contacts.floats
-        return Regions(generators[..., 0], generators @ c.spring.T, generators[..., 1:] @ c.tangent.T)
+        slip = generators[..., 1:] @ c.tangent.T
+        return Regions(generators[..., 0], generators @ c.spring.T, slip)
 
     def _unclosed(self, regions: list[_Region]) -> list[_Region]:
         """Close what can be closed; return the others."""
         if not regions:
             return []
         generators, _ = self._scaled([r.generators for r in regions])
-        motions, values = self.virtual.best(self._floats(generators), _ROUNDS)
+        motions, values = self.virtual.best(self._floats(generators), self.rounds)
         hopeful = np.flatnonzero(values > 0).tolist()
         exact = [self.virtual.integers(motions[n]) for n in hopeful]
-        tested = closed(
-            self.contacts, self.wrench, [regions[n].generators for n in hopeful], exact
-        ) if hopeful else []
+        tested = (
+            closed(self.contacts, self.wrench, [regions[n].generators for n in hopeful], exact)
+            if hopeful
+            else []
+        )
         done = set()
         for n, motion, good in zip(hopeful, exact, tested, strict=True):
             if good:
@@ -182,7 +196,7 @@ class MotionRegions:
         return [region for n, region in enumerate(regions) if n not in done]
 
     def _halves(self, regions: list[_Region]) -> list[_Region]:
-        """Cut each region at an edge that promises most: near its middle, or where a spring ends."""
+        """Cut each region at the edge that promises most: near the middle, or a spring."""
         if not regions:
             return []
         generators, size = self._scaled([r.generators for r in regions])
@@ -211,7 +225,7 @@ class MotionRegions:
         values = values.reshape(-1, choices, 2)
         missing = np.minimum(values, 0).sum(axis=2)
         cosine = np.sum(generators[:, first] * generators[:, second] * self.lengths**2, axis=-1)
-        score = missing / (1e-9 - missing.min(axis=1, keepdims=True)) - cosine
+        score = missing / (1e-9 - missing.min(axis=1, keepdims=True)) - self.turn * cosine
         score = np.where(possible, score + (values > 0).sum(axis=2), -np.inf)
         result = []
         for n, choice in enumerate(score.argmax(axis=1).tolist()):
@@ -219,7 +233,9 @@ class MotionRegions:
             result += self._split(regions[n], first[choice], second[choice], *weights)
         return result
 
-    def _springs_end(self, floats: Regions, first: list[int], second: list[int]) -> tuple[Floats, Any]:
+    def _springs_end(
+        self, floats: Regions, first: list[int], second: list[int]
+    ) -> tuple[Floats, Any]:
         """Return for each edge the weights' ratio where a spring ends, and whether one does."""
         one, two = floats.spring[:, first], floats.spring[:, second]
         strength = np.where(one * two < 0, np.minimum(np.abs(one), np.abs(two)), 0.0)
@@ -244,9 +260,7 @@ class MotionRegions:
 
     def _by_states(self, region: _Region, limit: float) -> bool:
         """Decide a region by the states of contacts; return whether that ended."""
-        splits = StateSplits(
-            self.contacts, self.wrench, region.generators, limit, self.deadline
-        )
+        splits = StateSplits(self.contacts, self.wrench, region.generators, limit, self.deadline)
         try:
             decided = splits.decide()
         except TooManyParts:
@@ -257,16 +271,9 @@ class MotionRegions:
             region.close(decided)
         return True
 
-    def _try_there(self, region: _Region) -> None:
+    def _look_inside(self, region: _Region) -> None:
         """Look for an equilibrium near the middle of a region."""
         generators, _ = self._scaled([region.generators])
         middle = generators[0].sum(axis=0)
-        if not middle[0] > 0:
-            return
-        search = Continuation(self.contacts.floats, self.wrench)
-        with np.errstate(all="ignore"):
-            for motion, eps in search.path(middle[1:] / middle[0], 1e-3):
-                guess = search.guess(motion, eps)
-                self.solution = exact_equilibrium(self.contacts, self.wrench, guess)
-                if self.solution is not None:
-                    return
+        if middle[0] > 0:
+            self.solution = find_equilibrium(self.contacts, self.wrench, middle[1:] / middle[0])

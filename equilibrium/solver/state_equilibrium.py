@@ -11,6 +11,7 @@ from dataclasses import dataclass, field
 from fractions import Fraction
 
 import numpy as np
+import numpy.typing as npt
 
 from arrangement.exact import RationalVector
 
@@ -19,6 +20,8 @@ from .integer_contacts import Floats, IntegerContacts, Whole
 
 #: Shares of the friction limit are multiples of one over this.
 _SHARES = 2**14
+#: Rounded motions are multiples of one over this.
+_COARSE = 16
 
 
 @dataclass(frozen=True)
@@ -37,7 +40,7 @@ class Guess:
         touching: the contacts with a normal force.
         sticking: those among them that do not slip.
         shares: of its friction limit, over `_SHARES`, for each contact; exact when it slips.
-        motion: over `_SHARES`, rounded.
+        motion: over `_COARSE`, rounded.
     """
 
     touching: tuple[bool, ...]
@@ -46,16 +49,18 @@ class Guess:
     motion: tuple[int, ...] = field(compare=False)
 
     @classmethod
-    def read(cls, motion: Floats, force: Floats, ratio: Floats, slips: Floats) -> Guess:
+    def read(
+        cls, motion: Floats, force: Floats, ratio: Floats, slips: npt.NDArray[np.bool_]
+    ) -> Guess:
         """Return the guess of floats: motion, spring force, share of the friction limit, slip."""
         touching = force > 0
-        sticking = touching & ~slips.astype(bool)
+        sticking = touching & ~slips
         shares = np.where(sticking, np.rint(ratio * _SHARES), np.sign(ratio) * _SHARES)
         return cls(
             tuple(touching.tolist()),
             tuple(sticking.tolist()),
             tuple(int(x) for x in np.nan_to_num(shares).tolist()),
-            tuple(round(x * _SHARES) for x in np.nan_to_num(motion).tolist()),
+            tuple(round(x * _COARSE) for x in np.nan_to_num(motion).tolist()),
         )
 
 
@@ -83,17 +88,16 @@ def exact_equilibrium(
     reduced, pivots, scale = gauss_jordan(rows)
     if size in pivots:
         return None
-    scale_up, free = 1, [j for j in range(size) if j not in pivots]
+    # What the equations leave open is taken from the guess.
+    free = [j for j in range(size) if j not in pivots]
     point = [0] * size
-    if free:
-        # What the equations leave open is taken from the guess.
-        scale_up = _SHARES
-        for j in free:
-            point[j] = guess.motion[j] * scale if j < 3 else 0
+    for j in free:
+        point[j] = guess.motion[j] * scale if j < 3 else 0
     for row, pivot in zip(reduced, pivots, strict=False):
-        point[pivot] = -row[size] * scale_up - sum(row[j] * point[j] // scale for j in free)
-    sign = -1 if scale < 0 else 1
-    return _checked(contacts, wrench, guess, pillars, [sign * x for x in point], sign * scale * scale_up)
+        point[pivot] = -row[size] * _COARSE - sum(row[j] * point[j] // scale for j in free)
+    if scale < 0:
+        point, scale = [-x for x in point], -scale
+    return _checked(contacts, wrench, guess, pillars, point, scale * _COARSE)
 
 
 def _pillars(contacts: IntegerContacts, guess: Guess) -> list[int]:
@@ -158,9 +162,8 @@ def _checked(
         if abs(rub) > limit:
             return None
         forces.append((normal, rub))
-    for i, rub in special.items():
-        if force[i] <= 0 and rub:
-            return None
+    if any(force[i] <= 0 and special[i] for i in special):
+        return None
     return Solution(tuple(Fraction(x, scale) for x in point[:3]), tuple(forces))
 
 

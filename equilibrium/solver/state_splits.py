@@ -3,8 +3,9 @@
 Each part (a region, with the states of some contacts fixed) is decided by a linear program. Its
 variables are the virtual motion and, for contacts with a state, the multipliers of spring and
 slip. Either it finds numbers that close the part, or its own multipliers are a motion with forces
-that balance the load, and obey the law at all contacts with a state (Farkas). If they obey it at the others too, this
-is an equilibrium; if not, a contact where they do not gets a state. So the splits end.
+that balance the load, and obey the law at all contacts with a state (Farkas). If they obey it at
+the others too, this is an equilibrium; if not, a contact where they do not gets a state. So the
+splits end.
 """
 
 from __future__ import annotations
@@ -30,6 +31,8 @@ Node: TypeAlias = Any
 States: TypeAlias = dict[int, str]
 
 _ZERO = Fraction(0)
+#: The direction of slip in a state.
+_SLIDING = {"slip+": 1, "slip-": -1}
 #: The directions of slip that a state allows.
 _SIGNS = {"slip+": (1,), "slip-": (-1,), "stick": (1, -1), "attached": (1, -1), "detached": ()}
 #: Largest entries of rounded multipliers that are tried.
@@ -142,10 +145,8 @@ class StateSplits:
             if states.get(i) in ("detached", "stick", "slip+", "slip-"):
                 continue
             c = self.contacts.grasp.contacts[i]
-            moved = sum((n * x for n, x in zip(c.normal_wrench, found.motion, strict=True)), _ZERO)
-            slipped = sum(
-                (t * x for t, x in zip(c.tangential_wrench, found.motion, strict=True)), _ZERO
-            )
+            moved = _sum(c.normal_wrench, found.motion)
+            slipped = _sum(c.tangential_wrench, found.motion)
             normal, rub = found.forces[i]
             excess = normal - max(_ZERO, c.preload - c.stiffness * moved)
             limit = c.friction * normal
@@ -167,7 +168,7 @@ class _Closed:
     def written(self, splits: StateSplits, states: States) -> Node:
         """Return the leaf; with the smallest integers found that still close the part."""
         numbers = [*self.motion, *(x for pair in self.multipliers.values() for x in pair)]
-        largest = max((abs(x) for x in self.motion), default=_ZERO) or max(map(abs, numbers), default=_ZERO)
+        largest = max(map(abs, self.motion)) or max(map(abs, numbers)) or Fraction(1)
         names = list(self.multipliers)
         for size in (*_SIZES, 0):
             if size:
@@ -199,36 +200,43 @@ def holds(
     motion: RationalVector,
     given: dict[int, tuple[Fraction, Fraction]],
 ) -> bool:
-    """Whether a leaf closes a part."""
+    """Whether a leaf closes a part: a virtual motion, and the multipliers given."""
     contacts = splits.contacts
-    works = [sum((x * w for x, w in zip(motion, splits.wrench, strict=True)), _ZERO) * g for g in splits.weight]
+    load = _sum(motion, splits.wrench)
+    works = [load * weight for weight in splits.weight]
     for i, c in enumerate(contacts.grasp):
         state = states.get(i)
-        a = sum((x * n for x, n in zip(motion, c.normal_wrench, strict=True)), _ZERO)
-        b = c.friction * sum((x * t for x, t in zip(motion, c.tangential_wrench, strict=True)), _ZERO)
-        sign = {"slip+": 1, "slip-": -1}.get(state or "", 0 if state == "stick" else splits.known[i])
-        kappa = a - (sign * b if sign else abs(b))
-        unit = contacts.spring_unit[i]
+        sign = _SLIDING.get(state or "", 0 if state == "stick" else splits.known[i])
+        across = c.friction * _sum(motion, c.tangential_wrench)
+        kappa = _sum(motion, c.normal_wrench) - (sign * across if sign else abs(across))
         if i in given:
             alpha, h = given[i]
-            low = alpha < 0 and state in (None, "detached")
-            wrong = (state == "slip+" and h > 0) or (state == "slip-" and h < 0)
-            if low or wrong or (state != "detached" and alpha > kappa):
+            if not _allowed(state, alpha, h, kappa):
                 return False
-            if h and state not in ("stick", "slip+", "slip-"):
-                return False
-            for j in range(len(works)):
-                works[j] += alpha * Fraction(splits.spring[j, i], unit)
-                works[j] += h * Fraction(splits.slip[j, i], contacts.wrench_unit[i])
-        elif state != "detached" and kappa:
-            for j in range(len(works)):
-                e = Fraction(splits.spring[j, i], unit)
-                if state is None and i in splits.mixed:
-                    e = max(_ZERO, e) if kappa < 0 else _ZERO
-                elif state is None and i not in splits.kept:
-                    e = _ZERO
-                works[j] += kappa * e
+        elif state is None and (i not in splits.kept or (i in splits.mixed and kappa >= 0)):
+            continue
+        else:
+            alpha, h = _ZERO if state == "detached" else kappa, _ZERO
+        lifted = i not in given and state is None
+        for j, spring in enumerate(splits.spring[:, i]):
+            force = max(0, spring) if lifted else spring
+            works[j] += alpha * Fraction(force, contacts.spring_unit[i])
+            works[j] += h * Fraction(splits.slip[j, i], contacts.wrench_unit[i])
     return all(x > 0 if g else x >= 0 for x, g in zip(works, splits.weight, strict=True))
+
+
+def _allowed(state: str | None, alpha: Fraction, h: Fraction, kappa: Fraction) -> bool:
+    """Whether multipliers are allowed in a state."""
+    if alpha < 0 and state in (None, "detached"):
+        return False
+    if alpha > kappa and state != "detached":
+        return False
+    up = h <= 0 or state in ("stick", "slip-")
+    return up and (h >= 0 or state in ("stick", "slip+"))
+
+
+def _sum(left: RationalVector, right: RationalVector) -> Fraction:
+    return sum((x * y for x, y in zip(left, right, strict=True)), _ZERO)
 
 
 class _PartProgram:
@@ -356,7 +364,8 @@ class _PartProgram:
                 ends = splits.generators[cut.generator][1:]
                 motion = [x + weight * g for x, g in zip(motion, ends, strict=True)]
                 for i, sign in cut.signs.items():
-                    force = weight * Fraction(splits.spring[cut.generator, i], contacts.spring_unit[i])
+                    spring = Fraction(splits.spring[cut.generator, i], contacts.spring_unit[i])
+                    force = weight * spring
                     forces[i][0] += force
                     forces[i][1] -= sign * force * contacts.grasp.contacts[i].friction
         for (i, sign), push in zip(self.limits, pushes, strict=True):

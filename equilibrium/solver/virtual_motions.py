@@ -12,6 +12,7 @@ import math
 from collections.abc import Sequence
 
 import numpy as np
+import numpy.typing as npt
 
 from arrangement.exact import RationalVector
 
@@ -128,7 +129,7 @@ class Regions:
             shift.max(axis=1) < -_TINY, 1, 0
         )
 
-    def take(self, rows: Floats) -> Regions:
+    def take(self, rows: npt.NDArray[np.intp]) -> Regions:
         """Return some of the regions."""
         part = object.__new__(Regions)
         for name, value in self.__dict__.items():

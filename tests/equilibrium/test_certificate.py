@@ -13,7 +13,7 @@ from hypothesis import assume, given, settings, strategies as st
 
 from arrangement.errors import InputError
 from equilibrium import Contact, Grasp, check, read_grasp, solve
-from equilibrium.certificate.checker import digest
+from equilibrium.certificate.regions_checker import digest
 
 from .strategies import grasps, wrenches
 

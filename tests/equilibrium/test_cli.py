@@ -66,7 +66,7 @@ def test_rationals_only_takes_no_sign_from_floats(
     def refuse(*_: object) -> None:
         raise AssertionError("floating point was asked")
 
-    monkeypatch.setattr("equilibrium.certificate.checker.proven_violations", refuse)
+    monkeypatch.setattr("equilibrium.certificate.regions_checker.proven_violations", refuse)
     monkeypatch.setattr("arrangement.completeness._surely", refuse)
     plain, out, _ = call(capsys, "verify", str(path), "--rationals-only", "--json")
     assert (plain, json.loads(out)["valid"]) == (0, True)

@@ -12,7 +12,7 @@ import pytest
 
 from arrangement.errors import InputError
 from equilibrium import check, solve
-from equilibrium.certificate.checker import digest
+from equilibrium.certificate.regions_checker import digest
 
 from .awkward import question
 from .mutations import mutants

@@ -6,7 +6,7 @@ import jsonschema
 import pytest
 
 from arrangement.errors import InputError
-from equilibrium.certificate.checker import check
+from equilibrium.certificate.regions_checker import check
 from equilibrium.cli.program import main
 from equilibrium.inputs import random_grasp
 from equilibrium.instances import paths
