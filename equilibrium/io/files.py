@@ -11,6 +11,7 @@ from arrangement.io.files import Source, read_document
 from arrangement.io.writing import write_text_atomically
 from equilibrium.certificate.checker import Report, check
 from equilibrium.certificate.document import Certificate
+from equilibrium.certificate.reading import SCHEMA_VERSION
 from equilibrium.model.grasp import Grasp
 
 #: Equilibria of a thousand contacts have long numbers.
@@ -41,7 +42,11 @@ def write_certificate(path: str | os.PathLike[str], certificate: Certificate) ->
 
 def read_certificate(source: Source) -> dict[str, Any]:
     """Return the document of a certificate, strictly read but not yet checked."""
-    return read_document(source, ("certificate",), max_bytes=MAX_CERTIFICATE_BYTES)
+    # Of old versions the checker says what they are.
+    versions = range(1, SCHEMA_VERSION + 1)
+    return read_document(
+        source, ("certificate",), max_bytes=MAX_CERTIFICATE_BYTES, versions=versions
+    )
 
 
 def verify(source: Source) -> Report:

@@ -27,6 +27,8 @@ _PATH, _SHARP, _SHARPEST = 40, 2e-2, 1e-8
 #: Residuals relative to the load.
 _CLOSE = 1e-8
 _NEAR = 1e-3
+#: Motions smaller than this, or larger than its inverse, are not scaled.
+_SMALL = 1e-60
 _EXACT = 1e-12
 
 
@@ -88,7 +90,7 @@ class Continuation:
         value, jacobian = self._balance(motion, eps)
         residual, damping = float(np.linalg.norm(value)), 0.0
         for _ in range(_STEPS):
-            if residual <= _EXACT * self.size:
+            if not np.isfinite(jacobian).all() or residual <= _EXACT * self.size:
                 break
             step = self.scale * _step(jacobian * self.scale, value, damping)
             tried_value, tried_jacobian = self._balance(motion + step, eps)
@@ -136,7 +138,7 @@ def _step(jacobian: Floats, value: Floats, damping: float) -> Floats:
     """Return the step of least ``|J x + v|^2 + damping |J|^2 |x|^2`` (Levenberg, Marquardt)."""
     if damping == 0.0:
         try:
-            exact: Floats = np.linalg.solve(jacobian, -value)
+            exact: Floats = np.linalg.solve(jacobian, -value).astype(np.float64)
             return exact
         except np.linalg.LinAlgError:
             damping = 1e-10
@@ -149,11 +151,10 @@ def _step(jacobian: Floats, value: Floats, damping: float) -> Floats:
 
 def motion_scale(contacts: FloatContacts, load: Floats) -> Floats:
     """Return typical sizes of the two translations and of the rotation of an equilibrium."""
-    m = len(contacts.preload)
-    if m == 0:
-        return np.ones(3)
     arms = np.array([1.0, 1.0, 1 / contacts.length])
     total = float(contacts.stiffness.sum())
+    if not 0 < total < np.inf:
+        return arms
     size = 3 * float(np.abs(load * arms).max()) / total
     size = max(size, 2 * float(np.median(contacts.preload / contacts.stiffness)))
-    return (size if np.isfinite(size) and size > 0 else 1.0) * arms
+    return (size if _SMALL < size < 1 / _SMALL else 1.0) * arms

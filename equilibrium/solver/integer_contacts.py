@@ -22,7 +22,7 @@ Floats: TypeAlias = npt.NDArray[np.float64]
 #: Python integers in an array.
 Whole: TypeAlias = npt.NDArray[Any]
 
-_LARGE = 1e100
+_LARGE = 1e60
 
 
 class IntegerContacts:
@@ -113,7 +113,7 @@ def nearest(x: Fraction) -> float:
     try:
         return min(max(float(x), -_LARGE), _LARGE)
     except OverflowError:
-        return math.copysign(_LARGE, x)
+        return _LARGE if x > 0 else -_LARGE
 
 
 def _whole(row: RationalVector) -> tuple[list[int], int]:

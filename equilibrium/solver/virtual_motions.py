@@ -75,7 +75,7 @@ class VirtualMotions:
             total += np.where((mixed & chosen)[:, None, :], lifted, 0.0) @ np.minimum(kappa, 0.0)
         far = (regions.weight == 0)[:, :, None]
         total = np.where(far & (total > -_TINY), np.inf, total - _TINY)
-        value: Floats = total.min(axis=1)
+        value: Floats = np.nan_to_num(total.min(axis=1), nan=-1.0)
         return value
 
     def best(self, regions: Regions, rounds: int = 0) -> tuple[Floats, Floats]:
