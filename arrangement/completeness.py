@@ -11,16 +11,14 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
 import numpy as np
-import numpy.typing as npt
 
-from .counts import f_vector, region_count
+from .counts import f_vector
 from .exact import primitive
 from .linear import rank
 from .planes import Face, Planes
 
 _MAX_PROBLEMS = 20
 _BATCH = 4096
-_SMALL = 1e-100
 
 
 @dataclass(frozen=True)
@@ -86,100 +84,6 @@ def certify_complete(arrangement: Planes, faces: Iterable[Face]) -> Completeness
         if here != there:
             problems.append(f"{here} faces of dimension {k} hold; there are {there}")
     return CompletenessEvidence(tuple(counted), theorem, tuple(problems[:_MAX_PROBLEMS]))
-
-
-def regions_problem(
-    arrangement: Planes,
-    signs: npt.NDArray[np.int8],
-    points: Sequence[Sequence[int]],
-    *,
-    rationals_only: bool = False,
-) -> str:
-    """Return what is wrong with a list of all regions, in words; empty if it is complete.
-
-    Args:
-        arrangement: in R^d.
-        signs: one row over the input planes for each region.
-        points: one for each, as d + 1 integers ``(X, W)`` with W > 0 for the point ``X / W``.
-        rationals_only: do without floats. Otherwise a sign is found in floating point where a
-            bound of its error allows, and in integers elsewhere.
-
-    Every point has the signs of its row, none of them 0; no row comes twice; and there are as many
-    as Zaslavsky's theorem says (`counts.region_count`).
-    """
-    if signs.shape != (len(points), len(arrangement)):
-        return f"{len(points)} points and signs of the shape {signs.shape} do not fit"
-    if any(len(point) != arrangement.dimension + 1 or point[-1] <= 0 for point in points):
-        return "a witness has too few or too many coordinates, or no positive denominator"
-    if not np.all(signs):
-        return "a region has a sign 0"
-    wrong = _first_wrong(arrangement, signs, points, rationals_only)
-    if wrong is not None:
-        return f"region {wrong} has a witness with other signs"
-    distinct = len({row.tobytes() for row in signs})
-    if distinct < len(signs):
-        return f"{len(signs) - distinct} regions are listed twice"
-    due = region_count(arrangement)
-    return "" if distinct == due else f"{distinct} regions hold; there are {due}"
-
-
-def _first_wrong(
-    arrangement: Planes,
-    signs: npt.NDArray[np.int8],
-    points: Sequence[Sequence[int]],
-    rationals_only: bool,
-) -> int | None:
-    """Return the first point whose signs are not those of its row."""
-    planes = arrangement.integer_planes
-    surely = np.zeros(signs.shape, dtype=bool)
-    if not rationals_only and planes and points:
-        surely = _surely(planes, signs, points)
-    for i in np.flatnonzero(~surely.all(axis=1)).tolist():
-        *place, scale = points[i]
-        for j in np.flatnonzero(~surely[i]).tolist():
-            *normal, offset = planes[j]
-            value = sum(a * b for a, b in zip(normal, place, strict=True)) - offset * scale
-            if (value > 0) - (value < 0) != signs[i, j]:
-                return int(i)
-    return None
-
-
-def _surely(
-    planes: Sequence[Sequence[int]],
-    signs: npt.NDArray[np.int8],
-    points: Sequence[Sequence[int]],
-) -> npt.NDArray[np.bool_]:
-    """Return where the sign at a point is proven to be the given one, in floating point.
-
-    Coordinates and coefficients are within one unit of the given ones, so the value is within
-    ``d + 4`` units of the sum of the sizes of its terms; twice as much is allowed.
-    """
-    unit = 2.0**-53
-    coefficients = np.array([_scaled(row) for row in planes])
-    try:
-        coordinates = np.array(points, dtype=np.float64)
-    except OverflowError:
-        return np.zeros(signs.shape, dtype=bool)
-    coordinates[:, -1] *= -1
-    sizes = np.abs(coordinates) @ np.abs(coefficients).T
-    values = coordinates @ coefficients.T
-    bounds = 2 * (coordinates.shape[1] + 4) * unit * sizes
-    found: npt.NDArray[np.bool_] = np.greater(np.abs(values), bounds)
-    found &= (values > 0) == (signs > 0)
-    # Beside a very large entry a scaled one may have lost its digits: left to integers.
-    kept = [
-        all(abs(c) > _SMALL or not x for c, x in zip(scaled, row, strict=True))
-        for scaled, row in zip(coefficients.tolist(), planes, strict=True)
-    ]
-    found &= np.array(kept)
-    found &= np.all(np.abs(coordinates) < 1 / _SMALL, axis=1, keepdims=True)
-    return found
-
-
-def _scaled(row: Sequence[int]) -> list[float]:
-    """Return a row over a power of two, so that its largest entry is near 1."""
-    scale = 1 << max(abs(x).bit_length() for x in row)
-    return [x / scale for x in row]
 
 
 def _problem(

@@ -38,7 +38,9 @@ class VirtualMotions:
         self.load = np.array([nearest(w) for w in wrench])
         self.arm = 2.0 ** round(math.log2(c.length))
         entries = range(-_RANGE, _RANGE + 1)
-        listed = [x for x in itertools.product(entries, repeat=3) if math.gcd(*x) == 1]
+        every = itertools.product(entries, repeat=3)
+        # The simplest first: where two do equally well, that one is taken.
+        listed = sorted((x for x in every if math.gcd(*x) == 1), key=lambda x: sum(map(abs, x)))
         self.candidates = np.array(listed, dtype=float)
         self.works = self._works(self.candidates)
 
