@@ -11,11 +11,9 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
 import numpy as np
-import numpy.typing as npt
 
-from .counts import f_vector, region_count
-from .exact import IntegerVector, primitive
-from .float_filter import SMALLEST, certain, error_bound, scaled
+from .counts import f_vector
+from .exact import primitive
 from .linear import rank
 from .planes import Face, Planes
 
@@ -86,86 +84,6 @@ def certify_complete(arrangement: Planes, faces: Iterable[Face]) -> Completeness
         if here != there:
             problems.append(f"{here} faces of dimension {k} hold; there are {there}")
     return CompletenessEvidence(tuple(counted), theorem, tuple(problems[:_MAX_PROBLEMS]))
-
-
-def regions_problem(
-    arrangement: Planes,
-    signs: npt.NDArray[np.int8],
-    points: Sequence[Sequence[int]],
-    *,
-    rationals_only: bool = False,
-) -> str:
-    """Return what is wrong with a list of all regions, in words; empty if it is complete.
-
-    Args:
-        arrangement: in R^d.
-        signs: one row over the input planes for each region.
-        points: one for each, as d + 1 integers ``(X, W)`` with W > 0 for the point ``X / W``.
-        rationals_only: do without floats. Otherwise a sign is found in floating point where a
-            bound of its error allows, and in integers elsewhere.
-
-    Every point has the signs of its row, none of them 0; no row comes twice; and there are as many
-    as Zaslavsky's theorem says (`counts.region_count`).
-    """
-    if signs.shape != (len(points), len(arrangement)):
-        return f"{len(points)} points and signs of the shape {signs.shape} do not fit"
-    if any(len(point) != arrangement.dimension + 1 or point[-1] <= 0 for point in points):
-        return "a witness has too few or too many coordinates, or no positive denominator"
-    if not np.all(signs):
-        return "a region has a sign 0"
-    wrong = _first_wrong(arrangement, signs, points, rationals_only)
-    if wrong is not None:
-        return f"region {wrong} has a witness with other signs"
-    distinct = len({row.tobytes() for row in signs})
-    if distinct < len(signs):
-        return f"{len(signs) - distinct} regions are listed twice"
-    due = region_count(arrangement)
-    return "" if distinct == due else f"{distinct} regions hold; there are {due}"
-
-
-def _first_wrong(
-    arrangement: Planes,
-    signs: npt.NDArray[np.int8],
-    points: Sequence[Sequence[int]],
-    rationals_only: bool,
-) -> int | None:
-    """Return the first point whose signs are not those of its row."""
-    planes = arrangement.integer_planes
-    surely = np.zeros(signs.shape, dtype=bool)
-    if not rationals_only and planes and points:
-        surely = _surely(planes, signs, points)
-    for i in np.flatnonzero(~surely.all(axis=1)).tolist():
-        *place, scale = points[i]
-        for j in np.flatnonzero(~surely[i]).tolist():
-            *normal, offset = planes[j]
-            value = sum(a * b for a, b in zip(normal, place, strict=True)) - offset * scale
-            if (value > 0) - (value < 0) != signs[i, j]:
-                return int(i)
-    return None
-
-
-def _surely(
-    planes: Sequence[IntegerVector],
-    signs: npt.NDArray[np.int8],
-    points: Sequence[Sequence[int]],
-) -> npt.NDArray[np.bool_]:
-    """Return where the sign at a point is proven to be the given one, in floating point.
-
-    Each of the d + 1 products has two rounded factors, its own rounding and d sums. Coordinates
-    are integers, so that no product of them underflows.
-    """
-    coefficients, usable = scaled(planes)
-    try:
-        coordinates = np.array(points, dtype=np.float64)
-    except OverflowError:
-        return np.zeros(signs.shape, dtype=bool)
-    coordinates[:, -1] *= -1
-    sizes = np.abs(coordinates) @ np.abs(coefficients).T
-    values = coordinates @ coefficients.T
-    found = certain(values, sizes, error_bound(3 + coordinates.shape[1] - 1))
-    found &= (values > 0) == (signs > 0)
-    found &= usable & np.all(np.abs(coordinates) < 1 / SMALLEST, axis=1, keepdims=True)
-    return found
 
 
 def _problem(

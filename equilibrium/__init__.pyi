@@ -12,12 +12,14 @@ from .model.errors import (
     CertificateError as CertificateError,
     EquilibriumError as EquilibriumError,
     GraspError as GraspError,
+    TimeLimitError as TimeLimitError,
 )
 from .model.grasp import Contact as Contact, Grasp as Grasp
 from .model.unit_normal import UnitNormal as UnitNormal, unit_normal as unit_normal
 from .model.units import Units as Units
 from .solver.equilibrium import Equilibrium as Equilibrium
 from .solver.prepared import contact_states as contact_states
-from .verdict import Solution as Solution, Solver as Solver, Verdict as Verdict, solve as solve
+from .solver.state_equilibrium import Solution as Solution
+from .verdict import Solver as Solver, Verdict as Verdict, solve as solve
 
 __version__: str

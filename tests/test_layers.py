@@ -78,8 +78,16 @@ PLANTED = [
     ),
     ("equilibrium/model/grasp.py", "import equilibrium.cli", "Inside equilibrium"),
     ("equilibrium/certificate/document.py", "import equilibrium.verdict", "Inside equilibrium"),
-    ("equilibrium/certificate/checker.py", "import equilibrium.solver.lemke", "Inside equilibrium"),
-    ("equilibrium/solver/lemke.py", "import equilibrium.certificate.checker", "Inside equilibrium"),
+    (
+        "equilibrium/certificate/checker.py",
+        "import equilibrium.solver.resistance",
+        "Inside equilibrium",
+    ),
+    (
+        "equilibrium/solver/leaf_test.py",
+        "import equilibrium.certificate.checker",
+        "Inside equilibrium",
+    ),
     ("equilibrium/certificate/checker.py", "import arrangement.linprog", "The checker of cert"),
     ("equilibrium/certificate/checker.py", "import arrangement.enumeration", "The checker of cert"),
     ("proofs_check/routes/oracle.py", "import equilibrium.verdict", "brute-force route"),

@@ -39,9 +39,14 @@ _NAME = re.compile(r"[a-z0-9]+(?:-[a-z0-9]+)*")
 
 
 def read_document(
-    source: Source, kinds: Collection[str], *, max_bytes: int = MAX_BYTES, floats: bool = False
+    source: Source,
+    kinds: Collection[str],
+    *,
+    max_bytes: int = MAX_BYTES,
+    floats: bool = False,
+    versions: Collection[int] = (SCHEMA_VERSION,),
 ) -> dict[str, Any]:
-    """Read a JSON object that has ``schema_version`` 1 and exactly one of the keys `kinds`.
+    """Read a JSON object that has a known ``schema_version`` and exactly one of the keys `kinds`.
 
     The caller checks the remaining keys with `check_keys`. A name such as ``paper-three-contacts``
     means the built-in document even when a file of that name exists; write ``./name`` for the file.
@@ -62,7 +67,7 @@ def read_document(
         document = _parse(_read_bytes(source, name, max_bytes), name, floats)
     if not isinstance(document, dict):
         raise InputError(f"{name} holds {kind_of(document)}; a document is a JSON object")
-    _check_kind(document, kinds, name)
+    _check_kind(document, kinds, name, versions)
     return document
 
 
@@ -191,14 +196,17 @@ def _refuse_constant(text: str) -> Any:
     raise InputError(f'{text} is not an exact number; write an integer or a string such as "1/4"')
 
 
-def _check_kind(document: dict[str, Any], kinds: Collection[str], name: str) -> None:
+def _check_kind(
+    document: dict[str, Any], kinds: Collection[str], name: str, versions: Collection[int]
+) -> None:
     """Check the version of the schema, and that the document is of exactly one of the kinds."""
     if "schema_version" not in document:
-        raise InputError(f'{name} has no key "schema_version"; add "schema_version": 1')
+        due = max(versions)
+        raise InputError(f'{name} has no key "schema_version"; add "schema_version": {due}')
     version = document["schema_version"]
-    if type(version) is not int or version != SCHEMA_VERSION:
+    if type(version) is not int or version not in versions:
         raise InputError(
-            f"{name} has schema_version {shown(version)}; this version reads {SCHEMA_VERSION}"
+            f"{name} has schema_version {shown(version)}; this version reads {max(versions)}"
         )
     present = [kind for kind in kinds if kind in document]
     if len(present) != 1:

@@ -1,325 +1,255 @@
-"""The checker of certificates, which shares no code with the solver.
+"""The checker of certificates: no solver, no floats; it sees the question and the document.
 
-Stable: a motion and forces; the four conditions of equilibrium are evaluated.
+"resisted": a motion and forces that obey the law. "not resisted": a tree of regions and states, see
+`equilibrium.certificate.reading`. A region is the cone of integer generators ``g = (g_0, d)`` with
+``g_0 >= 0``, and has the motions ``d / g_0``; the conditions of states are closed. A leaf is a
+virtual motion lambda on which the load does more work than all that contacts can do takes away.
+With ``e = q g_0 - k N . d``, ``s = T . d``, ``a = lambda . N``, ``b = lambda . T`` a contact does
+kappa times its normal force or more: kappa is ``a - mu b`` in slip+, and if all s > 0 while it is
+undecided or attached; ``a + mu b`` in slip-, and if all s < 0; else ``a - mu |b|``. So its work at
+each generator is at least ``alpha e + h s``, if the leaf gives these multipliers, with
 
-Unstable: all regions of the motion arrangement (the planes ``T . d = 0``, then those with
-``stiffness N . d = preload``), each as its signs and a point inside, complete by Zaslavsky's
-theorem. The point is written as integers X, Y, Z, W and means ``(X, Y, Z) / W``. And for each
-choice of contact states that these regions make necessary (`coverage`) the reason why it admits
-no equilibrium. States are one letter for each contact: ``d`` detached, ``+`` and ``-`` slip, ``0``
-stick. A reason is one of two.
+* ``alpha >= 0`` where it is undecided or detached, ``alpha <= kappa`` unless it is detached;
+* h = 0 but for ``h <= 0`` in slip+, ``h >= 0`` in slip-, any h in stick;
 
-* a name: the equalities have exactly one solution, and the named condition fails there
-  (`determinants`). ``normal i``: a touching contact pulls, or a detached one is
-  pressed. ``slip i``: a slipping contact moves the other way. ``friction- i``, ``friction+ i``: on
-  the tangential plane of the sticking contact i, the friction limits of all contacts that stick
-  there, less or plus the sum of their forces along its tangent.
-* multipliers that combine the conditions to ``0 = -1``, in the unknowns d and one tangential force
-  for each sticking contact. ``equalities``: balance of force x, force y, torque; then ``T . d = 0``
-  for each sticking contact. ``inequalities`` (``>= 0``), contact by contact: detached:
-  ``stiffness N . d - preload``. Otherwise the normal force ``c_n = preload - stiffness N . d``, and
-  then for slip ``T . d`` or ``-T . d``, for stick ``friction c_n - c_t``, ``friction c_n + c_t``.
-
-A SHA-256 digest of the canonical content guards what mathematics alone would let pass, such as
-another point in the same region.
+else kappa e, if it is decided and not detached, or if all ``e >= 0``; 0, if it is detached, or if
+all ``e <= 0``, or if ``kappa >= 0``; ``kappa max(0, e)`` for the rest, as a convex function lies
+below its interpolation. The leaf holds if ``lambda . w g_0`` and all these are together at least 0
+at each generator, above 0 where ``g_0 > 0``: a motion is a sum of generators, and balance makes
+that work 0.
 """
 
 from __future__ import annotations
 
-import hashlib
-import hmac
-import json
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+import math
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from typing import Any, TypeAlias
+from fractions import Fraction
+from itertools import product
+from typing import Any, NamedTuple, TypeAlias
 
-import numpy as np
-
-from arrangement.completeness import regions_problem
-from arrangement.exact import RationalVector, rational_vector
-from arrangement.io.files import check_keys, check_list
-from arrangement.planes import Planes
-from arrangement.progress import watched
+from arrangement.exact import RationalVector
 from equilibrium.model.errors import CertificateError
-from equilibrium.model.grasp import Grasp, read_wrench
+from equilibrium.model.grasp import Grasp
 
-from .conditions import Conditions, conditions_of, motion_planes, violation_problem
-from .coverage import DETACHED, Rows, due_states, sorted_rows
-from .determinants import KINDS, proven_violations
+from .law import law_problem, short, unit_wrenches
+from .reading import STATES, Leaf, Split, read_equilibrium, read_node, read_question
 
-SCHEMA_VERSION = 1
-_COMMON = ("schema_version", "certificate", "grasp", "wrench", "digest")
-_KEYS = {"stable": ("motion", "forces"), "unstable": ("regions", "branches")}
-_CODES = {"+": 1, "0": 0, "-": -1, "d": DETACHED}
-_NAMES = {"+": "slip+", "0": "stick", "-": "slip-", "d": "detached"}
-#: The letters of states that a kind of condition can be about.
-_FITTING = {"normal": "+-0d", "slip": "+-", "friction-": "0", "friction+": "0"}
-
-
-#: Why a choice of states admits no equilibrium: the name of a condition, or the multipliers of the
-#: inequalities and of the equalities.
-Reason: TypeAlias = str | tuple[RationalVector, RationalVector]
-Point: TypeAlias = Sequence[int]
-
-
-@dataclass(frozen=True)
-class Line:
-    """One checked line: its name, whether it holds, and what is wrong if not."""
-
-    name: str
-    holds: bool
-    problem: str = ""
+#: Splits in a row; readers of JSON stop at some 1000 objects inside one another.
+MAX_DEPTH = 300
+Numbers: TypeAlias = Sequence[int]
 
 
 @dataclass(frozen=True)
 class Report:
-    """What a check found; it is true exactly when every line holds."""
+    """What a check found; it is true exactly when the proof holds.
+
+    Attributes:
+        kind: "resisted" or "not resisted".
+        problem: the first inequality that fails and its place; empty when all hold.
+        leaves: of the tree.
+    """
 
     kind: str
-    lines: tuple[Line, ...]
-
-    @property
-    def valid(self) -> bool:
-        """Whether every line holds, and there is at least one."""
-        return bool(self.lines) and all(line.holds for line in self.lines)
+    problem: str
+    leaves: int = 0
 
     def __bool__(self) -> bool:
-        return self.valid
+        return not self.problem
 
     def to_dict(self) -> dict[str, Any]:
         """Return a JSON form."""
-        failed = next((line for line in self.lines if not line.holds), None)
-        return {
-            "valid": self.valid,
-            "certificate": self.kind,
-            "failed": None if failed is None else {"line": failed.name, "problem": failed.problem},
-            "lines": [{"line": line.name, "holds": line.holds} for line in self.lines],
-        }
+        found = {"problem": self.problem} if self.problem else {}
+        return {"valid": bool(self), "certificate": self.kind, "leaves": self.leaves, **found}
 
 
 def check(
-    document: Mapping[str, Any],
-    question: tuple[Grasp, RationalVector] | None = None,
-    *,
-    rationals_only: bool = False,
+    document: Mapping[str, Any], question: tuple[Grasp, RationalVector] | None = None
 ) -> Report:
-    """Check a certificate document line by line; stop at the first wrong line.
+    """Check a certificate, given as `Certificate.to_dict` or `read_certificate` returns it.
 
     Args:
-        document: as `Certificate.to_dict` gives it, or as read from a file.
         question: if given, the grasp and wrench that the certificate has to be about.
-        rationals_only: do every step in rationals. Otherwise the signs of determinants and of
-            points are taken from floating point where a bound of its error proves them.
 
     Raises:
-        InputError: the document has no readable form (unknown keys, wrong types, a float, a grasp
-            out of range). A wrong digest is found before that and is a refusal, not an error.
+        InputError: this is no certificate, whatever its numbers are: wrong keys or types, floats, a
+            split that does not fit its region. A wrong proof is a false report instead.
+
+    Complexity: O(m) integer operations for each node of the tree.
     """
-    kind = _kind(document)
-    lines = [_digest_line(document)]
-    if not lines[0].holds:
-        return Report(kind, tuple(lines))
-    optional = ("description", "units")
-    check_keys(document["grasp"], ("contacts", "schema_version"), optional, "grasp")
-    grasp, wrench = Grasp.from_dict(document["grasp"]), read_wrench(document["wrench"])
-    if question is not None:
-        same = question == (grasp, wrench)
-        lines.append(Line("question", same, "" if same else "it is about another grasp or wrench"))
-    if kind == "stable":
-        lines += _stable_lines(grasp, wrench, document)
+    kind, grasp, wrench = read_question(document)
+    if kind == "resisted":
+        found = read_equilibrium(document, len(grasp))
+        report = Report(kind, law_problem(grasp, wrench, *found))
     else:
-        lines += _unstable_lines(grasp, wrench, document, rationals_only)
-    return Report(kind, tuple(lines))
+        report = _walk(document["tree"], _Question(grasp, wrench))
+    if question is not None and question != (grasp, wrench):
+        return Report(kind, "it is about another grasp or wrench", report.leaves)
+    return report
 
 
-def digest(document: Mapping[str, Any]) -> str:
-    """Return the digest of a document: of its canonical JSON without the digest itself."""
-    return digest_of(canonical({key: value for key, value in document.items() if key != "digest"}))
+class _Contact(NamedTuple):
+    """A contact in integers, for work in units of 1 / `_Question.unit`.
+
+    ``spring . g`` and ``slip . g`` are positive multiples of e and s. In that unit kappa e is
+    ``lambda . (normal -+ rubbing) spring . g``, and ``alpha e + h s`` is
+    ``alpha per_e spring . g + h per_s slip . g``.
+    """
+
+    spring: Numbers
+    slip: Numbers
+    normal: Numbers
+    rubbing: Numbers
+    per_e: int
+    per_s: int
 
 
-def canonical(value: Any) -> str:
-    """Return JSON in the one form that digests are made of: sorted keys, no spaces, ASCII."""
-    return json.dumps(value, sort_keys=True, separators=(",", ":"), ensure_ascii=True)
+class _Generator(NamedTuple):
+    """A generator of a region, with ``spring . g`` and ``slip . g`` of each contact."""
+
+    vector: Numbers
+    springs: Numbers
+    slips: Numbers
 
 
-def digest_of(text: str) -> str:
-    """Return the SHA-256 of a text."""
-    return hashlib.sha256(text.encode("ascii")).hexdigest()
+class _Question:
+    """Grasp and wrench in integers."""
+
+    def __init__(self, grasp: Grasp, wrench: RationalVector) -> None:
+        laws: list[tuple[RationalVector, ...]] = []
+        for contact in grasp:
+            normal, tangent = unit_wrenches(contact)
+            spring = (contact.preload, *(-contact.stiffness * x for x in normal))
+            rubbing = tuple(contact.friction * x for x in tangent)
+            laws.append((spring, (Fraction(0), *tangent), (*normal, *rubbing)))
+        scales = [tuple(map(_denominator, law)) for law in laws]
+        self.unit = math.lcm(_denominator(wrench), *(math.lcm(e * f, s) for e, s, f in scales))
+        self.wrench = _times(wrench, self.unit)
+        self.contacts = []
+        for (spring, slip, force), (e, s, _) in zip(laws, scales, strict=True):
+            forces, per_e, per_s = _times(force, self.unit // e), self.unit // e, self.unit // s
+            rows = _times(spring, e), _times(slip, s), forces[:3], forces[3:]
+            self.contacts.append(_Contact(*rows, per_e, per_s))
+
+    def unit_vector(self, axis: int, sign: int) -> _Generator:
+        """Return e_axis or its negative."""
+        rows = [contact.spring for contact in self.contacts], [c.slip for c in self.contacts]
+        springs, slips = ([sign * row[axis] for row in one] for one in rows)
+        return _Generator([sign * (j == axis) for j in range(4)], springs, slips)
 
 
-def _kind(document: Mapping[str, Any]) -> str:
-    """Check version, kind and keys of a document; return the kind."""
-    if not isinstance(document, Mapping):
-        raise CertificateError("the certificate must be an object")
-    version = document.get("schema_version")
-    if type(version) is not int or version != SCHEMA_VERSION:
-        raise CertificateError(
-            f"schema_version is {version!r}; this version reads {SCHEMA_VERSION}"
-        )
-    kind = document.get("certificate")
-    if not isinstance(kind, str) or kind not in _KEYS:
-        raise CertificateError('certificate must be "stable" or "unstable"')
-    check_keys(document, (*_COMMON, *_KEYS[kind]), (), "the certificate")
-    return kind
+class _Place(NamedTuple):
+    """Where a node stands: its region, and the states of the contacts decided there."""
+
+    path: str
+    depth: int
+    region: Sequence[_Generator]
+    states: Mapping[int, str]
 
 
-def _digest_line(document: Mapping[str, Any]) -> Line:
-    try:
-        found = digest(document)
-    except (TypeError, ValueError, RecursionError):
-        raise CertificateError("the certificate is not plain JSON") from None
-    stated = document["digest"]
-    same = isinstance(stated, str) and hmac.compare_digest(stated.encode(), found.encode())
-    return Line("digest", same, "" if same else "the content was changed after it was written")
-
-
-def _stable_lines(grasp: Grasp, wrench: RationalVector, document: Mapping[str, Any]) -> list[Line]:
-    """Evaluate the four conditions of equilibrium."""
-    motion = rational_vector(check_list(document["motion"], "motion", 3), "motion")
-    listed = check_list(document["forces"], "forces", len(grasp))
-    forces = [
-        rational_vector(check_list(pair, f"forces[{i}]", 2), f"forces[{i}]")
-        for i, pair in enumerate(listed)
-    ]
-    problems = Conditions(grasp, wrench).problems(motion, forces)
-    return [Line(name, not problem, problem) for name, problem in problems.items()]
-
-
-def _unstable_lines(
-    grasp: Grasp, wrench: RationalVector, document: Mapping[str, Any], rationals_only: bool
-) -> Iterator[Line]:
-    """Check that the regions are all regions, and that all states that are due are refuted."""
-    planes = Planes(*motion_planes(grasp), dimension=3)
-    signs, points = _regions(document["regions"], 2 * len(grasp))
-    problem = regions_problem(planes, signs, points, rationals_only=rationals_only)
-    yield Line("regions", not problem, problem)
-    if problem:
-        return
-    branches = _branches(document["branches"])
-    problem = _coverage_problem(planes, signs, list(branches), len(grasp))
-    yield Line("states", not problem, problem)
-    if problem:
-        return
-    proven = set() if rationals_only else _proven(grasp, wrench, branches)
-    for states, reason in watched(branches.items(), "states"):
-        problem = "" if states in proven else _problem(grasp, wrench, states, reason)
-        if problem:
-            yield Line(f"branch {states}", False, problem)
-            return
-    yield Line("branches", True)
-
-
-def _regions(value: Any, planes: int) -> tuple[Rows, list[Point]]:
-    """Return the signs and the points of the listed regions."""
-    entries = check_list(value, "regions")
-    if not (entries and all(type(entry) is list and len(entry) == 5 for entry in entries)):
-        entries = [check_list(entry, f"regions[{i}]", 5) for i, entry in enumerate(entries)]
-    texts = [entry[0] for entry in entries]
-    for i, text in enumerate(texts):
-        if not isinstance(text, str) or len(text) != planes or text.strip("+-"):
-            raise CertificateError(f"regions[{i}]: the signs must be {planes} of + and -")
-    points: list[Point] = [entry[1:] for entry in entries]
-    if not {type(x) for point in points for x in point} <= {int}:
-        points = [_integers(point, f"regions[{i}]") for i, point in enumerate(points)]
-    letters = np.frombuffer("".join(texts).encode("ascii"), dtype=np.uint8)
-    signs = np.where(letters == ord("+"), np.int8(1), np.int8(-1)).reshape(len(texts), planes)
-    return signs, points
-
-
-def _integers(values: Sequence[Any], name: str) -> Point:
-    numbers = rational_vector(values, name)
-    if any(x.denominator != 1 for x in numbers):
-        raise CertificateError(f"{name}: the point must be four integers")
-    return [x.numerator for x in numbers]
-
-
-def _branches(value: Any) -> dict[str, Reason]:
-    """Return the reasons by the letters of the states."""
-    if not isinstance(value, Mapping):
-        raise CertificateError("branches must be an object from states to reasons")
-    branches: dict[str, Reason] = {}
-    for states, reason in value.items():
-        if not isinstance(states, str) or states.strip("".join(_CODES)):
-            raise CertificateError("branches: states must be texts of the letters d, +, - and 0")
-        if isinstance(reason, str):
-            branches[states] = reason
+def _walk(tree: Any, question: _Question) -> Report:
+    """Check all leaves. After the first that fails the rest is read, as its form may be wrong."""
+    leaves, problem = 0, ""
+    axes = [(0, 1), *product((1, 2, 3), (1, -1))]
+    waiting = [(tree, _Place("tree", 0, [question.unit_vector(*axis) for axis in axes], {}))]
+    while waiting:
+        content, place = waiting.pop()
+        node = read_node(content, place.path, len(question.contacts))
+        if isinstance(node, Split):
+            waiting += reversed(_parts(node, place))
         else:
-            name = f"branches: {states}"
-            check_keys(reason, ("inequalities", "equalities"), (), name)
-            y, x = (
-                rational_vector(check_list(reason[k], f"{name}: {k}"), name)
-                for k in ("inequalities", "equalities")
-            )
-            branches[states] = (y, x)
-    return branches
+            leaves += 1
+            problem = problem or _leaf_problem(question, node, place)
+    return Report("not resisted", problem, leaves)
 
 
-def _coverage_problem(planes: Planes, signs: Rows, listed: list[str], contacts: int) -> str:
-    """Return what is wrong when the branches are not the states that are due, each once."""
-    if any(len(states) != contacts for states in listed):
-        return "a branch has too few or too many states"
-    given, due = sorted_rows(_codes(listed, contacts)), due_states(planes, signs)
-    if np.array_equal(given, due):
-        return ""
-    here, there = set(map(tuple, given.tolist())), set(map(tuple, due.tolist()))
-    if there - here:
-        return f"the states {_text(min(there - here))} are not refuted"
-    return f"the states {_text(min(here - there))} belong to no region"
+def _parts(split: Split, place: _Place) -> list[tuple[Any, _Place]]:
+    """Return the children of a node with their places; refuse a split that does not cover."""
+    path, depth, region, states = place
+    if depth == MAX_DEPTH:
+        raise CertificateError(f"{path[:60]}...: more than {MAX_DEPTH} splits in a row")
+    parts: list[tuple[Sequence[_Generator], Mapping[int, str]]]
+    if split.kind in STATES:
+        (contact,) = split.at
+        due, state = {"slip": "attached"}.get(split.kind), states.get(contact)
+        if state != due:
+            raise CertificateError(f"{path}: contact {contact} is {state}, and must be {due}")
+        parts = [(region, {**states, contact: name}) for name in STATES[split.kind]]
+    elif (split.kind == "edge") != (len(region) == 4):
+        raise CertificateError(f"{path}: orthants cut the half space, an edge one of their cones")
+    elif split.kind == "edge":
+        j, k, p, q = split.at
+        middle = _between(p, region[j], q, region[k])
+        parts = [([*region[:old], middle, *region[old + 1 :]], states) for old in (j, k)]
+    else:
+        corners = product(region[1:3], region[3:5], region[5:7])
+        parts = [([region[0], *corner], states) for corner in corners]
+    named = zip(split.children, parts, strict=True)
+    return [(child, _Place(name, depth + 1, *part)) for (name, child), part in named]
 
 
-def _codes(listed: Sequence[str], contacts: int) -> Rows:
-    """Return texts of states as rows of numbers."""
-    table = np.zeros(128, dtype=np.int8)
-    for letter, code in _CODES.items():
-        table[ord(letter)] = code
-    letters = np.frombuffer("".join(listed).encode("ascii"), dtype=np.uint8)
-    rows: Rows = table[letters].reshape(len(listed), contacts)
-    return rows
+def _between(p: int, one: _Generator, q: int, other: _Generator) -> _Generator:
+    """Return ``p one + q other``, divided by the gcd of its entries."""
+    pairs = zip(one, other, strict=True)
+    sums = [[p * x + q * y for x, y in zip(*pair, strict=True)] for pair in pairs]
+    common = math.gcd(*sums[0])
+    return _Generator(*([x // common for x in row] for row in sums))
 
 
-def _text(row: Iterable[int]) -> str:
-    letter = {code: letter for letter, code in _CODES.items()}
-    return "".join(letter[code] for code in row)
+def _leaf_problem(question: _Question, leaf: Leaf, place: _Place) -> str:
+    """Return the inequality of a leaf that fails, or nothing."""
+    scale = _denominator(leaf.motion)
+    x, y, r = _times(leaf.motion, scale)
+    load = sum(f * v for f, v in zip(question.wrench, (x, y, r), strict=True))
+    work: list[Any] = [load * generator.vector[0] for generator in place.region]
+    springs = zip(*(generator.springs for generator in place.region), strict=True)
+    slips = zip(*(generator.slips for generator in place.region), strict=True)
+    for i, (contact, e, s) in enumerate(zip(question.contacts, springs, slips, strict=True)):
+        state, given = place.states.get(i), leaf.multipliers.get(i)
+        if given is None and (state == "detached" or (state is None and max(e) <= 0)):
+            continue
+        (n0, n1, n2), (t0, t1, t2) = contact.normal, contact.rubbing
+        rub = x * t0 + y * t1 + r * t2
+        free = state in (None, "attached")
+        if state == "slip+" or (free and min(s) > 0):
+            rub = -rub
+        elif not (state == "slip-" or (free and max(s) < 0)):
+            rub = -abs(rub)
+        kappa = x * n0 + y * n1 + r * n2 + rub
+        if given is not None:
+            alpha, h = given[0] * scale * contact.per_e, given[1] * scale * contact.per_s
+            broken = _broken_bound(state, alpha, h, kappa)
+            if broken:
+                largest = short(Fraction(kappa, scale * contact.per_e))
+                named = f"alpha = {short(given[0])}, h = {short(given[1])}, kappa = {largest}"
+                return f"{place.path}: contact {i}, {state or 'undecided'}: {named}: {broken}"
+            work = [w + alpha * u + h * v for w, u, v in zip(work, e, s, strict=True)]
+        elif state or min(e) >= 0:
+            work = [w + kappa * u for w, u in zip(work, e, strict=True)]
+        elif kappa < 0:
+            work = [w + kappa * max(0, u) for w, u in zip(work, e, strict=True)]
+    for total, (vector, *_) in zip(work, place.region, strict=True):
+        if total < 0 or (total == 0 and vector[0]):
+            at, found = ", ".join(map(short, vector)), Fraction(total) / (scale * question.unit)
+            due = f"{short(found)}, and must be {'above' if vector[0] else 'at least'} 0"
+            return f"{place.path}: at generator ({at}) the work of load and contacts is {due}"
+    return ""
 
 
-def _proven(grasp: Grasp, wrench: RationalVector, branches: Mapping[str, Reason]) -> set[str]:
-    """Return the states whose reason is a name that floating point proves."""
-    named = {reason for reason in branches.values() if isinstance(reason, str)}
-    known = {name: _named(name, len(grasp)) for name in named}
-    chosen = [
-        (states, *known[reason])
-        for states, reason in branches.items()
-        if isinstance(reason, str) and _fits(states, *known[reason])
-    ]
-    if not chosen:
-        return set()
-    listed, kinds, contacts = zip(*chosen, strict=True)
-    numbers = np.array([KINDS.index(kind) for kind in kinds])
-    states = _codes(listed, len(grasp))
-    found = proven_violations(grasp, wrench, states, numbers, np.array(contacts))
-    return {letters for letters, holds in zip(listed, found.tolist(), strict=True) if holds}
+def _broken_bound(state: str | None, alpha: Fraction, h: Fraction, kappa: int) -> str:
+    """Return which bound of the multipliers of a contact is broken, or nothing."""
+    if alpha < 0 and state in (None, "detached"):
+        return "alpha must be at least 0"
+    if alpha > kappa and state != "detached":
+        return "alpha must be at most kappa"
+    if (h > 0 and state not in ("stick", "slip-")) or (h < 0 and state not in ("stick", "slip+")):
+        return "h has the wrong sign"
+    return ""
 
 
-def _fits(states: str, kind: str, contact: int) -> bool:
-    return contact >= 0 and states[contact] in _FITTING[kind]
+def _denominator(row: RationalVector) -> int:
+    return math.lcm(*(x.denominator for x in row))
 
 
-def _named(name: str, contacts: int) -> tuple[str, int]:
-    """Return the kind and the contact of a condition; the contact is -1 if there is none such."""
-    kind, _, number = name.partition(" ")
-    if kind in KINDS and number.isascii() and number.isdecimal() and len(number) < 10:
-        contact = int(number)
-        if contact < contacts and number == str(contact):
-            return kind, contact
-    return "", -1
-
-
-def _problem(grasp: Grasp, wrench: RationalVector, letters: str, reason: Reason) -> str:
-    """Return what is wrong with one reason, in rationals."""
-    states = [_NAMES[letter] for letter in letters]
-    if not isinstance(reason, str):
-        return conditions_of(grasp, wrench, states).refutation_problem(*reason)
-    kind, contact = _named(reason, len(grasp))
-    if not _fits(letters, kind, contact):
-        return f"there is no condition {reason} for these states"
-    return violation_problem(grasp, wrench, states, kind, contact)
+def _times(row: RationalVector, scale: int) -> Numbers:
+    return [x.numerator * (scale // x.denominator) for x in row]

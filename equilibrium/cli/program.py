@@ -42,6 +42,12 @@ def _parser() -> terminal.Parser:
     add_wrench(solve)
     solve.add_argument("--certificate", metavar="OUT.json", help="write the certificate here")
     solve.add_argument(
+        "--time-limit", metavar="SECONDS", type=_seconds, help="give up then (exit 2)"
+    )
+    solve.add_argument(
+        "--shorten", action="store_true", help="look longer for a smaller proof of a no"
+    )
+    solve.add_argument(
         "--literal",
         nargs="+",
         action="extend",
@@ -58,16 +64,19 @@ def _parser() -> terminal.Parser:
         grasp=False,
     )
     verify.add_argument("certificate", metavar="CERT.json", help="a path, or - for stdin")
-    verify.add_argument(
-        "--rationals-only",
-        action="store_true",
-        help="take every sign from rationals, none from floating point with a proven bound; slow",
-    )
     wrench_sets.add_commands(commands)
     methods.add_commands(commands)
     inputs.add_commands(commands)
     draw.add_commands(commands)
     return parser
+
+
+def _seconds(text: str) -> float:
+    """Return a positive number of seconds."""
+    seconds = float(terminal.rational_argument(text))
+    if seconds <= 0:
+        raise argparse.ArgumentTypeError(f"{text} is not above 0; give a number of seconds")
+    return seconds
 
 
 def _solve(arguments: argparse.Namespace) -> int:
@@ -83,7 +92,8 @@ def _solve(arguments: argparse.Namespace) -> int:
     if arguments.literal:
         found = solve_literal(grasp, arguments.wrench, arguments.literal)
     else:
-        found = solve(grasp, arguments.wrench)
+        limits = {"time_limit": arguments.time_limit, "shorten": arguments.shorten}
+        found = solve(grasp, arguments.wrench, **limits)
         if arguments.certificate:
             write_certificate(arguments.certificate, found.certificate)
     lines = _verdict_lines(found.equilibria)
@@ -112,13 +122,12 @@ def _freedom(piece: Equilibrium) -> str:
 def _verify(arguments: argparse.Namespace) -> int:
     from equilibrium.io.files import verify
 
-    report = verify(arguments.certificate, rationals_only=arguments.rationals_only)
-    if report.valid:
-        line = f"valid: the verdict is {report.kind} ({len(report.lines)} lines checked)"
+    report = verify(arguments.certificate)
+    if report:
+        line = f"valid: {report.kind}" + (f", {report.leaves} leaves" if report.leaves else "")
     else:
-        failed = next(line for line in report.lines if not line.holds)
-        line = f"not valid: line {failed.name!r} fails: {terminal.printable(failed.problem)}"
-    return show(arguments, report.to_dict(), [line], report.valid)
+        line = f"not valid: {terminal.printable(report.problem)}"
+    return show(arguments, report.to_dict(), [line], bool(report))
 
 
 if __name__ == "__main__":

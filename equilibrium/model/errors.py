@@ -13,3 +13,7 @@ class GraspError(EquilibriumError, InputError):
 
 class CertificateError(EquilibriumError, InputError):
     """A certificate document has no readable form (this is not the same as a wrong proof)."""
+
+
+class TimeLimitError(EquilibriumError, InputError):
+    """The time allowed has passed before an answer was found; the message says what is open."""

@@ -28,21 +28,11 @@ Codes: TypeAlias = npt.NDArray[np.int8]
 
 DETACHED = 2
 STATE_OF_CODE: dict[int, State] = {1: "slip+", 0: "stick", -1: "slip-", DETACHED: "detached"}
-_LETTERS = {1: "+", 0: "0", -1: "-", DETACHED: "d"}
 
 
 def states_of_code(row: list[int]) -> States:
     """Return the names of a row of codes."""
     return tuple(STATE_OF_CODE[code] for code in row)
-
-
-def letters_of_codes(codes: Codes) -> list[str]:
-    """Return rows of codes as one letter for each contact, as certificates write them."""
-    table = np.zeros(4, dtype=np.uint8)
-    for code, letter in _LETTERS.items():
-        table[code + 1] = ord(letter)
-    text, m = table[codes + 1].tobytes().decode("ascii"), codes.shape[1]
-    return [text[k * m : (k + 1) * m] for k in range(len(codes))]
 
 
 def codes_of_faces(grasp: Grasp, faces: SpaceFaces) -> Codes:

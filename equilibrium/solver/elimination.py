@@ -6,7 +6,7 @@ Fraction-free Gauss-Jordan elimination (one common denominator, exact divisions)
 from __future__ import annotations
 
 import math
-from collections.abc import Collection, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from typing import TypeAlias
@@ -63,29 +63,6 @@ def decide(system: StateSystem) -> Outcome:
             margin = Fraction(dot(row, point)) / point[n]
             return _refuted_by(system, i, margin)
     return Point(tuple(Fraction(x, point[n]) for x in point[:n]))
-
-
-def point_with_idle(system: StateSystem, idle: Collection[int]) -> RationalVector | None:
-    """Return a solution in which sticking contacts carry no tangential force, or None.
-
-    Args:
-        idle: sticking contacts, by number. The other equalities have to leave one point.
-    """
-    sticking = [i for i, state in enumerate(system.states) if state == "stick"]
-    kept = [*range(3), *(3 + j for j, contact in enumerate(sticking) if contact not in idle)]
-    rows, pivots, scale = gauss_jordan(
-        [[*(system.equalities[k][j] for j in kept), system.equalities[k][-1]] for k in kept]
-    )
-    if pivots != list(range(len(kept))):
-        return None
-    sign = -1 if scale < 0 else 1
-    point = [0] * system.size + [sign * scale]
-    for row, j in zip(rows, kept, strict=True):
-        point[j] = -sign * row[-1]
-    holds = all(dot(_integers(row), point) >= 0 for row in system.inequalities) and not any(
-        dot(_integers(row), point) for row in system.equalities
-    )
-    return tuple(Fraction(x, point[-1]) for x in point[:-1]) if holds else None
 
 
 def _by_program(system: StateSystem) -> Outcome:

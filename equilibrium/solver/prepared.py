@@ -9,6 +9,7 @@ from arrangement.exact import RationalVector
 from equilibrium.model.grasp import Grasp
 
 from .contact_states import Codes, codes_of_faces, states_of_code
+from .integer_contacts import IntegerContacts
 from .interval_filter import Screen
 from .refutations import Balances
 from .state_system import States, StateSystem, loaded, state_system
@@ -26,6 +27,11 @@ class PreparedGrasp:
         self.grasp = grasp
         self.balances = Balances(grasp)
         self._unloaded: dict[States, StateSystem] = {}
+
+    @cached_property
+    def integers(self) -> IntegerContacts:
+        """The numbers of the contacts as integers, and as floats."""
+        return IntegerContacts(self.grasp)
 
     @cached_property
     def faces(self) -> SpaceFaces:

@@ -10,6 +10,8 @@ import pytest
 from arrangement.cli import main as arrangement_main
 from equilibrium.cli.program import main
 
+from .test_resistance import hard
+
 THREE = "paper-three-contacts"
 
 
@@ -55,27 +57,28 @@ def test_certificate_is_written_and_verified(capsys, tmp_path: Path, wrench, cod
     assert [p.name for p in tmp_path.iterdir()] == [path.name]
 
 
-@pytest.mark.parametrize(("wrench", "code"), [("-1", 0), ("1", 1)])
-def test_rationals_only_takes_no_sign_from_floats(
-    capsys, tmp_path: Path, monkeypatch, wrench, code
-):
-    path = tmp_path / "certificate.json"
-    arguments = ("solve", THREE, "--wrench", "0", wrench, "0", "--certificate", str(path))
-    assert call(capsys, *arguments)[0] == code
-
-    def refuse(*_: object) -> None:
-        raise AssertionError("floating point was asked")
-
-    monkeypatch.setattr("equilibrium.certificate.checker.proven_violations", refuse)
-    monkeypatch.setattr("arrangement.completeness._surely", refuse)
-    plain, out, _ = call(capsys, "verify", str(path), "--rationals-only", "--json")
-    assert (plain, json.loads(out)["valid"]) == (0, True)
-    if code:
-        with pytest.raises(AssertionError, match="floating point was asked"):
-            call(capsys, "verify", str(path))
+def test_a_time_limit_says_what_is_open(capsys, tmp_path: Path):
+    grasp, wrench = hard()
+    path = tmp_path / "grasp.json"
+    path.write_text(json.dumps(grasp.to_dict()))
+    arguments = ("solve", str(path), "--wrench", *map(str, wrench))
+    code, out, err = call(capsys, *arguments, "--time-limit", "1/1000000000")
+    assert (code, out) == (2, "")
+    assert "regions of motions open" in err
 
 
-def test_changed_certificate_says_which_line_fails(capsys, tmp_path: Path):
+def test_a_shortened_proof_is_valid_and_not_longer(capsys, tmp_path: Path):
+    sizes = []
+    for name, options in (("plain", ()), ("short", ("--shorten",))):
+        path = tmp_path / name
+        arguments = ("solve", THREE, "--wrench", "3", "3", "1", "--certificate", str(path))
+        assert call(capsys, *arguments, *options)[0] == 1
+        assert call(capsys, "verify", str(path))[0] == 0
+        sizes.append(path.stat().st_size)
+    assert sizes[1] <= sizes[0]
+
+
+def test_a_changed_certificate_says_what_fails(capsys, tmp_path: Path):
     path = tmp_path / "certificate.json"
     call(capsys, "solve", THREE, "--wrench", "0", "1", "0", "--certificate", str(path))
     document = json.loads(path.read_text())
@@ -83,9 +86,19 @@ def test_changed_certificate_says_which_line_fails(capsys, tmp_path: Path):
     path.write_text(json.dumps(document))
     code, out, _ = call(capsys, "verify", str(path))
     assert code == 1
-    assert "digest" in out
+    assert "must be above 0" in out
     code, out, _ = call(capsys, "verify", str(path), "--json")
-    assert (code, json.loads(out)["failed"]["line"]) == (1, "digest")
+    assert code == 1
+    assert "must be above 0" in json.loads(out)["problem"]
+
+
+def test_an_old_certificate_is_named(capsys, tmp_path: Path):
+    path = tmp_path / "certificate.json"
+    path.write_text('{"schema_version": 1, "certificate": "unstable", "regions": ""}')
+    code, _, err = call(capsys, "verify", str(path))
+    assert code == 2
+    assert "this is an old certificate" in err
+    assert "make a new one" in err
 
 
 @pytest.mark.parametrize(

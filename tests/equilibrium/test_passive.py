@@ -41,7 +41,7 @@ def test_every_reported_equilibrium_satisfies_the_definition(grasp, wrench):
 def test_verdict_agrees_with_its_certificate(grasp, wrench):
     verdict = solve(grasp, wrench)
     assert verdict.verify()
-    assert verdict.certificate.kind == ("stable" if verdict.stable else "unstable")
+    assert verdict.certificate.kind == ("resisted" if verdict.stable else "not resisted")
 
 
 @settings(max_examples=40, deadline=None)

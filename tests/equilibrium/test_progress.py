@@ -12,7 +12,7 @@ from equilibrium.cli.program import main
 from equilibrium.inputs import random_grasp
 
 LONG = {
-    "solve": ("--wrench", "50", "5", "1"),
+    "solve": ("--wrench", "-1", "0", "0"),
     "limit": ("--direction", "1", "2", "1"),
     "region": (),
     "polyhedra": (),

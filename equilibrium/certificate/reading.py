@@ -1,0 +1,154 @@
+"""The form of certificates: a question, then a motion and forces, or a tree; read node by node.
+
+``{"schema_version": 3, "certificate": "resisted", "grasp": ..., "wrench": [x, y, r],
+"motion": [x, y, r], "forces": [[c_n, c_t], ...]}``, or ``"not resisted"`` with ``"tree": node``.
+Numbers are integers or texts such as "7/3"; contacts and generators are counted from 0. Nodes cut
+the space of motions or tell apart the states of one contact, and leaves have a virtual motion:
+
+* ``[x, y, r]``, or ``{"virtual_motion": [x, y, r], "multipliers": {"4": [alpha],
+  "7": [alpha, h]}}``: a leaf. The keys of multipliers are contacts; h is 0 where it is left out.
+* ``{"orthants": [8 nodes]}`` cuts the half space ``d_0 >= 0`` of homogeneous motions (d_0, d) into
+  the cones of e_0, +-e_1, +-e_2, +-e_3; signs in the order +++, ++-, +-+, ..., ---.
+* ``{"edge": [j, k], "at": [p, q], "children": [2 nodes]}`` cuts a cone of four generators at
+  ``v = p g_j + q g_k``, divided by the gcd of its entries: v replaces g_j in the first child, g_k
+  in the second. Without "at", p = q = 1.
+* ``{"contact": i, "attachment": {"detached": node, "attached": node}}``, and below "attached"
+  ``{"contact": i, "slip": {"stick": node, "slip+": node, "slip-": node}}``.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from fractions import Fraction
+from typing import Any, NamedTuple
+
+from arrangement.exact import RationalVector, rational_vector, shown
+from arrangement.io.files import check_keys, check_list
+from equilibrium.model.errors import CertificateError
+from equilibrium.model.grasp import Grasp, read_wrench
+
+SCHEMA_VERSION = 3
+_KEYS = {"resisted": ("motion", "forces"), "not resisted": ("tree",)}
+#: The states that a split of a contact tells apart, by the key of the split.
+STATES = {"attachment": ("detached", "attached"), "slip": ("stick", "slip+", "slip-")}
+
+
+class Leaf(NamedTuple):
+    """A virtual motion, and (alpha, h) of some contacts."""
+
+    motion: RationalVector
+    multipliers: Mapping[int, RationalVector]
+
+
+class Split(NamedTuple):
+    """An inner node.
+
+    Attributes:
+        kind: "orthants", "edge", "attachment" or "slip".
+        at: of an edge j, k, p, q; of a contact its number.
+        children: with their paths.
+    """
+
+    kind: str
+    at: tuple[int, ...]
+    children: list[tuple[str, Any]]
+
+
+def read_question(document: Any) -> tuple[str, Grasp, RationalVector]:
+    """Return kind, grasp and wrench of a certificate.
+
+    Raises:
+        InputError: an old certificate, unknown keys, wrong types, a grasp out of range.
+    """
+    if not isinstance(document, Mapping):
+        raise CertificateError(f"the certificate is {shown(document)}; an object is due")
+    kind, version = document.get("certificate"), document.get("schema_version")
+    if kind in ("stable", "unstable"):
+        raise CertificateError(
+            f'this is an old certificate ("{kind}", by a list of regions); make a new one with '
+            "`equilibrium solve GRASP --wrench X Y R --certificate OUT.json`"
+        )
+    if type(version) is not int or version != SCHEMA_VERSION:
+        raise CertificateError(f"schema_version is {shown(version)}; {SCHEMA_VERSION} is read here")
+    if not isinstance(kind, str) or kind not in _KEYS:
+        raise CertificateError(f"certificate is {shown(kind)}; known are {', '.join(_KEYS)}")
+    common = ("schema_version", "certificate", "grasp", "wrench")
+    check_keys(document, (*common, *_KEYS[kind]), (), "the certificate")
+    wrench = read_wrench(check_list(document["wrench"], "wrench", 3))
+    return kind, Grasp.from_dict(document["grasp"]), wrench
+
+
+def read_equilibrium(
+    document: Mapping[str, Any], contacts: int
+) -> tuple[RationalVector, list[RationalVector]]:
+    """Return the motion, and (normal, tangential) force of each contact."""
+    pairs = check_list(document["forces"], "forces", contacts)
+    forces = [_rationals(pair, 2, f"forces[{i}]") for i, pair in enumerate(pairs)]
+    return _rationals(document["motion"], 3, "motion"), forces
+
+
+def read_node(content: Any, path: str, contacts: int) -> Leaf | Split:
+    """Return a node of a tree; what its children are is not looked at.
+
+    Raises:
+        InputError: this is no node for so many contacts; the message has the path.
+    """
+    if isinstance(content, (list, tuple)):
+        return Leaf(_rationals(content, 3, path), {})
+    kinds = ("virtual_motion", "orthants", "edge", *STATES)
+    kind = next((key for key in kinds if isinstance(content, Mapping) and key in content), "")
+    if not kind:
+        raise CertificateError(
+            f"{path} is {shown(content)}; a node is a list of three numbers or an object with one "
+            f"of the keys {', '.join(kinds)}"
+        )
+    if kind == "virtual_motion":
+        return _long_leaf(content, path, contacts)
+    if kind == "orthants":
+        check_keys(content, (kind,), (), path)
+        return Split(kind, (), _children(content, kind, path, 8))
+    if kind == "edge":
+        check_keys(content, (kind, "children"), ("at",), path)
+        ends = check_list(content[kind], f"{path}.edge", 2)
+        j, k = (_index(end, f"{path}.edge", 4) for end in ends)
+        p, q = _rationals(content.get("at", (1, 1)), 2, f"{path}.at")
+        if j == k or min(p, q) <= 0 or p.denominator * q.denominator != 1:
+            raise CertificateError(f"{path}: an edge has two generators, at has integers above 0")
+        at = (j, k, p.numerator, q.numerator)
+        return Split(kind, at, _children(content, "children", path, 2))
+    check_keys(content, ("contact", kind), (), path)
+    check_keys(content[kind], STATES[kind], (), f"{path}.{kind}")
+    children = [(f"{path}.{kind}.{state}", content[kind][state]) for state in STATES[kind]]
+    return Split(kind, (_index(content["contact"], f"{path}.contact", contacts),), children)
+
+
+def _long_leaf(content: Mapping[str, Any], path: str, contacts: int) -> Leaf:
+    check_keys(content, ("virtual_motion", "multipliers"), (), path)
+    motion = _rationals(content["virtual_motion"], 3, f"{path}.virtual_motion")
+    where, given = f"{path}.multipliers", content["multipliers"]
+    if not isinstance(given, Mapping):
+        raise CertificateError(f"{where} is {shown(given)}; an object by contacts is due")
+    multipliers = {}
+    for key, pair in given.items():
+        number = int(key) if isinstance(key, str) and key.isdecimal() and len(key) < 10 else -1
+        if str(_index(number, f"{where}: the contact {shown(key)}", contacts)) != key:
+            raise CertificateError(f"{where}: the contact {shown(key)} is written {number}")
+        size = 1 if isinstance(pair, (list, tuple)) and len(pair) == 1 else 2
+        alpha, h, *_ = *_rationals(pair, size, f"{where}.{key}"), Fraction(0)
+        multipliers[number] = (alpha, h)
+    return Leaf(motion, multipliers)
+
+
+def _rationals(value: Any, length: int, where: str) -> RationalVector:
+    return rational_vector(check_list(value, where, length), where)
+
+
+def _children(content: Mapping[str, Any], key: str, path: str, count: int) -> list[tuple[str, Any]]:
+    children = check_list(content[key], f"{path}.{key}", count)
+    return [(f"{path}.{key}[{i}]", child) for i, child in enumerate(children)]
+
+
+def _index(value: Any, where: str, below: int) -> int:
+    if type(value) is not int or not 0 <= value < below:
+        raise CertificateError(f"{where} is {shown(value)}; there are 0 to {below - 1}")
+    return value

@@ -1,0 +1,180 @@
+"""The search for an equilibrium or a proof that there is none: one of the two, always true."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from fractions import Fraction
+from typing import Any
+
+import pytest
+from hypothesis import given, settings
+
+from equilibrium import Contact, Grasp, Solver, TimeLimitError, read_grasp, solve
+from equilibrium.certificate.checker import check
+from equilibrium.certificate.document import refuted_certificate
+from equilibrium.inputs.random import random_grasp, random_wrench
+from equilibrium.solver.continuation import find_equilibrium
+from equilibrium.solver.integer_contacts import IntegerContacts
+from equilibrium.solver.motion_regions import HALF_SPACE, MotionRegions
+from equilibrium.solver.state_equilibrium import Solution
+from equilibrium.solver.state_splits import StateSplits
+from equilibrium.wrench_sets.line import resisted_magnitudes
+
+from . import bruteforce, oracle
+from .awkward import question
+from .strategies import grasps, wrenches
+
+Wrench = tuple[Fraction, ...]
+PAPER = read_grasp("paper-three-contacts-preload-1")
+
+
+def pulled_apart(contacts: int, seed: int) -> Grasp:
+    """Return contacts on one side of the object."""
+    listed = [c for c in random_grasp(8 * contacts, seed) if c.point[0] > abs(c.point[1])]
+    return Grasp(listed[:contacts])
+
+
+def leaves(tree: Any) -> Iterator[Any]:
+    """Yield the leaves of a tree."""
+    if isinstance(tree, list) or "virtual_motion" in tree:
+        yield tree
+        return
+    children = tree.get("orthants") or tree.get("children")
+    if children is None:
+        children = (tree.get("attachment") or tree["slip"]).values()
+    for child in children:
+        yield from leaves(child)
+
+
+def assert_true(grasp: Grasp, wrench: Wrench, found: Any) -> bool:
+    """Check an answer without the solver; return whether it is an equilibrium."""
+    if isinstance(found, Solution):
+        assert oracle.satisfies(grasp, wrench, found.motion, found.forces)
+        return True
+    report = check(refuted_certificate(grasp, wrench, found).to_dict(), (grasp, wrench))
+    assert report, report.problem
+    return False
+
+
+@settings(max_examples=60, deadline=None)
+@given(grasps(3), wrenches)
+def test_the_answer_is_that_of_brute_force(grasp, wrench):
+    applied = tuple(map(Fraction, wrench))
+    verdict = solve(grasp, applied)
+    assert verdict.verify()
+    assert verdict.stable == bruteforce.is_stable(grasp, applied)
+
+
+@pytest.mark.parametrize("seed", range(0, 80, 2))
+def test_regions_alone_and_states_alone_give_the_same_answer(seed):
+    asked = question(seed)
+    contacts, wrench = IntegerContacts(asked.grasp), tuple(asked.wrench)
+    answers = [
+        assert_true(asked.grasp, wrench, MotionRegions(contacts, wrench).search()),
+        assert_true(asked.grasp, wrench, StateSplits(contacts, wrench, HALF_SPACE, 10**4).decide()),
+    ]
+    assert answers == [bruteforce.is_stable(asked.grasp, wrench)] * 2
+
+
+@pytest.mark.parametrize("contacts", [6, 10, 20, 50])
+def test_proofs_for_contacts_on_one_side_are_small(contacts):
+    counts = []
+    for seed in range(8):
+        grasp, wrench = pulled_apart(contacts, seed), random_wrench(seed, bound=20)
+        verdict = solve(grasp, wrench)
+        assert verdict.verify()
+        if not verdict.stable:
+            counts.append(verdict.verify().leaves)
+    assert counts
+    assert sorted(counts)[len(counts) // 2] < 120
+
+
+def test_continuation_finds_nearly_all_equilibria_of_random_grasps():
+    found = 0
+    for seed in range(30):
+        grasp, wrench = random_grasp(12, seed), random_wrench(seed)
+        equilibrium = find_equilibrium(IntegerContacts(grasp), wrench)
+        if equilibrium is not None:
+            assert oracle.satisfies(grasp, wrench, equilibrium.motion, equilibrium.forces)
+            found += 1
+    assert found >= 28
+
+
+def test_more_contacts_stick_than_the_balance_needs():
+    grasp = random_grasp(60, seed=1)
+    equilibrium = find_equilibrium(IntegerContacts(grasp), (Fraction(1, 10),) * 3)
+    assert equilibrium is not None
+    assert not any(equilibrium.motion)
+    assert oracle.satisfies(grasp, (Fraction(1, 10),) * 3, equilibrium.motion, equilibrium.forces)
+
+
+@pytest.mark.parametrize("power", [3, 6, 30, 300])
+@pytest.mark.parametrize("direction", [(0, 1, 0), (0, -1, 0), (1, 0, 0)])
+def test_beyond_the_border_of_the_paper_a_handful_of_leaves_is_enough(power, direction):
+    end = resisted_magnitudes(PAPER, direction).intervals[-1][1]
+    if end is None:
+        assert solve(PAPER, [10**power * x for x in direction]).stable
+        return
+    assert solve(PAPER, [end * x for x in direction]).stable
+    beyond = end + Fraction(1, 10**power)
+    verdict = solve(PAPER, [beyond * x for x in direction])
+    assert not verdict.stable
+    report = verdict.verify()
+    assert report
+    assert report.leaves <= 12
+
+
+@pytest.mark.parametrize("seed", [3, 7])
+def test_beyond_the_border_of_ten_contacts_no_distance_is_too_small(seed):
+    near = [c for c in random_grasp(80, seed) if c.point[0] > 0]
+    grasp = Grasp([c for c in near if 3 * c.point[0] ** 2 > c.point[1] ** 2][:10])
+    end = resisted_magnitudes(grasp, random_wrench(seed + 100)).intervals[-1][1]
+    assert end
+    for power in (3, 30):
+        factor = end * (1 + Fraction(1, 10**power))
+        verdict = solve(grasp, [factor * x for x in random_wrench(seed + 100)])
+        assert not verdict.stable
+        assert verdict.verify()
+        assert verdict.verify().leaves < 400
+
+
+@pytest.mark.parametrize("kind", ["none", "frictionless", "one point", "coincident", "parallel"])
+def test_degenerate_grasps(kind):
+    one = Contact([1, 0], [-1, 0], "1/2", 1, 1)
+    grasp = {
+        "none": Grasp(),
+        "frictionless": Grasp([Contact([1, 0], [-1, 0], 0), Contact([-1, 0], [1, 0], 0)]),
+        "one point": Grasp([one, Contact([1, 0], ["-3/5", "4/5"], 1)]),
+        "coincident": Grasp([one, one, one]),
+        "parallel": Grasp([Contact([x, 0], [0, 1], 0, 1, x) for x in range(3)]),
+    }[kind]
+    for wrench in ((0, 0, 0), (1, 0, 0), (0, -1, 0), (-3, 0, 0), (0, 0, 1), ("1/7", -2, -2)):
+        applied = tuple(map(Fraction, wrench))
+        verdict = solve(grasp, applied)
+        assert verdict.verify()
+        assert verdict.stable == bruteforce.is_stable(grasp, applied)
+
+
+def test_a_shortened_proof_holds():
+    grasp, wrench = pulled_apart(8, 1), (Fraction(5), Fraction(3), Fraction(1))
+    plain, short = (solve(grasp, wrench, shorten=shorten) for shorten in (False, True))
+    assert plain.verify()
+    assert short.verify()
+    assert len(short.certificate.text) <= len(plain.certificate.text)
+
+
+def test_the_time_limit_ends_the_search():
+    grasp, wrench = hard()
+    with pytest.raises(TimeLimitError, match="regions of motions open"):
+        Solver(grasp).solve(wrench, time_limit=1e-9)
+    assert not solve(grasp, wrench).stable
+
+
+def hard() -> tuple[Grasp, Wrench]:
+    """Return a question that no single virtual motion answers."""
+    for seed in range(100):
+        grasp, wrench = pulled_apart(10, seed), random_wrench(seed, bound=20)
+        verdict = solve(grasp, wrench)
+        if not verdict.stable and verdict.verify().leaves > 8:
+            return grasp, wrench
+    raise AssertionError("every question has a small answer")
