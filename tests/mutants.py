@@ -43,13 +43,18 @@ class Target(NamedTuple):
 
 
 CHECKER = ("tests/equilibrium/test_checker.py",)
+SOLVER = ("tests/equilibrium/test_passive.py",)
 TARGETS = {
     "checker": Target("equilibrium.certificate.checker", CHECKER),
     "law": Target("equilibrium.certificate.law", CHECKER),
     "reading": Target("equilibrium.certificate.reading", CHECKER),
     "predicates": Target(
-        "arrangement.enumeration.affine_space.predicates", ("tests/arrangement/test_space.py",), 40
+        "arrangement.enumeration.affine_space.predicates", ("tests/arrangement/test_space.py",), 24
     ),
+    "states": Target("equilibrium.solver.state_system", SOLVER, 12),
+    "elimination": Target("equilibrium.solver.elimination", SOLVER, 12),
+    "pieces": Target("equilibrium.solver.equilibrium", SOLVER, 12),
+    "oracle": Target("proofs_check.routes.oracle", ("tests/proofs_check/test_oracle.py",), 12),
 }
 
 #: Faults that change no answer, by target, line of code and fault, with the reason.
