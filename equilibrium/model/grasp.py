@@ -199,7 +199,8 @@ def _contact(entry: Any, index: int) -> Contact:
     name = f"contacts[{index}]"
     check_keys(entry, CONTACT_KEYS[:3], CONTACT_KEYS[3:], name)
     try:
-        return Contact(*(entry[key] for key in CONTACT_KEYS[:3]), **_optional(entry))
+        point, normal = (check_list(entry[key], key) for key in CONTACT_KEYS[:2])
+        return Contact(point, normal, entry["friction"], **_optional(entry))
     except ValueError as error:
         raise GraspError(f"{name}: {error}") from None
 
