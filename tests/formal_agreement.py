@@ -47,6 +47,8 @@ NUMBERS = [
 ]
 #: What a node, or any other value, may be replaced by.
 VALUES = [None, [], {}, [[]], ["0", "0", "0"], {"orthants": []}, {"edge": [0, 1]}, -1, 8, "0"]
+#: Bytes of one character in UTF-8, and four that are none.
+LETTERS = [b"\xf0\x9f\x98\x80", b"\xc0\x80", b"\xed\xa0\x80", b"\xf4\x90\x80\x80", b"\xe2\x82"]
 
 
 def documents(seed: int) -> Iterator[dict[str, Any]]:
@@ -74,11 +76,12 @@ def mutant(document: dict[str, Any], source: Random) -> bytes:
         return _broken_text(json.dumps(document).encode(), source)
     changed = deepcopy(document)
     places = list(_places(changed))
-    home, key = source.choice(places)
+    numbers = [(home, key) for home, key in places if isinstance(home[key], (str, int))]
+    home, key = source.choice(numbers if source.random() < 0.6 else places)
     old = home[key]
     kind = source.random()
-    if isinstance(old, (str, int)) and kind < 0.75:
-        home[key] = _moved(old, source) if kind < 0.6 else source.choice(NUMBERS)
+    if isinstance(old, (str, int)) and kind < 0.9:
+        home[key] = _moved(old, source) if kind < 0.8 else source.choice(NUMBERS)
     elif isinstance(home, dict) and kind < 0.3:
         del home[key]
         home[source.choice([str(key), *_keys(changed)])] = old
@@ -95,6 +98,48 @@ def mutant(document: dict[str, Any], source: Random) -> bytes:
     else:
         home[key] = source.choice(VALUES)
     return json.dumps(changed).encode()
+
+
+def forms() -> Iterator[bytes]:
+    """Yield certificates of unusual form, readable and not: numbers, keys, text, depth, size."""
+    contact = {"point": ["0", "-1"], "normal": ["0", "1"], "friction": "1/2"}
+    leaf = {"virtual_motion": ["0", "1", "0"], "multipliers": {"0": ["0/3"]}}
+    grasp = {"schema_version": 1, "contacts": [contact]}
+    plain = {"schema_version": 3, "certificate": "not resisted", "grasp": grasp}
+    plain |= {"wrench": ["0", 1, "+0.0"], "tree": leaf}
+
+    def of_contact(key: str, value: Any) -> dict[str, Any]:
+        return {"grasp": {**grasp, "contacts": [{**contact, key: value}]}}
+
+    changes: list[dict[str, Any]] = [{}]
+    for number in NUMBERS:
+        changes += [{"wrench": ["0", number, "0"]}, {"tree": [number, "1", "0"]}]
+        changes += [of_contact(key, number) for key in ("friction", "preload", "stiffness")]
+        changes.append(of_contact("normal", [number, "4/5"]))
+    for key in ("00", "+0", "0.", "1", "-1", " 0", "", "\u0660", "0" * 12):
+        changes.append({"tree": {**leaf, "multipliers": {key: ["1"]}}})
+    for units in ({}, {"length": "m"}, {"length": "m", "force": "\u03bcN"}, [], None):
+        changes.append({"grasp": {**grasp, "units": units}})
+    for description in ("", "x" * 10_000, '\ud800 \U0001f600 \\ " \t', 3, None):
+        changes.append({"grasp": {**grasp, "description": description}})
+    changes += [{"schema_version": version} for version in (1, 2, "3", 3.0, True, 10**30)]
+    changes.append({"certificate": "unstable"})
+    yield from (json.dumps({**plain, **change}).encode() for change in changes)
+
+    text, tree = json.dumps(plain), json.dumps(leaf)
+    yield text.replace('"tree"', '"\\u0074ree"').encode()
+    yield text.replace('"tree"', '"tree":0,"tree"').encode()
+    yield text.replace(" ", "\r\n\t ").encode()
+    for broken in ("NaN", "01", "-", "1.", "'0'", "0,", "[0]]", "/**/0", "\f0", '"\t"', "tru"):
+        yield text.replace("1, ", broken + ", ", 1).encode()
+    yield from (text.encode(name) for name in ("utf-8-sig", "utf-16", "utf-32"))
+    described = json.dumps({**plain, "grasp": {**grasp, "description": "D"}}).encode()
+    yield from (described.replace(b"D", letter) for letter in LETTERS)
+    for depth in (1, 299, 300, 301, 900, 100_000):
+        start = '{"orthants": [' + f"{tree}, " * 7 + '{"edge": [0, 1], "children": [' * (depth - 1)
+        end = f", {tree}]}}" * (depth - 1) + "]}"
+        yield text.replace(tree, start + tree + end).encode()
+        yield text.replace(tree, "[" * depth + "]" * depth).encode()
 
 
 def _places(value: Any) -> Iterator[tuple[Any, Any]]:
@@ -169,6 +214,9 @@ def compare(program: Path, number: int, mutants: int, seed: int, folder: Path) -
             text = mutant(document, source) if j else json.dumps(document).encode()
             paths[-1].write_bytes(text)
         valid.add(paths[-mutants - 1])
+    for i, text in enumerate(forms()):
+        paths.append(folder / f"form-{i}.json")
+        paths[-1].write_bytes(text)
     lines, questions = (program_answers(program, paths, *o) for o in ((), ("--question",)))
     counted: Counter[tuple[bool, str]] = Counter()
     differences = 0
@@ -181,7 +229,7 @@ def compare(program: Path, number: int, mutants: int, seed: int, folder: Path) -
             differences += 1
             print(f"{path.name}: Python: {answer}, proved: {line}, same question: {same}")
             print(path.read_bytes()[:2000].decode(errors="replace"))
-    for kind, name in ((True, "documents"), (False, "mutants")):
+    for kind, name in ((True, "documents"), (False, "mutants and unusual forms")):
         print(name + ":", ", ".join(f"{counted[kind, answer]} {answer}" for answer in ANSWERS))
     missing = [answer for answer in ANSWERS if mutants and not counted[False, answer]]
     if missing:
