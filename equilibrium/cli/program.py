@@ -93,6 +93,11 @@ def _add_verify(commands: Any) -> None:
         action="store_true",
         help="take every sign from rationals, none from floating point with a proven bound; slow",
     )
+    verify.add_argument(
+        "--proved",
+        action="store_true",
+        help="ask the checker that is proved in Coq (built by `make formal`)",
+    )
     terminal.add_json_option(verify)
     verify.set_defaults(command=_verify)
 
@@ -146,9 +151,24 @@ def _freedom(piece: Equilibrium) -> str:
     return "  (of least norm; neither motion nor forces need be determined)"
 
 
+def _verify_proved(arguments: argparse.Namespace) -> int:
+    from equilibrium.io.proved_checker import verify_proved
+
+    valid, kind = verify_proved(arguments.certificate)
+    if arguments.json:
+        terminal.print_json({"valid": valid, "certificate": kind, "checker": "proved"})
+    elif valid:
+        print(f"valid: the verdict is {kind} (by the proved checker)")
+    else:
+        print(f"not valid: this does not prove {kind} (by the proved checker)")
+    return terminal.YES if valid else terminal.NO
+
+
 def _verify(arguments: argparse.Namespace) -> int:
     from equilibrium.io.files import verify
 
+    if arguments.proved:
+        return _verify_proved(arguments)
     report = verify(arguments.certificate, rationals_only=arguments.rationals_only)
     if arguments.json:
         terminal.print_json(report.to_dict())

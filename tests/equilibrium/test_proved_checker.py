@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+import json
 from pathlib import Path
 
 import pytest
 
+from equilibrium.cli import main
 from equilibrium.io import proved_checker
 from equilibrium.io.proved_checker import PROGRAM, verify_proved
 from equilibrium.model.errors import CertificateError
@@ -61,3 +63,19 @@ def test_a_path_is_no_option(folder: Path) -> None:
         verify_proved("--question")
     with pytest.raises(CertificateError, match="<->"):
         verify_proved("-")
+
+
+def test_the_command_says_which_checker_spoke(
+    folder: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    program(folder, "accepted: not resisted", 0)
+    assert main(["verify", "--proved", "certificate.json"]) == 0
+    expected = "valid: the verdict is not resisted (by the proved checker)\n"
+    assert capsys.readouterr().out == expected
+    program(folder, "refused: resisted", 1)
+    assert main(["verify", "--proved", "certificate.json", "--json"]) == 1
+    found = json.loads(capsys.readouterr().out)
+    assert found == {"valid": False, "certificate": "resisted", "checker": "proved"}
+    program(folder, "malformed: a number is a float", 2)
+    assert main(["verify", "--proved", "certificate.json"]) == 2
+    assert "a number is a float" in capsys.readouterr().err
