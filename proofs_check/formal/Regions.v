@@ -110,6 +110,27 @@ Proof.
   - eapply Z.divide_trans; [exact D2 | apply Z.gcd_divide_r].
 Qed.
 
+(** With v = (P g_j + Q g_k) / D in place of g_j, a sum of generators in which g_k has its share. *)
+Lemma moved_inside j k v t s P Q D g0 g1 g2 g3 :
+  let g_j := at_corner j g0 g1 g2 g3 in
+  let g_k := at_corner k g0 g1 g2 g3 in
+  j <> k -> (forall i, 0 <= t i) -> 0 <= s * D -> t j = s * P -> 0 <= t k - s * Q ->
+  P * IZR (q0 g_j) + Q * IZR (q0 g_k) = D * IZR (q0 v) ->
+  P * IZR (q1 g_j) + Q * IZR (q1 g_k) = D * IZR (q1 v) ->
+  P * IZR (q2 g_j) + Q * IZR (q2 g_k) = D * IZR (q2 v) ->
+  P * IZR (q3 g_j) + Q * IZR (q3 g_k) = D * IZR (q3 v) ->
+  inside (moved j v g0 g1 g2 g3) (sum4 t g0 g1 g2 g3).
+Proof.
+  intros g_j g_k Different Ht Hs Tj Tk V0 V1 V2 V3.
+  assert (forall a c, a = D * c -> s * D * c = s * a) as Scale by (intros; subst; ring).
+  apply Scale in V0, V1, V2, V3. subst g_j g_k.
+  set (w := fun i => if same i j then s * D else if same i k then t k - s * Q else t i).
+  assert (forall i, 0 <= w i) as Hw by (intros i; unfold w; destruct (same i j), (same i k); auto).
+  destruct j, k; try congruence; cbn [moved inside generators at_corner] in *; rewrite spans4;
+    exists w; (split; [exact Hw|]); unfold w, sum4, shift; cbn [q0 q1 q2 q3 same];
+    rewrite ?V0, ?V1, ?V2, ?V3, ?Tj; f_equal; ring.
+Qed.
+
 (** The children of an edge cover the cone. *)
 Lemma edge_covers j k p q g0 g1 g2 g3 x :
   let v := primitive (combine p (at_corner j g0 g1 g2 g3) q (at_corner k g0 g1 g2 g3)) in
@@ -121,39 +142,16 @@ Proof.
     as (d & Hd & V0 & V1 & V2 & V3).
   fold v in V0, V1, V2, V3. clearbody v. unfold combine in *. cbn [q0 q1 q2 q3] in *.
   apply (f_equal IZR) in V0, V1, V2, V3. rewrite !plus_IZR, !mult_IZR in V0, V1, V2, V3.
-  apply IZR_lt in Hp, Hq, Hd.
-  set (P := IZR p) in *. set (Q := IZR q) in *. set (D := IZR d) in *.
-  assert (exists s, 0 <= s /\ (
-    (t j = s * P /\ 0 <= t k - s * Q) \/ (t k = s * Q /\ 0 <= t j - s * P))) as (s & Hs & Cases).
-  { pose proof (Ht j). pose proof (Ht k).
-    destruct (Rle_dec (t j * Q) (t k * P)) as [L|L].
-    - exists (t j / P). assert (t j = t j / P * P) as E by (field; lra).
-      assert (0 <= t j / P) by (apply Rmult_le_reg_r with P; lra).
-      split; trivial. left. split; trivial. apply Rmult_le_reg_r with P; trivial.
-      rewrite Rmult_0_l, Rmult_minus_distr_r. nra.
-    - exists (t k / Q). assert (t k = t k / Q * Q) as E by (field; lra).
-      assert (0 <= t k / Q) by (apply Rmult_le_reg_r with Q; lra).
-      split; trivial. right. split; trivial. apply Rmult_le_reg_r with Q; trivial.
-      rewrite Rmult_0_l, Rmult_minus_distr_r. nra. }
-  assert (forall a b c : R, a = D * c -> s * D * c = s * a) as Scale by (intros; subst; ring).
-  pose proof (Scale _ 0 _ V0) as W0. pose proof (Scale _ 0 _ V1) as W1.
-  pose proof (Scale _ 0 _ V2) as W2. pose proof (Scale _ 0 _ V3) as W3.
-  assert (0 <= s * D) by nra.
-  destruct Cases as [[E L]|[E L]]; [left | right].
-  - assert (exists w, (forall i, 0 <= w i) /\ w j = s * D /\ w k = t k - s * Q /\
-      forall i, i <> j -> i <> k -> w i = t i) as (w & Hw & Wj & Wk & W).
-    { exists (fun i => if same i j then s * D else if same i k then t k - s * Q else t i).
-      destruct j, k; try congruence; (split; [intros []; cbn; auto | repeat split; trivial]);
-        intros []; congruence || reflexivity. }
-    destruct j, k; try congruence; cbn [moved inside generators at_corner] in *; rewrite spans4;
-      exists w; (split; [trivial|]); unfold sum4, shift; cbn [q0 q1 q2 q3];
-      rewrite ?Wj, ?Wk, ?W, ?W0, ?W1, ?W2, ?W3, ?E by discriminate; f_equal; ring.
-  - assert (exists w, (forall i, 0 <= w i) /\ w k = s * D /\ w j = t j - s * P /\
-      forall i, i <> j -> i <> k -> w i = t i) as (w & Hw & Wk & Wj & W).
-    { exists (fun i => if same i k then s * D else if same i j then t j - s * P else t i).
-      destruct j, k; try congruence; (split; [intros []; cbn; auto | repeat split; trivial]);
-        intros []; congruence || reflexivity. }
-    destruct j, k; try congruence; cbn [moved inside generators at_corner] in *; rewrite spans4;
-      exists w; (split; [trivial|]); unfold sum4, shift; cbn [q0 q1 q2 q3];
-      rewrite ?Wj, ?Wk, ?W, ?W0, ?W1, ?W2, ?W3, ?E by discriminate; f_equal; ring.
+  apply IZR_lt in Hp, Hq, Hd. pose proof (Ht j). pose proof (Ht k).
+  assert (forall a b c e, 0 < b -> 0 <= a -> a * e <= c * b ->
+    exists s, 0 <= s /\ a = s * b /\ 0 <= c - s * e) as Share.
+  { intros a b c e Hb Ha Le. exists (a / b). assert (a = a / b * b) as E by (field; lra).
+    assert (0 <= a / b) by (apply Rmult_le_reg_r with b; lra).
+    repeat split; trivial. apply Rmult_le_reg_r with b; trivial.
+    replace ((c - a / b * e) * b) with (c * b - a * e) by (field; lra). lra. }
+  destruct (Rle_dec (t j * IZR q) (t k * IZR p)) as [Le | Le]; [left | right].
+  - destruct (Share _ _ _ _ Hp (Ht j) Le) as (s & Hs & E & L).
+    apply (@moved_inside j k v t s (IZR p) (IZR q) (IZR d)); trivial; nra.
+  - destruct (Share (t k) (IZR q) (t j) (IZR p)) as (s & Hs & E & L); trivial; [lra|].
+    apply (@moved_inside k j v t s (IZR q) (IZR p) (IZR d)); auto; nra.
 Qed.
