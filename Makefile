@@ -1,7 +1,7 @@
 # Each target creates .venv on first use and installs again when pyproject.toml or
 # constraints.txt change. PYTHON=... picks the interpreter, ARGS=... goes to pytest.
 
-.PHONY: help verify test check bench docs docs-check package-check formal clean
+.PHONY: help verify test campaign lint types check bench docs docs-check package-check formal clean
 .DEFAULT_GOAL := help
 .DELETE_ON_ERROR:
 
@@ -19,6 +19,8 @@ PYTHON ?= $(FOUND)
 help:
 	@echo "make verify   check the claims of the paper; print a verdict for each, write report/verdicts.html"
 	@echo "make test     run every test, doctests included"
+	@echo "make campaign  the same laws on thousands of random cases"
+	@echo "make lint types  the quick part of the checks"
 	@echo "make check    all that must be true of a commit: lint, types, tests, docs"
 	@echo "make bench    measure speed"
 	@echo "make docs     build the documentation in docs/_build/html"
@@ -77,10 +79,17 @@ verify: $(VENV)/.stamp-run
 test: $(VENV)/.stamp-test
 	$(BIN)/python -m pytest -n $(JOBS) $(ARGS)
 
-check: $(VENV)/.stamp-check
+campaign: $(VENV)/.stamp-test
+	$(BIN)/python -m pytest -n $(JOBS) -m campaign $(ARGS)
+
+lint: $(VENV)/.stamp-check
 	$(BIN)/ruff check .
 	$(BIN)/ruff format --check .
+
+types: $(VENV)/.stamp-check
 	$(BIN)/mypy
+
+check: lint types
 	SYMPY_GROUND_TYPES=python $(BIN)/python -m pytest -n $(JOBS) $(ARGS)
 	SYMPY_GROUND_TYPES=flint $(BIN)/python -m pytest -n $(JOBS) -m ground_types $(ARGS)
 	$(MAKE) docs-check

@@ -1,4 +1,5 @@
 from . import counts as counts
+from .arrangement import Arrangement as Arrangement
 from .completeness import (
     CompletenessEvidence as CompletenessEvidence,
     certify_complete as certify_complete,
@@ -24,10 +25,10 @@ from .exact import (
     rational as rational,
     to_text as to_text,
 )
-from .io.files import read_arrangement as read_arrangement
+from .io.arrangements import read_arrangement as read_arrangement
 from .io.writing import write_text_atomically as write_text_atomically
 from .library import census as census, families as families
-from .planes import Arrangement as Arrangement, Face as Face
+from .planes import Face as Face, Planes as Planes
 from .polyhedra.dual import (
     DualPolygon as DualPolygon,
     DualPolyhedron as DualPolyhedron,
@@ -42,5 +43,6 @@ from .polyhedra.inscribed import (
     inscribability as inscribability,
     representative_hull as representative_hull,
 )
+from .symbolic import to_sympy as to_sympy
 
 __version__: str

@@ -7,9 +7,11 @@ import json
 from collections.abc import Sequence
 
 from . import terminal
+from .arrangement import Arrangement
 from .exact import to_text
 from .io import files
-from .planes import Arrangement, Face
+from .io.arrangements import read_arrangement
+from .planes import Face
 
 #: The options of ``draw`` that go to the view, when they are given.
 _DRAW_OPTIONS = (
@@ -131,7 +133,7 @@ def _length(text: str) -> float:
 
 
 def _count(arguments: argparse.Namespace) -> int:
-    arrangement = files.read_arrangement(arguments.file)
+    arrangement = read_arrangement(arguments.file)
     counts = {
         "planes": len(arrangement),
         "distinct_planes": len(arrangement.distinct),
@@ -152,7 +154,7 @@ def _count(arguments: argparse.Namespace) -> int:
 
 
 def _faces(arguments: argparse.Namespace) -> int:
-    arrangement: Arrangement = files.read_arrangement(arguments.file)
+    arrangement: Arrangement = read_arrangement(arguments.file)
     for face in arrangement.iter_faces(arguments.dimension):
         if arguments.json:
             terminal.print_json(
@@ -191,7 +193,7 @@ def _line(face: Face) -> str:
 def _draw(arguments: argparse.Namespace) -> int:
     from .draw import write_drawing
 
-    arrangement = files.read_arrangement(arguments.file)
+    arrangement = read_arrangement(arguments.file)
     given = {name: getattr(arguments, name) for name in _DRAW_OPTIONS}
     options = {name: value for name, value in given.items() if value is not None}
     shows = write_drawing(arrangement, arguments.output, arguments.view, arguments.model, **options)

@@ -14,9 +14,9 @@ import numpy as np
 import numpy.typing as npt
 
 from .counts import f_vector, region_count
-from .counts.configuration import rank
 from .exact import primitive
-from .planes import Arrangement, Face
+from .linear import rank
+from .planes import Face, Planes
 
 _MAX_PROBLEMS = 20
 _BATCH = 4096
@@ -47,9 +47,7 @@ class CompletenessEvidence:
         return self.complete
 
 
-def certify_complete(
-    arrangement: Arrangement, faces: Iterable[Face] | None = None
-) -> CompletenessEvidence:
+def certify_complete(arrangement: Planes, faces: Iterable[Face]) -> CompletenessEvidence:
     """Check that a list of faces is the whole list, each face once.
 
     For every face: its witness has its signs, and its dimension is d minus the rank of the
@@ -57,15 +55,17 @@ def certify_complete(
 
     Args:
         arrangement: any arrangement.
-        faces: a list to check; left out, the one that `Arrangement.faces` gives.
+        faces: the list to check, whoever made it.
 
     Complexity: O(m d) exact operations for each face, and the count (`counts.f_vector`).
 
-    >>> evidence = certify_complete(Arrangement([[1, 0], [0, 1], [1, 1]]))
+    >>> from arrangement import Arrangement
+    >>> planes = Arrangement([[1, 0], [0, 1], [1, 1]])
+    >>> evidence = certify_complete(planes, planes.faces())
     >>> evidence.complete, evidence.theorem
     (True, (1, 6, 6))
     """
-    listed = arrangement.faces() if faces is None else tuple(faces)
+    listed = tuple(faces)
     theorem = f_vector(arrangement)
     problems: list[str] = []
     counted = [0] * (arrangement.dimension + 1)
@@ -89,7 +89,7 @@ def certify_complete(
 
 
 def regions_problem(
-    arrangement: Arrangement,
+    arrangement: Planes,
     signs: npt.NDArray[np.int8],
     points: Sequence[Sequence[int]],
     *,
@@ -124,7 +124,7 @@ def regions_problem(
 
 
 def _first_wrong(
-    arrangement: Arrangement,
+    arrangement: Planes,
     signs: npt.NDArray[np.int8],
     points: Sequence[Sequence[int]],
     rationals_only: bool,
@@ -183,7 +183,7 @@ def _scaled(row: Sequence[int]) -> list[float]:
 
 
 def _problem(
-    arrangement: Arrangement,
+    arrangement: Planes,
     face: Face,
     signs: tuple[int, ...] | None,
     ranks: dict[tuple[int, ...], int],
@@ -195,16 +195,14 @@ def _problem(
         return f"has a witness {tuple(map(str, face.witness))} with other signs"
     zero = tuple(i for i, sign in enumerate(signs) if sign == 0)
     if zero not in ranks:
-        ranks[zero] = rank(arrangement.integer_planes[i][:-1] for i in zero)
+        ranks[zero] = rank([arrangement.integer_planes[i][:-1] for i in zero])
     dimension = arrangement.dimension - ranks[zero]
     if face.dimension != dimension:
         return f"has dimension {dimension}, not {face.dimension}"
     return None
 
 
-def _signs_at_witnesses(
-    arrangement: Arrangement, faces: Sequence[Face]
-) -> list[tuple[int, ...] | None]:
+def _signs_at_witnesses(arrangement: Planes, faces: Sequence[Face]) -> list[tuple[int, ...] | None]:
     """Return the sign vector at every witness, or None for one with too few or many coordinates.
 
     Exact: a sum of d + 1 products of integers, in int64 when its bound fits, else in Python's.

@@ -155,6 +155,8 @@ def from_floats(values: Any) -> Any:
 
 def rational_vector(values: Any, name: str = "vector") -> RationalVector:
     """Return a sequence of accepted numbers as a tuple of `Fraction`; errors name the entry."""
+    if callable(getattr(values, "flat", None)):  # SymPy's matrices
+        values = values.flat()
     if isinstance(values, (str, bytes)) or not isinstance(values, Iterable):
         raise InputError(f"{name} is {shown(values)}; give a sequence of exact numbers")
     return tuple(rational(value, f"{name}[{i}]") for i, value in enumerate(values))
@@ -172,6 +174,35 @@ def primitive(vector: Sequence[Fraction | int]) -> IntegerVector:
     integers = [x.numerator * (scale // x.denominator) for x in vector]
     divisor = math.gcd(*integers)
     return tuple(integers) if divisor <= 1 else tuple(x // divisor for x in integers)
+
+
+def unoriented(vector: Sequence[int]) -> IntegerVector:
+    """Return the coprime multiple whose first nonzero entry is positive: one name for a line.
+
+    >>> unoriented([0, -4, 6])
+    (0, 2, -3)
+    """
+    divisor = math.gcd(*vector)
+    for x in vector:
+        if x:
+            if x < 0:
+                divisor = -divisor
+            break
+    return tuple(vector) if divisor in (0, 1) else tuple(x // divisor for x in vector)
+
+
+def bits(mask: int) -> tuple[int, ...]:
+    """Return the positions of the ones of a mask, increasing.
+
+    >>> bits(0b1101)
+    (0, 2, 3)
+    """
+    found = []
+    while mask:
+        lowest = mask & -mask
+        found.append(lowest.bit_length() - 1)
+        mask ^= lowest
+    return tuple(found)
 
 
 def to_text(value: Fraction | int) -> str:

@@ -6,12 +6,12 @@ every dimension (a line in R^2, a hyperplane in R^5).
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
 from itertools import combinations
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Self
 
 from .errors import InputError
 from .exact import (
@@ -23,12 +23,14 @@ from .exact import (
     shown,
     sign,
     to_text,
+    unoriented,
 )
 from .linear import rank
+from .symbolic import equations_of, integer_matrix, planes_of, to_sympy
 
 if TYPE_CHECKING:
-    from .completeness import CompletenessEvidence
-    from .enumeration.great_circles import SphereArrangement
+    import sympy
+    from sympy.polys.matrices import DomainMatrix
 
 
 @dataclass(frozen=True, slots=True)
@@ -45,25 +47,27 @@ class Face:
     dimension: int
     witness: RationalVector
 
+    def point(self) -> sympy.ImmutableMatrix:
+        """Return the witness as a SymPy column; see `to_sympy`."""
+        return to_sympy(self.witness)
 
-class Arrangement:
-    """Finitely many planes ``n_i . x = b_i`` in R^d.
 
-    Each plane keeps its own orientation and its place in the input. It is stored as the positive
-    multiple with coprime integer entries, so that equal planes compare equal: ``[2, 0, 0]`` and
-    ``[1, 0, 0]`` give equal arrangements, ``[-1, 0, 0]`` does not (its sides are exchanged).
+class Planes:
+    """Finitely many planes ``n_i . x = b_i`` in R^d: a value that knows no algorithm.
+
+    `arrangement.Arrangement` is the same with its faces; its page says how planes are stored.
 
     Args:
-        normals: m vectors of length d, exact numbers (see `arrangement.rational`).
+        normals: m vectors of length d, exact numbers (see `arrangement.rational`); or a SymPy
+            matrix or an array of them, m x d.
         offsets: m exact numbers; left out, all planes pass through the origin.
         dimension: d; needed only when there are no planes.
 
     Raises:
         InputError: a float, a zero normal (named by its index), or lengths that differ.
 
-    >>> three = Arrangement([[1, 0, 0], [0, 1, 0], ["1/2", "1/3", 1]])
-    >>> three.f_vector
-    (1, 6, 12, 8)
+    >>> Planes([[2, 0, 0], [0, 1, 0], ["1/2", "1/3", 1]]).integer_planes
+    ((1, 0, 0, 0), (0, 1, 0, 0), (3, 2, 6, 0))
     """
 
     dimension: int
@@ -95,13 +99,46 @@ class Arrangement:
         planes = tuple(primitive((*row, b)) for row, b in zip(rows, constants, strict=True))
         self.__dict__.update(dimension=d, _integer_planes=planes)
 
+    @classmethod
+    def from_equations(
+        cls, equations: Iterable[Any], symbols: Iterable[sympy.Symbol] | None = None
+    ) -> Self:
+        """Return the planes of linear equations in SymPy symbols.
+
+        Args:
+            equations: ``Eq(left, right)``, or expressions that are zero on the plane. The positive
+                side is where the left side is the larger one, or the expression is positive.
+            symbols: the coordinates in their order. If omitted, all symbols of the equations,
+                sorted by name; then a coordinate that no equation has is missing.
+
+        Raises:
+            InputError: text, which is never evaluated; or a term that is not a rational number
+                times one of the symbols, or not a rational constant. The message names it.
+
+        >>> from sympy import Eq
+        >>> from sympy.abc import x, y, z
+        >>> Planes.from_equations([Eq(x, y), 2*x + 3*z - 1], (x, y, z)).integer_planes
+        ((1, -1, 0, 0), (2, 0, 3, 1))
+        """
+        normals, offsets, dimension = planes_of(equations, symbols)
+        return cls(normals, offsets, dimension=dimension or None)
+
+    def equations(self, symbols: Iterable[sympy.Symbol] | None = None) -> tuple[sympy.Eq, ...]:
+        """Return an equation ``n . x = b`` for each plane, in the stored scaling.
+
+        Args:
+            symbols: one for each coordinate; if omitted, x, y, z, or x1, x2, ... beyond R^3.
+
+        >>> Planes([[2, -1], [0, 3]], [1, 2]).equations()
+        (Eq(2*x - y, 1), Eq(3*y, 2))
+        """
+        return equations_of(self._integer_planes, self.dimension, symbols)
+
     def __setattr__(self, name: str, value: object) -> None:
-        raise AttributeError(
-            f"an Arrangement is immutable, so {name} cannot be set; build a new one"
-        )
+        raise AttributeError(f"planes are immutable, so {name} cannot be set; build new ones")
 
     def __delattr__(self, name: str) -> None:
-        raise AttributeError(f"an Arrangement is immutable, so {name} cannot be deleted")
+        raise AttributeError(f"planes are immutable, so {name} cannot be deleted")
 
     def __getstate__(self) -> dict[str, Any]:
         """Copies and pickles carry the planes, not what was computed from them."""
@@ -111,6 +148,11 @@ class Arrangement:
     def integer_planes(self) -> tuple[IntegerVector, ...]:
         """The planes as coprime integers ``(n_1, ..., n_d, b)``, in input order."""
         return self._integer_planes
+
+    @cached_property
+    def matrix(self) -> DomainMatrix:
+        """The planes as a SymPy matrix over ZZ with the rows ``n_1 ... n_d b``."""
+        return integer_matrix(self._integer_planes, self.dimension + 1)
 
     @property
     def normals(self) -> tuple[RationalVector, ...]:
@@ -126,7 +168,7 @@ class Arrangement:
         return len(self._integer_planes)
 
     def __eq__(self, other: object) -> bool:
-        if not isinstance(other, Arrangement):
+        if not isinstance(other, Planes):
             return NotImplemented
         return (self.dimension, self._integer_planes) == (other.dimension, other._integer_planes)
 
@@ -136,27 +178,15 @@ class Arrangement:
     def __repr__(self) -> str:
         kind = "central" if self.is_central else "affine"
         return (
-            f"<Arrangement: {len(self)} planes ({len(self.distinct)} distinct) in "
+            f"<{type(self).__name__}: {len(self)} planes ({len(self.distinct)} distinct) in "
             f"R^{self.dimension}, rank {self.rank}, {kind}>"
         )
-
-    def _repr_svg_(self) -> str | None:
-        """Return what a notebook shows: the great circles, where there are any."""
-        from .draw.notebook import arrangement_svg
-
-        return arrangement_svg(self)
-
-    def _repr_html_(self) -> str | None:
-        """Return what a notebook shows where there is no picture: a table of counts."""
-        from .draw.notebook import arrangement_html
-
-        return arrangement_html(self)
 
     @cached_property
     def class_of(self) -> tuple[int, ...]:
         """For each plane, the index of its class of coincident planes."""
         index: dict[IntegerVector, int] = {}
-        return tuple(index.setdefault(_unoriented(p), len(index)) for p in self._integer_planes)
+        return tuple(index.setdefault(unoriented(p), len(index)) for p in self._integer_planes)
 
     @cached_property
     def distinct(self) -> tuple[tuple[int, ...], ...]:
@@ -210,50 +240,6 @@ class Arrangement:
         integers = primitive((*x, Fraction(-1)))
         return tuple(sign(dot(plane, integers)) for plane in self._integer_planes)
 
-    def iter_faces(self, dimension: int | None = None) -> Iterator[Face]:
-        """Yield every face (of one dimension, if given) with an exact witness.
-
-        Order: by dimension, lowest first. Complexity: see `arrangement.enumeration.any_dimension`.
-        """
-        return iter(self.faces(dimension))
-
-    def faces(self, dimension: int | None = None) -> tuple[Face, ...]:
-        """Return every face, or those of one dimension, lowest dimension first."""
-        if dimension is None:
-            return tuple(face for level in self._faces for face in level)
-        if type(dimension) is not int or not 0 <= dimension <= self.dimension:
-            raise InputError(
-                f"dimension is {shown(dimension)}; faces have dimension 0 to {self.dimension}"
-            )
-        return self._faces[dimension]
-
-    @cached_property
-    def _faces(self) -> tuple[tuple[Face, ...], ...]:
-        from .enumeration.any_dimension import enumerate_faces
-
-        return enumerate_faces(self)
-
-    def regions(self) -> tuple[Face, ...]:
-        """Return the faces of full dimension: the cells that no plane meets."""
-        return self.faces(self.dimension)
-
-    @cached_property
-    def f_vector(self) -> tuple[int, ...]:
-        """The number of faces of dimension 0, 1, ..., d, by enumeration."""
-        return tuple(len(level) for level in self._faces)
-
-    def sphere(self) -> SphereArrangement:
-        """Return the great circles of a central arrangement in R^3, with their full incidence."""
-        from .enumeration.great_circles import sphere_arrangement
-
-        return sphere_arrangement(self)
-
-    def certify_complete(self) -> CompletenessEvidence:
-        """Compare `faces` with Zaslavsky's theorem, face by face and in number."""
-        from .completeness import certify_complete
-
-        return certify_complete(self)
-
     def to_dict(self) -> dict[str, Any]:
         """Return the file form (see `arrangement.read_arrangement`)."""
         document: dict[str, Any] = {
@@ -269,6 +255,8 @@ class Arrangement:
 
 def _listed(normals: Any) -> list[Any]:
     """Return the rows of the input as a list, refusing what is no sequence."""
+    if hasattr(normals, "tolist"):  # SymPy's matrices and arrays run through their entries
+        normals = normals.tolist()
     if isinstance(normals, (str, bytes)) or not isinstance(normals, Iterable):
         raise InputError("normals must be a sequence of vectors, one for each plane")
     return list(normals)
@@ -289,9 +277,3 @@ def _common_length(rows: list[RationalVector], dimension: int | None) -> int:
                 "all normals need one entry for each coordinate"
             )
     return dimension
-
-
-def _unoriented(plane: IntegerVector) -> IntegerVector:
-    """Return the plane or its negative, whichever has a positive leading entry."""
-    leading = next(x for x in plane if x)
-    return plane if leading > 0 else tuple(-x for x in plane)

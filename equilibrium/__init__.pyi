@@ -16,8 +16,8 @@ from .model.errors import (
 from .model.grasp import Contact as Contact, Grasp as Grasp
 from .model.unit_normal import UnitNormal as UnitNormal, unit_normal as unit_normal
 from .model.units import Units as Units
-from .solver.contact_states import contact_states as contact_states
 from .solver.equilibrium import Equilibrium as Equilibrium
-from .verdict import Solution as Solution, Verdict as Verdict, solve as solve
+from .solver.prepared import contact_states as contact_states
+from .verdict import Solution as Solution, Solver as Solver, Verdict as Verdict, solve as solve
 
 __version__: str

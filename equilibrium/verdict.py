@@ -11,14 +11,15 @@ stable answer first. Only the complete enumeration says that there is none.
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from fractions import Fraction
-from functools import cached_property, lru_cache
+from functools import cached_property
 from typing import Any
 
 import numpy as np
 
 from arrangement.exact import RationalVector, to_text
+from arrangement.plugins import display
 from arrangement.progress import watched
 
 from .certificate.regions_checker import Reason, Report, check
@@ -28,17 +29,16 @@ from .certificate.regions_document import (
     stable_certificate,
     unstable_certificate,
 )
-from .draw.notebook import verdict_html
 from .model.grasp import Grasp, read_wrench
 from .solver.all_stick import rest_refutation
-from .solver.contact_states import Codes, letters_of_codes, motion_faces, states_at, states_of_code
+from .solver.contact_states import Codes, letters_of_codes, states_at, states_of_code
 from .solver.elimination import Continuum, Point, Refutation, decide, point_with_idle
 from .solver.equilibrium import Equilibrium, equilibrium_of, maximal
 from .solver.float_contacts import Integers
-from .solver.interval_filter import CONDITIONS, UNDECIDED, screen_of
+from .solver.interval_filter import CONDITIONS, UNDECIDED
 from .solver.lemke import likely_states
-from .solver.refutations import balances_of
-from .solver.state_system import StateSystem, state_system, value
+from .solver.prepared import PreparedGrasp
+from .solver.state_system import StateSystem, value
 
 
 @dataclass(frozen=True)
@@ -61,6 +61,8 @@ class Verdict:
     grasp: Grasp
     wrench: RationalVector
     solution: Solution | None
+    _solver: Solver = field(repr=False, compare=False)
+    _decided: _Enumeration | None = field(default=None, repr=False, compare=False)
 
     @property
     def stable(self) -> bool:
@@ -74,9 +76,11 @@ class Verdict:
         Pieces may touch; none lies in another. Of a piece with many solutions, the reported one
         has the least ``|d|^2``, and among those the least ``|c|^2``, both exact.
         """
-        if self.solution is None:
-            return ()
-        return _all_equilibria(self.grasp, self.wrench)
+        return () if self.solution is None else self._enumeration.pieces
+
+    @cached_property
+    def _enumeration(self) -> _Enumeration:
+        return self._decided or self._solver._enumerate(self.wrench)
 
     @cached_property
     def certificate(self) -> Certificate:
@@ -84,8 +88,8 @@ class Verdict:
         if self.solution is not None:
             shown = self.solution
             return stable_certificate(self.grasp, self.wrench, shown.motion, shown.forces)
-        reasons = _reasons(self.grasp, self.wrench)
-        return unstable_certificate(self.grasp, self.wrench, _regions(self.grasp), reasons)
+        reasons, regions = self._enumeration.reasons(), self._solver._regions
+        return unstable_certificate(self.grasp, self.wrench, regions, reasons)
 
     def verify(self) -> Report:
         """Check the certificate, and that it answers this question; the report is true if so."""
@@ -100,13 +104,13 @@ class Verdict:
             "grasp": self.grasp.to_dict(),
         }
 
-    def _repr_html_(self) -> str:
+    def _repr_html_(self) -> str | None:
         """What a notebook shows: every equilibrium with its forces."""
-        return verdict_html(self.grasp, self.wrench, self.equilibria)
+        return display("verdict-html", self)
 
 
 def solve(grasp: Grasp, wrench: Iterable[Any]) -> Verdict:
-    """Decide exactly whether a grasp holds a wrench; the verdict finds all ways when asked.
+    """Decide exactly whether a grasp resists a wrench; the verdict finds all ways when asked.
 
     Args:
         grasp: contacts in the object frame.
@@ -114,36 +118,104 @@ def solve(grasp: Grasp, wrench: Iterable[Any]) -> Verdict:
 
     Complexity: one linear system of at most 3 + m unknowns for each of the contact states:
     O(m^2) of them without preload, O(m^3) with; most are decided in floating point with a proven
-    error bound, the others and every solution in rationals. The states of a grasp are kept for the
+    error bound, the others and every solution in rationals. A `Solver` keeps the states for the
     next wrench. Source: [HaasHeger2018], Algorithm 2, completed.
 
     >>> from equilibrium.io.files import read_grasp
     >>> solve(read_grasp("paper-three-contacts-preload-1"), [0, 1, 0]).stable
     True
     """
-    applied = read_wrench(wrench)
-    found = _quick_solution(grasp, applied)
-    if found is not None:
-        return Verdict(grasp, applied, found)
-    pieces = _all_equilibria(grasp, applied)
-    if pieces:
-        verdict = Verdict(grasp, applied, Solution(pieces[0].motion, pieces[0].forces))
-        verdict.__dict__["equilibria"] = pieces
-        return verdict
-    return Verdict(grasp, applied, None)
+    return Solver(grasp).solve(wrench)
 
 
-def _quick_solution(grasp: Grasp, wrench: RationalVector) -> Solution | None:
-    """Return an equilibrium if the float search leads to one; exact, and checked exactly."""
-    guess = likely_states(grasp, wrench)
-    if guess is None:
-        return None
-    system = state_system(grasp, guess.states, wrench)
-    z = point_with_idle(system, guess.idle)
-    if z is None:
-        return None
-    forces = tuple((value(c_n, z), value(c_t, z)) for c_n, c_t in system.forces)
-    return Solution(z[:3], forces)
+class Solver(PreparedGrasp):
+    """A grasp prepared for many wrenches: what one question computes serves the next.
+
+    Every function about the wrenches that a grasp resists takes a solver in place of the grasp.
+
+    >>> from equilibrium.io.files import read_grasp
+    >>> solver = Solver(read_grasp("paper-three-contacts-preload-1"))
+    >>> [verdict.stable for verdict in solver.solve_many([[0, 1, 0], [0, 2, 0]])]
+    [True, False]
+    """
+
+    def solve(self, wrench: Iterable[Any]) -> Verdict:
+        """Decide one wrench; see the function `solve`."""
+        applied = read_wrench(wrench)
+        found = self._quick_solution(applied)
+        if found is not None:
+            return Verdict(self.grasp, applied, found, self)
+        decided = self._enumerate(applied)
+        if decided.pieces:
+            found = Solution(decided.pieces[0].motion, decided.pieces[0].forces)
+        return Verdict(self.grasp, applied, found, self, decided)
+
+    def solve_many(self, wrenches: Iterable[Iterable[Any]]) -> Iterator[Verdict]:
+        """Decide one wrench after the other."""
+        return map(self.solve, wrenches)
+
+    def _quick_solution(self, wrench: RationalVector) -> Solution | None:
+        """Return an equilibrium if the float search leads to one; exact, and checked exactly."""
+        guess = likely_states(self.grasp, wrench)
+        if guess is None:
+            return None
+        system = self.system(guess.states, wrench)
+        z = point_with_idle(system, guess.idle)
+        if z is None:
+            return None
+        forces = tuple((value(c_n, z), value(c_t, z)) for c_n, c_t in system.forces)
+        return Solution(z[:3], forces)
+
+    def _enumerate(self, wrench: RationalVector) -> _Enumeration:
+        """Decide every choice of contact states."""
+        violated = self.screen.violations(wrench)
+        refuted: dict[int, Refutation] = {}
+        solved: list[tuple[StateSystem, Point | Continuum]] = []
+        for row in watched(np.flatnonzero(violated == UNDECIDED).tolist(), "contact states"):
+            states = states_of_code(self.codes[row].tolist())
+            refutation = self.balances.refutation(wrench, states)
+            refutation = refutation or rest_refutation(self.grasp, wrench, states)
+            if refutation is None:
+                system = self.system(states, wrench)
+                outcome = decide(system)
+                if not isinstance(outcome, Refutation):
+                    solved.append((system, outcome))
+                    continue
+                refutation = outcome
+            refuted[row] = refutation
+        return _Enumeration(self.codes, violated, refuted, self._maximal(solved, wrench))
+
+    def _maximal(
+        self, solved: list[tuple[StateSystem, Point | Continuum]], wrench: RationalVector
+    ) -> tuple[Equilibrium, ...]:
+        """Return the maximal pieces of all solutions.
+
+        The states at a motion on the border of normal planes may be none of the choices; where
+        they hold more of the solutions, theirs is the piece to report.
+        """
+        pieces = [equilibrium_of(*found) for found in solved]
+        known = {piece.states for piece in pieces}
+        for piece in pieces:
+            states = states_at(self.grasp, piece.motion)
+            if states not in known:
+                known.add(states)
+                system = self.system(states, wrench)
+                outcome = decide(system)
+                if not isinstance(outcome, Refutation):
+                    pieces.append(equilibrium_of(system, outcome))
+        return maximal(pieces)
+
+    @cached_property
+    def _regions(self) -> str:
+        """The regions as they stand in certificates."""
+        faces = self.faces
+        signs, points = faces.plane_signs(faces.regions), faces.integer_witnesses()
+        return regions_text(signs, points.tolist())
+
+
+def prepare(grasp: Grasp | Solver) -> Solver:
+    """Return the solver of a grasp; a solver is returned as it is."""
+    return grasp if isinstance(grasp, Solver) else Solver(grasp)
 
 
 @dataclass(frozen=True)
@@ -154,72 +226,22 @@ class _Enumeration:
         codes: the choices.
         violated: for each the condition of `Screen.violations`, or `UNDECIDED`.
         refuted: exact refutations of undecided ones, by row.
-        open: the systems of the others with their solutions.
+        pieces: the maximal pieces of the solutions of the others.
     """
 
     codes: Codes
     violated: Integers
     refuted: dict[int, Refutation]
-    open: tuple[tuple[StateSystem, Point | Continuum], ...]
+    pieces: tuple[Equilibrium, ...]
 
-
-@lru_cache(maxsize=4)
-def _enumerate(grasp: Grasp, wrench: RationalVector) -> _Enumeration:
-    """Decide every choice of contact states."""
-    screen, balances = screen_of(grasp), balances_of(grasp)
-    violated = screen.violations(wrench)
-    refuted: dict[int, Refutation] = {}
-    solved: list[tuple[StateSystem, Point | Continuum]] = []
-    for row in watched(np.flatnonzero(violated == UNDECIDED).tolist(), "contact states"):
-        states = states_of_code(screen.codes[row].tolist())
-        refutation = balances.refutation(wrench, states)
-        refutation = refutation or rest_refutation(grasp, wrench, states)
-        if refutation is None:
-            system = state_system(grasp, states, wrench)
-            outcome = decide(system)
-            if not isinstance(outcome, Refutation):
-                solved.append((system, outcome))
-                continue
-            refutation = outcome
-        refuted[row] = refutation
-    return _Enumeration(screen.codes, violated, refuted, tuple(solved))
-
-
-def _all_equilibria(grasp: Grasp, wrench: RationalVector) -> tuple[Equilibrium, ...]:
-    """Return the maximal pieces of all solutions.
-
-    The states at a motion on the border of normal planes may be none of `contact_states`; where
-    they hold more of the solutions, theirs is the piece to report.
-    """
-    pieces = [equilibrium_of(*found) for found in _enumerate(grasp, wrench).open]
-    known = {piece.states for piece in pieces}
-    for piece in pieces:
-        states = states_at(grasp, piece.motion)
-        if states not in known:
-            known.add(states)
-            system = state_system(grasp, states, wrench)
-            outcome = decide(system)
-            if not isinstance(outcome, Refutation):
-                pieces.append(equilibrium_of(system, outcome))
-    return maximal(pieces)
-
-
-def _reasons(grasp: Grasp, wrench: RationalVector) -> Iterator[tuple[str, Reason]]:
-    """Yield the reason why each choice of contact states admits no equilibrium."""
-    done, m = _enumerate(grasp, wrench), len(grasp)
-    names = [f"{kind} {contact}" for kind in CONDITIONS for contact in range(m)]
-    listed = zip(letters_of_codes(done.codes), done.violated.tolist(), strict=True)
-    for row, (letters, index) in enumerate(listed):
-        if index == UNDECIDED:
-            refutation = done.refuted[row]
-            yield letters, (refutation.inequalities, refutation.equalities)
-        else:
-            yield letters, names[index]
-
-
-@lru_cache(maxsize=2)
-def _regions(grasp: Grasp) -> str:
-    """Return the regions as they stand in certificates; kept for the next wrench."""
-    faces = motion_faces(grasp)
-    signs, points = faces.plane_signs(faces.regions), faces.integer_witnesses()
-    return regions_text(signs, points.tolist())
+    def reasons(self) -> Iterator[tuple[str, Reason]]:
+        """Yield the reason why each choice of contact states admits no equilibrium."""
+        contacts = range(self.codes.shape[1])
+        names = [f"{kind} {contact}" for kind in CONDITIONS for contact in contacts]
+        listed = zip(letters_of_codes(self.codes), self.violated.tolist(), strict=True)
+        for row, (letters, index) in enumerate(listed):
+            if index == UNDECIDED:
+                refutation = self.refuted[row]
+                yield letters, (refutation.inequalities, refutation.equalities)
+            else:
+                yield letters, names[index]

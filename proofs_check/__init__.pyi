@@ -1,19 +1,29 @@
-from .claim import (
-    Case as Case,
-    Claim as Claim,
+from .claims import registry as registry
+from .errors import (
+    ClaimError as ClaimError,
+    OwnClaimError as OwnClaimError,
+    UnknownClaimError as UnknownClaimError,
+)
+from .evidence import (
     Evidence as Evidence,
-    Hypothesis as Hypothesis,
-    Kind as Kind,
+    Part as Part,
     Record as Record,
-    Registry as Registry,
     Result as Result,
-    Route as Route,
-    Verdict as Verdict,
     check as check,
     evaluate as evaluate,
     verdict_of as verdict_of,
 )
-from .claims import registry as registry
-from .errors import ClaimError as ClaimError, UnknownClaimError as UnknownClaimError
+from .statement import (
+    Case as Case,
+    Claim as Claim,
+    Domain as Domain,
+    Hypothesis as Hypothesis,
+    Kind as Kind,
+    Registry as Registry,
+    Route as Route,
+    Source as Source,
+    Verdict as Verdict,
+)
+from .user_claim import claim as claim, load as load
 
 __version__: str

@@ -15,13 +15,14 @@ from fractions import Fraction
 from itertools import product
 from typing import Any
 
+from arrangement.arrangement import Arrangement
 from arrangement.exact import IntegerVector, primitive
 from arrangement.library.census import MOST_PLANES, census
-from arrangement.planes import Arrangement
 from equilibrium.model.grasp import Contact, Grasp
 
 from .instances.arrangements import smallest_arrangements
-from .instances.domains import contact_numbers
+from .instances.domains import contact_numbers, count, size
+from .statement import Case
 
 MOST_TRIES = 4000
 #: Small numbers of planes for which all arrangements with entries -1, 0, 1 are tried.
@@ -50,6 +51,23 @@ def shrink(subject: Any, fails: Callable[[Any], bool], tries: int = MOST_TRIES) 
                 subject, progress = candidate, True
                 break
     return subject, tried
+
+
+def smallest_case(cases: list[Case], fails: Callable[[Any], bool]) -> tuple[Case, int]:
+    """Make the smallest of some failing cases as small as possible; return how many were tried.
+
+    After shrinking, all smaller instances of `smaller_instances` are looked through for one that
+    fails.
+    """
+    start = min(cases, key=lambda case: size(case.subject))
+    subject, searched = shrink(start.subject, fails)
+    for candidate in smaller_instances(len(subject)) if isinstance(subject, Arrangement) else ():
+        searched += 1
+        if fails(candidate):
+            subject, more = shrink(candidate, fails)
+            searched += more
+            break
+    return Case(f"m = {count(subject)}, from {start.label}", subject, subject.to_dict()), searched
 
 
 def smaller_instances(planes: int, most: int = MOST_PLANES - 1) -> Iterator[Arrangement]:

@@ -2,7 +2,7 @@
 
 Write a Python file and run it with ``proofs-check run FILE.py``::
 
-    from proofs_check.user_claim import claim
+    from proofs_check import claim
 
     @claim("Every arrangement in general position has twice as many facets as rays.", of="simple")
     def facets_and_rays(planes):
@@ -21,89 +21,22 @@ import importlib.util
 import re
 import sys
 from collections.abc import Callable, Iterable, Sequence
-from dataclasses import dataclass
+from dataclasses import replace
 from functools import lru_cache
 from hashlib import sha256
 from pathlib import Path
 from typing import Any
 
+from arrangement.arrangement import Arrangement
 from arrangement.polyhedra.dual import dual_polyhedron
 
-from .claim import Verdict
 from .errors import OwnClaimError
-from .instances.domains import Domain, domain
+from .instances.arrangements import census_cases
+from .instances.domains import domain, known_families
+from .shrink import smallest_case
+from .statement import Claim, Domain, Registry, Route, Source, Verdict, exhaustive, sampled
 
-#: Where instances come from, and what a function gets.
-SOURCES = ("census", "families", "sampled")
 _NAME = re.compile(r"[a-z0-9]+(?:-[a-z0-9]+)*")
-
-
-@dataclass(frozen=True)
-class OwnClaim:
-    """A statement and the function that checks it on one instance.
-
-    Attributes:
-        id: unique in its file, lower case words with hyphens.
-        statement: in words.
-        test: gets an instance, returns True or a reason.
-        domain: the instances that the statement is about.
-        as_dual: the function gets the dual polyhedron of the planes.
-        planes: smallest and largest number of planes (or contacts) of random instances.
-        samples: number of random instances.
-        census: largest number of planes for the run over all types; 0 for none.
-        use_families: whether named families are tried.
-        when: the hypothesis; instances on which it is false are passed over.
-        hypotheses: in words.
-        locator: where the statement stands.
-        expected: decides the exit code and nothing else.
-    """
-
-    id: str
-    statement: str
-    test: Callable[[Any], Any]
-    domain: Domain
-    as_dual: bool
-    planes: tuple[int, int]
-    samples: int
-    census: int
-    use_families: bool
-    when: Callable[[Any], bool] | None
-    hypotheses: tuple[str, ...]
-    locator: str
-    expected: Verdict
-
-    def __call__(self, subject: Any) -> Any:
-        """Call the function itself, as if it were not decorated."""
-        return self.test(subject)
-
-    def covers(self, subject: Any) -> bool:
-        """Whether the statement speaks of this instance."""
-        if len(subject) < self.domain.least or not self.domain.contains(subject):
-            return False
-        return self.when is None or bool(self.when(self._given(subject)))
-
-    def reason(self, subject: Any) -> str:
-        """Return "" when the statement is true of an instance, else why it is not.
-
-        A failed ``assert`` in the function is a reason too.
-
-        Raises:
-            OwnClaimError: the function returned neither True nor a text.
-        """
-        try:
-            answer = self.test(self._given(subject))
-        except AssertionError as error:
-            return str(error) or "an assertion failed"
-        if type(answer).__name__ in ("bool", "bool_"):
-            return "" if answer else "the function returned False"
-        if isinstance(answer, str) and answer:
-            return answer
-        raise OwnClaimError(
-            f"{self.id} returned {answer!r}; return True, or a text that says why not"
-        )
-
-    def _given(self, subject: Any) -> Any:
-        return dual_polyhedron(subject) if self.as_dual else subject
 
 
 def claim(
@@ -119,15 +52,15 @@ def claim(
     hypotheses: Iterable[str] = (),
     locator: str = "",
     expected: str = "holds",
-) -> Callable[[Callable[[Any], Any]], OwnClaim]:
+) -> Callable[[Callable[[Any], Any]], Claim]:
     """Make a claim of a function that gets an instance and returns True or a reason.
 
     Args:
         statement: in words.
         of: a domain of `instances.domains` ("distinct", "simple", "central", "affine", ...,
             "grasp"), or "dual" for the dual polyhedra of different planes of rank 3.
-        id: name of the claim; left out, the name of the function.
-        planes: smallest and largest number of planes or contacts of random instances; left out,
+        id: name of the claim; if omitted, the name of the function.
+        planes: smallest and largest number of planes or contacts of random instances; if omitted,
             from the domain's least (at least 3) to 8 planes, or 1 to 4 contacts.
         samples: number of random instances.
         census: run over every combinatorial type of up to so many planes (at most 8; 0 for none).
@@ -152,27 +85,75 @@ def claim(
     if expected not in (Verdict.HOLDS.value, Verdict.REFUTED.value):
         raise OwnClaimError(f'expected is {expected!r}; give "holds" or "refuted"')
 
-    def decorate(function: Callable[[Any], Any]) -> OwnClaim:
+    def decorate(function: Callable[[Any], Any]) -> Claim:
         name = id or function.__name__.strip("_").lower().replace("_", "-")
         if not _NAME.fullmatch(name):
-            raise OwnClaimError(f"{name!r} is no id; use lower case words with hyphens")
-        return OwnClaim(
-            name,
-            statement.strip(),
-            function,
-            chosen,
-            as_dual,
-            limits,
-            samples,
-            census if chosen.unit == "planes" else 0,
-            families and chosen.unit == "planes",
-            when,
-            tuple(hypotheses),
-            locator,
-            Verdict(expected),
+            raise OwnClaimError(f"{name!r} is not an id; use lower case words with hyphens")
+
+        def given(subject: Any) -> Any:
+            wanted = as_dual and isinstance(subject, Arrangement)
+            return dual_polyhedron(subject) if wanted else subject
+
+        def applies(subject: Any) -> bool:
+            if len(subject) < chosen.least or not chosen.contains(subject):
+                return False
+            return when is None or bool(when(given(subject)))
+
+        sources: tuple[Source, ...] = ()
+        if chosen.unit == "planes":
+            named = sampled("named families", lambda _: known_families(chosen))
+            sources = census_sources(census) + (named if families else ())
+        return Claim(
+            id=name,
+            locator=locator,
+            statement=statement.strip(),
+            quantity="whether the function of the file returns True",
+            routes=(
+                Route(
+                    f"the function {function.__name__}",
+                    lambda subject: _answer(name, function, given(subject)),
+                ),
+            ),
+            judge=lambda _, answer: answer is True,
+            sources=sources,
+            expected=Verdict(expected),
+            hypotheses=tuple(hypotheses),
+            applies=applies,
+            domain=chosen,
+            sizes=limits,
+            samples=samples,
+            smaller=smallest_case,
+            explain=_reason,
         )
 
     return decorate
+
+
+def census_sources(most: int) -> tuple[Source, ...]:
+    """Return the source with all types of 3 to so many planes; none for 0."""
+    over = f"one arrangement of every combinatorial type of 3 to {most} planes"
+    return exhaustive(over, lambda _: census_cases(range(3, most + 1))) if most else ()
+
+
+def _answer(name: str, function: Callable[[Any], Any], subject: Any) -> bool | str:
+    """Return what the function says; a failed ``assert`` in it is a reason too.
+
+    Raises:
+        OwnClaimError: the function returned neither True nor a text.
+    """
+    try:
+        answer = function(subject)
+    except AssertionError as error:
+        return str(error) or "an assertion failed"
+    if type(answer).__name__ in ("bool", "bool_"):
+        return bool(answer)
+    if isinstance(answer, str) and answer:
+        return answer
+    raise OwnClaimError(f"{name} returned {answer!r}; return True, or a text that says why not")
+
+
+def _reason(_: Any, answer: bool | str) -> str:
+    return answer if isinstance(answer, str) else "" if answer else "the function returned False"
 
 
 def _limits(chosen: Domain, planes: Sequence[int] | None) -> tuple[int, int]:
@@ -189,7 +170,7 @@ def _limits(chosen: Domain, planes: Sequence[int] | None) -> tuple[int, int]:
     return (low, high)
 
 
-def load(path: str) -> tuple[OwnClaim, ...]:
+def load(path: str) -> tuple[Claim, ...]:
     """Run a Python file and return the claims in it, in order of definition.
 
     Raises:
@@ -207,11 +188,11 @@ def file_digest(path: str) -> str:
 
 
 @lru_cache(maxsize=16)
-def _loaded(path: str, digest: str) -> tuple[OwnClaim, ...]:
+def _loaded(path: str, digest: str) -> tuple[Claim, ...]:
     name = f"proofs_check_own_{digest[:16]}"
     spec = importlib.util.spec_from_file_location(name, path)
     if spec is None or spec.loader is None:
-        raise OwnClaimError(f"{path} is no Python file; claims stand in files that end with .py")
+        raise OwnClaimError(f"{path} is not a Python file; claims stand in files that end with .py")
     module = importlib.util.module_from_spec(spec)
     sys.modules[name] = module
     sys.path.insert(0, str(Path(path).parent))
@@ -223,16 +204,9 @@ def _loaded(path: str, digest: str) -> tuple[OwnClaim, ...]:
         raise OwnClaimError(f"{path} does not run: {type(error).__name__}: {error}") from error
     finally:
         sys.path.remove(str(Path(path).parent))
-    found = [value for value in vars(module).values() if isinstance(value, OwnClaim)]
-    claims = tuple({id(value): value for value in found}.values())
-    return _checked(claims, path)
-
-
-def _checked(claims: tuple[OwnClaim, ...], path: str) -> tuple[OwnClaim, ...]:
-    if not claims:
+    named = {id(value): value for value in vars(module).values() if isinstance(value, Claim)}
+    if not named:
         raise OwnClaimError(f"{path} has no claims; decorate a function with @claim(...)")
-    ids = [entry.id for entry in claims]
-    for name in ids:
-        if ids.count(name) > 1:
-            raise OwnClaimError(f"two claims of {path} have the id {name!r}; an id names one claim")
-    return claims
+    locator = Path(path).name
+    located = (replace(found, locator=found.locator or locator) for found in named.values())
+    return tuple(Registry(located))

@@ -40,7 +40,15 @@ ROOT = Path(__file__).resolve().parent.parent
 PACKAGES = ("arrangement", "equilibrium", "proofs_check")
 PYTHONS = ("python3.11", "python3.12", "python3.13")
 #: What must be in the source archive beside the packages, the tests and the documentation.
-FILES = {"CHANGELOG.md", "CITATION.cff", "LICENSE", "Makefile", "README.md", "constraints.txt"}
+FILES = {
+    "CHANGELOG.md",
+    "CITATION.cff",
+    "CONTRIBUTING.md",
+    "LICENSE",
+    "Makefile",
+    "README.md",
+    "constraints.txt",
+}
 RUBBISH = re.compile(
     r"(^|/)(__pycache__|_build|_generated|build|dist|report|reference|counterexamples|\.(?!gitignore)"
     r"[^/]*)(/|$)|\.(pyc|sqlite|egg-info)$"

@@ -34,15 +34,19 @@ def _uses_sympy(path: Path) -> bool:
 def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
     """Mark what meets SymPy, so that it can run with each of SymPy's ground types.
 
-    What opens pages is taken out where it is not wanted or cannot run.
+    What opens pages is taken out where it is not wanted or cannot run, and a campaign where it is
+    not asked for by its name.
     """
     for item in items:
         if _uses_sympy(item.path):
             item.add_marker(pytest.mark.ground_types)
+    unwanted = set()
     if left_out():
-        pages = [item for item in items if "browser" in getattr(item, "fixturenames", ())]
-        config.hook.pytest_deselected(items=pages)
-        items[:] = [item for item in items if item not in pages]
+        unwanted |= {item for item in items if "browser" in getattr(item, "fixturenames", ())}
+    if "campaign" not in config.option.markexpr:
+        unwanted |= {item for item in items if item.get_closest_marker("campaign")}
+    config.hook.pytest_deselected(items=[item for item in items if item in unwanted])
+    items[:] = [item for item in items if item not in unwanted]
 
 
 def pytest_terminal_summary(terminalreporter: pytest.TerminalReporter) -> None:

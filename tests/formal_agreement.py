@@ -27,10 +27,11 @@ sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
 
 from arrangement.errors import InputError
 from arrangement.exact import to_text
+from arrangement.io.files import _parse
 from equilibrium import solve
+from equilibrium.certificate.checker import check
 from equilibrium.certificate.document import refuted_certificate, resisted_certificate
 from equilibrium.certificate.reading import read_question
-from equilibrium.io.files import read_certificate, verify
 from tests.equilibrium.awkward import question
 from tests.equilibrium.trees import TooLarge, refutation
 
@@ -183,8 +184,9 @@ def _broken_text(text: bytes, source: Random) -> bytes:
 def python_answer(path: Path) -> tuple[str, Any]:
     """Return the answer of the Python checker, and the question where the document has a form."""
     try:
-        report = verify(path)
-        _, grasp, wrench = read_question(read_certificate(path))
+        document = _parse(path.read_bytes(), path.name, floats=False)
+        report = check(document)
+        _, grasp, wrench = read_question(document)
     except InputError:
         return "malformed", None
     rows = [[*c.point, *c.normal, c.friction, c.stiffness, c.preload] for c in grasp]

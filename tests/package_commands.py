@@ -98,7 +98,7 @@ for name in ("arrangement", "equilibrium", "proofs_check"):
         if not module.name.endswith("__main__"):
             importlib.import_module(module.name)
 from arrangement.library.census import census
-from arrangement.io.files import read_arrangement
+from arrangement.io.arrangements import read_arrangement
 from arrangement.library.instances import paths as arrangements
 from arrangement.io.schemas import arrangement_schema
 from equilibrium.io.files import read_grasp

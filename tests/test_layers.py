@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import json
 import os
+import re
 import shutil
 import subprocess
 import sys
@@ -33,9 +35,39 @@ def test_imports_point_one_way() -> None:
     assert result.returncode == 0, result.stdout + result.stderr
 
 
+CIRCLES = """
+import grimp, json, networkx, sys
+graph = grimp.build_graph(*sys.argv[1:], exclude_type_checking_imports=True, cache_dir=None)
+pairs = ((m, n) for m in graph.modules for n in graph.find_modules_directly_imported_by(m))
+parts = networkx.strongly_connected_components(networkx.DiGraph(pairs))
+print(json.dumps([sorted(part) for part in parts if len(part) > 1]))
+"""
+
+
+def circles(folder: Path) -> list[list[str]]:
+    """Modules that import each other in circles; imports inside functions count, types do not."""
+    command = [sys.executable, "-c", CIRCLES, *PACKAGES]
+    environment = {**os.environ, "PYTHONPATH": str(folder)}
+    printed = subprocess.check_output(command, cwd=folder, env=environment, timeout=120)
+    found: list[list[str]] = json.loads(printed)
+    return found
+
+
+def test_no_modules_import_each_other_in_a_circle() -> None:
+    assert circles(ROOT) == []
+
+
+def test_a_planted_circle_is_found(tmp_path: Path) -> None:
+    copy_packages(tmp_path)
+    with (tmp_path / "arrangement" / "planes.py").open("a", encoding="utf-8") as stream:
+        stream.write("\ndef draw():\n    from .draw import notebook\n")
+    [found] = circles(tmp_path)
+    assert {"arrangement.planes", "arrangement.draw.notebook"} <= set(found)
+
+
 PLANTED = [
     ("arrangement/exact.py", "import equilibrium.model.grasp", "Planes know no forces"),
-    ("equilibrium/model/errors.py", "import proofs_check.claim", "Planes know no forces"),
+    ("equilibrium/model/errors.py", "import proofs_check.statement", "Planes know no forces"),
     ("arrangement/errors.py", "import arrangement.planes", "Inside arrangement"),
     ("arrangement/enumeration/any_dimension.py", "import arrangement.counts", "Inside arrangement"),
     ("arrangement/counts/whitney.py", "import arrangement.linprog", "take nothing from enum"),
@@ -52,7 +84,11 @@ PLANTED = [
     ("equilibrium/certificate/checker.py", "import arrangement.enumeration", "The checker of cert"),
     ("proofs_check/routes/oracle.py", "import equilibrium.verdict", "brute-force route"),
     ("proofs_check/routes/oracle.py", "import arrangement.counts", "brute-force route"),
-    ("proofs_check/claim.py", "import proofs_check.reports.report", "Inside proofs_check"),
+    ("proofs_check/statement.py", "import proofs_check.reports.report", "Inside proofs_check"),
+    ("proofs_check/routes/rivin.py", "import proofs_check.evidence", "Inside proofs_check"),
+    ("proofs_check/routes/rivin.py", "import arrangement.polyhedra.inscribed", "Second routes"),
+    ("proofs_check/routes/dual_graph.py", "import arrangement.enumeration", "Second routes"),
+    ("proofs_check/routes/fourier_motzkin.py", "import arrangement.exact", "brute-force route"),
 ]
 
 
@@ -98,6 +134,17 @@ def test_a_renamed_module_is_caught(tmp_path: Path, old: str, new: str) -> None:
     assert lint_imports(tmp_path).returncode == 1
 
 
+def test_every_second_route_of_the_table_has_a_test_that_exists() -> None:
+    page = (ROOT / "docs" / "architecture.rst").read_text(encoding="utf-8")
+    _, _, table = page.partition("\nSecond routes\n")
+    table, _, _ = table.removeprefix("-" * len("Second routes")).partition("\n-----")
+    rows = table.count("   * - ") - 1
+    named = re.findall(r"``(tests/\S+\.py)::(\w+)``", table)
+    assert len(named) == rows > 0
+    for path, test in named:
+        assert f"def {test}(" in (ROOT / path).read_text(encoding="utf-8"), f"{path}::{test}"
+
+
 def copy_packages(folder: Path) -> None:
     ignore = shutil.ignore_patterns("__pycache__")
     for package in PACKAGES:
@@ -115,10 +162,10 @@ def test_counts_work_with_the_enumerators_out_of_reach() -> None:
     """Three generic planes have (1, 6, 12, 8) faces: eight octants and what bounds them."""
     program = """
 import sys
-for name in ("completeness", "enumeration", "linprog"):
+for name in ("arrangement", "completeness", "enumeration", "linprog"):
     sys.modules["arrangement." + name] = None
-from arrangement import Arrangement
+from arrangement import Planes
 from arrangement.counts import f_vector
-assert tuple(f_vector(Arrangement([[1, 0, 0], [0, 1, 0], [0, 0, 1]]))) == (1, 6, 12, 8)
+assert tuple(f_vector(Planes([[1, 0, 0], [0, 1, 0], [0, 0, 1]]))) == (1, 6, 12, 8)
 """
     subprocess.run([sys.executable, "-c", program], check=True, timeout=60)

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import importlib
 import importlib.metadata
-import importlib.util
 import re
 import subprocess
 import sys
@@ -32,8 +31,6 @@ def test_every_package_says_that_it_is_typed(package: str) -> None:
 
 @pytest.mark.parametrize("package", PACKAGES)
 def test_help_and_version_need_no_slow_import(package: str) -> None:
-    if importlib.util.find_spec(f"{package}.cli") is None:
-        pytest.skip(f"{package} has no command yet")
     program = f"""
 import sys
 sys.argv = [{package!r}, sys.argv[1]]
@@ -59,7 +56,7 @@ def test_the_version_is_the_same_everywhere() -> None:
     assert f"[{version}]" in (ROOT / "CHANGELOG.md").read_text(encoding="utf-8")
 
 
-def test_every_entry_point_of_the_project_resolves_or_is_not_written_yet() -> None:
+def test_every_entry_point_of_the_project_resolves() -> None:
     groups = ("console_scripts", "slipstates.documents", "slipstates.instances")
     points = [
         point
@@ -69,8 +66,7 @@ def test_every_entry_point_of_the_project_resolves_or_is_not_written_yet() -> No
     ]
     assert len(points) >= 6
     for point in points:
-        if importlib.util.find_spec(point.module) is not None:
-            point.load()
+        point.load()
 
 
 def test_every_cited_work_is_in_the_bibliography() -> None:

@@ -1,4 +1,4 @@
-"""The vectors behind an arrangement, and the fraction-free elimination that counting rests on.
+"""The vectors behind an arrangement, in as few coordinates as their rank.
 
 A central arrangement is the configuration of its normals. An affine one is homogenised: plane
 ``n . x = b`` becomes the vector ``(n, b)``, and one more vector, *infinity* ``(0, ..., 0, 1)``,
@@ -8,12 +8,12 @@ is outside the span of their vectors, and then the intersection has codimension 
 
 from __future__ import annotations
 
-import math
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 from arrangement.exact import IntegerVector
-from arrangement.planes import Arrangement
+from arrangement.planes import Planes
+from arrangement.symbolic import integer_matrix
 
 
 @dataclass(frozen=True)
@@ -31,7 +31,7 @@ class Configuration:
     rank: int
 
 
-def configuration(arrangement: Arrangement) -> Configuration:
+def configuration(arrangement: Planes) -> Configuration:
     """Return the vectors of an arrangement in as few coordinates as their rank.
 
     The coordinates kept are the pivot columns. Leaving out the others is injective on the span,
@@ -42,70 +42,19 @@ def configuration(arrangement: Arrangement) -> Configuration:
         vectors = [plane[:-1] for plane in planes]
     else:
         vectors = [*planes, (0,) * arrangement.dimension + (1,)]
-    columns = pivot_columns(vectors)
+    columns = pivot_columns(vectors, arrangement.dimension + (not arrangement.is_central))
     kept = [tuple(vector[j] for j in columns) for vector in vectors]
     infinity = None if arrangement.is_central else kept.pop()
     return Configuration(tuple(kept), infinity, len(columns))
 
 
-def unoriented(vector: Sequence[int]) -> IntegerVector:
-    """Return the coprime multiple whose first nonzero entry is positive: one name for a line."""
-    divisor = math.gcd(*vector)
-    if divisor == 0:
-        return tuple(vector)
-    for x in vector:
-        if x:
-            if x < 0:
-                divisor = -divisor
-            break
-    return tuple(x // divisor for x in vector)
+def pivot_columns(rows: Sequence[Sequence[int]], width: int) -> tuple[int, ...]:
+    """Return the first columns that form a basis of the column space; their number is the rank.
 
-
-def pivot_columns(rows: Iterable[Sequence[int]]) -> tuple[int, ...]:
-    """Return columns that form a basis of the column space; their number is the rank.
-
-    Each row is reduced by the rows kept so far, without fractions. O(m d rank) operations.
+    A few rows mostly have the full rank, so they are asked before all of them.
     """
-    basis: list[tuple[int, IntegerVector]] = []
-    for row in rows:
-        if len(basis) == len(row):
+    for some in (rows[: 2 * width], rows):
+        pivots: tuple[int, ...] = integer_matrix(some, width).rref_den()[2]
+        if len(pivots) == width:
             break
-        for pivot, kept in basis:
-            if row[pivot]:
-                row = [x * kept[pivot] - y * row[pivot] for x, y in zip(row, kept, strict=True)]
-        row = unoriented(row)
-        if any(row):
-            basis.append((next(j for j, x in enumerate(row) if x), row))
-    return tuple(sorted(pivot for pivot, _ in basis))
-
-
-def rank(rows: Iterable[Sequence[int]]) -> int:
-    """Return the rank of integer rows."""
-    return len(pivot_columns(rows))
-
-
-def determinant(rows: Sequence[Sequence[int]]) -> int:
-    """Return the determinant of a square integer matrix by Bareiss' fraction-free elimination.
-
-    Every division is exact, and every intermediate number is a minor of the matrix.
-    Source: E. Bareiss, Math. Comp. 22 (1968).
-
-    >>> determinant([[2, 1], [1, 3]])
-    5
-    """
-    matrix = [list(row) for row in rows]
-    size, sign, previous = len(matrix), 1, 1
-    for k in range(size):
-        swap = next((i for i in range(k, size) if matrix[i][k]), None)
-        if swap is None:
-            return 0
-        if swap != k:
-            matrix[k], matrix[swap] = matrix[swap], matrix[k]
-            sign = -sign
-        pivot = matrix[k][k]
-        for row in matrix[k + 1 :]:
-            factor = row[k]
-            for j in range(k + 1, size):
-                row[j] = (row[j] * pivot - factor * matrix[k][j]) // previous
-        previous = pivot
-    return sign * previous
+    return pivots

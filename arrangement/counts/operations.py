@@ -5,14 +5,19 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
+from math import lcm
+from typing import TypeVar
 
 from arrangement.errors import InputError
-from arrangement.exact import IntegerVector, RationalVector, dot, primitive
-from arrangement.planes import Arrangement
+from arrangement.exact import IntegerVector, RationalVector, primitive
+from arrangement.planes import Planes
+from arrangement.symbolic import integer_matrix
 
 from .configuration import pivot_columns
 
-Planes = int | Iterable[int]
+Indices = int | Iterable[int]
+#: What comes out is of the class of what went in.
+AnyPlanes = TypeVar("AnyPlanes", bound=Planes)
 
 
 @dataclass(frozen=True)
@@ -23,12 +28,13 @@ class Chart:
     basis: tuple[IntegerVector, ...]
 
 
-def deletion(arrangement: Arrangement, planes: Planes) -> Arrangement:
+def deletion(arrangement: AnyPlanes, planes: Indices) -> AnyPlanes:
     """Return the arrangement without some input planes, the others in their order.
 
     Planes that coincide with a deleted one stay; name the whole class to delete it. For a class
     H, chi(A) = chi(A without H) - chi(A restricted to H).
 
+    >>> from arrangement import Arrangement
     >>> deletion(Arrangement([[1, 0], [0, 1], [1, 1]]), 1).integer_planes
     ((1, 0, 0), (1, 1, 0))
     """
@@ -36,28 +42,21 @@ def deletion(arrangement: Arrangement, planes: Planes) -> Arrangement:
     return _selected(arrangement, [i for i in range(len(arrangement)) if i not in gone])
 
 
-def localization(arrangement: Arrangement, planes: Planes) -> Arrangement:
+def localization(arrangement: AnyPlanes, planes: Indices) -> AnyPlanes:
     """Return the planes that contain the common intersection of some planes, in their order.
 
     Raises:
         InputError: if that intersection is empty.
 
+    >>> from arrangement import Arrangement
     >>> localization(Arrangement([[1, 0], [0, 1], [1, 1], [1, 2]], [0, 0, 0, 1]), [0, 1])
     <Arrangement: 3 planes (3 distinct) in R^2, rank 2, central>
     """
-    chart = flat_chart(arrangement, planes)
-    return _selected(
-        arrangement,
-        [
-            i
-            for i, plane in enumerate(arrangement.integer_planes)
-            if dot(plane[:-1], chart.origin) == plane[-1]
-            and not any(dot(plane[:-1], vector) for vector in chart.basis)
-        ],
-    )
+    rows = _on_flat(arrangement, flat_chart(arrangement, planes))
+    return _selected(arrangement, [i for i, row in enumerate(rows) if not any(row)])
 
 
-def restriction(arrangement: Arrangement, planes: Planes) -> Arrangement:
+def restriction(arrangement: AnyPlanes, planes: Indices) -> AnyPlanes:
     """Return the arrangement that the others cut out on the intersection of some planes.
 
     The coordinates are those of `flat_chart`. Planes that contain the flat or miss it are left
@@ -67,36 +66,35 @@ def restriction(arrangement: Arrangement, planes: Planes) -> Arrangement:
     Raises:
         InputError: if the intersection is empty, or a point (nothing is left to divide).
 
+    >>> from arrangement import Arrangement
     >>> restriction(Arrangement([[1, 0, 0], [0, 1, 0], [0, 0, 1], [1, 1, 1]]), 0).integer_planes
     ((1, 0, 0), (0, 1, 0), (1, 1, 0))
     """
     chart = flat_chart(arrangement, planes)
     if not chart.basis:
         raise InputError("these planes meet in a point; restrict to a flat of dimension 1 or more")
-    normals, offsets = [], []
-    for plane in arrangement.integer_planes:
-        normal = [dot(plane[:-1], vector) for vector in chart.basis]
-        if any(normal):
-            normals.append(normal)
-            offsets.append(plane[-1] - dot(plane[:-1], chart.origin))
-    return Arrangement(normals, offsets, dimension=len(chart.basis))
+    rows = [row for row in _on_flat(arrangement, chart) if any(row[:-1])]
+    return type(arrangement)(
+        [row[:-1] for row in rows], [row[-1] for row in rows], dimension=len(chart.basis)
+    )
 
 
-def cone(arrangement: Arrangement) -> Arrangement:
+def cone(arrangement: AnyPlanes) -> AnyPlanes:
     """Return the cone over an arrangement: central, in one dimension more.
 
     Plane ``n . x = b`` becomes ``n . x - b z = 0``; the last plane is ``z = 0``, with the old
     space at z = 1. chi(cone)(t) = (t - 1) chi(A)(t).
 
+    >>> from arrangement import Arrangement
     >>> cone(Arrangement([[1], [1]], [0, 2])).integer_planes
     ((1, 0, 0), (1, -2, 0), (0, 1, 0))
     """
     normals = [(*plane[:-1], -plane[-1]) for plane in arrangement.integer_planes]
     normals.append((0,) * arrangement.dimension + (1,))
-    return Arrangement(normals)
+    return type(arrangement)(normals)
 
 
-def essentialization(arrangement: Arrangement) -> Arrangement:
+def essentialization(arrangement: AnyPlanes) -> AnyPlanes:
     """Return the same planes in R^rank: faces, signs and order agree, without common lines.
 
     The space is cut down to the coordinate subspace of the normals' pivot columns, which is
@@ -105,19 +103,21 @@ def essentialization(arrangement: Arrangement) -> Arrangement:
     Raises:
         InputError: if there are no planes (the result would live in R^0).
 
+    >>> from arrangement import Arrangement
     >>> essentialization(Arrangement([[0, 1, 1], [0, 1, -1]])).integer_planes
     ((1, 1, 0), (1, -1, 0))
     """
-    columns = pivot_columns(plane[:-1] for plane in arrangement.integer_planes)
+    normals = [plane[:-1] for plane in arrangement.integer_planes]
+    columns = pivot_columns(normals, arrangement.dimension)
     if not columns:
         raise InputError("there are no planes; an essential arrangement needs at least one")
-    return Arrangement(
-        [[plane[j] for j in columns] for plane in arrangement.integer_planes],
+    return type(arrangement)(
+        [[normal[j] for j in columns] for normal in normals],
         arrangement.offsets,
     )
 
 
-def flat_chart(arrangement: Arrangement, planes: Planes) -> Chart:
+def flat_chart(arrangement: Planes, planes: Indices) -> Chart:
     """Return coordinates on the intersection of some planes.
 
     The free coordinates of the linear system, in increasing order, give the basis; they are 0 at
@@ -127,51 +127,46 @@ def flat_chart(arrangement: Arrangement, planes: Planes) -> Chart:
         InputError: if the intersection is empty.
     """
     chosen = _indices(arrangement, planes)
-    rows = _reduced_echelon([arrangement.integer_planes[i] for i in chosen])
     dimension = arrangement.dimension
-    if dimension in rows:
+    echelon, scale, pivots = arrangement.matrix.extract(chosen, range(dimension + 1)).rref_den()
+    if dimension in pivots:
         raise InputError(f"planes {sorted(chosen)} have no common point")
-    origin = tuple(rows[j][dimension] if j in rows else Fraction(0) for j in range(dimension))
+    rows = {
+        pivot: [int(x) for x in row] for pivot, row in zip(pivots, echelon.to_list(), strict=False)
+    }
+    scale = int(scale)
+    origin = tuple(
+        Fraction(rows[j][dimension], scale) if j in rows else Fraction(0) for j in range(dimension)
+    )
     basis = []
     for free in range(dimension):
         if free not in rows:
-            vector = [Fraction(0)] * dimension
-            vector[free] = Fraction(1)
-            for pivot, row in rows.items():
-                vector[pivot] = -row[free]
+            vector = [Fraction(-rows[j][free], scale) if j in rows else 0 for j in range(dimension)]
+            vector[free] = 1
             basis.append(primitive(vector))
     return Chart(origin, tuple(basis))
 
 
-def _reduced_echelon(planes: Sequence[IntegerVector]) -> dict[int, list[Fraction]]:
-    """Return the reduced row echelon form, each row under its pivot column."""
-    rows: dict[int, list[Fraction]] = {}
-    for plane in planes:
-        row = [Fraction(x) for x in plane]
-        for pivot, other in rows.items():
-            if row[pivot]:
-                row = [x - row[pivot] * y for x, y in zip(row, other, strict=True)]
-        lead = next((j for j, x in enumerate(row) if x), None)
-        if lead is None:
-            continue
-        row = [x / row[lead] for x in row]
-        for pivot, other in rows.items():
-            rows[pivot] = [x - other[lead] * y for x, y in zip(other, row, strict=True)]
-        rows[lead] = row
-    return rows
+def _on_flat(arrangement: Planes, chart: Chart) -> list[list[int]]:
+    """Return a positive multiple of every plane ``(n, b)`` in the coordinates of a chart."""
+    scale = lcm(*(x.denominator for x in chart.origin))
+    columns = [[*(scale * x for x in vector), 0] for vector in chart.basis]
+    columns.append([*(-int(scale * x) for x in chart.origin), scale])
+    inserted = integer_matrix(columns, arrangement.dimension + 1).transpose()
+    return [[int(x) for x in row] for row in (arrangement.matrix * inserted).to_list()]
 
 
-def _selected(arrangement: Arrangement, planes: Sequence[int]) -> Arrangement:
+def _selected(arrangement: AnyPlanes, planes: Sequence[int]) -> AnyPlanes:
     """Return the arrangement of some of the planes."""
     chosen = [arrangement.integer_planes[i] for i in planes]
-    return Arrangement(
+    return type(arrangement)(
         [plane[:-1] for plane in chosen],
         [plane[-1] for plane in chosen],
         dimension=arrangement.dimension,
     )
 
 
-def _indices(arrangement: Arrangement, planes: Planes) -> tuple[int, ...]:
+def _indices(arrangement: Planes, planes: Indices) -> tuple[int, ...]:
     """Return plane indices, checked."""
     chosen = (planes,) if isinstance(planes, int) else tuple(planes)
     for plane in chosen:

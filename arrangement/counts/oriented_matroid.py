@@ -13,9 +13,10 @@ from itertools import combinations
 
 from arrangement.errors import InputError
 from arrangement.exact import sign
-from arrangement.planes import Arrangement
+from arrangement.linear import determinant
+from arrangement.planes import Planes
 
-from .configuration import determinant, pivot_columns
+from .configuration import pivot_columns
 from .operations import cone
 
 SignVector = tuple[int, ...]
@@ -23,7 +24,7 @@ SignVector = tuple[int, ...]
 _Masks = tuple[int, int]
 
 
-def chirotope(arrangement: Arrangement) -> Mapping[tuple[int, ...], int]:
+def chirotope(arrangement: Planes) -> Mapping[tuple[int, ...], int]:
     """Return the sign of the determinant of every r normals, r the rank, in increasing order.
 
     Defined up to one common sign: if r < d, the determinants are those of the pivot columns.
@@ -34,13 +35,14 @@ def chirotope(arrangement: Arrangement) -> Mapping[tuple[int, ...], int]:
     Raises:
         InputError: if the arrangement is not central.
 
+    >>> from arrangement import Arrangement
     >>> dict(chirotope(Arrangement([[1, 0], [0, 1], [1, 1]])))
     {(0, 1): 1, (0, 2): 1, (1, 2): -1}
     """
     if not arrangement.is_central:
         raise InputError("the arrangement is not central; take the chirotope of its cone")
     normals = [plane[:-1] for plane in arrangement.integer_planes]
-    columns = pivot_columns(normals)
+    columns = pivot_columns(normals, arrangement.dimension)
     rows = [[normal[j] for j in columns] for normal in normals]
     return {
         chosen: sign(determinant([rows[i] for i in chosen]))
@@ -48,12 +50,13 @@ def chirotope(arrangement: Arrangement) -> Mapping[tuple[int, ...], int]:
     }
 
 
-def cocircuits(arrangement: Arrangement) -> frozenset[SignVector]:
+def cocircuits(arrangement: Planes) -> frozenset[SignVector]:
     """Return the cocircuits: the sign vectors of the rays, nonzero and of least support.
 
     For every r - 1 independent planes S, the sign at plane e is chi(S, e). For an affine
     arrangement these are the cocircuits of its cone, whose last sign is that of z.
 
+    >>> from arrangement import Arrangement
     >>> sorted(cocircuits(Arrangement([[1, 0], [0, 1]])))
     [(-1, 0), (0, -1), (0, 1), (1, 0)]
     """
@@ -61,13 +64,14 @@ def cocircuits(arrangement: Arrangement) -> frozenset[SignVector]:
     return frozenset(_as_signs(masks, len(central)) for masks in _cocircuit_masks(central))
 
 
-def covectors(arrangement: Arrangement) -> frozenset[SignVector]:
+def covectors(arrangement: Planes) -> frozenset[SignVector]:
     """Return the sign vectors of all faces: the compositions of cocircuits.
 
     An affine arrangement has the covectors of its cone on the side z > 0, without that sign.
 
     Complexity: (covectors) times (cocircuits).
 
+    >>> from arrangement import Arrangement
     >>> len(covectors(Arrangement([[1, 0], [0, 1], [1, 1]], [0, 0, 1])))
     19
     """
@@ -79,16 +83,17 @@ def covectors(arrangement: Arrangement) -> frozenset[SignVector]:
     return frozenset(vector[:-1] for vector in signs if vector[-1] > 0)
 
 
-def topes(arrangement: Arrangement) -> frozenset[SignVector]:
+def topes(arrangement: Planes) -> frozenset[SignVector]:
     """Return the sign vectors of the regions: the covectors without zeros.
 
+    >>> from arrangement import Arrangement
     >>> sorted(topes(Arrangement([[1, 0], [0, 1]])))
     [(-1, -1), (-1, 1), (1, -1), (1, 1)]
     """
     return frozenset(vector for vector in covectors(arrangement) if all(vector))
 
 
-def _cocircuit_masks(central: Arrangement) -> set[_Masks]:
+def _cocircuit_masks(central: Planes) -> set[_Masks]:
     """Return the cocircuits of a central arrangement from its chirotope."""
     chi = chirotope(central)
     size = len(central)

@@ -9,9 +9,9 @@ import math
 from typing import TYPE_CHECKING, NamedTuple
 
 from arrangement.errors import InputError
-from arrangement.planes import Arrangement
+from arrangement.planes import Planes
 
-from .configuration import configuration, rank
+from .configuration import configuration
 from .lattice import intersection_lattice
 from .low_rank import MAX_RANK, WhitneyMatrix, whitney_matrix
 
@@ -26,7 +26,7 @@ class WhitneyNumbers(NamedTuple):
     second: tuple[int, ...]
 
 
-def doubly_indexed_whitney_numbers(arrangement: Arrangement) -> WhitneyMatrix:
+def doubly_indexed_whitney_numbers(arrangement: Planes) -> WhitneyMatrix:
     """Return the table V, V[k][j] = sum of |mu(X, Y)| over flats X <= Y of rank k and j.
 
     Its first row gives the characteristic polynomial, its diagonal the flats, its row sums the
@@ -45,9 +45,10 @@ def doubly_indexed_whitney_numbers(arrangement: Arrangement) -> WhitneyMatrix:
     return intersection_lattice(arrangement).whitney_matrix
 
 
-def whitney_numbers(arrangement: Arrangement) -> WhitneyNumbers:
+def whitney_numbers(arrangement: Planes) -> WhitneyNumbers:
     """Return the Whitney numbers of both kinds.
 
+    >>> from arrangement import Arrangement
     >>> whitney_numbers(Arrangement([[1, 0], [0, 1], [1, 1]]))
     WhitneyNumbers(first=(1, -3, 2), second=(1, 3, 1))
     """
@@ -61,11 +62,12 @@ def whitney_numbers(arrangement: Arrangement) -> WhitneyNumbers:
     return WhitneyNumbers(tuple((-1) ** j * value for j, value in enumerate(unsigned)), second)
 
 
-def characteristic_polynomial(arrangement: Arrangement) -> sympy.Poly:
+def characteristic_polynomial(arrangement: Planes) -> sympy.Poly:
     """Return chi(t) = sum over flats X of mu(X) t^dim(X), an integer polynomial in ``t``.
 
     Coincident planes count once. Complexity: see `doubly_indexed_whitney_numbers`.
 
+    >>> from arrangement import Arrangement
     >>> characteristic_polynomial(Arrangement([[1, 0], [0, 1], [1, 1]]))
     Poly(t**2 - 3*t + 2, t, domain='ZZ')
     """
@@ -76,18 +78,19 @@ def characteristic_polynomial(arrangement: Arrangement) -> sympy.Poly:
     return sympy.Poly(padded, sympy.Symbol("t"), domain=sympy.ZZ)
 
 
-def region_count(arrangement: Arrangement) -> int:
+def region_count(arrangement: Planes) -> int:
     """Return the number of regions, |chi(-1)|.
 
     Source: T. Zaslavsky, Facing up to arrangements, Memoirs AMS 154 (1975), theorem A.
 
+    >>> from arrangement import Arrangement
     >>> region_count(Arrangement([[1, 0], [0, 1], [1, 1]], [0, 0, 1]))
     7
     """
     return sum(map(abs, whitney_numbers(arrangement).first))
 
 
-def bounded_region_count(arrangement: Arrangement, *, relative: bool = False) -> int:
+def bounded_region_count(arrangement: Planes, *, relative: bool = False) -> int:
     """Return the number of bounded regions, |chi(1)| when the normals span R^d.
 
     Otherwise every region contains a line and none is bounded. With `relative`, regions are
@@ -95,16 +98,17 @@ def bounded_region_count(arrangement: Arrangement, *, relative: bool = False) ->
 
     Source: T. Zaslavsky, Facing up to arrangements, Memoirs AMS 154 (1975), theorem C.
 
+    >>> from arrangement import Arrangement
     >>> bounded_region_count(Arrangement([[1, 0], [0, 1], [1, 1]], [0, 0, 1]))
     1
     """
-    normals = [plane[:-1] for plane in arrangement.integer_planes]
-    if not relative and rank(normals) < arrangement.dimension:
+    config = configuration(arrangement)
+    if not relative and config.rank - (config.infinity is not None) < arrangement.dimension:
         return 0
     return abs(sum(whitney_numbers(arrangement).first))
 
 
-def f_vector(arrangement: Arrangement) -> tuple[int, ...]:
+def f_vector(arrangement: Planes) -> tuple[int, ...]:
     """Return (f_0, ..., f_d), the faces by dimension, from Zaslavsky's theorem alone.
 
     f_k is the sum of the regions of the restrictions to all flats of dimension k. Equal to
@@ -113,6 +117,7 @@ def f_vector(arrangement: Arrangement) -> tuple[int, ...]:
     Source: T. Zaslavsky, Facing up to arrangements, Memoirs AMS 154 (1975), theorem A.
     Complexity: see `doubly_indexed_whitney_numbers`.
 
+    >>> from arrangement import Arrangement
     >>> f_vector(Arrangement([[1, 0, 0], [0, 1, 0], [1, 1, 1]]))
     (1, 6, 12, 8)
     """

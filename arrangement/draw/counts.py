@@ -5,11 +5,11 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
+from arrangement.arrangement import Arrangement
 from arrangement.counts import f_vector, fukuda_bound
 from arrangement.errors import InputError
 from arrangement.exact import shown
 from arrangement.library.families import braid, generic, near_pencil, pencil, type_b
-from arrangement.planes import Arrangement
 
 from .output import require_matplotlib
 from .sheet import checked_width

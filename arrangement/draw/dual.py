@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from arrangement.arrangement import Arrangement
 from arrangement.exact import IntegerVector, primitive
-from arrangement.planes import Arrangement
 from arrangement.polyhedra.dual import dual_polyhedron
 from arrangement.polyhedra.inscribed import representative_hull
 

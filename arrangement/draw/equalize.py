@@ -11,9 +11,9 @@ from fractions import Fraction
 import numpy as np
 import numpy.typing as npt
 
+from arrangement.arrangement import Arrangement
 from arrangement.exact import dot
 from arrangement.linear import rank
-from arrangement.planes import Arrangement
 
 Floats = npt.NDArray[np.float64]
 

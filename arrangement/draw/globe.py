@@ -14,10 +14,10 @@ from itertools import product
 import numpy as np
 import numpy.typing as npt
 
+from arrangement.arrangement import Arrangement
 from arrangement.enumeration.great_circles import sphere_arrangement
 from arrangement.errors import InputError
 from arrangement.exact import IntegerVector, primitive, rational_vector
-from arrangement.planes import Arrangement
 
 Floats = npt.NDArray[np.float64]
 #: Circles beyond which a picture of one column shows nothing.

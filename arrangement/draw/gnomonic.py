@@ -9,8 +9,8 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from arrangement.arrangement import Arrangement
 from arrangement.exact import IntegerVector, primitive
-from arrangement.planes import Arrangement
 
 from .colours import Painter, painter
 from .disc import Disc, front, has_key, key_entries, plane_names, rim_width

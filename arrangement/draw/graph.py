@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from arrangement.arrangement import Arrangement
 from arrangement.errors import InputError
-from arrangement.planes import Arrangement
 from arrangement.polyhedra.dual import dual_polygon, dual_polyhedron, dual_segment
 
 from .colours import DrawnRegion, Painter, painter, plane_colour

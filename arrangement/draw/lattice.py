@@ -7,9 +7,9 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from arrangement.arrangement import Arrangement
 from arrangement.counts import Flat, IntersectionLattice, intersection_lattice
 from arrangement.errors import InputError
-from arrangement.planes import Arrangement
 
 from .disc import plane_names
 from .layers import layered_orders

@@ -6,10 +6,10 @@ from collections.abc import Sequence
 
 import numpy as np
 
+from arrangement.arrangement import Arrangement
 from arrangement.errors import InputError
 from arrangement.exact import shown
 from arrangement.io.meshes import Floats, Part, model_bytes, triangles
-from arrangement.planes import Arrangement
 from arrangement.polyhedra.cells import Cell, Cells, cut_cells
 from arrangement.polyhedra.dual import dual_polyhedron
 from arrangement.polyhedra.dual.mesh import content

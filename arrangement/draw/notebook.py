@@ -7,8 +7,8 @@ from collections.abc import Callable
 from html import escape
 from typing import TYPE_CHECKING
 
+from arrangement.arrangement import Arrangement
 from arrangement.errors import InputError, MissingExtraError
-from arrangement.planes import Arrangement
 
 from .output import require_matplotlib, save_picture
 

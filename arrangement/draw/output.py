@@ -10,10 +10,10 @@ from fractions import Fraction
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from arrangement.arrangement import Arrangement
 from arrangement.errors import InputError, MissingExtraError
 from arrangement.exact import shown
 from arrangement.io.writing import write_bytes_atomically, write_text_atomically
-from arrangement.planes import Arrangement
 
 from .views import MODEL_VIEWS, PICTURE_VIEWS, check_options, view_function
 

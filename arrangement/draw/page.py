@@ -12,10 +12,10 @@ from typing import Any
 
 import numpy as np
 
+from arrangement.arrangement import Arrangement
 from arrangement.enumeration.great_circles import SphereArrangement
 from arrangement.errors import InputError
 from arrangement.exact import IntegerVector, primitive, shown
-from arrangement.planes import Arrangement
 from arrangement.polyhedra.dual.incidence import dual_incidence
 
 from .equalize import evening_map, is_narrow

@@ -19,7 +19,7 @@ import numpy as np
 import numpy.typing as npt
 
 from arrangement.exact import IntegerVector, dot, sign
-from arrangement.planes import Arrangement
+from arrangement.planes import Planes
 from arrangement.polyhedra.cells import Cell, Cells
 
 from .globe import Floats, picture_axes
@@ -61,7 +61,7 @@ class Stage:
         self.points = unit_points(cells) @ self.axes.T
 
     @property
-    def arrangement(self) -> Arrangement:
+    def arrangement(self) -> Planes:
         """The arrangement."""
         return self.cells.arrangement
 

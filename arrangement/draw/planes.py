@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from typing import TYPE_CHECKING
 
+from arrangement.arrangement import Arrangement
 from arrangement.errors import InputError
 from arrangement.exact import shown
-from arrangement.planes import Arrangement
 from arrangement.polyhedra.cells import cut_cells, read_signs
 
 from .colours import fill_colour

@@ -10,7 +10,8 @@ from math import isqrt
 import numpy as np
 
 from arrangement.exact import IntegerVector, dot
-from arrangement.planes import Arrangement
+from arrangement.linear import triple_product
+from arrangement.planes import Planes
 from arrangement.polyhedra.dual import DualPolyhedron, dual_polygon, dual_polyhedron, dual_segment
 from arrangement.polyhedra.inscribed import RepresentativeHull
 
@@ -43,7 +44,7 @@ class Solid:
         return self.corners[:, :2]
 
 
-def dual_solid(arrangement: Arrangement, direction: IntegerVector, axes: Floats) -> Solid:
+def dual_solid(arrangement: Planes, direction: IntegerVector, axes: Floats) -> Solid:
     """Return the dual of a central arrangement of rank 1 to 3 in R^3.
 
     The generators have length 1, up to a rational error of 10^-6; those of coincident planes
@@ -67,7 +68,7 @@ def dual_solid(arrangement: Arrangement, direction: IntegerVector, axes: Floats)
     return Solid(seen, tuple(signs), edges, shown[: len(edges)], shown, faces)
 
 
-def unit_lengths(arrangement: Arrangement) -> tuple[Fraction, ...]:
+def unit_lengths(arrangement: Planes) -> tuple[Fraction, ...]:
     """Return factors that give every class of planes generators of total length about 1."""
     million = 10**6
     sizes = [len(arrangement.distinct[label]) for label in arrangement.class_of]
@@ -148,13 +149,15 @@ def _hidden(
 def _determinant_with(direction: IntegerVector, *corners: Sequence[Fraction]) -> Fraction:
     """Return how far the normal (q - p) x (r - p) looks along a direction."""
     p, q, r = corners
-    a, b, c = (y - x for x, y in zip(p, q, strict=True))
-    x, y, z = (v - u for u, v in zip(p, r, strict=True))
-    normal = (b * z - c * y, c * x - a * z, a * y - b * x)
-    return sum((n * d for n, d in zip(normal, direction, strict=True)), Fraction(0))
+    found: Fraction = triple_product(direction, _minus(q, p), _minus(r, p))
+    return found
 
 
-def _crossed(arrangement: Arrangement, left: tuple[int, ...], right: tuple[int, ...]) -> int:
+def _minus(left: Sequence[Fraction], right: Sequence[Fraction]) -> list[Fraction]:
+    return [x - y for x, y in zip(left, right, strict=True)]
+
+
+def _crossed(arrangement: Planes, left: tuple[int, ...], right: tuple[int, ...]) -> int:
     """Return the class of planes between two neighbouring regions."""
     plane = next(i for i, (s, t) in enumerate(zip(left, right, strict=True)) if s != t)
     return arrangement.class_of[plane]

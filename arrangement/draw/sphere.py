@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from arrangement.planes import Arrangement
+from arrangement.arrangement import Arrangement
 
 from .colours import DrawnRegion, Painter, painter
 from .disc import Disc, front, has_key, key_entries, rim_width

@@ -9,9 +9,9 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from arrangement.arrangement import Arrangement
 from arrangement.errors import InputError
 from arrangement.exact import IntegerVector, primitive
-from arrangement.planes import Arrangement
 
 from .colours import DrawnRegion, Painter, painter
 from .disc import Disc, front, has_key, key_entries, plane_names, region_sides, rim_width

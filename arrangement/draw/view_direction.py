@@ -7,7 +7,7 @@ from itertools import combinations, product
 
 import numpy as np
 
-from arrangement.exact import IntegerVector, primitive
+from arrangement.exact import IntegerVector, primitive, unoriented
 from arrangement.polyhedra.cells import Cells
 
 from .globe import Floats, unit_vectors
@@ -59,9 +59,7 @@ def _small(normals: Sequence[IntegerVector]) -> list[tuple[int, ...]]:
 
 
 def _line(vector: Sequence[int]) -> IntegerVector:
-    line = primitive(vector)
-    leading = next((x for x in line if x), 1)
-    return line if leading > 0 else tuple(-x for x in line)
+    return unoriented(primitive(vector))
 
 
 def _asymmetry(units: Floats, normals: Floats) -> Floats:

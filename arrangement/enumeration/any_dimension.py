@@ -23,13 +23,11 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 from fractions import Fraction
-from typing import TYPE_CHECKING, TypeAlias
+from typing import TypeAlias
 
-from arrangement.exact import IntegerVector, dot
-from arrangement.linear import cut, rank, reduced, unit_vectors
-
-if TYPE_CHECKING:
-    from arrangement.planes import Arrangement, Face
+from arrangement.exact import IntegerVector, bits, dot, unoriented
+from arrangement.linear import cut, rank, unit_vectors
+from arrangement.planes import Face, Planes
 
 #: (mask of the planes with sign +, mask of the planes with sign -)
 Signs: TypeAlias = tuple[int, int]
@@ -37,7 +35,7 @@ Signs: TypeAlias = tuple[int, int]
 Level: TypeAlias = dict[Signs, IntegerVector]
 
 
-def enumerate_faces(arrangement: Arrangement) -> tuple[tuple[Face, ...], ...]:
+def enumerate_faces(arrangement: Planes) -> tuple[tuple[Face, ...], ...]:
     """Return the faces of dimension 0, 1, ..., d (see `Arrangement.faces`)."""
     first = [arrangement.integer_planes[members[0]] for members in arrangement.distinct]
     d = arrangement.dimension
@@ -55,10 +53,8 @@ def enumerate_faces(arrangement: Arrangement) -> tuple[tuple[Face, ...], ...]:
     return tuple(by_dimension)
 
 
-def _as_faces(arrangement: Arrangement, level: Level, dimension: int) -> tuple[Face, ...]:
+def _as_faces(arrangement: Planes, level: Level, dimension: int) -> tuple[Face, ...]:
     """Translate masks over classes into sign vectors over the input planes."""
-    from arrangement.planes import Face
-
     bits = [1 << label for label in arrangement.class_of]
     flips = arrangement.orientation
     central = arrangement.is_central
@@ -140,7 +136,7 @@ class _Localizations:
         """Return the rays, as sign vectors, of the arrangement of the planes in `zero`."""
         known = self._rises.get(zero)
         if known is None:
-            planes = _members(zero)
+            planes = bits(zero)
             if rank([self.vectors[i] for i in planes]) == len(planes):
                 known = [signs for i in planes for signs in ((1 << i, 0), (0, 1 << i))]
             else:
@@ -151,7 +147,7 @@ class _Localizations:
     def rays(self, planes: int) -> list[tuple[Signs, IntegerVector]]:
         """Return the rays of the arrangement of some planes: sign vectors and directions."""
         lines = self._lines(planes)
-        members = _members(planes)
+        members = bits(planes)
         found = []
         for direction in lines:
             plus = minus = 0
@@ -167,7 +163,7 @@ class _Localizations:
 
     def _lines(self, planes: int) -> list[IntegerVector]:
         """Return one direction for every flat one dimension above the smallest flat."""
-        total = rank([self.vectors[i] for i in _members(planes)])
+        total = rank([self.vectors[i] for i in bits(planes)])
         flats: dict[int, list[IntegerVector]] = {0: unit_vectors(self.dimension)}
         for _ in range(total - 1):
             below: dict[int, list[IntegerVector]] = {}
@@ -183,25 +179,13 @@ class _Localizations:
     ) -> Iterable[tuple[int, IntegerVector]]:
         """Yield the flats that one more plane cuts from a flat: all its planes, and a form."""
         groups: dict[IntegerVector, int] = {}
-        for i in _members(planes & ~flat):
+        for i in bits(planes & ~flat):
             normal = self.vectors[i]
-            form = reduced([dot(normal, vector) for vector in basis])
-            leading = next(x for x in form if x)
-            key = form if leading > 0 else tuple(-x for x in form)
-            groups[key] = groups.get(key, 0) | 1 << i
+            form = unoriented([dot(normal, vector) for vector in basis])
+            groups[form] = groups.get(form, 0) | 1 << i
         return ((flat | members, form) for form, members in groups.items())
 
     def _outside(self, others: int, basis: Sequence[IntegerVector]) -> IntegerVector:
         """Return a basis vector of a flat that is not in the smallest flat."""
-        normal = self.vectors[_members(others)[0]]
+        normal = self.vectors[bits(others)[0]]
         return next(vector for vector in basis if dot(normal, vector))
-
-
-def _members(mask: int) -> list[int]:
-    """Return the indices of the set bits of a mask."""
-    members = []
-    while mask:
-        low = mask & -mask
-        members.append(low.bit_length() - 1)
-        mask ^= low
-    return members

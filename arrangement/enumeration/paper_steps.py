@@ -25,7 +25,7 @@ from typing import TYPE_CHECKING, TypeAlias
 from arrangement.errors import InputError
 from arrangement.exact import IntegerVector, RationalVector, dot, sign
 from arrangement.linprog import Infeasible, feasible_point
-from arrangement.planes import Arrangement
+from arrangement.planes import Planes
 
 if TYPE_CHECKING:
     import networkx as nx
@@ -67,7 +67,7 @@ class PublishedEnumeration:
         return tuple(dict.fromkeys(self.states))
 
 
-def published_enumeration(arrangement: Arrangement, merge: bool = False) -> PublishedEnumeration:
+def published_enumeration(arrangement: Planes, merge: bool = False) -> PublishedEnumeration:
     """Run Steps 1 to 3 of the published enumeration, each decision exact.
 
     Args:
@@ -84,6 +84,7 @@ def published_enumeration(arrangement: Arrangement, merge: bool = False) -> Publ
 
     Source: [HaasHeger2018], "Slip state enumeration", Steps 1 to 3 and Algorithm 1.
 
+    >>> from arrangement import Arrangement
     >>> two = published_enumeration(Arrangement([[1, 0, 0], [0, 1, 0]]))
     >>> len(two.states), len(two.distinct_states)
     (10, 9)

@@ -5,15 +5,8 @@ such as ``"7/3"`` and ``"-0.25"``; a float is refused, because its decimal text 
 value differ. Nothing from a file is ever evaluated. Every refusal is an `InputError` that says
 where, what, and the rule.
 
-An arrangement::
-
-    {"schema_version": 1, "planes": [["0", "1", "-1"], ["1", "0", "0"]], "offsets": ["0", "2"]}
-
-with optional ``offsets``, ``dimension`` (needed only when there are no planes) and
-``description``. Packages above this one announce further kinds of document that stand for an
-arrangement in the entry-point group ``slipstates.documents`` (name: the key that tells the kind;
-value: a function from the document to an `Arrangement`), and built-in documents in the group
-``slipstates.instances`` (value: a module whose ``paths()`` gives files by name).
+Packages announce built-in documents in the entry-point group ``slipstates.instances`` (value: a
+module whose ``paths()`` gives files by name).
 """
 
 from __future__ import annotations
@@ -22,13 +15,13 @@ import json
 import os
 import re
 import sys
-from collections.abc import Callable, Collection, Iterable, Mapping
+from collections.abc import Collection, Iterable, Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, BinaryIO, TypeAlias
 
 from arrangement.errors import InputError
 from arrangement.exact import MAX_TEXT_LENGTH, integer, shown
-from arrangement.planes import Arrangement
+from arrangement.plugins import announced
 
 from .writing import reason
 
@@ -41,50 +34,8 @@ Source: TypeAlias = "str | os.PathLike[str] | Mapping[str, Any]"
 SCHEMA_VERSION = 1
 #: Largest file that is read, unless a caller allows more.
 MAX_BYTES = 4 * 2**20
-#: Largest dimension that a file may name for an arrangement (rows of planes speak for themselves).
-MAX_DIMENSION = 1000
 
 _NAME = re.compile(r"[a-z0-9]+(?:-[a-z0-9]+)*")
-
-
-def read_arrangement(source: Source) -> Arrangement:
-    """Read an arrangement from a path, ``"-"`` (stdin), a built-in name or a mapping.
-
-    A grasp file (or name) is accepted too, when the package that knows grasps is installed: its
-    tangential planes are meant.
-
-    Raises:
-        InputError: for anything that is not exactly a valid document (see this module).
-
-    >>> read_arrangement({"schema_version": 1, "planes": [["0", "1", "-1"], ["0", "-1", "-1"]]})
-    <Arrangement: 2 planes (2 distinct) in R^3, rank 2, central>
-    """
-    readers: dict[str, Callable[[], Callable[[Mapping[str, Any]], Arrangement]]]
-    readers = {point.name: point.load for point in _entry_points("slipstates.documents")}
-    readers["planes"] = lambda: _planes
-    document = read_document(source, readers)
-    kind = next(key for key in readers if key in document)
-    return readers[kind]()(document)
-
-
-def _planes(document: Mapping[str, Any]) -> Arrangement:
-    """Read a document of the kind "planes"."""
-    optional = ("offsets", "dimension", "description")
-    check_keys(document, ("schema_version", "planes"), optional, "the arrangement")
-    planes = check_list(document["planes"], "planes")
-    return Arrangement(
-        [check_list(row, f"planes[{i}]") for i, row in enumerate(planes)],
-        check_list(document["offsets"], "offsets") if "offsets" in document else None,
-        dimension=_dimension(document["dimension"]) if "dimension" in document else None,
-    )
-
-
-def _dimension(value: Any) -> int:
-    if type(value) is not int or not 1 <= value <= MAX_DIMENSION:
-        raise InputError(
-            f"dimension is {_kind_of(value)}; an integer from 1 to {MAX_DIMENSION} is due"
-        )
-    return value
 
 
 def read_document(
@@ -110,7 +61,7 @@ def read_document(
         name = "standard input" if source == "-" else shown(_path_text(source))
         document = _parse(_read_bytes(source, name, max_bytes), name, floats)
     if not isinstance(document, dict):
-        raise InputError(f"{name} holds {_kind_of(document)}; a document is a JSON object")
+        raise InputError(f"{name} holds {kind_of(document)}; a document is a JSON object")
     _check_kind(document, kinds, name)
     return document
 
@@ -120,7 +71,7 @@ def check_keys(
 ) -> Mapping[str, Any]:
     """Check that `mapping` is a mapping with all required keys and no unknown ones; return it."""
     if not isinstance(mapping, Mapping):
-        raise InputError(f"{where} is {_kind_of(mapping)}; a JSON object is due")
+        raise InputError(f"{where} is {kind_of(mapping)}; a JSON object is due")
     known = [*required, *optional]
     for key in mapping:
         if key not in known:
@@ -138,7 +89,7 @@ def check_keys(
 def check_list(value: Any, where: str, length: int | None = None) -> list[Any]:
     """Check that `value` is a list (of the given length); return it as a list."""
     if not isinstance(value, (list, tuple)):
-        raise InputError(f"{where} is {_kind_of(value)}; a list is due")
+        raise InputError(f"{where} is {kind_of(value)}; a list is due")
     if length is not None and len(value) != length:
         raise InputError(f"{where} has {len(value)} entries; {length} are due")
     return list(value)
@@ -147,27 +98,21 @@ def check_list(value: Any, where: str, length: int | None = None) -> list[Any]:
 def instances() -> dict[str, Traversable]:
     """Return every built-in document by name, in alphabetical order."""
     found: dict[str, Traversable] = {}
-    for point in _entry_points("slipstates.instances"):
+    for point in announced("instances"):
         found.update(point.load().paths())
     return dict(sorted(found.items()))
 
 
 def _built_in(name: str) -> Traversable | None:
     """Look a name up in one package after the other, loading no more of them than needed."""
-    tables = (point.load().paths() for point in _entry_points("slipstates.instances"))
+    tables = (point.load().paths() for point in announced("instances"))
     return next((table[name] for table in tables if name in table), None)
-
-
-def _entry_points(group: str) -> Any:
-    from importlib.metadata import entry_points
-
-    return entry_points(group=group)
 
 
 def _path_text(source: Any) -> str:
     if not isinstance(source, (str, os.PathLike)):
         raise InputError(
-            f"the source is {_kind_of(source)}; give a path, a built-in name or a mapping"
+            f"the source is {kind_of(source)}; give a path, a built-in name or a mapping"
         )
     return os.fsdecode(source)
 
@@ -263,7 +208,7 @@ def _check_kind(document: dict[str, Any], kinds: Collection[str], name: str) -> 
         )
 
 
-def _kind_of(value: Any) -> str:
+def kind_of(value: Any) -> str:
     """Name what a JSON value is, with its content where that is short."""
     if isinstance(value, Mapping):
         return "an object"

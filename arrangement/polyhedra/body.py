@@ -16,6 +16,7 @@ from itertools import product
 
 import numpy as np
 
+from arrangement.enumeration.choose import faces as listed
 from arrangement.errors import InputError
 from arrangement.exact import (
     IntegerVector,
@@ -26,7 +27,8 @@ from arrangement.exact import (
     rational_vector,
     shown,
 )
-from arrangement.planes import Arrangement
+from arrangement.linear import cross
+from arrangement.planes import Planes
 
 #: The edges of the icosahedron are cut into so many parts; the ball has 10 n^2 + 2 corners.
 FREQUENCY = 16
@@ -56,7 +58,7 @@ class Body:
 
 
 def body_around(
-    arrangement: Arrangement,
+    arrangement: Planes,
     kind: str = "ball",
     centre: Sequence[object] | None = None,
     radius: object | None = None,
@@ -106,13 +108,13 @@ def body_around(
     return Body(kind, middle, reach, corners, faces)
 
 
-def _extent(arrangement: Arrangement) -> tuple[RationalVector, Fraction]:
+def _extent(arrangement: Planes) -> tuple[RationalVector, Fraction]:
     """Return the centre and the radius of a body that every face meets."""
     origin = (Fraction(0),) * 3
     if arrangement.is_central:
         return origin, Fraction(1)
     points = [
-        _in_span(arrangement, face.witness) for face in arrangement.faces(3 - arrangement.rank)
+        _in_span(arrangement, face.witness) for face in listed(arrangement, 3 - arrangement.rank)
     ]
     columns = list(zip(*points, strict=True))
     centre = tuple((min(column) + max(column)) / 2 for column in columns)
@@ -124,24 +126,20 @@ def _extent(arrangement: Arrangement) -> tuple[RationalVector, Fraction]:
     return centre, Fraction(4, 3) * Fraction(math.isqrt(p * q << 32) + 1, q << 16)
 
 
-def _in_span(arrangement: Arrangement, point: RationalVector) -> RationalVector:
+def _in_span(arrangement: Planes, point: RationalVector) -> RationalVector:
     """Return the point of the span of the normals that lies on the same planes as `point`."""
     if arrangement.rank == 3:
         return point
     normals = [plane[:3] for plane in arrangement.integer_planes]
     if arrangement.rank == 1:
         return _projection(point, normals[0])
-    along = next(c for c in (_cross(normals[0], n) for n in normals) if any(c))
+    along = next(c for c in (cross(normals[0], n) for n in normals) if any(c))
     return tuple(x - y for x, y in zip(point, _projection(point, along), strict=True))
 
 
 def _projection(point: RationalVector, line: IntegerVector) -> RationalVector:
     factor = Fraction(dot(point, line)) / dot(line, line)
     return tuple(factor * x for x in line)
-
-
-def _cross(a: IntegerVector, b: IntegerVector) -> IntegerVector:
-    return (a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0])
 
 
 def _homogeneous(point: list[Fraction]) -> IntegerVector:

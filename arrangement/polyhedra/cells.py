@@ -9,10 +9,11 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
+from arrangement.enumeration.choose import faces
 from arrangement.errors import InputError
 from arrangement.exact import IntegerVector, shown
 from arrangement.linear import reduced
-from arrangement.planes import Arrangement
+from arrangement.planes import Planes
 
 from .body import Body, body_around
 
@@ -44,14 +45,14 @@ class Cells:
         cells: in the order of `Arrangement.regions`' sign vectors, sorted.
     """
 
-    arrangement: Arrangement
+    arrangement: Planes
     body: Body
     points: tuple[IntegerVector, ...]
     cells: tuple[Cell, ...]
 
 
 def cut_cells(
-    arrangement: Arrangement,
+    arrangement: Planes,
     kind: str = "ball",
     centre: Sequence[object] | None = None,
     radius: object | None = None,
@@ -89,7 +90,7 @@ def cut_cells(
     return Cells(arrangement, body, tuple(knife.points), cells)
 
 
-def read_signs(arrangement: Arrangement, text: str) -> tuple[int, ...]:
+def read_signs(arrangement: Planes, text: str) -> tuple[int, ...]:
     """Read the sign vector of a region from a text such as ``"+-+"``.
 
     Raises:
@@ -103,7 +104,7 @@ def read_signs(arrangement: Arrangement, text: str) -> tuple[int, ...]:
         raise InputError(
             f"the cell {shown(text)} has {len(signs)} signs and there are {len(arrangement)} planes"
         )
-    if all(face.signs != signs for face in arrangement.regions()):
+    if all(face.signs != signs for face in faces(arrangement, arrangement.dimension)):
         raise InputError(
             f"no region has the signs {shown(text)}; `arrangement faces FILE --dimension 3` "
             "lists them"
@@ -111,7 +112,7 @@ def read_signs(arrangement: Arrangement, text: str) -> tuple[int, ...]:
     return signs
 
 
-def _signs(arrangement: Arrangement, sides: tuple[int, ...]) -> tuple[int, ...]:
+def _signs(arrangement: Planes, sides: tuple[int, ...]) -> tuple[int, ...]:
     return tuple(
         flip * sides[label]
         for flip, label in zip(arrangement.orientation, arrangement.class_of, strict=True)

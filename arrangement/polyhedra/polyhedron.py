@@ -13,6 +13,7 @@ from functools import cached_property
 from typing import Any
 
 from arrangement.exact import IntegerVector, RationalVector, dot, primitive, to_text
+from arrangement.linear import cross
 
 from .cones import generators
 from .intervals import LINE, Interval, where_positive
@@ -117,12 +118,6 @@ class Polyhedron:
         """Return a JSON form; numbers are strings, a condition has its constant last."""
         names = ("inequalities", "equalities", "points", "rays", "lines")
         return {name: [list(map(to_text, row)) for row in getattr(self, name)] for name in names}
-
-
-def cross(one: Sequence[Fraction], other: Sequence[Fraction]) -> RationalVector:
-    """Return the cross product of two vectors in space; zero when they are parallel."""
-    (a, b, c), (d, e, f) = one, other
-    return (b * f - c * e, c * d - a * f, a * e - b * d)
 
 
 def from_conditions(

@@ -11,8 +11,8 @@ from dataclasses import dataclass, field
 from fractions import Fraction
 from typing import TypeAlias
 
-from arrangement.counts.configuration import determinant
 from arrangement.exact import RationalVector, primitive
+from arrangement.linear import determinant
 from equilibrium.model.grasp import Contact, Grasp
 
 #: A linear form: coefficients by name of the unknown; the constant has the name "1".

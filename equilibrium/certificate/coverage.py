@@ -19,9 +19,9 @@ from typing import TypeAlias
 import numpy as np
 import numpy.typing as npt
 
-from arrangement.counts.configuration import rank
 from arrangement.exact import sign
-from arrangement.planes import Arrangement
+from arrangement.linear import rank
+from arrangement.planes import Planes
 
 #: Rows of signs, or of contact states: 0 stick, +1 and -1 slip, 2 detached.
 Rows: TypeAlias = npt.NDArray[np.int8]
@@ -30,7 +30,7 @@ _Hashes: TypeAlias = npt.NDArray[np.uint64]
 DETACHED = 2
 
 
-def due_states(planes: Arrangement, regions: Rows) -> Rows:
+def due_states(planes: Planes, regions: Rows) -> Rows:
     """Return the contact states to refute, as distinct rows in the order of `sorted_rows`.
 
     Args:
@@ -54,7 +54,7 @@ def due_states(planes: Arrangement, regions: Rows) -> Rows:
             through = _through_line(planes, first, one, other)
             edges, _ = _between(facets, facet_hashes, through, other, keys)
             found.append(_states(planes, edges))
-    if rank(planes.integer_planes[i][:-1] for i in range(m)) == 3:
+    if rank([planes.integer_planes[i][:-1] for i in range(m)]) == 3:
         at_rest = [[-sign(planes.integer_planes[i][-1]) for i in first]]
         found.append(_states(planes, np.array(at_rest, dtype=np.int8)))
     return sorted_rows(np.concatenate(found))
@@ -71,7 +71,7 @@ def sorted_rows(rows: Rows) -> Rows:
     return (distinct.view(np.uint8).reshape(-1, m) - 2).astype(np.int8)
 
 
-def _states(planes: Arrangement, signs: Rows) -> Rows:
+def _states(planes: Planes, signs: Rows) -> Rows:
     """Return the contact states on faces given by signs over the classes of planes."""
     m = len(planes) // 2
     columns = np.array(planes.class_of, dtype=np.intp)
@@ -111,7 +111,7 @@ def _hashes(rows: Rows, keys: _Hashes) -> _Hashes:
     return hashes
 
 
-def _through_line(planes: Arrangement, first: Sequence[int], one: int, other: int) -> list[int]:
+def _through_line(planes: Planes, first: Sequence[int], one: int, other: int) -> list[int]:
     """Return the classes that hold the line of two planes through the origin, these included."""
     pair = [planes.integer_planes[first[c]][:-1] for c in (one, other)]
     (a, b, c), (d, e, f) = pair

@@ -38,7 +38,7 @@ import numpy as np
 from arrangement.completeness import regions_problem
 from arrangement.exact import RationalVector, rational_vector
 from arrangement.io.files import check_keys, check_list
-from arrangement.planes import Arrangement
+from arrangement.planes import Planes
 from arrangement.progress import watched
 from equilibrium.model.errors import CertificateError
 from equilibrium.model.grasp import Grasp, read_wrench
@@ -189,7 +189,7 @@ def _unstable_lines(
     grasp: Grasp, wrench: RationalVector, document: Mapping[str, Any], rationals_only: bool
 ) -> Iterator[Line]:
     """Check that the regions are all regions, and that all states that are due are refuted."""
-    planes = Arrangement(*motion_planes(grasp), dimension=3)
+    planes = Planes(*motion_planes(grasp), dimension=3)
     signs, points = _regions(document["regions"], 2 * len(grasp))
     problem = regions_problem(planes, signs, points, rationals_only=rationals_only)
     yield Line("regions", not problem, problem)
@@ -254,7 +254,7 @@ def _branches(value: Any) -> dict[str, Reason]:
     return branches
 
 
-def _coverage_problem(planes: Arrangement, signs: Rows, listed: list[str], contacts: int) -> str:
+def _coverage_problem(planes: Planes, signs: Rows, listed: list[str], contacts: int) -> str:
     """Return what is wrong when the branches are not the states that are due, each once."""
     if any(len(states) != contacts for states in listed):
         return "a branch has too few or too many states"

@@ -5,26 +5,27 @@ Plain HTML without scripts; no extra is needed.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable
 from fractions import Fraction
 from html import escape
 
-from arrangement.exact import RationalVector, to_text
-from equilibrium.model.grasp import Grasp
+from arrangement.exact import to_text
 from equilibrium.solver.equilibrium import Equilibrium
+from equilibrium.verdict import Verdict
 
 #: How many equilibria are listed, and how long an exact number may be before it is rounded.
 MOST_PIECES, LONGEST = 8, 24
 
 
-def verdict_html(grasp: Grasp, wrench: RationalVector, equilibria: Sequence[Equilibrium]) -> str:
+def verdict_html(verdict: Verdict) -> str:
     """Return the answer as HTML: state, normal and tangential force of each contact.
 
     Contacts are numbered from 1, as in pictures. A number too long for a cell is rounded, with a
     sign that says so; its exact value is in the title of the cell.
     """
-    units = f"<p>{escape(str(grasp.units))}</p>" if grasp.units else ""
-    applied = f"w = {_vector(wrench)}"
+    stated, equilibria = verdict.grasp.units, verdict.equilibria
+    units = f"<p>{escape(str(stated))}</p>" if stated else ""
+    applied = f"w = {_vector(verdict.wrench)}"
     if not equilibria:
         return f"<div>{units}<p><b>no equilibrium</b> under {applied}</p></div>"
     number = len(equilibria)

@@ -8,7 +8,7 @@ with exact numbers; floats place things on the screen.
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from fractions import Fraction
 from typing import Any
 
@@ -51,8 +51,11 @@ def resist_page(
     applied = None if wrench is None else read_wrench(wrench)
     number = f"{len(grasp)} contact{'' if len(grasp) == 1 else 's'}"
     heading = title if title is not None else f"Forces that {number} resist"
-    data = {"title": heading, "summary": _summary(grasp), **_sets(grasp), **_picture(grasp)}
-    data |= _window(grasp, applied)
+    shown = {grasp, *map(grasp.with_preload, (0, 1))}
+    found = {loaded: resistible_set(loaded).pieces for loaded in shown}
+    sets, picture = _sets(grasp, found), _picture(grasp)
+    data = {"title": heading, "summary": _summary(grasp), **sets, **picture}
+    data |= _window(grasp, applied, found[grasp])
     own = "equilibrium.draw"
     scripts: list[Template] = [(own, name) for name in (*_SCRIPTS, "resist_controls.js")]
     styles: list[Template] = [BASE_STYLE, (own, "resist.css")]
@@ -67,7 +70,7 @@ def _summary(grasp: Grasp) -> str:
     return f"{len(grasp)} contacts;{stated}{loaded}"
 
 
-def _sets(grasp: Grasp) -> dict[str, Any]:
+def _sets(grasp: Grasp, found: Mapping[Grasp, Sequence[Piece]]) -> dict[str, Any]:
     """Return the resisted wrenches without preload, with preload 1, and with the grasp's own."""
     preloads = {contact.preload for contact in grasp} or {Fraction(0)}
     chosen = {"none": grasp.with_preload(0), "uniform": grasp.with_preload(1)}
@@ -76,7 +79,7 @@ def _sets(grasp: Grasp) -> dict[str, Any]:
     uniform = next(iter(preloads))
     return {
         "sets": [
-            {"name": name, "pieces": [_piece(loaded, x) for x in resistible_set(loaded).pieces]}
+            {"name": name, "pieces": [_piece(loaded, x) for x in found[loaded]]}
             for name, loaded in chosen.items()
         ],
         "kind": "own" if "own" in chosen else "uniform",
@@ -180,12 +183,13 @@ def _frame(frame: Frame) -> dict[str, Any]:
     return {"centre": [float(x) for x in frame.centre], "size": float(frame.size)}
 
 
-def _window(grasp: Grasp, applied: RationalVector | None) -> dict[str, Any]:
+def _window(
+    grasp: Grasp, applied: RationalVector | None, pieces: Sequence[Piece]
+) -> dict[str, Any]:
     """Return how much of the plane is shown at first, and how far the torque can be moved.
 
     Few corners of pieces may be very far away; the first view need not hold these.
     """
-    pieces = resistible_set(grasp).pieces
     points = {point for piece in pieces for point in piece.polyhedron.points}
     forces = [_most(max(abs(x), abs(y)) for x, y, _ in points)]
     torques = [_most(abs(point[2]) for point in points)]

@@ -6,9 +6,9 @@ import os
 from collections.abc import Mapping
 from typing import Any
 
+from arrangement.arrangement import Arrangement
 from arrangement.io.files import Source, read_document
 from arrangement.io.writing import write_text_atomically
-from arrangement.planes import Arrangement
 from equilibrium.certificate.regions_checker import Report, check
 from equilibrium.certificate.regions_document import Certificate
 from equilibrium.model.grasp import Grasp

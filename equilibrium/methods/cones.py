@@ -15,9 +15,9 @@ from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
 
+from arrangement.arrangement import Arrangement
 from arrangement.exact import RationalVector
 from arrangement.linprog import Infeasible, Row, feasible_point
-from arrangement.planes import Arrangement
 from equilibrium.model.grasp import Grasp, read_wrench
 
 from .springs import Forces, Form, normal_form, value

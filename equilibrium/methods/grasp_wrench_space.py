@@ -19,11 +19,12 @@ from math import sqrt
 from typing import Any, Literal
 
 from arrangement.exact import RationalVector, dot, rational, rational_vector
+from arrangement.linear import cross
 from arrangement.linprog import Infeasible, Optimal, Row, minimize
 from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import Contact, Grasp, read_wrench
 
-from .hull import Hull, convex_hull, cross, plane_hull
+from .hull import Hull, convex_hull, plane_hull
 
 Norm = Literal["L1", "Linf"]
 Forces = tuple[tuple[Fraction, Fraction], ...]

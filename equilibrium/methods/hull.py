@@ -14,7 +14,7 @@ from math import lcm
 from typing import Any
 
 from arrangement.exact import IntegerVector, RationalVector, dot, primitive
-from arrangement.linear import rank
+from arrangement.linear import cross, rank
 
 
 @dataclass(frozen=True)
@@ -189,15 +189,6 @@ def _affine_rank(points: Sequence[Sequence[int]]) -> int:
 def _turn(a: Sequence[Any], b: Sequence[Any], c: Sequence[Any]) -> Any:
     """Return a number whose sign is 1 for a left turn from a by b to c."""
     return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])
-
-
-def cross(a: Sequence[Any], b: Sequence[Any]) -> tuple[Any, ...]:
-    """Return the vector product."""
-    return (
-        a[1] * b[2] - a[2] * b[1],
-        a[2] * b[0] - a[0] * b[2],
-        a[0] * b[1] - a[1] * b[0],
-    )
 
 
 def _minus(a: Sequence[Any], b: Sequence[Any]) -> tuple[Any, ...]:

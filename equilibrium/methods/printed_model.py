@@ -9,7 +9,6 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterable
 from dataclasses import dataclass
-from functools import lru_cache
 from typing import Any
 
 from arrangement.enumeration.paper_steps import published_enumeration
@@ -109,7 +108,19 @@ def _states(grasp: Grasp, options: tuple[str, ...]) -> tuple[States, ...]:
     label, faces = _touching, grasp.motion_arrangement().faces()
     if "detachment" in options:
         faces, label = grasp.tangential_arrangement().faces(), _attached
-    listed = [face for face in faces if _is_listed(grasp, face, options)]
+    tangential = grasp.tangential_arrangement()
+    published: Collection[tuple[int, ...]] | None = None
+    if "coincident-planes" in options:
+        published = frozenset(published_enumeration(tangential).states)
+    # The origin; where the tangential planes share a line, the enumeration lists that line.
+    origin = "all-stick" not in options or tangential.rank < 3
+
+    def is_listed(face: Face) -> bool:
+        """Return whether this enumeration reaches a face, by its tangential signs."""
+        slips = face.signs[: len(grasp)]
+        return (published is None or slips in published) if any(slips) else origin
+
+    listed = filter(is_listed, faces)
     return tuple(dict.fromkeys(map(label, listed)))
 
 
@@ -122,20 +133,3 @@ def _touching(face: Face) -> States:
 def _attached(face: Face) -> States:
     """Return the states on a face of the tangential planes when no contact detaches."""
     return tuple(_SLIP[sign] for sign in face.signs)
-
-
-def _is_listed(grasp: Grasp, face: Face, options: tuple[str, ...]) -> bool:
-    """Return whether the enumeration of this reading reaches a face, by its tangential signs."""
-    slips = face.signs[: len(grasp)]
-    if not any(slips):
-        # The origin; where the tangential planes share a line, the enumeration lists that line.
-        return "all-stick" not in options or grasp.tangential_arrangement().rank < 3
-    if "coincident-planes" not in options:
-        return True
-    return slips in _published(grasp)
-
-
-@lru_cache(maxsize=16)
-def _published(grasp: Grasp) -> frozenset[tuple[int, ...]]:
-    """Return the slip states of Steps 1 to 3 as printed."""
-    return frozenset(published_enumeration(grasp.tangential_arrangement()).states)

@@ -27,9 +27,9 @@ from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
 
+from arrangement.arrangement import Arrangement
 from arrangement.exact import RationalVector, rational, rational_vector
 from arrangement.linprog import Infeasible, Row, feasible_point, minimize
-from arrangement.planes import Arrangement
 from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import Contact, Grasp, read_wrench
 

@@ -14,9 +14,10 @@ from fractions import Fraction
 from functools import cached_property
 from typing import Any
 
+from arrangement.arrangement import Arrangement
 from arrangement.exact import RationalVector, rational, rational_vector, shown, to_text
 from arrangement.io.files import check_keys, check_list
-from arrangement.planes import Arrangement
+from arrangement.plugins import display
 
 from .errors import GraspError
 from .units import Units
@@ -158,9 +159,7 @@ class Grasp:
 
     def _repr_svg_(self) -> str | None:
         """Return what a notebook shows: the picture, where matplotlib is installed."""
-        from equilibrium.draw.output import grasp_svg
-
-        return grasp_svg(self)
+        return display("grasp-svg", self)
 
     def to_dict(self) -> dict[str, Any]:
         """Return the file form (see `read_grasp`)."""

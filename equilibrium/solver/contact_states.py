@@ -12,13 +12,12 @@ two of them, and of d = 0. They are O(m^2) without preload, O(m^3) with.
 
 from __future__ import annotations
 
-from functools import lru_cache
 from typing import TypeAlias
 
 import numpy as np
 import numpy.typing as npt
 
-from arrangement.enumeration.affine_space import SpaceFaces, space_faces
+from arrangement.enumeration.affine_space import SpaceFaces
 from arrangement.exact import RationalVector
 from equilibrium.model.grasp import Grasp
 
@@ -30,17 +29,6 @@ Codes: TypeAlias = npt.NDArray[np.int8]
 DETACHED = 2
 STATE_OF_CODE: dict[int, State] = {1: "slip+", 0: "stick", -1: "slip-", DETACHED: "detached"}
 _LETTERS = {1: "+", 0: "0", -1: "-", DETACHED: "d"}
-
-
-def contact_states(grasp: Grasp) -> tuple[States, ...]:
-    """Return choices of contact states that together admit every equilibrium, without repeats."""
-    return tuple(map(states_of_code, contact_codes(grasp).tolist()))
-
-
-@lru_cache(maxsize=2)
-def motion_faces(grasp: Grasp) -> SpaceFaces:
-    """Return the faces of the motion arrangement; kept for the certificate."""
-    return space_faces(grasp.motion_arrangement())
 
 
 def states_of_code(row: list[int]) -> States:
@@ -57,11 +45,13 @@ def letters_of_codes(codes: Codes) -> list[str]:
     return [text[k * m : (k + 1) * m] for k in range(len(codes))]
 
 
-@lru_cache(maxsize=8)
-def contact_codes(grasp: Grasp) -> Codes:
-    """Return `contact_states` as an array (choices, contacts); kept for the next wrench."""
+def codes_of_faces(grasp: Grasp, faces: SpaceFaces) -> Codes:
+    """Return the choices of contact states, without repeats, as an array (choices, contacts).
+
+    Args:
+        faces: of ``Grasp.motion_arrangement``.
+    """
     m = len(grasp)
-    faces = motion_faces(grasp)
     tangential = sorted({faces.arrangement.class_of[i] for i in range(m)})
     parts = [faces.regions, faces.facets_on(tangential), faces.edges_between(tangential)]
     codes = np.concatenate([_codes(faces.plane_signs(part)) for part in parts])

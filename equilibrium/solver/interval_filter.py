@@ -18,7 +18,6 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass
-from functools import lru_cache
 from typing import TypeAlias
 
 import numpy as np
@@ -28,7 +27,7 @@ from arrangement.exact import RationalVector
 from arrangement.progress import watched
 from equilibrium.model.grasp import Grasp
 
-from .contact_states import DETACHED, Codes, contact_codes
+from .contact_states import DETACHED, Codes
 from .float_contacts import UNIT, Floats, Integers, OutOfRange, RoundedContacts, floats
 
 Booleans: TypeAlias = npt.NDArray[np.bool_]
@@ -47,21 +46,15 @@ _CONTACTS = 12
 _ALL = slice(None)
 
 
-@lru_cache(maxsize=8)
-def screen_of(grasp: Grasp) -> Screen:
-    """Return the screen of a grasp; kept for the next wrench."""
-    return Screen(grasp)
-
-
 class Screen:
     """The systems of all contact states of one grasp, ready for any wrench.
 
-    Attributes:
-        codes: see `cells.contact_codes`.
+    Args:
+        codes: choices of contact states, as `contact_states.codes_of_faces` returns them.
     """
 
-    def __init__(self, grasp: Grasp) -> None:
-        self.codes = contact_codes(grasp)
+    def __init__(self, grasp: Grasp, codes: Codes) -> None:
+        self.codes = codes
         self._batches: list[_Batch] = []
         try:
             contacts = RoundedContacts(grasp)

@@ -9,13 +9,13 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from fractions import Fraction
-from functools import lru_cache
 
 from arrangement.exact import RationalVector, dot
 from equilibrium.model.grasp import Grasp
 
+from .contact_rows import normal_force_row, slip_edge
 from .elimination import Refutation, gauss_jordan
-from .state_system import DIRECTION, States
+from .state_system import States
 
 _ZERO = Fraction(0)
 #: The number of inequalities of a contact in each state.
@@ -33,12 +33,6 @@ class _Unopposed:
 
     directions: tuple[RationalVector, ...]
     constants: tuple[Fraction | None, ...]
-
-
-@lru_cache(maxsize=8)
-def balances_of(grasp: Grasp) -> Balances:
-    """Return the balances of a grasp; kept for the next wrench."""
-    return Balances(grasp)
 
 
 class Balances:
@@ -72,9 +66,7 @@ class Balances:
             if state == "stick":
                 span += [contact.normal_wrench, contact.tangential_wrench]
             elif state != "detached":
-                pull = DIRECTION[state] * contact.friction
-                pairs = zip(contact.normal_wrench, contact.tangential_wrench, strict=True)
-                span.append(tuple(along + pull * across for along, across in pairs))
+                span.append(slip_edge(contact, state))
         reduced, pivots, scale = gauss_jordan(span)
         directions = []
         for free in (j for j in range(3) if j not in pivots):
@@ -95,13 +87,13 @@ class Balances:
         for contact, state in zip(self._grasp, states, strict=True):
             if state == "detached":
                 continue
-            along, across = contact.normal_wrench[axis], contact.tangential_wrench[axis]
-            if state == "stick":
-                if across:
-                    return None
+            if state != "stick":
+                along = slip_edge(contact, state)[axis]
+            elif contact.tangential_wrench[axis]:
+                return None
             else:
-                along += DIRECTION[state] * contact.friction * across
+                along = contact.normal_wrench[axis]
             if along:
-                spring = (-contact.stiffness * x for x in contact.normal_wrench)
-                row = [a + along * b for a, b in zip(row, (*spring, contact.preload), strict=True)]
+                spring = normal_force_row(contact)
+                row = [a + along * b for a, b in zip(row, spring, strict=True)]
         return None if any(row[:3]) else row[3]

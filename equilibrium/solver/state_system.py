@@ -10,18 +10,17 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass
 from fractions import Fraction
-from functools import cached_property, lru_cache
+from functools import cached_property
 from typing import Literal, TypeAlias
 
 from arrangement import linprog
 from arrangement.exact import RationalVector, dot
 from equilibrium.model.grasp import Contact, Grasp
 
+from .contact_rows import DIRECTION, normal_force_row
+
 State: TypeAlias = Literal["detached", "slip+", "slip-", "stick"]
 States: TypeAlias = tuple[State, ...]
-
-#: The friction force of a slipping contact, in units of friction times normal force.
-DIRECTION = {"slip+": -1, "slip-": 1}
 
 
 @dataclass(frozen=True)
@@ -56,7 +55,7 @@ class StateSystem:
 def state_system(
     grasp: Grasp,
     states: States,
-    wrench: RationalVector,
+    wrench: RationalVector | None = None,
     *,
     friction_sign: int = 1,
     cell_check: bool = True,
@@ -64,20 +63,10 @@ def state_system(
     """Return the linear system of a choice of states.
 
     Args:
+        wrench: applied; None for none. See `loaded` for another one.
         friction_sign: -1 lets friction pull along the slip (a literal reading only).
         cell_check: False leaves out the direction of slip (a literal reading only).
     """
-    resting = _without_wrench(grasp, states, friction_sign, cell_check)
-    balance = ((*row[:-1], row[-1] + w) for row, w in zip(resting.equalities, wrench, strict=False))
-    rows = (*balance, *resting.equalities[3:])
-    return StateSystem(states, rows, resting.inequalities, resting.forces)
-
-
-@lru_cache(maxsize=256)
-def _without_wrench(
-    grasp: Grasp, states: States, friction_sign: int, cell_check: bool
-) -> StateSystem:
-    """Return the system for no wrench; kept, since most of the work is the same for the next."""
     columns = _stick_columns(states)
     n = 3 + len(columns)
     balance = [[Fraction(0)] * (n + 1) for _ in range(3)]
@@ -103,7 +92,15 @@ def _without_wrench(
         forces.append((normal, tangential))
         _add_force(balance, contact, normal, tangential)
     rows = (*map(tuple, balance), *equalities)
-    return StateSystem(states, rows, tuple(inequalities), tuple(forces))
+    system = StateSystem(states, rows, tuple(inequalities), tuple(forces))
+    return system if wrench is None else loaded(system, wrench)
+
+
+def loaded(system: StateSystem, wrench: RationalVector) -> StateSystem:
+    """Return a system with one more wrench applied: only the constants of the balances change."""
+    pairs = zip(system.equalities, wrench, strict=False)
+    rows = (*((*row[:-1], row[-1] + w) for row, w in pairs), *system.equalities[3:])
+    return StateSystem(system.states, rows, system.inequalities, system.forces)
 
 
 def _stick_columns(states: States) -> dict[int, int]:
@@ -114,8 +111,8 @@ def _stick_columns(states: States) -> dict[int, int]:
 
 def _normal_force(contact: Contact, n: int) -> RationalVector:
     """Return the row of ``preload - stiffness N . d``."""
-    spring = (-contact.stiffness * x for x in contact.normal_wrench)
-    return (*spring, *[Fraction(0)] * (n - 3), contact.preload)
+    *spring, preload = normal_force_row(contact)
+    return (*spring, *[Fraction(0)] * (n - 3), preload)
 
 
 def _unit_row(column: int, n: int) -> RationalVector:

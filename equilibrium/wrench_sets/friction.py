@@ -19,8 +19,9 @@ from arrangement.exact import RationalVector, rational, to_text
 from arrangement.progress import watched
 from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import Contact, Grasp, read_wrench
-from equilibrium.solver.contact_states import contact_states
-from equilibrium.solver.state_system import DIRECTION, States
+from equilibrium.solver.contact_rows import DIRECTION, normal_force_row
+from equilibrium.solver.prepared import contact_states
+from equilibrium.solver.state_system import States
 from equilibrium.verdict import solve
 
 #: Coefficients above this are tried all at once only.
@@ -176,8 +177,8 @@ def relaxed_rows(
     sticking: list[RationalVector] = []
     balance = [[Fraction(0)] * n + [w] for w in wrench]
     for i, (contact, state) in enumerate(zip(grasp, states, strict=True)):
-        normal = [-contact.stiffness * x for x in contact.normal_wrench]
-        spring = (*normal, *[Fraction(0)] * (n - 3), contact.preload)
+        *normal, preload = normal_force_row(contact)
+        spring = (*normal, *[Fraction(0)] * (n - 3), preload)
         if state == "detached":
             inequalities.append(tuple(-x for x in spring))
             continue

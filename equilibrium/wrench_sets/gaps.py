@@ -42,7 +42,7 @@ def gaps(contacts: int, seed: int, tries: int) -> Iterator[Gap]:
     random = Random(seed)
     for _ in watched(range(tries), "grasps"):
         grasp = Grasp(_contact(random) for _ in range(contacts))
-        whole = resistible_set.__wrapped__(grasp)
+        whole = resistible_set(grasp)
         for direction in _AXES:
             found = whole.along(direction)
             if found and (len(found) > 1 or found[0][0] != 0):

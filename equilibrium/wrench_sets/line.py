@@ -20,9 +20,9 @@ from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import Grasp, read_wrench
 from equilibrium.solver.contact_states import states_of_code
 from equilibrium.solver.elimination import gauss_jordan
-from equilibrium.solver.interval_filter import screen_of
-from equilibrium.solver.state_system import States, StateSystem, state_system
-from equilibrium.verdict import solve
+from equilibrium.solver.prepared import PreparedGrasp
+from equilibrium.solver.state_system import States, StateSystem
+from equilibrium.verdict import Solver, prepare
 
 _MAGNITUDES: Interval = (Fraction(0), None)
 
@@ -60,7 +60,7 @@ class Magnitudes:
 
 
 def resisted_magnitudes(
-    grasp: Grasp, direction: Iterable[Any], base: Iterable[Any] = (0, 0, 0)
+    grasp: Grasp | Solver, direction: Iterable[Any], base: Iterable[Any] = (0, 0, 0)
 ) -> Magnitudes:
     """Return the exact set of t >= 0 for which a grasp resists ``base + t direction``.
 
@@ -82,23 +82,24 @@ def resisted_magnitudes(
     along, start = read_wrench(direction), read_wrench(base)
     if not any(along):
         raise GraspError("direction is (0, 0, 0); give a wrench other than zero")
-    screen = screen_of(grasp)
+    solver = prepare(grasp)
+    screen = solver.screen
     possible = screen.codes[screen.possible_along(start, along)].tolist()
     found = (
-        _interval(grasp, states_of_code(row), start, along) for row in watched(possible, "states")
+        _interval(solver, states_of_code(row), start, along) for row in watched(possible, "states")
     )
     parts = [part for part in found if part is not None]
     # The screen speaks of t > 0 only.
-    if not any(low == 0 for low, _ in parts) and solve(grasp, start).stable:
+    if not any(low == 0 for low, _ in parts) and solver.solve(start).stable:
         parts.append((Fraction(0), Fraction(0)))
     return Magnitudes(start, along, union(parts))
 
 
 def _interval(
-    grasp: Grasp, states: States, base: RationalVector, along: RationalVector
+    solver: PreparedGrasp, states: States, base: RationalVector, along: RationalVector
 ) -> Interval | None:
     """Return the magnitudes that one choice of states allows."""
-    system = state_system(grasp, states, base)
+    system = solver.system(states, base)
     n = system.size
     moved = (*along, *[Fraction(0)] * (n - 3))
     rows = [(*row[:-1], u, row[-1]) for row, u in zip(system.equalities, moved, strict=True)]

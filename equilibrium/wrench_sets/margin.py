@@ -15,7 +15,7 @@ from typing import Any
 from arrangement.exact import RationalVector, to_text
 from arrangement.polyhedra.intervals import Interval, holds, union
 from equilibrium.model.grasp import Grasp, read_wrench
-from equilibrium.verdict import solve
+from equilibrium.verdict import Solver, prepare, solve
 
 from .line import resisted_magnitudes
 
@@ -62,7 +62,7 @@ class Margin:
         }
 
 
-def margin(grasp: Grasp, wrench: Iterable[Any]) -> Margin:
+def margin(grasp: Grasp | Solver, wrench: Iterable[Any]) -> Margin:
     """Return the exact factors by which a wrench may be scaled.
 
     >>> from equilibrium.io.files import read_grasp
@@ -70,7 +70,11 @@ def margin(grasp: Grasp, wrench: Iterable[Any]) -> Margin:
     (Fraction(0, 1), Fraction(2, 1))
     """
     w = read_wrench(wrench)
-    found = resisted_magnitudes(grasp, w).intervals if any(w) else _zero(grasp)
+    solver = prepare(grasp)
+    if any(w):
+        found = resisted_magnitudes(solver, w).intervals
+    else:
+        found = (_ALL,) if solver.solve(w).stable else ()
     return Margin(w, holds(found, Fraction(1)), found)
 
 
@@ -109,13 +113,13 @@ def sufficient_preloads(grasp: Grasp, wrench: Iterable[Any]) -> Preloads:
     Fraction(3, 1)
     """
     w = read_wrench(wrench)
-    unloaded = bool(solve(grasp.with_preload(0), w).stable)
+    unloaded = solve(grasp.with_preload(0), w).stable
     parts: list[Interval] = [(Fraction(0), Fraction(0))] if unloaded else []
-    loaded = grasp.with_preload(1)
+    loaded = Solver(grasp.with_preload(1))
     if any(w):
         factors = resisted_magnitudes(loaded, w).intervals
         parts += [_reciprocal(part) for part in factors if part[1] != 0]
-    elif solve(loaded, w).stable:
+    elif loaded.solve(w).stable:
         parts.append(_ALL)
     return Preloads(w, union(parts))
 
@@ -128,11 +132,6 @@ def _reciprocal(factors: Interval) -> Interval:
     """
     low, high = factors
     return (Fraction(0) if high is None else 1 / high, 1 / low if low else None)
-
-
-def _zero(grasp: Grasp) -> tuple[Interval, ...]:
-    """Return the factors of the zero wrench: all or none."""
-    return (_ALL,) if solve(grasp, (0, 0, 0)).stable else ()
 
 
 def _texts(part: Interval) -> list[str | None]:

@@ -20,16 +20,17 @@ from arrangement.exact import (
     rational_vector,
     to_text,
 )
+from arrangement.linear import cross
 from arrangement.polyhedra.intervals import Interval, intersection, union
-from arrangement.polyhedra.polyhedron import Polyhedron, cross
+from arrangement.polyhedra.polyhedron import Polyhedron
 from arrangement.progress import watched
 from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import Grasp, read_wrench
-from equilibrium.solver.contact_states import contact_states
 from equilibrium.solver.state_system import States
+from equilibrium.verdict import Solver, prepare
 
 from .directions import Sector, counter_clockwise, sectors
-from .images import resisted_with
+from .images import StateImages
 from .outline import Outline, outline_of
 from .space import Piece, maximal_pieces
 
@@ -102,7 +103,7 @@ class Region:
 
 
 def resistible_region(
-    grasp: Grasp,
+    grasp: Grasp | Solver,
     spans: Sequence[Iterable[Any]] = FORCES,
     origin: Iterable[Any] = (0, 0, 0),
 ) -> Region:
@@ -123,8 +124,9 @@ def resistible_region(
     if len(frame) != 2 or not _independent(*frame):
         raise GraspError("a plane needs two spanning wrenches that are not parallel")
     plane = _plane(start, *frame)
-    every = watched(contact_states(grasp), "contact states")
-    found = ((states, resisted_with(grasp, states, plane)) for states in every)
+    solver = prepare(grasp)
+    images, every = StateImages(solver.grasp), watched(solver.states, "contact states")
+    found = ((states, images.resisted_with(states, plane)) for states in every)
     cuts = ((states, shape.cut(start, frame)) for states, shape in found if shape is not None)
     polygons = [Piece(states, shape) for states, shape in cuts if shape is not None]
     return Region(start, (frame[0], frame[1]), maximal_pieces(polygons))

@@ -1,6 +1,6 @@
 """The whole set of wrenches that a grasp resists, as convex polyhedra with exact half-spaces.
 
-It is the union, over all contact states, of what `images.resisted_with` returns.
+It is the union, over all contact states, of what `StateImages.resisted_with` returns.
 """
 
 from __future__ import annotations
@@ -8,7 +8,6 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
-from functools import lru_cache
 from typing import Any
 
 from arrangement.polyhedra.intervals import Interval, union
@@ -16,10 +15,10 @@ from arrangement.polyhedra.polyhedron import Polyhedron
 from arrangement.polyhedra.separation import surely_outside
 from arrangement.progress import watched
 from equilibrium.model.grasp import Grasp, read_wrench
-from equilibrium.solver.contact_states import contact_states
 from equilibrium.solver.state_system import States
+from equilibrium.verdict import Solver, prepare
 
-from .images import resisted_with
+from .images import StateImages
 
 
 @dataclass(frozen=True)
@@ -46,7 +45,7 @@ class ResistibleSet:
     pieces: tuple[Piece, ...]
 
     def contains(self, wrench: Iterable[Any]) -> bool:
-        """Return whether a wrench is resisted; the same answer as `passive.solve`."""
+        """Return whether a wrench is resisted; the same answer as `solve`."""
         w = read_wrench(wrench)
         return any(piece.polyhedron.contains(w) for piece in self.pieces)
 
@@ -73,8 +72,7 @@ class ResistibleSet:
         return {"polyhedra": [piece.to_dict() for piece in self.pieces]}
 
 
-@lru_cache(maxsize=16)
-def resistible_set(grasp: Grasp) -> ResistibleSet:
+def resistible_set(grasp: Grasp | Solver) -> ResistibleSet:
     """Return all wrenches that a grasp resists, exactly.
 
     Complexity: two conversions between conditions and generators in four homogeneous coordinates
@@ -85,10 +83,11 @@ def resistible_set(grasp: Grasp) -> ResistibleSet:
     >>> whole.contains([0, -5, 0]), whole.contains([0, 1, 0])
     (True, False)
     """
-    every = watched(contact_states(grasp), "contact states")
-    found = ((states, resisted_with(grasp, states)) for states in every)
+    solver = prepare(grasp)
+    images, every = StateImages(solver.grasp), watched(solver.states, "contact states")
+    found = ((states, images.resisted_with(states)) for states in every)
     pieces = [Piece(states, shape) for states, shape in found if shape is not None]
-    return ResistibleSet(grasp, maximal_pieces(pieces))
+    return ResistibleSet(solver.grasp, maximal_pieces(pieces))
 
 
 def maximal_pieces(pieces: Sequence[Piece]) -> tuple[Piece, ...]:

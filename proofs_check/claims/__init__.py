@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from importlib import import_module
 
-from proofs_check.claim import Registry
+from proofs_check.statement import Registry
 
 #: Modules of this package in the order of the report; each has a tuple CLAIMS.
 TOPICS: tuple[str, ...] = (

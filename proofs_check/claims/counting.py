@@ -4,33 +4,37 @@ from __future__ import annotations
 
 import random
 from collections.abc import Iterator
+from functools import partial
 from typing import Any
 
 from arrangement import counts
+from arrangement.arrangement import Arrangement
 from arrangement.enumeration.great_circles import sphere_arrangement
 from arrangement.enumeration.paper_steps import published_enumeration
-from arrangement.planes import Arrangement
-from proofs_check.claim import Case, Claim, Hypothesis, Kind, Route, Verdict
 from proofs_check.instances.arrangements import (
+    TYPES,
     arrangement_case,
     census_cases,
+    proved_on_types,
     random_arrangement,
     simple_arrangement,
     smallest_arrangements,
-    types_and_samples,
 )
+from proofs_check.instances.domains import domain
 from proofs_check.instances.paper_tables import STATE_COUNTS
+from proofs_check.statement import (
+    Case,
+    Claim,
+    Hypothesis,
+    Route,
+    Verdict,
+    exhaustive,
+    proved,
+    sampled,
+)
 
 ENUMERATION = "enumeration of all faces"
 THEOREM = "Zaslavsky's theorem on the intersection lattice"
-#: The numbers of planes for which every type is checked in a default run: 167 types.
-TYPES = range(3, 8)
-EVERY_TYPE = "all 167 types of 3 to 7 distinct planes of rank 3"
-PROOF = "any m (proof: docs, Proofs); checked on "
-
-
-def _f_enumerated(planes: Arrangement) -> tuple[int, ...]:
-    return planes.f_vector
 
 
 def _regions_traced(planes: Arrangement) -> int:
@@ -60,10 +64,6 @@ def _general_position(rng: random.Random) -> Iterator[Case]:
         yield arrangement_case(simple_arrangement(rng, m), f"m = {m}")
 
 
-def _great_circles(rng: random.Random) -> Iterator[Case]:
-    yield from types_and_samples(rng, TYPES, range(1, 13), per_count=4)
-
-
 def _simple_types(rng: random.Random) -> Iterator[Case]:
     yield from census_cases(TYPES, simple=True)
     yield from (arrangement_case(simple_arrangement(rng, m)) for m in range(8, 16))
@@ -76,9 +76,12 @@ def _region_maximum(planes: Arrangement, regions: int) -> bool:
     return regions <= m * m - m + 2 and (regions == m * m - m + 2) == simple
 
 
+#: Dimension -> most planes of the samples.
+_MOST_PLANES = {1: 8, 2: 8, 3: 7, 4: 6}
+
+
 def _bound_cases(rng: random.Random) -> Iterator[Case]:
-    largest = {1: 8, 2: 8, 3: 7, 4: 6}
-    for d, most in largest.items():
+    for d, most in _MOST_PLANES.items():
         for m in range(1, most + 1):
             for size in (1, 2, 9):
                 for affine in (False, True):
@@ -87,8 +90,7 @@ def _bound_cases(rng: random.Random) -> Iterator[Case]:
 
 
 def _simple_affine(rng: random.Random) -> Iterator[Case]:
-    largest = {1: 8, 2: 8, 3: 7, 4: 6}
-    for d, most in largest.items():
+    for d, most in _MOST_PLANES.items():
         for m in range(2, most + 1):
             planes = simple_arrangement(rng, m, d, affine=True)
             yield arrangement_case(planes, f"d = {d}, m = {m}, simple affine")
@@ -118,9 +120,22 @@ def _explain_published(planes: Arrangement, listed: Any) -> str:
     return f"printed {printed}; different states of rigid motion: {true}"
 
 
+_COLUMNS = exhaustive(
+    "the 8 printed columns, one arrangement in general position each", _general_position
+)
+_on_f_vectors = partial(
+    Claim,
+    quantity="f-vector",
+    routes=(
+        Route(ENUMERATION, lambda planes: planes.f_vector),
+        Route(THEOREM, counts.f_vector),
+    ),
+)
+
 CLAIMS = (
     Claim(
         id="great-circle-regions",
+        domain=domain("central"),
         locator="Section IV-A",
         statement="m great circles cut the sphere into at most m^2 - m + 2 regions, with equality "
         "exactly when no two coincide and no three pass through one point.",
@@ -129,12 +144,8 @@ CLAIMS = (
             Route("great circles: arcs traced around regions", _regions_traced),
             Route("|chi(-1)| of the characteristic polynomial", counts.region_count),
         ),
-        cases=_great_circles,
         judge=_region_maximum,
-        kind=Kind.PROVED,
-        over=PROOF
-        + f"{EVERY_TYPE}; beside them samples of 1 to 12 planes of every rank, some coincident",
-        expected=Verdict.HOLDS,
+        sources=proved_on_types(12, per_count=4),
         meaning="The quadratic bound on slip states rests on this.",
     ),
     Claim(
@@ -148,11 +159,8 @@ CLAIMS = (
             Route("Steps 1 to 3 as published, run", _published_listed),
             Route("V + E + (E - V + 2) from Zaslavsky's theorem", _published_predicted),
         ),
-        cases=_general_position,
         judge=lambda planes, listed: listed == STATE_COUNTS[len(planes)],
-        kind=Kind.EXHAUSTIVE,
-        over="the 8 printed columns, one arrangement in general position each",
-        expected=Verdict.HOLDS,
+        sources=_COLUMNS,
         explain=_explain_published,
         meaning="The printed row is what the published steps list. It is 4m^2 - 4m + 2.",
         rows=True,
@@ -165,10 +173,8 @@ CLAIMS = (
         hypotheses=("the m tangential planes are in general position",),
         quantity="number of different sign vectors",
         routes=(Route(ENUMERATION, _states_enumerated), Route(THEOREM, _states_counted)),
-        cases=_general_position,
         judge=lambda planes, states: states == STATE_COUNTS[len(planes)],
-        kind=Kind.EXHAUSTIVE,
-        over="the 8 printed columns, one arrangement in general position each",
+        sources=_COLUMNS,
         expected=Verdict.REFUTED,
         search=lambda: smallest_arrangements(range(2, 4), distinct=True),
         explain=_explain_count,
@@ -176,60 +182,53 @@ CLAIMS = (
         "printed count. The order of growth stays.",
         rows=True,
     ),
-    Claim(
+    _on_f_vectors(
         id="state-formula",
+        domain=domain("simple"),
         locator="Section IV-A",
         statement="m >= 3 planes through the origin of R^3 in general position have "
         "4m^2 - 4m + 3 slip states: 1 origin, m(m-1) rays, 2m(m-1) facets, m^2 - m + 2 regions.",
         hypotheses=("m >= 3", "general position"),
-        quantity="f-vector",
-        routes=(Route(ENUMERATION, _f_enumerated), Route(THEOREM, counts.f_vector)),
-        cases=_simple_types,
         judge=lambda planes, f: f == _general_f(len(planes)),
-        kind=Kind.PROVED,
-        over=PROOF
-        + "all 18 simple types of 3 to 7 planes; beside them one sample for each m = 8, ..., 15",
-        expected=Verdict.HOLDS,
+        sources=proved(
+            "checked on all 18 simple types of 3 to 7 planes; beside them one sample for each "
+            "m = 8, ..., 15",
+            _simple_types,
+        ),
         meaning="The number of slip states is quadratic in the number of contacts, as stated.",
     ),
-    Claim(
+    _on_f_vectors(
         id="fukuda-bound",
+        domain=domain("affine"),
         locator="Eq. 11",
         statement="n planes in R^d have at most C(n, d-k) * sum_{i<=k} C(n-d+k, i) faces of "
         "dimension k.",
-        quantity="f-vector",
-        routes=(Route(ENUMERATION, _f_enumerated), Route(THEOREM, counts.f_vector)),
-        cases=_bound_cases,
         judge=_below_bound,
-        kind=Kind.PROVED,
-        over=PROOF + "central and affine arrangements in R^1 to R^4, degenerate ones included",
-        expected=Verdict.HOLDS,
+        sources=proved(
+            "checked on central and affine arrangements in R^1 to R^4, degenerate ones included",
+            _bound_cases,
+        ),
     ),
-    Claim(
+    _on_f_vectors(
         id="fukuda-bound-attained",
+        domain=domain("simple-affine"),
         locator="Eq. 11",
         statement="Affine arrangements in general position attain the bound for every k.",
         hypotheses=("affine", "general position"),
-        quantity="f-vector",
-        routes=(Route(ENUMERATION, _f_enumerated), Route(THEOREM, counts.f_vector)),
-        cases=_simple_affine,
         judge=lambda planes, f: f == _bound(planes),
-        kind=Kind.SAMPLED,
-        over="one simple affine arrangement for each d = 1, ..., 4 and m up to 8, 8, 7, 6",
-        expected=Verdict.HOLDS,
+        sources=sampled(
+            "one simple affine arrangement for each d = 1, ..., 4 and m up to 8, 8, 7, 6",
+            _simple_affine,
+        ),
     ),
-    Claim(
+    _on_f_vectors(
         id="bound-not-attained",
+        domain=domain("central"),
         locator="Section IV-A, after Eq. 11",
         statement="The upper bound is not attained by the tangential planes of m contacts.",
         hypotheses=("the planes pass through the origin of R^3",),
-        quantity="f-vector",
-        routes=(Route(ENUMERATION, _f_enumerated), Route(THEOREM, counts.f_vector)),
-        cases=lambda rng: types_and_samples(rng, TYPES, range(1, 11)),
         judge=lambda planes, f: sum(f) < sum(_bound(planes)),
-        kind=Kind.PROVED,
-        over=PROOF
-        + f"{EVERY_TYPE}; beside them samples of 1 to 10 planes of every rank, some coincident",
+        sources=proved_on_types(10),
         expected=Verdict.HOLDS_UNDER_HYPOTHESIS,
         hypothesis=Hypothesis("m >= 4", lambda planes: len(planes) >= 4),
         search=lambda: smallest_arrangements(range(1, 4), 1),
@@ -237,6 +236,7 @@ CLAIMS = (
     ),
     Claim(
         id="step-1-square-bound",
+        domain=domain("central"),
         locator="Section IV-B, running time of Step 1",
         statement="After Step 1 there are at most m^2 states.",
         quantity="number of regions",
@@ -244,11 +244,8 @@ CLAIMS = (
             Route(ENUMERATION, lambda planes: planes.f_vector[3]),
             Route("|chi(-1)| of the characteristic polynomial", counts.region_count),
         ),
-        cases=lambda rng: types_and_samples(rng, TYPES, range(1, 13)),
         judge=lambda planes, regions: regions <= len(planes) ** 2,
-        kind=Kind.PROVED,
-        over=PROOF
-        + f"{EVERY_TYPE}; beside them samples of 1 to 12 planes of every rank, some coincident",
+        sources=proved_on_types(12),
         expected=Verdict.HOLDS_UNDER_HYPOTHESIS,
         hypothesis=Hypothesis("m >= 2", lambda planes: len(planes) >= 2),
         search=lambda: smallest_arrangements(range(1, 4), 1),

@@ -7,11 +7,11 @@ from collections.abc import Iterator
 from fractions import Fraction
 
 from equilibrium.wrench_sets import resisted_magnitudes
-from proofs_check.claim import Case, Claim, Kind, Route, Verdict
 from proofs_check.instances import paper_tables as printed
 from proofs_check.instances.grasps import grasp_case, grasp_of, paper_question, smallest_questions
 from proofs_check.routes import oracle
 from proofs_check.routes.oracle import Interval, Question
+from proofs_check.statement import Case, Claim, Route, Verdict, exhaustive
 
 AXES = ((1, 0, 0), (0, 1, 0), (0, 0, 1))
 
@@ -50,10 +50,11 @@ CLAIMS = (
             Route("elimination over 4^m states", _by_elimination),
             Route("closed forms from the solver's cells", _by_limits),
         ),
-        cases=_paper_cases,
         judge=lambda question, held: len(held) <= 1 and all(low == 0 for low, _ in held),
-        kind=Kind.EXHAUSTIVE,
-        over="both grasps of the paper, both preloads, the six directions along the axes",
+        sources=exhaustive(
+            "both grasps of the paper, both preloads, the six directions along the axes",
+            _paper_cases,
+        ),
         expected=Verdict.REFUTED,
         search=lambda: smallest_questions(range(3, 4), AXES, preloads=(1,)),
         meaning="It is true of the directions tried on the paper's grasps. In general a search "

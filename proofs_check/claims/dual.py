@@ -4,20 +4,23 @@ from __future__ import annotations
 
 import random
 from collections.abc import Iterator
-from functools import lru_cache
+from functools import lru_cache, partial
 
 import networkx as nx
 
 from arrangement import counts
+from arrangement.arrangement import Arrangement
 from arrangement.enumeration.paper_steps import published_enumeration
-from arrangement.planes import Arrangement
-from proofs_check.claim import Case, Claim, Hypothesis, Kind, Route, Verdict
 from proofs_check.instances.arrangements import (
+    EVERY_TYPE,
+    TYPES,
     census_cases,
     mixed_cases,
+    proved_on_types,
     smallest_arrangements,
     types_and_samples,
 )
+from proofs_check.instances.domains import domain
 from proofs_check.routes.dual_graph import (
     DualGraph,
     distances,
@@ -27,13 +30,10 @@ from proofs_check.routes.dual_graph import (
     is_three_connected,
     minimum_cycle_lengths,
 )
+from proofs_check.statement import Case, Claim, Hypothesis, Route, Verdict, proved
 
 FACES = "enumerated faces"
 COVECTORS = "covectors composed from the chirotope"
-#: The numbers of planes for which every type is checked in a default run: 167 types.
-TYPES = range(3, 8)
-EVERY_TYPE = "all 167 types of 3 to 7 distinct planes of rank 3"
-PROOF = "any m (proof: docs, Proofs); checked on "
 #: What a slip state contributes to V, E and F of the dual.
 _VEF_ROUTES = (
     Route("enumeration of all faces", lambda planes: _vef(planes.f_vector)),
@@ -57,25 +57,9 @@ def _vef(f: tuple[int, ...]) -> tuple[int, int, int]:
     return (f[3], f[2], f[1])
 
 
-def _any_rank(rng: random.Random) -> Iterator[Case]:
-    yield from types_and_samples(rng, TYPES, range(1, 11), per_count=4)
-
-
-def _small(rng: random.Random) -> Iterator[Case]:
-    yield from types_and_samples(rng, TYPES, range(1, 7))
-
-
-def _smaller(rng: random.Random) -> Iterator[Case]:
-    yield from types_and_samples(rng, range(3, 7), range(1, 7))
-
-
 def _rank_three(rng: random.Random) -> Iterator[Case]:
     yield from census_cases(TYPES)
     yield from mixed_cases(rng, range(3, 13), per_count=4, rank=3)
-
-
-def _smallest() -> Iterator[Case]:
-    return smallest_arrangements(range(1, 4), 1)
 
 
 def _planar_by_networkx(planes: Arrangement) -> tuple[bool, bool]:
@@ -132,61 +116,64 @@ def _horton_cycles(planes: Arrangement) -> tuple[tuple[int, ...], bool]:
     return tuple(sorted(lengths)), len(faces) > 1 and lengths == tuple(faces[:-1])
 
 
+#: True of most planes; the smallest counterexample to the rest is looked for.
+_saved = partial(
+    Claim,
+    expected=Verdict.HOLDS_UNDER_HYPOTHESIS,
+    search=lambda: smallest_arrangements(range(1, 4), 1),
+)
+
 CLAIMS = (
-    Claim(
+    _saved(
         id="euler",
+        domain=domain("central"),
         locator="Section IV-B, Step 3",
         statement="V - E + F = 2 for the regions, facets and lines of the planes.",
         quantity="(V, E, F)",
         routes=_VEF_ROUTES,
-        cases=_any_rank,
         judge=lambda planes, vef: vef[0] - vef[1] + vef[2] == 2,
-        kind=Kind.PROVED,
-        over=PROOF + f"{EVERY_TYPE}; beside them samples of 1 to 10 planes of every rank",
-        expected=Verdict.HOLDS_UNDER_HYPOTHESIS,
+        sources=proved_on_types(10, "of every rank", 4),
         hypothesis=RANK_3,
-        search=_smallest,
         meaning="With fewer independent planes there is no polyhedron. The paper's own "
         "four-contact grasp has rank 2.",
     ),
-    Claim(
+    _saved(
         id="dual-edge-and-face-bounds",
+        domain=domain("central"),
         locator="Section IV-A",
         statement="The dual has at most 3V - 6 edges and at most 2V - 4 faces.",
         quantity="(V, E, F)",
         routes=_VEF_ROUTES,
-        cases=_any_rank,
         judge=lambda planes, vef: vef[1] <= 3 * vef[0] - 6 and vef[2] <= 2 * vef[0] - 4,
-        kind=Kind.PROVED,
-        over=PROOF + f"{EVERY_TYPE}; beside them samples of 1 to 10 planes of every rank",
-        expected=Verdict.HOLDS_UNDER_HYPOTHESIS,
+        sources=proved_on_types(10, "of every rank", 4),
         hypothesis=Hypothesis("two planes differ", lambda planes: planes.rank >= 2),
-        search=_smallest,
         meaning="The linear bound by V stands; only one plane alone is too small for it.",
     ),
     Claim(
         id="dual-bipartite-bounds",
+        domain=domain("rank-3"),
         locator="Section IV-A, sharper",
         statement="In rank 3 the dual has at most 2V - 4 edges and at most V - 2 faces, with "
         "equality exactly when the different planes are in general position.",
         hypotheses=("the normals have rank 3",),
         quantity="(V, E, F)",
         routes=_VEF_ROUTES,
-        cases=_rank_three,
         judge=lambda planes, vef: (
             vef[1] <= 2 * vef[0] - 4
             and vef[2] <= vef[0] - 2
             and (vef[1] == 2 * vef[0] - 4) == planes.is_simple == (vef[2] == vef[0] - 2)
         ),
-        kind=Kind.PROVED,
-        over=PROOF
-        + f"{EVERY_TYPE}; beside them samples of 3 to 12 planes of rank 3, some coincident",
-        expected=Verdict.HOLDS,
+        sources=proved(
+            f"checked on {EVERY_TYPE}; beside them samples of 3 to 12 planes of rank 3, some "
+            "coincident",
+            _rank_three,
+        ),
         meaning="Changing one sign changes the parity, so the graph is bipartite; a face has at "
         "least four edges. The printed 3V - 6 and 2V - 4 can be sharpened.",
     ),
-    Claim(
+    _saved(
         id="dual-planar-3-connected",
+        domain=domain("central"),
         locator="Section IV-A",
         statement="The graph of regions and facets is planar and 3-connected.",
         quantity="(planar, 3-connected)",
@@ -194,17 +181,14 @@ CLAIMS = (
             Route(f"{FACES}; networkx planarity and node connectivity", _planar_by_networkx),
             Route(f"{COVECTORS}; faces close to a sphere, removal of pairs", _planar_by_sphere),
         ),
-        cases=_small,
         judge=lambda planes, value: value == (True, True),
-        kind=Kind.PROVED,
-        over=PROOF + f"{EVERY_TYPE}; beside them samples of 1 to 6 planes of every rank",
-        expected=Verdict.HOLDS_UNDER_HYPOTHESIS,
+        sources=proved_on_types(6, "of every rank"),
         hypothesis=RANK_3,
-        search=_smallest,
         meaning="In rank 2 the graph is a cycle: planar, but not 3-connected.",
     ),
-    Claim(
+    _saved(
         id="hamming-edges",
+        domain=domain("central"),
         locator="Section IV-B, Step 2",
         statement="Two regions share a facet exactly when they differ in a single sign, and the "
         "graph is a partial cube.",
@@ -213,21 +197,17 @@ CLAIMS = (
             Route(FACES, lambda planes: _hamming(_faces_graph(planes))),
             Route(COVECTORS, lambda planes: _hamming(_covector_graph(planes))),
         ),
-        cases=_small,
         judge=lambda planes, value: value[0] == value[1] and value[2],
-        kind=Kind.PROVED,
-        over=PROOF
-        + f"{EVERY_TYPE}; beside them samples of 1 to 6 planes of every rank, some coincident",
-        expected=Verdict.HOLDS_UNDER_HYPOTHESIS,
+        sources=proved_on_types(6),
         hypothesis=Hypothesis(
             "no two planes coincide", lambda planes: len(planes.distinct) == len(planes)
         ),
-        search=_smallest,
         meaning="On the paper's four-contact grasp contacts 1, 2 and contacts 3, 4 give one plane "
         "each, so Step 2 finds no edge. Coincident planes must be merged first.",
     ),
-    Claim(
+    _saved(
         id="cycle-basis-faces",
+        domain=domain("central"),
         locator="Section IV-B, Step 3",
         statement="A minimum cycle basis of the graph consists of F - 1 face boundaries, and the "
         "symmetric sum of its cycles is the last face.",
@@ -237,15 +217,13 @@ CLAIMS = (
             Route("Steps 1 to 3 run (networkx), against enumerated faces", _published_cycles),
             Route(f"Horton's algorithm on {COVECTORS}", _horton_cycles),
         ),
-        cases=_smaller,
         judge=lambda planes, value: value[1],
-        kind=Kind.PROVED,
-        over=PROOF
-        + "all 24 types of 3 to 6 distinct planes of rank 3; beside them samples of 1 to 6 "
-        "planes of every rank",
-        expected=Verdict.HOLDS_UNDER_HYPOTHESIS,
+        sources=proved(
+            "checked on all 24 types of 3 to 6 distinct planes of rank 3; beside them samples of "
+            "1 to 6 planes of every rank",
+            lambda rng: types_and_samples(rng, range(3, 7), range(1, 7)),
+        ),
         hypothesis=RANK_3,
-        search=_smallest,
         meaning="In rank 2 the one cycle is counted twice: that is the 10 at m = 2.",
     ),
 )

@@ -15,8 +15,8 @@ from typing import Any
 
 from equilibrium.methods.printed_model import solve_literal
 from equilibrium.verdict import solve
-from proofs_check.claim import Case, Claim, Kind, Route, Verdict
 from proofs_check.instances import paper_tables as printed
+from proofs_check.instances.domains import domain
 from proofs_check.instances.grasps import (
     grasp_of,
     listed_states,
@@ -25,6 +25,7 @@ from proofs_check.instances.grasps import (
 )
 from proofs_check.routes import oracle
 from proofs_check.routes.oracle import Interval, Question, Reading
+from proofs_check.statement import Case, Claim, Route, Verdict, exhaustive
 
 #: The deviations of the printed equations, by the names of `equilibrium.methods.printed_model`.
 DEVIATIONS = ("detachment", "preload", "signs")
@@ -98,9 +99,7 @@ def _explain_printed(question: Question, value: str) -> str:
 #: What the claims on the questions of the tables share; the printed equations fail all of them.
 _on_tables = partial(
     Claim,
-    cases=_table_cases,
-    kind=Kind.EXHAUSTIVE,
-    over="the 17 questions of the two tables",
+    sources=exhaustive("the 17 questions of the two tables", _table_cases),
     expected=Verdict.REFUTED,
 )
 
@@ -234,10 +233,8 @@ CLAIMS = (
             Route("writing the system down and counting rows", _counted),
             Route("adding up one equation for each contact and kind", _added),
         ),
-        cases=partial(_constraint_cases, 6),
         judge=lambda case, count: count == 3 + case[0] + 2 * (case[0] - case[1]),
-        kind=Kind.EXHAUSTIVE,
-        over="all l <= m <= 6",
+        sources=exhaustive("all l <= m <= 6", partial(_constraint_cases, 6)),
         expected=Verdict.REFUTED,
         search=partial(_constraint_cases, 2),
         meaning="A slip of the pen: l is first the number of slipping contacts and then of "
@@ -245,6 +242,7 @@ CLAIMS = (
     ),
     _on_tables(
         id="algorithm-2-sound",
+        domain=domain("question"),
         locator="Algorithm 2",
         statement="A grasp that Algorithm 2 calls stable has an equilibrium.",
         hypotheses=("preload term and signs corrected", "all-stick state added"),
@@ -269,6 +267,7 @@ CLAIMS = (
     ),
     _on_tables(
         id="all-stick-listed",
+        domain=domain("question"),
         locator="Algorithm 2; Section IV-B",
         statement="The states that Steps 1 to 3 list are enough: if a grasp has an equilibrium, "
         "one is found in a listed state.",
@@ -282,6 +281,7 @@ CLAIMS = (
     ),
     _on_tables(
         id="single-solution",
+        domain=domain("question"),
         locator="Section II",
         statement="Compliance reduces the solutions to at most a single one: the normal forces "
         "of an equilibrium are determined by grasp and wrench.",

@@ -11,12 +11,12 @@ from itertools import product
 
 from equilibrium.methods.compare import ask
 from equilibrium.verdict import solve
-from proofs_check.claim import Case, Claim, Hypothesis, Kind, Route, Verdict
 from proofs_check.instances import paper_tables as printed
 from proofs_check.instances.grasps import grasp_of, paper_question
 from proofs_check.routes import oracle
 from proofs_check.routes.fourier_motzkin import Row, project
 from proofs_check.routes.oracle import Question, Touch
+from proofs_check.statement import Case, Claim, Hypothesis, Route, Verdict, exhaustive, sampled
 
 System = tuple[list[Row], list[Row]]
 #: At rest with preload 1 the contacts 1 and 3 carry friction (Table I, second row).
@@ -175,8 +175,6 @@ _method = partial(
         Route("Fourier-Motzkin elimination of the method's own conditions", _by_elimination),
     ),
     judge=_as_stated,
-    kind=Kind.SAMPLED,
-    expected=Verdict.HOLDS,
 )
 
 CLAIMS = (
@@ -186,8 +184,7 @@ CLAIMS = (
         statement="The Grasp Wrench Space of the three-contact grasp holds forces up and down "
         "alike; without preload those up are not resisted.",
         hypotheses=(*_MODEL, "any total normal force"),
-        cases=_wrench_space,
-        over="forces of 1 and 100, up and down",
+        sources=sampled("forces of 1 and 100, up and down", _wrench_space),
     ),
     _method(
         id="method-cones-only",
@@ -195,9 +192,8 @@ CLAIMS = (
         statement="With springs and cones alone (Eqs. 1 to 4) the four-contact grasp resists every "
         "vertical force, whatever the preload.",
         hypotheses=("contacts may let go", "stiffness 1"),
-        cases=_cones,
         judge=lambda asked, found: found[0],
-        over="forces 2, -2 and 100, preload 0 and 1, friction 1/2 and 2",
+        sources=sampled("forces 2, -2 and 100, preload 0 and 1, friction 1/2 and 2", _cones),
         expected=Verdict.HOLDS_UNDER_HYPOTHESIS,
         hypothesis=Hypothesis("friction is above 1", _grips),
         explain=lambda asked, found: f"corrected model: {'Yes' if found[1] else 'No'}",
@@ -211,8 +207,7 @@ CLAIMS = (
         statement="Linear springs in both directions refuse every downward force on the "
         "three-contact grasp without preload, which is resisted.",
         hypotheses=_SPRINGS,
-        cases=_compliance,
-        over="forces -1, -2 and -100",
+        sources=sampled("forces -1, -2 and -100", _compliance),
     ),
     _method(
         id="method-frictionless-slip-down",
@@ -220,8 +215,7 @@ CLAIMS = (
         statement="With contacts that stick, slip without friction or detach, the three-contact "
         "grasp withstands all forces (0, w_y, 0) with w_y <= 0.",
         hypotheses=_SPRINGS,
-        cases=_downwards,
-        over="forces 0, -1, -2 and -100, no preload",
+        sources=sampled("forces 0, -1, -2 and -100, no preload", _downwards),
     ),
     _method(
         id="method-frictionless-slip-up",
@@ -229,9 +223,7 @@ CLAIMS = (
         statement="No combination of sticking, frictionless slipping and detached contacts gives "
         "legal forces on the preloaded three-contact grasp under (0, 1, 0), which is resisted.",
         hypotheses=(*_SPRINGS, "at rest the friction of Table I", "detached contacts do not press"),
-        cases=_upwards,
-        kind=Kind.EXHAUSTIVE,
-        over="all 27 combinations for this wrench",
+        sources=exhaustive("all 27 combinations for this wrench", _upwards),
         meaning="The method is too cautious, as the paper says.",
     ),
 )

@@ -3,15 +3,16 @@
 from __future__ import annotations
 
 import random
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from fractions import Fraction
 from itertools import combinations, product
 from math import comb
 
 from arrangement import counts
+from arrangement.linear import determinant
 from equilibrium.model.grasp import Contact, Grasp
-from proofs_check.claim import Case, Claim, Kind, Route, Verdict
 from proofs_check.routes.fourier_motzkin import Row, project
+from proofs_check.statement import Case, Claim, Route, proved
 
 #: Rational unit normals: multiples of 1/5, 1/13 and 1/17, turned and mirrored below.
 _TRIPLES = ((3, 4, 5), (5, 12, 13), (8, 15, 17), (1, 0, 1))
@@ -52,22 +53,12 @@ def in_general_position(grasp: Grasp) -> bool:
     """
     rows = [tuple(plane) for plane in grasp.motion_arrangement().integer_planes]
     m = len(grasp)
-    if any(_determinant([row[:3] for row in three]) == 0 for three in combinations(rows, 3)):
+    if any(determinant([row[:3] for row in three]) == 0 for three in combinations(rows, 3)):
         return False
     if not _has_preload(grasp):
         return True
     fours = (four for four in combinations(range(2 * m), 4) if four[-1] >= m)
-    return all(_determinant([rows[i] for i in four]) for four in fours)
-
-
-def _determinant(rows: Sequence[Sequence[int]]) -> int:
-    if len(rows) == 1:
-        return rows[0][0]
-    return sum(
-        (-1 if j % 2 else 1) * x * _determinant([[*row[:j], *row[j + 1 :]] for row in rows[1:]])
-        for j, x in enumerate(rows[0])
-        if x
-    )
+    return all(determinant([rows[i] for i in four]) for four in fours)
 
 
 def _within(grasp: Grasp, f: Faces) -> bool:
@@ -184,11 +175,11 @@ CLAIMS = (
         hypotheses=("the corrected model", "all preloads are 0"),
         quantity="f-vector",
         routes=_ROUTES,
-        cases=lambda rng: _grasps(rng, 7, preload=False),
         judge=_within,
-        kind=Kind.PROVED,
-        over="any m (proof: docs, Proofs); the numbers of random grasps of 1 to 7 contacts",
-        expected=Verdict.HOLDS,
+        sources=proved(
+            "the numbers of random grasps of 1 to 7 contacts",
+            lambda rng: _grasps(rng, 7, preload=False),
+        ),
         meaning="The number of states stays quadratic when contacts may let go.",
     ),
     Claim(
@@ -202,11 +193,11 @@ CLAIMS = (
         hypotheses=("the corrected model", "for m < 3 the bound of Eq. 11 for 2m planes"),
         quantity="f-vector",
         routes=_ROUTES,
-        cases=lambda rng: _grasps(rng, 5, preload=True),
         judge=_within,
-        kind=Kind.PROVED,
-        over="any m (proof: docs, Proofs); the numbers of random grasps of 1 to 5 contacts",
-        expected=Verdict.HOLDS,
+        sources=proved(
+            "the numbers of random grasps of 1 to 5 contacts",
+            lambda rng: _grasps(rng, 5, preload=True),
+        ),
         meaning="With preload the number of states is cubic, about 28/3 m^3 at most; the planes of "
         "the paper alone do not describe it.",
     ),
@@ -218,13 +209,13 @@ CLAIMS = (
         hypotheses=("the corrected model",),
         quantity="f-vector",
         routes=_ROUTES,
-        cases=lambda rng: (
-            case for preload in (False, True) for case in _grasps(rng, 5, preload=preload)
-        ),
         judge=_linear,
-        kind=Kind.PROVED,
-        over="any m (proof: docs, Proofs); the numbers of random grasps of 1 to 5 contacts",
-        expected=Verdict.HOLDS,
+        sources=proved(
+            "the numbers of random grasps of 1 to 5 contacts",
+            lambda rng: (
+                case for preload in (False, True) for case in _grasps(rng, 5, preload=preload)
+            ),
+        ),
         meaning="The linear bound by V carries over to the corrected model.",
     ),
     Claim(
@@ -238,11 +229,8 @@ CLAIMS = (
             Route("signs of all faces, repeats dropped", _states_of_faces),
             Route("4^m choices by Fourier-Motzkin elimination", _states_by_elimination),
         ),
-        cases=_small,
         judge=_few_states,
-        kind=Kind.PROVED,
-        over="any m (proof: docs, Proofs); counted on random grasps of 1 to 3 contacts",
-        expected=Verdict.HOLDS,
+        sources=proved("counted on random grasps of 1 to 3 contacts", _small),
         meaning="Algorithm 2 with detachment is polynomial: quadratic, or cubic with preload.",
     ),
 )

@@ -9,8 +9,8 @@ from fractions import Fraction
 from functools import lru_cache
 from itertools import combinations, product
 
+from arrangement.arrangement import Arrangement
 from arrangement.exact import RationalVector, to_text
-from arrangement.planes import Arrangement
 from arrangement.polyhedra.dual import dual_polyhedron
 from arrangement.polyhedra.inscribed import (
     FarkasCertificate,
@@ -19,10 +19,10 @@ from arrangement.polyhedra.inscribed import (
     inscribability,
     representative_hull,
 )
-from proofs_check.claim import Case, Claim, Kind, Route, Verdict
 from proofs_check.instances.arrangements import census_cases, smallest_arrangements
 from proofs_check.routes import rivin
 from proofs_check.routes.dual_graph import from_covectors
+from proofs_check.statement import Case, Claim, Route, Verdict, exhaustive
 
 
 @lru_cache(maxsize=64)
@@ -150,11 +150,12 @@ CLAIMS = (
             Route("Rivin's criterion; certificate verified by maximum flows", _verified),
             Route("the certificate on the covectors' graph, cycles listed", _checked_afresh),
         ),
-        cases=_types,
         judge=lambda planes, inscribable: inscribable,
-        kind=Kind.EXHAUSTIVE,
-        over="all 24 types of 3 to 6 distinct planes of rank 3 and all 11 simple types of 7; a yes "
-        "gives an inscribed polyhedron with this graph, its vertices in the regions or not",
+        sources=exhaustive(
+            "all 24 types of 3 to 6 distinct planes of rank 3 and all 11 simple types of 7; a yes "
+            "gives an inscribed polyhedron with this graph, its vertices in the regions or not",
+            _types,
+        ),
         expected=Verdict.REFUTED,
         search=lambda: smallest_arrangements(range(3, 5), 1, distinct=True, rank=3),
         explain=_explain,
@@ -173,11 +174,12 @@ CLAIMS = (
             Route("hull by Qhull, every sign checked exactly", _edge_counts_by_hull),
             Route("all planes through three points, exact", _edge_counts_by_supports),
         ),
-        cases=_middle_points,
         judge=lambda chosen, found: found == (0, 0),
-        kind=Kind.EXHAUSTIVE,
-        over="all 7 types of 3 to 5 distinct planes of rank 3, with points near the middles of the "
-        "regions",
+        sources=exhaustive(
+            "all 7 types of 3 to 5 distinct planes of rank 3, with points near the middles of the "
+            "regions",
+            _middle_points,
+        ),
         expected=Verdict.REFUTED,
         search=_cube_choices,
         meaning="The hull is convex, but it is not the dual: most choices of points give a hull "

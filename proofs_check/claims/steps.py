@@ -13,17 +13,17 @@ from functools import partial
 from itertools import combinations
 
 from arrangement import counts
+from arrangement.arrangement import Arrangement
 from arrangement.enumeration.great_circles import sphere_arrangement
-from arrangement.planes import Arrangement
-from proofs_check.claim import Case, Claim, Kind, Route, Verdict
 from proofs_check.instances.arrangements import (
     arrangement_case,
     simple_arrangement,
     types_and_samples,
 )
+from proofs_check.statement import Case, Claim, Route, proved
 
 _OVER = (
-    "any m (proof: docs, Proofs); counted on all 167 types of 3 to 7 distinct planes of rank 3, "
+    "counted on all 167 types of 3 to 7 distinct planes of rank 3, "
     "samples of 1 to 10 planes of every rank, and 8, 12, 16 planes in general position"
 )
 
@@ -91,7 +91,10 @@ def _work(m: int) -> int:
     return e**3 + v * e * e * v.bit_length()
 
 
-_step = partial(Claim, cases=_cases, kind=Kind.PROVED, over=_OVER, expected=Verdict.HOLDS)
+_step = partial(
+    Claim,
+    sources=proved(_OVER, _cases),
+)
 
 CLAIMS = (
     _step(

@@ -9,12 +9,12 @@ from fractions import Fraction
 from functools import partial
 
 from equilibrium.verdict import solve
-from proofs_check.claim import Case, Claim, Kind, Route, Verdict
 from proofs_check.instances import paper_tables as printed
 from proofs_check.instances.grasps import grasp_of, paper_question
 from proofs_check.routes import oracle
 from proofs_check.routes.fourier_motzkin import Row
 from proofs_check.routes.oracle import Question
+from proofs_check.statement import Case, Claim, Route, Verdict, exhaustive, sampled
 
 BRUTE_FORCE = "substitution into the model, and brute force over 4^m states by elimination"
 SOLVER = "the solver with its certificate, and its pieces of solutions"
@@ -147,7 +147,6 @@ _table = partial(
     quantity="verdict, and whether the printed forces and motion satisfy the model exactly",
     routes=_ROUTES,
     judge=_as_printed,
-    kind=Kind.EXHAUSTIVE,
     explain=_explain_row,
     rows=True,
 )
@@ -158,17 +157,19 @@ CLAIMS = (
         locator="Table I",
         statement="The three-contact grasp is stable or not as printed, and the printed forces and "
         "motion of each stable row are an equilibrium.",
-        cases=partial(_rows, printed.THREE_CONTACT_GRASP, printed.THREE_CONTACTS),
-        over="all 7 printed rows",
-        expected=Verdict.HOLDS,
+        sources=exhaustive(
+            "all 7 printed rows",
+            partial(_rows, printed.THREE_CONTACT_GRASP, printed.THREE_CONTACTS),
+        ),
     ),
     _table(
         id="table-four-contacts",
         locator="Table III",
         statement="The four-contact grasp is stable or not as printed, and the printed forces and "
         "motion of each stable row are an equilibrium.",
-        cases=partial(_rows, printed.FOUR_CONTACT_GRASP, printed.FOUR_CONTACTS),
-        over="all 10 printed rows",
+        sources=exhaustive(
+            "all 10 printed rows", partial(_rows, printed.FOUR_CONTACT_GRASP, printed.FOUR_CONTACTS)
+        ),
         expected=Verdict.HOLDS_UNDER_HYPOTHESIS,
         meaning="The last row has a number with two points in it; read in the only way that "
         "satisfies the model, it fits too.",
@@ -181,11 +182,8 @@ CLAIMS = (
         hypotheses=("the corrected model",),
         quantity="verdict, and whether these forces satisfy the model exactly",
         routes=_ROUTES,
-        cases=_downward,
         judge=_as_printed,
-        kind=Kind.SAMPLED,
-        over="six magnitudes from 0 to 10^6",
-        expected=Verdict.HOLDS,
+        sources=sampled("six magnitudes from 0 to 10^6", _downward),
     ),
     Claim(
         id="vertical-limits",
@@ -199,11 +197,8 @@ CLAIMS = (
             Route("exact set of all t by elimination over 4^m states", _held_exactly),
             Route("the solver at each t", _held_solved),
         ),
-        cases=_rays,
         judge=lambda probes, held: held == probes.holds,
-        kind=Kind.EXHAUSTIVE,
-        over="both grasps with both preloads; all t by the first route",
-        expected=Verdict.HOLDS,
+        sources=exhaustive("both grasps with both preloads; all t by the first route", _rays),
         meaning="The table's 1.1 lies above the exact limit 1 of the three-contact grasp.",
     ),
 )

@@ -10,10 +10,10 @@ from itertools import combinations
 
 import networkx as nx
 
+from arrangement.arrangement import Arrangement
 from arrangement.library.census import PUBLISHED, PUBLISHED_SIMPLE, census
-from arrangement.planes import Arrangement
-from proofs_check.claim import Case, Claim, Kind, Route, Verdict
 from proofs_check.routes.dual_graph import DualGraph, Edge, Signs, from_covectors
+from proofs_check.statement import Case, Claim, Route, exhaustive
 
 
 @dataclass(frozen=True)
@@ -163,14 +163,14 @@ CLAIMS = (
             Route("smallest codes of the duals as maps (covectors)", _by_codes),
             Route("isomorphism tests of networkx (enumerated faces)", _by_isomorphism),
         ),
-        cases=partial(_cases, range(3, 8)),
         judge=lambda listed, found: (
             found == (PUBLISHED[listed.planes], PUBLISHED_SIMPLE[listed.planes])
             and len(census(listed.planes)) == found[0]
         ),
-        kind=Kind.EXHAUSTIVE,
-        over="the list for m = 3 to 7; a list with as many different types as exist is complete",
-        expected=Verdict.HOLDS,
+        sources=exhaustive(
+            "the list for m = 3 to 7; a list with as many different types as exist is complete",
+            partial(_cases, range(3, 8)),
+        ),
         meaning="Claims that hold on the list hold for every arrangement of that many planes.",
     ),
 )

@@ -1,21 +1,13 @@
-"""The command ``proofs-check``: list the claims, show one, run some or all."""
+"""The ``proofs-check`` command: its arguments; what the commands do is imported when they run."""
 
 from __future__ import annotations
 
 import argparse
-import shutil
-import textwrap
-from collections.abc import Iterator, Sequence
-from itertools import count
-from typing import TYPE_CHECKING
+import re
+from collections.abc import Callable, Sequence
+from importlib import import_module
 
 from arrangement import terminal
-from arrangement.progress import Bar
-
-from . import options
-
-if TYPE_CHECKING:
-    from proofs_check.claim import Claim, Record, Result
 
 
 def main(argv: Sequence[str] | None = None) -> int:
@@ -32,112 +24,119 @@ def _parser() -> terminal.Parser:
     )
     commands = parser.add_subparsers(required=True, metavar="COMMAND")
 
-    listing = commands.add_parser("list", help="list the claims")
-    listing.set_defaults(command=_list)
+    def command(name: str, function: str, help: str) -> argparse.ArgumentParser:
+        added: argparse.ArgumentParser = commands.add_parser(name, help=help)
+        added.set_defaults(command=_later(function))
+        terminal.add_json_option(added)
+        return added
 
-    show = commands.add_parser("show", help="say what one claim states and how it is checked")
+    command("list", "run.list_claims", "list the claims")
+    show = command("show", "run.show_claim", "say what one claim states and how it is checked")
     show.add_argument("id", metavar="ID")
-    show.set_defaults(command=_show)
-
-    run = commands.add_parser("run", help="check claims and print the verdicts")
-    run.add_argument(
-        "ids", nargs="*", metavar="ID", help="claims to check (default: all), or FILE.py"
+    _add_run(command("run", "run.run_claims", "check claims and print the verdicts"))
+    _add_sweep(
+        command(
+            "sweep",
+            "sweep.run_sweep",
+            "check one claim on very many random instances; can be interrupted",
+        )
     )
-    run.add_argument("--seed", type=int, default=0, help="of the random instances (default: 0)")
-    run.add_argument(
-        "--report",
-        metavar="FILE",
-        help="also write a report: FILE.json, FILE.md, FILE.html, FILE.tex, else text",
+    status = command("status", "sweep.run_status", "say how far a sweep is, also while it runs")
+    status.add_argument("store", metavar="STORE")
+    merge = command(
+        "merge", "sweep.run_merge", "put the chunks of several stores of one sweep into one"
     )
-    options.add_run_options(run)
-    run.set_defaults(command=_run)
-
-    for command in (listing, show, run, *options.add_commands(commands)):
-        terminal.add_json_option(command)
+    merge.add_argument("store", metavar="STORE", help="where to; made when missing")
+    merge.add_argument("parts", nargs="+", metavar="PART", help="stores to read")
+    report = command(
+        "report", "sweep.run_report", "make a report from a store or from a JSON record"
+    )
+    report.add_argument("source", metavar="SOURCE", help="a store of a sweep, or FILE.json of run")
+    _add_report(report, "--output", "(default: Markdown on stdout)")
     return parser
 
 
-def _list(arguments: argparse.Namespace) -> int:
-    from proofs_check.claims import registry
-    from proofs_check.reports import report
+def _later(function: str) -> Callable[[argparse.Namespace], int]:
+    """Return a command that imports what it does when it is called."""
+    module, name = function.split(".")
 
-    claims = list(registry())
-    if arguments.json:
-        terminal.print_json({"claims": [report.claim_record(claim) for claim in claims]})
-        return terminal.YES
-    rows = [(claim.id, claim.locator, claim.statement) for claim in claims]
-    print("\n".join(report.table(rows, _width())))
-    return terminal.YES
+    def command(arguments: argparse.Namespace) -> int:
+        code: int = getattr(import_module(f"{__package__}.{module}"), name)(arguments)
+        return code
+
+    return command
 
 
-def _show(arguments: argparse.Namespace) -> int:
-    from proofs_check.claims import registry
-    from proofs_check.reports import report
-
-    claim = registry()[arguments.id]
-    if arguments.json:
-        terminal.print_json(report.claim_record(claim))
-    else:
-        print(_described(claim, _width()))
-    return terminal.YES
-
-
-def _described(claim: Claim, width: int) -> str:
-    entries = [
-        ("id", claim.id),
-        ("locator", claim.locator),
-        ("statement", claim.statement),
-        *(("hypothesis", text) for text in claim.hypotheses),
-        ("quantity", claim.quantity),
-        *((f"route {i}", route.name) for i, route in enumerate(claim.routes, 1)),
-        ("evidence", f"{claim.kind.value}: {claim.over}"),
-        ("expected", claim.expected.value),
-    ]
-    if claim.hypothesis is not None:
-        entries.append(("holds when", claim.hypothesis.text))
-    if claim.meaning:
-        entries.append(("meaning", claim.meaning))
-    lines = []
-    for name, text in entries:
-        lines += textwrap.wrap(f"{name:<12}{text}", width, subsequent_indent=" " * 12)
-    return "\n".join(lines)
+def _add_run(parser: argparse.ArgumentParser) -> None:
+    parser.add_argument(
+        "ids", nargs="*", metavar="ID", help="claims to check (default: all), or FILE.py"
+    )
+    _add_seed(parser)
+    _add_report(parser, "--report", "to write as well")
+    group = parser.add_argument_group(
+        "claims of your own (FILE.py)",
+        "The file is run as a Python program, with all your rights.",
+    )
+    group.add_argument("--samples", type=int, metavar="N", help="random instances of each claim")
+    group.add_argument("--census", type=int, metavar="M", help="all types of up to M planes")
+    group.add_argument(
+        "--save",
+        metavar="FOLDER",
+        default="counterexamples",
+        help="for the instances that refute a claim (default: counterexamples)",
+    )
 
 
-def _run(arguments: argparse.Namespace) -> int:
-    if any(name.endswith(".py") for name in arguments.ids):
-        return options.run_files(arguments, _width())
-    from proofs_check.claim import evaluate
-    from proofs_check.claims import registry
-    from proofs_check.reports import report
-
-    known = registry()
-    chosen = [known[id] for id in dict.fromkeys(arguments.ids)] or list(known)
-    bar = Bar(len(chosen), "claims")
-    results: list[Result] = []
-    try:
-        for claim in chosen:
-            cases = count(1)
-
-            def tick(_: Record, claim: Claim = claim, cases: Iterator[int] = cases) -> None:
-                bar.update(len(results), f"{claim.id}, {next(cases)} cases")
-
-            bar.update(len(results), claim.id)
-            results.append(evaluate(claim, arguments.seed, tick))
-    finally:
-        bar.close()
-    if arguments.report:
-        report.write_report(arguments.report, results, arguments.seed)
-    if arguments.json:
-        terminal.print_json(report.json_record(results, arguments.seed))
-    else:
-        print(report.text_report(results, _width()))
-    return terminal.YES if all(result.as_expected for result in results) else terminal.NO
+def _add_sweep(parser: argparse.ArgumentParser) -> None:
+    parser.add_argument("claim", metavar="ID", help="a claim, FILE.py, or FILE.py:ID")
+    parser.add_argument(
+        "--planes",
+        type=_range,
+        required=True,
+        metavar="LOW..HIGH",
+        help="numbers of planes, or of contacts",
+    )
+    parser.add_argument("--samples", type=int, required=True, metavar="N", help="instances in all")
+    _add_seed(parser)
+    parser.add_argument(
+        "--store", required=True, metavar="FILE", help="keeps what is done; made when missing"
+    )
+    parser.add_argument("--jobs", type=int, default=1, metavar="N", help="processes (default: 1)")
+    parser.add_argument(
+        "--shard",
+        type=_shard,
+        default=(1, 1),
+        metavar="I/N",
+        help="do only the I-th of N parts, for machines without a cluster (see merge)",
+    )
+    parser.add_argument("--dask", metavar="ADDRESS", help="of a scheduler that has workers")
+    parser.add_argument(
+        "--chunk", type=int, default=200, metavar="N", help="instances in a chunk (default: 200)"
+    )
 
 
-def _width() -> int:
-    """Return the width to write for: of the terminal, at least 60 characters, at most 160."""
-    return min(max(shutil.get_terminal_size((110, 24)).columns, 60), 160)
+def _add_seed(parser: argparse.ArgumentParser) -> None:
+    parser.add_argument("--seed", type=int, default=0, help="of the random instances (default: 0)")
 
 
-if __name__ == "__main__":
-    raise SystemExit(main())
+def _add_report(parser: argparse.ArgumentParser, name: str, remark: str) -> None:
+    endings = "FILE.json, FILE.md, FILE.html, FILE.tex or FILE.txt"
+    parser.add_argument(name, metavar="FILE", help=f"{endings} {remark}")
+
+
+def _range(text: str) -> tuple[int, int]:
+    """Read 3..12, or 5 for 5..5."""
+    found = re.fullmatch(r"([0-9]{1,6})(?:\.\.([0-9]{1,6}))?", text, re.ASCII)
+    if found is None:
+        raise argparse.ArgumentTypeError(f"{text!r} is not a range; write 3..12")
+    return int(found[1]), int(found[2] or found[1])
+
+
+def _shard(text: str) -> tuple[int, int]:
+    """Read 2/5."""
+    found = re.fullmatch(r"([0-9]{1,6})/([0-9]{1,6})", text, re.ASCII)
+    if found is None or not 1 <= int(found[1]) <= int(found[2]):
+        raise argparse.ArgumentTypeError(
+            f"{text!r} is not a shard; write 2/5 for the second of five"
+        )
+    return int(found[1]), int(found[2])

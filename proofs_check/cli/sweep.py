@@ -11,7 +11,8 @@ from arrangement.errors import InputError
 from arrangement.io.files import read_document
 from arrangement.io.writing import write_text_atomically
 from arrangement.progress import Bar, duration
-from proofs_check.reports import forms as pages
+from proofs_check.reports import forms
+from proofs_check.reports.text import verdict
 from proofs_check.sweep import report as sweepreport, store
 from proofs_check.sweep.sweep import merge, plan_sweep, sweep
 
@@ -54,7 +55,7 @@ def run_sweep(arguments: argparse.Namespace) -> int:
 
 def _summary(record: dict[str, Any]) -> str:
     (result,) = record["results"]
-    lines = [f"{result['id']} ({result['locator']}): {pages.verdict(result)}"]
+    lines = [f"{result['id']} ({result['locator']}): {verdict(result)}"]
     lines += [f"  {part}" for part in result["evidence"].split("; ")]
     return "\n".join(lines)
 
@@ -88,7 +89,7 @@ def run_merge(arguments: argparse.Namespace) -> int:
 
 def run_report(arguments: argparse.Namespace) -> int:
     """Make a report from the store of a sweep or from a JSON record of a run."""
-    make = pages.form(Path(arguments.output).suffix if arguments.output else ".md")
+    make = forms.form(Path(arguments.output).suffix if arguments.output else ".md")
     record = _read(arguments.source)
     text = _made(make, record, arguments.source)
     if arguments.output:
@@ -121,6 +122,6 @@ def _made(make: Any, record: dict[str, Any], source: str) -> str:
         raise
     except (AttributeError, IndexError, KeyError, TypeError, ValueError, RecursionError):
         raise InputError(
-            f"{source} is no complete record; proofs-check run --report FILE.json writes one"
+            f"{source} is not a complete record; proofs-check run --report FILE.json writes one"
         ) from None
     return text

@@ -10,7 +10,7 @@ In the dual polyhedron the regions are the vertices, and a triangle is a vertex 
 """
 
 from arrangement import DualPolyhedron
-from proofs_check.user_claim import claim
+from proofs_check import claim
 
 
 def triangles(dual: DualPolyhedron) -> int:

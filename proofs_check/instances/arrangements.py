@@ -6,12 +6,15 @@ import random
 from collections.abc import Iterator
 from itertools import combinations_with_replacement, product
 
+from arrangement.arrangement import Arrangement
 from arrangement.exact import primitive
 from arrangement.library import census
-from arrangement.planes import Arrangement
-from proofs_check.claim import Case
+from proofs_check.statement import Case, Source, proved
 
 Vector = tuple[int, ...]
+#: The numbers of planes for which every type is checked in a default run.
+TYPES = range(3, 8)
+EVERY_TYPE = "all 167 types of 3 to 7 distinct planes of rank 3"
 
 
 def arrangement_case(planes: Arrangement, label: str = "") -> Case:
@@ -84,6 +87,15 @@ def types_and_samples(
     """Yield every type for `counts`, then samples of all ranks, coincident planes included."""
     yield from census_cases(counts)
     yield from mixed_cases(rng, samples, per_count=per_count)
+
+
+def proved_on_types(
+    most: int, text: str = "of every rank, some coincident", per_count: int = 3
+) -> tuple[Source, ...]:
+    """Return the source of a proved claim: every type, and samples of up to `most` planes."""
+    over = f"checked on {EVERY_TYPE}; beside them samples of 1 to {most} planes {text}"
+    counts = range(1, most + 1)
+    return proved(over, lambda rng: types_and_samples(rng, TYPES, counts, per_count=per_count))
 
 
 def smallest_arrangements(

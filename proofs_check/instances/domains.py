@@ -7,16 +7,16 @@ number of planes (or contacts) and on nothing else.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
-from dataclasses import dataclass
 from fractions import Fraction
 from random import Random
 from typing import Any
 
+from arrangement.arrangement import Arrangement
 from arrangement.library import families
-from arrangement.planes import Arrangement
 from equilibrium.model.grasp import Contact, Grasp
 from proofs_check.errors import UnknownDomainError
 from proofs_check.routes.oracle import Question
+from proofs_check.statement import Case, Domain
 
 from .arrangements import random_arrangement
 from .grasps import grasp_of
@@ -27,27 +27,6 @@ _UNITS = tuple(
     for a, b, c in ((1, 0, 1), (0, 1, 1), (3, 4, 5), (4, 3, 5), (5, 12, 13), (12, 5, 13))
 )
 _FRICTIONS = tuple(map(Fraction, ("0", "1/4", "1/2", "1", "2")))
-
-
-@dataclass(frozen=True)
-class Domain:
-    """A set of instances.
-
-    Attributes:
-        name: short, for the command line and for `@claim`.
-        text: what it contains, for reports.
-        unit: what its instances have a number of.
-        least: the smallest number of them that is drawn.
-        draw: a random instance with a given number of planes or contacts.
-        contains: whether an instance belongs to it.
-    """
-
-    name: str
-    text: str
-    unit: str
-    least: int
-    draw: Callable[[Random, int], Any]
-    contains: Callable[[Any], bool]
 
 
 def domain(name: str) -> Domain:
@@ -64,11 +43,6 @@ def domain(name: str) -> Domain:
 def count(subject: Any) -> int:
     """Return the number of planes or contacts of an instance."""
     return len(subject.contacts) if isinstance(subject, Question) else len(subject)
-
-
-def document(subject: Any) -> dict[str, Any]:
-    """Return the file form of an instance."""
-    return dict(subject.to_dict())
 
 
 def size(subject: Any) -> tuple[Any, ...]:
@@ -96,11 +70,11 @@ def contact_numbers(contact: Contact) -> tuple[Fraction, ...]:
     )
 
 
-def known_families(chosen: Domain) -> Iterator[tuple[str, Any]]:
-    """Yield the named instances that belong to a domain, with their names."""
+def known_families(chosen: Domain) -> Iterator[Case]:
+    """Yield the named instances that belong to a domain."""
     for name, planes in _named():
         if chosen.contains(planes):
-            yield name, planes
+            yield Case(name, planes, planes.to_dict())
 
 
 def _named() -> Iterator[tuple[str, Arrangement]]:

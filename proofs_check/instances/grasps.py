@@ -7,12 +7,12 @@ from fractions import Fraction
 from functools import lru_cache
 from itertools import combinations, product
 
+from arrangement.arrangement import Arrangement
 from arrangement.enumeration.paper_steps import published_enumeration
-from arrangement.planes import Arrangement
 from equilibrium.model.grasp import Grasp
-from proofs_check.claim import Case
 from proofs_check.routes.fourier_motzkin import Row
 from proofs_check.routes.oracle import Question
+from proofs_check.statement import Case
 
 from . import paper_tables as printed
 

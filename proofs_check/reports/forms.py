@@ -14,6 +14,7 @@ from typing import Any
 from arrangement.errors import InputError
 
 from .pictures import picture
+from .text import overview, remark, verdict
 
 Record = Mapping[str, Any]
 
@@ -24,12 +25,6 @@ text-align:left;vertical-align:top}th{background:#f4f4f4}section{border-top:1px 
 .holds{color:#1b6e34}.refuted{color:#b3261e}.unexpected{background:#fff3cd}
 code{overflow-wrap:anywhere}figure{margin:1em 0}
 """
-
-
-def verdict(result: Record) -> str:
-    """Return the verdict of a result in words, with the expected one when it differs."""
-    text = result["verdict"] or "no verdict"
-    return text if result["as_expected"] else f"{text} (expected: {result['expected']})"
 
 
 def markdown(record: Record) -> str:
@@ -179,9 +174,8 @@ def _tables(result: Record) -> list[tuple[list[str], list[list[str]]]]:
 
 
 def _case(entry: Record) -> list[str]:
-    remark = "; ".join(text for text in (entry["note"], entry["assumption"]) if text)
     holds = "yes" if entry["holds"] else "no"
-    return [entry["label"], *(_cell(value) for value in entry["values"]), holds, remark]
+    return [entry["label"], *(_cell(value) for value in entry["values"]), holds, remark(entry)]
 
 
 def _cell(value: Any) -> str:
@@ -205,6 +199,7 @@ FORMS: dict[str, Callable[[Record], str]] = {
     ".html": html_page,
     ".htm": html_page,
     ".tex": latex,
+    ".txt": lambda record: overview(record) + "\n",
 }
 
 

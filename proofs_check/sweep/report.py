@@ -8,27 +8,12 @@ from __future__ import annotations
 
 from typing import Any
 
-from proofs_check.claim import Verdict
+from proofs_check.evidence import OUTCOMES, verdict_from
 from proofs_check.reports.report import instance_text, record_of
+from proofs_check.statement import Verdict
 
 from .store import Store
 from .sweep import Plan, Total, read_plan, total
-from .sweepable import OUTCOMES
-
-
-def verdict(sums: Total, saved: bool) -> Verdict | None:
-    """Work out the verdict of a sweep so far.
-
-    None: nothing was checked, or the check itself failed on some instance. Refuted: some instance
-    fails to which the hypotheses apply. Holds under a hypothesis: all failures are outside the
-    saving hypothesis. Holds: no failure.
-    """
-    holds, fails, excused, broken, _ = (sums.number(kind) for kind in OUTCOMES)
-    if broken or not holds + fails + excused:
-        return None
-    if fails or (excused and not holds):
-        return Verdict.REFUTED
-    return Verdict.HOLDS_UNDER_HYPOTHESIS if excused and saved else Verdict.HOLDS
 
 
 def consistent(found: Verdict | None, expected: Verdict) -> bool:
@@ -46,7 +31,7 @@ def consistent(found: Verdict | None, expected: Verdict) -> bool:
 def record(opened: Store) -> dict[str, Any]:
     """Return the JSON record of a sweep, complete or not."""
     plan, claim, sums = read_plan(opened), opened.claim, total(opened.chunks())
-    found = verdict(sums, claim["saved"])
+    found = verdict_from(sums.outcomes)
     expected = Verdict(claim["record"]["expected"])
     worst = next((k for k in ("broken", "fails", "excused") if k in sums.smallest), None)
     result = {
@@ -132,7 +117,7 @@ def status(opened: Store) -> dict[str, Any]:
         "samples": sums.samples,
         "samples_due": plan.samples,
         "complete": sums.chunks == plan.chunks,
-        "outcomes": {kind: sums.number(kind) for kind in OUTCOMES},
+        "outcomes": sums.outcomes,
         "milliseconds": sums.milliseconds,
         "environments": sums.environments,
     }

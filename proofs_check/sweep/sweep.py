@@ -11,17 +11,19 @@ from collections.abc import Callable, Iterable, Iterator
 from dataclasses import asdict, dataclass, field
 from functools import lru_cache
 from pathlib import Path
-from random import Random
 from typing import Any
 
 from proofs_check.errors import SweepError
-from proofs_check.instances.domains import count, document, size
+from proofs_check.evidence import OUTCOMES, check
+from proofs_check.instances.domains import count, size
 from proofs_check.reports.environment import environment
+from proofs_check.reports.report import plain
+from proofs_check.statement import Case, Claim
 from proofs_check.user_claim import file_digest
 
 from . import store, workers
 from .store import Chunk, Store
-from .sweepable import OUTCOMES, Target, split, target
+from .sweepable import about, domain_of, split, target
 
 #: Instances in a chunk, unless another number is given.
 CHUNK = 200
@@ -84,10 +86,11 @@ def plan_sweep(
         SweepError: a number out of range, or a claim that cannot be swept.
     """
     chosen = target(source)
+    domain = domain_of(chosen)
     low, high = planes
-    if not chosen.domain.least <= low <= high:
+    if not domain.least <= low <= high:
         raise SweepError(
-            f"planes is {low}..{high}; {chosen.domain.text} need at least {chosen.domain.least}, "
+            f"planes is {low}..{high}; {domain.text} need at least {domain.least}, "
             "and the smaller number stands first"
         )
     for name, value in (("samples", samples), ("chunk", chunk)):
@@ -101,20 +104,15 @@ def plan_sweep(
 
 def instance(plan: Plan, index: int) -> Any:
     """Return the random instance with a number."""
-    return _drawn(plan, _target(plan), index)
-
-
-def _drawn(plan: Plan, chosen: Target, index: int) -> Any:
-    rng = Random(f"{plan.seed}/{plan.claim}/{index}")
-    return chosen.domain.draw(rng, plan.low + index % (plan.high - plan.low + 1))
+    return _target(plan).draw(plan.seed, index, (plan.low, plan.high))
 
 
 @lru_cache(maxsize=4)
-def _found(source: str) -> Target:
+def _found(source: str) -> Claim:
     return target(source)
 
 
-def _target(plan: Plan) -> Target:
+def _target(plan: Plan) -> Claim:
     file, _ = split(plan.source)
     if file is not None and file_digest(file) != plan.digest:
         raise SweepError(f"{file} has changed since the sweep began; begin a new store")
@@ -124,23 +122,26 @@ def _target(plan: Plan) -> Target:
 def run_chunk(plan: Plan, number: int) -> Chunk:
     """Check the instances of one chunk: counts for each number of planes, smallest failures."""
     started = time.perf_counter()
-    chosen = _target(plan)
+    claim = _target(plan)
     counts: dict[str, list[int]] = {}
     smallest: dict[str, dict[str, Any]] = {}
     for index in plan.indices(number):
-        subject = _drawn(plan, chosen, index)
-        outcome = chosen.check(subject)
+        subject = claim.draw(plan.seed, index, (plan.low, plan.high))
         row = counts.setdefault(str(count(subject)), [0] * len(OUTCOMES))
-        row[OUTCOMES.index(outcome.kind)] += 1
-        if outcome.kind in _KEPT:
+        if not claim.includes(subject):
+            row[OUTCOMES.index("outside")] += 1
+            continue
+        record = check(claim, Case(f"sample {index}", subject, subject.to_dict()))
+        row[OUTCOMES.index(record.outcome)] += 1
+        if record.outcome in _KEPT:
             entry = {
                 "key": [*size(subject)[:-1], index],
                 "index": index,
-                "values": list(outcome.values),
-                "note": outcome.note,
-                "instance": document(subject),
+                "values": [plain(value) for value in record.values],
+                "note": record.note,
+                "instance": record.document,
             }
-            _keep(smallest, outcome.kind, entry)
+            _keep(smallest, record.outcome, entry)
     took = round(1000 * (time.perf_counter() - started))
     return Chunk(number, {"counts": counts, "smallest": smallest}, environment(), took)
 
@@ -169,6 +170,11 @@ class Total:
     def number(self, kind: str) -> int:
         """Return how often an outcome came out."""
         return sum(row[OUTCOMES.index(kind)] for row in self.counts.values())
+
+    @property
+    def outcomes(self) -> dict[str, int]:
+        """How often each of `OUTCOMES` came out."""
+        return {kind: self.number(kind) for kind in OUTCOMES}
 
     @property
     def samples(self) -> int:
@@ -221,7 +227,7 @@ def sweep(
         raise SweepError(f"shard is {part}/{parts}; give i/n with i from 1 to n")
     if jobs < 1:
         raise SweepError(f"jobs is {jobs}; it must be at least 1")
-    with store.create(path, plan.record(), _target(plan).about()) as opened:
+    with store.create(path, plan.record(), about(_target(plan))) as opened:
         due = range(part - 1, plan.chunks, parts)
         there = opened.numbers()
         pending = [number for number in due if number not in there]

@@ -17,7 +17,7 @@ from .strategies import arrangements
 @settings(max_examples=40, deadline=None)
 @given(arrangements(dimensions=(1, 4), planes=(0, 6)))
 def test_the_enumeration_is_certified(planes: Arrangement) -> None:
-    evidence = certify_complete(planes)
+    evidence = planes.certify_complete()
     assert evidence.complete
     assert bool(evidence)
     assert evidence.problems == ()
@@ -80,7 +80,7 @@ def test_a_wrong_face_says_what_is_wrong(face: Face, message: str) -> None:
 def test_faces_of_huge_planes_are_checked_exactly() -> None:
     huge = 10**30
     planes = Arrangement([[huge, 1, 0], [huge, 0, 1], [huge + 1, 1, 0], [1, huge, -1]])
-    assert certify_complete(planes)
+    assert planes.certify_complete()
     # the witness misses the third plane by one in 10^30, and claims to be on it
     line = Face((0, 0, 0, -1), 1, (Fraction(1), Fraction(-huge), Fraction(-huge)))
     wrong = [line if f.signs[:2] == (0, 0) and f.dimension == 1 else f for f in planes.faces()]

@@ -11,7 +11,7 @@ from arrangement import Arrangement, InputError, MissingExtraError
 from arrangement.cli import main
 from arrangement.counts import f_vector
 from arrangement.draw import draw_sphere, write_drawing
-from arrangement.io.files import read_arrangement
+from arrangement.io.arrangements import read_arrangement
 
 NAMES = ["four-generic-planes", "braid-a3", "reflection-b3", "pencil", "coincident-planes"]
 VIEW = (5, 3, 4)

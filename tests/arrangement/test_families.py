@@ -14,7 +14,6 @@ import pytest
 import sympy
 
 from arrangement import Arrangement, InputError, counts
-from arrangement.completeness import certify_complete
 from arrangement.library import families
 
 T = sympy.Symbol("t")
@@ -107,7 +106,7 @@ def test_bounded_regions_of_the_shi_arrangement(n: int, bounded: int) -> None:
     ids=str,
 )
 def test_enumeration_of_members_is_certified_complete(planes: Arrangement) -> None:
-    assert certify_complete(planes)
+    assert planes.certify_complete()
 
 
 @pytest.mark.parametrize(

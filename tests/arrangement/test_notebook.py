@@ -8,7 +8,7 @@ from xml.etree import ElementTree as ET
 import pytest
 
 from arrangement import Arrangement
-from arrangement.io.files import read_arrangement
+from arrangement.io.arrangements import read_arrangement
 
 AFFINE = Arrangement([[1, 0], [0, 1], [1, 1]], [0, 0, 1])
 

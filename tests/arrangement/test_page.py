@@ -16,7 +16,7 @@ from arrangement.cli import main
 from arrangement.draw import arrangement_page
 from arrangement.draw.equalize import evening_map
 from arrangement.draw.page import MAX_CIRCLES
-from arrangement.io.files import read_arrangement
+from arrangement.io.arrangements import read_arrangement
 from arrangement.polyhedra.dual import dual_polyhedron
 from tests.browser import Browser
 

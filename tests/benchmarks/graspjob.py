@@ -24,7 +24,7 @@ from typing import Any
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[2]))
 
-from equilibrium import Contact, Grasp, check, solve
+from equilibrium import Contact, Grasp, Solver, check, solve
 from equilibrium.inputs.random import random_grasp, random_wrench
 
 Wrench = tuple[Fraction, ...]
@@ -76,7 +76,8 @@ def ours(grasp: Grasp, wrench: Wrench) -> Found:
     """Verdict and proof; the check of the proof; a second wrench on the same grasp."""
     clock = time.process_time
     start = clock()
-    verdict = solve(grasp, wrench)
+    solver = Solver(grasp)
+    verdict = solver.solve(wrench)
     decided = clock()
     certificate = verdict.certificate
     written = clock()
@@ -84,7 +85,7 @@ def ours(grasp: Grasp, wrench: Wrench) -> Found:
     begin = clock()
     valid = bool(check(document, question=(grasp, wrench)))
     checked = clock()
-    again = solve(grasp, [SECOND * w for w in wrench])
+    again = solver.solve([SECOND * w for w in wrench])
     second_decided = clock()
     same = again.stable == verdict.stable and bool(again.certificate)
     return {

@@ -9,7 +9,8 @@ from hypothesis import given, settings
 from equilibrium import Grasp, contact_states, read_grasp
 from equilibrium.certificate.coverage import due_states, sorted_rows
 from equilibrium.inputs.random import random_grasp
-from equilibrium.solver.contact_states import contact_codes, motion_faces, states_at
+from equilibrium.solver.contact_states import states_at
+from equilibrium.solver.prepared import PreparedGrasp
 
 from . import oracle
 from .awkward import question
@@ -24,8 +25,8 @@ def due(grasp: Grasp) -> np.ndarray:
 
 
 def assert_same(grasp: Grasp) -> None:
-    assert np.array_equal(sorted_rows(contact_codes(grasp)), due(grasp))
-    assert len(contact_codes(grasp)) == len(due(grasp))
+    assert np.array_equal(sorted_rows(PreparedGrasp(grasp).codes), due(grasp))
+    assert len(PreparedGrasp(grasp).codes) == len(due(grasp))
 
 
 @settings(max_examples=60, deadline=None)
@@ -82,7 +83,7 @@ def test_states_are_few_and_distinct():
 
 def test_no_contact_has_the_one_empty_choice():
     assert contact_states(Grasp()) == ((),)
-    assert contact_codes(Grasp()).shape == (1, 0)
+    assert PreparedGrasp(Grasp()).codes.shape == (1, 0)
 
 
 def test_all_stick_is_among_the_states_of_a_preloaded_grasp():
@@ -102,8 +103,3 @@ def test_a_false_match_of_hashes_can_only_ask_for_more(monkeypatch):
     monkeypatch.setattr(np.random, "default_rng", lambda *_: Constant())
     found = set(map(tuple, due(grasp).tolist()))
     assert right < found
-
-
-def test_faces_are_kept_for_the_certificate():
-    grasp = random_grasp(3, seed=1)
-    assert motion_faces(grasp) is motion_faces(random_grasp(3, seed=1))

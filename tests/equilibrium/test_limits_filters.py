@@ -11,9 +11,9 @@ from arrangement.polyhedra.cones import generators
 from arrangement.polyhedra.polyhedron import from_conditions
 from arrangement.polyhedra.separation import possibly_meeting, sides, surely_outside
 from equilibrium.inputs.random import random_grasp
-from equilibrium.solver.contact_states import contact_states
+from equilibrium.solver.prepared import contact_states
 from equilibrium.wrench_sets import outline, space
-from equilibrium.wrench_sets.images import resisted_with
+from equilibrium.wrench_sets.images import StateImages
 from equilibrium.wrench_sets.outline import outline_of
 from equilibrium.wrench_sets.plane import FORCES, _plane, resistible_region
 from equilibrium.wrench_sets.space import resistible_set
@@ -36,8 +36,9 @@ def test_a_plane_cuts_every_state_as_if_all_its_wrenches_were_there(grasp, spans
     spans = [tuple(map(Fraction, span)) for span in spans]
     origin = tuple(map(Fraction, origin))
     plane = _plane(origin, *spans)
+    images = StateImages(grasp)
     for states in contact_states(grasp):
-        whole, reaching = resisted_with(grasp, states), resisted_with(grasp, states, plane)
+        whole, reaching = images.resisted_with(states), images.resisted_with(states, plane)
         expected = None if whole is None else whole.cut(origin, spans)
         assert (None if reaching is None else reaching.cut(origin, spans)) == expected
 
@@ -108,10 +109,10 @@ def test_the_quick_tests_leave_little_open():
 @settings(max_examples=15, deadline=None)
 @given(grasps(most=4))
 def test_the_polyhedra_are_the_same_without_the_quick_test(grasp):
-    found = resistible_set.__wrapped__(grasp)
+    found = resistible_set(grasp)
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(space, "surely_outside", lambda s: np.zeros((len(s), len(s)), dtype=np.bool_))
-        assert resistible_set.__wrapped__(grasp) == found
+        assert resistible_set(grasp) == found
 
 
 @settings(max_examples=80, deadline=None)

@@ -12,7 +12,7 @@ from equilibrium.io.files import read_grasp
 from equilibrium.model.grasp import Contact, Grasp
 from equilibrium.verdict import solve
 from equilibrium.wrench_sets.line import resisted_magnitudes
-from equilibrium.wrench_sets.space import resisted_with, resistible_set
+from equilibrium.wrench_sets.space import StateImages, resistible_set
 
 from .limits_oracle import directions, grasps, wrenches
 
@@ -112,7 +112,7 @@ def test_lines_through_the_polyhedra_are_the_intervals(grasp, direction, base):
 def test_states_that_no_motion_has_add_nothing(grasp, wrench):
     """Every one of the 4^m choices gives resisted wrenches only."""
     everything = product(("detached", "slip+", "slip-", "stick"), repeat=len(grasp))
-    shapes = (resisted_with(grasp, states) for states in everything)
+    shapes = (StateImages(grasp).resisted_with(states) for states in everything)
     whole = resistible_set(grasp)
     for shape in shapes:
         if shape is not None:
@@ -137,7 +137,7 @@ def test_many_contacts_that_stick_at_once():
     units = [(1, 0), (Fraction(3, 5), Fraction(4, 5)), (Fraction(-3, 5), Fraction(4, 5)), (0, 1)]
     ring = [(x, y) for x, y in units] + [(-x, -y) for x, y in units]
     grasp = Grasp(Contact((-x, -y), (x, y), Fraction(1, 2), 1, 1) for x, y in ring)
-    shape = resisted_with(grasp, ("stick",) * len(grasp))
+    shape = StateImages(grasp).resisted_with(("stick",) * len(grasp))
     heights = [point[1] for point in shape.points]
     assert max(heights) == Fraction(1, 2) * sum(abs(c.tangent[1]) for c in grasp)
     assert min(heights) == -max(heights)

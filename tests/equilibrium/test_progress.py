@@ -8,11 +8,8 @@ from pathlib import Path
 import pytest
 
 from arrangement import progress
-from equilibrium import verdict as passive
 from equilibrium.cli.program import main
 from equilibrium.inputs import random_grasp
-from equilibrium.solver import contact_states as cells, interval_filter as screening
-from equilibrium.wrench_sets.space import resistible_set
 
 LONG = {
     "solve": ("--wrench", "50", "5", "1"),
@@ -35,14 +32,6 @@ def arguments(command: str, tmp_path: Path) -> list[str]:
     return [command, str(path), *LONG[command], "--json"]
 
 
-def forget() -> None:
-    """Clear what is kept from one command to the next."""
-    for kept in (cells.motion_faces, cells.contact_codes, screening.screen_of):
-        kept.cache_clear()
-    passive._enumerate.cache_clear()
-    resistible_set.cache_clear()
-
-
 @pytest.mark.parametrize("command", [*LONG, *ALONE])
 def test_the_line_is_on_stderr_of_a_terminal_only(
     command: str,
@@ -51,13 +40,11 @@ def test_the_line_is_on_stderr_of_a_terminal_only(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     words = arguments(command, tmp_path)
-    forget()
     main(words)
     piped = capsys.readouterr()
     assert piped.err == ""
     monkeypatch.setattr(progress, "on_terminal", lambda: True)
     monkeypatch.setattr(progress, "_PATIENCE", 0.0)
-    forget()
     main(words)
     seen = capsys.readouterr()
     assert seen.out == piped.out

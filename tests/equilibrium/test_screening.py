@@ -8,16 +8,17 @@ import numpy as np
 import pytest
 from hypothesis import given, settings, strategies as st
 
-from equilibrium import Contact, Grasp, read_grasp, solve, verdict as passive
+from equilibrium import Contact, Grasp, Solver, read_grasp, solve
 from equilibrium.certificate.conditions import conditions_of, violation_problem
 from equilibrium.certificate.determinants import KINDS, proven_violations
 from equilibrium.inputs.random import random_grasp, random_wrench
 from equilibrium.solver.all_stick import rest_refutation
-from equilibrium.solver.contact_states import contact_codes, states_of_code
+from equilibrium.solver.contact_states import states_of_code
 from equilibrium.solver.elimination import Refutation, decide, point_with_idle
 from equilibrium.solver.interval_filter import CONDITIONS, UNDECIDED, Screen
 from equilibrium.solver.lemke import likely_states
-from equilibrium.solver.refutations import balances_of
+from equilibrium.solver.prepared import PreparedGrasp
+from equilibrium.solver.refutations import Balances
 from equilibrium.solver.state_system import state_system, value
 
 from . import oracle
@@ -30,7 +31,7 @@ W = (Fraction(1), Fraction(-1, 2), Fraction(1, 3))
 
 def assert_true(grasp: Grasp, wrench: tuple) -> int:
     """Check every answer of the screen by determinants in rationals; return how many there are."""
-    screen = Screen(grasp)
+    screen = PreparedGrasp(grasp).screen
     found = screen.violations(wrench)
     decided = 0
     for row, index in zip(screen.codes.tolist(), found.tolist(), strict=True):
@@ -90,26 +91,28 @@ def test_numbers_that_floats_should_not_see_are_left_to_rationals(power):
     c = random_grasp(1, seed=1).contacts[0]
     scale = Fraction(10) ** power
     grasp = Grasp([Contact(c.point, c.normal, c.friction, c.stiffness * scale, 0)] * 2)
-    assert set(Screen(grasp).violations(W).tolist()) == {UNDECIDED}
-    states = contact_codes(grasp)
+    assert set(PreparedGrasp(grasp).screen.violations(W).tolist()) == {UNDECIDED}
+    states = PreparedGrasp(grasp).codes
     assert not proven_violations(
         grasp, W, states, np.zeros(len(states), dtype=int), np.zeros(len(states), dtype=int)
     ).any()
     for wrench in (W, tuple(-2 * x for x in (*c.normal, c.normal_wrench[2]))):
         assert solve(grasp, wrench).stable == oracle.is_stable(grasp, wrench)
-    assert set(Screen(random_grasp(2)).violations((scale, *W[1:])).tolist()) == {UNDECIDED}
+    assert set(PreparedGrasp(random_grasp(2)).screen.violations((scale, *W[1:])).tolist()) == {
+        UNDECIDED
+    }
 
 
 def test_most_choices_are_decided_in_floating_point():
     for seed in (1, 3, 5):
         grasp = random_grasp(7, seed)
-        assert assert_true(grasp, W) > 0.9 * len(contact_codes(grasp))
+        assert assert_true(grasp, W) > 0.9 * len(PreparedGrasp(grasp).codes)
 
 
 @settings(max_examples=40, deadline=None)
 @given(grasps(3), wrenches, st.sampled_from(KINDS), st.integers(0, 2))
 def test_opposite_determinants_are_only_proven_where_rationals_agree(grasp, wrench, kind, contact):
-    states = contact_codes(grasp)
+    states = PreparedGrasp(grasp).codes
     fitting = {"normal": (1, 0, -1, 2), "slip": (1, -1)}.get(kind, (0,))
     if contact < len(grasp):
         states = states[np.isin(states[:, contact], fitting)]
@@ -123,10 +126,12 @@ def test_opposite_determinants_are_only_proven_where_rationals_agree(grasp, wren
 def test_determinants_prove_what_the_screen_found():
     for seed in (0, 1, 2, 3):
         grasp, wrench = random_grasp(6, seed), random_wrench(seed)
-        found = Screen(grasp).violations(wrench)
+        found = PreparedGrasp(grasp).screen.violations(wrench)
         decided = found != UNDECIDED
         kinds, contacts = np.divmod(found[decided], 6)
-        proven = proven_violations(grasp, wrench, contact_codes(grasp)[decided], kinds, contacts)
+        proven = proven_violations(
+            grasp, wrench, PreparedGrasp(grasp).codes[decided], kinds, contacts
+        )
         assert proven.mean() > 0.9
 
 
@@ -134,19 +139,13 @@ def test_determinants_prove_what_the_screen_found():
 @given(grasps(3), wrenches)
 def test_without_search_and_without_floats_the_answer_is_the_same(grasp, wrench):
     fast = solve(grasp, wrench)
+    pieces = fast.equilibria
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(passive, "_quick_solution", lambda *_: None)
+        patch.setattr(Solver, "_quick_solution", lambda *_: None)
         patch.setattr(Screen, "violations", lambda self, _: np.full(len(self.codes), UNDECIDED))
-        passive._enumerate.cache_clear()
         slow = solve(grasp, wrench)
         assert slow.stable == fast.stable
-        assert slow.equilibria == _fresh(fast)
-    passive._enumerate.cache_clear()
-
-
-def _fresh(verdict: passive.Verdict) -> tuple:
-    passive._enumerate.cache_clear()
-    return verdict.equilibria
+        assert slow.equilibria == pieces
 
 
 def test_the_search_finds_most_stable_grasps_and_what_it_finds_is_exact():
@@ -177,8 +176,8 @@ def test_several_contacts_stick_at_rest_and_some_are_idle():
 @settings(max_examples=60, deadline=None)
 @given(grasps(3), wrenches)
 def test_quick_refutations_are_farkas_vectors(grasp, wrench):
-    applied, balances = tuple(map(Fraction, wrench)), balances_of(grasp)
-    for row in contact_codes(grasp).tolist():
+    applied, balances = tuple(map(Fraction, wrench)), Balances(grasp)
+    for row in PreparedGrasp(grasp).codes.tolist():
         states = states_of_code(row)
         for refutation in (
             balances.refutation(applied, states),

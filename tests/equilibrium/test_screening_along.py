@@ -12,6 +12,7 @@ from equilibrium import Contact, Grasp, contact_states
 from equilibrium.inputs.random import random_grasp, random_wrench
 from equilibrium.solver.contact_states import states_of_code
 from equilibrium.solver.interval_filter import Screen
+from equilibrium.solver.prepared import PreparedGrasp
 from equilibrium.wrench_sets.line import _interval, resisted_magnitudes
 
 from .awkward import question
@@ -25,10 +26,11 @@ W = (Fraction(1), Fraction(-1, 2), Fraction(1, 3))
 
 def assert_nothing_lost(grasp: Grasp, base: tuple, direction: tuple) -> int:
     """Check each choice ruled out by exact elimination; return how many there are."""
-    screen = Screen(grasp)
+    solver = PreparedGrasp(grasp)
+    screen = solver.screen
     possible = screen.possible_along(base, direction)
     for row in screen.codes[~possible].tolist():
-        assert _interval(grasp, states_of_code(row), base, direction) in (None, (0, 0))
+        assert _interval(solver, states_of_code(row), base, direction) in (None, (0, 0))
     return int((~possible).sum())
 
 
@@ -85,14 +87,14 @@ def test_most_choices_are_ruled_out():
 @pytest.mark.parametrize("power", [-40, 40, 400])
 def test_numbers_that_floats_should_not_see_rule_nothing_out(power):
     scale = Fraction(10) ** power
-    assert Screen(random_grasp(3, seed=1)).possible_along(ZERO, (scale, *W[1:])).all()
+    assert PreparedGrasp(random_grasp(3, seed=1)).screen.possible_along(ZERO, (scale, *W[1:])).all()
     c = random_grasp(1, seed=1).contacts[0]
     stiff = Grasp([Contact(c.point, c.normal, c.friction, c.stiffness * scale, 0)] * 2)
-    assert Screen(stiff).possible_along(ZERO, W).all()
+    assert PreparedGrasp(stiff).screen.possible_along(ZERO, W).all()
 
 
 def test_without_contacts_nothing_is_ruled_out():
-    assert Screen(Grasp()).possible_along(ZERO, W).all()
+    assert PreparedGrasp(Grasp()).screen.possible_along(ZERO, W).all()
 
 
 @settings(max_examples=20, deadline=None)

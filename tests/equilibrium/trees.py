@@ -53,7 +53,7 @@ class _Search:
         self.left -= 1
         if self.left < 0 or depth > 40:
             raise TooLarge
-        forced = depth < 2 and self.source.random() < 0.5
+        forced = depth < 3 and self.source.random() < 0.5
         found = None if forced else self.leaf(region, states)
         if found is not None:
             return found
@@ -69,46 +69,19 @@ class _Search:
         raise TooLarge
 
     def leaf(self, region: list[Generator], states: dict[int, str]) -> Any:
-        """Return a leaf: an exact linear program in lambda and one or two numbers a contact."""
-        size = 3
-        bounds: list[dict[int, Any]] = []
-        rows: list[dict[int, Any]] = [
-            {j: w * g[0] for j, w in enumerate(self.wrench)} for g in region
-        ]
+        """Return a leaf: an exact linear program in lambda and (alpha, h) of each contact."""
+        size = 3 + 2 * len(self.contacts)
+        rows: list[Any] = [{j: w * g[0] for j, w in enumerate(self.wrench)} for g in region]
+        bounds: list[Any] = []
         written: dict[int, list[int]] = {}
-        for i, (spring, slip, normal, tangent, mu) in enumerate(self.contacts):
-            state = states.get(i, "undecided")
-            e, s = ([_dot(row, g) for g in region] for row in (spring, slip))
-            mixed = min(e) < 0 < max(e)
-            long = state in ("detached", *SIMPLE) or (state == "attached" and mixed)
-            long = long or self.source.random() < 0.2
-            if not long and max(e) <= 0 and state == "undecided":
-                continue
-            alpha, h = size, size + 1
-            size += 2
-            signs = {"slip+": [-1], "slip-": [1]}.get(state, [-1, 1])
-            if state in ("undecided", "attached") and (min(s) > 0 or max(s) < 0):
-                signs = [-1] if min(s) > 0 else [1]
-            if state != "detached":
-                for sign in signs:
-                    kappa = {j: n + sign * mu * t for j, (n, t) in enumerate(zip(normal, tangent))}
-                    bounds.append({**kappa, alpha: -1})
-            if state == "detached" or (long and state == "undecided"):
-                bounds.append({alpha: 1})
-            elif state == "undecided" and mixed:
-                bounds.append({alpha: -1})
-                e = [max(x, Fraction(0)) for x in e]
-            if state == "stick":
-                s = list(s)
-            else:
-                if state in ("slip+", "slip-"):
-                    bounds.append({h: -1 if state == "slip+" else 1})
-                else:
-                    s = [Fraction(0)] * len(s)
-            for row, u, v in zip(rows, e, s, strict=True):
-                row[alpha], row[h] = u, v
-            if long:
-                written[i] = [alpha, h] if state in SIMPLE else [alpha]
+        for i in range(len(self.contacts)):
+            state, at = states.get(i, "undecided"), [3 + 2 * i, 4 + 2 * i]
+            limits, alphas, slips, is_long = self.contact(i, region, state)
+            bounds += [{**virtual, at[0]: a, at[1]: h} for virtual, a, h in limits]
+            for row, alpha, slip in zip(rows, alphas, slips, strict=True):
+                row.update(zip(at, (alpha, slip), strict=True))
+            if is_long:
+                written[i] = at if state in SIMPLE else at[:1]
         least = [_wide(row, size, -int(g[0] > 0)) for row, g in zip(rows, region, strict=True)]
         point = feasible_point(size, [*least, *(_wide(row, size, 0) for row in bounds)], [])
         if isinstance(point, Infeasible):
@@ -119,9 +92,38 @@ class _Search:
         given = {str(i): [to_text(point[j]) for j in at] for i, at in written.items()}
         return {"virtual_motion": motion, "multipliers": given}
 
+    def contact(self, i: int, region: list[Generator], state: str) -> tuple[Any, ...]:
+        """Return bounds (lambda, alpha, h), factors of alpha and h, and whether to write them."""
+        spring, slip, normal, tangent, mu = self.contacts[i]
+        e, s = ([_dot(row, g) for g in region] for row in (spring, slip))
+        none = [Fraction(0)] * len(region)
+        mixed = min(e) < 0 < max(e)
+        is_long = state in ("detached", *SIMPLE) or (state == "attached" and mixed)
+        is_long = is_long or self.source.random() < 0.2
+        if state == "detached":
+            return [({}, 1, 0)], e, none, True
+        if not is_long and state == "undecided" and max(e) <= 0:
+            return [], none, none, False
+        signs = {"slip+": [-1], "slip-": [1]}.get(state, [-1, 1])
+        if state not in SIMPLE and (min(s) > 0 or max(s) < 0):
+            signs = [-1] if min(s) > 0 else [1]
+        limits: list[Any] = []
+        for sign in signs:
+            along = zip(normal, tangent, strict=True)
+            limits.append(({j: n + sign * mu * t for j, (n, t) in enumerate(along)}, -1, 0))
+        if state == "undecided" and is_long:
+            limits.append(({}, 1, 0))
+        elif state == "undecided" and mixed:
+            limits.append(({}, -1, 0))
+            e = [max(x, Fraction(0)) for x in e]
+        if state in ("slip+", "slip-"):
+            limits.append(({}, 0, -1 if state == "slip+" else 1))
+        return limits, e, s if state in SIMPLE else none, is_long
+
     def by_state(self, region: list[Generator], states: dict[int, str]) -> Any:
         order = list(range(len(self.contacts)))
         self.source.shuffle(order)
+        order.sort(key=lambda i: states.get(i) != "attached")
         for i in order:
             if states.get(i) in (None, "attached"):
                 kind, names = (

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable, Iterable
 from dataclasses import replace
 from random import Random
 
@@ -18,6 +19,7 @@ from proofs_check import (
     Record,
     Registry,
     Route,
+    Source,
     UnknownClaimError,
     Verdict,
     evaluate,
@@ -28,6 +30,10 @@ from proofs_check import (
 
 def numbers(last: int) -> list[Case]:
     return [Case(f"n = {n}", n, {"n": n}) for n in range(last + 1)]
+
+
+def on(cases: Callable[[Random], Iterable[Case]]) -> tuple[Source, ...]:
+    return (Source(Kind.EXHAUSTIVE, "n up to 9", cases),)
 
 
 def claim(**changes: object) -> Claim:
@@ -41,11 +47,8 @@ def claim(**changes: object) -> Claim:
             Route("multiplication", lambda n: n * n),
             Route("sum of odd numbers", lambda n: sum(range(1, 2 * n, 2))),
         ),
-        cases=lambda rng: numbers(9),
+        sources=on(lambda rng: numbers(9)),
         judge=lambda n, square: square >= n,
-        kind=Kind.EXHAUSTIVE,
-        over="n up to 9",
-        expected=Verdict.HOLDS,
     )
     return replace(base, **changes)  # type: ignore[arg-type]
 
@@ -84,7 +87,7 @@ def test_a_hypothesis_that_covers_no_case_saves_nothing() -> None:
 
 
 def test_a_case_read_by_an_assumption_gives_no_plain_holds() -> None:
-    assumed = claim(cases=lambda rng: [Case("n", 3, None, assumption="3 is meant")])
+    assumed = claim(sources=on(lambda rng: [Case("n", 3, None, assumption="3 is meant")]))
     assert evaluate(assumed).verdict is Verdict.HOLDS_UNDER_HYPOTHESIS
 
 
@@ -109,9 +112,9 @@ def test_a_route_that_fails_gives_no_verdict() -> None:
 
 
 def test_no_evidence_gives_no_verdict() -> None:
-    nothing = claim(cases=lambda rng: [])
+    nothing = claim(sources=on(lambda rng: []))
     assert evaluate(nothing).verdict is None
-    assert verdict_of(Evidence(Kind.PROVED, "nothing", 0, ())) is None
+    assert verdict_of(Evidence(0, (), ())) is None
 
 
 records = st.builds(
@@ -128,7 +131,7 @@ records = st.builds(
 def test_holds_needs_evidence_without_any_failure_or_disagreement(
     checked: list[Record], extra: Record | None
 ) -> None:
-    evidence = Evidence(Kind.SAMPLED, "records", 0, tuple(checked), counterexample=extra)
+    evidence = Evidence(0, (), tuple(checked), counterexample=extra)
     if verdict_of(evidence) is Verdict.HOLDS:
         assert checked
         assert all(record.holds and record.agree for record in checked)
@@ -139,9 +142,11 @@ def test_evaluation_depends_on_the_seed_and_the_id_alone() -> None:
     def cases(rng: Random) -> list[Case]:
         return [Case("n", rng.randrange(10**5))]
 
-    values = [evaluate(claim(cases=cases), seed).evidence.records[0].values for seed in (1, 1, 2)]
+    values = [
+        evaluate(claim(sources=on(cases)), seed).evidence.records[0].values for seed in (1, 1, 2)
+    ]
     assert values[0] == values[1] != values[2]
-    other = evaluate(claim(id="others", cases=cases), 1).evidence.records[0].values
+    other = evaluate(claim(id="others", sources=on(cases)), 1).evidence.records[0].values
     assert other != values[0]
 
 
@@ -152,7 +157,7 @@ def test_ids_are_unique() -> None:
 
 def test_one_route_cannot_be_both() -> None:
     route = Route("multiplication", lambda n: n * n)
-    with pytest.raises(ClaimError, match="two different"):
+    with pytest.raises(ClaimError, match="one route twice"):
         Registry([claim(routes=(route, route))])
 
 

@@ -8,7 +8,7 @@ import networkx as nx
 import pytest
 from hypothesis import given, settings, strategies as st
 
-from arrangement.planes import Arrangement
+from arrangement.arrangement import Arrangement
 from proofs_check.instances.arrangements import (
     mixed_cases,
     random_arrangement,

@@ -7,8 +7,8 @@ from random import Random
 
 import pytest
 
+from arrangement.arrangement import Arrangement
 from arrangement.library.census import PUBLISHED, PUBLISHED_SIMPLE, census
-from arrangement.planes import Arrangement
 from proofs_check import Kind, Verdict, evaluate, registry
 from proofs_check.instances.arrangements import census_cases
 

@@ -8,7 +8,8 @@ import pytest
 from hypothesis import given, settings, strategies as st
 
 import arrangement.enumeration.any_dimension
-from arrangement.planes import Arrangement, Face
+from arrangement.arrangement import Arrangement
+from arrangement.planes import Face
 from equilibrium.io.files import read_grasp
 from equilibrium.model.grasp import Contact, Grasp
 from proofs_check import Verdict, evaluate, registry

@@ -15,15 +15,15 @@ from arrangement import Arrangement, dual_polyhedron, read_arrangement
 from arrangement.library.census import census
 from equilibrium.io.files import read_grasp
 from equilibrium.model.grasp import Grasp
-from proofs_check import user_run as ownrun
-from proofs_check.claim import Verdict
+from proofs_check import claim
 from proofs_check.cli.program import main
 from proofs_check.errors import OwnClaimError, UnknownDomainError
+from proofs_check.evidence import evaluate
 from proofs_check.instances.domains import DOMAINS, domain, known_families, size
 from proofs_check.shrink import shrink, smaller_instances
-from proofs_check.user_claim import claim
+from proofs_check.statement import Verdict
 
-HEAD = "from proofs_check.user_claim import claim\n"
+HEAD = "from proofs_check import claim\n"
 
 
 @pytest.fixture
@@ -128,7 +128,7 @@ def test_a_failure_that_only_many_planes_show_does_not_shrink_below_them(
         ('@claim("s", planes=(2, 5))\ndef f(p): return True\n', "at least 3"),
         ('@claim("s", expected="yes")\ndef f(p): return True\n', "expected is 'yes'"),
         ('@claim("s")\ndef f(p): return None\n', "returned None"),
-        ('@claim("s", id="a b")\ndef f(p): return True\n', "'a b' is no id"),
+        ('@claim("s", id="a b")\ndef f(p): return True\n', "'a b' is not an id"),
         (
             '@claim("s", id="x")\ndef f(p): return True\n@claim("t", id="x")\ndef g(p): return 1\n',
             "have the id 'x'",
@@ -189,16 +189,16 @@ def test_instances_outside_the_hypothesis_are_passed_over_and_counted() -> None:
     def all_simple(planes: Arrangement) -> bool:
         return planes.is_simple
 
-    result = ownrun.run(all_simple)
+    result = evaluate(all_simple)
     assert result.verdict is Verdict.HOLDS
-    (part,) = result.parts
+    (part,) = result.evidence.parts
     assert (part.checked, part.passed_over) == (3, 4)
 
     @claim("s", when=lambda p: False, samples=3)
     def nothing(_planes: Arrangement) -> bool:
         return True
 
-    assert ownrun.run(nothing).verdict is None
+    assert evaluate(nothing).verdict is None
 
 
 def test_a_dual_claim_gets_the_dual_polyhedron() -> None:
@@ -209,7 +209,7 @@ def test_a_dual_claim_gets_the_dual_polyhedron() -> None:
         seen.append(dual)
         return True
 
-    assert ownrun.run(cube).verdict is Verdict.HOLDS
+    assert evaluate(cube).verdict is Verdict.HOLDS
     assert [type(d) for d in seen] == [type(dual_polyhedron(census(3)[0]))]
 
 
@@ -218,9 +218,9 @@ def test_the_same_seed_gives_the_same_result_and_another_seed_other_instances() 
     def small(planes: Arrangement) -> bool:
         return max(abs(x) for p in planes.integer_planes for x in p) < 9
 
-    one, same = ownrun.run(small, 1), ownrun.run(small, 1)
-    assert (one.parts, one.smallest) == (same.parts, same.smallest)
-    drawn = [[ownrun.sample(small, seed, k, 3, 8) for k in range(20)] for seed in (1, 1, 2)]
+    one, same = evaluate(small, 1), evaluate(small, 1)
+    assert (one.evidence, one.verdict) == (same.evidence, same.verdict)
+    drawn = [[small.draw(seed, k, (3, 8)) for k in range(20)] for seed in (1, 1, 2)]
     assert drawn[0] == drawn[1] != drawn[2]
 
 
@@ -273,7 +273,7 @@ def test_what_a_domain_draws_belongs_to_it(name: str) -> None:
             subject = chosen.draw(Random(seed), m)
             assert chosen.contains(subject)
             assert subject == chosen.draw(Random(seed), m)
-    assert all(chosen.contains(found) for _, found in known_families(chosen))
+    assert all(chosen.contains(case.subject) for case in known_families(chosen))
 
 
 def test_smaller_instances_hold_every_type_and_come_in_order_of_size() -> None:

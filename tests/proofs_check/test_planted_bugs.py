@@ -10,7 +10,8 @@ from random import Random
 import pytest
 
 import arrangement.enumeration.any_dimension
-from arrangement.planes import Arrangement, Face
+from arrangement.arrangement import Arrangement
+from arrangement.planes import Face
 from proofs_check import evaluate, registry
 from proofs_check.claims import dual, tables
 from proofs_check.routes import oracle
@@ -93,7 +94,8 @@ def test_a_substitution_that_ignores_the_cone_is_not_enough(
 
 
 def test_a_changed_printed_number_is_caught() -> None:
-    cases = registry()["table-three-contacts"].cases(Random(0))
+    (source,) = registry()["table-three-contacts"].sources
+    cases = source.cases(Random(0))
     row = next(case.subject for case in cases if case.label.startswith("w=(0,1,0) P=1"))
     assert tables._substituted(row) == tables._solved(row) == "Yes, numbers fit"
     for i in range(3):

@@ -12,9 +12,9 @@ from typing import Any
 import pytest
 
 from arrangement import Arrangement
-from proofs_check.claim import evaluate
 from proofs_check.claims import registry
 from proofs_check.cli.program import main
+from proofs_check.evidence import evaluate
 from proofs_check.reports import forms as pages, report
 
 IDS = ("different-slip-states", "step-1-square-bound")

@@ -6,7 +6,7 @@ from fractions import Fraction
 
 import pytest
 
-from arrangement.planes import Arrangement
+from arrangement.arrangement import Arrangement
 from proofs_check.routes import rivin
 from proofs_check.routes.dual_graph import DualGraph, from_covectors
 

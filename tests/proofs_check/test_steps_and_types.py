@@ -8,8 +8,8 @@ import pytest
 from hypothesis import given, settings, strategies as st
 
 import arrangement.library.census
+from arrangement.arrangement import Arrangement
 from arrangement.enumeration.paper_steps import published_enumeration
-from arrangement.planes import Arrangement
 from proofs_check import Verdict, evaluate, registry
 from proofs_check.claims import steps, types
 from proofs_check.instances.arrangements import simple_arrangement

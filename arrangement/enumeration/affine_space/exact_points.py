@@ -9,7 +9,7 @@ from collections.abc import Sequence
 
 from arrangement.errors import ArrangementError
 from arrangement.exact import IntegerVector, dot, sign
-from arrangement.linear import reduced
+from arrangement.linear import cross, reduced
 
 from .faces_around_lines import Faces
 from .lines import Lines
@@ -69,7 +69,7 @@ def _between(table: PlaneTable, lines: Lines, edge: int, wedge: Sequence[int]) -
     direction = _line_minors(table, lines, edge)[:3]
     rays = []
     for half in wedge:
-        ray = reduced(_cross(table.exact[abs(half) - 1, :3].tolist(), direction))
+        ray = reduced(cross(table.exact[abs(half) - 1, :3].tolist(), direction))
         rays.append(ray if half > 0 else tuple(-x for x in ray))
     return tuple(a + b for a, b in zip(*rays, strict=True))
 
@@ -122,13 +122,7 @@ def _vertex(table: PlaneTable, lines: Lines, edge: int) -> IntegerVector:
     """
     *direction, m0, m1, m2 = _line_minors(table, lines, edge)
     *normal, offset = table.exact[lines.upper[edge]].tolist()
-    turned = _cross(normal, (m0, m1, m2))
+    turned = cross(normal, (m0, m1, m2))
     below = dot(normal, direction)
     point = [offset * d + t for d, t in zip(direction, turned, strict=True)]
     return reduced([*point, below] if below > 0 else [-x for x in (*point, below)])
-
-
-def _cross(left: Sequence[int], right: Sequence[int]) -> IntegerVector:
-    a, b, c = left
-    u, v, w = right
-    return b * w - c * v, c * u - a * w, a * v - b * u

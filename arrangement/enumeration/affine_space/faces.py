@@ -10,9 +10,10 @@ from typing import TypeAlias
 import numpy as np
 from numpy.typing import NDArray
 
+from arrangement.enumeration.any_dimension import enumerate_faces
 from arrangement.errors import InputError
 from arrangement.exact import primitive
-from arrangement.planes import Arrangement, Face
+from arrangement.planes import Face, Planes
 
 from .faces_around_lines import Faces, faces_around
 from .lines import Lines, trace_lines
@@ -36,7 +37,7 @@ class SpaceFaces:
         classes: the number of classes of coincident planes.
     """
 
-    def __init__(self, arrangement: Arrangement) -> None:
+    def __init__(self, arrangement: Planes) -> None:
         self.arrangement = arrangement
         self.classes = len(arrangement.distinct)
         rows = [arrangement.integer_planes[members[0]] for members in arrangement.distinct]
@@ -136,13 +137,13 @@ class _FewDirections(SpaceFaces):
     There is no vertex then, and at most O(n^2) faces.
     """
 
-    def __init__(self, arrangement: Arrangement) -> None:
+    def __init__(self, arrangement: Planes) -> None:
         self.arrangement = arrangement
         self.classes = len(arrangement.distinct)
 
     def _level(self, dimension: int) -> Signs:
         first = [members[0] for members in self.arrangement.distinct]
-        found = self.arrangement.faces(dimension)
+        found = enumerate_faces(self.arrangement)[dimension]
         signs = np.array([face.signs for face in found], np.int8)
         return _frozen(signs.reshape(len(found), len(self.arrangement))[:, first])
 
@@ -168,15 +169,15 @@ class _FewDirections(SpaceFaces):
 
     @cached_property
     def f_vector(self) -> tuple[int, int, int, int]:
-        f0, f1, f2, f3 = self.arrangement.f_vector
+        f0, f1, f2, f3 = map(len, enumerate_faces(self.arrangement))
         return f0, f1, f2, f3
 
     @cached_property
     def _witnesses(self) -> Numbers:
-        return _homogeneous(self.arrangement.faces(3))
+        return _homogeneous(enumerate_faces(self.arrangement)[3])
 
 
-def space_faces(arrangement: Arrangement) -> SpaceFaces:
+def space_faces(arrangement: Planes) -> SpaceFaces:
     """Return the faces of an arrangement in R^3, of any rank, central or affine.
 
     Exact for every input: coincident and parallel planes, pencils, many planes through one point,

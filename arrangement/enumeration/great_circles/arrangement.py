@@ -13,8 +13,8 @@ from typing import TypeAlias
 import numpy as np
 
 from arrangement.errors import InputError
-from arrangement.exact import IntegerVector, primitive
-from arrangement.planes import Arrangement, Face
+from arrangement.exact import IntegerVector, primitive, unoriented
+from arrangement.planes import Face, Planes
 
 from .crossings import Crossings, sort_crossings
 from .incidence import Incidence, Indices
@@ -42,7 +42,7 @@ class SphereArrangement:
 
     def __init__(
         self,
-        arrangement: Arrangement,
+        arrangement: Planes,
         incidence: Incidence,
         crossings: Crossings,
         circle_normals: tuple[IntegerVector, ...],
@@ -183,7 +183,7 @@ class SphereArrangement:
         validate(self)
 
 
-def sphere_arrangement(arrangement: Arrangement) -> SphereArrangement:
+def sphere_arrangement(arrangement: Planes) -> SphereArrangement:
     """Return the great-circle arrangement of a central arrangement in R^3.
 
     Any rank from 0 to 3; pencils and coincident planes are ordinary input.
@@ -195,6 +195,7 @@ def sphere_arrangement(arrangement: Arrangement) -> SphereArrangement:
     each of at most 2c(c - 1) arcs. Entries of the primitive normals up to 1 154 000 are handled
     in int64, larger ones in Python integers (two to three times slower at 30 digits).
 
+    >>> from arrangement import Arrangement
     >>> sphere_arrangement(Arrangement([[1, 0, 0], [0, 1, 0], [0, 0, 1], [1, 1, 1]]))
     <SphereArrangement: 4 circles, 12 vertices, 24 arcs, 14 regions>
     """
@@ -210,7 +211,7 @@ def sphere_arrangement(arrangement: Arrangement) -> SphereArrangement:
             "circles need offsets 0: use Arrangement.faces for affine planes"
         )
     planes = arrangement.integer_planes
-    circle_normals = tuple(_positive(planes[members[0]][:3]) for members in arrangement.distinct)
+    circle_normals = tuple(unoriented(planes[members[0]][:3]) for members in arrangement.distinct)
     normals = integer_array(circle_normals)
     crossings = sort_crossings(normals)
     incidence = build_incidence(crossings)
@@ -232,12 +233,6 @@ def _rays(normals: Integers, incidence: Incidence) -> Integers:
             rays[part, k] = left[:, i] * right[:, j] - left[:, j] * right[:, i]
     np.negative(rays[:lines], out=rays[lines:])
     return rays
-
-
-def _positive(normal: IntegerVector) -> IntegerVector:
-    """Return the normal or its negative, whichever has a positive first nonzero entry."""
-    leading = next(x for x in normal if x)
-    return normal if leading > 0 else tuple(-x for x in normal)
 
 
 def _sum(vectors: Iterable[IntegerVector]) -> IntegerVector:

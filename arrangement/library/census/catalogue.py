@@ -7,9 +7,9 @@ from functools import lru_cache
 from importlib.resources import files
 from typing import Any
 
+from arrangement.arrangement import Arrangement
 from arrangement.errors import InputError
 from arrangement.exact import shown
-from arrangement.planes import Arrangement
 
 #: The largest number of planes in the shipped list.
 MOST_PLANES = 8

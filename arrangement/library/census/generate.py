@@ -30,11 +30,11 @@ from typing import TypeAlias
 import numpy as np
 
 from arrangement import terminal
+from arrangement.arrangement import Arrangement
 from arrangement.enumeration.great_circles import SphereArrangement, sphere_arrangement
 from arrangement.errors import MissingExtraError
 from arrangement.exact import IntegerVector, primitive
 from arrangement.io.writing import write_text_atomically
-from arrangement.planes import Arrangement
 from arrangement.progress import watched
 
 from .catalogue import MOST_PLANES

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
+from arrangement.arrangement import Arrangement
 from arrangement.errors import InputError
-from arrangement.planes import Arrangement
 
 from .checks import at_least
 

@@ -5,8 +5,8 @@ from __future__ import annotations
 from itertools import product
 from typing import TYPE_CHECKING
 
+from arrangement.arrangement import Arrangement
 from arrangement.errors import InputError
-from arrangement.planes import Arrangement
 
 from .checks import at_least
 from .classical import sums

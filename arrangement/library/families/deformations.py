@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from arrangement.planes import Arrangement
+from arrangement.arrangement import Arrangement
 
 from .checks import at_least
 from .classical import differences

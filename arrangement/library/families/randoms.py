@@ -5,8 +5,8 @@ from __future__ import annotations
 from math import isqrt
 from random import Random
 
+from arrangement.arrangement import Arrangement
 from arrangement.exact import IntegerVector
-from arrangement.planes import Arrangement
 
 from .checks import at_least
 

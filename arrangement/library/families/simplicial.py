@@ -21,8 +21,8 @@ normality of simplicial hyperplane arrangements via oriented matroids, Annals of
 
 from __future__ import annotations
 
+from arrangement.arrangement import Arrangement
 from arrangement.errors import InputError
-from arrangement.planes import Arrangement
 
 _Normals = tuple[tuple[int, int, int], ...]
 

@@ -7,8 +7,9 @@ from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
 
+from arrangement.enumeration.choose import faces
 from arrangement.exact import RationalVector
-from arrangement.planes import Arrangement
+from arrangement.planes import Planes
 
 from .generators import Generators, generators, require_rank
 
@@ -33,7 +34,7 @@ class DualPolygon:
         vertices: the exact corners ``sum_i s_i g_i``, in the same order.
     """
 
-    arrangement: Arrangement
+    arrangement: Planes
     signs: tuple[tuple[int, ...], ...]
     vertices: tuple[RationalVector, ...]
 
@@ -50,14 +51,14 @@ class DualSegment:
         vertices: the exact ends ``sum_i s_i g_i``.
     """
 
-    arrangement: Arrangement
+    arrangement: Planes
     signs: tuple[tuple[int, ...], ...]
     vertices: tuple[RationalVector, ...]
 
     dimension = 1
 
 
-def dual_polygon(arrangement: Arrangement, lengths: Iterable[Any] | None = None) -> DualPolygon:
+def dual_polygon(arrangement: Planes, lengths: Iterable[Any] | None = None) -> DualPolygon:
     """Return the dual of an arrangement of rank 2, in R^d for any d >= 2.
 
     Args:
@@ -67,6 +68,7 @@ def dual_polygon(arrangement: Arrangement, lengths: Iterable[Any] | None = None)
     Raises:
         InputError: another rank, an affine arrangement, or bad lengths.
 
+    >>> from arrangement import Arrangement
     >>> polygon = dual_polygon(Arrangement([[1, 0], [0, 1], [1, 1]]))
     >>> len(polygon.vertices)
     6
@@ -77,11 +79,12 @@ def dual_polygon(arrangement: Arrangement, lengths: Iterable[Any] | None = None)
     return DualPolygon(arrangement, signs, tuple(_sum(spans, row) for row in signs))
 
 
-def dual_segment(arrangement: Arrangement, lengths: Iterable[Any] | None = None) -> DualSegment:
+def dual_segment(arrangement: Planes, lengths: Iterable[Any] | None = None) -> DualSegment:
     """Return the dual of an arrangement of rank 1, in R^d for any d.
 
     Args and errors: as for `dual_polygon`.
 
+    >>> from arrangement import Arrangement
     >>> dual_segment(Arrangement([[2, 0, 0]])).vertices[0]
     (Fraction(1, 1), Fraction(0, 1), Fraction(0, 1))
     """
@@ -92,9 +95,9 @@ def dual_segment(arrangement: Arrangement, lengths: Iterable[Any] | None = None)
     return DualSegment(arrangement, signs, tuple(_sum(spans, row) for row in signs))
 
 
-def _in_cyclic_order(arrangement: Arrangement) -> tuple[tuple[int, ...], ...]:
+def _in_cyclic_order(arrangement: Planes) -> tuple[tuple[int, ...], ...]:
     """Walk from region to region of a pencil, never back through the wall just crossed."""
-    remaining = {face.signs for face in arrangement.regions()}
+    remaining = {face.signs for face in faces(arrangement, arrangement.dimension)}
     current = max(remaining)
     order = [current]
     remaining.remove(current)

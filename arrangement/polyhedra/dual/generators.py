@@ -10,7 +10,7 @@ from typing import Any
 
 from arrangement.errors import InputError
 from arrangement.exact import IntegerVector, rational_vector
-from arrangement.planes import Arrangement
+from arrangement.planes import Planes
 
 
 @dataclass(frozen=True, slots=True)
@@ -28,7 +28,7 @@ class Generators:
     denominator: int
 
 
-def generators(arrangement: Arrangement, lengths: Iterable[Any] | None) -> Generators:
+def generators(arrangement: Planes, lengths: Iterable[Any] | None) -> Generators:
     """Return the generators of the dual of a central arrangement.
 
     Raises:
@@ -55,7 +55,7 @@ def generators(arrangement: Arrangement, lengths: Iterable[Any] | None) -> Gener
     return Generators(factors, vectors, denominator)
 
 
-def require_rank(arrangement: Arrangement, rank: int, remedies: dict[int, str]) -> None:
+def require_rank(arrangement: Planes, rank: int, remedies: dict[int, str]) -> None:
     """Refuse an arrangement of another rank, and say what its dual is instead."""
     if arrangement.rank != rank:
         found = arrangement.rank

@@ -9,7 +9,7 @@ import numpy.typing as npt
 
 from arrangement.enumeration.great_circles import sphere_arrangement
 from arrangement.exact import IntegerVector
-from arrangement.planes import Arrangement
+from arrangement.planes import Planes
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -31,7 +31,7 @@ class DualIncidence:
     rays: tuple[IntegerVector, ...]
 
 
-def dual_incidence(arrangement: Arrangement) -> DualIncidence:
+def dual_incidence(arrangement: Planes) -> DualIncidence:
     """Return the incidence of a central arrangement of rank 3 in R^3.
 
     Complexity: that of `sphere_arrangement`, plus O(E + V m) for the sign matrix.

@@ -15,7 +15,7 @@ import numpy.typing as npt
 
 from arrangement.errors import InputError
 from arrangement.exact import IntegerVector, RationalVector
-from arrangement.planes import Arrangement
+from arrangement.planes import Planes
 
 from .flat import _REMEDIES, DualPolygon, DualSegment, dual_polygon, dual_segment
 from .generators import Generators, generators, require_rank
@@ -40,7 +40,7 @@ class DualPolyhedron:
         face_normals: for each face its outward normal, the primitive direction of its ray.
     """
 
-    arrangement: Arrangement
+    arrangement: Planes
     generators: Generators
     signs: npt.NDArray[np.int8]
     integer_vertices: tuple[IntegerVector, ...]
@@ -136,9 +136,7 @@ class DualPolyhedron:
         export(self, path, size)
 
 
-def dual_polyhedron(
-    arrangement: Arrangement, lengths: Iterable[Any] | None = None
-) -> DualPolyhedron:
+def dual_polyhedron(arrangement: Planes, lengths: Iterable[Any] | None = None) -> DualPolyhedron:
     """Return the dual polyhedron of planes through the origin of R^3.
 
     Args:
@@ -153,6 +151,7 @@ def dual_polyhedron(
     Complexity: that of the incidence, plus O(V m) additions.
     Source: [HaasHeger2018], section IV.A, for the dual; [Ziegler1995], section 7.3.
 
+    >>> from arrangement import Arrangement
     >>> cube = dual_polyhedron(Arrangement([[1, 0, 0], [0, 1, 0], [0, 0, 1]]))
     >>> cube.f_vector, cube.is_inscribed
     ((8, 12, 6), True)
@@ -178,10 +177,11 @@ def dual_polyhedron(
 
 
 def dual_zonotope(
-    arrangement: Arrangement, lengths: Iterable[Any] | None = None
+    arrangement: Planes, lengths: Iterable[Any] | None = None
 ) -> DualPolyhedron | DualPolygon | DualSegment:
     """Return the dual of any rank from 1 to 3, each as the type that it is.
 
+    >>> from arrangement import Arrangement
     >>> dual_zonotope(Arrangement([[1, 0, 0], [1, 1, 0]])).dimension
     2
     """

@@ -10,6 +10,7 @@ import numpy as np
 
 from arrangement.errors import ArrangementError
 from arrangement.exact import IntegerVector, dot
+from arrangement.linear import cross
 
 if TYPE_CHECKING:
     from .polyhedron import DualPolyhedron
@@ -100,7 +101,7 @@ def is_convex_polygon(corners: list[IntegerVector], normal: IntegerVector) -> bo
     """Whether every edge line has all other corners strictly on its left, seen along -normal."""
     for i, start in enumerate(corners):
         end = corners[(i + 1) % len(corners)]
-        inward = _cross(normal, _difference(end, start))
+        inward = cross(normal, _difference(end, start))
         level = dot(inward, start)
         others = (corner for corner in corners if corner not in (start, end))
         if any(dot(inward, corner) <= level for corner in others):
@@ -110,9 +111,3 @@ def is_convex_polygon(corners: list[IntegerVector], normal: IntegerVector) -> bo
 
 def _difference(left: IntegerVector, right: IntegerVector) -> IntegerVector:
     return tuple(a - b for a, b in zip(left, right, strict=True))
-
-
-def _cross(left: IntegerVector, right: IntegerVector) -> IntegerVector:
-    a, b, c = left
-    x, y, z = right
-    return (b * z - c * y, c * x - a * z, a * y - b * x)

@@ -17,6 +17,7 @@ import numpy as np
 
 from arrangement.errors import InputError
 from arrangement.exact import IntegerVector, RationalVector, dot
+from arrangement.linear import triple_product
 from arrangement.polyhedra.dual import DualPolyhedron
 
 from .points import sphere_points
@@ -143,16 +144,8 @@ def _homogeneous(i: int, point: RationalVector) -> IntegerVector:
 
 def plane(a: IntegerVector, b: IntegerVector, c: IntegerVector) -> IntegerVector:
     """Return h with ``h . p = det[a; b; c; p]`` for homogeneous points: positive inside."""
-    rows = (a, b, c)
-    return tuple(
-        (1 if k % 2 else -1) * _determinant([[row[j] for j in range(4) if j != k] for row in rows])
-        for k in range(4)
-    )
-
-
-def _determinant(rows: Sequence[Sequence[int]]) -> int:
-    (a, b, c), (d, e, f), (g, h, i) = rows
-    return a * (e * i - f * h) - b * (d * i - f * g) + c * (d * h - e * g)
+    without = [[[*row[:k], *row[k + 1 :]] for row in (a, b, c)] for k in range(4)]
+    return tuple((1 if k % 2 else -1) * triple_product(*rows) for k, rows in enumerate(without))
 
 
 def _edges(a: int, b: int, c: int) -> list[Edge]:
@@ -165,7 +158,7 @@ def _flat_edges_if_hull(
     """Return the flat edges if the triangles are the hull (see `sphere_hull`), else None."""
     opposite: dict[Edge, int] = {}
     for a, b, c in triangles:
-        if _determinant([points[a][:3], points[b][:3], points[c][:3]]) <= 0:
+        if triple_product(points[a][:3], points[b][:3], points[c][:3]) <= 0:
             return None
         opposite.update({(a, b): c, (b, c): a, (c, a): b})
     if len(triangles) != 2 * len(points) - 4 or len(opposite) != 3 * len(triangles):
@@ -194,7 +187,7 @@ def _covers_once(points: list[IntegerVector], triangles: list[Triangle]) -> bool
     for triangle in triangles:
         corners = [directions[v] for v in triangle]
         tests = ([middle if j == k else corners[j] for j in range(3)] for k in range(3))
-        meets += all(_determinant(rows) >= 0 for rows in tests)
+        meets += all(triple_product(*rows) >= 0 for rows in tests)
     return meets == 1
 
 
@@ -211,7 +204,7 @@ def _qhull(points: list[IntegerVector]) -> list[Triangle]:
 
 def _oriented(points: list[IntegerVector], triangle: tuple[int, ...]) -> Triangle:
     a, b, c = triangle
-    positive = _determinant([points[v][:3] for v in triangle]) > 0
+    positive = triple_product(*(points[v][:3] for v in triangle)) > 0
     return (a, b, c) if positive else (a, c, b)
 
 

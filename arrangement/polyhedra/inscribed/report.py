@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from arrangement.counts import region_count
 from arrangement.errors import ArrangementError
 from arrangement.exact import RationalVector
-from arrangement.planes import Arrangement
+from arrangement.planes import Planes
 from arrangement.polyhedra.dual import DualPolyhedron, dual_polyhedron
 
 from .certificates import Certificate, PolyhedralGraph
@@ -26,7 +26,7 @@ class Inscribability:
         certificate: weights, a Farkas certificate, or an independent set (see `certificates`).
     """
 
-    arrangement: Arrangement
+    arrangement: Planes
     points: tuple[RationalVector, ...]
     certificate: Certificate
 
@@ -61,7 +61,7 @@ class Inscribability:
         self.certificate.verify()
 
 
-def inscribability(arrangement: Arrangement | DualPolyhedron) -> Inscribability:
+def inscribability(arrangement: Planes | DualPolyhedron) -> Inscribability:
     """Decide whether the dual's graph is that of a convex polyhedron inscribed in a sphere.
 
     "No" refutes the claim that points of the unit sphere can be chosen in the regions so that
@@ -78,6 +78,7 @@ def inscribability(arrangement: Arrangement | DualPolyhedron) -> Inscribability:
     7 generic planes, 6 s for 15, 27 s for 21.
     Source: see `certificates`; the claim is [HaasHeger2018], section IV.A.
 
+    >>> from arrangement import Arrangement
     >>> answer = inscribability(Arrangement([[1, 0, 0], [0, 1, 0], [0, 0, 1], [1, 1, 1]]))
     >>> answer.inscribable, answer.certificate.kind
     (False, 'parity')
@@ -101,7 +102,7 @@ class InscribabilityRow:
     proof: str
 
 
-def inscribability_table(arrangements: Mapping[str, Arrangement]) -> tuple[InscribabilityRow, ...]:
+def inscribability_table(arrangements: Mapping[str, Planes]) -> tuple[InscribabilityRow, ...]:
     """Return a row for each named arrangement; every certificate has been verified.
 
     An arrangement is simplicial if every region has three facets: ``2 E = 3 V``.
@@ -127,7 +128,7 @@ def inscribability_table(arrangements: Mapping[str, Arrangement]) -> tuple[Inscr
     return tuple(rows)
 
 
-def small_arrangements(planes: Iterable[int] = range(3, 9)) -> dict[str, Arrangement]:
+def small_arrangements(planes: Iterable[int] = range(3, 9)) -> dict[str, Planes]:
     """Return generic and simplicial arrangements by name, by number of planes.
 
     Generic: the planes of the moment curve. (From 6 planes on there are further simple types.)
@@ -135,7 +136,7 @@ def small_arrangements(planes: Iterable[int] = range(3, 9)) -> dict[str, Arrange
     """
     from arrangement.library.families import generic, near_pencil, simplicial, simplicial_entries
 
-    found: dict[str, Arrangement] = {}
+    found: dict[str, Planes] = {}
     for m in planes:
         found[f"generic {m}"] = generic(m)
         if m > 3:

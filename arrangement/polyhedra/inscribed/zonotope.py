@@ -16,7 +16,7 @@ from fractions import Fraction
 from arrangement.errors import ArrangementError
 from arrangement.exact import RationalVector, dot
 from arrangement.linprog import Infeasible, feasible_point
-from arrangement.planes import Arrangement
+from arrangement.planes import Planes
 from arrangement.polyhedra.dual import DualPolyhedron, dual_polyhedron
 
 
@@ -31,7 +31,7 @@ class InscribedZonotope:
             edge equations is a form in the lengths with coefficients <= 0, not all zero.
     """
 
-    arrangement: Arrangement
+    arrangement: Planes
     lengths: RationalVector | None
     multipliers: RationalVector | None
 
@@ -57,7 +57,7 @@ class InscribedZonotope:
             raise ArrangementError("the sum of the equations contradicts nothing")
 
 
-def inscribed_zonotope(arrangement: Arrangement) -> InscribedZonotope:
+def inscribed_zonotope(arrangement: Planes) -> InscribedZonotope:
     """Find lengths for which the dual of a rank 3 arrangement in R^3 is inscribed, or refute them.
 
     The answer depends on the normals themselves, not only on the combinatorial type.

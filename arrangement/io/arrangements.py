@@ -1,0 +1,65 @@
+"""Reading arrangements from files, names or mappings; `files` has the rules of all documents.
+
+An arrangement::
+
+    {"schema_version": 1, "planes": [["0", "1", "-1"], ["1", "0", "0"]], "offsets": ["0", "2"]}
+
+with optional ``offsets``, ``dimension`` (needed only when there are no planes) and
+``description``. Packages above this one announce further kinds of document that stand for an
+arrangement in the entry-point group ``slipstates.documents`` (name: the key that tells the kind;
+value: a function from the document to an `Arrangement`).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from typing import Any
+
+from arrangement.arrangement import Arrangement
+from arrangement.errors import InputError
+from arrangement.plugins import announced
+
+from .files import Source, check_keys, check_list, kind_of, read_document
+
+#: Largest dimension that a file may name for an arrangement (rows of planes speak for themselves).
+MAX_DIMENSION = 1000
+
+
+def read_arrangement(source: Source) -> Arrangement:
+    """Read an arrangement from a path, ``"-"`` (stdin), a built-in name or a mapping.
+
+    A grasp file (or name) is accepted too, when the package that knows grasps is installed: its
+    tangential planes are meant.
+
+    Raises:
+        InputError: for anything that is not exactly a valid document (see this module and `files`).
+
+    >>> read_arrangement({"schema_version": 1, "planes": [["0", "1", "-1"], ["0", "-1", "-1"]]})
+    <Arrangement: 2 planes (2 distinct) in R^3, rank 2, central>
+    """
+    readers: dict[str, Callable[[], Callable[[Mapping[str, Any]], Arrangement]]]
+    readers = {point.name: point.load for point in announced("documents")}
+    readers["planes"] = lambda: _planes
+    document = read_document(source, readers)
+    kind = next(key for key in readers if key in document)
+    return readers[kind]()(document)
+
+
+def _planes(document: Mapping[str, Any]) -> Arrangement:
+    """Read a document of the kind "planes"."""
+    optional = ("offsets", "dimension", "description")
+    check_keys(document, ("schema_version", "planes"), optional, "the arrangement")
+    planes = check_list(document["planes"], "planes")
+    return Arrangement(
+        [check_list(row, f"planes[{i}]") for i, row in enumerate(planes)],
+        check_list(document["offsets"], "offsets") if "offsets" in document else None,
+        dimension=_dimension(document["dimension"]) if "dimension" in document else None,
+    )
+
+
+def _dimension(value: Any) -> int:
+    if type(value) is not int or not 1 <= value <= MAX_DIMENSION:
+        raise InputError(
+            f"dimension is {kind_of(value)}; an integer from 1 to {MAX_DIMENSION} is due"
+        )
+    return value

@@ -1,0 +1,156 @@
+"""The way to SymPy and back: integer matrices, equations of planes, points.
+
+SymPy is imported by the functions, not by the module: it takes half a second, and most commands
+do without. Text is never handed to it, because it would run text as code.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from fractions import Fraction
+from typing import TYPE_CHECKING, Any
+
+from .errors import InputError
+from .exact import IntegerVector, RationalVector, shown
+
+if TYPE_CHECKING:
+    import sympy
+    from sympy.polys.matrices import DomainMatrix
+
+
+def integer_matrix(rows: Sequence[Sequence[int]], width: int) -> DomainMatrix:
+    """Return integer rows as a matrix over ZZ, whichever ground types SymPy uses."""
+    from sympy import ZZ
+    from sympy.polys.matrices import DomainMatrix
+
+    return DomainMatrix([[ZZ(x) for x in row] for row in rows], (len(rows), width), ZZ)
+
+
+def to_sympy(values: Any) -> Any:
+    """Convert exact numbers, vectors and lists of vectors to SymPy.
+
+    Args:
+        values: an integer or a `Fraction`; a vector of them; or a sequence of vectors, such as
+            the vertices of a dual polyhedron or the rays of a great-circle arrangement.
+
+    Returns:
+        A SymPy number; an immutable column; or a tuple of columns.
+
+    >>> to_sympy((Fraction(1, 2), 3))
+    Matrix([
+    [1/2],
+    [  3]])
+    """
+    import sympy
+
+    if isinstance(values, Iterable):
+        entries = [to_sympy(value) for value in values]
+        flat = all(isinstance(entry, sympy.Rational) for entry in entries)
+        return sympy.ImmutableMatrix(len(entries), 1, entries) if flat else tuple(entries)
+    return sympy.Rational(int(values.numerator), int(values.denominator))
+
+
+def planes_of(
+    equations: Iterable[Any], symbols: Iterable[sympy.Symbol] | None
+) -> tuple[list[RationalVector], list[Fraction], int]:
+    """Return normals, offsets and dimension; see `Arrangement.from_equations`."""
+    given = [_left_side(equation, i) for i, equation in enumerate(_listed(equations, "equations"))]
+    if symbols is None:
+        from sympy import default_sort_key
+
+        variables = sorted(set().union(*(e.free_symbols for e in given)), key=default_sort_key)
+    else:
+        variables = _listed(symbols, "symbols")
+        _check_symbols(variables)
+    rows = [_coefficients(e, variables, f"equations[{i}]") for i, e in enumerate(given)]
+    return [row[:-1] for row in rows], [-row[-1] for row in rows], len(variables)
+
+
+def equations_of(
+    planes: Sequence[IntegerVector], dimension: int, symbols: Iterable[sympy.Symbol] | None
+) -> tuple[sympy.Eq, ...]:
+    """Return the equations of integer planes; see `Arrangement.equations`."""
+    import sympy
+
+    if symbols is None:
+        digits = len(str(dimension))
+        names = "xyz" if dimension <= 3 else [f"x{k + 1:0{digits}}" for k in range(dimension)]
+        variables = [sympy.Symbol(name) for name in names[:dimension]]
+    else:
+        variables = _listed(symbols, "symbols")
+        _check_symbols(variables)
+    if len(variables) != dimension:
+        raise InputError(
+            f"{len(variables)} symbols are given for {dimension} coordinates; give one for each"
+        )
+    return tuple(
+        sympy.Eq(
+            sympy.Add(*(n * x for n, x in zip(normal, variables, strict=True))),
+            sympy.Integer(offset),
+            evaluate=False,
+        )
+        for *normal, offset in planes
+    )
+
+
+def _listed(values: Any, name: str) -> list[Any]:
+    if isinstance(values, (str, bytes)) or not isinstance(values, Iterable):
+        raise InputError(f"{name} is {shown(values)}; give a sequence of SymPy {name}")
+    return list(values)
+
+
+def _check_symbols(symbols: Sequence[Any]) -> None:
+    from sympy import Symbol
+
+    for i, symbol in enumerate(symbols):
+        if not isinstance(symbol, Symbol):
+            raise InputError(f"symbols[{i}] is {shown(symbol)}; give a SymPy Symbol")
+        if symbol in symbols[:i]:
+            raise InputError(f"symbols[{i}] is {symbol} again; name each coordinate once")
+
+
+def _left_side(equation: Any, index: int) -> sympy.Expr:
+    """Return the expression that is zero on the plane, left side minus right side."""
+    import sympy
+
+    if isinstance(equation, sympy.Equality):
+        equation = equation.lhs - equation.rhs
+    if isinstance(equation, sympy.Expr):
+        return equation
+    if isinstance(equation, str):
+        rule = "text, which is never evaluated; build the equation from SymPy symbols"
+    elif isinstance(equation, (bool, sympy.logic.boolalg.BooleanAtom)):
+        rule = "true everywhere or nowhere, which defines no plane"
+    else:
+        rule = "not an equation; give Eq(left, right), or an expression that is zero on the plane"
+    raise InputError(f"equations[{index}] is {shown(equation)}: {rule}")
+
+
+def _coefficients(expression: sympy.Expr, symbols: Sequence[sympy.Symbol], name: str) -> Any:
+    """Return the coefficients of the symbols and the constant, or name the term that has none."""
+    import sympy
+
+    column = {symbol: k for k, symbol in enumerate(symbols)}
+    row = [Fraction(0)] * (len(symbols) + 1)
+    for term in sympy.Add.make_args(sympy.expand(expression)):
+        factor, rest = term.as_independent(*symbols, as_Add=False)
+        if rest != 1 and rest not in column:
+            raise InputError(f"{name} has the term {shown(term)}, which is not linear in {symbols}")
+        if not isinstance(factor, sympy.Rational):
+            raise InputError(f"{name} has the term {shown(term)}: {_why_not_rational(factor)}")
+        row[column.get(rest, -1)] += Fraction(int(factor.p), int(factor.q))
+    if not any(row[:-1]):
+        raise InputError(f"{name} has none of the symbols {symbols}, so it defines no plane")
+    return row
+
+
+def _why_not_rational(factor: sympy.Expr) -> str:
+    """Return the rule that a coefficient breaks, and the remedy."""
+    import sympy
+
+    if factor.has(sympy.Float):
+        return "a float is not exact; write Rational(1, 10) for 0.1"
+    if factor.free_symbols:
+        names = ", ".join(sorted(map(str, factor.free_symbols)))
+        return f"{names} is not one of the symbols; substitute numbers for parameters"
+    return f"the coefficient {shown(factor)} is not a rational number"

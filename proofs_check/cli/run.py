@@ -1,0 +1,145 @@
+"""The commands on claims: list, show, and run, for the paper's and for those in files."""
+
+from __future__ import annotations
+
+import argparse
+import json
+import shutil
+import textwrap
+from collections.abc import Iterator
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+from arrangement import terminal
+from arrangement.io.writing import write_text_atomically
+from arrangement.progress import Bar
+from proofs_check import claims, user_claim
+from proofs_check.errors import OwnClaimError
+from proofs_check.evidence import Result, evaluate
+from proofs_check.reports import forms, report, text
+from proofs_check.statement import Claim, Kind
+
+
+def list_claims(arguments: argparse.Namespace) -> int:
+    """List the claims of the paper."""
+    known = list(claims.registry())
+    if arguments.json:
+        terminal.print_json({"claims": [report.claim_record(claim) for claim in known]})
+    else:
+        rows = [(claim.id, claim.locator, claim.statement) for claim in known]
+        print("\n".join(text.table(rows, _width())))
+    return terminal.YES
+
+
+def show_claim(arguments: argparse.Namespace) -> int:
+    """Say what one claim states and how it is checked."""
+    claim = claims.registry()[arguments.id]
+    if arguments.json:
+        terminal.print_json(report.claim_record(claim))
+    else:
+        print(_described(claim, _width()))
+    return terminal.YES
+
+
+def _described(claim: Claim, width: int) -> str:
+    entries = [
+        ("id", claim.id),
+        ("locator", claim.locator),
+        ("statement", claim.statement),
+        *(("hypothesis", entry) for entry in claim.hypotheses),
+        ("quantity", claim.quantity),
+        *((f"route {i}", route.name) for i, route in enumerate(claim.routes, 1)),
+        *(("evidence", f"{source.kind.value}: {source.over}") for source in claim.sources),
+        ("expected", claim.expected.value),
+        ("holds when", claim.hypothesis.text if claim.hypothesis else ""),
+        ("meaning", claim.meaning),
+    ]
+    lines = []
+    for name, entry in entries:
+        if entry:
+            lines += textwrap.wrap(f"{name:<12}{entry}", width, subsequent_indent=" " * 12)
+    return "\n".join(lines)
+
+
+def run_claims(arguments: argparse.Namespace) -> int:
+    """Check claims: those of the paper with the given ids, or all claims of the given files."""
+    names = list(dict.fromkeys(arguments.ids))
+    make = forms.form(Path(arguments.report).suffix) if arguments.report else None
+    from_files = any(name.endswith(".py") for name in names)
+    if from_files:
+        chosen = list(_own_claims(names, arguments))
+    else:
+        known = claims.registry()
+        chosen = [known[id] for id in names] or list(known)
+    results = _evaluated(chosen, arguments.seed)
+    record = report.json_record(results, arguments.seed)
+    saved = [_save(result, arguments.save) if from_files else "" for result in results]
+    if make:
+        write_text_atomically(arguments.report, make(record))
+    if arguments.json:
+        terminal.print_json(record)
+    elif from_files:
+        pairs = zip(record["results"], saved, strict=True)
+        print("\n\n".join(text.details(found, _width(), saved=path) for found, path in pairs))
+    else:
+        print(text.overview(record, _width()))
+    return terminal.YES if record["as_expected"] else terminal.NO
+
+
+def _evaluated(chosen: list[Claim], seed: int) -> list[Result]:
+    bar = Bar(len(chosen), "claims")
+    results: list[Result] = []
+    try:
+        for claim in chosen:
+
+            def tick(cases: int, claim: Claim = claim) -> None:
+                bar.update(len(results), f"{claim.id}, {cases} cases")
+
+            bar.update(len(results), claim.id)
+            results.append(evaluate(claim, seed, tick))
+    finally:
+        bar.close()
+    return results
+
+
+def _own_claims(names: list[str], arguments: argparse.Namespace) -> Iterator[Claim]:
+    """Yield the claims of files, with the numbers that the command line names."""
+    samples, census = arguments.samples, arguments.census
+    if not all(name.endswith(".py") for name in names):
+        raise OwnClaimError("ids and files are both given; run the claims of files on their own")
+    if samples is not None and samples < 0:
+        raise OwnClaimError(f"--samples is {samples}; it must be at least 0")
+    if census is not None and census not in (0, *range(3, 9)):
+        raise OwnClaimError(f"--census is {census}; give 3 to 8 planes, or 0")
+    for claim in (claim for name in names for claim in user_claim.load(name)):
+        changed = claim if samples is None else replace(claim, samples=samples)
+        if census is not None and claim.domain and claim.domain.unit == "planes":
+            others = [source for source in claim.sources if source.kind is not Kind.EXHAUSTIVE]
+            types = user_claim.census_sources(census)
+            changed = replace(changed, sources=(*types, *others))
+        yield changed
+
+
+def _save(result: Result, folder: str) -> str:
+    """Write the smallest failure as an instance file; return its path, or "" without one.
+
+    Commands that read arrangements or grasps read the file. An older one of that name is replaced.
+    """
+    failure = result.evidence.counterexample
+    if failure is None or failure.document is None:
+        return ""
+    reason = f"smallest instance found on which {result.claim.id} fails: {failure.note}"
+    content: dict[str, Any] = {**failure.document, "description": reason}
+    target = Path(folder) / f"{result.claim.id}.json"
+    try:
+        target.parent.mkdir(parents=True, exist_ok=True)
+    except OSError as error:
+        raise OwnClaimError(f"cannot make the folder {folder}: {error.strerror}") from None
+    write_text_atomically(target, json.dumps(content, indent=1) + "\n")
+    return str(target)
+
+
+def _width() -> int:
+    """Return the width to write for: of the terminal, at least 60 characters, at most 160."""
+    return min(max(shutil.get_terminal_size((110, 24)).columns, 60), 160)

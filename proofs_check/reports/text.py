@@ -1,0 +1,114 @@
+"""The report for the terminal, made from the JSON record of a run and only that."""
+
+from __future__ import annotations
+
+import textwrap
+from collections import Counter
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+Record = Mapping[str, Any]
+
+
+def verdict(result: Record) -> str:
+    """Return the verdict of a result in words, with the expected one when it differs."""
+    text = result["verdict"] or "no verdict"
+    return text if result["as_expected"] else f"{text} (expected: {result['expected']})"
+
+
+def value_text(value: Any, limit: int = 0) -> str:
+    """Return a value of a record as text: sequences in parentheses, errors in their words."""
+    text = str(value)
+    if isinstance(value, list):
+        text = f"({', '.join(value_text(item) for item in value)})"
+    elif isinstance(value, Mapping) and "error" in value:
+        text = str(value["error"])
+    return text if not limit or len(text) <= limit else f"{text[: limit - 3]}..."
+
+
+def table(rows: Sequence[Sequence[str]], width: int, indent: str = "") -> list[str]:
+    """Align columns with two spaces between; the last column wraps to the width.
+
+    When the last column would be left with less than 24 characters, it goes to lines of its own.
+    """
+    if not rows:
+        return []
+    columns = len(rows[0])
+    widths = [max(len(row[j]) for row in rows) for j in range(columns - 1)]
+    start = len(indent) + sum(widths) + 2 * (columns - 1)
+    beside = width - start >= 24
+    lines = []
+    for row in rows:
+        left = indent + "  ".join(c.ljust(w) for c, w in zip(row, widths, strict=False))
+        hang = " " * (start if beside else len(indent) + 4)
+        wrapped = textwrap.wrap(row[-1], max(width - len(hang), 24), break_on_hyphens=False)
+        if beside:
+            lines.append(f"{left}  {wrapped[0] if wrapped else ''}".rstrip())
+            lines += [hang + text for text in wrapped[1:]]
+        else:
+            lines.append(left.rstrip())
+            lines += [hang + text for text in wrapped]
+    return lines
+
+
+def overview(record: Record, width: int = 100) -> str:
+    """Return the tables of the paper row by row, then one verdict a claim, and a summary."""
+    results = record["results"]
+    blocks = [_rows(result, width) for result in results if result["rows"]]
+    rows = [(r["id"], r["locator"], verdict(r), r["evidence"]) for r in results]
+    widest = max((sum(map(len, row[:3])) for row in rows), default=0)
+    if widest + 6 + 24 > width:
+        short = [(id, found, f"[{locator}] {evidence}") for id, locator, found, evidence in rows]
+        blocks.append("\n".join(table(short, width)))
+    else:
+        blocks.append("\n".join(table(rows, width)))
+    blocks.append(_summary(results))
+    return "\n\n".join(blocks)
+
+
+def details(result: Record, width: int = 100, **more: str) -> str:
+    """Return one result with its statement and hypotheses, and what else there is to say."""
+    rows = [
+        ("statement", result["statement"]),
+        *(("hypothesis", entry) for entry in result["hypotheses"]),
+        ("verdict", verdict(result)),
+        *(("evidence", entry) for entry in result["evidence"].split("; ")),
+        *((name, entry) for name, entry in more.items() if entry),
+    ]
+    return "\n".join([f"{result['id']} ({result['locator']})", *table(rows, width, "  ")])
+
+
+def _rows(result: Record, width: int) -> str:
+    """Return every case of a result as a table: label, values of the routes, remark."""
+    lines = [f"{result['id']} ({result['locator']}): {verdict(result)}"]
+    names = " | ".join(f"by {name}" for name in result["routes"])
+    lines += textwrap.wrap(f"{result['quantity']}: {names}", width, initial_indent="  ")
+    cells = [
+        (
+            "ok " if case["holds"] else "no ",
+            case["label"],
+            *(value_text(value, 60) for value in case["values"]),
+            remark(case),
+        )
+        for case in result["records"]
+    ]
+    return "\n".join([*lines, *table(cells, width, indent="  ")])
+
+
+def remark(case: Record) -> str:
+    """Return what there is to say of a case."""
+    return "; ".join(text for text in (case["note"], case["assumption"]) if text)
+
+
+def _summary(results: Sequence[Record]) -> str:
+    """Return how many verdicts there are of each kind, and which are not the expected ones."""
+    counts = Counter(result["verdict"] or "no verdict" for result in results)
+    kinds = ", ".join(f"{number} {name}" for name, number in counts.items())
+    different = [result["id"] for result in results if not result["as_expected"]]
+    end = f"not as expected: {', '.join(different)}" if different else "all as expected"
+    return f"{numbered(len(results), 'claim')}: {kinds}; {end}"
+
+
+def numbered(count: int, noun: str) -> str:
+    """Return a number with its noun in the right form."""
+    return f"{count} {noun}" if count == 1 else f"{count} {noun}s"

@@ -1,0 +1,500 @@
+"""The checker of trees against a second, naive evaluation, brute force, and changed documents."""
+
+from __future__ import annotations
+
+import copy
+import json
+import re
+import time
+from collections import Counter
+from collections.abc import Iterator
+from fractions import Fraction
+from functools import cache
+from random import Random
+from typing import Any
+
+import jsonschema
+import pytest
+
+from arrangement.errors import InputError
+from equilibrium import Contact, Grasp
+from equilibrium.certificate.checker import MAX_DEPTH, Report, check
+from equilibrium.certificate.document import (
+    Certificate,
+    refuted_certificate,
+    resisted_certificate,
+)
+from equilibrium.io.schemas import certificate_schema
+from equilibrium.model.errors import CertificateError
+
+from . import bruteforce, judge, trees
+from .awkward import question
+from .mutations import mutants
+
+#: Seeds of `awkward.question` of two and three contacts, by verdict.
+REFUTED = (1, 29, 41, 80, 81, 104, 112, 117, 133, 136, 168, 169, 180, 188, 193)
+RESISTED = (0, 4, 5, 8, 9, 17, 21, 25)
+TREES = range(3)
+STEPS = ("1/7", "-1/7", "1000000", "-1000000")
+
+
+def refuted(seed: int, tree: int) -> dict[str, Any]:
+    """Return a certificate of at most 60 nodes; seeds of trees prefer other splits."""
+    asked = question(seed)
+    for other in range(tree, 100, len(TREES)):
+        try:
+            found = trees.refutation(asked.grasp, asked.wrench, 100 * seed + other, 60)
+        except trees.TooLarge:
+            continue
+        return refuted_certificate(asked.grasp, asked.wrench, found).to_dict()
+    raise AssertionError(f"no small tree for the question of seed {seed}")
+
+
+def resisted(seed: int) -> dict[str, Any]:
+    asked = question(seed)
+    found = next(bruteforce.solutions(asked.grasp, asked.wrench))
+    return resisted_certificate(asked.grasp, asked.wrench, found.motion, found.forces).to_dict()
+
+
+@pytest.fixture(scope="module")
+def documents() -> list[dict[str, Any]]:
+    listed = [refuted(seed, tree) for seed in REFUTED for tree in TREES]
+    return [*listed, *map(resisted, RESISTED)]
+
+
+@cache
+def is_stable(grasp: Grasp, wrench: tuple[Fraction, ...]) -> bool:
+    return bruteforce.is_stable(grasp, wrench)
+
+
+def report_of(document: Any) -> Report | None:
+    """Return the report, or None for a document that is no certificate."""
+    try:
+        return check(document)
+    except InputError:
+        return None
+
+
+def agree(document: Any, where: Any = None) -> str:
+    """Check that checker and judge agree on a document, and both with brute force."""
+    report = report_of(document)
+    if report is None:
+        return "malformed"
+    assert bool(report) == judge.is_proof(document), (where, report)
+    if report and report.kind == "not resisted":
+        assert not is_stable(*judge.statement(document)), where
+    return "accepted" if report else "refused"
+
+
+def nodes(value: Any, path: tuple = ("tree",)) -> Iterator[tuple[tuple, Any]]:
+    """Yield all nodes of a tree with their paths."""
+    yield path, value
+    if isinstance(value, dict):
+        for key in ("orthants", "children", "attachment", "slip"):
+            below = value.get(key, ())
+            for name in below if isinstance(below, dict) else range(len(below)):
+                yield from nodes(below[name], (*path, key, name))
+
+
+def numbers(value: Any, path: tuple = ()) -> Iterator[tuple]:
+    """Yield the paths of all numbers that are texts."""
+    if isinstance(value, (dict, list)):
+        for key in value if isinstance(value, dict) else range(len(value)):
+            yield from numbers(value[key], (*path, key))
+    elif isinstance(value, str) and value not in ("resisted", "not resisted"):
+        yield path
+
+
+def at(document: Any, path: tuple) -> Any:
+    for key in path:
+        document = document[key]
+    return document
+
+
+def changed(document: dict[str, Any], path: tuple, value: Any) -> dict[str, Any]:
+    copied = copy.deepcopy(document)
+    at(copied, path[:-1])[path[-1]] = copy.deepcopy(value)
+    return copied
+
+
+LEAF = ["0", "0", "0"]
+ONE = Grasp([Contact((0, 0), (0, 1), "1/2", 1, 1)])
+HALVED = {"edge": [0, 1], "children": [LEAF, LEAF]}
+ORTHANTS = {"orthants": [LEAF] * 8}
+ATTACHMENT = {"contact": 0, "attachment": {"detached": LEAF, "attached": LEAF}}
+SLIP = {"contact": 0, "slip": {"stick": LEAF, "slip+": LEAF, "slip-": LEAF}}
+
+
+def with_tree(tree: Any) -> dict[str, Any]:
+    document = refuted_certificate(ONE, (Fraction(1),) * 3, None).to_dict()
+    return {**document, "tree": tree}
+
+
+def below(outer: dict[str, Any], inner: Any) -> dict[str, Any]:
+    """Put a node in the place of all leaves of a split."""
+    return {
+        key: [inner] * len(value)
+        if key in ("orthants", "children")
+        else dict.fromkeys(value, inner)
+        if isinstance(value, dict)
+        else value
+        for key, value in outer.items()
+    }
+
+
+@pytest.mark.parametrize(
+    "tree",
+    [LEAF, ORTHANTS, below(ORTHANTS, HALVED), ATTACHMENT, below(ORTHANTS, ATTACHMENT)]
+    + [{"contact": 0, "attachment": {"detached": LEAF, "attached": SLIP}}]
+    + [{"virtual_motion": LEAF, "multipliers": m} for m in ({}, {"0": ["0"]}, {"0": ["0", "1"]})],
+)
+def test_a_wrong_proof_of_readable_form_is_a_report(tree):
+    report = check(with_tree(tree))
+    assert not report
+    assert report.problem.startswith("tree")
+    assert report.to_dict()["problem"] == report.problem
+
+
+@pytest.mark.parametrize(
+    ("tree", "words"),
+    [
+        (None, "tree is null|tree is None"),
+        ("1", "tree is '1'"),
+        ([], "tree has 0 entries; 3 are due"),
+        (["0", "0"], "tree has 2 entries"),
+        (["0", "0", 0.5], "float"),
+        (["0", "0", "1e3"], "not an exact number"),
+        (["0", "0", "1/0"], "divides by zero"),
+        (["0", "0", True], "Boolean"),
+        (["0", "0", None], r"tree\[2\]"),
+        ({}, "a node is"),
+        ({"node": LEAF}, "a node is"),
+        ({**ORTHANTS, "children": []}, "unknown key 'children'"),
+        ({"orthants": [LEAF] * 7}, "tree.orthants has 7 entries"),
+        ({"orthants": {}}, "tree.orthants is an object"),
+        (below(ORTHANTS, ORTHANTS), r"tree.orthants\[0\]: orthants cut the half space"),
+        (HALVED, "tree: orthants cut the half space, an edge"),
+        (below(ORTHANTS, {"edge": [0, 1]}), 'no key "children"'),
+        (below(ORTHANTS, {**HALVED, "children": [LEAF] * 3}), "has 3 entries; 2"),
+        (below(ORTHANTS, {**HALVED, "edge": [1, 1]}), "two generators"),
+        (below(ORTHANTS, {**HALVED, "edge": [1, 4]}), "0 to 3"),
+        (below(ORTHANTS, {**HALVED, "edge": [-1, 2]}), "0 to 3"),
+        (below(ORTHANTS, {**HALVED, "edge": ["1", 2]}), "0 to 3"),
+        (below(ORTHANTS, {**HALVED, "edge": [True, 2]}), "0 to 3"),
+        (below(ORTHANTS, {**HALVED, "edge": [0, 1, 2]}), "3 entries; 2"),
+        (below(ORTHANTS, {**HALVED, "at": ["1"]}), "1 entries; 2"),
+        (below(ORTHANTS, {**HALVED, "at": ["0", "1"]}), "above 0"),
+        (below(ORTHANTS, {**HALVED, "at": ["1", "-1"]}), "above 0"),
+        (below(ORTHANTS, {**HALVED, "at": ["1/2", "1"]}), "integers"),
+        (below(ORTHANTS, {**HALVED, "at": ["1", "1/3"]}), "integers"),
+        ({**ATTACHMENT, "contact": 1}, "0 to 0"),
+        ({**ATTACHMENT, "contact": -1}, "0 to 0"),
+        ({**ATTACHMENT, "contact": "0"}, "0 to 0"),
+        ({"attachment": ATTACHMENT["attachment"]}, 'no key "contact"'),
+        ({**ATTACHMENT, **SLIP}, "unknown key"),
+        ({"contact": 0, "attachment": {"detached": LEAF}}, 'no key "attached"'),
+        ({"contact": 0, "attachment": [LEAF, LEAF]}, "tree.attachment is a list"),
+        (SLIP, "contact 0 is None, and must be attached"),
+        (below(ATTACHMENT, ATTACHMENT), "contact 0 is detached, and must be None"),
+        (below(ATTACHMENT, SLIP), "contact 0 is detached, and must be attached"),
+        ({"virtual_motion": LEAF}, 'no key "multipliers"'),
+        ({"virtual_motion": ["0"], "multipliers": {}}, "tree.virtual_motion has 1 entries"),
+        ({"virtual_motion": LEAF, "multipliers": []}, "by contacts"),
+        ({"virtual_motion": LEAF, "multipliers": {"1": ["0"]}}, "0 to 0"),
+        ({"virtual_motion": LEAF, "multipliers": {"00": ["0"]}}, "is written 0"),
+        ({"virtual_motion": LEAF, "multipliers": {"-1": ["0"]}}, "0 to 0"),
+        ({"virtual_motion": LEAF, "multipliers": {"9" * 50: ["0"]}}, "0 to 0"),
+        ({"virtual_motion": LEAF, "multipliers": {"²": ["0"]}}, "0 to 0"),
+        ({"virtual_motion": LEAF, "multipliers": {0: ["0"]}}, "0 to 0"),
+        ({"virtual_motion": LEAF, "multipliers": {"0": []}}, "0 entries; 2"),
+        ({"virtual_motion": LEAF, "multipliers": {"0": ["0"] * 3}}, "3 entries; 2"),
+        ({"virtual_motion": LEAF, "multipliers": {"0": "0"}}, "list is due"),
+    ],
+)
+def test_what_is_no_tree_is_one_clear_error(tree, words):
+    with pytest.raises(InputError, match=words) as caught:
+        check(with_tree(tree))
+    assert "\n" not in str(caught.value)
+
+
+def test_form_is_checked_behind_a_leaf_that_fails():
+    tree = {"contact": 0, "attachment": {"detached": LEAF, "attached": ["0"]}}
+    with pytest.raises(InputError, match=r"tree\.attachment\.attached"):
+        check(with_tree(tree))
+
+
+@pytest.mark.parametrize(
+    ("change", "words"),
+    [
+        ({"schema_version": 1}, "schema_version is 1; 3 is read here"),
+        ({"schema_version": True}, "schema_version is True"),
+        ({"certificate": "maybe"}, "known are resisted, not resisted"),
+        ({"certificate": ["resisted"]}, "known are resisted, not resisted"),
+        ({"certificate": "resisted"}, "tree"),
+        ({"digest": "0"}, "unknown key 'digest'"),
+        ({"wrench": ["0", "0"]}, "wrench has 2 entries"),
+        ({"wrench": "000"}, "wrench is"),
+        ({"grasp": {}}, "schema_version"),
+        ({"certificate": "unstable", "schema_version": 1}, "old certificate.*equilibrium solve"),
+        ({"certificate": "stable", "schema_version": 1}, "old certificate.*equilibrium solve"),
+    ],
+)
+def test_what_is_no_certificate_is_one_clear_error(change, words):
+    with pytest.raises(InputError, match=words):
+        check({**with_tree(LEAF), **change})
+    with pytest.raises(InputError, match="an object is due"):
+        check([with_tree(LEAF)])
+
+
+def test_deep_documents_end_with_an_error():
+    deep: Any = LEAF
+    for _ in range(100_000):
+        deep = {"edge": [0, 1], "children": [deep, LEAF]}
+    with pytest.raises(CertificateError, match=f"more than {MAX_DEPTH} splits in a row"):
+        check(with_tree({"orthants": [deep] * 8}))
+    while isinstance(deep, dict):  # from above: freeing it from within would recurse
+        deep = deep["children"][0]
+
+
+def test_the_deepest_tree_that_is_read_can_be_written_and_read():
+    tree: Any = LEAF
+    for _ in range(MAX_DEPTH - 1):
+        tree = {"edge": [0, 1], "children": [tree, LEAF]}
+    document = with_tree(below(ORTHANTS, LEAF))
+    document["tree"]["orthants"][0] = tree
+    assert not check(Certificate(json.dumps(document)).to_dict())
+    document["tree"]["orthants"][0] = {"edge": [0, 1], "children": [tree, LEAF]}
+    with pytest.raises(CertificateError, match="splits in a row"):
+        check(document)
+
+
+@pytest.mark.parametrize("place", ["tree", "wrench", "friction", "multiplier"])
+def test_ten_million_digits_are_refused_at_once(place):
+    digits = "7" * 10**7
+    document = with_tree(LEAF)
+    if place == "tree":
+        document["tree"] = ["0", "0", digits]
+    elif place == "multiplier":
+        document["tree"] = {"virtual_motion": LEAF, "multipliers": {"0": [digits]}}
+    elif place == "wrench":
+        document["wrench"][0] = digits
+    else:
+        document["grasp"]["contacts"][0]["friction"] = digits
+    start = time.perf_counter()
+    with pytest.raises(InputError, match="10000000 characters"):
+        check(document)
+    assert time.perf_counter() - start < 1
+
+
+@pytest.mark.parametrize(
+    ("motion", "forces", "words"),
+    [
+        (("0", "-1", "0"), [("2", "1")], ""),
+        (("0", "-1", "0"), [("2", "3/2")], "contact 0: friction 3/2 of at most 1"),
+        (("0", "-1", "0"), [("1", "1/2")], "normal force 1, its spring gives 2"),
+        (("1", "-1", "0"), [("2", "1")], ""),
+        (("-1", "-1", "0"), [("2", "1")], "contact 0: friction 1 of at most 1 while it slips by 1"),
+        (("0", "0", "0"), [("1", "0")], r"the forces add up to \(1, -1, 0\), not 0"),
+    ],
+)
+def test_the_law_is_named_where_it_fails(motion, forces, words):
+    """One contact at the origin, normal upwards, tangent to the left: spring 1 - y, slip -x."""
+    wrench = (Fraction(1), Fraction(-2), Fraction(0))
+    numbers = [tuple(map(Fraction, pair)) for pair in forces]
+    report = resisted_certificate(ONE, wrench, tuple(map(Fraction, motion)), numbers).verify()
+    assert bool(report) == (not words)
+    assert re.search(words, report.problem)
+
+
+@pytest.mark.parametrize(
+    ("motion", "forces", "words"),
+    [
+        (["0", "0"], [["1", "0"]], "motion has 2 entries"),
+        (["0", "0", 0.5], [["1", "0"]], "float"),
+        (["0", "0", "0"], [], "forces has 0 entries; 1 are due"),
+        (["0", "0", "0"], [["1"]], r"forces\[0\] has 1 entries"),
+        (["0", "0", "0"], [["1", "x"]], r"forces\[0\]\[1\]"),
+        ("000", [["1", "0"]], "motion is '000'"),
+    ],
+)
+def test_what_is_no_equilibrium_is_one_clear_error(motion, forces, words):
+    document = resisted_certificate(ONE, (Fraction(0),) * 3, (), ()).to_dict()
+    with pytest.raises(InputError, match=words):
+        check({**document, "motion": motion, "forces": forces})
+
+
+def test_certificates_hold_and_the_judge_agrees(documents):
+    assert [agree(document) for document in documents] == ["accepted"] * len(documents)
+    kinds = Counter(
+        key
+        for document in documents
+        for _, node in nodes(document.get("tree"))
+        for key in node or ()
+    )
+    for key in ("orthants", "edge", "at", "attachment", "slip", "multipliers"):
+        assert kinds[key] > 15, key
+
+
+def test_the_report_counts_leaves_and_has_a_json_form(documents):
+    for document in documents:
+        report = check(document)
+        inner = (
+            sum(not _is_leaf(node) for _, node in nodes(document["tree"])) if report.leaves else 0
+        )
+        whole = sum(1 for _ in nodes(document["tree"])) if report.leaves else 0
+        assert report.leaves == whole - inner
+        kind = document["certificate"]
+        assert report.to_dict() == {"valid": True, "certificate": kind, "leaves": report.leaves}
+
+
+def _is_leaf(node: Any) -> bool:
+    return isinstance(node, list) or "virtual_motion" in node
+
+
+def test_no_motion_in_a_leaf_balances_the_load(documents):
+    """Behind the rows, the law itself: at random motions of a leaf the forces cannot balance."""
+    source, tried = Random("motions"), 0
+    for document in documents[: len(REFUTED) * len(TREES) : 2]:
+        grasp, wrench = judge.statement(document)
+        for leaf, region, states in judge.leaves(document["tree"]):
+            virtual = [
+                Fraction(x) for x in (leaf if isinstance(leaf, list) else leaf["virtual_motion"])
+            ]
+            for _ in range(3):
+                weights = [source.choice((0, 1, source.randint(1, 50))) for _ in region]
+                scale, *motion = (
+                    sum(w * g[j] for w, g in zip(weights, region, strict=True)) for j in range(4)
+                )
+                if not scale:
+                    continue
+                motion = [x / scale for x in motion]
+                if all(_may_be(grasp.contacts[i], motion, state) for i, state in states.items()):
+                    tried += 1
+                    assert judge.work_at_motion(grasp, wrench, virtual, motion) > 0
+    assert tried > 300
+
+
+def _may_be(contact: Contact, motion: list[Fraction], state: str) -> bool:
+    force, slip = judge._spring_and_slip(contact, [Fraction(1), *motion])
+    slips = {"stick": slip == 0, "slip+": slip >= 0, "slip-": slip <= 0}
+    return force < 0 if state == "detached" else force >= 0 and slips.get(state, True)
+
+
+def test_every_number_changed(documents):
+    found, source = Counter(), Random("steps")
+    for document in documents[::3]:
+        listed = list(numbers(document))
+        for path in source.sample(listed, min(40, len(listed))):
+            step = source.choice(STEPS)
+            value = str(Fraction(at(document, path)) + Fraction(step))
+            found[agree(changed(document, path, value), (path, step))] += 1
+    assert min(found[kind] for kind in ("accepted", "refused", "malformed")) > 40
+
+
+def test_changes_of_every_kind(documents):
+    found = Counter()
+    for seed, document in enumerate(documents):
+        for path, change, mutant in mutants(document, 30, seed):
+            found[agree(mutant, (path, change))] += 1
+    assert min(found[kind] for kind in ("accepted", "refused", "malformed")) > 50
+
+
+def test_nodes_moved_dropped_exchanged_and_given_twice(documents):
+    found, source = Counter(), Random("nodes")
+    for document in documents[: len(REFUTED) * len(TREES)]:
+        places = list(nodes(document["tree"]))
+        for _ in range(12):
+            (to, old), (_, other) = source.choice(places), source.choice(places)
+            if other != old:
+                found["moved", agree(changed(document, to, other), to)] += 1
+            if len(to) > 2:
+                parent = at(document, to[:-1])
+                fewer = list(parent) if isinstance(parent, list) else dict(parent)
+                del fewer[to[-1]]
+                assert agree(changed(document, to[:-1], fewer)) == "malformed"
+                if isinstance(parent, list):
+                    twice = [*parent, parent[to[-1]]]
+                    assert agree(changed(document, to[:-1], twice)) == "malformed"
+                    back = parent[::-1]
+                    found["exchanged", agree(changed(document, to[:-1], back))] += 1
+                else:
+                    names = list(parent)
+                    turned = dict(zip(names, [*parent.values()][::-1], strict=True))
+                    found["exchanged", agree(changed(document, to[:-1], turned))] += 1
+    assert found["moved", "accepted"] > 10
+    assert found["moved", "refused"] > 50
+    assert found["moved", "malformed"] > 10
+    assert found["exchanged", "refused"] > 50
+
+
+def test_splits_on_other_contacts_and_indices(documents):
+    found, source = Counter(), Random("splits")
+    for document in documents[: len(REFUTED) * len(TREES) : 2]:
+        contacts = len(document["grasp"]["contacts"])
+        listed = list(nodes(document["tree"]))
+        for path, node in source.sample(listed, min(10, len(listed))):
+            if "contact" in node:
+                for contact in range(-1, contacts + 1):
+                    result = agree(changed(document, (*path, "contact"), contact), path)
+                    assert result == "malformed" or 0 <= contact < contacts
+                    found[result] += 1
+            if "edge" in node:
+                for edge in ([0, 0], [0, 4], [-1, 2], node["edge"][::-1], [0, 1], [2, 3], [3, 1]):
+                    result = agree(changed(document, (*path, "edge"), edge), path)
+                    assert result == "malformed" or (set(edge) <= {*range(4)} and edge != [0, 0])
+                    found[result] += 1
+            if "multipliers" in node:
+                given = list(node["multipliers"].values()) or [["1"]]
+                for key in ("0", "1", str(contacts - 1)):
+                    moved = {key: given[-1]}
+                    found[agree(changed(document, (*path, "multipliers"), moved), path)] += 1
+    assert min(found[kind] for kind in ("accepted", "refused", "malformed")) > 30
+
+
+def test_no_tree_for_a_resisted_question_is_accepted(documents):
+    """The trees of other questions, put under questions that are resisted."""
+    tried = 0
+    for seed in RESISTED:
+        asked = question(seed)
+        for document in documents[: len(REFUTED) * len(TREES)]:
+            tree = document["tree"]
+            report = report_of(refuted_certificate(asked.grasp, asked.wrench, tree).to_dict())
+            tried += report is not None
+            assert not report
+    assert tried > 100
+
+
+def test_the_published_schema_is_as_strict_as_the_checker(documents):
+    schema = certificate_schema()
+    jsonschema.Draft202012Validator.check_schema(schema)
+    validator = jsonschema.Draft202012Validator(schema)
+    assert all(validator.is_valid(document) for document in documents[::4])
+    found = Counter()
+    for seed, document in enumerate(documents[::6]):
+        for path, change, mutant in mutants(document, 30, seed):
+            try:
+                check(mutant)
+                readable, seen = True, True
+            except InputError as error:
+                # JSON Schema takes the float 2.0 for an integer.
+                unseen = _BEYOND.search(str(error)) or change == "float"
+                readable, seen = False, not unseen
+            found[readable] += 1
+            if seen:
+                assert validator.is_valid(mutant) == readable, (path, change)
+    assert min(found.values()) > 50
+
+
+#: Errors that no schema can see: they are about the region, the contact, or the length of a normal.
+_BEYOND = re.compile(
+    r"orthants cut|must be (attached|None)|there are|length is not exactly|forces has"
+)
+
+
+def test_another_question_is_refused(documents):
+    for document in (documents[0], documents[-1]):
+        grasp, wrench = judge.statement(document)
+        assert check(document, question=(grasp, wrench))
+        for other in ((grasp, (wrench[0], wrench[1], wrench[2] + 1)), (Grasp(), wrench)):
+            report = check(document, question=other)
+            assert (bool(report), report.problem) == (False, "it is about another grasp or wrench")

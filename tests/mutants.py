@@ -1,0 +1,231 @@
+"""Plants small faults in the code, one at a time, and lists those that no test notices.
+
+    python tests/mutants.py                   all targets
+    python tests/mutants.py checker law       some of them
+    python tests/mutants.py --seed 5          another sample of the targets that are sampled
+    python tests/mutants.py --jobs 1          one process
+
+A fault changes one comparison, constant, sign, "and" or "or" of the syntax tree. The tests of its
+target run in a process of their own; one that fails, or that takes too long, has found the fault.
+Exit 1 if faults survive that are not among `EQUIVALENT`.
+"""
+
+from __future__ import annotations
+
+import argparse
+import ast
+import copy
+import importlib
+import importlib.abc
+import importlib.util
+import os
+import sys
+import time
+from collections.abc import Iterator, Sequence
+from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
+from random import Random
+from typing import Any, NamedTuple
+
+ROOT = Path(__file__).resolve().parent.parent
+#: Seconds after which the tests of one fault are stopped; without a fault they take less than half.
+LIMIT = 120.0
+
+
+class Target(NamedTuple):
+    """A module, the tests that cover it, fast ones first, and how many faults to plant (0: all)."""
+
+    module: str
+    tests: tuple[str, ...]
+    sample: int = 0
+
+
+CHECKER = ("tests/equilibrium/test_checker.py",)
+TARGETS = {
+    "checker": Target("equilibrium.certificate.checker", CHECKER),
+    "law": Target("equilibrium.certificate.law", CHECKER),
+    "reading": Target("equilibrium.certificate.reading", CHECKER),
+    "predicates": Target(
+        "arrangement.enumeration.affine_space.predicates", ("tests/arrangement/test_space.py",), 40
+    ),
+}
+
+#: Faults that change no answer, by module, line of code and fault, with the reason.
+EQUIVALENT: dict[tuple[str, str, str], str] = {}
+
+_COMPARISONS: dict[type[ast.cmpop], tuple[type[ast.cmpop], ...]] = {
+    ast.Lt: (ast.LtE, ast.Gt),
+    ast.LtE: (ast.Lt, ast.GtE),
+    ast.Gt: (ast.GtE, ast.Lt),
+    ast.GtE: (ast.Gt, ast.LtE),
+    ast.Eq: (ast.NotEq,),
+    ast.NotEq: (ast.Eq,),
+    ast.Is: (ast.IsNot,),
+    ast.IsNot: (ast.Is,),
+    ast.In: (ast.NotIn,),
+    ast.NotIn: (ast.In,),
+}
+_OPERATORS: dict[type[ast.operator], type[ast.operator]] = {
+    ast.Add: ast.Sub,
+    ast.Sub: ast.Add,
+    ast.Mult: ast.Add,
+    ast.FloorDiv: ast.Mult,
+    ast.Div: ast.Mult,
+}
+
+
+class Fault(NamedTuple):
+    """A changed tree: the line, its text, what was changed."""
+
+    line: int
+    text: str
+    change: str
+    tree: ast.Module
+
+
+def faults(source: str) -> Iterator[Fault]:
+    """Yield every fault of a source text."""
+    tree, lines = ast.parse(source), source.splitlines()
+    nodes = list(ast.walk(tree))
+    skipped = {id(n) for top in nodes for n in ast.walk(top) if isinstance(top, _SILENT)}
+    for place, node in enumerate(nodes):
+        if id(node) in skipped:
+            continue
+        for change, alter in _alterations(node):
+            changed = copy.deepcopy(tree)
+            alter(list(ast.walk(changed))[place])
+            ast.fix_missing_locations(changed)
+            line = getattr(node, "lineno", 0)
+            yield Fault(line, lines[line - 1].strip(), change, changed)
+
+
+#: Texts of messages, and annotations of types.
+_SILENT = (ast.JoinedStr, ast.AnnAssign, ast.arg, ast.Raise)
+
+
+def _alterations(node: ast.AST) -> Iterator[tuple[str, Any]]:
+    """Yield what can be changed in one node: a name, and a function that does it."""
+    if isinstance(node, ast.Compare):
+        for i, old in enumerate(node.ops):
+            for new in _COMPARISONS[type(old)]:
+                yield f"{type(old).__name__} -> {new.__name__}", _setter("ops", i, new())
+    elif isinstance(node, ast.BoolOp):
+        new_op = ast.Or() if isinstance(node.op, ast.And) else ast.And()
+        yield f"{type(node.op).__name__} -> {type(new_op).__name__}", _setter("op", None, new_op)
+    elif isinstance(node, ast.BinOp) and type(node.op) in _OPERATORS:
+        new = _OPERATORS[type(node.op)]
+        yield f"{type(node.op).__name__} -> {new.__name__}", _setter("op", None, new())
+    elif isinstance(node, ast.UnaryOp) and isinstance(node.op, ast.USub):
+        yield "minus dropped", _setter("op", None, ast.UAdd())
+    elif isinstance(node, ast.UnaryOp) and isinstance(node.op, ast.Not):
+        yield "not dropped", _setter("operand", None, ast.UnaryOp(ast.Not(), node.operand))
+    elif isinstance(node, ast.Constant) and type(node.value) is int:
+        for value in (node.value + 1, node.value - 1):
+            yield f"{node.value} -> {value}", _setter("value", None, value)
+
+
+def _setter(field: str, index: int | None, value: Any) -> Any:
+    def alter(node: Any) -> None:
+        if index is None:
+            setattr(node, field, value)
+        else:
+            getattr(node, field)[index] = value
+
+    return alter
+
+
+class _Planted(importlib.abc.MetaPathFinder, importlib.abc.Loader):
+    """Loads one module from a changed tree."""
+
+    def __init__(self, module: str, path: Path, tree: ast.Module) -> None:
+        self.module, self.path, self.code = module, path, compile(tree, str(path), "exec")
+
+    def find_spec(self, name: str, path: Any = None, target: Any = None) -> Any:
+        if name != self.module:
+            return None
+        return importlib.util.spec_from_loader(name, self, origin=str(self.path))
+
+    def exec_module(self, module: Any) -> None:
+        module.__file__ = str(self.path)
+        exec(self.code, module.__dict__)  # noqa: S102
+
+
+def survives(target: Target, path: Path, fault: Fault) -> bool:
+    """Run the tests of a target with a fault, in a process of their own."""
+    child = os.fork()
+    if child == 0:
+        status = 1
+        try:
+            os.setsid()
+            quiet = os.open(os.devnull, os.O_WRONLY)
+            os.dup2(quiet, 1)
+            os.dup2(quiet, 2)
+            sys.meta_path.insert(0, _Planted(target.module, path, fault.tree))
+            status = int(_tests(target))
+        finally:
+            os._exit(min(status, 1))
+    end = time.monotonic() + LIMIT
+    while time.monotonic() < end:
+        done, status = os.waitpid(child, os.WNOHANG)
+        if done:
+            return status == 0
+        time.sleep(0.05)
+    os.killpg(child, 9)
+    os.waitpid(child, 0)
+    return False
+
+
+def _tests(target: Target) -> int:
+    import pytest
+
+    return int(pytest.main(["-x", "-q", "-p", "no:cacheprovider", "-W", "ignore", *target.tests]))
+
+
+def _preload() -> None:
+    """Import what the tests need from outside once, before processes are forked."""
+    for name in ("hypothesis", "jsonschema", "networkx", "numpy", "scipy.optimize", "sympy"):
+        importlib.import_module(name)
+
+
+def survivors(name: str, seed: int, jobs: int) -> list[tuple[Fault, str]]:
+    """Plant the faults of a target; return those that survive, with the reason if there is one."""
+    target = TARGETS[name]
+    path = ROOT / Path(*target.module.split(".")).with_suffix(".py")
+    listed = list(faults(path.read_text(encoding="utf-8")))
+    if target.sample:
+        listed = Random(f"mutants {seed}").sample(listed, min(target.sample, len(listed)))
+    start = time.monotonic()
+    with ThreadPoolExecutor(jobs) as pool:
+        alive = list(pool.map(lambda fault: survives(target, path, fault), listed))
+    left = [fault for fault, survived in zip(listed, alive, strict=True) if survived]
+    print(
+        f"{name}: {len(listed)} faults, {len(left)} survive, {time.monotonic() - start:.0f} s",
+        flush=True,
+    )
+    return [(f, EQUIVALENT.get((target.module, f.text, f.change), "")) for f in left]
+
+
+def main(arguments: Sequence[str] | None = None) -> int:
+    """Run; return 1 if a fault survives that is not known to change nothing."""
+    parser = argparse.ArgumentParser(description=__doc__.partition("\n")[0])
+    parser.add_argument("targets", nargs="*", metavar="TARGET", help=", ".join(TARGETS))
+    parser.add_argument("--seed", type=int, default=0, help="of the samples")
+    parser.add_argument("--jobs", type=int, default=2, help="processes at a time")
+    given = parser.parse_args(arguments)
+    for name in given.targets:
+        if name not in TARGETS:
+            parser.error(f"{name!r} is no target; known are {', '.join(TARGETS)}")
+    os.chdir(ROOT)
+    sys.path.insert(0, str(ROOT))
+    _preload()
+    unknown = 0
+    for name in given.targets or TARGETS:
+        for fault, reason in survivors(name, given.seed, given.jobs):
+            unknown += not reason
+            note = f"changes nothing: {reason}" if reason else "SURVIVES"
+            print(f"  line {fault.line}: {fault.text}\n    {fault.change}: {note}", flush=True)
+    return 1 if unknown else 0
+
+
+if __name__ == "__main__":
+    raise SystemExit(main())
