@@ -1,7 +1,7 @@
 # Each target creates .venv on first use and installs again when pyproject.toml or
 # constraints.txt change. PYTHON=... picks the interpreter, ARGS=... goes to pytest.
 
-.PHONY: help verify test campaign lint types check bench docs docs-check package-check formal clean
+.PHONY: help verify test campaign lint types check mutants bench docs docs-check package-check formal clean
 .DEFAULT_GOAL := help
 .DELETE_ON_ERROR:
 
@@ -22,6 +22,7 @@ help:
 	@echo "make campaign  the same laws on thousands of random cases"
 	@echo "make lint types  the quick part of the checks"
 	@echo "make check    all that must be true of a commit: lint, types, tests, docs"
+	@echo "make mutants  plant small faults in checker, predicates and solver; list those no test notices"
 	@echo "make bench    measure speed"
 	@echo "make docs     build the documentation in docs/_build/html"
 	@echo "make docs-check  build it and open every page in headless Chromium"
@@ -93,6 +94,9 @@ check: lint types
 	SYMPY_GROUND_TYPES=python $(BIN)/python -m pytest -n $(JOBS) $(ARGS)
 	SYMPY_GROUND_TYPES=flint $(BIN)/python -m pytest -n $(JOBS) -m ground_types $(ARGS)
 	$(MAKE) docs-check
+
+mutants: $(VENV)/.stamp-test
+	$(BIN)/python tests/mutants.py --jobs $(JOBS) $(ARGS)
 
 bench: $(VENV)/.stamp-bench
 	$(BIN)/python tests/benchmarks/run.py $(ARGS)

@@ -50,7 +50,7 @@ TARGETS = {
     ),
 }
 
-#: Faults that change no answer, by module, line of code and fault, with the reason.
+#: Faults that change no answer, by target, line of code and fault, with the reason.
 EQUIVALENT: dict[tuple[str, str, str], str] = {}
 
 _COMPARISONS: dict[type[ast.cmpop], tuple[type[ast.cmpop], ...]] = {
@@ -187,22 +187,26 @@ def _preload() -> None:
         importlib.import_module(name)
 
 
-def survivors(name: str, seed: int, jobs: int) -> list[tuple[Fault, str]]:
-    """Plant the faults of a target; return those that survive, with the reason if there is one."""
+def plant(name: str, seed: int, jobs: int) -> int:
+    """Plant the faults of a target and print those that survive; return how many are unknown."""
     target = TARGETS[name]
     path = ROOT / Path(*target.module.split(".")).with_suffix(".py")
     listed = list(faults(path.read_text(encoding="utf-8")))
     if target.sample:
         listed = Random(f"mutants {seed}").sample(listed, min(target.sample, len(listed)))
-    start = time.monotonic()
+    start, alive, unknown = time.monotonic(), 0, 0
     with ThreadPoolExecutor(jobs) as pool:
-        alive = list(pool.map(lambda fault: survives(target, path, fault), listed))
-    left = [fault for fault, survived in zip(listed, alive, strict=True) if survived]
-    print(
-        f"{name}: {len(listed)} faults, {len(left)} survive, {time.monotonic() - start:.0f} s",
-        flush=True,
-    )
-    return [(f, EQUIVALENT.get((target.module, f.text, f.change), "")) for f in left]
+        for fault, survived in zip(
+            listed, pool.map(lambda fault: survives(target, path, fault), listed), strict=True
+        ):
+            if survived:
+                reason = EQUIVALENT.get((name, fault.text, fault.change), "")
+                alive, unknown = alive + 1, unknown + (not reason)
+                note = f"changes nothing: {reason}" if reason else "SURVIVES"
+                print(f"  line {fault.line}: {fault.text}\n    {fault.change}: {note}", flush=True)
+    seconds = time.monotonic() - start
+    print(f"{name}: {len(listed)} faults, {alive} survive, {seconds:.0f} s", flush=True)
+    return unknown
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
@@ -218,13 +222,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
     os.chdir(ROOT)
     sys.path.insert(0, str(ROOT))
     _preload()
-    unknown = 0
-    for name in given.targets or TARGETS:
-        for fault, reason in survivors(name, given.seed, given.jobs):
-            unknown += not reason
-            note = f"changes nothing: {reason}" if reason else "SURVIVES"
-            print(f"  line {fault.line}: {fault.text}\n    {fault.change}: {note}", flush=True)
-    return 1 if unknown else 0
+    unknown = [plant(name, given.seed, given.jobs) for name in given.targets or TARGETS]
+    return 1 if any(unknown) else 0
 
 
 if __name__ == "__main__":

@@ -15,8 +15,7 @@ each generator is at least ``alpha e + h s``, if the leaf gives these multiplier
 else kappa e, if it is decided and not detached, or if all ``e >= 0``; 0, if it is detached, or if
 all ``e <= 0``, or if ``kappa >= 0``; ``kappa max(0, e)`` for the rest, as a convex function lies
 below its interpolation. The leaf holds if ``lambda . w g_0`` and all these are together at least 0
-at each generator, above 0 where ``g_0 > 0``: a motion is a sum of generators, and balance makes
-that work 0.
+at each generator, above 0 where ``g_0 > 0``: balance would make their sum over generators 0.
 """
 
 from __future__ import annotations
@@ -26,9 +25,9 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from itertools import product
-from typing import Any, NamedTuple, TypeAlias
+from typing import Any, NamedTuple
 
-from arrangement.exact import RationalVector
+from arrangement.exact import IntegerVector, RationalVector
 from equilibrium.model.errors import CertificateError
 from equilibrium.model.grasp import Grasp
 
@@ -37,7 +36,6 @@ from .reading import STATES, Leaf, Split, read_equilibrium, read_node, read_ques
 
 #: Splits in a row; readers of JSON stop at some 1000 objects inside one another.
 MAX_DEPTH = 300
-Numbers: TypeAlias = Sequence[int]
 
 
 @dataclass(frozen=True)
@@ -79,8 +77,7 @@ def check(
     """
     kind, grasp, wrench = read_question(document)
     if kind == "resisted":
-        found = read_equilibrium(document, len(grasp))
-        report = Report(kind, law_problem(grasp, wrench, *found))
+        report = Report(kind, law_problem(grasp, wrench, *read_equilibrium(document, len(grasp))))
     else:
         report = _walk(document["tree"], _Question(grasp, wrench))
     if question is not None and question != (grasp, wrench):
@@ -96,10 +93,10 @@ class _Contact(NamedTuple):
     ``alpha per_e spring . g + h per_s slip . g``.
     """
 
-    spring: Numbers
-    slip: Numbers
-    normal: Numbers
-    rubbing: Numbers
+    spring: IntegerVector
+    slip: IntegerVector
+    normal: IntegerVector
+    rubbing: IntegerVector
     per_e: int
     per_s: int
 
@@ -107,9 +104,9 @@ class _Contact(NamedTuple):
 class _Generator(NamedTuple):
     """A generator of a region, with ``spring . g`` and ``slip . g`` of each contact."""
 
-    vector: Numbers
-    springs: Numbers
-    slips: Numbers
+    vector: IntegerVector
+    springs: IntegerVector
+    slips: IntegerVector
 
 
 class _Question:
@@ -134,8 +131,8 @@ class _Question:
     def unit_vector(self, axis: int, sign: int) -> _Generator:
         """Return e_axis or its negative."""
         rows = [contact.spring for contact in self.contacts], [c.slip for c in self.contacts]
-        springs, slips = ([sign * row[axis] for row in one] for one in rows)
-        return _Generator([sign * (j == axis) for j in range(4)], springs, slips)
+        springs, slips = (tuple(sign * row[axis] for row in one) for one in rows)
+        return _Generator(tuple(sign * (j == axis) for j in range(4)), springs, slips)
 
 
 class _Place(NamedTuple):
@@ -170,10 +167,9 @@ def _parts(split: Split, place: _Place) -> list[tuple[Any, _Place]]:
         raise CertificateError(f"{path[:60]}...: more than {MAX_DEPTH} splits in a row")
     parts: list[tuple[Sequence[_Generator], Mapping[int, str]]]
     if split.kind in STATES:
-        (contact,) = split.at
-        due, state = {"slip": "attached"}.get(split.kind), states.get(contact)
-        if state != due:
-            raise CertificateError(f"{path}: contact {contact} is {state}, and must be {due}")
+        contact, due = split.at[0], "attached" if split.kind == "slip" else "undecided"
+        if states.get(contact, "undecided") != due:
+            raise CertificateError(f"{path}: contact {contact} is not {due} here")
         parts = [(region, {**states, contact: name}) for name in STATES[split.kind]]
     elif (split.kind == "edge") != (len(region) == 4):
         raise CertificateError(f"{path}: orthants cut the half space, an edge one of their cones")
@@ -193,7 +189,7 @@ def _between(p: int, one: _Generator, q: int, other: _Generator) -> _Generator:
     pairs = zip(one, other, strict=True)
     sums = [[p * x + q * y for x, y in zip(*pair, strict=True)] for pair in pairs]
     common = math.gcd(*sums[0])
-    return _Generator(*([x // common for x in row] for row in sums))
+    return _Generator(*(tuple(x // common for x in row) for row in sums))
 
 
 def _leaf_problem(question: _Question, leaf: Leaf, place: _Place) -> str:
@@ -218,8 +214,7 @@ def _leaf_problem(question: _Question, leaf: Leaf, place: _Place) -> str:
         kappa = x * n0 + y * n1 + r * n2 + rub
         if given is not None:
             alpha, h = given[0] * scale * contact.per_e, given[1] * scale * contact.per_s
-            broken = _broken_bound(state, alpha, h, kappa)
-            if broken:
+            if broken := _broken_bound(state, alpha, h, kappa):
                 largest = short(Fraction(kappa, scale * contact.per_e))
                 named = f"alpha = {short(given[0])}, h = {short(given[1])}, kappa = {largest}"
                 return f"{place.path}: contact {i}, {state or 'undecided'}: {named}: {broken}"
@@ -251,5 +246,5 @@ def _denominator(row: RationalVector) -> int:
     return math.lcm(*(x.denominator for x in row))
 
 
-def _times(row: RationalVector, scale: int) -> Numbers:
-    return [x.numerator * (scale // x.denominator) for x in row]
+def _times(row: RationalVector, scale: int) -> IntegerVector:
+    return tuple(x.numerator * (scale // x.denominator) for x in row)

@@ -12,6 +12,8 @@ from hypothesis import assume, given, settings, strategies as st
 from arrangement import Arrangement, InputError
 from arrangement.counts import f_vector
 from arrangement.enumeration.affine_space import SpaceFaces, predicates, space_faces, witnesses
+from arrangement.exact import sign
+from arrangement.linear import determinant
 from tests.arrangement.strategies import arrangements
 
 NEAR = Fraction(1, 10**30)
@@ -269,3 +271,33 @@ def test_a_plane_scaled_by_a_power_of_two_keeps_its_floats(row):
     first, _ = predicates.scaled_floats([tuple(row), (2**70, 1, 0, 0)])
     second, _ = predicates.scaled_floats([tuple(x << 900 for x in row), (2**70, 1, 0, 0)])
     assert np.array_equal(first, second)
+
+
+@pytest.mark.parametrize("bound", [4_400, 4_405, 6_000, 8_000, 9_700])
+def test_dependent_rows_with_entries_up_to_ten_thousand_have_determinant_zero(bound):
+    """Above 4402 floats no longer hold all products: a bound that is too large shows here."""
+    source = Random(f"dependent {bound}")
+    for _ in range(250):
+        rows = dependent_rows(source, bound)
+        table = predicates.PlaneTable(rows)
+        signs = table.quadruples(
+            np.array([0]),
+            np.array([1]),
+            np.array([[2, 2]]),
+            np.array([[3, 4]]),
+            np.ones((1, 2), bool),
+        )
+        assert signs.tolist() == [[0, sign(determinant([*rows[:3], rows[4]]))]]
+
+
+def dependent_rows(source, bound):
+    """Return three rows with large entries, their combination a + b - c, and one beside it."""
+    while True:
+        a, b, c = (
+            [source.choice((-1, 1)) * source.randint(bound // 2, bound) for _ in range(4)]
+            for _ in range(3)
+        )
+        last = [x + y - z for x, y, z in zip(a, b, c, strict=True)]
+        if max(map(abs, last)) < bound:
+            beside = [*last[:3], last[3] + source.choice((-1, 1))]
+            return [tuple(row) for row in (a, b, c, last, beside)]

@@ -51,6 +51,27 @@ def test_pieces_are_maximal(grasp, wrench):
         assert not any(one.within(other) for other in pieces if other is not one)
 
 
+@pytest.mark.parametrize(
+    ("name", "wrench", "states"),
+    [
+        ("paper-three-contacts-preload-1", (0, 1, 0), [("slip+", "detached", "slip-")]),
+        ("interrupted-resistance", (0, 0, 1), [("slip+", "slip+", "detached")]),
+        (
+            "offset-three-contacts",
+            (0, 0, 0),
+            [("detached", "detached", "detached"), ("slip+", "detached", "slip+")],
+        ),
+    ],
+)
+def test_a_larger_piece_is_not_lost_for_a_point_of_it(name, wrench, states):
+    """States of a contact on the border of slip and stick hold a part of the solutions only."""
+    grasp = read_grasp(name)
+    pieces = solve(grasp, wrench).equilibria
+    assert [piece.states for piece in pieces] == states
+    for motion, forces in oracle.solutions(grasp, wrench):
+        assert any(piece.contains(motion, forces) for piece in pieces)
+
+
 @settings(max_examples=40, deadline=None)
 @given(grasps(), wrenches, st.sampled_from([2, Fraction(1, 3), 10**20]))
 def test_scaling_wrench_and_preload_scales_motion_and_forces(grasp, wrench, factor):

@@ -80,6 +80,20 @@ def test_every_condition_is_noticed() -> None:
     )
 
 
+def test_friction_opposes_slip_in_both_directions() -> None:
+    """Contacts 1 and 3 slip in opposite directions; each may have its friction turned round."""
+    question = paper_question(THREE_CONTACT_GRASP, (ZERO, -3 * ONE, ZERO), 1)
+    motion = (ZERO, -ONE, ZERO)
+    forces = [[ONE, HALF], [2 * ONE, ZERO], [ONE, -HALF]]
+    assert violations(question, motion, forces) == ()
+    for contact in (0, 2):
+        normal, tangential = forces[contact]
+        for wrong in (-tangential, ZERO):
+            turned = [*forces[:contact], [normal, wrong], *forces[contact + 1 :]]
+            found = violations(question, motion, turned)
+            assert found == (f"dissipation at contact {contact + 1}", "balance")
+
+
 def test_elimination_finds_ends_and_contradictions() -> None:
     def row(*values: int) -> tuple[Fraction, ...]:
         return tuple(map(Fraction, values))
