@@ -6,8 +6,9 @@ from collections.abc import Iterator
 from functools import cached_property
 
 from . import completeness
-from .enumeration import choose
+from .enumeration.choose import enumerate_faces
 from .enumeration.great_circles import SphereArrangement, sphere_arrangement
+from .enumeration.sequence import FaceSequence
 from .planes import Face, Planes
 from .plugins import display
 
@@ -33,31 +34,35 @@ class Arrangement(Planes):
     """
 
     def iter_faces(self, dimension: int | None = None) -> Iterator[Face]:
-        """Yield every face (of one dimension, if given) with an exact witness.
-
-        Order: by dimension, lowest first. Complexity: see `arrangement.enumeration.any_dimension`.
-        """
+        """Yield every face (of one dimension, if given) with an exact witness, as `faces` does."""
         return iter(self.faces(dimension))
 
-    def faces(self, dimension: int | None = None) -> tuple[Face, ...]:
-        """Return every face, or those of one dimension, lowest dimension first."""
-        if dimension is None:
-            return self._faces
-        return choose.faces(self, dimension)
+    def faces(self, dimension: int | None = None, *, engine: str | None = None) -> FaceSequence:
+        """Return every face, or those of one dimension, lowest dimension first.
+
+        Args:
+            dimension: 0 to d.
+            engine: one of `arrangement.enumeration.choose.ENGINES`, which says what each can do;
+                left out, the best one for these planes.
+
+        Raises:
+            InputError: no such dimension or engine, or an engine that cannot do these planes.
+        """
+        found = self._faces if engine is None else enumerate_faces(self, engine)
+        return found if dimension is None else found.of_dimension(dimension)
 
     @cached_property
-    def _faces(self) -> tuple[Face, ...]:
-        return choose.faces(self)
+    def _faces(self) -> FaceSequence:
+        return enumerate_faces(self)
 
-    def regions(self) -> tuple[Face, ...]:
+    def regions(self) -> FaceSequence:
         """Return the faces of full dimension: the cells that no plane meets."""
         return self.faces(self.dimension)
 
-    @cached_property
+    @property
     def f_vector(self) -> tuple[int, ...]:
         """The number of faces of dimension 0, 1, ..., d, by enumeration."""
-        dimensions = [face.dimension for face in self._faces]
-        return tuple(dimensions.count(k) for k in range(self.dimension + 1))
+        return self._faces.f_vector
 
     def sphere(self) -> SphereArrangement:
         """Return the great circles of a central arrangement in R^3, with their full incidence."""

@@ -5,13 +5,15 @@ from __future__ import annotations
 import argparse
 import json
 from collections.abc import Sequence
+from typing import TYPE_CHECKING
 
 from . import terminal
-from .arrangement import Arrangement
 from .exact import to_text
 from .io import files
-from .io.arrangements import read_arrangement
-from .planes import Face
+
+if TYPE_CHECKING:
+    from .arrangement import Arrangement
+    from .planes import Face
 
 #: The options of ``draw`` that go to the view, when they are given.
 _DRAW_OPTIONS = (
@@ -132,14 +134,22 @@ def _length(text: str) -> float:
     return float(terminal.rational_argument(text))
 
 
+def _read(arguments: argparse.Namespace) -> Arrangement:
+    from .io.arrangements import read_arrangement
+
+    return read_arrangement(arguments.file)
+
+
 def _count(arguments: argparse.Namespace) -> int:
-    arrangement = read_arrangement(arguments.file)
+    arrangement = _read(arguments)
+    faces = arrangement.faces()
     counts = {
         "planes": len(arrangement),
         "distinct_planes": len(arrangement.distinct),
         "rank": arrangement.rank,
-        "f_vector": list(arrangement.f_vector),
-        "states": sum(arrangement.f_vector),
+        "f_vector": list(faces.f_vector),
+        "states": len(faces),
+        "engine": faces.engine,
     }
     if arguments.json:
         terminal.print_json(counts)
@@ -147,14 +157,14 @@ def _count(arguments: argparse.Namespace) -> int:
     print(f"planes           {counts['planes']}")
     print(f"distinct planes  {counts['distinct_planes']}")
     print(f"rank             {counts['rank']}")
-    for dimension, number in enumerate(arrangement.f_vector):
+    for dimension, number in enumerate(faces.f_vector):
         print(f"faces of dim {dimension}   {number}")
     print(f"states           {counts['states']}")
     return terminal.YES
 
 
 def _faces(arguments: argparse.Namespace) -> int:
-    arrangement: Arrangement = read_arrangement(arguments.file)
+    arrangement = _read(arguments)
     for face in arrangement.iter_faces(arguments.dimension):
         if arguments.json:
             terminal.print_json(
@@ -193,7 +203,7 @@ def _line(face: Face) -> str:
 def _draw(arguments: argparse.Namespace) -> int:
     from .draw import write_drawing
 
-    arrangement = read_arrangement(arguments.file)
+    arrangement = _read(arguments)
     given = {name: getattr(arguments, name) for name in _DRAW_OPTIONS}
     options = {name: value for name, value in given.items() if value is not None}
     shows = write_drawing(arrangement, arguments.output, arguments.view, arguments.model, **options)

@@ -14,13 +14,13 @@ import numpy as np
 import numpy.typing as npt
 
 from .counts import f_vector, region_count
-from .exact import primitive
+from .exact import IntegerVector, primitive
+from .float_filter import SMALLEST, certain, error_bound, scaled
 from .linear import rank
 from .planes import Face, Planes
 
 _MAX_PROBLEMS = 20
 _BATCH = 4096
-_SMALL = 1e-100
 
 
 @dataclass(frozen=True)
@@ -145,17 +145,16 @@ def _first_wrong(
 
 
 def _surely(
-    planes: Sequence[Sequence[int]],
+    planes: Sequence[IntegerVector],
     signs: npt.NDArray[np.int8],
     points: Sequence[Sequence[int]],
 ) -> npt.NDArray[np.bool_]:
     """Return where the sign at a point is proven to be the given one, in floating point.
 
-    Coordinates and coefficients are within one unit of the given ones, so the value is within
-    ``d + 4`` units of the sum of the sizes of its terms; twice as much is allowed.
+    Each of the d + 1 products has two rounded factors, its own rounding and d sums. Coordinates
+    are integers, so that no product of them underflows.
     """
-    unit = 2.0**-53
-    coefficients = np.array([_scaled(row) for row in planes])
+    coefficients, usable = scaled(planes)
     try:
         coordinates = np.array(points, dtype=np.float64)
     except OverflowError:
@@ -163,23 +162,10 @@ def _surely(
     coordinates[:, -1] *= -1
     sizes = np.abs(coordinates) @ np.abs(coefficients).T
     values = coordinates @ coefficients.T
-    bounds = 2 * (coordinates.shape[1] + 4) * unit * sizes
-    found: npt.NDArray[np.bool_] = np.greater(np.abs(values), bounds)
+    found = certain(values, sizes, error_bound(3 + coordinates.shape[1] - 1))
     found &= (values > 0) == (signs > 0)
-    # Beside a very large entry a scaled one may have lost its digits: left to integers.
-    kept = [
-        all(abs(c) > _SMALL or not x for c, x in zip(scaled, row, strict=True))
-        for scaled, row in zip(coefficients.tolist(), planes, strict=True)
-    ]
-    found &= np.array(kept)
-    found &= np.all(np.abs(coordinates) < 1 / _SMALL, axis=1, keepdims=True)
+    found &= usable & np.all(np.abs(coordinates) < 1 / SMALLEST, axis=1, keepdims=True)
     return found
-
-
-def _scaled(row: Sequence[int]) -> list[float]:
-    """Return a row over a power of two, so that its largest entry is near 1."""
-    scale = 1 << max(abs(x).bit_length() for x in row)
-    return [x / scale for x in row]
 
 
 def _problem(

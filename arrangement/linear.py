@@ -1,8 +1,9 @@
 """Small exact linear algebra on integer vectors: rank, and subspaces cut by one plane at a time.
 
-The enumerators have many tiny matrices, where building SymPy's costs more than the arithmetic: on
-the ranks of all zero sets of 30 planes of R^3 they took 2.4 times as long in all, on the rank of
-ten rows of length 3 alone 14 times.
+The enumerators have many tiny matrices, where building SymPy's costs more than the arithmetic:
+they take 7 to 13 times as long to `cut` a space of dimension 4 in R^6, 14 times for the `rank` of
+ten rows of length 3. To certify the faces of 30 planes of R^3, with a rank for each set of zeros,
+takes 2.4 times as long in all.
 """
 
 from __future__ import annotations

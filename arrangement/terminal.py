@@ -23,10 +23,10 @@ from .exact import rational, to_text
 
 YES = 0
 NO = 1
-BAD_INPUT = 2
+_BAD_INPUT = 2
 #: What a shell reports for a program that SIGINT or SIGPIPE ended (128 + the signal's number).
-INTERRUPTED = 130
-BROKEN_PIPE = 141
+_INTERRUPTED = 130
+_BROKEN_PIPE = 141
 
 _NEGATIVE_NUMBER = re.compile(r"-\.?[0-9]")
 
@@ -47,7 +47,7 @@ class Parser(argparse.ArgumentParser):
     def error(self, message: str) -> NoReturn:
         """Print the usage and one line with the error to stderr; exit with 2."""
         self.print_usage(sys.stderr)
-        self.exit(BAD_INPUT, f"error: {printable(message)}\n")
+        self.exit(_BAD_INPUT, f"error: {printable(message)}\n")
 
 
 class _Version(argparse.Action):
@@ -100,12 +100,12 @@ def run(parser: Parser, argv: Sequence[str] | None = None) -> int:
         return _refuse(str(error))
     except BrokenPipeError:
         _discard_stdout()
-        return BROKEN_PIPE
+        return _BROKEN_PIPE
     except OSError as error:
         _discard_stdout()
         return _refuse(f"cannot write the output: {error.strerror or error}")
     except KeyboardInterrupt:
-        return INTERRUPTED
+        return _INTERRUPTED
     return code
 
 
@@ -127,7 +127,7 @@ def _encode(value: Any) -> str:
 
 def _refuse(message: str) -> int:
     print(f"error: {printable(message)}", file=sys.stderr)
-    return BAD_INPUT
+    return _BAD_INPUT
 
 
 def _discard_stdout() -> None:

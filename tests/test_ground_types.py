@@ -16,7 +16,10 @@ from arrangement import rational
 ROOT = Path(__file__).resolve().parents[1]
 FILES = (
     Path(__file__),
-    *(ROOT / "tests/arrangement" / f"test_{n}.py" for n in ("exact", "planes")),
+    *(
+        ROOT / "tests/arrangement" / f"test_{name}.py"
+        for name in ("exact", "planes", "symbolic", "counts_operations")
+    ),
 )
 
 

@@ -1,81 +1,98 @@
-"""All faces of an arrangement in any dimension, with exact witnesses.
+"""All faces of an arrangement in any dimension, with exact witnesses: the reference engine.
 
 An affine arrangement in R^d is the part ``x_0 > 0`` of a central one in R^(d+1) that has one more
-plane, ``x_0 = 0``. So only central arrangements are enumerated. A sign vector is a pair of bit
-masks (planes where it is +, planes where it is -), over the classes of coincident planes.
+plane, ``x_0 = 0``. So only central arrangements are enumerated, over classes of coincident planes,
+by arrays over one level at a time.
 
-1. *Flats.* The intersections of planes are found level by level, each as a set of planes and a
-   basis of its subspace. Cutting a flat by one more plane gives the flats below it.
-2. *Rays.* The flats one dimension above the smallest one give the rays, two for each.
-3. *Covers.* A face X lies in the boundary of the faces ``X o Y``, where Y runs over the rays of
-   the arrangement of only those planes that contain X. If these are independent, the Y are the
-   single planes with either sign; else their rays are found by the same steps.
-4. *Witnesses.* Two different facets of one face are never both in a smaller face of it. So the
+1. *Flats.* The intersections of planes are found level by level, each with a basis of its subspace.
+   The planes that cut one flat F in the same flat G below it do so by multiples of one linear form
+   on F. A vector of F beside G gives their signs on both sides of G: a *rise* from G into F.
+2. *Faces.* From a face X in the flat G, each rise from G changes some signs 0 of X, and what
+   comes out is a face one dimension up, in F, with X in its boundary. All faces are found so,
+   from the smallest flat upwards.
+3. *Witnesses.* Two different facets of one face are never both in a smaller face of it. So the
    sum of their witnesses lies inside the face.
 
 Cost: polynomial in the output for fixed d. There are no more flats than faces; each flat is
-cut by at most m planes, and every (facet, face) pair is visited once. That visit, a few Python
-operations, is what limits the speed: 20 central and 20 affine planes in R^3 (72,000 faces) take
-about 2 s.
+cut by at most m planes, and every (facet, face) pair is visited once, in arrays: 16 planes in R^6
+(289,000 faces) take about a second. Numbers are int64 wherever a bound of their size allows, else
+Python integers.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from fractions import Fraction
-from typing import TypeAlias
+from dataclasses import dataclass
+from typing import Any, TypeAlias
 
-from arrangement.exact import IntegerVector, bits, dot, unoriented
-from arrangement.linear import cut, rank, unit_vectors
-from arrangement.planes import Face, Planes
+import numpy as np
+from numpy.typing import NDArray
 
-#: (mask of the planes with sign +, mask of the planes with sign -)
-Signs: TypeAlias = tuple[int, int]
-#: sign vector -> integer witness, for the faces of one rank
-Level: TypeAlias = dict[Signs, IntegerVector]
+from arrangement.exact import IntegerVector
+from arrangement.linear import rank, unit_vectors
+from arrangement.planes import Planes
+
+from .sequence import Integers, Level, Rows, Signs, no_faces, primitive_rows
+
+Indices: TypeAlias = NDArray[np.intp]
+#: (..., W) 64-bit words; class k has bit 2k for + and bit 2k + 1 for -, counted over all words.
+Words: TypeAlias = NDArray[np.uint64]
+
+#: Sums and products below this bound are exact in int64.
+_SAFE = 1 << 62
+_ONE = np.uint64(1)
+_PLUS = np.uint64(0x5555_5555_5555_5555)
 
 
-def enumerate_faces(arrangement: Planes) -> tuple[tuple[Face, ...], ...]:
-    """Return the faces of dimension 0, 1, ..., d (see `Arrangement.faces`)."""
-    first = [arrangement.integer_planes[members[0]] for members in arrangement.distinct]
-    d = arrangement.dimension
-    if arrangement.is_central:
-        levels = central_levels([plane[:-1] for plane in first], d, None)
-        low = d - arrangement.rank
+def list_faces(planes: Planes) -> tuple[Level, ...]:
+    """Return the faces of dimension 0, 1, ..., d."""
+    first = [planes.integer_planes[members[0]] for members in planes.distinct]
+    d, m = planes.dimension, len(planes)
+    if planes.is_central:
+        vectors = [plane[:-1] for plane in first]
+        low, levels = d - planes.rank, central_levels(vectors, d, None)
     else:
-        vectors = [(-plane[-1], *plane[:-1]) for plane in first]
-        levels = central_levels([*vectors, unit_vectors(d + 1)[0]], d + 1, len(first))
-        low = d + 1 - rank([*vectors, unit_vectors(d + 1)[0]]) - 1
-    by_dimension: list[tuple[Face, ...]] = [() for _ in range(d + 1)]
-    for k, level in enumerate(levels):
-        if low + k >= 0:
-            by_dimension[low + k] = _as_faces(arrangement, level, low + k)
-    return tuple(by_dimension)
+        vectors = [(-plane[-1], *plane[:-1]) for plane in first] + [unit_vectors(d + 1)[0]]
+        low, levels = d - rank(vectors), central_levels(vectors, d + 1, len(first))
+    found = [_as_level(planes, faces) for faces in levels]
+    return (*[no_faces(m, d)] * low, *found[max(0, -low) :])
 
 
-def _as_faces(arrangement: Planes, level: Level, dimension: int) -> tuple[Face, ...]:
-    """Translate masks over classes into sign vectors over the input planes."""
-    bits = [1 << label for label in arrangement.class_of]
-    flips = arrangement.orientation
-    central = arrangement.is_central
-    infinity = 1 << len(arrangement.distinct)
-    faces = []
-    for (plus, minus), point in level.items():
-        if central:
-            witness = tuple(Fraction(x) for x in point)
-        elif plus & infinity:
-            witness = tuple(Fraction(x, point[0]) for x in point[1:])
-        else:
-            continue
-        signs = tuple(
-            flip if plus & bit else (-flip if minus & bit else 0)
-            for bit, flip in zip(bits, flips, strict=True)
-        )
-        faces.append(Face(signs, dimension, witness))
-    return tuple(faces)
+@dataclass(frozen=True, slots=True)
+class CentralFaces:
+    """The faces of one dimension of a central arrangement.
+
+    Attributes:
+        words: (F, W); their signs.
+        flats: (F); the flat that each one spans.
+        points: (F, n); a point of each.
+    """
+
+    words: Words
+    flats: Indices
+    points: Integers
 
 
-def central_levels(vectors: Sequence[IntegerVector], n: int, half: int | None) -> list[Level]:
+@dataclass(frozen=True, slots=True)
+class _Rises:
+    """The pairs of a flat and one above it, each with one of its two sides.
+
+    Attributes:
+        lower, upper: (P); the flats.
+        words: (P, W); the signs, in the upper flat beside the lower one, of what contains the lower
+            one and not the upper one.
+        vectors: (P, n); from the lower flat to that side.
+    """
+
+    lower: Indices
+    upper: Indices
+    words: Words
+    vectors: Integers
+
+
+def central_levels(
+    vectors: Sequence[IntegerVector], n: int, half: int | None
+) -> list[CentralFaces]:
     """Return the faces of a central arrangement by rank, with integer witnesses.
 
     Args:
@@ -86,106 +103,159 @@ def central_levels(vectors: Sequence[IntegerVector], n: int, half: int | None) -
     Returns:
         Level j has the faces of dimension ``n - rank + j``.
     """
-    engine = _Localizations(vectors, n)
-    everything = (1 << len(vectors)) - 1
-    forbidden = 0 if half is None else 1 << half
-    levels: list[Level] = [{(0, 0): (0,) * n}]
-    directions = engine.rays(everything)
-    if not directions:
-        return levels
-    first_rank = {signs: ray for signs, ray in directions if not signs[1] & forbidden}
-    levels.append(first_rank)
-    while True:
-        level = _covers(levels[-1], engine, everything, forbidden)
-        if not level:
-            return levels
-        levels.append(level)
+    positive = _unit_words(len(vectors))
+    forbidden = positive[half] << _ONE if half is not None else np.zeros_like(positive[:1]).ravel()
+    start = np.zeros((1, positive.shape[1]), np.uint64)
+    levels = [CentralFaces(start, np.zeros(1, np.intp), np.zeros((1, n), np.int64))]
+    for rises in reversed(_all_rises(vectors, n)):
+        levels.append(_covers(levels[-1], rises, forbidden))
+    return levels
 
 
-def _covers(faces: Level, engine: _Localizations, everything: int, forbidden: int) -> Level:
+def _covers(faces: CentralFaces, rises: _Rises, forbidden: Words) -> CentralFaces:
     """Return the faces one dimension above the given ones.
 
     Modulo the smallest flat, every closed face is a pointed cone. One of dimension two or more
-    has at least two facets, so every face found here gets its second facet too.
+    has at least two facets, so every face found here is found from two.
     """
-    first: Level = {}
-    found: Level = {}
-    for (plus, minus), point in faces.items():
-        for up, down in engine.rises(everything & ~(plus | minus)):
-            signs = (plus | up, minus | down)
-            if signs in found or signs[1] & forbidden:
-                continue
-            other = first.pop(signs, None)
-            if other is None:
-                first[signs] = point
-            else:
-                found[signs] = tuple([a + b for a, b in zip(point, other, strict=True)])
-    assert not first, "a face with a single facet"
-    return found
+    starts = np.searchsorted(rises.lower, faces.flats)
+    counts = np.searchsorted(rises.lower, faces.flats, side="right") - starts
+    face = np.repeat(np.arange(len(counts)), counts)
+    rise = np.arange(len(face)) + np.repeat(starts - np.cumsum(counts) + counts, counts)
+    words = faces.words[face] | rises.words[rise]
+    allowed = ~(words & forbidden).any(axis=1)
+    face, rise, words = face[allowed], rise[allowed], words[allowed]
+    order, new = _sorted_rows(words)
+    first = order[new]
+    if len(faces.words) == 1 and not faces.words.any():
+        points = rises.vectors[rise[first]]
+    else:
+        second = order[np.flatnonzero(new) + 1]
+        assert (words[second] == words[first]).all(), "a face with a single facet"
+        points = _for_products(faces.points, 2)
+        points = points[face[first]] + points[face[second]]
+    return CentralFaces(words[first], rises.upper[rise[first]], points)
 
 
-class _Localizations:
-    """Rays of the arrangement and of its localizations (the planes that contain one flat)."""
+def _all_rises(vectors: Sequence[IntegerVector], n: int) -> list[_Rises]:
+    """Return the rises between flats of neighbouring dimensions, from the whole space downwards."""
+    normals = _integers(vectors, n)
+    positive = _unit_words(len(vectors))
+    bases = _integers(unit_vectors(n), n)[None]
+    masks = np.zeros((1, positive.shape[1]), np.uint64)
+    levels: list[_Rises] = []
+    while True:
+        forms = _for_products(bases, n * _largest(normals)) @ normals.T
+        flat, plane = np.nonzero(forms.any(axis=1))
+        if not len(flat):
+            return levels
+        rows = primitive_rows(forms[flat, :, plane])
+        pivot = np.argmax(rows != 0, axis=1)
+        beside = np.take_along_axis(rows, pivot[:, None], axis=1) > 0
+        first, group = _grouped(np.column_stack([flat, np.where(beside, rows, -rows)]))
+        shape = (len(first), positive.shape[1])
+        words, members = np.zeros(shape, np.uint64), np.zeros(shape, np.uint64)
+        np.bitwise_or.at(words, group, np.where(beside, positive[plane], positive[plane] << _ONE))
+        np.bitwise_or.at(members, group, positive[plane])
+        members |= masks[flat[first]]
+        chosen, lower = _grouped(members)
+        upper, vectors_beside = flat[first], bases[flat[first], pivot[first]]
+        levels.append(_both_sides(lower, upper, words, vectors_beside))
+        masks, kept = members[chosen], first[chosen]
+        bases = _cut(bases[flat[kept]], rows[kept], pivot[kept])
 
-    def __init__(self, vectors: Sequence[IntegerVector], n: int) -> None:
-        self.vectors = vectors
-        self.dimension = n
-        self._rises: dict[int, list[Signs]] = {0: []}
 
-    def rises(self, zero: int) -> list[Signs]:
-        """Return the rays, as sign vectors, of the arrangement of the planes in `zero`."""
-        known = self._rises.get(zero)
-        if known is None:
-            planes = bits(zero)
-            if rank([self.vectors[i] for i in planes]) == len(planes):
-                known = [signs for i in planes for signs in ((1 << i, 0), (0, 1 << i))]
-            else:
-                known = [signs for signs, _ in self.rays(zero)]
-            self._rises[zero] = known
-        return known
+def _both_sides(lower: Indices, upper: Indices, words: Words, vectors: Integers) -> _Rises:
+    """Return rises to the sides of these vectors and to the other ones, in the order of `lower`."""
+    other = (words & _PLUS) << _ONE | (words >> _ONE) & _PLUS
+    lower = np.concatenate([lower, lower])
+    order = np.argsort(lower, kind="stable")
+    return _Rises(
+        lower[order],
+        np.concatenate([upper, upper])[order],
+        np.concatenate([words, other])[order],
+        np.concatenate([vectors, -vectors])[order],
+    )
 
-    def rays(self, planes: int) -> list[tuple[Signs, IntegerVector]]:
-        """Return the rays of the arrangement of some planes: sign vectors and directions."""
-        lines = self._lines(planes)
-        members = bits(planes)
-        found = []
-        for direction in lines:
-            plus = minus = 0
-            for i in members:
-                value = dot(self.vectors[i], direction)
-                if value > 0:
-                    plus |= 1 << i
-                elif value < 0:
-                    minus |= 1 << i
-            found.append(((plus, minus), direction))
-            found.append(((minus, plus), tuple(-x for x in direction)))
+
+def _cut(bases: Integers, forms: Integers, pivot: Indices) -> Integers:
+    """Return bases of the subspaces, of those with the given bases, at which forms vanish.
+
+    Args:
+        bases: (F, k, n).
+        forms: (F, k); the values at the basis vectors, not all 0.
+        pivot: (F); where one is not 0.
+    """
+    rows, k = np.arange(len(bases)), bases.shape[1]
+    others = np.arange(k - 1) + (np.arange(k - 1) >= pivot[:, None])
+    bases = _for_products(bases, 2 * _largest(forms))
+    top, base = forms[rows, pivot], bases[rows, pivot]
+    left = top[:, None, None] * bases[rows[:, None], others]
+    right = forms[rows[:, None], others][..., None] * base[:, None, :]
+    return primitive_rows(left - right)
+
+
+def _as_level(planes: Planes, faces: CentralFaces) -> Level:
+    """Return the faces with signs over the input planes; of a cone, those with x_0 > 0."""
+    words, points, classes = faces.words, faces.points, len(planes.distinct)
+    if planes.is_central:
+        points = np.column_stack([points, np.ones(len(points), np.int64)])
+    else:
+        kept = (words & _unit_words(classes + 1)[-1]).any(axis=1)
+        words, points = words[kept], np.roll(points[kept], -1, axis=1)
+    columns = np.array(planes.class_of, np.intp)
+    orientation = np.array(planes.orientation, np.int8)
+
+    def signs(rows: Rows) -> Signs:
+        octets = np.ascontiguousarray(words[rows], "<u8").view(np.uint8)
+        bits = np.unpackbits(octets, axis=1, count=2 * classes, bitorder="little").view(np.int8)
+        found: Signs = (bits[:, 0::2] - bits[:, 1::2])[:, columns] * orientation
         return found
 
-    def _lines(self, planes: int) -> list[IntegerVector]:
-        """Return one direction for every flat one dimension above the smallest flat."""
-        total = rank([self.vectors[i] for i in bits(planes)])
-        flats: dict[int, list[IntegerVector]] = {0: unit_vectors(self.dimension)}
-        for _ in range(total - 1):
-            below: dict[int, list[IntegerVector]] = {}
-            for flat, basis in flats.items():
-                for members, form in self._cuts(planes, flat, basis):
-                    if members not in below:
-                        below[members] = cut(basis, form)
-            flats = below
-        return [self._outside(planes & ~flat, basis) for flat, basis in flats.items() if total]
+    return Level(len(words), signs, lambda rows: points[rows])
 
-    def _cuts(
-        self, planes: int, flat: int, basis: Sequence[IntegerVector]
-    ) -> Iterable[tuple[int, IntegerVector]]:
-        """Yield the flats that one more plane cuts from a flat: all its planes, and a form."""
-        groups: dict[IntegerVector, int] = {}
-        for i in bits(planes & ~flat):
-            normal = self.vectors[i]
-            form = unoriented([dot(normal, vector) for vector in basis])
-            groups[form] = groups.get(form, 0) | 1 << i
-        return ((flat | members, form) for form, members in groups.items())
 
-    def _outside(self, others: int, basis: Sequence[IntegerVector]) -> IntegerVector:
-        """Return a basis vector of a flat that is not in the smallest flat."""
-        normal = self.vectors[bits(others)[0]]
-        return next(vector for vector in basis if dot(normal, vector))
+def _unit_words(classes: int) -> Words:
+    """Return (classes, W); row k has the bit for + of class k alone."""
+    words = np.zeros((classes, 1 + 2 * classes // 64), np.uint64)
+    bit = 2 * np.arange(classes)
+    words[np.arange(classes), bit // 64] = _ONE << (bit % 64).astype(np.uint64)
+    return words
+
+
+def _sorted_rows(rows: NDArray[Any]) -> tuple[Indices, NDArray[np.bool_]]:
+    """Return an order in which equal rows are neighbours, and which of them are new in it."""
+    order = np.lexsort(rows.T) if rows.shape[1] > 1 else np.argsort(rows[:, 0], kind="stable")
+    ordered = rows[order]
+    new = np.ones(len(rows), bool)
+    np.any(ordered[1:] != ordered[:-1], axis=1, out=new[1:])
+    return order, new
+
+
+def _grouped(rows: NDArray[Any]) -> tuple[Indices, Indices]:
+    """Return the place of one copy of each different row, and for each row which one it is."""
+    if rows.dtype == object:
+        known: dict[tuple[int, ...], int] = {}
+        label = np.array([known.setdefault(tuple(row), len(known)) for row in rows.tolist()])
+        return np.unique(label, return_index=True)[1], label
+    order, new = _sorted_rows(rows)
+    label = np.empty(len(rows), np.intp)
+    label[order] = np.cumsum(new) - 1
+    return order[new], label
+
+
+def _integers(rows: Iterable[IntegerVector], n: int) -> Integers:
+    """Return an integer matrix with n columns, int64 where all entries fit."""
+    listed = list(rows)
+    largest = max((abs(x) for row in listed for x in row), default=0)
+    return np.array(listed, np.int64 if largest < _SAFE else object).reshape(-1, n)
+
+
+def _for_products(array: Integers, factor: int) -> Integers:
+    """Return the array as Python integers unless `factor` times its entries stays in int64."""
+    return array if factor * _largest(array) < _SAFE else array.astype(object)
+
+
+def _largest(array: Integers) -> int:
+    """Return the largest absolute value of an entry; those of int64 arrays are below 2^62."""
+    return int(np.abs(array).max(initial=0))

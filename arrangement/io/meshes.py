@@ -27,7 +27,7 @@ _COLOUR = re.compile("#[0-9a-fA-F]{6}")
 KINDS = (".glb", ".obj", ".stl")
 #: Coordinates are multiples of a power of two, of which the largest one has at most so many: then
 #: single precision holds them exactly.
-STEPS = 1 << 20
+_STEPS = 1 << 20
 
 
 @dataclass(frozen=True)
@@ -71,7 +71,7 @@ def model_bytes(parts: Sequence[Part], kind: str, title: str) -> bytes:
             raise InputError(f"the colour is {shown(colour)}; models take the form #rrggbb")
     extent = max(float(np.abs(part.points + part.shift).max()) for part in parts)
     writer = _WRITERS[kind]
-    step = 2.0 ** math.ceil(math.log2(extent / STEPS))
+    step = 2.0 ** math.ceil(math.log2(extent / _STEPS))
     return writer([_rounded(part, step) for part in parts], title)
 
 

@@ -16,7 +16,7 @@ from itertools import product
 
 import numpy as np
 
-from arrangement.enumeration.choose import faces as listed
+from arrangement.enumeration.choose import enumerate_faces
 from arrangement.errors import InputError
 from arrangement.exact import (
     IntegerVector,
@@ -31,9 +31,9 @@ from arrangement.linear import cross
 from arrangement.planes import Planes
 
 #: The edges of the icosahedron are cut into so many parts; the ball has 10 n^2 + 2 corners.
-FREQUENCY = 16
+_FREQUENCY = 16
 #: Distinct planes beyond which neither a picture nor a model shows anything.
-MAX_PLANES = 40
+_MAX_PLANES = 40
 
 Faces = tuple[tuple[int, ...], ...]
 
@@ -87,9 +87,9 @@ def body_around(
         raise InputError(
             f"the planes lie in R^{arrangement.dimension}; a ball or cube can show those of R^3"
         )
-    if len(arrangement.distinct) > MAX_PLANES:
+    if len(arrangement.distinct) > _MAX_PLANES:
         raise InputError(
-            f"{len(arrangement.distinct)} distinct planes; at most {MAX_PLANES} can be shown"
+            f"{len(arrangement.distinct)} distinct planes; at most {_MAX_PLANES} can be shown"
         )
     middle, reach = _extent(arrangement)
     if centre is not None:
@@ -113,9 +113,8 @@ def _extent(arrangement: Planes) -> tuple[RationalVector, Fraction]:
     origin = (Fraction(0),) * 3
     if arrangement.is_central:
         return origin, Fraction(1)
-    points = [
-        _in_span(arrangement, face.witness) for face in listed(arrangement, 3 - arrangement.rank)
-    ]
+    lowest = enumerate_faces(arrangement).of_dimension(3 - arrangement.rank)
+    points = [_in_span(arrangement, face.witness) for face in lowest]
     columns = list(zip(*points, strict=True))
     centre = tuple((min(column) + max(column)) / 2 for column in columns)
     squares = (sum((x - c) ** 2 for x, c in zip(p, centre, strict=True)) for p in points)
@@ -161,7 +160,7 @@ def _ball() -> tuple[tuple[IntegerVector, ...], Faces]:
     It is turned out of every symmetric position, so that planes with small integers do not pass
     close to its corners.
     """
-    points, faces = _geodesic(FREQUENCY)
+    points, faces = _geodesic(_FREQUENCY)
     a, b, c = 0.3719, 0.5923, 0.2281
     turn = _rotation(2, a) @ _rotation(0, b) @ _rotation(2, c)
     return tuple(_on_sphere(*point) for point in (points @ turn.T).tolist()), faces

@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
-from arrangement.enumeration.choose import faces
+from arrangement.enumeration.choose import enumerate_faces
 from arrangement.errors import InputError
 from arrangement.exact import IntegerVector, shown
 from arrangement.linear import reduced
@@ -104,7 +104,8 @@ def read_signs(arrangement: Planes, text: str) -> tuple[int, ...]:
         raise InputError(
             f"the cell {shown(text)} has {len(signs)} signs and there are {len(arrangement)} planes"
         )
-    if all(face.signs != signs for face in faces(arrangement, arrangement.dimension)):
+    regions = enumerate_faces(arrangement).of_dimension(arrangement.dimension)
+    if not (regions.signs == signs).all(axis=1).any():
         raise InputError(
             f"no region has the signs {shown(text)}; `arrangement faces FILE --dimension 3` "
             "lists them"

@@ -1,26 +1,27 @@
 """Quick proofs, by rounded numbers, that polyhedra are apart or not inside one another.
 
-Conditions and generators are scaled to entries of at most 1, so a product of four or fewer terms is
-wrong by less than 10^-14: a value below -10^-9 is truly negative. What this leaves open is for
+Conditions and generators are scaled to entries of at most 1, so their scalar products are wrong by
+little, wherever no digit of their entries counts: see `_NEGATIVE`. What this leaves open is for
 exact arithmetic.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from typing import TypeAlias
 
 import numpy as np
-import numpy.typing as npt
 
 from arrangement.exact import IntegerVector
+from arrangement.float_filter import Booleans, Floats, error_bound, scaled
 
 from .polyhedron import Polyhedron
 
-Floats: TypeAlias = npt.NDArray[np.float64]
-Booleans: TypeAlias = npt.NDArray[np.bool_]
-
-_NEGATIVE = -1e-9
+#: A value below this is truly negative. A scalar product has at most `_TERMS` terms, each at most 1
+#: in size, of two rounded factors; so `error_bound` is also a bound of its error, up to the factor
+#: `_TERMS`. A mean of k generators adds k roundings, of which 2^20 are allowed. Entries that
+#: underflow are wrong by 2^-1074 at most, far less than the two units to spare.
+_TERMS, _GENERATORS = 4, 2**20
+_NEGATIVE = -_TERMS * error_bound(2 + 1 + _TERMS + _GENERATORS)
 #: So many homogeneous points are compared with all conditions at once.
 _MANY = 256
 
@@ -75,7 +76,7 @@ def sides(
     if polygons:
         points, starts = _stacked([_both_ways(*polygon.homogeneous) for polygon in polygons])
         for start in range(0, len(rows), _MANY):
-            values = _unit(rows[start : start + _MANY]) @ points.T
+            values = scaled(rows[start : start + _MANY])[0] @ points.T
             part = slice(start, start + _MANY)
             above[part] = np.minimum.reduceat(values, starts, axis=1) > -_NEGATIVE
             below[part] = np.maximum.reduceat(values, starts, axis=1) < _NEGATIVE
@@ -101,7 +102,7 @@ def _any_of(flags: Booleans, starts: Sequence[int]) -> Booleans:
 def _stacked(groups: Sequence[Sequence[IntegerVector]]) -> tuple[Floats, list[int]]:
     """Return the vectors of all groups as rounded rows, and the first row of each group."""
     starts = np.cumsum([0, *map(len, groups)])[:-1].tolist()
-    return _unit([vector for group in groups for vector in group]), starts
+    return scaled([vector for group in groups for vector in group])[0], starts
 
 
 def _both_ways(
@@ -109,8 +110,3 @@ def _both_ways(
 ) -> list[IntegerVector]:
     """Return the vectors of the first kind, and those of the second with both signs."""
     return [*once, *(x for y in twice for x in (y, tuple(-entry for entry in y)))]
-
-
-def _unit(vectors: Sequence[IntegerVector]) -> Floats:
-    """Return vectors divided by their largest entries, rounded."""
-    return np.array([[x / max(map(abs, vector)) for x in vector] for vector in vectors])

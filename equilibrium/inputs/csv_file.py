@@ -23,7 +23,7 @@ from equilibrium.model.unit_normal import UnitNormal, unit_normal
 
 from .conversion import DEFAULT_TOLERANCE, Conversion, assembled
 
-REQUIRED = ("x", "y", "normal_x", "normal_y", "friction")
+_REQUIRED = ("x", "y", "normal_x", "normal_y", "friction")
 OPTIONAL = ("stiffness", "preload")
 MAX_BYTES = 4 * 2**20
 
@@ -83,15 +83,15 @@ def csv_rows(text: str) -> Iterator[tuple[int, dict[str, str]]]:
 
 def _check_header(header: list[str]) -> None:
     """Refuse missing, unknown and repeated columns."""
-    missing = [name for name in REQUIRED if name not in header]
+    missing = [name for name in _REQUIRED if name not in header]
     if missing:
         raise GraspError(
-            f"the first line must name the columns {', '.join(REQUIRED)}; {missing[0]} is missing"
+            f"the first line must name the columns {', '.join(_REQUIRED)}; {missing[0]} is missing"
         )
     for name in header:
-        if name not in (*REQUIRED, *OPTIONAL):
+        if name not in (*_REQUIRED, *OPTIONAL):
             raise GraspError(
-                f"the column {shown(name)} is unknown; known are {', '.join(REQUIRED + OPTIONAL)}"
+                f"the column {shown(name)} is unknown; known are {', '.join(_REQUIRED + OPTIONAL)}"
             )
         if header.count(name) > 1:
             raise GraspError(f"the column {name} appears twice; keep one")

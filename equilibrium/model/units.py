@@ -14,7 +14,7 @@ from arrangement.io.files import check_keys
 
 from .errors import GraspError
 
-MAX_LENGTH = 20
+_MAX_LENGTH = 20
 
 
 @dataclass(frozen=True)
@@ -31,9 +31,9 @@ class Units:
     def __post_init__(self) -> None:
         for name in ("length", "force"):
             value = getattr(self, name)
-            if not isinstance(value, str) or not 0 < len(value) <= MAX_LENGTH:
+            if not isinstance(value, str) or not 0 < len(value) <= _MAX_LENGTH:
                 raise GraspError(
-                    f"the unit of {name} is {shown(value)}; give a text of 1 to {MAX_LENGTH} "
+                    f"the unit of {name} is {shown(value)}; give a text of 1 to {_MAX_LENGTH} "
                     'characters, such as "mm" or "N"'
                 )
             if not value.isprintable() or value != value.strip():

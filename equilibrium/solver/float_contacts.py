@@ -13,13 +13,11 @@ from typing import TypeAlias
 import numpy as np
 import numpy.typing as npt
 
+from arrangement.float_filter import Floats, error_bound
 from equilibrium.model.grasp import Grasp
 
-Floats: TypeAlias = npt.NDArray[np.float64]
 Integers: TypeAlias = npt.NDArray[np.int64]
 
-#: Half the distance of 1 and the next float: the relative error of one operation.
-UNIT = 2.0**-53
 #: Other numbers than 0 outside this range are left to exact arithmetic, so that nothing underflows.
 _SMALL, _LARGE = 1e-30, 1e30
 
@@ -47,7 +45,7 @@ def floats(rows: Iterable[Sequence[Fraction]]) -> Floats:
 
 
 class RoundedContacts:
-    """The data of the contacts, rounded to the nearest floats (relative error `UNIT` each)."""
+    """The data of the contacts, rounded to the nearest floats (one rounding each)."""
 
     def __init__(self, grasp: Grasp) -> None:
         m = len(grasp)
@@ -79,5 +77,9 @@ class RoundedContacts:
 
     @property
     def relative_error(self) -> float:
-        """Of a sum over the contacts of any of these terms, relative to the sum of their sizes."""
-        return 2 * (2 * len(self.normal) + 16) * UNIT
+        """Of a sum over the contacts of any of these terms, relative to the sum of their sizes.
+
+        A term has four rounded factors and three products; two sums of m terms are subtracted:
+        m + 8 roundings, taken four times.
+        """
+        return error_bound(4 * (len(self.normal) + 8) - 2)

@@ -18,19 +18,16 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass
-from typing import TypeAlias
 
 import numpy as np
-import numpy.typing as npt
 
 from arrangement.exact import RationalVector
+from arrangement.float_filter import Booleans, Floats, error_bound
 from arrangement.progress import watched
 from equilibrium.model.grasp import Grasp
 
 from .contact_states import DETACHED, Codes
-from .float_contacts import UNIT, Floats, Integers, OutOfRange, RoundedContacts, floats
-
-Booleans: TypeAlias = npt.NDArray[np.bool_]
+from .float_contacts import Integers, OutOfRange, RoundedContacts, floats
 
 #: The conditions that a choice of states may violate, by contact. The last two: the friction limit
 #: of all contacts that stick on one tangential plane, less or plus their force along the tangent
@@ -38,8 +35,14 @@ Booleans: TypeAlias = npt.NDArray[np.bool_]
 CONDITIONS = ("normal", "slip", "friction-", "friction+")
 UNDECIDED = -1
 
-#: Above the rounding errors of a bound's own computation.
+#: Above the rounding errors of a bound's own computation: sums of positive numbers, a few hundred
+#: roundings at most. Nothing that matters is as small as `_TINY`.
 _MARGIN, _TINY = 1.01, 1e-200
+#: Of a preload less a scalar product of a motion and ``k N``: two rounded factors and their
+#: product, the product with the motion, three sums; three to spare.
+_PRODUCT = error_bound(7 + 3)
+#: Of a number that is rounded once, and once more when it is used.
+_ROUNDED = error_bound(2)
 _ROWS = 8192
 #: Contacts looked at together; most choices fail at one of the first.
 _CONTACTS = 12
@@ -130,7 +133,7 @@ class _Solutions:
     @property
     def reach(self) -> Floats:
         """The error, with that of the product of a motion and three rounded numbers."""
-        reach: Floats = self.error + 12 * UNIT * np.abs(self.motion).max(axis=1)
+        reach: Floats = self.error + _PRODUCT * np.abs(self.motion).max(axis=1)
         return reach
 
     def at(self, rows: Integers) -> _Solutions:
@@ -179,8 +182,10 @@ class _Batch:
             unit = np.eye(self.size)
             self.inverse = np.linalg.inv(np.where(regular[:, None, None], self.matrix, unit))
             size = np.abs(self.inverse)
-            # Entries of A have a relative error of 2 units, the product one of size + 2.
-            slack = self.matrix_error + (2 * self.size + 8) * UNIT * np.abs(self.matrix)
+            # An entry is rounded and multiplied, then size sums with that of the unit matrix; one
+            # to spare, and all of it twice.
+            product = error_bound(2 * (self.size + 3))
+            slack = self.matrix_error + product * np.abs(self.matrix)
             residual = np.abs(unit - self.inverse @ self.matrix) + size @ slack
             beta = _MARGIN * residual.sum(axis=2).max(axis=1) + 1e-12
         self.beta = np.where(regular & (beta < 0.5), beta, np.inf)
@@ -192,8 +197,10 @@ class _Batch:
         z = self.inverse @ given
         size = np.abs(z)
         bound = np.abs(given - self.matrix @ z) + self.matrix_error @ size
-        bound += (2 * self.size + 10) * UNIT * (np.abs(given) + np.abs(self.matrix) @ size)
-        bound[:, :3, 0] += loaded * self.load_error + 4 * UNIT * np.abs(wrench)
+        # As in `_invert`, and one more subtraction.
+        product = error_bound(2 * (self.size + 4))
+        bound += product * (np.abs(given) + np.abs(self.matrix) @ size)
+        bound[:, :3, 0] += loaded * self.load_error + _ROUNDED * np.abs(wrench)
         spread = (np.abs(self.inverse) @ bound)[:, :, 0].max(axis=1)
         error = _MARGIN * spread / (1 - self.beta) + _TINY
         # Without any load and wrench the solution is 0, and nothing was rounded.
@@ -250,7 +257,7 @@ class _Batch:
         spring, preload = self.contacts.spring[contacts], self.contacts.preload[contacts]
         normal = found.loaded * preload - found.motion @ spring.T
         doubt = _MARGIN * np.outer(found.reach, np.abs(spring).sum(axis=1))
-        return normal, doubt + found.loaded * (12 * _MARGIN * UNIT * preload)
+        return normal, doubt + found.loaded * (_MARGIN * _PRODUCT * preload)
 
     def _slips_and_friction(self, found: _Solutions, rows: Integers) -> Floats:
         """Return upper bounds of the other `CONDITIONS` of some rows; infinite where none is."""
@@ -273,10 +280,10 @@ class _Batch:
             sticking = (codes == 0) & (data.class_of == self.classes[chosen, j][:, None])
             share = sticking * data.friction
             limit = (share * normal).sum(axis=1)
-            unsure = (share * (doubt + 2 * (m + 4) * UNIT * np.abs(normal))).sum(axis=1)
+            unsure = (share * (doubt + error_bound(2 * (m + 3)) * np.abs(normal))).sum(axis=1)
             first = sticking.argmax(axis=1)
             force = found.forces[:, j] * data.orientation[first]
-            unsure = _MARGIN * (unsure + found.error + 4 * UNIT * np.abs(force))
+            unsure = _MARGIN * (unsure + found.error + _ROUNDED * np.abs(force))
             lower[rows, first] = limit - force + unsure
             upper[rows, first] = limit + force + unsure
         return [lower, upper]

@@ -10,6 +10,7 @@ from collections.abc import Mapping, Sequence
 from typing import Any
 
 from arrangement.exact import rational
+from arrangement.linear import cross
 
 _RADIUS = 90.0
 _BOX = 200
@@ -47,12 +48,12 @@ def _front_half(normal: Sequence[float]) -> list[tuple[float, float]]:
     """Return points along the half of a great circle that faces the viewer."""
     n = _unit(normal)
     ahead = _unit((3.0, -4.0, 6.0))
-    right = _unit(_cross((0.0, 0.0, 1.0), ahead))
-    up = _cross(ahead, right)
+    right = _unit(cross((0.0, 0.0, 1.0), ahead))
+    up = cross(ahead, right)
     ahead_of = sum(x * y for x, y in zip(n, ahead, strict=True))
     flat = [a - ahead_of * b for a, b in zip(ahead, n, strict=True)]
     middle = _unit(flat) if math.hypot(*flat) > 1e-9 else right
-    side = _cross(n, middle)
+    side = cross(n, middle)
     angles = [math.pi * (k / _STEPS - 0.5) for k in range(_STEPS + 1)]
     points = [
         [math.cos(a) * m + math.sin(a) * s for m, s in zip(middle, side, strict=True)]
@@ -98,10 +99,6 @@ def _unit(v: Sequence[float]) -> tuple[float, ...]:
     scaled = [x / largest for x in v]
     length = math.hypot(*scaled)
     return tuple(x / length for x in scaled)
-
-
-def _cross(u: Sequence[float], v: Sequence[float]) -> tuple[float, ...]:
-    return (u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0])
 
 
 def _text(x: float) -> str:

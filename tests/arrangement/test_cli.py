@@ -43,6 +43,7 @@ def test_count_in_json(capsys: Capture) -> None:
         "rank": 2,
         "f_vector": [0, 1, 4, 4],
         "states": 9,
+        "engine": "great-circles",
     }
     assert out.count("\n") == 1
 

@@ -10,11 +10,14 @@ number that others must reproduce (regions where nothing else is said).
 
 from __future__ import annotations
 
+import contextlib
+import io
 import json
 import random
 import resource
 import statistics
 import sys
+import tempfile
 import time
 from collections.abc import Callable
 from typing import Any
@@ -23,9 +26,9 @@ Normals = list[list[int]]
 Work = Callable[[], int]
 
 
-def random_normals(planes: int, largest: int = 1000) -> Normals:
+def random_normals(planes: int, largest: int = 1000, dimension: int = 3) -> Normals:
     generator = random.Random(planes)
-    return [[generator.randint(-largest, largest) for _ in range(3)] for _ in range(planes)]
+    return [[generator.randint(-largest, largest) for _ in range(dimension)] for _ in range(planes)]
 
 
 def incidence(planes: int) -> Work:
@@ -64,17 +67,77 @@ def _sphere(normals: Normals, ask: Callable[[Any], Any]) -> Work:
     return work
 
 
+def facade_count(planes: int) -> Work:
+    """Ours: `Arrangement.f_vector`; the number of regions."""
+    from arrangement import Arrangement
+
+    normals = random_normals(planes)
+    return lambda: Arrangement(normals).f_vector[-1]
+
+
+def facade_faces(planes: int) -> Work:
+    """Ours: `Arrangement.faces` as a sequence; the number of faces."""
+    from arrangement import Arrangement
+
+    normals = random_normals(planes)
+    return lambda: len(Arrangement(normals).faces())
+
+
+def facade_signs(planes: int) -> Work:
+    """Ours: one pass over the sign vectors of all faces as arrays; the number of faces."""
+    from arrangement import Arrangement
+
+    normals = random_normals(planes)
+    return lambda: int(Arrangement(normals).faces().signs.any(axis=1).sum()) + 1
+
+
+def count_command(planes: int) -> Work:
+    """Ours: ``arrangement count FILE --json`` without Python's start; the number of regions."""
+    from arrangement.cli import main
+
+    with tempfile.NamedTemporaryFile("w", suffix=".json", delete=False) as stream:
+        json.dump({"schema_version": 1, "planes": random_normals(planes)}, stream)
+
+    def work() -> int:
+        with contextlib.redirect_stdout(io.StringIO()) as printed:
+            main(["count", stream.name, "--json"])
+        return int(json.loads(printed.getvalue())["f_vector"][-1])
+
+    return work
+
+
+def lines_in_the_plane(planes: int) -> Work:
+    """Ours: all faces of lines in R^2 that miss the origin; their number."""
+    from arrangement import Arrangement
+
+    rows = random_normals(planes)
+    return lambda: len(Arrangement([row[:2] for row in rows], [row[2] for row in rows]).faces())
+
+
+def six_dimensions(planes: int) -> Work:
+    """Ours: all faces with witnesses of planes in R^6; their number."""
+    from arrangement import Arrangement
+
+    normals = random_normals(planes, 9, 6)
+    return lambda: len(Arrangement(normals).faces())
+
+
 def affine_faces(planes: int) -> Work:
-    """Ours: all faces with witnesses of as many central as affine planes in R^3."""
+    """Ours: all faces of as many central as affine planes in R^3; their number."""
+    return _affine(planes, None)
+
+
+def affine_faces_any_dimension(planes: int) -> Work:
+    """The same by the engine for any dimension."""
+    return _affine(planes, "any-dimension")
+
+
+def _affine(planes: int, engine: str | None) -> Work:
     from arrangement import Arrangement
 
     normals = random_normals(2 * planes)
     offsets = [0] * planes + [row[0] for row in random_normals(planes)]
-
-    def work() -> int:
-        return sum(Arrangement(normals, offsets).f_vector)
-
-    return work
+    return lambda: len(Arrangement(normals, offsets).faces(engine=engine))
 
 
 def counting(planes: int) -> Work:
@@ -197,7 +260,14 @@ JOBS: dict[str, Callable[[int], Work]] = {
         region_signs,
         all_signs,
         thirty_digits,
+        facade_count,
+        facade_faces,
+        facade_signs,
+        count_command,
+        lines_in_the_plane,
+        six_dimensions,
         affine_faces,
+        affine_faces_any_dimension,
         counting,
         polynomial,
         published,

@@ -75,8 +75,28 @@ def own_table() -> dict[tuple[str, int], Measured]:
     print(f"  growth from 100 to {SIZES[-1]} planes: {overall}")
     line("everything with all sign vectors", 9, ours("all_signs", 9))
     line("30-digit entries, with region signs", 100, ours("thirty_digits", 100))
-    line("any dimension: all faces, m central + m affine", 20, ours("affine_faces", 20))
+    facade_table(found)
     return found
+
+
+def facade_table(own: dict[tuple[str, int], Measured]) -> None:
+    """The short calls, beside the engines behind them."""
+    head("The facade: Arrangement(...) with the engine that it chooses")
+    for planes in (50, 200, 1000):
+        mine = own.get(("incidence", planes)) or ours("incidence", planes)
+        line("great circles alone", planes, mine)
+        line("Arrangement.f_vector", planes, ours("facade_count", planes), mine)
+        line("arrangement count, in JSON", planes, ours("count_command", planes), mine)
+    line("Arrangement.faces", 200, ours("facade_faces", 200))
+    line("Arrangement.faces, all signs as one array", 200, ours("facade_signs", 200))
+    line("lines in the plane: all faces", 200, ours("lines_in_the_plane", 200))
+    mine = ours("affine_faces", 20)
+    line("R^3, m central + m affine: all faces", 20, mine)
+    line(
+        "the same by the engine for any dimension", 20, ours("affine_faces_any_dimension", 20), mine
+    )
+    for planes in (12, 16):
+        line("R^6: all faces with witnesses", planes, ours("six_dimensions", planes))
 
 
 def exponent(found: dict[tuple[str, int], Measured], small: int, large: int) -> str:

@@ -7,13 +7,11 @@ from random import Random
 import pytest
 from hypothesis import given, settings, strategies as st
 
-import arrangement.enumeration.any_dimension
-from arrangement.arrangement import Arrangement
-from arrangement.planes import Face
 from equilibrium.io.files import read_grasp
 from equilibrium.model.grasp import Contact, Grasp
 from proofs_check import Verdict, evaluate, registry
 from proofs_check.claims import model
+from tests.proofs_check.test_planted_bugs import dropped_region, plant
 
 IDS = (
     "model-faces-without-preload",
@@ -76,11 +74,5 @@ def test_the_grasps_of_the_paper_are_not_in_general_position() -> None:
 
 
 def test_a_dropped_region_is_caught(monkeypatch: pytest.MonkeyPatch) -> None:
-    right = arrangement.enumeration.any_dimension.enumerate_faces
-
-    def wrong(planes: Arrangement) -> tuple[tuple[Face, ...], ...]:
-        levels = right(planes)
-        return (*levels[:-1], levels[-1][1:])
-
-    monkeypatch.setattr(arrangement.enumeration.any_dimension, "enumerate_faces", wrong)
+    plant(dropped_region, monkeypatch)
     assert evaluate(registry()["model-faces-with-preload"]).verdict is None

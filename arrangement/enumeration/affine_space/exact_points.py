@@ -1,4 +1,4 @@
-"""Points inside regions in integers, for the regions that floats do not resolve.
+"""Points in faces in integers: vertices, edges, and regions that floats do not resolve.
 
 A point is a row (X, Y, Z, W) of integers, W > 0, and stands for (X, Y, Z) / W.
 """
@@ -17,7 +17,7 @@ from .packing import unpack
 from .predicates import Indices, PlaneTable
 
 #: The first number of fractional bits that is tried; the next ones are doubled.
-FIRST_BITS = 32
+_FIRST_BITS = 32
 
 
 def exact_point(table: PlaneTable, lines: Lines, faces: Faces, region: int) -> IntegerVector:
@@ -30,7 +30,7 @@ def exact_point(table: PlaneTable, lines: Lines, faces: Faces, region: int) -> I
     point = _half_way(table, lines, faces, region, signs)
     if not _has_signs(table, point, signs):  # pragma: no cover - two exact methods would disagree
         raise ArrangementError(f"no interior point of region {region}; report this input")
-    bits = FIRST_BITS
+    bits = _FIRST_BITS
     while bits < point[3].bit_length():
         rounded = _rounded(point, bits)
         if _has_signs(table, rounded, signs):
@@ -49,7 +49,7 @@ def _half_way(
     """
     edge = int(faces.edge[region])
     into = _between(table, lines, edge, faces.wedge[region].tolist())
-    start = _inside(table, lines, edge)
+    start = edge_point(table, lines, edge)
     through = lines.through[lines.line[edge]].tolist()
     least: tuple[int, int] | None = None
     for side, row, on in zip(signs, table.exact.tolist(), through, strict=True):
@@ -94,11 +94,11 @@ def _rounded(point: IntegerVector, bits: int) -> IntegerVector:
     return reduced([*(((x << bits + 1) // w + 1) >> 1 for x in coordinates), 1 << bits])
 
 
-def _inside(table: PlaneTable, lines: Lines, edge: int) -> IntegerVector:
+def edge_point(table: PlaneTable, lines: Lines, edge: int) -> IntegerVector:
     """Return a point inside an edge: its midpoint, or a step away from its only vertex."""
     below = [edge - 1] if edge and lines.upper[edge - 1] >= 0 else []
     above = [edge] if lines.upper[edge] >= 0 else []
-    ends = [_vertex(table, lines, e) for e in below + above]
+    ends = [vertex_point(table, lines, e) for e in below + above]
     *start, w = ends[0]
     if len(ends) == 2:
         *end, v = ends[1]
@@ -114,7 +114,7 @@ def _line_minors(table: PlaneTable, lines: Lines, edge: int) -> list[int]:
     return minors
 
 
-def _vertex(table: PlaneTable, lines: Lines, edge: int) -> IntegerVector:
+def vertex_point(table: PlaneTable, lines: Lines, edge: int) -> IntegerVector:
     """Return the upper vertex P, where row k meets the line: ``(b_k D + n_k x M) / (n_k . D)``.
 
     On the line, ``M = n_i (n_j . P) - n_j (n_i . P) = P x D``; at the vertex

@@ -2,22 +2,24 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from fractions import Fraction
-from functools import cached_property
+from functools import cached_property, partial
 from typing import TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
 
-from arrangement.enumeration.any_dimension import enumerate_faces
+from arrangement import linear
+from arrangement.enumeration import great_circles
+from arrangement.enumeration.sequence import Level, Rows, rational_points
 from arrangement.errors import InputError
-from arrangement.exact import primitive
-from arrangement.planes import Face, Planes
+from arrangement.planes import Planes
 
+from .exact_points import edge_point, vertex_point
 from .faces_around_lines import Faces, faces_around
 from .lines import Lines, trace_lines
-from .packing import Words, unpack
+from .packing import Words, unit_words, unpack
 from .predicates import Numbers, PlaneTable, Signs
 from .witnesses import interior_points
 
@@ -54,36 +56,46 @@ class SpaceFaces:
     @cached_property
     def edges(self) -> Signs:
         """The faces of dimension 1: (count, classes) signs."""
-        signs = _signs(self._lines.words, self.classes)
-        signs[self._lines.through[self._lines.line]] = 0
-        return _frozen(signs)
+        return _frozen(self._edges(slice(None)))
 
     @cached_property
     def facets(self) -> Signs:
         """The faces of dimension 2: (count, classes) signs, 0 for exactly one class."""
-        signs = _signs(self._faces.facets, self.classes)
-        signs[np.arange(len(signs)), self._faces.on] = 0
-        return _frozen(signs)
+        return _frozen(self._facets(slice(None)))
 
     @cached_property
     def regions(self) -> Signs:
         """The faces of dimension 3: (count, classes) signs."""
-        return _frozen(_signs(self._faces.regions, self.classes))
+        return _frozen(self._regions(slice(None)))
 
     def edges_between(self, classes: Sequence[int]) -> Signs:
         """Return those `edges` whose line lies in at least two of some classes."""
         chosen = self._lines.through[:, classes].sum(axis=1) >= 2
-        kept = chosen[self._lines.line]
-        signs = _signs(self._lines.words[kept], self.classes)
-        signs[self._lines.through[self._lines.line[kept]]] = 0
-        return signs
+        return self._edges(np.flatnonzero(chosen[self._lines.line]))
 
     def facets_on(self, classes: Sequence[int]) -> Signs:
         """Return those `facets` that lie in one of some classes."""
-        kept = np.isin(self._faces.on, classes)
-        signs = _signs(self._faces.facets[kept], self.classes)
-        signs[np.arange(len(signs)), self._faces.on[kept]] = 0
+        return self._facets(np.flatnonzero(np.isin(self._faces.on, classes)))
+
+    def _vertices(self, rows: Rows) -> Signs:
+        lower = self._faces.vertices[rows]
+        signs = _signs(self._lines.words[lower], self.classes)
+        signs[signs != _signs(self._lines.words[lower + 1], self.classes)] = 0
+        signs[self._lines.through[self._lines.line[lower]]] = 0
         return signs
+
+    def _edges(self, rows: Rows) -> Signs:
+        signs = _signs(self._lines.words[rows], self.classes)
+        signs[self._lines.through[self._lines.line[rows]]] = 0
+        return signs
+
+    def _facets(self, rows: Rows) -> Signs:
+        signs = _signs(self._faces.facets[rows], self.classes)
+        signs[np.arange(len(signs)), self._faces.on[rows]] = 0
+        return signs
+
+    def _regions(self, rows: Rows) -> Signs:
+        return _signs(self._faces.regions[rows], self.classes)
 
     @cached_property
     def f_vector(self) -> tuple[int, int, int, int]:
@@ -93,7 +105,7 @@ class SpaceFaces:
         """
         faces = self._faces
         edges, facets, regions = self._lines.words, faces.facets, faces.regions
-        return faces.vertices, len(edges), len(facets), len(regions)
+        return len(faces.vertices), len(edges), len(facets), len(regions)
 
     def __repr__(self) -> str:
         return f"<SpaceFaces: {self.classes} distinct planes, f-vector {self.f_vector}>"
@@ -111,6 +123,51 @@ class SpaceFaces:
     def _witnesses(self) -> Numbers:
         return interior_points(self._table, self._lines, self._faces)
 
+    def levels(self) -> tuple[Level, ...]:
+        """Return the faces of dimension 0 to 3 with their signs over the input planes."""
+        signs = (self._vertices, self._edges, self._facets, self._regions)
+        points = (self._vertex_points, self._edge_points, self._facet_points, self._region_points)
+        return tuple(
+            Level(count, partial(self._over_planes, of), at)
+            for count, of, at in zip(self.f_vector, signs, points, strict=True)
+        )
+
+    def _over_planes(self, signs: Callable[[Rows], Signs], rows: Rows) -> Signs:
+        return self.plane_signs(signs(rows))
+
+    def _vertex_points(self, rows: Rows) -> Numbers:
+        segments = self._faces.vertices[rows].tolist()
+        return _points(vertex_point(self._table, self._lines, e) for e in segments)
+
+    def _edge_points(self, rows: Rows) -> Numbers:
+        segments = np.arange(len(self._lines.line))[rows].tolist()
+        return _points(edge_point(self._table, self._lines, e) for e in segments)
+
+    def _facet_points(self, rows: Rows) -> Numbers:
+        """Return where the segments between points of the regions on both sides meet the planes.
+
+        Their signs differ in one plane only. With heights a > 0 > b of points P and Q over it, in
+        homogeneous coordinates, ``a Q - b P`` is on it.
+        """
+        below, on = self._faces.facets[rows], self._faces.on[rows]
+        above = below | unit_words(self.classes)[on]
+        planes = self._table.exact[on] * np.array([1, 1, 1, -1], object)
+        p, q = (self._witnesses[self._place(side)].astype(object) for side in (above, below))
+        heights = ((planes * end).sum(axis=1, keepdims=True) for end in (p, q))
+        a, b = heights
+        return _points(map(linear.reduced, (a * q - b * p).tolist()))
+
+    def _region_points(self, rows: Rows) -> Numbers:
+        return self._witnesses[rows]
+
+    @cached_property
+    def _region_of(self) -> dict[bytes, int]:
+        return {row.tobytes(): i for i, row in enumerate(self._faces.regions)}
+
+    def _place(self, regions: Words) -> list[int]:
+        """Return the rows of regions, given by the classes with sign +."""
+        return [self._region_of[row.tobytes()] for row in regions]
+
     def integer_witnesses(self) -> Numbers:
         """Return (count, 4) integers (X, Y, Z, W), W > 0: a point (X, Y, Z) / W of each region.
 
@@ -124,40 +181,26 @@ class SpaceFaces:
 
     def witnesses(self) -> list[Point]:
         """Return an exact point inside each region, in the order of `regions`."""
-        known = _Quotients()
-        return [
-            (known[x, w], known[y, w], known[z, w])
-            for x, y, z, w in self.integer_witnesses().tolist()
-        ]
+        return [(x, y, z) for x, y, z in rational_points(self.integer_witnesses())]
 
 
 class _FewDirections(SpaceFaces):
-    """The same for normals of rank 2 or less, from the engine for every dimension.
-
-    There is no vertex then, and at most O(n^2) faces.
-    """
+    """The same for normals of rank 2 or less, from great circles; there is no vertex then."""
 
     def __init__(self, arrangement: Planes) -> None:
         self.arrangement = arrangement
         self.classes = len(arrangement.distinct)
+        self._first = [members[0] for members in arrangement.distinct]
+        self._levels = great_circles.list_faces(arrangement)
 
-    def _level(self, dimension: int) -> Signs:
-        first = [members[0] for members in self.arrangement.distinct]
-        found = enumerate_faces(self.arrangement)[dimension]
-        signs = np.array([face.signs for face in found], np.int8)
-        return _frozen(signs.reshape(len(found), len(self.arrangement))[:, first])
+    def _edges(self, rows: Rows) -> Signs:
+        return self._levels[1].signs(rows)[:, self._first]
 
-    @cached_property
-    def edges(self) -> Signs:
-        return self._level(1)
+    def _facets(self, rows: Rows) -> Signs:
+        return self._levels[2].signs(rows)[:, self._first]
 
-    @cached_property
-    def facets(self) -> Signs:
-        return self._level(2)
-
-    @cached_property
-    def regions(self) -> Signs:
-        return self._level(3)
+    def _regions(self, rows: Rows) -> Signs:
+        return self._levels[3].signs(rows)[:, self._first]
 
     def edges_between(self, classes: Sequence[int]) -> Signs:
         chosen: Signs = self.edges[(self.edges[:, classes] == 0).sum(axis=1) >= 2]
@@ -169,12 +212,12 @@ class _FewDirections(SpaceFaces):
 
     @cached_property
     def f_vector(self) -> tuple[int, int, int, int]:
-        f0, f1, f2, f3 = map(len, enumerate_faces(self.arrangement))
+        f0, f1, f2, f3 = (level.count for level in self._levels)
         return f0, f1, f2, f3
 
     @cached_property
     def _witnesses(self) -> Numbers:
-        return _homogeneous(enumerate_faces(self.arrangement)[3])
+        return self._levels[3].points(slice(None))
 
 
 def space_faces(arrangement: Planes) -> SpaceFaces:
@@ -202,13 +245,6 @@ def space_faces(arrangement: Planes) -> SpaceFaces:
     return SpaceFaces(arrangement) if arrangement.rank == 3 else _FewDirections(arrangement)
 
 
-class _Quotients(dict[tuple[int, int], Fraction]):
-    """Quotients of integers, each made once: short ones come again and again."""
-
-    def __missing__(self, pair: tuple[int, int]) -> Fraction:
-        return self.setdefault(pair, Fraction(*pair))
-
-
 def _signs(words: Words, classes: int) -> Signs:
     """Return +1 where a bit is set, else -1."""
     signs = unpack(words, classes).view(np.int8)
@@ -222,9 +258,8 @@ def _frozen(signs: NDArray[np.int8]) -> Signs:
     return signs
 
 
-def _homogeneous(regions: Iterable[Face]) -> Numbers:
-    """Return the witnesses of faces as integer rows (X, Y, Z, W)."""
-    rows = [primitive((*face.witness, Fraction(1))) for face in regions]
-    points = np.empty((len(rows), 4), dtype=object)
-    points[...] = np.array(rows, dtype=object).reshape(-1, 4)
+def _points(rows: Iterable[Sequence[int]]) -> Numbers:
+    listed = list(rows)
+    points = np.empty((len(listed), 4), object)
+    points[...] = np.array(listed, object).reshape(-1, 4)
     return points

@@ -39,14 +39,14 @@ class Faces:
     """The faces of dimension 0, 2 and 3, as bits over the classes.
 
     Attributes:
-        vertices: their number.
+        vertices: (V); for each vertex one segment whose upper end it is.
         facets, on: (F, W) and (F); the classes with sign +, and the class with sign 0.
         regions: (R, W); the classes with sign +.
         edge, wedge: (R) and (R, 2); one segment in the boundary of each region, and the two half
             planes there between which the region lies.
     """
 
-    vertices: int
+    vertices: Indices
     facets: Words
     on: NDArray[np.int64]
     regions: Words
@@ -83,7 +83,7 @@ def faces_around(table: PlaneTable, lines: Lines) -> Faces:
         len(table),
     )
     return Faces(
-        int(np.count_nonzero(new)) + _crowded_vertices(lines),
+        np.concatenate([below[new], _crowded_vertices(lines)]),
         facets,
         label.astype(np.int64),
         regions[first],
@@ -100,14 +100,14 @@ def _lower_ends(table: PlaneTable, lines: Lines) -> tuple[Indices, Bits]:
     return np.arange(len(up)) - up, np.where(up, first, last)
 
 
-def _crowded_vertices(lines: Lines) -> int:
-    """Return the number of vertices on more than three planes.
+def _crowded_vertices(lines: Lines) -> Indices:
+    """Return, for each vertex on more than three planes, one segment whose upper end it is.
 
     A vertex is determined by the planes through it: those of a line, and those that change sign.
     """
     lower = np.nonzero(~lines.single & (lines.upper >= 0))[0]
     changing = lines.words[lower] ^ lines.words[lower + 1]
-    return len(distinct_rows(pack(lines.through)[lines.line[lower]] | changing))
+    return lower[distinct_rows(pack(lines.through)[lines.line[lower]] | changing)]
 
 
 def _at_simple_vertices(table: PlaneTable, lines: Lines, edge: Indices, below: Indices) -> _Found:

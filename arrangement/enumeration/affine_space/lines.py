@@ -14,10 +14,11 @@ from fractions import Fraction
 import numpy as np
 
 from arrangement.errors import ArrangementError
+from arrangement.float_filter import Floats
 from arrangement.progress import watched
 
 from .packing import Bits, Words, pack, unit_words
-from .predicates import Floats, Indices, PlaneTable, Signs
+from .predicates import Indices, PlaneTable, Signs
 
 #: Pairs (line, plane) handled at once: temporary arrays stay in the cache.
 BLOCK = 1 << 16

@@ -15,7 +15,7 @@ _MULTIPLIER = np.uint64(0x9E3779B97F4A7C15)
 _HALF = np.uint64(32)
 
 
-def word_count(classes: int) -> int:
+def _word_count(classes: int) -> int:
     """Return the number of words for so many bits, at least one."""
     return max(1, -(-classes // 64))
 
@@ -23,7 +23,7 @@ def word_count(classes: int) -> int:
 def pack(bits: Bits) -> Words:
     """Pack the last axis into words."""
     classes = bits.shape[-1]
-    padded = np.zeros((*bits.shape[:-1], 64 * word_count(classes)), bool)
+    padded = np.zeros((*bits.shape[:-1], 64 * _word_count(classes)), bool)
     padded[..., :classes] = bits
     packed = np.packbits(padded, axis=-1, bitorder="little")
     return packed.view("<u8").astype(np.uint64, copy=False)

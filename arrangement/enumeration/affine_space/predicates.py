@@ -9,14 +9,14 @@ determinant of three normals and D4 that of four rows,
 * planes k and l meet the line ``P + t D_ij`` of planes i and j at parameters with
   ``t_l - t_k = D4(i, j, k, l) / (D3(i, j, k) D3(i, j, l))``.
 
-Error bound. A row is divided by a power of two, which moves nothing, and rounded to floats: a
-relative error of at most ``u = 2^-53`` for each entry, none for zero. All determinants are sums
-of products; no product takes more than 14 roundings (D4: four entries, two minors of two each,
-one product, five sums), in any order of summation. So the error is at most ``g S`` with S the sum
-of the absolute products and ``g = 14 u / (1 - 14 u)`` [Higham, Accuracy and Stability of Numerical
-Algorithms, section 3.1]. The S that is computed is at least ``(1 - g)`` times that sum, so
-``16 u S`` bounds the error. Nonzero entries are at least 2^-200, so nothing underflows. S = 0
-proves that the determinant is 0: four planes through the origin need no integers.
+Error bound. A row is divided by a power of two, which moves nothing, and rounded to floats. All
+determinants are sums of products; no product takes more than `_ROUNDINGS`, in any order of
+summation, so `arrangement.float_filter` bounds the error. S = 0 proves that the determinant is 0:
+four planes through the origin need no integers.
+
+Small integers. For entries up to B, the six products of D4 and each partial sum are at most
+``24 B^4`` (each D and M at most ``2 B^2``), those of all other determinants less. If that is at
+most 2^53, floats are exact.
 """
 
 from __future__ import annotations
@@ -28,16 +28,17 @@ import numpy as np
 from numpy.typing import NDArray
 
 from arrangement.exact import IntegerVector
+from arrangement.float_filter import EXACT, Floats, certain, error_bound, scaled
 
-Floats: TypeAlias = NDArray[np.float64]
 #: Python integers.
 Integers: TypeAlias = NDArray[Any]
 Numbers: TypeAlias = NDArray[Any]
 Signs: TypeAlias = NDArray[np.int8]
 Indices: TypeAlias = NDArray[np.intp]
 
-ERROR = 2.0**-49
-SMALLEST = 2.0**-200
+#: Of each product in D4: four entries, two minors of two each, one product, five sums.
+_ROUNDINGS = 4 + 2 * 2 + 1 + 5
+ERROR = error_bound(_ROUNDINGS)
 #: No sum exceeds twice the sum of its absolute products, so this bound decides nothing.
 UNUSABLE = 2.0
 
@@ -146,7 +147,7 @@ class PlaneTable:
         signs = signs_of(values)
         if self.error == 0:
             return signs
-        undecided = np.nonzero((np.abs(values) <= self.error * sizes) & (sizes > 0))
+        undecided = np.nonzero(~certain(values, sizes, self.error) & (sizes > 0))
         if len(undecided[0]):
             signs[undecided] = signs_of(exact(undecided))
         return signs
@@ -155,16 +156,10 @@ class PlaneTable:
 def scaled_floats(rows: Sequence[IntegerVector]) -> tuple[Floats, float]:
     """Return floats near positive multiples of integer rows, and the `error` of determinants."""
     largest = max((abs(x) for row in rows for x in row), default=0)
-    if 24 * largest**4 < 2**53:
+    if 24 * largest**4 <= EXACT:
         return np.array(rows, dtype=np.float64).reshape(-1, 4), 0.0
-    scales = [1 << max(abs(x) for x in row).bit_length() for row in rows]
-    floats = np.array(
-        [[x / scale for x in row] for row, scale in zip(rows, scales, strict=True)], np.float64
-    )
-    present = np.array([[x != 0 for x in row] for row in rows])
-    if (np.abs(floats[present]) < SMALLEST).any():
-        return np.ones_like(floats), UNUSABLE
-    return floats, ERROR
+    floats, usable = scaled(rows)
+    return (floats, ERROR) if usable.all() else (np.ones_like(floats), UNUSABLE)
 
 
 def signs_of(values: Numbers) -> Signs:

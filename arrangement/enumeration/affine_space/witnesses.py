@@ -12,14 +12,16 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
+from arrangement.float_filter import Floats, certain
+
 from .exact_points import exact_point
 from .faces_around_lines import Faces, Wedges
 from .lines import Lines, points_on_lines
 from .packing import Bits, unpack
-from .predicates import ERROR, Floats, Numbers, PlaneTable
+from .predicates import ERROR, Numbers, PlaneTable
 
 #: Significant bits of the largest coordinate, in the order they are tried.
-PRECISIONS = (6, 10, 16, 26, 50)
+_PRECISIONS = (6, 10, 16, 26, 50)
 #: Regions handled at once: temporary arrays of so many signs stay in the cache.
 BLOCK = 1 << 16
 
@@ -94,7 +96,7 @@ def _short_points(table: PlaneTable, centres: Floats, signs: Floats) -> NDArray[
     """Return points with all these signs for sure, as short as found; W = 0 where none is."""
     points = np.zeros((len(centres), 4), np.int64)
     open_ = np.arange(len(centres))
-    for bits in PRECISIONS:
+    for bits in _PRECISIONS:
         if not len(open_):
             break
         rounded = _rounded(centres[open_], bits)
@@ -127,6 +129,7 @@ def _certified(table: PlaneTable, points: NDArray[np.int64], signs: Floats) -> B
     """Return which points surely have all these signs."""
     rows = (table.floats * np.array([1.0, 1.0, 1.0, -1.0])).T
     x = points.astype(np.float64)
-    error = max(table.error, ERROR)
-    certain: Bits = ((x @ rows) * signs > error * (np.abs(x) @ np.abs(rows))).all(axis=1)
-    return certain
+    values, sizes = x @ rows, np.abs(x) @ np.abs(rows)
+    right = certain(values, sizes, max(table.error, ERROR)) & (values * signs > 0)
+    surely: Bits = right.all(axis=1)
+    return surely

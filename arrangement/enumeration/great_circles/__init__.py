@@ -2,5 +2,6 @@
 
 from .arrangement import SphereArrangement, sphere_arrangement
 from .incidence import Incidence
+from .listing import list_faces
 
-__all__ = ["Incidence", "SphereArrangement", "sphere_arrangement"]
+__all__ = ["Incidence", "SphereArrangement", "list_faces", "sphere_arrangement"]

@@ -14,7 +14,7 @@ import numpy as np
 
 from arrangement.errors import InputError
 from arrangement.exact import IntegerVector, primitive, unoriented
-from arrangement.planes import Face, Planes
+from arrangement.planes import Planes
 
 from .crossings import Crossings, sort_crossings
 from .incidence import Incidence, Indices
@@ -164,15 +164,6 @@ class SphereArrangement:
         """Where the signs of each vertex are +, and where they are -; each (V, ceil(m / 8))."""
         return self._packer.vertices()
 
-    def faces(self) -> tuple[tuple[Face, ...], ...]:
-        """Return the same faces as `Arrangement.faces`, by dimension 0 to 3, each with a witness.
-
-        A pencil has one line, not two rays: both its vertices have the same sign vector.
-        """
-        from .listing import list_faces
-
-        return list_faces(self)
-
     def validate(self) -> None:
         """Check the topology, then the geometry; raise `ArrangementError` naming what failed.
 
@@ -229,8 +220,7 @@ def _rays(normals: Integers, incidence: Incidence) -> Integers:
         left, right = (
             normals[incidence.slot_circle[incidence.line_slots[first + place]]] for place in (0, 1)
         )
-        for k, (i, j) in enumerate(((1, 2), (2, 0), (0, 1))):
-            rays[part, k] = left[:, i] * right[:, j] - left[:, j] * right[:, i]
+        rays[part] = np.cross(left, right)
     np.negative(rays[:lines], out=rays[lines:])
     return rays
 

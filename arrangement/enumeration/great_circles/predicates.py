@@ -17,7 +17,9 @@ With ``d_ij = n_i x n_j`` and ``turn_ij`` = +1 or -1 so that ``turn_ij d_ij`` is
 
 Bounds. Let B be the largest absolute value of an entry. Then ``|d_ij| <= 2 B^2`` in each
 coordinate; a determinant ``n_k . d_ij`` and each partial sum of it is at most ``6 B^3``; the
-numerator of a slope is at most ``4 B^3``. All are exact in int64 if ``6 B^3 < 2^63``.
+numerator of a slope is at most ``4 B^3``. All are exact in int64 if ``6 B^3 < 2^63``. SymPy's
+matrices take 150 times as long for all crossings of 200 circles (4 times with python-flint, before
+anything is read out of them).
 """
 
 from __future__ import annotations
@@ -27,6 +29,8 @@ from typing import Any, TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
+
+from arrangement.linear import cross
 
 #: int64, or Python integers in an object array where int64 could overflow.
 Integers: TypeAlias = NDArray[Any]
@@ -92,8 +96,8 @@ def slope_terms(normals: Integers, directions: Components) -> tuple[Integers, In
 
 def exact_slope_terms(normal: tuple[int, ...], other: tuple[int, ...]) -> tuple[int, int]:
     """Return (p, q) of the positive crossing of two circles in Python integers, ``q >= 0``."""
-    (a, b, c), (u, v, w) = normal, other
-    x, y, z = b * w - c * v, c * u - a * w, a * v - b * u
+    _, b, c = normal
+    x, y, z = cross(normal, other)
     leading = x or y or z
     p, q = (z, y) if b == c == 0 else (y * c - z * b, x)
     return (p, q) if leading > 0 else (-p, -q)

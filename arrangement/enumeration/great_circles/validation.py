@@ -22,12 +22,12 @@ if TYPE_CHECKING:
 
 def validate(sphere: SphereArrangement) -> None:
     """Raise `ArrangementError` at the first failure (see `SphereArrangement.validate`)."""
-    check_topology(sphere.incidence)
+    _check_topology(sphere.incidence)
     if sphere.incidence.vertex_count:
-        check_geometry(sphere)
+        _check_geometry(sphere)
 
 
-def check_topology(incidence: Incidence) -> None:
+def _check_topology(incidence: Incidence) -> None:
     """Check that the half-edges form a subdivision of the sphere with an antipodal symmetry."""
     if incidence.arc_count == 0:
         _require(incidence.region_count == 1, "without arcs there is one region", 0)
@@ -79,7 +79,7 @@ def _check_antipodes(incidence: Incidence) -> None:
     _require_all(antipode[antipode] == regions, "antipodes come in pairs: region")
 
 
-def check_geometry(sphere: SphereArrangement) -> None:
+def _check_geometry(sphere: SphereArrangement) -> None:
     """Check rays, arcs and corners against the normals, exactly.
 
     ``|det(n, u, v)| <= 24 B^5`` for rays u, v with entries up to ``2 B^2``.
@@ -101,7 +101,7 @@ def check_geometry(sphere: SphereArrangement) -> None:
     if sphere.rank == 2:
         return
     _require_all(
-        _dot(circle, _cross(start, end)) > 0,
+        _dot(circle, np.cross(start, end)) > 0,
         "an arc runs counterclockwise for less than half a turn: arc",
     )
     beyond = rays[incidence.origin[incidence.next[incidence.next]]]
@@ -123,13 +123,6 @@ def _distinct(rays: Integers) -> int:
 def _dot(left: Integers, right: Integers) -> Integers:
     products: Integers = (left * right).sum(axis=1)
     return products
-
-
-def _cross(left: Integers, right: Integers) -> Integers:
-    columns = [
-        left[:, i] * right[:, j] - left[:, j] * right[:, i] for i, j in ((1, 2), (2, 0), (0, 1))
-    ]
-    return np.stack(columns, axis=1)
 
 
 def _cycle_count(permutation: Indices) -> int:

@@ -106,7 +106,7 @@ def _witnesses(dual: Arrangement) -> Iterator[tuple[IntegerVector, IntegerVector
     return ((primitive(face.witness), face.signs) for face in faces)
 
 
-def next_types(
+def _next_types(
     representatives: Sequence[Normals], progress: Path | None = None
 ) -> tuple[Normals, ...]:
     """Return a representative of every type with one plane more, in a fixed order.
@@ -167,7 +167,7 @@ def generate(most: int = MOST_PLANES, progress: Path | None = None) -> str:
     """Return the text of the shipped list, from 3 planes up to `most`."""
     levels: dict[int, tuple[Normals, ...]] = {3: (_START,)}
     for planes in range(4, most + 1):
-        levels[planes] = next_types(levels[planes - 1], progress)
+        levels[planes] = _next_types(levels[planes - 1], progress)
         if sys.stderr.isatty():
             print(f"{planes} planes: {len(levels[planes])} types", file=sys.stderr)
     return document(levels)

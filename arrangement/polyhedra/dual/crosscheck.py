@@ -66,10 +66,10 @@ def faces_by_minimum_cycle_basis(
 
 def same_faces(left: Iterable[Sequence[int]], right: Iterable[Sequence[int]]) -> bool:
     """Whether two lists hold the same cycles, up to order, starting points and orientation."""
-    return Counter(map(canonical_cycle, left)) == Counter(map(canonical_cycle, right))
+    return Counter(map(_canonical_cycle, left)) == Counter(map(_canonical_cycle, right))
 
 
-def canonical_cycle(cycle: Sequence[int]) -> Cycle:
+def _canonical_cycle(cycle: Sequence[int]) -> Cycle:
     """Return the rotation or reflection of a cycle that comes first in dictionary order."""
     start = cycle.index(min(cycle))
     forward = (*cycle[start:], *cycle[:start])

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
 
-from arrangement.enumeration.choose import faces
+from arrangement.enumeration.choose import enumerate_faces
 from arrangement.exact import RationalVector
 from arrangement.planes import Planes
 
@@ -97,7 +97,9 @@ def dual_segment(arrangement: Planes, lengths: Iterable[Any] | None = None) -> D
 
 def _in_cyclic_order(arrangement: Planes) -> tuple[tuple[int, ...], ...]:
     """Walk from region to region of a pencil, never back through the wall just crossed."""
-    remaining = {face.signs for face in faces(arrangement, arrangement.dimension)}
+    remaining = {
+        face.signs for face in enumerate_faces(arrangement).of_dimension(arrangement.dimension)
+    }
     current = max(remaining)
     order = [current]
     remaining.remove(current)

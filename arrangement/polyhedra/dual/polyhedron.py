@@ -168,7 +168,7 @@ def dual_polyhedron(arrangement: Planes, lengths: Iterable[Any] | None = None) -
         arrangement,
         spans,
         found.signs,
-        signed_sums(found.signs, spans.vectors),
+        _signed_sums(found.signs, spans.vectors),
         found.edges,
         found.edge_classes,
         found.faces,
@@ -192,7 +192,7 @@ def dual_zonotope(
     return dual_polyhedron(arrangement, lengths)
 
 
-def signed_sums(
+def _signed_sums(
     signs: npt.NDArray[np.int8], vectors: tuple[IntegerVector, ...]
 ) -> tuple[IntegerVector, ...]:
     """Return ``sum_i s_i g_i`` for every row s; in int64 if no sum can leave it."""

@@ -27,7 +27,7 @@ def check(dual: DualPolyhedron) -> None:
     _check_supporting_planes(dual)
     for face, (cycle, normal) in enumerate(zip(dual.faces, dual.face_normals, strict=True)):
         corners = [dual.integer_vertices[v] for v in cycle]
-        if not is_convex_polygon(corners, normal):
+        if not _is_convex_polygon(corners, normal):
             raise ArrangementError(f"face {face} is no convex polygon, seen from outside")
 
 
@@ -97,7 +97,7 @@ def _check_supporting_planes(dual: DualPolyhedron) -> None:
             )
 
 
-def is_convex_polygon(corners: list[IntegerVector], normal: IntegerVector) -> bool:
+def _is_convex_polygon(corners: list[IntegerVector], normal: IntegerVector) -> bool:
     """Whether every edge line has all other corners strictly on its left, seen along -normal."""
     for i, start in enumerate(corners):
         end = corners[(i + 1) % len(corners)]

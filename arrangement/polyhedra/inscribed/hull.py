@@ -74,11 +74,6 @@ class RepresentativeHull:
         return self.adjacencies - self.hull.true_edges
 
     @property
-    def contains_adjacency(self) -> bool:
-        """Whether every adjacency is an edge of the hull."""
-        return not self.missing
-
-    @property
     def is_dual(self) -> bool:
         """Whether the edges of the hull are exactly the adjacencies: the dual is inscribed."""
         return self.adjacencies == self.hull.true_edges

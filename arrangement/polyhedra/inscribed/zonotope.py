@@ -50,7 +50,7 @@ class InscribedZonotope:
         if self.multipliers is None or len(self.multipliers) != len(dual.edges):
             raise ArrangementError("there is not one multiplier for each edge")
         total = [Fraction(0)] * len(self.arrangement)
-        for multiplier, row in zip(self.multipliers, edge_equations(dual), strict=True):
+        for multiplier, row in zip(self.multipliers, _edge_equations(dual), strict=True):
             if multiplier:
                 total = [t + multiplier * x for t, x in zip(total, row, strict=True)]
         if any(t > 0 for t in total) or not any(total):
@@ -72,7 +72,7 @@ def inscribed_zonotope(arrangement: Planes) -> InscribedZonotope:
     True
     """
     dual = dual_polyhedron(arrangement)
-    rows = edge_equations(dual)
+    rows = _edge_equations(dual)
     place: dict[tuple[int, ...], int] = {}
     for e, row in enumerate(rows):
         opposite = tuple(-x for x in row)
@@ -89,7 +89,7 @@ def inscribed_zonotope(arrangement: Planes) -> InscribedZonotope:
     return InscribedZonotope(arrangement, None, tuple(multipliers))
 
 
-def edge_equations(dual: DualPolyhedron) -> tuple[tuple[int, ...], ...]:
+def _edge_equations(dual: DualPolyhedron) -> tuple[tuple[int, ...], ...]:
     """Return for each edge the signs and products ``s_j (n_j . n)`` for the planes j not along it.
 
     With lengths ``l_j`` the ends of the edge are at equal distance exactly if the row times the

@@ -1,0 +1,176 @@
+"""All faces of some planes as one sequence: arrays inside, a tuple of `Face` to the user.
+
+An engine hands over one `Level` for each dimension. Signs and witnesses are made for the faces
+that are asked for, when they are asked for.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+from functools import cached_property
+from typing import Any, TypeAlias, overload
+
+import numpy as np
+from numpy.typing import NDArray
+
+from arrangement.errors import InputError
+from arrangement.exact import RationalVector, shown
+from arrangement.planes import Face, Planes
+
+Signs: TypeAlias = NDArray[np.int8]
+#: int64 where all entries fit, else Python integers.
+Integers: TypeAlias = NDArray[Any]
+Rows: TypeAlias = "slice | NDArray[np.intp]"
+
+#: Faces made at once when a sequence is walked.
+_BLOCK = 4096
+
+
+@dataclass(frozen=True, slots=True)
+class Level:
+    """The faces of one dimension, as an engine knows them.
+
+    Attributes:
+        count: their number.
+        signs: from chosen rows to their signs, one column for each input plane.
+        points: from chosen rows to exact points, d + 1 integers ``(X, W)`` with W > 0 for X / W.
+    """
+
+    count: int
+    signs: Callable[[Rows], Signs]
+    points: Callable[[Rows], Integers]
+
+
+def no_faces(planes: int, dimension: int) -> Level:
+    """Return an empty level of planes in R^dimension."""
+    return Level(
+        0,
+        lambda rows: np.empty((0, planes), np.int8),
+        lambda rows: np.empty((0, dimension + 1), np.int64),
+    )
+
+
+class FaceSequence(Sequence[Face]):
+    """The faces of an arrangement, or those of one dimension, in a fixed order.
+
+    It looks like a tuple of `Face`: length, indices, slices (which are tuples), iteration. The
+    arrays behind it are `signs` and `dimensions`.
+
+    Order: by dimension, lowest first. Within a dimension it is the order of the engine: the same
+    for the same planes, without a meaning.
+
+    Attributes:
+        engine: the name of the engine that found them.
+    """
+
+    def __init__(
+        self, planes: Planes, levels: Sequence[Level], engine: str, lowest: int = 0
+    ) -> None:
+        self.engine = engine
+        self._planes = planes
+        self._levels = tuple(levels)
+        self._lowest = lowest
+        self._ends = np.cumsum([level.count for level in levels], dtype=np.intp)
+
+    @property
+    def f_vector(self) -> tuple[int, ...]:
+        """The number of faces of each dimension, lowest first."""
+        return tuple(level.count for level in self._levels)
+
+    @cached_property
+    def dimensions(self) -> Signs:
+        """(count); the dimension of each face."""
+        dimensions = np.arange(self._lowest, self._lowest + len(self._levels), dtype=np.int8)
+        return _frozen(np.repeat(dimensions, self.f_vector))
+
+    @cached_property
+    def signs(self) -> Signs:
+        """(count, m); the sign of every face at every input plane. Count times m bytes."""
+        whole = [level.signs(slice(None)) for level in self._levels if level.count]
+        return _frozen(
+            np.concatenate(whole) if whole else np.empty((0, len(self._planes)), np.int8)
+        )
+
+    def of_dimension(self, dimension: int) -> FaceSequence:
+        """Return the faces of one dimension."""
+        place = dimension - self._lowest if type(dimension) is int else -1
+        if not 0 <= place < len(self._levels):
+            highest = self._lowest + len(self._levels) - 1
+            raise InputError(
+                f"dimension is {shown(dimension)}; faces have dimension {self._lowest} to {highest}"
+            )
+        return FaceSequence(self._planes, [self._levels[place]], self.engine, dimension)
+
+    def __len__(self) -> int:
+        return int(self._ends[-1])
+
+    @overload
+    def __getitem__(self, index: int) -> Face: ...
+    @overload
+    def __getitem__(self, index: slice) -> tuple[Face, ...]: ...
+    def __getitem__(self, index: int | slice) -> Face | tuple[Face, ...]:
+        chosen = range(len(self))[index]
+        if isinstance(chosen, int):
+            return next(self._faces_at(np.array([chosen])))
+        return tuple(self._faces_at(np.array(chosen, np.intp)))
+
+    def __iter__(self) -> Iterator[Face]:
+        for start in range(0, len(self), _BLOCK):
+            yield from self._faces_at(np.arange(start, min(start + _BLOCK, len(self))))
+
+    def __eq__(self, other: object) -> bool:
+        if not isinstance(other, (FaceSequence, tuple)):
+            return NotImplemented
+        return self is other or (len(self) == len(other) and tuple(self) == tuple(other))
+
+    def __hash__(self) -> int:
+        return hash((self._planes, self.engine, self._lowest, len(self._levels)))
+
+    def __repr__(self) -> str:
+        return f"<FaceSequence: {len(self)} faces, f-vector {self.f_vector}, by {self.engine}>"
+
+    def _faces_at(self, places: NDArray[np.intp]) -> Iterator[Face]:
+        """Yield the faces at some places, a run of one dimension at a time."""
+        levels = np.searchsorted(self._ends, places, side="right")
+        cuts = np.flatnonzero(np.diff(levels)) + 1
+        for run, of in zip(np.split(places, cuts), np.split(levels, cuts), strict=True):
+            if not len(run):
+                continue
+            level, dimension = self._levels[of[0]], self._lowest + int(of[0])
+            rows = run - (self._ends[of[0]] - level.count)
+            points = level.points(rows)
+            if self._planes.is_central:  # every positive multiple of a point is in the same face
+                directions = primitive_rows(points[:, :-1])
+                points = np.column_stack([directions, np.ones_like(points[:, -1])])
+            witnesses = rational_points(points)
+            for signs, witness in zip(level.signs(rows).tolist(), witnesses, strict=True):
+                yield Face(tuple(signs), dimension, witness)
+
+
+def primitive_rows(rows: Integers) -> Integers:
+    """Return vectors along the last axis, each divided by its greatest common divisor."""
+    divisor = np.abs(np.gcd.reduce(rows, axis=-1, keepdims=True))  # of one object: with its sign
+    found: Integers = rows // np.maximum(divisor, 1)
+    return found
+
+
+def rational_points(points: Integers) -> Iterator[RationalVector]:
+    """Yield the points X / W of rows ``(X, W)``, equal numbers as one object."""
+    known = _Quotients()
+    for *point, scale in points.tolist():
+        yield tuple([known[x, scale] for x in point])
+
+
+class _Quotients(dict[tuple[int, int], Fraction]):
+    """Quotients of integers, each made once: short ones come again and again."""
+
+    def __missing__(self, pair: tuple[int, int]) -> Fraction:
+        x, scale = pair
+        return self.setdefault(pair, Fraction(x) if scale == 1 else Fraction(x, scale))
+
+
+def _frozen(signs: Signs) -> Signs:
+    signs.flags.writeable = False
+    return signs

@@ -1,0 +1,164 @@
+"""SymPy in and out: equations of planes, matrices and points, with both of its ground types."""
+
+from __future__ import annotations
+
+from fractions import Fraction
+from typing import Any
+
+import pytest
+import sympy
+from hypothesis import given, settings
+from sympy import Eq, I, Integer, Rational, pi, sin, sqrt
+from sympy.abc import a, x, y, z
+
+from arrangement import Arrangement, InputError, Planes, dual_polyhedron, to_sympy
+from arrangement.counts import essentialization, localization, restriction
+
+from .strategies import arrangements
+
+SPACE = (x, y, z)
+
+
+def test_equations_keep_their_order_and_their_sides() -> None:
+    planes = Arrangement.from_equations([Eq(x, y), y - z, 2 * x + 3 * z - 1], SPACE)
+    assert isinstance(planes, Arrangement)
+    assert planes.integer_planes == ((1, -1, 0, 0), (0, 1, -1, 0), (2, 0, 3, 1))
+    assert planes.signs_at((1, 0, 0)) == (1, 0, 1)
+    assert Planes.from_equations([Eq(y / 3, x / 2)]).integer_planes == ((-3, 2, 0),)
+
+
+def test_without_symbols_the_coordinates_are_those_that_occur_by_name() -> None:
+    assert Arrangement.from_equations([z - a]) == Arrangement([[-1, 1]])
+    assert Arrangement.from_equations([z - a], (z, a)) == Arrangement([[1, -1]])
+
+
+def test_terms_that_cancel_are_no_terms() -> None:
+    equation = Eq((x + 1) * (x - y), x**2 - x * y + sqrt(2) * y - sqrt(2) * y)
+    assert Arrangement.from_equations([equation], (x, y)) == Arrangement([[1, -1]])
+
+
+@settings(max_examples=60, deadline=None)
+@given(arrangements())
+def test_equations_return_the_same_planes(planes: Arrangement) -> None:
+    names = sympy.symbols(f"t:{planes.dimension}", positive=True)
+    for symbols in (names, names[::-1]):
+        assert Arrangement.from_equations(planes.equations(symbols), symbols) == planes
+
+
+def test_default_symbols_sort_as_they_are_counted() -> None:
+    planes = Arrangement([[*range(1, 13)]], [5])
+    assert Arrangement.from_equations(planes.equations()) == planes
+    assert Arrangement([[1, 0], [2, -3]], [0, 1]).equations() == (
+        Eq(x, 0, evaluate=False),
+        Eq(2 * x - 3 * y, 1),
+    )
+
+
+@pytest.mark.parametrize(
+    ("equation", "message"),
+    [
+        ("x = y", "text, which is never evaluated"),
+        ("__import__('os').abort()", "text, which is never evaluated"),
+        (a * x - 1, r"the term a\*x: a is not one of the symbols"),
+        (x - a, r"the term -a: a is not one of the symbols"),
+        (0.5 * x - y, r"the term 0\.5\*x: a float is not exact"),
+        (sqrt(2) * x, r"the term sqrt\(2\)\*x: the coefficient sqrt\(2\) is not a rational"),
+        (pi + x, "the term pi: "),
+        (x + I, "the term I: "),
+        (x * y + z, r"the term x\*y, which is not linear"),
+        (x**2 - y, r"the term x\*\*2, which is not linear"),
+        (sin(x) + y, r"the term sin\(x\), which is not linear"),
+        (x / y - 1, "the term x/y, which is not linear"),
+        (Eq(x, x), "true everywhere or nowhere"),
+        (True, "true everywhere or nowhere"),
+        (Integer(5), "none of the symbols"),
+        (x < y, "not an equation"),
+        (5, "not an equation"),
+        (None, "not an equation"),
+    ],
+)
+def test_equations_of_no_rational_plane_are_refused_with_the_term(
+    equation: Any, message: str
+) -> None:
+    with pytest.raises(InputError, match=rf"equations\[1\] .*{message}"):
+        Arrangement.from_equations([x, equation], SPACE)
+
+
+@pytest.mark.parametrize(
+    ("symbols", "message"),
+    [
+        ("xyz", "symbols is 'xyz'"),
+        ((x, "y", z), r"symbols\[1\] is 'y'"),
+        ((x, y, x), r"symbols\[2\] is x again"),
+        ((x, y), "2 symbols are given for 3"),
+        (3, "symbols is 3"),
+    ],
+)
+def test_bad_symbols_are_refused(symbols: Any, message: str) -> None:
+    planes = Arrangement([[1, 2, 3]])
+    with pytest.raises(InputError, match=message):
+        planes.equations(symbols)
+
+
+def test_equations_that_are_no_sequence_are_refused() -> None:
+    for equations in ("x = y", x - y, 5):
+        with pytest.raises(InputError, match="give a sequence of SymPy equations"):
+            Arrangement.from_equations(equations)  # type: ignore[arg-type]
+
+
+def test_matrices_of_sympy_are_read_by_rows() -> None:
+    rows = sympy.Matrix([[1, Rational(1, 2)], [0, 1]])
+    expected = Arrangement([[1, "1/2"], [0, 1]], [1, "2/3"])
+    offsets = sympy.Matrix([1, Rational(2, 3)])
+    assert Arrangement(rows, offsets) == expected
+    assert Arrangement(sympy.ImmutableMatrix(rows), offsets.T) == expected
+    assert Arrangement(rows.tolist(), list(offsets)) == expected
+    with pytest.raises(InputError, match=r"normals\[0\]\[0\] is the float"):
+        Arrangement(rows / 2.0)
+
+
+def test_the_matrix_has_the_planes_as_rows_over_the_integers() -> None:
+    planes = Arrangement([["1/2", 1], [0, 3]], [1, 2])
+    assert planes.matrix.domain == sympy.ZZ
+    assert planes.matrix.to_Matrix() == sympy.Matrix([[1, 2, 2], [0, 3, 2]])
+    assert planes.matrix is planes.matrix
+    assert Arrangement([], dimension=2).matrix.shape == (0, 3)
+
+
+@settings(max_examples=40, deadline=None)
+@given(arrangements())
+def test_the_matrix_has_the_rank_of_the_planes(planes: Arrangement) -> None:
+    normals = planes.matrix[:, : planes.dimension]
+    assert normals.rank() == planes.rank
+
+
+def test_points_are_columns_that_give_the_signs_back() -> None:
+    planes = Arrangement([[1, 2, 0], [0, 1, 3], [1, 1, 1]], [1, 0, "1/7"])
+    for face in planes.faces():
+        point = face.point()
+        assert point.shape == (3, 1)
+        assert planes.signs_at(point) == face.signs
+        values = planes.matrix.to_Matrix() * sympy.Matrix([*point, -1])
+        assert tuple(sympy.sign(value) for value in values) == face.signs
+
+
+def test_numbers_vectors_and_lists_of_vectors_go_to_sympy() -> None:
+    assert to_sympy(Fraction(3, 2)) == Rational(3, 2)
+    assert to_sympy(10**40) == Integer(10**40)
+    cube = dual_polyhedron(Arrangement([[1, 0, 0], [0, 1, 0], [0, 0, 1]]))
+    corners = to_sympy(cube.vertices)
+    assert len(corners) == 8
+    assert sum(corners, sympy.zeros(3, 1)) == sympy.zeros(3, 1)
+
+
+@settings(max_examples=40, deadline=None)
+@given(arrangements())
+def test_closed_forms_return_python_numbers(planes: Arrangement) -> None:
+    """Elements of SymPy's domains stay inside, whichever ground types it uses."""
+    made = [essentialization(planes)] if len(planes) else []
+    for i in range(len(planes)):
+        made.append(localization(planes, [i, i]))
+        if planes.dimension > 1:
+            made.append(restriction(planes, i))
+    numbers = [n for new in made for plane in new.integer_planes for n in plane]
+    assert all(type(n) is int for n in numbers)
