@@ -128,14 +128,14 @@ def _long_leaf(content: Mapping[str, Any], path: str, contacts: int) -> Leaf:
     where, given = f"{path}.multipliers", content["multipliers"]
     if not isinstance(given, Mapping):
         raise CertificateError(f"{where} is {shown(given)}; an object by contacts is due")
+    known = {str(i): i for i in range(contacts)} if given else {}
     multipliers = {}
     for key, pair in given.items():
-        number = int(key) if isinstance(key, str) and key.isdecimal() and len(key) < 10 else -1
-        if str(_index(number, f"{where}: the contact {shown(key)}", contacts)) != key:
-            raise CertificateError(f"{where}: the contact {shown(key)} is written {number}")
+        if key not in known:
+            raise CertificateError(f"{where}: {shown(key)} is no contact from 0 to {contacts - 1}")
         size = 1 if isinstance(pair, (list, tuple)) and len(pair) == 1 else 2
         alpha, h, *_ = *_rationals(pair, size, f"{where}.{key}"), Fraction(0)
-        multipliers[number] = (alpha, h)
+        multipliers[known[key]] = (alpha, h)
     return Leaf(motion, multipliers)
 
 
