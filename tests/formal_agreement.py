@@ -78,7 +78,9 @@ def mutant(document: dict[str, Any], source: Random) -> bytes:
     changed = deepcopy(document)
     places = list(_places(changed))
     numbers = [(home, key) for home, key in places if isinstance(home[key], (str, int))]
-    home, key = source.choice(numbers if source.random() < 0.6 else places)
+    given = [home[key] for home, key in places if key == "multipliers"]
+    bounded = [(pair, i) for pairs in given for pair in pairs.values() for i in range(len(pair))]
+    home, key = source.choice(source.choice([numbers, bounded or numbers, places]))
     old = home[key]
     kind = source.random()
     if isinstance(old, (str, int)) and kind < 0.9:
@@ -163,8 +165,8 @@ def _moved(number: str | int, source: Random) -> Any:
     if not numerator.lstrip("-").isdecimal():
         return number + "x"
     top, bottom = int(numerator), int(denominator or 1)
-    step = source.choice([-1, 1, 0])
-    return source.choice([f"{-top}/{bottom}", f"{1000 * top + step}/{1000 * bottom}"])
+    near = f"{1000 * top + source.choice([-1, 1])}/{1000 * bottom}"
+    return source.choice([f"{-top}/{bottom}", near]) if top else near
 
 
 def _broken_text(text: bytes, source: Random) -> bytes:
