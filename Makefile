@@ -1,7 +1,7 @@
 # Each target creates .venv on first use and installs again when pyproject.toml or
 # constraints.txt change. PYTHON=... picks the interpreter, ARGS=... goes to pytest.
 
-.PHONY: help verify test campaign lint types check mutants bench docs docs-check package-check clean
+.PHONY: help verify test campaign lint types check mutants bench docs docs-check package-check formal clean
 .DEFAULT_GOAL := help
 .DELETE_ON_ERROR:
 
@@ -27,6 +27,7 @@ help:
 	@echo "make docs     build the documentation in docs/_build/html"
 	@echo "make docs-check  build it and open every page in headless Chromium"
 	@echo "make package-check  build the packages and try them in empty environments"
+	@echo "make formal   compile the Coq proofs of the certificate checker, build it and compare it"
 	@echo "make clean    remove what the targets made"
 	@echo "PYTHON=python3.12 picks the interpreter, ARGS='-k faces' goes to pytest."
 	@echo "Pages are tested where Chromium is; BROWSER_TESTS=1 demands it, BROWSER_TESTS=0 leaves it out."
@@ -110,6 +111,12 @@ docs-check: docs $(VENV)/.stamp-test
 package-check: $(VENV)/.stamp-package
 	$(BIN)/python tests/check_package.py $(ARGS)
 
+formal: $(VENV)/.stamp-test
+	bash proofs_check/formal/build.sh
+	$(BIN)/python tests/formal_agreement.py proofs_check/formal/_build/proved-checker $(ARGS)
+	@cp proofs_check/formal/_build/proved-checker $(BIN)/equilibrium-proved-checker
+	@echo "$(BIN)/equilibrium-proved-checker"
+
 clean:
-	rm -rf $(VENV) build dist report docs/_build docs/_generated docs/reference .hypothesis .mypy_cache .pytest_cache .ruff_cache .import_linter_cache
+	rm -rf $(VENV) build dist report proofs_check/formal/_build docs/_build docs/_generated docs/reference .hypothesis .mypy_cache .pytest_cache .ruff_cache .import_linter_cache
 	find . -name __pycache__ -type d -prune -exec rm -rf {} +

@@ -64,6 +64,11 @@ def _parser() -> terminal.Parser:
         grasp=False,
     )
     verify.add_argument("certificate", metavar="CERT.json", help="a path, or - for stdin")
+    verify.add_argument(
+        "--proved",
+        action="store_true",
+        help="ask the checker that is proved in Coq (built by `make formal`)",
+    )
     wrench_sets.add_commands(commands)
     methods.add_commands(commands)
     inputs.add_commands(commands)
@@ -121,13 +126,19 @@ def _freedom(piece: Equilibrium) -> str:
 
 def _verify(arguments: argparse.Namespace) -> int:
     from equilibrium.io.files import verify
+    from equilibrium.io.proved_checker import verify_proved
 
-    report = verify(arguments.certificate)
-    if report:
-        line = f"valid: {report.kind}" + (f", {report.leaves} leaves" if report.leaves else "")
+    if arguments.proved:
+        valid, kind = verify_proved(arguments.certificate)
+        document: dict[str, Any] = {"valid": valid, "certificate": kind}
+        speaker, said = "proved", kind if valid else f"this does not prove {kind}"
     else:
-        line = f"not valid: {terminal.printable(report.problem)}"
-    return show(arguments, report.to_dict(), [line], bool(report))
+        report = verify(arguments.certificate)
+        valid, document, speaker = bool(report), report.to_dict(), "Python"
+        proof = f"{report.kind}, {report.leaves} leaves" if report.leaves else report.kind
+        said = proof if valid else terminal.printable(report.problem)
+    line = f"{'valid' if valid else 'not valid'}: {said} (by the {speaker} checker)"
+    return show(arguments, {**document, "checker": speaker.lower()}, [line], valid)
 
 
 if __name__ == "__main__":

@@ -203,6 +203,8 @@ def _contact(entry: Any, index: int) -> Contact:
     name = f"contacts[{index}]"
     check_keys(entry, _REQUIRED, _OPTIONAL, name)
     try:
+        for key in ("point", "normal"):
+            check_list(entry[key], key)
         return Contact(**entry)
     except ValueError as error:
         raise GraspError(f"{name}: {error}") from None

@@ -93,6 +93,10 @@ def test_value_out_of_range_is_named(values, name):
             "contacts": [{"point": [0, 0], "normal": [1, 0], "friction": 1, "mu": 1}],
         },
         {"schema_version": 1, "contacts": [{"point": "00", "normal": [1, 0], "friction": 1}]},
+        {
+            "schema_version": 1,
+            "contacts": [{"point": {"0": 1, "1": 1}, "normal": [1, 0], "friction": 1}],
+        },
     ],
 )
 def test_wrong_document_is_refused(document):

@@ -98,7 +98,7 @@ class _Search:
         e, s = ([_dot(row, g) for g in region] for row in (spring, slip))
         none = [Fraction(0)] * len(region)
         mixed = min(e) < 0 < max(e)
-        is_long = state in ("detached", *SIMPLE) or (state == "attached" and mixed)
+        is_long = state in ("detached", *SIMPLE) or (state == "attached" and min(e) < 0)
         is_long = is_long or self.source.random() < 0.2
         if state == "detached":
             return [({}, 1, 0)], e, none, True

@@ -40,7 +40,7 @@ def as_networkx(graph: DualGraph) -> nx.Graph:
 
 @pytest.mark.parametrize("planes", SMALL, ids=repr)
 def test_both_builders_agree(planes: Arrangement) -> None:
-    one, other = from_faces(planes.faces()), from_covectors(planes)
+    one, other = from_faces(planes), from_covectors(planes)
     assert one.vertices == other.vertices
     assert one.edges == other.edges
     assert sorted(map(sorted, (map(sorted, f) for f in one.faces))) == sorted(
@@ -50,7 +50,7 @@ def test_both_builders_agree(planes: Arrangement) -> None:
 
 @pytest.mark.parametrize("planes", SMALL, ids=repr)
 def test_graph_functions_agree_with_networkx(planes: Arrangement) -> None:
-    graph = from_faces(planes.faces())
+    graph = from_faces(planes)
     peer = as_networkx(graph)
     connected = len(peer) > 3 and nx.node_connectivity(peer) >= 3
     assert is_three_connected(graph) == connected
@@ -71,7 +71,7 @@ def test_three_connectedness_of_any_graph_agrees_with_networkx(
 
 @pytest.mark.parametrize("planes", SMALL, ids=repr)
 def test_the_faces_close_to_a_sphere_exactly_in_rank_three(planes: Arrangement) -> None:
-    assert is_sphere(from_faces(planes.faces())) == (planes.rank == 3)
+    assert is_sphere(from_faces(planes)) == (planes.rank == 3)
 
 
 def test_a_sphere_with_a_face_left_out_is_none() -> None:

@@ -1,0 +1,47 @@
+#!/usr/bin/env bash
+# Compile the proofs and the checker extracted from them; leave the program proved-checker in _build.
+set -euo pipefail
+cd "$(dirname "$0")"
+
+packages=()
+command -v coqc >/dev/null 2>&1 || packages+=(coq)
+command -v ocamlfind >/dev/null 2>&1 || packages+=(ocaml-findlib)
+ocamlfind query zarith >/dev/null 2>&1 || packages+=(libzarith-ocaml-dev)
+
+if [ "${#packages[@]}" -gt 0 ]; then
+  if [ "$(id -u)" -ne 0 ] || ! command -v apt-get >/dev/null 2>&1; then
+    echo "error: these system packages are missing: ${packages[*]} (Debian's names); install them" >&2
+    exit 1
+  fi
+  echo "installing ${packages[*]}"
+  export DEBIAN_FRONTEND=noninteractive
+  apt-get update -qq </dev/null
+  apt-get install -y -qq --no-install-recommends "${packages[@]}" </dev/null
+fi
+
+rm -rf _build
+mkdir _build
+cp ./*.v ./*.ml _build/
+cd _build
+
+# In the order in which they build on one another.
+for file in Model Checker Numbers Rows Leaves Regions Witness Soundness; do
+  echo "coqc $file.v"
+  coqc "$file.v"
+done
+coqc Extract.v | tee assumptions.txt
+
+# The axioms of Coq's real numbers, and nothing else.
+known='ClassicalDedekindReals.sig_forall_dec
+ClassicalDedekindReals.sig_not_dec
+FunctionalExtensionality.functional_extensionality_dep'
+theorems=$(grep -c '^Axioms:$' assumptions.txt)
+others=$(sed -e '/^ /d' -e '/^Axioms:$/d' -e 's/ :.*//' assumptions.txt | grep -vxF "$known" || true)
+if [ "$theorems" -ne 2 ] || [ -n "$others" ]; then
+  echo "error: the theorems rest on more than Coq's real numbers: $others" >&2
+  exit 1
+fi
+
+ocamlfind ocamlopt -package zarith -linkpkg \
+  checker.mli checker.ml json.ml reader.ml main.ml -o proved-checker
+echo "proofs_check/formal/_build/proved-checker"

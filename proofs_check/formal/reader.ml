@@ -1,0 +1,227 @@
+(* A certificate of the package as the question and the proof that the theorems are about. *)
+
+open Json
+
+module Zarith = Z
+open Checker
+module Z = Zarith (* not the extracted module of that name *)
+
+(* Splits in a row, as in the package's own checker. *)
+let most_splits = 300
+
+let keys where required optional value =
+  match value with
+  | Object members ->
+    List.iter (fun (key, _) ->
+      if not (List.mem key required || List.mem key optional) then
+        malformed "%s has the unknown key %S" where key) members;
+    List.iter (fun key ->
+      if not (List.mem_assoc key members) then malformed "%s has no key %S" where key) required;
+    members
+  | _ -> malformed "%s is no object" where
+
+let list where length value =
+  match value with
+  | List items when length = None || length = Some (List.length items) -> items
+  | List items -> malformed "%s has %d entries" where (List.length items)
+  | _ -> malformed "%s is no list" where
+
+let text where = function Text text -> text | _ -> malformed "%s is no text" where
+
+(* A rational in lowest terms. *)
+let fraction n d =
+  let g = Z.gcd n d in
+  { qnum = Z.divexact n g; qden = Z.divexact d g }
+
+let digits text = text <> "" && String.for_all (fun c -> c >= '0' && c <= '9') text
+
+(* An integer, or a text: "12", "-7/3", "0.25"; no other form. *)
+let rational where value =
+  let wrong () = malformed "%s is no exact number such as \"7/3\", \"-0.25\" or 12" where in
+  let unsigned text =
+    match String.index_opt text '/', String.index_opt text '.' with
+    | None, None when digits text -> fraction (Z.of_string text) Z.one
+    | Some i, None ->
+      let n = String.sub text 0 i and d = String.sub text (i + 1) (String.length text - i - 1) in
+      if not (digits n && digits d) || Z.equal (Z.of_string d) Z.zero then wrong ();
+      fraction (Z.of_string n) (Z.of_string d)
+    | None, Some i ->
+      let decimals = String.sub text (i + 1) (String.length text - i - 1) in
+      let all = String.sub text 0 i ^ decimals in
+      if not (digits all) then wrong ();
+      fraction (Z.of_string all) (Z.pow (Z.of_int 10) (String.length decimals))
+    | _ -> wrong () in
+  match value with
+  | Integer n -> fraction n Z.one
+  | Text text when String.length text > longest_number ->
+    malformed "%s has more than %d characters" where longest_number
+  | Text text when text <> "" && (text.[0] = '-' || text.[0] = '+') ->
+    let q = unsigned (String.sub text 1 (String.length text - 1)) in
+    if text.[0] = '-' then { q with qnum = Z.neg q.qnum } else q
+  | Text text -> unsigned text
+  | _ -> wrong ()
+
+let vector where value =
+  match List.map (rational where) (list where (Some 3) value) with
+  | [ along_x; along_y; turn ] -> { along_x; along_y; turn }
+  | _ -> assert false
+
+let pair where value =
+  match List.map (rational where) (list where (Some 2) value) with
+  | [ x; y ] -> (x, y)
+  | _ -> assert false
+
+let index where below value =
+  match value with
+  | Integer i when Z.sign i >= 0 && Z.lt i (Z.of_int below) -> Z.to_int i
+  | _ -> malformed "%s is no number from 0 to %d" where (below - 1)
+
+let version where due members =
+  match List.assoc "schema_version" members with
+  | Integer n when Z.equal n (Z.of_int due) -> ()
+  | _ -> malformed "the schema_version of %s is not %d" where due
+
+(* Contacts: unit normals, stiffness above 0, friction and preload at least 0. *)
+let contact i value =
+  let where = Printf.sprintf "contacts[%d]" i in
+  let members = keys where [ "point"; "normal"; "friction" ] [ "stiffness"; "preload" ] value in
+  let number key missing =
+    match List.assoc_opt key members with
+    | Some value -> rational (where ^ ": " ^ key) value
+    | None -> fraction (Z.of_int missing) Z.one in
+  let point_x, point_y = pair (where ^ ": point") (List.assoc "point" members) in
+  let normal_x, normal_y = pair (where ^ ": normal") (List.assoc "normal" members) in
+  let friction = number "friction" 0 in
+  let stiffness = number "stiffness" 1 in
+  let preload = number "preload" 0 in
+  let common = Z.lcm normal_x.qden normal_y.qden in
+  let square q = let n = Z.mul q.qnum (Z.divexact common q.qden) in Z.mul n n in
+  if not (Z.equal (Z.add (square normal_x) (square normal_y)) (Z.mul common common)) then
+    malformed "%s: the normal is not exactly unit" where;
+  if Z.sign friction.qnum < 0 then malformed "%s: the friction is below 0" where;
+  if Z.sign stiffness.qnum <= 0 then malformed "%s: the stiffness is not above 0" where;
+  if Z.sign preload.qnum < 0 then malformed "%s: the preload is below 0" where;
+  { point_x; point_y; normal_x; normal_y; friction; stiffness; preload }
+
+(* A label; what it says does not matter here. *)
+let unit_of_measure where value =
+  let text = text where value in
+  let bytes = String.length text in
+  let characters =
+    String.fold_left (fun n c -> if Char.code c land 0xC0 = 0x80 then n else n + 1) 0 text in
+  if characters < 1 || characters > 20 || String.exists (fun c -> c < ' ' || c = '\127') text
+     || text.[0] = ' ' || text.[bytes - 1] = ' ' then
+    malformed "%s is no text of 1 to 20 characters" where
+
+let grasp value =
+  let members =
+    keys "the grasp" [ "schema_version"; "contacts" ] [ "description"; "units" ] value in
+  version "the grasp" 1 members;
+  Option.iter (fun value -> ignore (text "the description" value))
+    (List.assoc_opt "description" members);
+  Option.iter (fun value ->
+    List.iter (fun (key, value) -> unit_of_measure ("the unit of " ^ key) value)
+      (keys "units" [ "length"; "force" ] [] value))
+    (List.assoc_opt "units" members);
+  List.mapi contact (list "contacts" None (List.assoc "contacts" members))
+
+(* Multipliers of a leaf: the key is a contact, the value [alpha] or [alpha, h]. *)
+let multiplier contacts (key, value) =
+  let i = if digits key && String.length key < 10 then int_of_string key else -1 in
+  if i < 0 || i >= contacts || string_of_int i <> key then
+    malformed "multipliers: there is no contact %S" key;
+  match value with
+  | List [ alpha ] -> (Z.of_int i, (rational "alpha" alpha, fraction Z.zero Z.one))
+  | _ -> (Z.of_int i, pair "multipliers" value)
+
+type decided = Attachment_known | Slip_known
+
+(* [cone]: the region is simplicial; [states]: the contacts that are decided, as far as a further
+   split needs to know: "attached" or not. *)
+let rec node contacts depth cone states value =
+  let child = node contacts (depth + 1) in
+  let split () =
+    if depth = most_splits then malformed "more than %d splits in a row" most_splits in
+  let has key = match value with Object members -> List.mem_assoc key members | _ -> false in
+  let at key members = index key contacts (List.assoc key members) in
+  match value with
+  | List _ -> Leaf (vector "a virtual motion" value, [])
+  | _ when has "virtual_motion" ->
+    let members = keys "a leaf" [ "virtual_motion"; "multipliers" ] [] value in
+    let given =
+      match List.assoc "multipliers" members with
+      | Object given -> given
+      | _ -> malformed "multipliers is no object" in
+    Leaf (vector "virtual_motion" (List.assoc "virtual_motion" members),
+          List.map (multiplier contacts) given)
+  | _ when has "orthants" ->
+    split ();
+    if cone then malformed "orthants cut the half space only";
+    let members = keys "a node" [ "orthants" ] [] value in
+    (match List.map (child true states)
+             (list "orthants" (Some 8) (List.assoc "orthants" members)) with
+     | [ a; b; c; d; e; f; g; h ] -> Orthants (a, b, c, d, e, f, g, h)
+     | _ -> assert false)
+  | _ when has "edge" ->
+    split ();
+    if not cone then malformed "an edge cuts a simplicial cone only";
+    let members = keys "a node" [ "edge"; "children" ] [ "at" ] value in
+    let corner value =
+      match index "edge" 4 value with
+      | 0 -> Corner0 | 1 -> Corner1 | 2 -> Corner2 | _ -> Corner3 in
+    let p, q =
+      match List.assoc_opt "at" members with
+      | Some value -> pair "at" value
+      | None -> (fraction Z.one Z.one, fraction Z.one Z.one) in
+    List.iter (fun x ->
+      if Z.sign x.qnum <= 0 || not (Z.equal x.qden Z.one) then
+        malformed "at has integers above 0 only") [ p; q ];
+    (match List.map corner (list "edge" (Some 2) (List.assoc "edge" members)),
+           List.map (child true states)
+             (list "children" (Some 2) (List.assoc "children" members)) with
+     | [ j; k ], [ first; second ] ->
+       if j = k then malformed "an edge has two generators";
+       Edge (j, k, p.qnum, q.qnum, first, second)
+     | _ -> assert false)
+  | _ when has "attachment" ->
+    split ();
+    let members = keys "a node" [ "contact"; "attachment" ] [] value in
+    let i = at "contact" members in
+    if List.mem_assoc i states then malformed "contact %d is not undecided" i;
+    let parts = keys "attachment" [ "detached"; "attached" ] [] (List.assoc "attachment" members) in
+    Attachment (Z.of_int i,
+      child cone ((i, Slip_known) :: states) (List.assoc "detached" parts),
+      child cone ((i, Attachment_known) :: states) (List.assoc "attached" parts))
+  | _ when has "slip" ->
+    split ();
+    let members = keys "a node" [ "contact"; "slip" ] [] value in
+    let i = at "contact" members in
+    if List.assoc_opt i states <> Some Attachment_known then
+      malformed "contact %d is not attached" i;
+    let parts = keys "slip" [ "stick"; "slip+"; "slip-" ] [] (List.assoc "slip" members) in
+    let part key = child cone ((i, Slip_known) :: states) (List.assoc key parts) in
+    let stick = part "stick" in
+    let plus = part "slip+" in
+    Slip (Z.of_int i, stick, plus, part "slip-")
+  | _ -> malformed "a node is a list of three numbers or an object that says how it splits"
+
+let document value =
+  let members = match value with Object members -> members | _ -> [] in
+  let kind =
+    match List.assoc_opt "certificate" members with
+    | Some (Text ("resisted" | "not resisted" as kind)) -> kind
+    | Some (Text ("stable" | "unstable")) -> malformed "this is an old certificate"
+    | _ -> malformed "this is no certificate" in
+  let own = if kind = "resisted" then [ "motion"; "forces" ] else [ "tree" ] in
+  ignore (keys "the certificate" ([ "schema_version"; "certificate"; "grasp"; "wrench" ] @ own) []
+    value);
+  version "the certificate" 3 members;
+  let contacts = grasp (List.assoc "grasp" members) in
+  let question = { contacts; applied = vector "wrench" (List.assoc "wrench" members) } in
+  let count = List.length contacts in
+  let proof =
+    if kind = "resisted" then
+      Resisted (vector "motion" (List.assoc "motion" members),
+        List.map (pair "forces") (list "forces" (Some count) (List.assoc "forces" members)))
+    else NotResisted (node count 0 false [] (List.assoc "tree" members)) in
+  (kind, question, proof)

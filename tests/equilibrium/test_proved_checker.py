@@ -1,0 +1,81 @@
+"""How the proved checker is found and asked; a script stands for it. `make formal` asks itself."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import pytest
+
+from equilibrium.cli import main
+from equilibrium.io import proved_checker
+from equilibrium.io.proved_checker import PROGRAM, verify_proved
+from equilibrium.model.errors import CertificateError
+
+
+@pytest.fixture
+def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    """Return the only folder in which programs are looked for."""
+    monkeypatch.setattr(proved_checker.sys, "executable", str(tmp_path / "python"))
+    monkeypatch.setenv("PATH", str(tmp_path))
+    return tmp_path
+
+
+def program(folder: Path, line: str, code: int) -> None:
+    path = folder / PROGRAM
+    path.write_text(f"#!/bin/sh\necho '{line}'\nexit {code}\n", encoding="utf-8")
+    path.chmod(0o755)
+
+
+def test_without_the_program_the_error_says_how_to_build_it(folder: Path) -> None:
+    with pytest.raises(CertificateError, match=r"not built.*make formal"):
+        verify_proved("certificate.json")
+
+
+@pytest.mark.parametrize("kind", ["resisted", "not resisted"])
+def test_answers(folder: Path, kind: str) -> None:
+    program(folder, f"accepted: {kind}", 0)
+    assert verify_proved("certificate.json") == (True, kind)
+    program(folder, f"refused: {kind}", 1)
+    assert verify_proved("certificate.json") == (False, kind)
+
+
+@pytest.mark.parametrize(
+    ("line", "code"),
+    [
+        ("malformed: a number is a float", 2),
+        ("accepted: resisted", 1),
+        ("refused: resisted", 0),
+        ("", 0),
+        ("accepted: resisted", 137),
+    ],
+)
+def test_no_other_answer_is_taken(folder: Path, line: str, code: int) -> None:
+    program(folder, line, code)
+    with pytest.raises(CertificateError, match="cannot read"):
+        verify_proved("certificate.json")
+
+
+def test_a_path_is_no_option(folder: Path) -> None:
+    (folder / PROGRAM).write_text('#!/bin/sh\necho "malformed: <$*>"\nexit 2\n')
+    (folder / PROGRAM).chmod(0o755)
+    with pytest.raises(CertificateError, match=r"<\./--question>"):
+        verify_proved("--question")
+    with pytest.raises(CertificateError, match="<->"):
+        verify_proved("-")
+
+
+def test_the_command_says_which_checker_spoke(
+    folder: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    program(folder, "accepted: not resisted", 0)
+    assert main(["verify", "--proved", "certificate.json"]) == 0
+    expected = "valid: the verdict is not resisted (by the proved checker)\n"
+    assert capsys.readouterr().out == expected
+    program(folder, "refused: resisted", 1)
+    assert main(["verify", "--proved", "certificate.json", "--json"]) == 1
+    found = json.loads(capsys.readouterr().out)
+    assert found == {"valid": False, "certificate": "resisted", "checker": "proved"}
+    program(folder, "malformed: a number is a float", 2)
+    assert main(["verify", "--proved", "certificate.json"]) == 2
+    assert "a number is a float" in capsys.readouterr().err

@@ -1,0 +1,260 @@
+"""The proved checker beside the one in Python: one answer for each document, or exit code 1.
+
+Documents are motions with forces, and trees of many shapes, for questions in which degenerate cases
+are common; mutants of each are changed in one place, in their numbers, nodes, keys or bytes. Also
+compared: what both read of grasp and wrench.
+
+    python tests/formal_agreement.py PROGRAM [--documents 1000] [--mutants 4] [--seed 0]
+"""
+
+from __future__ import annotations
+
+import argparse
+import json
+import subprocess
+import sys
+import tempfile
+from collections import Counter
+from collections.abc import Iterator
+from copy import deepcopy
+from itertools import count, islice
+from pathlib import Path
+from random import Random
+from typing import Any
+
+# Run as a script, this file finds its own folder only.
+sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
+
+from arrangement.errors import InputError
+from arrangement.exact import to_text
+from arrangement.io.files import _parse
+from equilibrium import solve
+from equilibrium.certificate.checker import check
+from equilibrium.certificate.document import refuted_certificate, resisted_certificate
+from equilibrium.certificate.reading import read_question
+from tests.equilibrium.awkward import question
+from tests.equilibrium.trees import TooLarge, refutation
+
+ANSWERS = ("accepted", "refused", "malformed")
+#: Trees for one question, and the most nodes of one.
+SHAPES, NODES = 3, 60
+#: Files that one run of the program looks at.
+BATCH = 500
+#: Numbers in forms that are read, and others that are not.
+NUMBERS = [
+    *("0", "1", "-1", "1/3", "-7/2", "+2", "6/4", "0.25", "-.5", "3.", "1/1000", "-1/1000"),
+    *("", "-", "1/0", "1/-2", "1e3", " 1", "1.2/3", "--1", "x", "\u0663", "0x1", "1_0", "1/2/3"),
+    *(0, 2, -3, 10**40, 0.5, True, None, "9" * 100_001),
+]
+#: What a node, or any other value, may be replaced by.
+VALUES = [None, [], {}, [[]], ["0", "0", "0"], {"orthants": []}, {"edge": [0, 1]}, -1, 8, "0"]
+#: Bytes of one character in UTF-8, and four that are none.
+LETTERS = [b"\xf0\x9f\x98\x80", b"\xc0\x80", b"\xed\xa0\x80", b"\xf4\x90\x80\x80", b"\xe2\x82"]
+
+
+def documents(seed: int) -> Iterator[dict[str, Any]]:
+    """Yield certificates of both kinds without end; all are valid."""
+    for k in count(1000 * seed):
+        asked = question(k)
+        found = solve(asked.grasp, asked.wrench).solution
+        if found is not None:
+            certificate = resisted_certificate(
+                asked.grasp, asked.wrench, found.motion, found.forces
+            )
+            yield certificate.to_dict()
+            continue
+        for shape in range(SHAPES):
+            try:
+                tree = refutation(asked.grasp, asked.wrench, shape, NODES)
+            except TooLarge:
+                continue
+            yield refuted_certificate(asked.grasp, asked.wrench, tree).to_dict()
+
+
+def mutant(document: dict[str, Any], source: Random) -> bytes:
+    """Return a certificate that is changed in one place."""
+    if source.random() < 0.1:
+        return _broken_text(json.dumps(document).encode(), source)
+    changed = deepcopy(document)
+    places = list(_places(changed))
+    numbers = [(home, key) for home, key in places if isinstance(home[key], (str, int))]
+    given = [home[key] for home, key in places if key == "multipliers"]
+    bounded = [(pair, i) for pairs in given for pair in pairs.values() for i in range(len(pair))]
+    home, key = source.choice(source.choice([numbers, bounded or numbers, places]))
+    old = home[key]
+    kind = source.random()
+    if isinstance(old, (str, int)) and kind < 0.9:
+        home[key] = _moved(old, source) if kind < 0.8 else source.choice(NUMBERS)
+    elif isinstance(home, dict) and kind < 0.3:
+        del home[key]
+        home[source.choice([str(key), *_keys(changed)])] = old
+    elif isinstance(home, list) and kind < 0.4:
+        other = source.randrange(len(home))
+        home[key], home[other] = home[other], old
+    elif kind < 0.5:
+        del home[key]
+    elif kind < 0.6 and isinstance(home, list):
+        home.insert(source.randrange(len(home) + 1), deepcopy(old))
+    elif kind < 0.9:
+        other_home, other_key = source.choice(places)
+        home[key] = deepcopy(other_home[other_key])
+    else:
+        home[key] = source.choice(VALUES)
+    return json.dumps(changed).encode()
+
+
+def forms() -> Iterator[bytes]:
+    """Yield certificates of unusual form, readable and not: numbers, keys, text, depth, size."""
+    contact = {"point": ["0", "-1"], "normal": ["0", "1"], "friction": "1/2"}
+    leaf = {"virtual_motion": ["0", "1", "0"], "multipliers": {"0": ["0/3"]}}
+    grasp = {"schema_version": 1, "contacts": [contact]}
+    plain = {"schema_version": 3, "certificate": "not resisted", "grasp": grasp}
+    plain |= {"wrench": ["0", 1, "+0.0"], "tree": leaf}
+
+    def of_contact(key: str, value: Any) -> dict[str, Any]:
+        return {"grasp": {**grasp, "contacts": [{**contact, key: value}]}}
+
+    changes: list[dict[str, Any]] = [{}]
+    for number in NUMBERS:
+        changes += [{"wrench": ["0", number, "0"]}, {"tree": [number, "1", "0"]}]
+        changes += [of_contact(key, number) for key in ("friction", "preload", "stiffness")]
+        changes.append(of_contact("normal", [number, "4/5"]))
+    for key in ("00", "+0", "0.", "1", "-1", " 0", "", "\u0660", "0" * 12):
+        changes.append({"tree": {**leaf, "multipliers": {key: ["1"]}}})
+    for units in ({}, {"length": "m"}, {"length": "m", "force": "\u03bcN"}, [], None):
+        changes.append({"grasp": {**grasp, "units": units}})
+    for description in ("", "x" * 10_000, '\ud800 \U0001f600 \\ " \t', 3, None):
+        changes.append({"grasp": {**grasp, "description": description}})
+    changes += [{"schema_version": version} for version in (1, 2, "3", 3.0, True, 10**30)]
+    changes.append({"certificate": "unstable"})
+    yield from (json.dumps({**plain, **change}).encode() for change in changes)
+
+    text, tree = json.dumps(plain), json.dumps(leaf)
+    yield text.replace('"tree"', '"\\u0074ree"').encode()
+    yield text.replace('"tree"', '"tree":0,"tree"').encode()
+    yield text.replace(" ", "\r\n\t ").encode()
+    for broken in ("NaN", "01", "-", "1.", "'0'", "0,", "[0]]", "/**/0", "\f0", '"\t"', "tru"):
+        yield text.replace("1, ", broken + ", ", 1).encode()
+    yield from (text.encode(name) for name in ("utf-8-sig", "utf-16", "utf-32"))
+    described = json.dumps({**plain, "grasp": {**grasp, "description": "D"}}).encode()
+    yield from (described.replace(b"D", letter) for letter in LETTERS)
+    for depth in (1, 299, 300, 301, 900, 100_000):
+        start = '{"orthants": [' + f"{tree}, " * 7 + '{"edge": [0, 1], "children": [' * (depth - 1)
+        end = f", {tree}]}}" * (depth - 1) + "]}"
+        yield text.replace(tree, start + tree + end).encode()
+        yield text.replace(tree, "[" * depth + "]" * depth).encode()
+
+
+def _places(value: Any) -> Iterator[tuple[Any, Any]]:
+    """Yield every container with each of its keys or indices."""
+    keys = value if isinstance(value, dict) else range(len(value)) if type(value) is list else ()
+    for key in keys:
+        yield value, key
+        yield from _places(value[key])
+
+
+def _keys(document: Any) -> list[str]:
+    return sorted({key for _, key in _places(document) if isinstance(key, str)})
+
+
+def _moved(number: str | int, source: Random) -> Any:
+    """Return a number close to the one given, where it is one."""
+    if isinstance(number, int):
+        return number + source.choice([-1, 1])
+    numerator, _, denominator = number.partition("/")
+    if not numerator.lstrip("-").isdecimal():
+        return number + "x"
+    top, bottom = int(numerator), int(denominator or 1)
+    near = f"{1000 * top + source.choice([-1, 1])}/{1000 * bottom}"
+    return source.choice([f"{-top}/{bottom}", near]) if top else near
+
+
+def _broken_text(text: bytes, source: Random) -> bytes:
+    at = source.randrange(len(text))
+    return source.choice(
+        [
+            text[:at],
+            text[:at] + text[at + 1 :],
+            text[:at] + source.choice([b",", b'"', b"0", b"\\", b"\xff", b"//", b"\\u0041", b"\n"])
+            + text[at:],
+            b"\xef\xbb\xbf" + text,
+            text + text,
+        ]
+    )  # fmt: skip
+
+
+def python_answer(path: Path) -> tuple[str, Any]:
+    """Return the answer of the Python checker, and the question where the document has a form."""
+    try:
+        document = _parse(path.read_bytes(), path.name, floats=False)
+        report = check(document)
+        _, grasp, wrench = read_question(document)
+    except InputError:
+        return "malformed", None
+    rows = [[*c.point, *c.normal, c.friction, c.stiffness, c.preload] for c in grasp]
+    asked = {"contacts": [list(map(to_text, row)) for row in rows]}
+    return ("accepted" if report else "refused"), {**asked, "wrench": list(map(to_text, wrench))}
+
+
+def program_answers(program: Path, paths: list[Path], *options: str) -> list[str]:
+    """Return the lines that the proved checker prints, one for each file."""
+    lines: list[str] = []
+    for start in range(0, len(paths), BATCH):
+        batch = paths[start : start + BATCH]
+        done = subprocess.run([program, *options, *batch], capture_output=True, text=True)
+        lines += done.stdout.splitlines()
+        if done.stderr or done.returncode not in (0, 1, 2):
+            raise RuntimeError(f"{program}: exit code {done.returncode}: {done.stderr}")
+    return lines
+
+
+def compare(program: Path, number: int, mutants: int, seed: int, folder: Path) -> int:
+    """Compare all answers; print what differs and what was counted; return the differences."""
+    source = Random(f"formal {seed}")
+    paths, valid = [], set()
+    for i, document in enumerate(islice(documents(seed), number)):
+        for j in range(mutants + 1):
+            paths.append(folder / f"{i}-{j}.json")
+            text = mutant(document, source) if j else json.dumps(document).encode()
+            paths[-1].write_bytes(text)
+        valid.add(paths[-mutants - 1])
+    for i, text in enumerate(forms()):
+        paths.append(folder / f"form-{i}.json")
+        paths[-1].write_bytes(text)
+    lines, questions = (program_answers(program, paths, *o) for o in ((), ("--question",)))
+    counted: Counter[tuple[bool, str]] = Counter()
+    differences = 0
+    for path, line, asked in zip(paths, lines, questions, strict=True):
+        answer, content = python_answer(path)
+        counted[path in valid, answer] += 1
+        proved = line.partition(":")[0]
+        same = content is None or asked == json.dumps(content, separators=(",", ":"))
+        if proved != answer or not same or (path in valid and answer != "accepted"):
+            differences += 1
+            print(f"{path.name}: Python: {answer}, proved: {line}, same question: {same}")
+            print(path.read_bytes()[:2000].decode(errors="replace"))
+    for kind, name in ((True, "documents"), (False, "mutants and unusual forms")):
+        print(name + ":", ", ".join(f"{counted[kind, answer]} {answer}" for answer in ANSWERS))
+    missing = [answer for answer in ANSWERS if mutants and not counted[False, answer]]
+    if missing:
+        print(f"no mutant is {' or '.join(missing)}")
+    print(f"{differences} disagreements of the Python checker and the proved one")
+    return differences + len(missing)
+
+
+def main() -> int:
+    """Compare the two checkers on generated documents."""
+    parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
+    parser.add_argument("program", type=Path)
+    parser.add_argument("--documents", type=int, default=1000)
+    parser.add_argument("--mutants", type=int, default=4)
+    parser.add_argument("--seed", type=int, default=0)
+    given = parser.parse_args()
+    with tempfile.TemporaryDirectory() as folder:
+        program = given.program.resolve()
+        found = compare(program, given.documents, given.mutants, given.seed, Path(folder))
+    return 1 if found else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
