@@ -32,6 +32,8 @@ ROOT = Path(__file__).resolve().parent.parent
 #: Seconds of processor time after which the tests of one fault are stopped; that counts as found.
 #: Without a fault they take less than half of it.
 LIMIT = 90
+#: Bytes that they may take: without its limit on depth the checker would follow any document.
+MEMORY = 4 * 2**30
 
 
 class Target(NamedTuple):
@@ -209,6 +211,7 @@ def survives(target: Target, path: Path, fault: Fault) -> bool:
         status = 1
         try:
             resource.setrlimit(resource.RLIMIT_CPU, (LIMIT, LIMIT))
+            resource.setrlimit(resource.RLIMIT_AS, (MEMORY, MEMORY))
             quiet = os.open(os.devnull, os.O_WRONLY)
             os.dup2(quiet, 1)
             os.dup2(quiet, 2)
