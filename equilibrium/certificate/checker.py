@@ -52,13 +52,18 @@ class Report:
     problem: str
     leaves: int = 0
 
-    def __bool__(self) -> bool:
+    @property
+    def valid(self) -> bool:
+        """Whether the proof holds."""
         return not self.problem
+
+    def __bool__(self) -> bool:
+        return self.valid
 
     def to_dict(self) -> dict[str, Any]:
         """Return a JSON form."""
         found = {"problem": self.problem} if self.problem else {}
-        return {"valid": bool(self), "certificate": self.kind, "leaves": self.leaves, **found}
+        return {"valid": self.valid, "certificate": self.kind, "leaves": self.leaves, **found}
 
 
 def check(

@@ -41,9 +41,10 @@ def draw_compare(
         MissingExtraError: matplotlib is absent.
     """
     question = Question(wrench, extent)
+    chosen = [method_named(name) for name in _names(grasp, methods)]
     parts = [
-        (METHODS[name].label, method_named(name).region(grasp, origin=(0, 0, question.torque)))
-        for name in watched(_names(grasp, methods), "methods")
+        (method.label, method.region(grasp, origin=(0, 0, question.torque)))
+        for method in watched(chosen, "methods")
     ]
     return draw_parts(grasp, parts, question, width, columns=max(1, int(width / 44)))
 

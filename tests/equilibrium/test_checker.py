@@ -31,7 +31,7 @@ from equilibrium.certificate.document import (
 from equilibrium.io.schemas import certificate_schema
 from equilibrium.model.errors import CertificateError
 
-from . import bruteforce, judge, trees
+from . import judge, oracle, trees
 from .awkward import question
 from .mutations import mutants
 
@@ -56,7 +56,7 @@ def refuted(seed: int, tree: int) -> dict[str, Any]:
 
 def resisted(seed: int) -> dict[str, Any]:
     asked = question(seed)
-    found = next(bruteforce.solutions(asked.grasp, asked.wrench))
+    found = next(oracle.solutions(asked.grasp, asked.wrench))
     return resisted_certificate(asked.grasp, asked.wrench, found.motion, found.forces).to_dict()
 
 
@@ -68,7 +68,7 @@ def documents() -> list[dict[str, Any]]:
 
 @cache
 def is_stable(grasp: Grasp, wrench: tuple[Fraction, ...]) -> bool:
-    return bruteforce.is_stable(grasp, wrench)
+    return oracle.is_stable(grasp, wrench)
 
 
 def report_of(document: Any) -> Report | None:

@@ -69,8 +69,8 @@ def test_a_larger_piece_is_not_lost_for_a_point_of_it(name, wrench, states):
     grasp = read_grasp(name)
     pieces = solve(grasp, wrench).equilibria
     assert [piece.states for piece in pieces] == states
-    for motion, forces in oracle.solutions(grasp, wrench):
-        assert any(piece.contains(motion, forces) for piece in pieces)
+    for found in oracle.solutions(grasp, wrench):
+        assert any(piece.contains(found.motion, found.forces) for piece in pieces)
 
 
 @settings(max_examples=40, deadline=None)

@@ -70,7 +70,7 @@ def test_the_command_says_which_checker_spoke(
 ) -> None:
     program(folder, "accepted: not resisted", 0)
     assert main(["verify", "--proved", "certificate.json"]) == 0
-    expected = "valid: the verdict is not resisted (by the proved checker)\n"
+    expected = "valid: not resisted (by the proved checker)\n"
     assert capsys.readouterr().out == expected
     program(folder, "refused: resisted", 1)
     assert main(["verify", "--proved", "certificate.json", "--json"]) == 1

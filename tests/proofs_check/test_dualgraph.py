@@ -75,7 +75,7 @@ def test_the_faces_close_to_a_sphere_exactly_in_rank_three(planes: Arrangement) 
 
 
 def test_a_sphere_with_a_face_left_out_is_none() -> None:
-    graph = from_faces(random_arrangement(Random(1), 4).faces())
+    graph = from_faces(random_arrangement(Random(1), 4))
     assert is_sphere(graph)
     assert not is_sphere(DualGraph(graph.vertices, graph.edges, graph.faces[1:]))
 
