@@ -61,7 +61,7 @@ def read_question(document: Any) -> tuple[str, Grasp, RationalVector]:
         InputError: an old certificate, unknown keys, wrong types, a grasp out of range.
     """
     if not isinstance(document, Mapping):
-        raise CertificateError(f"the certificate is {shown(document)}; an object is due")
+        raise CertificateError(f"the certificate is {shown(document)}; expected an object")
     kind, version = document.get("certificate"), document.get("schema_version")
     if kind in ("stable", "unstable"):
         raise CertificateError(
@@ -127,7 +127,7 @@ def _long_leaf(content: Mapping[str, Any], path: str, contacts: int) -> Leaf:
     motion = _rationals(content["virtual_motion"], 3, f"{path}.virtual_motion")
     where, given = f"{path}.multipliers", content["multipliers"]
     if not isinstance(given, Mapping):
-        raise CertificateError(f"{where} is {shown(given)}; an object by contacts is due")
+        raise CertificateError(f"{where} is {shown(given)}; expected an object by contacts")
     known = {str(i): i for i in range(contacts)} if given else {}
     multipliers = {}
     for key, pair in given.items():
