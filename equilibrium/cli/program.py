@@ -3,13 +3,15 @@
 from __future__ import annotations
 
 import argparse
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
+from itertools import chain
 from typing import TYPE_CHECKING, Any
 
 from arrangement import terminal
 
 from . import draw, inputs, methods, wrench_sets
 from .arguments import add_command, add_wrench, grasp_of, show, vector
+from .proof_words import proof_lines
 
 if TYPE_CHECKING:
     from equilibrium.solver.equilibrium import Equilibrium
@@ -101,7 +103,9 @@ def _solve(arguments: argparse.Namespace) -> int:
         found = solve(grasp, arguments.wrench, **limits)
         if arguments.certificate:
             write_certificate(arguments.certificate, found.certificate)
-    lines = _verdict_lines(found.equilibria)
+    lines: Iterable[str] = _verdict_lines(found.equilibria)
+    if isinstance(found, Verdict) and not found.stable:
+        lines = chain(lines, proof_lines(found))
     return show(arguments, found.to_dict(), lines, found.stable, grasp)
 
 
