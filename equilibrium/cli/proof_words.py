@@ -29,14 +29,15 @@ def proof_lines(verdict: Verdict) -> Iterator[str]:
     yield "proof: whatever the contacts do, no forces balance"
     for where, together in cases.items():
         shown = [works(verdict.grasp, verdict.wrench, part) for part in together]
+        load, least = to_text(shown[0].load), to_text(min(done.least for done in shown))
         yield (
             f"  {where}on the virtual motion {vector(together[0].leaf.motion)} the load does work "
-            f"{to_text(shown[0].load)}, the contacts at least {to_text(min(w.least for w in shown))}"
+            f"{load}, the contacts at least {least}"
         )
         for i, factors in enumerate(zip(*(w.factors for w in shown), strict=True), 1):
             known = [factor for factor in factors if factor is not None]
-            least = f"at least {to_text(min(known))} times its normal force" if known else "none"
-            yield f"    contact {i}  {least}"
+            work = f"at least {to_text(min(known))} times its normal force" if known else "none"
+            yield f"    contact {i}  {work}"
 
 
 def _cases(found: list[Part]) -> dict[str, list[Part]]:

@@ -1,0 +1,249 @@
+"""The proof that a wrench is not resisted: motions cut into regions, each with a virtual motion."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+from fractions import Fraction
+
+import numpy as np
+
+from arrangement.draw.colours import BLUE, GREY, VERMILION, fill_colour, pale
+from arrangement.draw.figure import picture
+from arrangement.draw.registry import Exact, Wrench
+from arrangement.draw.scene import POINTS, Floats, Scene, area
+from arrangement.exact import IntegerVector, RationalVector, primitive, rational
+from arrangement.polyhedra.cones import generators
+from arrangement.polyhedra.polyhedron import Polyhedron, from_conditions
+from equilibrium.certificate.leaves import Part, parts, works
+from equilibrium.model.errors import GraspError
+from equilibrium.model.grasp import Grasp, read_wrench
+from equilibrium.verdict import Verdict, solve
+
+from .grasp import Picture
+from .layout import MOVED, Layout, layout_of
+from .panel import ABOVE, BELOW, LEFT, Panel
+from .row import GAP, RIGHT, new_legend
+from .shapes import arrow, turning_arrow
+from .style import nice, number, rounded, vector
+from .window import Window, roomiest
+
+#: Half the side of the maps, and of the small grasps, where the contacts fill [-1, 1].
+_MAP, _SMALL = 3, 2
+#: How many parts are shown beside the map, and how many virtual motions the legend names.
+_SHOWN, _NAMED = 3, 9
+_TURNS = {1: "counter-clockwise", -1: "clockwise"}
+
+
+@dataclass(frozen=True)
+class _Shape:
+    """A part of the motions where it meets the rotations of one sense: a polygon of centres."""
+
+    part: Part
+    sense: int
+    corners: Floats
+
+
+@picture
+def draw_proof(
+    grasp: Grasp, *, wrench: Wrench, turn: Exact | None = None, width: float = 180.0
+) -> Scene:
+    """Draw why a wrench is not resisted: regions of motions, and the virtual motion against each.
+
+    A motion (x, y, r) with r != 0 turns the object about (-y/r, x/r). The two maps show these
+    centres in the plane of the object, for r > 0 and for r < 0; translations are rotations about
+    points at infinity. The regions are those of the certificate, exact, coloured by their virtual
+    motions. Where they depend on the size of the motion, the maps show the rotations by one angle.
+
+    Beside them, the largest regions of three virtual motions: the virtual motion, by its centre and
+    by arrows at the contacts, and at each contact its least work as a factor of its normal force.
+
+    Args:
+        grasp: contacts.
+        wrench: one that is not resisted.
+        turn: the angle r of the rotations shown (linearised), above 0, where it matters; if
+            omitted, about the largest one at which a preloaded spring still touches.
+        width: of the figure, in millimetres.
+
+    Raises:
+        GraspError: the wrench is resisted, or a turn that is not above 0.
+        MissingExtraError: matplotlib is absent.
+    """
+    verdict = solve(grasp, read_wrench(wrench))
+    if verdict.stable:
+        raise GraspError(
+            f"the wrench {vector(verdict.wrench)} is resisted, so there is no proof of a no; the "
+            "view grasp shows how it is balanced"
+        )
+    layout = layout_of(grasp, verdict, None, 1)
+    found = list(parts(verdict.certificate.to_dict()))
+    angle = _angle(layout, found, turn)
+    window = Window(layout.frame.centre, _MAP * layout.frame.size)
+    shapes = [
+        _Shape(part, sense, corners)
+        for part in found
+        for sense in _TURNS
+        if (centres := _centres(part, grasp, sense, angle)) is not None
+        and (corners := window.inside(centres)) is not None
+    ]
+    sizes: dict[RationalVector, float] = {part.leaf.motion: 0.0 for part in found}
+    for shape in shapes:
+        sizes[shape.part.leaf.motion] += area(shape.corners)
+    ranks = {motion: i for i, motion in enumerate(sorted(sizes, key=lambda m: -sizes[m]))}
+    legend = new_legend(width)
+    for line in _lines(verdict, found, ranks, angle):
+        legend.line(line)
+    for motion, i in list(ranks.items())[:_NAMED]:
+        legend.key(pale(fill_colour(i)), f"{i + 1}: λ = {vector(motion)}")
+    side = (legend.width - LEFT - RIGHT - GAP) / 2
+    small = 0.6 * side
+    scene = Scene(width, (side + small + 2 * ABOVE + BELOW + legend.height) / POINTS)
+    low = legend.height + small + ABOVE + BELOW
+    unit = grasp.units.length if grasp.units else ""
+    for i, sense in enumerate(_TURNS):
+        panel = Panel(scene, window, (LEFT + i * (side + GAP), low), side, f"{i + 1}-")
+        panel.rulers(("$x$", "$y$"), unit, left=i == 0)
+        panel.title(f"centres of {_TURNS[sense]} motions")
+        _map(panel, [shape for shape in shapes if shape.sense == sense], ranks)
+        _grasp(scene, layout, side / 2 / _MAP, panel.at((0, 0)), panel.name)
+    for i, motion in enumerate(list(ranks)[:_SHOWN]):
+        own = [(area(s.corners), -k, s.part) for k, s in enumerate(shapes)
+               if s.part.leaf.motion == motion]  # fmt: skip
+        part = max(own)[2] if own else next(p for p in found if p.leaf.motion == motion)
+        middle = np.array([(2 * i + 1) * scene.width / 6, legend.height + small / 2])
+        _example(scene, layout, verdict, part, (i, middle, small))
+    legend.draw(scene)
+    return scene
+
+
+def _angle(layout: Layout, found: list[Part], turn: Exact | None) -> Fraction | None:
+    """Return the rotation to be shown; None if regions do not depend on the size of motions."""
+    if turn is not None:
+        angle = rational(turn, "turn")
+        if angle <= 0:
+            raise GraspError(f"turn is {angle}; it must be above 0")
+        return angle
+    plain = all(g[0] == 0 or not any(g[1:]) for part in found for g in part.region)
+    if plain and not any(layout.grasp.contacts[i].preload for part in found for i in part.states):
+        return None
+    reach = max((c.preload / c.stiffness for c in layout.grasp), default=Fraction(0))
+    return nice(rounded(reach / layout.frame.size)) if reach else Fraction(1)
+
+
+def _conditions(part: Part, grasp: Grasp) -> Iterator[tuple[IntegerVector, bool]]:
+    """Yield rows ``a . (d_0, d) >= 0`` of a part, and whether ``= 0`` is meant instead."""
+    for row in generators(part.region, (), 4)[0]:
+        yield row, False
+    for i, state in part.states.items():
+        contact = grasp.contacts[i]
+        spring = (contact.preload, *(-contact.stiffness * x for x in contact.normal_wrench))
+        sign = -1 if state == "detached" else 1
+        yield primitive([sign * x for x in spring]), False
+        if state not in ("detached", "attached"):
+            sign = -1 if state == "slip-" else 1
+            slip = primitive([0, *(sign * x for x in contact.tangential_wrench)])
+            yield slip, state == "stick"
+
+
+def _centres(part: Part, grasp: Grasp, sense: int, angle: Fraction | None) -> Polyhedron | None:
+    """Return the centres of the rotations of a part, of one sense and angle."""
+    rows: dict[bool, list[IntegerVector]] = {False: [], True: []}
+    for (zero, x, y, r), equal in _conditions(part, grasp):
+        constant = sense * r + (zero / angle if angle else 0)
+        if any(row := primitive((-sense * y, sense * x, constant))):
+            rows[equal].append(row)
+    return from_conditions(rows[False], rows[True], 2)
+
+
+def _map(panel: Panel, shapes: list[_Shape], ranks: dict[RationalVector, int]) -> None:
+    """Fill the regions, with the number of their virtual motion where there is room."""
+    with panel.scene.clipped(panel.box):
+        for i, shape in enumerate(sorted(shapes, key=lambda s: -area(s.corners))):
+            rank, corners = ranks[shape.part.leaf.motion], panel.at(shape.corners)
+            fill, gid = pale(fill_colour(rank)), panel.gid("region", i)
+            if len(corners) > 2:
+                panel.scene.polygon(corners, fc=fill, ec="#404040", lw=0.4, gid=gid, zorder=-1)
+            elif "stick" in shape.part.states.values():
+                panel.scene.line(corners, ec=fill, lw=2, gid=gid, zorder=-0.5)
+    for shape in shapes:
+        text = str(ranks[shape.part.leaf.motion] + 1)
+        half = panel.scene.measure(text)[0] / panel.side + 0.02, 9 / panel.side
+        place, room = roomiest(shape.corners, half, 1) if len(shape.corners) > 2 else (None, 0)
+        if room > 1:
+            panel.scene.write(panel.at(place), text, weight="bold", halo=(1.5, "white"), zorder=8)
+
+
+def _grasp(scene: Scene, layout: Layout, scale: float, middle: Floats, name: str) -> Picture:
+    """Draw the grasp and its load; `name` comes before the names of all elements."""
+    drawn, first = Picture(layout, scene, scale, middle), len(scene.items)
+    drawn.body()
+    drawn.contacts()
+    drawn.wrench()
+    drawn.numbers()
+    named = (
+        replace(item, name=name + item.name if item.name else "") for item in scene.items[first:]
+    )
+    scene.items[first:] = named
+    return drawn
+
+
+def _example(
+    scene: Scene, layout: Layout, verdict: Verdict, part: Part, place: tuple[int, Floats, float]
+) -> None:
+    """Draw the virtual motion of a part on a small grasp, with the works on it."""
+    (i, middle, size), motion = place, part.leaf.motion
+    scale, name = size / 2 / _SMALL, f"{i + 3}-"
+    drawn = _grasp(scene, layout, scale, middle, name)
+    done = works(verdict.grasp, verdict.wrench, part)
+    title = f"{i + 1}: load {number(done.load)}, contacts at least {number(done.least)}"
+    scene.text(middle + np.array([0, size / 2]), title, weight="bold")
+    x, y, r = motion
+    shifts = [(x - r * c.point[1], y + r * c.point[0]) for c in verdict.grasp]
+    largest = max((abs(v) for shift in shifts for v in shift), default=Fraction(0))
+    for k, (shift, factor) in enumerate(zip(shifts, done.factors, strict=True), 1):
+        start, normal = drawn.places[k - 1], layout.normals[k - 1]
+        if any(shift):
+            step = 2 * MOVED * scale * np.array([float(v / largest) for v in shift])
+            arrow(
+                scene,
+                start,
+                start + step,
+                1.0,
+                fc=BLUE,
+                ec="none",
+                gid=f"{name}shift-{k}",
+                zorder=7,
+            )
+            drawn.labels.avoid_line(start, start + step)
+        text = "no force" if factor is None else f"{number(factor)} c"
+        ways = [normal, *(np.array([a, b]) for a in (-1, 0, 1) for b in (-1, 0, 1) if a or b)]
+        wanted = [start - out * way for out in (18, 24, 12, 30) for way in ways]
+        colour = GREY if factor is None else VERMILION if factor < 0 else BLUE
+        scene.text(drawn.labels.place(text, wanted), text, color=colour, halo=(1.5, "white"),
+                   gid=f"{name}work-{k}", zorder=8)  # fmt: skip
+    if r:
+        centre = layout.frame.paper((-y / r, x / r))
+        if max(abs(centre)) < 1.2 * _SMALL:
+            turning_arrow(scene, drawn.at(centre), 0.15 * scale, 1 if r > 0 else -1, color=BLUE,
+                          gid=f"{name}centre", zorder=7)  # fmt: skip
+            scene.mark(drawn.at(centre), "o", 2.5, color=BLUE, zorder=7)
+
+
+def _lines(
+    verdict: Verdict, found: list[Part], ranks: dict[RationalVector, int], angle: Fraction | None
+) -> Iterator[str]:
+    named = f", {_NAMED} of them named" if len(ranks) > _NAMED else ""
+    yield (
+        f"w = {vector(verdict.wrench)} is not resisted: {len(found)} regions of motions, "
+        f"{len(ranks)} virtual motions λ = (x, y, r){named}"
+    )
+    yield (
+        "regions: motions of every size; farther centres and translations lie beyond the edges"
+        if angle is None
+        else f"regions: only the motions with r = {number(angle)} (left) and r = "
+        f"{number(-angle)} (right) are shown; the proof has all"
+    )
+    yield (
+        "below: λ moves the contacts as blue arrows show; a contact with the normal force c works "
+        "at least as written"
+    )
