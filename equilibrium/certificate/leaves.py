@@ -39,7 +39,7 @@ class Part(NamedTuple):
 
 
 class Works(NamedTuple):
-    """What is done on the virtual motion of a part.
+    """What is done on the virtual motion of parts.
 
     Attributes:
         load: the work of the load.
@@ -78,8 +78,17 @@ def parts(document: Mapping[str, Any]) -> Iterator[Part]:
         waiting += [(child, *one) for child, one in zip(children, cut, strict=True)][::-1]
 
 
-def works(grasp: Grasp, wrench: RationalVector, part: Part) -> Works:
-    """Return the works on the virtual motion of a part."""
+def works(grasp: Grasp, wrench: RationalVector, together: Sequence[Part]) -> Works:
+    """Return the works on the virtual motion of one part, or of several that share it."""
+    each = [_works(grasp, wrench, part) for part in together]
+    factors = [
+        min((factor for factor in some if factor is not None), default=None)
+        for some in zip(*(done.factors for done in each), strict=True)
+    ]
+    return Works(each[0].load, factors, min(done.least for done in each))
+
+
+def _works(grasp: Grasp, wrench: RationalVector, part: Part) -> Works:
     region, states, leaf = part
     load, factors = Fraction(dot(wrench, leaf.motion)), []
     work = [load * g[0] for g in region]

@@ -28,15 +28,15 @@ def proof_lines(verdict: Verdict) -> Iterator[str]:
         return
     yield "proof: whatever the contacts do, no forces balance"
     for where, together in cases.items():
-        shown = [works(verdict.grasp, verdict.wrench, part) for part in together]
-        load, least = to_text(shown[0].load), to_text(min(done.least for done in shown))
+        done = works(verdict.grasp, verdict.wrench, together)
         yield (
             f"  {where}on the virtual motion {vector(together[0].leaf.motion)} the load does work "
-            f"{load}, the contacts at least {least}"
+            f"{to_text(done.load)}, the contacts at least {to_text(done.least)}"
         )
-        for i, factors in enumerate(zip(*(w.factors for w in shown), strict=True), 1):
-            known = [factor for factor in factors if factor is not None]
-            work = f"at least {to_text(min(known))} times its normal force" if known else "none"
+        for i, factor in enumerate(done.factors, 1):
+            work = (
+                "none" if factor is None else f"at least {to_text(factor)} times its normal force"
+            )
             yield f"    contact {i}  {work}"
 
 

@@ -29,7 +29,7 @@ from .style import nice, number, rounded, vector
 from .window import Window, roomiest
 
 #: Half the side of the maps, and of the small grasps, where the contacts fill [-1, 1].
-_MAP, _SMALL = 3, 2
+_MAP, _SMALL = 3, 2.3
 #: How many parts are shown beside the map, and how many virtual motions the legend names.
 _SHOWN, _NAMED = 3, 9
 _TURNS = {1: "counter-clockwise", -1: "clockwise"}
@@ -55,14 +55,14 @@ def draw_proof(
     points at infinity. The regions are those of the certificate, exact, coloured by their virtual
     motions. Where they depend on the size of the motion, the maps show the rotations by one angle.
 
-    Beside them, the largest regions of three virtual motions: the virtual motion, by its centre and
-    by arrows at the contacts, and at each contact its least work as a factor of its normal force.
+    Below, the three virtual motions of the largest regions, by their centres and by arrows at the
+    contacts; at each contact its least work, as a factor of its normal force.
 
     Args:
         grasp: contacts.
         wrench: one that is not resisted.
         turn: the angle r of the rotations shown (linearised), above 0, where it matters; if
-            omitted, about the largest one at which a preloaded spring still touches.
+            omitted, about the largest one at which a preloaded spring still touches, and no border.
         width: of the figure, in millimetres.
 
     Raises:
@@ -94,7 +94,7 @@ def draw_proof(
     for line in _lines(verdict, found, ranks, angle):
         legend.line(line)
     for motion, i in list(ranks.items())[:_NAMED]:
-        legend.key(pale(fill_colour(i)), f"{i + 1}: λ = {vector(motion)}")
+        legend.key(_fill(i), f"{i + 1}: λ = {vector(motion)}")
     side = (legend.width - LEFT - RIGHT - GAP) / 2
     small = 0.6 * side
     scene = Scene(width, (side + small + 2 * ABOVE + BELOW + legend.height) / POINTS)
@@ -106,12 +106,11 @@ def draw_proof(
         panel.title(f"centres of {_TURNS[sense]} motions")
         _map(panel, [shape for shape in shapes if shape.sense == sense], ranks)
         _grasp(scene, layout, side / 2 / _MAP, panel.at((0, 0)), panel.name)
-    for i, motion in enumerate(list(ranks)[:_SHOWN]):
-        own = [(area(s.corners), -k, s.part) for k, s in enumerate(shapes)
-               if s.part.leaf.motion == motion]  # fmt: skip
-        part = max(own)[2] if own else next(p for p in found if p.leaf.motion == motion)
-        middle = np.array([(2 * i + 1) * scene.width / 6, legend.height + small / 2])
-        _example(scene, layout, verdict, part, (i, middle, small))
+    shown = list(ranks)[:_SHOWN]
+    for i, motion in enumerate(shown):
+        together = [part for part in found if part.leaf.motion == motion]
+        middle = np.array([(2 * i + 1) * scene.width / len(shown), 2 * legend.height + small]) / 2
+        _example(scene, layout, verdict, together, (i, middle, small))
     legend.draw(scene)
     return scene
 
@@ -127,7 +126,12 @@ def _angle(layout: Layout, found: list[Part], turn: Exact | None) -> Fraction | 
     if plain and not any(layout.grasp.contacts[i].preload for part in found for i in part.states):
         return None
     reach = max((c.preload / c.stiffness for c in layout.grasp), default=Fraction(0))
-    return nice(rounded(reach / layout.frame.size)) if reach else Fraction(1)
+    angle = nice(rounded(reach / layout.frame.size)) if reach else Fraction(1)
+    rows = (row for part in found for row, _ in _conditions(part, layout.grasp))
+    borders = {Fraction(abs(zero), abs(r)) for zero, x, y, r in rows if r and not (x or y)}
+    while angle in borders:
+        angle *= Fraction(9, 10)
+    return angle
 
 
 def _conditions(part: Part, grasp: Grasp) -> Iterator[tuple[IntegerVector, bool]]:
@@ -160,17 +164,21 @@ def _map(panel: Panel, shapes: list[_Shape], ranks: dict[RationalVector, int]) -
     with panel.scene.clipped(panel.box):
         for i, shape in enumerate(sorted(shapes, key=lambda s: -area(s.corners))):
             rank, corners = ranks[shape.part.leaf.motion], panel.at(shape.corners)
-            fill, gid = pale(fill_colour(rank)), panel.gid("region", i)
+            fill, gid = _fill(rank), panel.gid("region", i)
             if len(corners) > 2:
-                panel.scene.polygon(corners, fc=fill, ec="#404040", lw=0.4, gid=gid, zorder=-1)
+                panel.scene.polygon(corners, fc=fill, ec="#404040", lw=0.4, gid=gid, zorder=0.3)
             elif "stick" in shape.part.states.values():
-                panel.scene.line(corners, ec=fill, lw=2, gid=gid, zorder=-0.5)
+                panel.scene.line(corners, ec=fill, lw=2, gid=gid, zorder=0.5)
     for shape in shapes:
         text = str(ranks[shape.part.leaf.motion] + 1)
         half = panel.scene.measure(text)[0] / panel.side + 0.02, 9 / panel.side
         place, room = roomiest(shape.corners, half, 1) if len(shape.corners) > 2 else (None, 0)
         if room > 1:
             panel.scene.write(panel.at(place), text, weight="bold", halo=(1.5, "white"), zorder=8)
+
+
+def _fill(rank: int) -> str:
+    return pale(fill_colour(rank), 0.6)
 
 
 def _grasp(scene: Scene, layout: Layout, scale: float, middle: Floats, name: str) -> Picture:
@@ -188,42 +196,43 @@ def _grasp(scene: Scene, layout: Layout, scale: float, middle: Floats, name: str
 
 
 def _example(
-    scene: Scene, layout: Layout, verdict: Verdict, part: Part, place: tuple[int, Floats, float]
+    scene: Scene,
+    layout: Layout,
+    verdict: Verdict,
+    together: list[Part],
+    place: tuple[int, Floats, float],
 ) -> None:
-    """Draw the virtual motion of a part on a small grasp, with the works on it."""
-    (i, middle, size), motion = place, part.leaf.motion
+    """Draw the virtual motion of some parts on a small grasp, with the works on it."""
+    (i, middle, size), (x, y, r) = place, together[0].leaf.motion
     scale, name = size / 2 / _SMALL, f"{i + 3}-"
     drawn = _grasp(scene, layout, scale, middle, name)
-    done = works(verdict.grasp, verdict.wrench, part)
+    done = works(verdict.grasp, verdict.wrench, together)
     title = f"{i + 1}: load {number(done.load)}, contacts at least {number(done.least)}"
-    scene.text(middle + np.array([0, size / 2]), title, weight="bold")
-    x, y, r = motion
+    scene.text(middle + np.array([0, size / 2 + 3]), title, weight="bold")
     shifts = [(x - r * c.point[1], y + r * c.point[0]) for c in verdict.grasp]
     largest = max((abs(v) for shift in shifts for v in shift), default=Fraction(0))
-    for k, (shift, factor) in enumerate(zip(shifts, done.factors, strict=True), 1):
-        start, normal = drawn.places[k - 1], layout.normals[k - 1]
+    for k, (shift, start) in enumerate(zip(shifts, drawn.places, strict=True), 1):
         if any(shift):
-            step = 2 * MOVED * scale * np.array([float(v / largest) for v in shift])
-            arrow(
-                scene,
-                start,
-                start + step,
-                1.0,
-                fc=BLUE,
-                ec="none",
-                gid=f"{name}shift-{k}",
-                zorder=7,
-            )
-            drawn.labels.avoid_line(start, start + step)
+            end = start + 2 * MOVED * scale * np.array([float(v / largest) for v in shift])
+            arrow(scene, start, end, 1.0, fc=BLUE, ec="none", gid=f"{name}shift-{k}", zorder=7)
+            drawn.labels.avoid_line(start, end)
+    for k, (factor, start) in enumerate(zip(done.factors, drawn.places, strict=True), 1):
         text = "no force" if factor is None else f"{number(factor)} c"
-        ways = [normal, *(np.array([a, b]) for a in (-1, 0, 1) for b in (-1, 0, 1) if a or b)]
-        wanted = [start - out * way for out in (18, 24, 12, 30) for way in ways]
+        normal = layout.normals[k - 1]
+        along, half = np.array([-normal[1], normal[0]]), scene.measure(text)[0] / 2
+        wanted = [
+            start - out * normal + side * along - [half * np.sign(round(normal[0], 3)), 0]
+            for out in (6, 12, 18, 26)
+            for side in (-10, 10, 16, -16, 0)
+        ]
+        ends = half + 2, scene.width - half - 2
+        wanted = [np.array([min(max(place[0], ends[0]), ends[1]), place[1]]) for place in wanted]
         colour = GREY if factor is None else VERMILION if factor < 0 else BLUE
         scene.text(drawn.labels.place(text, wanted), text, color=colour, halo=(1.5, "white"),
                    gid=f"{name}work-{k}", zorder=8)  # fmt: skip
     if r:
         centre = layout.frame.paper((-y / r, x / r))
-        if max(abs(centre)) < 1.2 * _SMALL:
+        if max(abs(centre)) < _SMALL - 0.3:
             turning_arrow(scene, drawn.at(centre), 0.15 * scale, 1 if r > 0 else -1, color=BLUE,
                           gid=f"{name}centre", zorder=7)  # fmt: skip
             scene.mark(drawn.at(centre), "o", 2.5, color=BLUE, zorder=7)
