@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from fractions import Fraction
@@ -72,8 +73,7 @@ def draw_proof(
     verdict = solve(grasp, read_wrench(wrench))
     if verdict.stable:
         raise GraspError(
-            f"the wrench {vector(verdict.wrench)} is resisted, so there is no proof of a no; the "
-            "view grasp shows how it is balanced"
+            "the wrench is resisted, so no proof refutes it; the view grasp shows what balances it"
         )
     layout = layout_of(grasp, verdict, None, 1)
     found = list(parts(verdict.certificate.to_dict()))
@@ -126,7 +126,9 @@ def _angle(layout: Layout, found: list[Part], turn: Exact | None) -> Fraction | 
     if plain and not any(layout.grasp.contacts[i].preload for part in found for i in part.states):
         return None
     reach = max((c.preload / c.stiffness for c in layout.grasp), default=Fraction(0))
-    angle = nice(rounded(reach / layout.frame.size)) if reach else Fraction(1)
+    wanted = reach / layout.frame.size or Fraction(1)
+    near = rounded(wanted)
+    angle = nice(near) if near and math.isfinite(near) else wanted
     rows = (row for part in found for row, _ in _conditions(part, layout.grasp))
     borders = {Fraction(abs(zero), abs(r)) for zero, x, y, r in rows if r and not (x or y)}
     while angle in borders:
@@ -231,11 +233,12 @@ def _example(
         scene.text(drawn.labels.place(text, wanted), text, color=colour, halo=(1.5, "white"),
                    gid=f"{name}work-{k}", zorder=8)  # fmt: skip
     if r:
-        centre = layout.frame.paper((-y / r, x / r))
-        if max(abs(centre)) < _SMALL - 0.3:
-            turning_arrow(scene, drawn.at(centre), 0.15 * scale, 1 if r > 0 else -1, color=BLUE,
+        frame, centre = layout.frame, (-y / r, x / r)
+        if all(abs(v - c) < 2 * frame.size for v, c in zip(centre, frame.centre, strict=True)):
+            at = drawn.at(frame.paper(centre))
+            turning_arrow(scene, at, 0.15 * scale, 1 if r > 0 else -1, color=BLUE,
                           gid=f"{name}centre", zorder=7)  # fmt: skip
-            scene.mark(drawn.at(centre), "o", 2.5, color=BLUE, zorder=7)
+            scene.mark(at, "o", 2.5, color=BLUE, zorder=7)
 
 
 def _lines(
