@@ -4,5 +4,5 @@ from equilibrium import read_grasp
 from equilibrium.draw import write_drawing
 
 write_drawing(
-    read_grasp("paper-three-contacts"), "proof-by-hand.svg", "proof", wrench=(0, 1, 0), width=140
+    read_grasp("paper-three-contacts"), "proof-by-hand.svg", "proof", wrench=(0, 1, 0), width=150
 )

@@ -12,7 +12,7 @@ import numpy as np
 from arrangement.draw.colours import BLUE, GREY, VERMILION, fill_colour, pale
 from arrangement.draw.figure import picture
 from arrangement.draw.registry import Exact, Wrench
-from arrangement.draw.scene import POINTS, Floats, Scene, area
+from arrangement.draw.scene import POINTS, Floats, Scene, area, checked_width
 from arrangement.exact import IntegerVector, RationalVector, primitive, rational
 from arrangement.polyhedra.cones import generators
 from arrangement.polyhedra.polyhedron import Polyhedron, from_conditions
@@ -25,12 +25,12 @@ from .grasp import Picture
 from .layout import MOVED, Layout, layout_of
 from .panel import ABOVE, BELOW, LEFT, Panel
 from .row import GAP, RIGHT, new_legend
-from .shapes import arrow, turning_arrow
+from .shapes import Labels, arrow, turning_arrow
 from .style import nice, number, rounded, vector
 from .window import Window, roomiest
 
 #: Half the side of the maps, and of the small grasps, where the contacts fill [-1, 1].
-_MAP, _SMALL = 3, 2.3
+_MAP, _SMALL = 3, 2.5
 #: How many parts are shown beside the map, and how many virtual motions the legend names.
 _SHOWN, _NAMED = 3, 9
 _TURNS = {1: "counter-clockwise", -1: "clockwise"}
@@ -90,22 +90,22 @@ def draw_proof(
     for shape in shapes:
         sizes[shape.part.leaf.motion] += area(shape.corners)
     ranks = {motion: i for i, motion in enumerate(sorted(sizes, key=lambda m: -sizes[m]))}
-    legend = new_legend(width)
+    legend = new_legend(checked_width(width, 150.0))
     for line in _lines(verdict, found, ranks, angle):
         legend.line(line)
     for motion, i in list(ranks.items())[:_NAMED]:
         legend.key(_fill(i), f"{i + 1}: λ = {vector(motion)}")
     side = (legend.width - LEFT - RIGHT - GAP) / 2
     small = 0.6 * side
-    scene = Scene(width, (side + small + 2 * ABOVE + BELOW + legend.height) / POINTS)
-    low = legend.height + small + ABOVE + BELOW
+    scene = Scene(width, (side + small + 2.5 * ABOVE + BELOW + legend.height) / POINTS)
+    low = legend.height + small + 1.5 * ABOVE + BELOW
     unit = grasp.units.length if grasp.units else ""
     for i, sense in enumerate(_TURNS):
         panel = Panel(scene, window, (LEFT + i * (side + GAP), low), side, f"{i + 1}-")
         panel.rulers(("$x$", "$y$"), unit, left=i == 0)
         panel.title(f"centres of {_TURNS[sense]} motions")
-        _map(panel, [shape for shape in shapes if shape.sense == sense], ranks)
-        _grasp(scene, layout, side / 2 / _MAP, panel.at((0, 0)), panel.name)
+        drawn = _grasp(scene, layout, side / 2 / _MAP, panel.at((0, 0)), panel.name)
+        _map(panel, [shape for shape in shapes if shape.sense == sense], ranks, drawn.labels)
     shown = list(ranks)[:_SHOWN]
     for i, motion in enumerate(shown):
         together = [part for part in found if part.leaf.motion == motion]
@@ -161,22 +161,23 @@ def _centres(part: Part, grasp: Grasp, sense: int, angle: Fraction | None) -> Po
     return from_conditions(rows[False], rows[True], 2)
 
 
-def _map(panel: Panel, shapes: list[_Shape], ranks: dict[RationalVector, int]) -> None:
+def _map(
+    panel: Panel, shapes: list[_Shape], ranks: dict[RationalVector, int], labels: Labels
+) -> None:
     """Fill the regions, with the number of their virtual motion where there is room."""
-    with panel.scene.clipped(panel.box):
-        for i, shape in enumerate(sorted(shapes, key=lambda s: -area(s.corners))):
-            rank, corners = ranks[shape.part.leaf.motion], panel.at(shape.corners)
-            fill, gid = _fill(rank), panel.gid("region", i)
-            if len(corners) > 2:
-                panel.scene.polygon(corners, fc=fill, ec="#404040", lw=0.4, gid=gid, zorder=0.3)
-            elif "stick" in shape.part.states.values():
-                panel.scene.line(corners, ec=fill, lw=2, gid=gid, zorder=0.5)
-    for shape in shapes:
-        text = str(ranks[shape.part.leaf.motion] + 1)
-        half = panel.scene.measure(text)[0] / panel.side + 0.02, 9 / panel.side
-        place, room = roomiest(shape.corners, half, 1) if len(shape.corners) > 2 else (None, 0)
-        if room > 1:
-            panel.scene.write(panel.at(place), text, weight="bold", halo=(1.5, "white"), zorder=8)
+    for i, shape in enumerate(sorted(shapes, key=lambda s: -area(s.corners))):
+        rank, corners = ranks[shape.part.leaf.motion], panel.at(shape.corners)
+        fill, gid, text = _fill(rank), panel.gid("region", i), str(rank + 1)
+        if len(corners) > 2:
+            panel.scene.polygon(corners, fc=fill, ec="#404040", lw=0.4, gid=gid, zorder=0.3)
+            half = panel.scene.measure(text)[0] / panel.side + 0.02, 9 / panel.side
+            place, room = roomiest(shape.corners, half, 1)
+            if room > 1:
+                others = (place + shape.corners) / 2 if room > 2 else []
+                at = labels.place(text, [panel.at(other) for other in (place, *others)])
+                panel.scene.text(at, text, weight="bold", halo=(1.5, "white"), zorder=8)
+        elif "stick" in shape.part.states.values():
+            panel.scene.line(corners, ec=fill, lw=2, gid=gid, zorder=0.5)
 
 
 def _fill(rank: int) -> str:
@@ -202,15 +203,17 @@ def _example(
     layout: Layout,
     verdict: Verdict,
     together: list[Part],
-    place: tuple[int, Floats, float],
+    where: tuple[int, Floats, float],
 ) -> None:
     """Draw the virtual motion of some parts on a small grasp, with the works on it."""
-    (i, middle, size), (x, y, r) = place, together[0].leaf.motion
+    (i, middle, size), (x, y, r) = where, together[0].leaf.motion
     scale, name = size / 2 / _SMALL, f"{i + 3}-"
     drawn = _grasp(scene, layout, scale, middle, name)
     done = works(verdict.grasp, verdict.wrench, together)
-    title = f"{i + 1}: load {number(done.load)}, contacts at least {number(done.least)}"
-    scene.text(middle + np.array([0, size / 2 + 3]), title, weight="bold")
+    load, least, both = map(number, (done.load, done.least, done.load + done.least))
+    for k, text in enumerate((f"{i + 1}: load {load}, contacts ≥ {least}", f"together ≥ {both}")):
+        place = middle[0], middle[1] + size / 2 + 12 - 9 * k
+        scene.text(place, text, weight="normal" if k else "bold")
     shifts = [(x - r * c.point[1], y + r * c.point[0]) for c in verdict.grasp]
     largest = max((abs(v) for shift in shifts for v in shift), default=Fraction(0))
     for k, (shift, start) in enumerate(zip(shifts, drawn.places, strict=True), 1):
@@ -234,7 +237,10 @@ def _example(
                    gid=f"{name}work-{k}", zorder=8)  # fmt: skip
     if r:
         frame, centre = layout.frame, (-y / r, x / r)
-        if all(abs(v - c) < 2 * frame.size for v, c in zip(centre, frame.centre, strict=True)):
+        if all(
+            abs(v - c) < _MAP * frame.size * 3 / 4
+            for v, c in zip(centre, frame.centre, strict=True)
+        ):
             at = drawn.at(frame.paper(centre))
             turning_arrow(scene, at, 0.15 * scale, 1 if r > 0 else -1, color=BLUE,
                           gid=f"{name}centre", zorder=7)  # fmt: skip
@@ -246,8 +252,8 @@ def _lines(
 ) -> Iterator[str]:
     named = f", {_NAMED} of them named" if len(ranks) > _NAMED else ""
     yield (
-        f"w = {vector(verdict.wrench)} is not resisted: {len(found)} regions of motions, "
-        f"{len(ranks)} virtual motions λ = (x, y, r){named}"
+        f"w = {vector(verdict.wrench)} is not resisted; regions of motions: {len(found)}; "
+        f"virtual motions λ = (x, y, r): {len(ranks)}{named}"
     )
     yield (
         "regions: motions of every size; farther centres and translations lie beyond the edges"
@@ -255,7 +261,4 @@ def _lines(
         else f"regions: only the motions with r = {number(angle)} (left) and r = "
         f"{number(-angle)} (right) are shown; the proof has all"
     )
-    yield (
-        "below: λ moves the contacts as blue arrows show; a contact with the normal force c works "
-        "at least as written"
-    )
+    yield ("below: λ as arrows at the contacts; the least work of each where its normal force is c")

@@ -194,7 +194,7 @@ def figures() -> Iterable[tuple[str, Figure]]:
     yield "methods", draw_methods(loaded, wrenches=[(0, k, "-1/2") for k in range(6)])
     yield "proof", draw_proof(THREE, wrench=(0, 1, 0))
     yield "proof preloaded", draw_proof(loaded, wrench=(1, "11/10", 0))
-    yield "proof four", draw_proof(FOUR, wrench=(0, 1, 0), width=120.0)
+    yield "proof four", draw_proof(FOUR, wrench=(0, 1, 0), width=150.0)
     yield "compare narrow", draw_compare(FOUR, methods=["complete", "weak"], width=88.0)
 
 
