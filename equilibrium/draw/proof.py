@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from fractions import Fraction
+from typing import NamedTuple
 
 import numpy as np
 
@@ -19,6 +20,7 @@ from arrangement.polyhedra.polyhedron import Polyhedron, from_conditions
 from equilibrium.certificate.leaves import Part, parts, works
 from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import Grasp, read_wrench
+from equilibrium.solver.contact_rows import negated, normal_force_row, slip_row
 from equilibrium.verdict import Verdict, solve
 
 from .grasp import Picture
@@ -36,8 +38,7 @@ _SHOWN, _NAMED = 3, 9
 _TURNS = {1: "counter-clockwise", -1: "clockwise"}
 
 
-@dataclass(frozen=True)
-class _Shape:
+class _Shape(NamedTuple):
     """A part of the motions where it meets the rotations of one sense: a polygon of centres."""
 
     part: Part
@@ -130,31 +131,27 @@ def _angle(layout: Layout, found: list[Part], turn: Exact | None) -> Fraction | 
     near = rounded(wanted)
     angle = nice(near) if near and math.isfinite(near) else wanted
     rows = (row for part in found for row, _ in _conditions(part, layout.grasp))
-    borders = {Fraction(abs(zero), abs(r)) for zero, x, y, r in rows if r and not (x or y)}
+    borders = {Fraction(abs(zero), abs(r)) for x, y, r, zero in rows if r and not (x or y)}
     while angle in borders:
         angle *= Fraction(9, 10)
     return angle
 
 
 def _conditions(part: Part, grasp: Grasp) -> Iterator[tuple[IntegerVector, bool]]:
-    """Yield rows ``a . (d_0, d) >= 0`` of a part, and whether ``= 0`` is meant instead."""
-    for row in generators(part.region, (), 4)[0]:
-        yield row, False
+    """Yield rows ``a . (x, y, r, d_0) >= 0`` of a part, and whether ``= 0`` is meant instead."""
+    for zero, *row in generators(part.region, (), 4)[0]:
+        yield (*row, zero), False
     for i, state in part.states.items():
-        contact = grasp.contacts[i]
-        spring = (contact.preload, *(-contact.stiffness * x for x in contact.normal_wrench))
-        sign = -1 if state == "detached" else 1
-        yield primitive([sign * x for x in spring]), False
+        spring, slip = normal_force_row(grasp.contacts[i]), slip_row(grasp.contacts[i])
+        yield primitive(negated(spring) if state == "detached" else spring), False
         if state not in ("detached", "attached"):
-            sign = -1 if state == "slip-" else 1
-            slip = primitive([0, *(sign * x for x in contact.tangential_wrench)])
-            yield slip, state == "stick"
+            yield primitive(negated(slip) if state == "slip-" else slip), state == "stick"
 
 
 def _centres(part: Part, grasp: Grasp, sense: int, angle: Fraction | None) -> Polyhedron | None:
     """Return the centres of the rotations of a part, of one sense and angle."""
     rows: dict[bool, list[IntegerVector]] = {False: [], True: []}
-    for (zero, x, y, r), equal in _conditions(part, grasp):
+    for (x, y, r, zero), equal in _conditions(part, grasp):
         constant = sense * r + (zero / angle if angle else 0)
         if any(row := primitive((-sense * y, sense * x, constant))):
             rows[equal].append(row)
@@ -191,9 +188,7 @@ def _grasp(scene: Scene, layout: Layout, scale: float, middle: Floats, name: str
     drawn.contacts()
     drawn.wrench()
     drawn.numbers()
-    named = (
-        replace(item, name=name + item.name if item.name else "") for item in scene.items[first:]
-    )
+    named = (replace(item, name=item.name and name + item.name) for item in scene.items[first:])
     scene.items[first:] = named
     return drawn
 
@@ -237,10 +232,8 @@ def _example(
                    gid=f"{name}work-{k}", zorder=8)  # fmt: skip
     if r:
         frame, centre = layout.frame, (-y / r, x / r)
-        if all(
-            abs(v - c) < _MAP * frame.size * 3 / 4
-            for v, c in zip(centre, frame.centre, strict=True)
-        ):
+        far = max(abs(v - c) for v, c in zip(centre, frame.centre, strict=True)) / frame.size
+        if 4 * far < 9:
             at = drawn.at(frame.paper(centre))
             turning_arrow(scene, at, 0.15 * scale, 1 if r > 0 else -1, color=BLUE,
                           gid=f"{name}centre", zorder=7)  # fmt: skip
@@ -261,4 +254,4 @@ def _lines(
         else f"regions: only the motions with r = {number(angle)} (left) and r = "
         f"{number(-angle)} (right) are shown; the proof has all"
     )
-    yield ("below: λ as arrows at the contacts; the least work of each where its normal force is c")
+    yield "below: λ as arrows at the contacts; the least work of each where its normal force is c"
