@@ -104,13 +104,13 @@ class Labels:
     def place(self, text: str, wanted: Sequence[Floats]) -> Floats:
         """Return the first wanted centre that is free, else the one that covers least."""
         half = np.array([self.scene.measure(text)[0] / 2 + 2, FONT / 2 + 1])
-        best = min(wanted, key=lambda centre: self._covered(centre - half, centre + half))
+        points = np.array(self._points).reshape(-1, 2)
+        best = min(wanted, key=lambda at: self._covered(at - half, at + half, points))
         self._boxes.append(np.array([best - half, best + half]))
         return best
 
-    def _covered(self, low: Floats, high: Floats) -> float:
+    def _covered(self, low: Floats, high: Floats, points: Floats) -> float:
         """Return how much of a box is taken: the area of labels counts most, then points."""
         shared = [np.minimum(high, b) - np.maximum(low, a) for a, b in self._boxes]
         area = sum(float(w * h) for w, h in shared if w > 0 and h > 0)
-        points = np.array(self._points).reshape(-1, 2)
         return 1000 * area + float(((points > low) & (points < high)).all(axis=1).sum())
