@@ -15,8 +15,6 @@ from dataclasses import dataclass, field
 from functools import cached_property
 from typing import Any
 
-import numpy as np
-
 from arrangement.exact import RationalVector, to_text
 from arrangement.plugins import display
 from arrangement.progress import watched
@@ -24,11 +22,8 @@ from arrangement.progress import watched
 from .certificate.checker import Report, check
 from .certificate.document import Certificate, refuted_certificate, resisted_certificate
 from .model.grasp import Grasp, read_wrench
-from .solver.all_stick import rest_refutation
 from .solver.contact_states import states_at, states_of_code
-from .solver.elimination import Refutation, decide
 from .solver.equilibrium import Equilibrium, equilibrium_of, maximal
-from .solver.interval_filter import UNDECIDED
 from .solver.prepared import PreparedGrasp
 from .solver.resistance import resistance
 from .solver.state_equilibrium import Solution
@@ -150,28 +145,22 @@ class Solver(PreparedGrasp):
         The states at a motion on the border of normal planes may be none of the choices; where
         they hold more of the solutions, theirs is the piece to report.
         """
-        pieces: list[Equilibrium] = []
-        undecided = np.flatnonzero(self.screen.violations(wrench) == UNDECIDED)
-        for row in watched(undecided.tolist(), "contact states"):
-            states = states_of_code(self.codes[row].tolist())
-            if not (
-                self.balances.refutation(wrench, states)
-                or rest_refutation(self.grasp, wrench, states)
-            ):
-                pieces += self._piece(states, wrench)
+        possible = self.codes[self.screen.possible(wrench)].tolist()
+        tried = map(states_of_code, watched(possible, "contact states"))
+        pieces = [piece for states in tried if (piece := self._piece(states, wrench))]
         known = {piece.states for piece in pieces}
         for piece in pieces:
             states = states_at(self.grasp, piece.motion)
             if states not in known:
                 known.add(states)
-                pieces += self._piece(states, wrench)
+                further = self._piece(states, wrench)
+                if further:
+                    pieces.append(further)
         return maximal(pieces)
 
-    def _piece(self, states: States, wrench: RationalVector) -> list[Equilibrium]:
+    def _piece(self, states: States, wrench: RationalVector) -> Equilibrium | None:
         """Return the piece of one choice of states, if there is one."""
-        system = self.system(states, wrench)
-        outcome = decide(system)
-        return [] if isinstance(outcome, Refutation) else [equilibrium_of(system, outcome)]
+        return equilibrium_of(self.system(states, wrench))
 
 
 def prepare(grasp: Grasp | Solver) -> Solver:

@@ -17,7 +17,6 @@ from arrangement.planes import Face
 from arrangement.progress import watched
 from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import Grasp, read_wrench
-from equilibrium.solver.elimination import Refutation, decide
 from equilibrium.solver.equilibrium import Equilibrium, equilibrium_of, maximal
 from equilibrium.solver.state_system import State, States, state_system
 
@@ -97,9 +96,9 @@ def solve_literal(
             friction_sign=-1 if "signs" in chosen else 1,
             cell_check="cell-check" not in chosen,
         )
-        outcome = decide(system)
-        if not isinstance(outcome, Refutation):
-            pieces.append(equilibrium_of(system, outcome))
+        found = equilibrium_of(system)
+        if found is not None:
+            pieces.append(found)
             if "single-solution" in chosen:
                 break
     return LiteralVerdict(grasp, applied, chosen, maximal(pieces))

@@ -29,12 +29,6 @@ from equilibrium.model.grasp import Grasp
 from .contact_states import DETACHED, Codes
 from .float_contacts import Integers, OutOfRange, RoundedContacts, floats
 
-#: The conditions that a choice of states may violate, by contact. The last two: the friction limit
-#: of all contacts that stick on one tangential plane, less or plus their force along the tangent
-#: of the first of them.
-CONDITIONS = ("normal", "slip", "friction-", "friction+")
-UNDECIDED = -1
-
 #: Above the rounding errors of a bound's own computation: sums of positive numbers, a few hundred
 #: roundings at most. Nothing that matters is as small as `_TINY`.
 _MARGIN, _TINY = 1.01, 1e-200
@@ -44,9 +38,6 @@ _PRODUCT = error_bound(7 + 3)
 #: Of a number that is rounded once, and once more when it is used.
 _ROUNDED = error_bound(2)
 _ROWS = 8192
-#: Contacts looked at together; most choices fail at one of the first.
-_CONTACTS = 12
-_ALL = slice(None)
 
 
 class Screen:
@@ -71,32 +62,21 @@ class Screen:
         for planes, rows, classes in watched(parts, "batches of states"):
             self._batches.append(_Batch(contacts, self.codes[rows], rows, classes, planes))
 
-    def violations(self, wrench: RationalVector) -> Integers:
-        """Return a violated condition for each choice of states, or `UNDECIDED`.
+    def possible(
+        self, base: RationalVector, direction: RationalVector | None = None
+    ) -> Booleans:
+        """Return for each choice of states whether the wrench ``base`` may have it.
 
-        The condition ``kind * contacts + contact`` is the one with that kind of `CONDITIONS`.
-        """
-        found = np.full(len(self.codes), UNDECIDED, dtype=np.int64)
-        try:
-            applied = floats([wrench])[0]
-        except OutOfRange:
-            return found
-        for batch in watched(self._batches, "batches of states"):
-            found[batch.rows] = batch.violations(applied)
-        return found
-
-    def possible_along(self, base: RationalVector, direction: RationalVector) -> Booleans:
-        """Return for each choice of states whether ``base + t direction`` may have it, t > 0.
-
-        False is proven: no equilibrium with these states holds such a wrench for any t > 0.
+        With a direction, whether ``base + t direction`` may have it for some t > 0. False is
+        proven: no equilibrium with these states holds such a wrench.
         """
         possible = np.ones(len(self.codes), dtype=np.bool_)
         try:
-            start, along = floats([base, direction])
+            given = floats([base] if direction is None else [base, direction])
         except OutOfRange:
             return possible
-        for batch in self._batches:
-            possible[batch.rows] = batch.possible_along(start, along)
+        for batch in watched(self._batches, "batches of states"):
+            possible[batch.rows] = batch.possible(*given)
         return possible
 
 
@@ -208,59 +188,38 @@ class _Batch:
         error = np.where(self.beta < 1, error, np.inf)
         return _Solutions(z[:, :3, 0], z[:, 3:, 0], error, loaded)
 
-    def violations(self, wrench: Floats) -> Integers:
-        """Return a condition that surely fails in each choice, or `UNDECIDED`.
-
-        Springs first, a few contacts at a time; slip and friction where they leave a choice open.
-        """
-        m = self.codes.shape[1]
-        violated = np.full(len(self.codes), UNDECIDED)
-        if m == 0:
-            return violated
+    def possible(self, base: Floats, direction: Floats | None = None) -> Booleans:
+        """Return whether all conditions of each choice may hold; see `Screen`."""
         with np.errstate(all="ignore"):
-            found, left = self._solve(wrench), np.arange(len(self.codes))
-            for start in range(0, m, _CONTACTS):
-                some = slice(start, start + _CONTACTS)
-                worst = _worst(self._springs(found.at(left), left, some))
-                violated[left] = np.where(worst == UNDECIDED, UNDECIDED, start + worst)
-                left = left[worst == UNDECIDED]
-            if len(left):
-                worst = _worst(self._slips_and_friction(found.at(left), left))
-                violated[left] = np.where(worst == UNDECIDED, UNDECIDED, m + worst)
-        return violated
-
-    def possible_along(self, base: Floats, direction: Floats) -> Booleans:
-        """Return whether some t > 0 may satisfy all conditions of each choice; see `Screen`."""
-        if self.codes.shape[1] == 0:
-            return np.ones(len(self.codes), dtype=np.bool_)
-        with np.errstate(all="ignore"):
-            pair = self._solve(base), self._solve(direction, 0.0)
-            every = np.arange(len(self.codes))
-            springs = [self._springs(found, every) for found in pair]
-            possible = ~_surely_empty(*springs)
+            found = [self._solve(base)]
+            if direction is not None:
+                found.append(self._solve(direction, 0.0))
+            bounds = [self._springs(one) for one in found]
+            possible = ~_surely_empty(*bounds)
             left = np.flatnonzero(possible)
             if len(left):
-                others = [self._slips_and_friction(found.at(left), left) for found in pair]
-                both = [np.hstack([a[left], b]) for a, b in zip(springs, others, strict=True)]
-                possible[left] = ~_surely_empty(*both)
+                bounds = [
+                    np.hstack([springs[left], self._slips_and_friction(one.at(left), left)])
+                    for springs, one in zip(bounds, found, strict=True)
+                ]
+                possible[left] = ~_surely_empty(*bounds)
         return possible
 
-    def _springs(self, found: _Solutions, rows: Integers, contacts: slice = _ALL) -> Floats:
-        """Return upper bounds of the spring conditions of some rows, by contact."""
-        normal, doubt = self._normal_forces(found, contacts)
-        detached = self.codes[rows, contacts] == DETACHED
-        bounds: Floats = np.where(detached, -normal, normal) + doubt
+    def _springs(self, found: _Solutions) -> Floats:
+        """Return upper bounds of the spring conditions, by contact."""
+        normal, doubt = self._normal_forces(found)
+        bounds: Floats = np.where(self.codes == DETACHED, -normal, normal) + doubt
         return bounds
 
-    def _normal_forces(self, found: _Solutions, contacts: slice = _ALL) -> tuple[Floats, Floats]:
+    def _normal_forces(self, found: _Solutions) -> tuple[Floats, Floats]:
         """Return ``preload - stiffness N . d`` and a bound of its error, by contact."""
-        spring, preload = self.contacts.spring[contacts], self.contacts.preload[contacts]
+        spring, preload = self.contacts.spring, self.contacts.preload
         normal = found.loaded * preload - found.motion @ spring.T
         doubt = _MARGIN * np.outer(found.reach, np.abs(spring).sum(axis=1))
         return normal, doubt + found.loaded * (_MARGIN * _PRODUCT * preload)
 
     def _slips_and_friction(self, found: _Solutions, rows: Integers) -> Floats:
-        """Return upper bounds of the other `CONDITIONS` of some rows; infinite where none is."""
+        """Return upper bounds of the other conditions of some rows; infinite where none is."""
         data, codes = self.contacts, self.codes[rows]
         moved = found.motion @ data.tangent.T
         doubt = _MARGIN * np.outer(found.reach, np.abs(data.tangent).sum(axis=1))
@@ -271,7 +230,11 @@ class _Batch:
         return np.concatenate(bounds, axis=1)
 
     def _friction(self, found: _Solutions, chosen: Integers) -> list[Floats]:
-        """Return upper bounds of the friction conditions, at the first sticking contacts."""
+        """Return upper bounds of the friction conditions, two for each plane with sticking contacts.
+
+        They are the limit of all contacts that stick on it, less or plus their force along the
+        tangent of the first of them; they stand in the column of this one.
+        """
         data, codes, m = self.contacts, self.codes[chosen], self.codes.shape[1]
         normal, doubt = self._normal_forces(found)
         lower, upper = np.full((2, len(codes), m), np.inf)
@@ -289,7 +252,7 @@ class _Batch:
         return [lower, upper]
 
 
-def _surely_empty(at_zero: Floats, growth: Floats) -> Booleans:
+def _surely_empty(at_zero: Floats, growth: Floats | float = 0.0) -> Booleans:
     """Return for each row whether no t > 0 has ``at_zero + t growth >= 0`` in every column.
 
     A column that is not finite says nothing. The ends are rounded by less than 10^-15 of their
@@ -298,15 +261,8 @@ def _surely_empty(at_zero: Floats, growth: Floats) -> Booleans:
     known = np.isfinite(at_zero) & np.isfinite(growth)
     never = known & (at_zero <= 0) & (growth <= 0) & ((at_zero < 0) | (growth < 0))
     ends = at_zero / -growth
-    low = np.where(known & (growth > 0) & (at_zero < 0), ends, 0.0).max(axis=1)
-    high = np.where(known & (growth < 0) & (at_zero > 0), ends, np.inf).min(axis=1)
+    low = np.where(known & (growth > 0) & (at_zero < 0), ends, 0.0).max(axis=1, initial=0.0)
+    high = np.where(known & (growth < 0) & (at_zero > 0), ends, np.inf).min(axis=1, initial=np.inf)
     apart = np.minimum(low, 1e300) * (1 - 1e-15) > high * (1 + 1e-15) + 1e-290
     empty: Booleans = never.any(axis=1) | apart
     return empty
-
-
-def _worst(bounds: Floats) -> Integers:
-    """Return the column of the least upper bound in each row if it is negative."""
-    worst = np.argmin(bounds, axis=1)
-    fails = np.take_along_axis(bounds, worst[:, None], axis=1)[:, 0] < 0
-    return np.where(fails, worst, UNDECIDED)

@@ -11,7 +11,6 @@ from equilibrium.model.grasp import Grasp
 from .contact_states import Codes, codes_of_faces, states_of_code
 from .integer_contacts import IntegerContacts
 from .interval_filter import Screen
-from .refutations import Balances
 from .state_system import States, StateSystem, loaded, state_system
 
 
@@ -25,7 +24,6 @@ class PreparedGrasp:
 
     def __init__(self, grasp: Grasp) -> None:
         self.grasp = grasp
-        self.balances = Balances(grasp)
         self._unloaded: dict[States, StateSystem] = {}
 
     @cached_property

@@ -91,7 +91,7 @@ def resisted_magnitudes(
         raise GraspError("direction is (0, 0, 0); give a wrench other than zero")
     solver = prepare(grasp)
     screen = solver.screen
-    possible = screen.codes[screen.possible_along(start, along)].tolist()
+    possible = screen.codes[screen.possible(start, along)].tolist()
     found = (
         _interval(solver, states_of_code(row), start, along) for row in watched(possible, "states")
     )

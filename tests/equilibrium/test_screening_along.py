@@ -29,7 +29,7 @@ def assert_nothing_lost(grasp: Grasp, base: tuple, direction: tuple) -> int:
     """Check each choice ruled out by exact elimination; return how many there are."""
     solver = PreparedGrasp(grasp)
     screen = solver.screen
-    possible = screen.possible_along(base, direction)
+    possible = screen.possible(base, direction)
     for row in screen.codes[~possible].tolist():
         assert _interval(solver, states_of_code(row), base, direction) in (None, (0, 0))
     return int((~possible).sum())
@@ -75,7 +75,7 @@ def test_the_intervals_are_the_same_without_the_screen(grasp, base, direction):
     found = resisted_magnitudes(grasp, direction, base).intervals
     with pytest.MonkeyPatch.context() as patch:
         everything = np.ones(len(contact_states(grasp)), dtype=bool)
-        patch.setattr(Screen, "possible_along", lambda *_: everything)
+        patch.setattr(Screen, "possible", lambda *_: everything)
         assert resisted_magnitudes(grasp, direction, base).intervals == found
 
 
@@ -88,14 +88,14 @@ def test_most_choices_are_ruled_out():
 @pytest.mark.parametrize("power", [-40, 40, 400])
 def test_numbers_that_floats_should_not_see_rule_nothing_out(power):
     scale = Fraction(10) ** power
-    assert PreparedGrasp(random_grasp(3, seed=1)).screen.possible_along(ZERO, (scale, *W[1:])).all()
+    assert PreparedGrasp(random_grasp(3, seed=1)).screen.possible(ZERO, (scale, *W[1:])).all()
     c = random_grasp(1, seed=1).contacts[0]
     stiff = Grasp([replace(c, stiffness=c.stiffness * scale, preload=0)] * 2)
-    assert PreparedGrasp(stiff).screen.possible_along(ZERO, W).all()
+    assert PreparedGrasp(stiff).screen.possible(ZERO, W).all()
 
 
 def test_without_contacts_nothing_is_ruled_out():
-    assert PreparedGrasp(Grasp()).screen.possible_along(ZERO, W).all()
+    assert PreparedGrasp(Grasp()).screen.possible(ZERO, W).all()
 
 
 @settings(max_examples=20, deadline=None)
