@@ -71,7 +71,7 @@ class Equilibrium:
         if other.unique:
             return False
         equalities, inequalities = _conditions(self.system, other.system)
-        return all(_range(self.system, row) == (0, 0) for row in equalities) and all(
+        return all(set(_range(self.system, row)) == {0} for row in equalities) and all(
             _never_negative(self.system, row) for row in inequalities
         )
 

@@ -1,4 +1,4 @@
-"""The numbers of all contacts of a grasp as integers over denominators, and as floats.
+"""The numbers of all contacts of a grasp as integers over denominators.
 
 At a homogeneous motion ``(d_0, d)`` the spring of a contact has the force
 ``preload d_0 - stiffness N . d`` and its point slips by ``T . d``; both are linear.
@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from fractions import Fraction
 from functools import cached_property
 from typing import Any, TypeAlias
 
@@ -18,11 +17,10 @@ import numpy.typing as npt
 from arrangement.exact import RationalVector
 from equilibrium.model.grasp import Grasp
 
-Floats: TypeAlias = npt.NDArray[np.float64]
+from .float_contacts import FloatContacts
+
 #: Python integers in an array.
 Whole: TypeAlias = npt.NDArray[Any]
-
-_LARGE = 1e60
 
 
 class IntegerContacts:
@@ -79,41 +77,6 @@ class IntegerContacts:
     def floats(self) -> FloatContacts:
         """The same in floating point."""
         return FloatContacts(self.grasp)
-
-
-class FloatContacts:
-    """The numbers of contacts in floating point; for guesses only.
-
-    Attributes:
-        spring: (m, 4), the row ``(preload, -stiffness N)``.
-        normal, tangent: (m, 3); pull: friction times T.
-        length: a typical distance of the contacts from the origin.
-    """
-
-    def __init__(self, grasp: Grasp) -> None:
-        m = len(grasp)
-        rows = [
-            (*c.normal_wrench, *c.tangential_wrench, c.stiffness, c.preload, c.friction)
-            for c in grasp
-        ]
-        table = np.array([[nearest(x) for x in row] for row in rows]).reshape(m, 9)
-        self.normal, self.tangent = table[:, :3], table[:, 3:6]
-        stiffness, preload, self.friction = table[:, 6], table[:, 7], table[:, 8]
-        self.spring = np.concatenate([preload[:, None], -stiffness[:, None] * self.normal], axis=1)
-        self.pull = self.friction[:, None] * self.tangent
-        self.stiffness, self.preload = stiffness, preload
-        points = np.array([[nearest(x) for x in c.point] for c in grasp]).reshape(m, 2)
-        self.length = float(np.median(np.hypot(*points.T))) if m else 1.0
-        if not self.length > 0:
-            self.length = 1.0
-
-
-def nearest(x: Fraction) -> float:
-    """Return the nearest float of moderate size."""
-    try:
-        return min(max(float(x), -_LARGE), _LARGE)
-    except OverflowError:
-        return _LARGE if x > 0 else -_LARGE
 
 
 def _whole(row: RationalVector) -> tuple[list[int], int]:

@@ -49,7 +49,7 @@ class PreparedGrasp:
     @cached_property
     def screen(self) -> Screen:
         """The systems of all these choices in floating point, with error bounds."""
-        return Screen(self.grasp, self.codes)
+        return Screen(self.integers.floats, self.codes)
 
     def system(self, states: States, wrench: RationalVector) -> StateSystem:
         """Return the exact linear system of a choice of states, for one wrench."""

@@ -14,9 +14,10 @@ import numpy as np
 import numpy.typing as npt
 
 from arrangement.exact import RationalVector
+from arrangement.float_filter import Floats
 
 from .elimination import gauss_jordan
-from .integer_contacts import Floats, IntegerContacts, Whole
+from .integer_contacts import IntegerContacts, Whole
 
 #: Shares of the friction limit are multiples of one over this.
 _SHARES = 2**14
