@@ -30,10 +30,13 @@ from .solver.state_equilibrium import Solution
 from .solver.state_splits import Node
 from .solver.state_system import States
 
+#: With more contacts all equilibria are listed only when asked for: their search takes long.
+MOST_LISTED = 20
+
 
 @dataclass(frozen=True)
 class Verdict:
-    """The answer for one grasp and wrench, with what is needed to check it.
+    """The answer for one grasp and wrench, true when stable, with what is needed to check it.
 
     Attributes:
         grasp, wrench: the question.
@@ -51,14 +54,24 @@ class Verdict:
         """Whether at least one equilibrium exists."""
         return self.solution is not None
 
+    def __bool__(self) -> bool:
+        """Return whether the wrench is resisted."""
+        return self.stable
+
     @cached_property
     def equilibria(self) -> tuple[Equilibrium, ...]:
         """The maximal pieces of the set of all solutions; empty when unstable.
 
         Pieces may touch; none lies in another. Of a piece with many solutions, the reported one
-        has the least ``|d|^2``, and among those the least ``|c|^2``, both exact.
+        has the least ``|d|^2``, and among those the least ``|c|^2``, both exact. To find all
+        takes far longer than the verdict where there are many contacts.
         """
         return () if self.solution is None else self._solver._equilibria(self.wrench)
+
+    @cached_property
+    def states(self) -> States:
+        """The state of each contact at the motion of `solution`; none when there is none."""
+        return () if self.solution is None else states_at(self.grasp, self.solution.motion)
 
     @cached_property
     def certificate(self) -> Certificate:
@@ -72,11 +85,26 @@ class Verdict:
         """Check the certificate, and that it answers this question; the report is true if so."""
         return check(self.certificate.to_dict(), question=(self.grasp, self.wrench))
 
-    def to_dict(self) -> dict[str, Any]:
-        """Return a JSON form; numbers are strings of rationals."""
+    def lists_all(self, every: bool | None = None) -> bool:
+        """Return whether `to_dict` lists all equilibria."""
+        return not self.stable or (len(self.grasp) <= MOST_LISTED if every is None else every)
+
+    def to_dict(self, every: bool | None = None) -> dict[str, Any]:
+        """Return a JSON form; numbers are strings of rationals.
+
+        Args:
+            every: list all equilibria; False: only the one of the certificate, by states, motion
+                and forces, and ``"complete": false``. None: all up to `MOST_LISTED` contacts.
+        """
+        complete = self.lists_all(every)
+        if complete or self.solution is None:
+            listed = [piece.to_dict() for piece in self.equilibria]
+        else:
+            listed = [{"states": list(self.states), **self.solution.to_dict()}]
         return {
             "stable": self.stable,
-            "equilibria": [piece.to_dict() for piece in self.equilibria],
+            "equilibria": listed,
+            **({} if complete else {"complete": False}),
             "wrench": [to_text(x) for x in self.wrench],
             "grasp": self.grasp.to_dict(),
         }

@@ -32,12 +32,12 @@ from equilibrium.solver.contact_rows import (
     unit_row,
 )
 
-from .method import Method, Outcome, cut
+from .method import Accepting, Method, Outcome, cut
 from .springs import APEX, Forces, forces_at
 
 
 @dataclass(frozen=True)
-class ConesVerdict:
+class ConesVerdict(Accepting):
     """Whether some motion and friction inside the cones balance a wrench.
 
     Attributes:

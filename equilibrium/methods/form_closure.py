@@ -21,11 +21,11 @@ from arrangement.linprog import Infeasible, Optimal, Row, feasible_point, minimi
 from equilibrium.model.grasp import Grasp
 from equilibrium.solver.contact_rows import friction_edges
 
-from .method import Method, Outcome
+from .method import Accepting, Method, Outcome
 
 
 @dataclass(frozen=True)
-class FormClosure:
+class FormClosure(Accepting):
     """Whether the contacts immobilise the object, with a proof either way.
 
     Attributes:

@@ -19,6 +19,15 @@ Decide: TypeAlias = Callable[[Grasp, RationalVector], Outcome]
 FindRegion: TypeAlias = Callable[[Grasp, Sequence[Iterable[Any]], Iterable[Any]], Region]
 
 
+class Accepting:
+    """A result that is true when the method accepts, and false when it refuses or says nothing."""
+
+    accepts: bool | None
+
+    def __bool__(self) -> bool:
+        return bool(self.accepts)
+
+
 @dataclass(frozen=True)
 class Method:
     """One method.

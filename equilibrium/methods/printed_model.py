@@ -57,6 +57,10 @@ class LiteralVerdict:
         """Whether this reading finds an equilibrium."""
         return bool(self.equilibria)
 
+    def __bool__(self) -> bool:
+        """Return whether this reading finds an equilibrium."""
+        return self.stable
+
     def to_dict(self) -> dict[str, Any]:
         """Return a JSON form; numbers are strings of rationals."""
         return {

@@ -9,11 +9,12 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 from fractions import Fraction
+from typing import Any
 
 import numpy as np
 import numpy.typing as npt
 
-from arrangement.exact import RationalVector
+from arrangement.exact import RationalVector, to_text
 from arrangement.float_filter import Floats
 
 from .elimination import gauss_jordan
@@ -31,6 +32,13 @@ class Solution:
 
     motion: RationalVector
     forces: tuple[tuple[Fraction, Fraction], ...]
+
+    def to_dict(self) -> dict[str, Any]:
+        """Return a JSON form; numbers are strings of rationals."""
+        return {
+            "motion": [to_text(x) for x in self.motion],
+            "forces": [[to_text(x) for x in pair] for pair in self.forces],
+        }
 
 
 @dataclass(frozen=True)
