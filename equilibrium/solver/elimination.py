@@ -9,7 +9,7 @@ from arrangement.exact import primitive
 
 
 def gauss_jordan(
-    matrix: Sequence[Sequence[Fraction]],
+    matrix: Sequence[Sequence[Fraction | int]],
 ) -> tuple[list[list[int]], list[int], int]:
     """Return the reduced rows times a common scale, the pivot columns, and the scale.
 

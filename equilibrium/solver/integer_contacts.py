@@ -22,6 +22,8 @@ from .float_contacts import FloatContacts
 #: Python integers in an array.
 Whole: TypeAlias = npt.NDArray[Any]
 
+_WORD = 2**62
+
 
 class IntegerContacts:
     """The numbers of the contacts of a grasp.
@@ -39,13 +41,13 @@ class IntegerContacts:
         for c in grasp:
             spring.append(_whole((c.preload, *(-c.stiffness * x for x in c.normal_wrench))))
             wrenches.append(_whole((*c.normal_wrench, *c.tangential_wrench)))
-        self.spring = _array([row for row, _ in spring], (m, 4))
-        self.spring_unit = _array([unit for _, unit in spring], (m,))
-        both = _array([row for row, _ in wrenches], (m, 6))
+        self.spring = whole([row for row, _ in spring], (m, 4))
+        self.spring_unit = whole([unit for _, unit in spring], (m,))
+        both = whole([row for row, _ in wrenches], (m, 6))
         self.normal, self.tangent = both[:, :3], both[:, 3:]
-        self.wrench_unit = _array([unit for _, unit in wrenches], (m,))
-        self.friction = _array([c.friction.numerator for c in grasp], (m,))
-        self.friction_unit = _array([c.friction.denominator for c in grasp], (m,))
+        self.wrench_unit = whole([unit for _, unit in wrenches], (m,))
+        self.friction = whole([c.friction.numerator for c in grasp], (m,))
+        self.friction_unit = whole([c.friction.denominator for c in grasp], (m,))
 
     def __len__(self) -> int:
         return len(self.grasp)
@@ -85,7 +87,15 @@ def _whole(row: RationalVector) -> tuple[list[int], int]:
     return [x.numerator * (unit // x.denominator) for x in row], unit
 
 
-def _array(values: Sequence[Any], shape: tuple[int, ...]) -> Whole:
-    array = np.empty(shape, dtype=object)
-    array[...] = np.array(values, dtype=object).reshape(shape)
-    return array
+def whole(values: Sequence[Any], shape: tuple[int, ...]) -> Whole:
+    """Return an array of Python integers."""
+    return np.array(values, dtype=object).reshape(shape)
+
+
+def product(left: Whole, right: Whole) -> Whole:
+    """Return the exact matrix product; in machine words where they cannot overflow."""
+    one, other = (max(map(abs, factor.flat), default=0) for factor in (left, right))
+    if left.shape[1] * one * other < _WORD and max(one, other) < _WORD:
+        return (left.astype(np.int64) @ right.astype(np.int64)).astype(object)
+    exact: Whole = left.dot(right)
+    return exact

@@ -23,8 +23,7 @@ import numpy as np
 from arrangement import linprog
 from arrangement.exact import IntegerVector, RationalVector, dot, primitive
 
-from .integer_contacts import IntegerContacts
-from .leaf_test import product
+from .integer_contacts import IntegerContacts, product
 from .state_equilibrium import Solution
 
 #: A node of a proof, as certificates write it.
