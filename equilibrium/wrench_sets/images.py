@@ -9,7 +9,7 @@ a mixture of the two at the same d, and the maps are linear.)
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from fractions import Fraction
 from math import lcm
 from typing import NamedTuple
@@ -20,7 +20,6 @@ from arrangement.polyhedra.cones import generators
 from arrangement.polyhedra.polyhedron import Polyhedron, from_generators
 from equilibrium.model.grasp import Grasp
 from equilibrium.solver.contact_rows import friction_edges, normal_force_row, slip_edge
-from equilibrium.solver.state_system import States
 
 #: Above this number, redundant images are removed before the next sticking contact.
 _MANY = 40
@@ -46,13 +45,11 @@ class StateImages:
 
     def __init__(self, grasp: Grasp) -> None:
         springs = [normal_force_row(contact) for contact in grasp]
-        edges = [
-            {
-                "stick": list(dict.fromkeys(friction_edges(contact))),
-                **{state: [slip_edge(contact, state)] for state in ("slip+", "slip-")},
-            }
-            for contact in grasp
-        ]
+        edges = []
+        for contact in grasp:
+            both = list(dict.fromkeys(friction_edges(contact)))
+            slipping = {state: [slip_edge(contact, state)] for state in ("slip+", "slip-")}
+            edges.append({"stick": both, "attached": both, **slipping})
         first = lcm(*(x.denominator for row in springs for x in row))
         second = lcm(*(x.denominator for e in edges for edge in e["stick"] for x in edge))
         self._scale = first * second
@@ -66,11 +63,13 @@ class StateImages:
         ]
 
     def resisted_with(
-        self, states: States, plane: IntegerVector | None = None
+        self, states: Sequence[str], plane: IntegerVector | None = None
     ) -> Polyhedron | None:
         """Return the wrenches resisted with these contact states; None when there are none.
 
         Args:
+            states: besides those of the complete model, "attached": friction inside the cone,
+                whatever the slip.
             plane: ``(a, b)``: leave out motions at which none of the wrenches has
                 ``a . w + b = 0``. All wrenches of this plane remain, of others only some.
         """
@@ -82,7 +81,7 @@ class StateImages:
             inequalities.append(contact.spring)
             if state == "stick":
                 equalities.append(contact.slip)
-            else:
+            elif state != "attached":
                 inequalities.append(contact.slip if state == "slip+" else _opposite(contact.slip))
         # Along a line of the cell no touching spring may change, so the wrench does not either.
         rays, _ = generators(inequalities, equalities, 4, finite=True)
@@ -90,7 +89,7 @@ class StateImages:
         return from_generators(images, (), 3)
 
     def _reaching(
-        self, states: States, plane: IntegerVector
+        self, states: Sequence[str], plane: IntegerVector
     ) -> tuple[list[IntegerVector], list[IntegerVector]]:
         """Return the conditions on a motion that its wrenches reach a plane.
 
@@ -109,7 +108,7 @@ class StateImages:
             return [], [tuple(lowest)] if any(lowest) else []
         return [_opposite(tuple(lowest)), tuple(highest)], []
 
-    def _images(self, states: States, motion: IntegerVector) -> Iterator[IntegerVector]:
+    def _images(self, states: Sequence[str], motion: IntegerVector) -> Iterator[IntegerVector]:
         """Yield the homogeneous wrenches that balance the extreme forces at a motion."""
         wrenches: list[IntegerVector] = [(0, 0, 0)]
         for contact, state in zip(self._contacts, states, strict=True):
