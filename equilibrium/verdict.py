@@ -28,7 +28,7 @@ from .solver.prepared import PreparedGrasp
 from .solver.resistance import resistance
 from .solver.state_equilibrium import Solution
 from .solver.state_splits import Node
-from .solver.state_system import States
+from .solver.state_system import States, state_system
 
 #: With more contacts all equilibria are listed only when asked for: their search takes long.
 MOST_LISTED = 20
@@ -174,21 +174,21 @@ class Solver(PreparedGrasp):
         they hold more of the solutions, theirs is the piece to report.
         """
         possible = self.codes[self.screen.possible(wrench)].tolist()
+
+        def piece_of(states: States) -> Equilibrium | None:
+            return equilibrium_of(state_system(self.grasp, states, wrench))
+
         tried = map(states_of_code, watched(possible, "contact states"))
-        pieces = [piece for states in tried if (piece := self._piece(states, wrench))]
+        pieces = [piece for piece in map(piece_of, tried) if piece]
         known = {piece.states for piece in pieces}
         for piece in pieces:
             states = states_at(self.grasp, piece.motion)
             if states not in known:
                 known.add(states)
-                further = self._piece(states, wrench)
+                further = piece_of(states)
                 if further:
                     pieces.append(further)
         return maximal(pieces)
-
-    def _piece(self, states: States, wrench: RationalVector) -> Equilibrium | None:
-        """Return the piece of one choice of states, if there is one."""
-        return equilibrium_of(self.system(states, wrench))
 
 
 def prepare(grasp: Grasp | Solver) -> Solver:

@@ -5,13 +5,12 @@ from __future__ import annotations
 from functools import cached_property
 
 from arrangement.enumeration.affine_space import SpaceFaces, space_faces
-from arrangement.exact import RationalVector
 from equilibrium.model.grasp import Grasp
 
 from .contact_states import Codes, codes_of_faces, states_of_code
 from .integer_contacts import IntegerContacts
 from .interval_filter import Screen
-from .state_system import States, StateSystem, loaded, state_system
+from .state_system import States
 
 
 def contact_states(grasp: Grasp) -> tuple[States, ...]:
@@ -24,7 +23,6 @@ class PreparedGrasp:
 
     def __init__(self, grasp: Grasp) -> None:
         self.grasp = grasp
-        self._unloaded: dict[States, StateSystem] = {}
 
     @cached_property
     def integers(self) -> IntegerContacts:
@@ -50,10 +48,3 @@ class PreparedGrasp:
     def screen(self) -> Screen:
         """The systems of all these choices in floating point, with error bounds."""
         return Screen(self.integers.floats, self.codes)
-
-    def system(self, states: States, wrench: RationalVector) -> StateSystem:
-        """Return the exact linear system of a choice of states, for one wrench."""
-        unloaded = self._unloaded.get(states)
-        if unloaded is None:
-            unloaded = self._unloaded[states] = state_system(self.grasp, states)
-        return loaded(unloaded, wrench)

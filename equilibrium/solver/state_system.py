@@ -63,7 +63,7 @@ class StateSystem:
 def state_system(
     grasp: Grasp,
     states: States,
-    wrench: RationalVector | None = None,
+    wrench: RationalVector,
     *,
     friction_sign: int = 1,
     cell_check: bool = True,
@@ -71,7 +71,6 @@ def state_system(
     """Return the linear system of a choice of states.
 
     Args:
-        wrench: applied; None for none. See `loaded` for another one.
         friction_sign: -1 lets friction pull along the slip (a literal reading only).
         cell_check: False leaves out the direction of slip (a literal reading only).
     """
@@ -96,16 +95,8 @@ def state_system(
             if cell_check:
                 inequalities.append(tuple(-direction * x for x in slip))
         forces.append((normal, tangential))
-    rows = (*balance_rows(grasp, forces, (Fraction(0),) * 3, n), *equalities)
-    system = StateSystem(states, rows, tuple(inequalities), tuple(forces))
-    return system if wrench is None else loaded(system, wrench)
-
-
-def loaded(system: StateSystem, wrench: RationalVector) -> StateSystem:
-    """Return a system with one more wrench applied: only the constants of the balances change."""
-    pairs = zip(system.equalities, wrench, strict=False)
-    rows = (*((*row[:-1], row[-1] + w) for row, w in pairs), *system.equalities[3:])
-    return StateSystem(system.states, rows, system.inequalities, system.forces)
+    rows = (*balance_rows(grasp, forces, wrench, n), *equalities)
+    return StateSystem(states, rows, tuple(inequalities), tuple(forces))
 
 
 def value(row: RationalVector, point: RationalVector) -> Fraction:

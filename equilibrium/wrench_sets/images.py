@@ -19,7 +19,7 @@ from arrangement.linear import reduced
 from arrangement.polyhedra.cones import generators
 from arrangement.polyhedra.polyhedron import Polyhedron, from_generators
 from equilibrium.model.grasp import Grasp
-from equilibrium.solver.contact_rows import friction_edges, normal_force_row, slip_edge
+from equilibrium.solver.contact_rows import friction_edges, negated, normal_force_row, slip_edge
 
 #: Above this number, redundant images are removed before the next sticking contact.
 _MANY = 40
@@ -76,13 +76,13 @@ class StateImages:
         inequalities, equalities = self._reaching(states, plane) if plane else ([], [])
         for contact, state in zip(self._contacts, states, strict=True):
             if state == "detached":
-                inequalities.append(_opposite(contact.spring))
+                inequalities.append(negated(contact.spring))
                 continue
             inequalities.append(contact.spring)
             if state == "stick":
                 equalities.append(contact.slip)
             elif state != "attached":
-                inequalities.append(contact.slip if state == "slip+" else _opposite(contact.slip))
+                inequalities.append(contact.slip if state == "slip+" else negated(contact.slip))
         # Along a line of the cell no touching spring may change, so the wrench does not either.
         rays, _ = generators(inequalities, equalities, 4, finite=True)
         images = {image for ray in rays for image in self._images(states, ray)}
@@ -106,7 +106,7 @@ class StateImages:
                     highest[j] += max(values) * x
         if lowest == highest:
             return [], [tuple(lowest)] if any(lowest) else []
-        return [_opposite(tuple(lowest)), tuple(highest)], []
+        return [negated(tuple(lowest)), tuple(highest)], []
 
     def _images(self, states: Sequence[str], motion: IntegerVector) -> Iterator[IntegerVector]:
         """Yield the homogeneous wrenches that balance the extreme forces at a motion."""
@@ -131,7 +131,3 @@ def _extreme(points: list[IntegerVector]) -> list[IntegerVector]:
     facets, equalities = generators([(*point, 1) for point in points], (), 4)
     rays, _ = generators(facets, equalities, 4)
     return [ray[:3] for ray in rays]
-
-
-def _opposite(row: IntegerVector) -> IntegerVector:
-    return tuple(-x for x in row)

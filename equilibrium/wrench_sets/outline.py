@@ -19,6 +19,7 @@ from arrangement.polyhedra.intervals import Interval, is_long, remainder, union
 from arrangement.polyhedra.polyhedron import Polyhedron
 from arrangement.polyhedra.separation import possibly_meeting, sides
 from arrangement.progress import watched
+from equilibrium.solver.contact_rows import negated
 
 
 @dataclass(frozen=True)
@@ -105,7 +106,7 @@ def _border(solid: Sequence[Polyhedron]) -> Iterator[Segment]:
 
 def _whiskers(thin: Sequence[Polyhedron], solid: Sequence[Polyhedron]) -> Iterator[Segment]:
     """Yield the parts of flat polygons outside the two-dimensional part."""
-    rows = sorted({max(p.equalities[0], _opposite(p.equalities[0])) for p in thin})
+    rows = sorted({max(p.equalities[0], negated(p.equalities[0])) for p in thin})
     carriers = [[p for p in thin if _Line(row).carries(p)] for row in rows]
     for row, edges, near in zip(rows, carriers, _near(rows, carriers, solid), strict=True):
         line = _Line(row)
@@ -136,7 +137,7 @@ def _tight(row: IntegerVector, polygon: Polyhedron) -> list[IntegerVector]:
     """Return the homogeneous generators of the part of a polygon in a line at its border."""
     rays, lines = polygon.homogeneous
     found = [x for x in rays if dot(row, x) == 0]
-    return [*found, *(x for y in lines if dot(row, y) == 0 for x in (y, _opposite(y)))]
+    return [*found, *(x for y in lines if dot(row, y) == 0 for x in (y, negated(y)))]
 
 
 class _Line:
@@ -163,7 +164,7 @@ class _Line:
     def carries(self, polygon: Polyhedron) -> bool:
         """Return whether a flat polygon lies in the line."""
         row = (*self.normal, self.constant)
-        return polygon.equalities[0] in (row, _opposite(row))
+        return polygon.equalities[0] in (row, negated(row))
 
     def segments(
         self, edges: Iterable[Interval | None], covered: Iterable[Interval | None]
@@ -182,10 +183,6 @@ class _Line:
             return None
         pairs = zip(self.base, self.direction, strict=True)
         return tuple((b + parameter * u) / self.square for b, u in pairs)
-
-
-def _opposite(row: IntegerVector) -> IntegerVector:
-    return tuple(-x for x in row)
 
 
 def _point_text(point: RationalVector | None) -> list[str] | None:

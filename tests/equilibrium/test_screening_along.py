@@ -27,11 +27,10 @@ W = (Fraction(1), Fraction(-1, 2), Fraction(1, 3))
 
 def assert_nothing_lost(grasp: Grasp, base: tuple, direction: tuple) -> int:
     """Check each choice ruled out by exact elimination; return how many there are."""
-    solver = PreparedGrasp(grasp)
-    screen = solver.screen
+    screen = PreparedGrasp(grasp).screen
     possible = screen.possible(base, direction)
     for row in screen.codes[~possible].tolist():
-        assert _interval(solver, states_of_code(row), base, direction) in (None, (0, 0))
+        assert _interval(grasp, states_of_code(row), base, direction) in (None, (0, 0))
     return int((~possible).sum())
 
 
