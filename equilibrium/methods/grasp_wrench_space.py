@@ -36,9 +36,9 @@ from equilibrium.solver.contact_rows import friction_edges, sum_row, unit_row
 from equilibrium.wrench_sets.plane import polygon_cycle
 
 from .method import Accepting, Method, Outcome, cut
+from .springs import Forces
 
 Norm = Literal["L1", "Linf"]
-Forces = tuple[tuple[Fraction, Fraction], ...]
 
 
 @dataclass(frozen=True)
