@@ -100,14 +100,14 @@ def _border(solid: Sequence[Polyhedron]) -> Iterator[Segment]:
     found = zip(rows, carriers, _near(rows, carriers, solid), strict=True)
     for row, edges, near in watched(found, "lines", len(rows)):
         line = _Line(row)
-        covered = [line.part(p) for p in near if line.covers_beyond(p)]
+        covered = [line.part(p) for p in near if row not in p.inequalities]
         yield from line.segments([line.part(p) for p in edges], covered)
 
 
 def _whiskers(thin: Sequence[Polyhedron], solid: Sequence[Polyhedron]) -> Iterator[Segment]:
     """Yield the parts of flat polygons outside the two-dimensional part."""
     rows = sorted({max(p.equalities[0], negated(p.equalities[0])) for p in thin})
-    carriers = [[p for p in thin if _Line(row).carries(p)] for row in rows]
+    carriers = [[p for p in thin if p.equalities[0] in (row, negated(row))] for row in rows]
     for row, edges, near in zip(rows, carriers, _near(rows, carriers, solid), strict=True):
         line = _Line(row)
         yield from line.segments([line.part(p) for p in edges], [line.part(p) for p in near])
@@ -156,15 +156,6 @@ class _Line:
     def part(self, polygon: Polyhedron) -> Interval | None:
         """Return the part of the line in a polygon."""
         return polygon.along_homogeneous((*self.base, self.square), (*self.direction, 0))
-
-    def covers_beyond(self, polygon: Polyhedron) -> bool:
-        """Return whether a polygon is not only on the positive side of the line."""
-        return (*self.normal, self.constant) not in polygon.inequalities
-
-    def carries(self, polygon: Polyhedron) -> bool:
-        """Return whether a flat polygon lies in the line."""
-        row = (*self.normal, self.constant)
-        return polygon.equalities[0] in (row, negated(row))
 
     def segments(
         self, edges: Iterable[Interval | None], covered: Iterable[Interval | None]
