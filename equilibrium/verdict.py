@@ -22,9 +22,10 @@ from arrangement.progress import watched
 from .certificate.checker import Report, check
 from .certificate.document import Certificate, refuted_certificate, resisted_certificate
 from .model.grasp import Grasp, read_wrench
-from .solver.contact_states import states_at, states_of_code
+from .solver.contact_states import Codes, state_codes, states_at, states_of_code
 from .solver.equilibrium import Equilibrium, equilibrium_of, maximal
-from .solver.prepared import PreparedGrasp
+from .solver.integer_contacts import IntegerContacts
+from .solver.interval_filter import Screen
 from .solver.resistance import resistance
 from .solver.state_equilibrium import Solution
 from .solver.state_splits import Node
@@ -142,7 +143,7 @@ def solve(
     return Solver(grasp).solve(wrench, time_limit=time_limit, shorten=shorten)
 
 
-class Solver(PreparedGrasp):
+class Solver:
     """A grasp prepared for many wrenches: what one question computes serves the next.
 
     Every function about the wrenches that a grasp resists takes a solver in place of the grasp.
@@ -153,12 +154,33 @@ class Solver(PreparedGrasp):
     [True, False]
     """
 
+    def __init__(self, grasp: Grasp) -> None:
+        self.grasp = grasp
+
+    @cached_property
+    def _integers(self) -> IntegerContacts:
+        return IntegerContacts(self.grasp)
+
+    @cached_property
+    def _codes(self) -> Codes:
+        return state_codes(self.grasp)
+
+    @cached_property
+    def screen(self) -> Screen:
+        """The systems of all choices of contact states in floating point, with error bounds."""
+        return Screen(self._integers.floats, self._codes)
+
+    @property
+    def states(self) -> tuple[States, ...]:
+        """The choices of contact states; see `contact_states`."""
+        return tuple(map(states_of_code, self._codes.tolist()))
+
     def solve(
         self, wrench: Iterable[Any], *, time_limit: float | None = None, shorten: bool = False
     ) -> Verdict:
         """Decide one wrench; see the function `solve`."""
         applied = read_wrench(wrench)
-        found = resistance(self.integers, applied, time_limit, shorten)
+        found = resistance(self._integers, applied, time_limit, shorten)
         if isinstance(found, Solution):
             return Verdict(self.grasp, applied, found, self)
         return Verdict(self.grasp, applied, None, self, found)
@@ -173,7 +195,7 @@ class Solver(PreparedGrasp):
         The states at a motion on the border of normal planes may be none of the choices; where
         they hold more of the solutions, theirs is the piece to report.
         """
-        possible = self.codes[self.screen.possible(wrench)].tolist()
+        possible = self._codes[self.screen.possible(wrench)].tolist()
 
         def piece_of(states: States) -> Equilibrium | None:
             return equilibrium_of(state_system(self.grasp, states, wrench))

@@ -17,7 +17,7 @@ from typing import TypeAlias
 import numpy as np
 import numpy.typing as npt
 
-from arrangement.enumeration.affine_space import SpaceFaces
+from arrangement.enumeration.affine_space import space_faces
 from arrangement.exact import RationalVector
 from equilibrium.model.grasp import Grasp
 
@@ -35,13 +35,14 @@ def states_of_code(row: list[int]) -> States:
     return tuple(STATE_OF_CODE[code] for code in row)
 
 
-def codes_of_faces(grasp: Grasp, faces: SpaceFaces) -> Codes:
-    """Return the choices of contact states, without repeats, as an array (choices, contacts).
+def contact_states(grasp: Grasp) -> tuple[States, ...]:
+    """Return choices of contact states that together admit every equilibrium, without repeats."""
+    return tuple(map(states_of_code, state_codes(grasp).tolist()))
 
-    Args:
-        faces: of ``Grasp.motion_arrangement``.
-    """
-    m = len(grasp)
+
+def state_codes(grasp: Grasp) -> Codes:
+    """Return the same as an array (choices, contacts)."""
+    m, faces = len(grasp), space_faces(grasp.motion_arrangement())
     tangential = sorted({faces.arrangement.class_of[i] for i in range(m)})
     parts = [faces.regions, faces.facets_on(tangential), faces.edges_between(tangential)]
     codes = np.concatenate([_codes(faces.plane_signs(part)) for part in parts])

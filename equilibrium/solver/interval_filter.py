@@ -47,7 +47,7 @@ class Screen:
     """The systems of all contact states of one grasp, ready for any wrench.
 
     Args:
-        codes: choices of contact states, as `contact_states.codes_of_faces` returns them.
+        codes: choices of contact states, as `contact_states.state_codes` returns them.
     """
 
     def __init__(self, contacts: FloatContacts, codes: Codes) -> None:

@@ -12,7 +12,7 @@ from arrangement.polyhedra.cones import generators
 from arrangement.polyhedra.polyhedron import from_conditions
 from arrangement.polyhedra.separation import possibly_meeting, sides, surely_outside
 from equilibrium.inputs.random import random_grasp
-from equilibrium.solver.prepared import contact_states
+from equilibrium.solver.contact_states import contact_states
 from equilibrium.wrench_sets import outline, space
 from equilibrium.wrench_sets.images import StateImages
 from equilibrium.wrench_sets.outline import outline_of

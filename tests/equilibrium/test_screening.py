@@ -9,12 +9,11 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 
-from equilibrium import Grasp, solve
+from equilibrium import Grasp, Solver, solve
 from equilibrium.inputs.random import random_grasp
 from equilibrium.solver.contact_states import states_of_code
 from equilibrium.solver.equilibrium import equilibrium_of
 from equilibrium.solver.interval_filter import Screen
-from equilibrium.solver.prepared import PreparedGrasp
 from equilibrium.solver.state_system import state_system
 
 from . import oracle
@@ -27,7 +26,7 @@ W = (Fraction(1), Fraction(-1, 2), Fraction(1, 3))
 
 def assert_true(grasp: Grasp, wrench: tuple) -> int:
     """Check every answer of the screen by elimination in rationals; return how many there are."""
-    screen = PreparedGrasp(grasp).screen
+    screen = Solver(grasp).screen
     possible = screen.possible(wrench)
     for row in screen.codes[~possible].tolist():
         assert equilibrium_of(state_system(grasp, states_of_code(row), wrench)) is None
@@ -77,16 +76,16 @@ def test_numbers_that_floats_should_not_see_are_left_to_rationals(power):
     c = random_grasp(1, seed=1).contacts[0]
     scale = Fraction(10) ** power
     grasp = Grasp([replace(c, stiffness=c.stiffness * scale, preload=0)] * 2)
-    assert PreparedGrasp(grasp).screen.possible(W).all()
+    assert Solver(grasp).screen.possible(W).all()
     for wrench in (W, tuple(-2 * x for x in (*c.normal, c.normal_wrench[2]))):
         assert solve(grasp, wrench).stable == oracle.is_stable(grasp, wrench)
-    assert PreparedGrasp(random_grasp(2)).screen.possible((scale, *W[1:])).all()
+    assert Solver(random_grasp(2)).screen.possible((scale, *W[1:])).all()
 
 
 def test_most_choices_are_decided_in_floating_point():
     for seed in (1, 3, 5):
         grasp = random_grasp(7, seed)
-        assert assert_true(grasp, W) > 0.9 * len(PreparedGrasp(grasp).codes)
+        assert assert_true(grasp, W) > 0.9 * len(Solver(grasp).screen.codes)
 
 
 @settings(max_examples=40, deadline=None)

@@ -9,11 +9,10 @@ import numpy as np
 import pytest
 from hypothesis import given, settings, strategies as st
 
-from equilibrium import Contact, Grasp, contact_states
+from equilibrium import Contact, Grasp, Solver, contact_states
 from equilibrium.inputs.random import random_grasp, random_wrench
 from equilibrium.solver.contact_states import states_of_code
 from equilibrium.solver.interval_filter import Screen
-from equilibrium.solver.prepared import PreparedGrasp
 from equilibrium.wrench_sets.line import _interval, resisted_magnitudes
 
 from .awkward import question
@@ -27,7 +26,7 @@ W = (Fraction(1), Fraction(-1, 2), Fraction(1, 3))
 
 def assert_nothing_lost(grasp: Grasp, base: tuple, direction: tuple) -> int:
     """Check each choice ruled out by exact elimination; return how many there are."""
-    screen = PreparedGrasp(grasp).screen
+    screen = Solver(grasp).screen
     possible = screen.possible(base, direction)
     for row in screen.codes[~possible].tolist():
         assert _interval(grasp, states_of_code(row), base, direction) in (None, (0, 0))
@@ -87,14 +86,14 @@ def test_most_choices_are_ruled_out():
 @pytest.mark.parametrize("power", [-40, 40, 400])
 def test_numbers_that_floats_should_not_see_rule_nothing_out(power):
     scale = Fraction(10) ** power
-    assert PreparedGrasp(random_grasp(3, seed=1)).screen.possible(ZERO, (scale, *W[1:])).all()
+    assert Solver(random_grasp(3, seed=1)).screen.possible(ZERO, (scale, *W[1:])).all()
     c = random_grasp(1, seed=1).contacts[0]
     stiff = Grasp([replace(c, stiffness=c.stiffness * scale, preload=0)] * 2)
-    assert PreparedGrasp(stiff).screen.possible(ZERO, W).all()
+    assert Solver(stiff).screen.possible(ZERO, W).all()
 
 
 def test_without_contacts_nothing_is_ruled_out():
-    assert PreparedGrasp(Grasp()).screen.possible(ZERO, W).all()
+    assert Solver(Grasp()).screen.possible(ZERO, W).all()
 
 
 @settings(max_examples=20, deadline=None)
