@@ -14,7 +14,8 @@ from functools import cached_property
 from typing import Literal, TypeAlias
 
 from arrangement import linprog
-from arrangement.exact import RationalVector, dot
+from arrangement.exact import RationalVector, dot, primitive
+from arrangement.linear import rank
 from equilibrium.model.grasp import Grasp
 
 from .contact_rows import (
@@ -77,8 +78,14 @@ def state_system(
     n = 3 + states.count("stick")
     columns = iter(range(3, n))
     equalities, inequalities, forces = [], [], []
-    for contact, state in zip(grasp, states, strict=True):
+    pairs = list(zip(grasp, states, strict=True))
+    # Three independent sticking planes leave d = 0 only: each spring has its preload, and exact
+    # programs are many times faster without its stiffness.
+    still = rank([primitive(c.tangential_wrench) for c, state in pairs if state == "stick"]) == 3
+    for contact, state in pairs:
         normal, slip = normal_force_row(contact, n), slip_row(contact, n)
+        if still:
+            normal = (*[Fraction(0)] * n, contact.preload)
         if state == "detached":
             inequalities.append(negated(normal))
             forces.append(((Fraction(0),) * (n + 1),) * 2)
