@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from functools import cached_property
 
-from arrangement.enumeration.affine_space import SpaceFaces, space_faces
 from arrangement.exact import RationalVector
 from equilibrium.model.grasp import Grasp
 
@@ -34,14 +33,9 @@ class PreparedGrasp:
         return IntegerContacts(self.grasp)
 
     @cached_property
-    def faces(self) -> SpaceFaces:
-        """The faces of the motion arrangement."""
-        return space_faces(self.grasp.motion_arrangement())
-
-    @cached_property
     def codes(self) -> Codes:
         """Choices of contact states that together admit every equilibrium, as an array."""
-        return codes_of_faces(self.grasp, self.faces)
+        return codes_of_faces(self.grasp)
 
     @property
     def states(self) -> tuple[States, ...]:

@@ -11,14 +11,14 @@ from arrangement.exact import dot
 from arrangement.linear import cut, unit_vectors
 from arrangement.planes import Planes
 
-from .faces import SpaceFaces
+from .faces import space_levels
 
 
 def list_faces(planes: Planes) -> tuple[Level, ...]:
     """Return the faces of dimension 0, 1, ..., d of planes of rank 3, or central ones of rank 4."""
     if planes.rank == 3:
         reduced, columns = in_dimension(planes, 3)
-        return from_dimension(SpaceFaces(reduced).levels(), planes, columns)
+        return from_dimension(space_levels(reduced), planes, columns)
     reduced, columns = in_dimension(planes, 4)
     return from_dimension(_central_levels(reduced), planes, columns)
 
@@ -38,7 +38,7 @@ def _central_levels(planes: Planes) -> tuple[Level, ...]:
     others = np.flatnonzero(~at_infinity)
     rows = [[dot(normals[i], vector) for vector in basis] for i in others]
     affine = Planes([row[:3] for row in rows], [-row[3] for row in rows])
-    half = SpaceFaces(affine).levels()
+    half = space_levels(affine)
     flat = great_circles.list_faces(Planes([row[:3] for row in rows]))
     sides = np.where(at_infinity, planes.orientation, 0).astype(np.int8)
 
