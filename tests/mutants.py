@@ -46,6 +46,7 @@ class Target(NamedTuple):
 
 CHECKER = ("tests/equilibrium/test_checker.py",)
 SOLVER = ("tests/equilibrium/test_passive.py",)
+SEARCH = ("tests/equilibrium/test_resistance.py",)
 TARGETS = {
     "checker": Target("equilibrium.certificate.checker", CHECKER),
     "law": Target("equilibrium.certificate.law", CHECKER),
@@ -56,6 +57,9 @@ TARGETS = {
     "states": Target("equilibrium.solver.state_system", SOLVER, 12),
     "elimination": Target("equilibrium.solver.elimination", SOLVER, 12),
     "pieces": Target("equilibrium.solver.equilibrium", SOLVER, 12),
+    "leaves": Target("equilibrium.solver.leaf_test", SEARCH, 12),
+    "guess": Target("equilibrium.solver.state_equilibrium", SEARCH, 12),
+    "splits": Target("equilibrium.solver.state_splits", SEARCH, 12),
     "oracle": Target("proofs_check.routes.oracle", ("tests/proofs_check/test_oracle.py",), 12),
 }
 
