@@ -1,8 +1,8 @@
 """The proved checker beside the one in Python: one answer for each document, or exit code 1.
 
-Documents are the solver's certificates, and trees of other shapes, for questions in which degenerate
-cases are common; mutants of each are changed in one place, in their numbers, nodes, keys or bytes. Also
-compared: what both read of grasp and wrench.
+Documents are the solver's certificates, and trees of other shapes, for questions in which
+degenerate cases are common; mutants of each are changed in one place, in their numbers, nodes,
+keys or bytes. Also compared: what both read of grasp and wrench.
 
     python tests/formal_agreement.py PROGRAM [--documents 1000] [--mutants 4] [--seed 0]
 """
