@@ -9,13 +9,13 @@ that tell states apart are refused.
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping
 from fractions import Fraction
 from itertools import product
 from typing import Any
 
 from .fourier_motzkin import Row
-from .oracle import Question, Touch
+from .oracle import Question, Touch, dot
 
 Region = list[Row]
 
@@ -61,7 +61,7 @@ def _axis(j: int, sign: int) -> Row:
 
 def _holds(question: Question, motion: Row, region: Region) -> bool:
     """Whether load and contacts together do work at every generator, whatever contacts do."""
-    works = [g[0] * _dot(motion, question.wrench) for g in region]
+    works = [g[0] * dot(motion, question.wrench) for g in region]
     for touch in question.touches:
         works = [x + y for x, y in zip(works, _least(touch, motion, region), strict=True)]
     return all(x > 0 or (not x and not g[0]) for x, g in zip(works, region, strict=True))
@@ -69,15 +69,11 @@ def _holds(question: Question, motion: Row, region: Region) -> bool:
 
 def _least(touch: Touch, motion: Row, region: Region) -> list[Fraction]:
     """Return at each generator a bound from below of the contact's work, convex in between."""
-    springs = [touch.preload * g[0] - touch.stiffness * _dot(touch.normal, g[1:]) for g in region]
-    slips = [_dot(touch.tangential, g[1:]) for g in region]
+    springs = [touch.preload * g[0] - touch.stiffness * dot(touch.normal, g[1:]) for g in region]
+    slips = [dot(touch.tangential, g[1:]) for g in region]
     ways = [s for s in (1, -1) if not all(s * x < 0 for x in slips)]
-    along, across = _dot(motion, touch.normal), touch.friction * _dot(motion, touch.tangential)
+    along, across = dot(motion, touch.normal), touch.friction * dot(motion, touch.tangential)
     unit = min(along - s * across for s in ways)
     if unit > 0 and min(springs) < 0:
         return [Fraction(0)] * len(region)
     return [unit * max(Fraction(0), e) for e in springs]
-
-
-def _dot(left: Sequence[Fraction], right: Sequence[Fraction]) -> Fraction:
-    return sum((a * b for a, b in zip(left, right, strict=True)), Fraction(0))
