@@ -116,6 +116,18 @@ for _target, _text, _changes, _reason in (
         "numpy takes any negative length as the one to work out",
     ),
     (
+        "guess",
+        "if not size[best] > 1e-9 * np.linalg.norm(tangents[best]) * (spare[best] + 1e-9):",
+        ("Add -> Sub",),
+        "a threshold in floating point that was chosen; the rank is then found exactly",
+    ),
+    (
+        "guess",
+        "_COARSE = 16",
+        ("16 -> 17", "16 -> 15"),
+        "how finely guessed motions are rounded was chosen",
+    ),
+    (
         "law",
         "if slip and tangential != (-limit if slip > 0 else limit):",
         ("Gt -> GtE",),
