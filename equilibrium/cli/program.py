@@ -4,12 +4,14 @@ from __future__ import annotations
 
 import argparse
 from collections.abc import Iterator, Sequence
+from itertools import chain
 from typing import TYPE_CHECKING, Any
 
 from arrangement import terminal
 
 from . import draw, inputs, methods, wrench_sets
 from .arguments import add_command, add_wrench, grasp_of, show, vector
+from .proof_words import proof_lines
 
 if TYPE_CHECKING:
     from equilibrium.solver.equilibrium import Equilibrium
@@ -109,6 +111,8 @@ def _solve(arguments: argparse.Namespace) -> int:
         write_certificate(arguments.certificate, found.certificate)
     every = arguments.all or None
     lines = _verdict_lines(found.equilibria) if found.lists_all(every) else _one_of_many(found)
+    if not found.stable:
+        lines = chain(lines, proof_lines(found))
     return show(arguments, found.to_dict(every), lines, found.stable, grasp)
 
 

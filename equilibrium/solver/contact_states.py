@@ -17,7 +17,6 @@ from typing import TypeAlias
 import numpy as np
 import numpy.typing as npt
 
-from arrangement.enumeration.affine_space import space_faces
 from arrangement.exact import RationalVector
 from equilibrium.model.grasp import Grasp
 
@@ -42,12 +41,15 @@ def contact_states(grasp: Grasp) -> tuple[States, ...]:
 
 def state_codes(grasp: Grasp) -> Codes:
     """Return the same as an array (choices, contacts)."""
-    m, faces = len(grasp), space_faces(grasp.motion_arrangement())
-    tangential = sorted({faces.arrangement.class_of[i] for i in range(m)})
-    parts = [faces.regions, faces.facets_on(tangential), faces.edges_between(tangential)]
-    codes = np.concatenate([_codes(faces.plane_signs(part)) for part in parts])
+    planes = grasp.motion_arrangement()
+    tangential = sorted({planes.distinct[label][0] for label in planes.class_of[: len(grasp)]})
+    parts = []
+    for least, dimension in enumerate((3, 2, 1)):
+        signs = planes.faces(dimension).signs
+        parts.append(_codes(signs[(signs[:, tangential] == 0).sum(axis=1) >= least]))
+    codes = np.concatenate(parts)
     if grasp.tangential_arrangement().rank == 3:
-        at_rest = grasp.motion_arrangement().signs_at((0, 0, 0))
+        at_rest = planes.signs_at((0, 0, 0))
         codes = np.concatenate([codes, _codes(np.array([at_rest], dtype=np.int8))])
     codes = _distinct(codes)
     codes.setflags(write=False)
