@@ -34,8 +34,13 @@ def states_of_code(row: list[int]) -> States:
     return tuple(STATE_OF_CODE[code] for code in row)
 
 
-def codes_of_faces(grasp: Grasp) -> Codes:
-    """Return the choices of contact states, without repeats, as an array (choices, contacts)."""
+def contact_states(grasp: Grasp) -> tuple[States, ...]:
+    """Return choices of contact states that together admit every equilibrium, without repeats."""
+    return tuple(map(states_of_code, state_codes(grasp).tolist()))
+
+
+def state_codes(grasp: Grasp) -> Codes:
+    """Return the same as an array (choices, contacts)."""
     planes = grasp.motion_arrangement()
     tangential = sorted({planes.distinct[label][0] for label in planes.class_of[: len(grasp)]})
     parts = []
