@@ -48,7 +48,7 @@ def wrong_pairs(stage: Stage, facets: Sequence[Facet], samples: random.Random) -
     body = stage.cells.body
     rows = list(zip(planes.normals, planes.offsets, strict=True))
     v = stage.direction
-    position = {stage.signs(facet.sides): i for i, facet in enumerate(facets)}
+    position = {stage.arrangement.over_planes(facet.sides): i for i, facet in enumerate(facets)}
     wrong = []
     for i, facet in enumerate(facets):
         weights = [Fraction(samples.randint(1, 9)) for _ in facet.corners]
@@ -107,7 +107,7 @@ def test_every_facet_and_every_region_meets_the_body(planes: Arrangement, body: 
     assert {cell.signs for cell in cells.cells} == {face.signs for face in planes.regions()}
     stage = Stage(cells, DIRECTION)
     assert len(stage.facets) == facets
-    found = {stage.signs(facet.sides) for facet in stage.facets}
+    found = {stage.arrangement.over_planes(facet.sides) for facet in stage.facets}
     assert found == {face.signs for face in planes.faces(2)}
 
 
