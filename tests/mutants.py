@@ -123,6 +123,12 @@ for _target, _text, _changes, _reason in (
     ),
     (
         "guess",
+        "spare = 1.0 - np.abs(np.array(guess.shares)[sticking]) / (_SHARES + 1)",
+        ("1 -> 2",),
+        "a share in floating point that orders contacts; any order is then solved exactly",
+    ),
+    (
+        "guess",
         "_COARSE = 16",
         ("16 -> 17", "16 -> 15"),
         "how finely guessed motions are rounded was chosen",

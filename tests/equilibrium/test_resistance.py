@@ -16,7 +16,7 @@ from equilibrium.inputs.random import random_grasp, random_wrench
 from equilibrium.solver.continuation import find_equilibrium
 from equilibrium.solver.integer_contacts import IntegerContacts
 from equilibrium.solver.motion_regions import HALF_SPACE, MotionRegions
-from equilibrium.solver.state_equilibrium import Solution
+from equilibrium.solver.state_equilibrium import Guess, Solution, exact_equilibrium
 from equilibrium.solver.state_splits import StateSplits
 from equilibrium.wrench_sets.line import resisted_magnitudes
 
@@ -178,3 +178,12 @@ def hard() -> tuple[Grasp, Wrench]:
         if not verdict.stable and verdict.verify().leaves > 8:
             return grasp, wrench
     raise AssertionError("every question has a small answer")
+
+
+@pytest.mark.parametrize("axis", range(3))
+def test_what_the_balance_leaves_open_of_a_motion_is_guessed(axis):
+    point, normal = [((0, 0), (1, 0)), ((0, 0), (0, 1)), ((1, 0), (0, 1))][axis]
+    contacts = IntegerContacts(Grasp([Contact(point, normal, 1, 1, 1)]))
+    motion = tuple(32 * (j == axis) for j in range(3))
+    found = exact_equilibrium(contacts, (Fraction(0),) * 3, Guess((False,), (False,), (0,), motion))
+    assert found == Solution(tuple(Fraction(x, 16) for x in motion), ((Fraction(0),) * 2,))
