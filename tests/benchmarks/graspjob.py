@@ -7,10 +7,12 @@ smaller grasp goes first), but nothing is known of the grasp that is measured.
 The instances. Odd seeds have preload. By the seed modulo 8: 0, 1, 4, 5 have contacts all around the
 object, as `random_grasp` makes them; those resist nearly every wrench. The others have them on one
 third of the way round only, so that many wrenches are not resisted: 2, 3 take any wrench, 6, 7 one
-that pulls the object away from the contacts. Seeds with 1000 added take a wrench near the border:
-on the way from a push against the contacts to that of the seed, at most 1/64 of the way beyond what
-is resisted. The entries of the exact unit normals have denominators up to 2 * 10^7, and the planes
-in whole numbers entries of up to 10 digits.
+that pulls the object away from the contacts. So many contacts jam with any load when there are a
+hundred; with 1000 added to the seed they form ten patches of equal contacts side by side instead,
+which share spring and preload of one. With 2000 added the wrench lies just beyond the border: at
+most 1/64 of the way from a push against the patches to the wrench of the seed. The entries of the
+exact unit normals have denominators up to 2 * 10^7, and the planes in whole numbers entries of up
+to 10 digits.
 """
 
 from __future__ import annotations
@@ -20,7 +22,8 @@ import re
 import statistics
 import sys
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from dataclasses import replace
 from fractions import Fraction
 from pathlib import Path
 from typing import Any
@@ -32,8 +35,9 @@ from equilibrium.inputs.random import random_grasp, random_wrench
 
 Wrench = tuple[Fraction, ...]
 Found = dict[str, Any]
-#: Added to seeds whose wrench is to lie near the border, and by how many halvings of the way to it.
-BORDER, HALVINGS = 1000, 6
+#: Added to seeds: contacts in so many patches; a wrench near the border as well.
+PATCHES, BORDER, NUMBER = 1000, 2000, 10
+HALVINGS = 6
 #: A second wrench on the same grasp is the first one times this.
 SECOND = Fraction(65, 64)
 MILP_SECONDS = 60
@@ -42,17 +46,33 @@ VERDICTS = {True: "resisted", False: "not resisted"}
 
 def instance(contacts: int, seed: int) -> tuple[Grasp, Wrench]:
     """Return the grasp and the wrench of a seed."""
-    plain = seed % BORDER
+    plain = seed % PATCHES
+    number = NUMBER if seed >= PATCHES else contacts
     if plain % 4 < 2:
-        grasp = random_grasp(contacts, plain)
+        listed = list(random_grasp(number, plain))
     else:
-        listed = [c for c in random_grasp(8 * contacts, plain) if _on_one_side(c)]
-        grasp = Grasp(listed[:contacts])
-    if len(grasp) < contacts:
+        listed = [c for c in random_grasp(8 * number, plain) if _on_one_side(c)]
+    if len(listed) < number:
         raise ValueError(f"seed {seed} gives too few contacts on one side")
+    grasp = Grasp(listed[:number])
+    if number < contacts:
+        grasp = Grasp(part for c in grasp for part in _patch(c, contacts // number))
     x, y, torque = random_wrench(plain)
     wrench = (-abs(x) if plain % 8 >= 6 else x, y, torque)
     return grasp, _beyond_the_border(grasp, wrench) if seed >= BORDER else wrench
+
+
+def _patch(contact: Contact, number: int) -> Iterator[Contact]:
+    """Yield contacts along the tangent, a quarter long, that together are like the one."""
+    (x, y), (nx, ny) = contact.point, contact.normal
+    for k in range(number):
+        along = Fraction(2 * k + 1 - number, 8 * number)
+        yield replace(
+            contact,
+            point=(x - along * ny, y + along * nx),
+            stiffness=contact.stiffness / number,
+            preload=contact.preload / number,
+        )
 
 
 def _beyond_the_border(grasp: Grasp, wrench: Wrench) -> Wrench:

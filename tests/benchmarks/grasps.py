@@ -20,7 +20,7 @@ from collections.abc import Callable, Iterable, Sequence
 from pathlib import Path
 from typing import Any
 
-from graspjob import BORDER, MILP_SECONDS, VERDICTS
+from graspjob import BORDER, MILP_SECONDS, PATCHES, VERDICTS
 
 HERE = Path(__file__).resolve().parent
 Found = dict[str, Any]
@@ -41,11 +41,12 @@ def grasp_tables(contacts: Sequence[int], limit: float = LIMIT, count: int = 0) 
     heading()
     found = {m: _own_lines(m, _seeds(m, count), limit) for m in contacts}
     growth(found)
-    print("\nOn one side, the wrench at most 1/64 of the way from a push beyond the border")
-    heading()
-    for m in contacts:
-        one_side = [BORDER + seed for seed in _seeds(m, count) if seed % 4 >= 2]
-        _own_lines(m, one_side[:: 4 if m >= 1000 else 1], 2 * limit)
+    for added, where in ((PATCHES, "any wrench"), (BORDER, "just beyond the border")):
+        print(f"\nTen patches of contacts on one side, {where}")
+        heading()
+        for m in contacts:
+            one_side = [added + seed for seed in range(count or 32) if seed % 4 >= 2]
+            _own_lines(m, one_side[: 8 if m >= 1000 else None], 2 * limit)
     print("\nOther programs on the same grasps (no proof), and times ours")
     for m in contacts:
         if m in PEER:

@@ -14,7 +14,7 @@ from equilibrium.verdict import solve
 from equilibrium.wrench_sets.line import resisted_magnitudes
 from equilibrium.wrench_sets.space import StateImages, resistible_set
 
-from .limits_strategies import directions, grasps, wrenches
+from .wrench_sets_strategies import directions, grasps, wrenches
 
 entries = st.integers(-3, 3)
 rows4 = st.lists(st.tuples(entries, entries, entries, entries).filter(any), max_size=7)

@@ -14,7 +14,7 @@ from equilibrium.wrench_sets.directions import counter_clockwise, sectors
 from equilibrium.wrench_sets.outline import outline_of
 from equilibrium.wrench_sets.plane import polygon_cycle, resistible_region
 
-from .limits_strategies import grasps, small, wrenches
+from .wrench_sets_strategies import grasps, small, wrenches
 
 TINY = Fraction(1, 10**30)
 planar = st.tuples(small, small)

@@ -18,7 +18,7 @@ from equilibrium.wrench_sets.outline import outline_of
 from equilibrium.wrench_sets.plane import FORCES, _plane, resistible_region
 from equilibrium.wrench_sets.space import resistible_set
 
-from .limits_strategies import grasps, wrenches
+from .wrench_sets_strategies import grasps, wrenches
 
 entries = st.integers(-3, 3)
 conditions = st.lists(st.tuples(entries, entries, entries).filter(any), max_size=5)
