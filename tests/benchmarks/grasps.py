@@ -50,7 +50,11 @@ def grasp_tables(contacts: Sequence[int], limit: float = LIMIT, count: int = 0) 
     print("\nOther programs on the same grasps (no proof), and times ours")
     for m in contacts:
         if m in PEER:
-            seeds = range(PEER[m])
+            seeds = [
+                one["seed"]
+                for verdict in VERDICTS.values()
+                for one in [x for x in found[m] if x["verdict"] == verdict][: PEER[m] // 2]
+            ]
             against(f"mixed-integer program, m = {m}", found[m], run("milp", m, seeds, 2 * limit))
         if m <= LISTED:
             seeds = _seeds(m, count)
