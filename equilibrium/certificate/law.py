@@ -33,8 +33,8 @@ def law_problem(
         spring = max(Fraction(0), contact.preload - contact.stiffness * _dot(along_normal, motion))
         slip, limit = _dot(along_tangent, motion), contact.friction * normal
         if normal != spring:
-            return f"contact {i}: normal force {short(normal)}, its spring gives {short(spring)}"
-        given = f"contact {i}: friction {short(tangential)} of at most {short(limit)}"
+            return f"contact {i + 1}: normal force {short(normal)}, its spring gives {short(spring)}"
+        given = f"contact {i + 1}: friction {short(tangential)} of at most {short(limit)}"
         if abs(tangential) > limit:
             return given
         if slip and tangential != (-limit if slip > 0 else limit):

@@ -1,4 +1,4 @@
-"""The paper's map of resistible magnitudes over directions, by binary search, on the exact set."""
+"""The paper's map of resisted magnitudes over directions, by binary search, on the exact set."""
 
 from __future__ import annotations
 

@@ -108,7 +108,7 @@ def resistible_region(
     Raises:
         GraspError: not two spans, or parallel ones.
 
-    Source: [HaasHeger2018], the maps of resistible forces without and with preload, exactly.
+    Source: [HaasHeger2018], the maps of resisted forces without and with preload, exactly.
 
     >>> from equilibrium.io.files import read_grasp
     >>> region = resistible_region(read_grasp("paper-three-contacts"))

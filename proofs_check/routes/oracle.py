@@ -43,7 +43,7 @@ class Question:
 
     Attributes:
         contacts: (point x, point y, normal x, normal y, friction, stiffness, preload) of each.
-        wrench: force x, force y, torque.
+        wrench: (f_x, f_y, tau).
     """
 
     contacts: tuple[Row, ...]
