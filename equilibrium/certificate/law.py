@@ -28,13 +28,13 @@ def law_problem(
     where ``T . d > 0`` and ``mu c_n`` where ``T . d < 0``, balance ``sum (c_n N + c_t T) + w = 0``.
     """
     total = list(wrench)
-    for i, (contact, (normal, tangential)) in enumerate(zip(grasp, forces, strict=True)):
+    for i, (contact, (normal, tangential)) in enumerate(zip(grasp, forces, strict=True), 1):
         along_normal, along_tangent = unit_wrenches(contact)
         spring = max(Fraction(0), contact.preload - contact.stiffness * _dot(along_normal, motion))
         slip, limit = _dot(along_tangent, motion), contact.friction * normal
         if normal != spring:
-            return f"contact {i + 1}: normal force {short(normal)}, its spring gives {short(spring)}"
-        given = f"contact {i + 1}: friction {short(tangential)} of at most {short(limit)}"
+            return f"contact {i}: normal force {short(normal)}, its spring gives {short(spring)}"
+        given = f"contact {i}: friction {short(tangential)} of at most {short(limit)}"
         if abs(tangential) > limit:
             return given
         if slip and tangential != (-limit if slip > 0 else limit):

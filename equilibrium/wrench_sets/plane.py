@@ -98,7 +98,7 @@ class Region:
         }
 
 
-def resistible_region(
+def resisted_region(
     grasp: Grasp | Solver,
     spans: Sequence[Iterable[Any]] = FORCES,
     origin: Iterable[Any] = (0, 0, 0),
@@ -111,7 +111,7 @@ def resistible_region(
     Source: [HaasHeger2018], the maps of resisted forces without and with preload, exactly.
 
     >>> from equilibrium.io.files import read_grasp
-    >>> region = resistible_region(read_grasp("paper-three-contacts"))
+    >>> region = resisted_region(read_grasp("paper-three-contacts"))
     >>> [sector.to_dict()["start"] for sector in region.unlimited]
     [['-1', '0']]
     """

@@ -28,7 +28,7 @@ from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import Grasp
 from equilibrium.model.unit_normal import unit_normal
 
-from .plane import FORCES, resistible_region
+from .plane import FORCES, resisted_region
 
 
 @dataclass(frozen=True)
@@ -120,7 +120,7 @@ def search_map(
         raise GraspError(
             f"directions {directions}, tolerance {step}, limit {largest}: all must be above 0"
         )
-    region = resistible_region(grasp, spans)
+    region = resisted_region(grasp, spans)
     entries = []
     for i in watched(range(directions), "directions"):
         angle = 2 * pi * i / directions

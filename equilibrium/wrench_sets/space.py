@@ -35,7 +35,7 @@ class Piece:
 
 
 @dataclass(frozen=True)
-class ResistibleSet:
+class ResistedSet:
     """A finite union of convex polyhedra of wrenches ``(f_x, f_y, tau)``.
 
     Attributes:
@@ -64,14 +64,14 @@ class ResistibleSet:
         return {"polyhedra": [piece.to_dict() for piece in self.pieces]}
 
 
-def resistible_set(grasp: Grasp | Solver) -> ResistibleSet:
+def resisted_set(grasp: Grasp | Solver) -> ResistedSet:
     """Return all wrenches that a grasp resists, exactly.
 
     Complexity: two conversions between conditions and generators in four homogeneous coordinates
     for each choice of contact states: O(m^2) of them without preload, O(m^3) with.
 
     >>> from equilibrium.io.files import read_grasp
-    >>> whole = resistible_set(read_grasp("paper-three-contacts"))
+    >>> whole = resisted_set(read_grasp("paper-three-contacts"))
     >>> whole.contains([0, -5, 0]), whole.contains([0, 1, 0])
     (True, False)
     """
@@ -79,7 +79,7 @@ def resistible_set(grasp: Grasp | Solver) -> ResistibleSet:
     images, every = StateImages(solver.grasp), watched(solver.states, "contact states")
     found = ((states, images.resisted_with(states)) for states in every)
     pieces = [Piece(states, shape) for states, shape in found if shape is not None]
-    return ResistibleSet(solver.grasp, maximal_pieces(pieces))
+    return ResistedSet(solver.grasp, maximal_pieces(pieces))
 
 
 def states_with(pieces: Sequence[Piece], point: RationalVector) -> tuple[States, ...]:

@@ -139,7 +139,7 @@ def violations(
     return tuple(broken)
 
 
-def resistible(question: Question, reading: Reading = MODEL) -> tuple[Interval, ...]:
+def resisted(question: Question, reading: Reading = MODEL) -> tuple[Interval, ...]:
     """Return all factors t for which the grasp holds t times the wrench, as closed intervals."""
     found = []
     systems = Systems(question, reading, scaled=True)
