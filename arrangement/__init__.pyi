@@ -4,7 +4,6 @@ from .completeness import (
     CompletenessEvidence as CompletenessEvidence,
     certify_complete as certify_complete,
 )
-from .enumeration.affine_space import SpaceFaces as SpaceFaces, space_faces as space_faces
 from .enumeration.great_circles import (
     Incidence as Incidence,
     SphereArrangement as SphereArrangement,

@@ -7,18 +7,14 @@ enumerator; each face's existence is its own witness.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable
 from dataclasses import dataclass
 
-import numpy as np
-
 from .counts import f_vector
-from .exact import primitive
 from .linear import rank
 from .planes import Face, Planes
 
 _MAX_PROBLEMS = 20
-_BATCH = 4096
 
 
 @dataclass(frozen=True)
@@ -63,38 +59,31 @@ def certify_complete(arrangement: Planes, faces: Iterable[Face]) -> Completeness
     >>> evidence.complete, evidence.theorem
     (True, (1, 6, 6))
     """
-    listed = tuple(faces)
     theorem = f_vector(arrangement)
     problems: list[str] = []
     counted = [0] * (arrangement.dimension + 1)
     ranks: dict[tuple[int, ...], int] = {}
     seen: set[tuple[int, ...]] = set()
-    for start in range(0, len(listed), _BATCH):
-        batch = listed[start : start + _BATCH]
-        for face, signs in zip(batch, _signs_at_witnesses(arrangement, batch), strict=True):
-            problem = _problem(arrangement, face, signs, ranks)
-            if problem is None and face.signs in seen:
-                problem = "is listed twice"
-            seen.add(face.signs)
-            if problem is None:
-                counted[face.dimension] += 1
-            else:
-                problems.append(f"face {face.signs} {problem}")
+    for face in faces:
+        problem = _problem(arrangement, face, ranks)
+        if problem is None and face.signs in seen:
+            problem = "is listed twice"
+        seen.add(face.signs)
+        if problem is None:
+            counted[face.dimension] += 1
+        else:
+            problems.append(f"face {face.signs} {problem}")
     for k, (here, there) in enumerate(zip(counted, theorem, strict=True)):
         if here != there:
             problems.append(f"{here} faces of dimension {k} hold; there are {there}")
     return CompletenessEvidence(tuple(counted), theorem, tuple(problems[:_MAX_PROBLEMS]))
 
 
-def _problem(
-    arrangement: Planes,
-    face: Face,
-    signs: tuple[int, ...] | None,
-    ranks: dict[tuple[int, ...], int],
-) -> str | None:
-    """Return what is wrong with one face, given the signs at its witness, or None."""
-    if signs is None:
+def _problem(arrangement: Planes, face: Face, ranks: dict[tuple[int, ...], int]) -> str | None:
+    """Return what is wrong with one face, or None."""
+    if len(face.witness) != arrangement.dimension:
         return f"has a witness with {len(face.witness)} coordinates"
+    signs = arrangement.signs_at(face.witness)
     if signs != face.signs:
         return f"has a witness {tuple(map(str, face.witness))} with other signs"
     zero = tuple(i for i, sign in enumerate(signs) if sign == 0)
@@ -104,28 +93,3 @@ def _problem(
     if face.dimension != dimension:
         return f"has dimension {dimension}, not {face.dimension}"
     return None
-
-
-def _signs_at_witnesses(arrangement: Planes, faces: Sequence[Face]) -> list[tuple[int, ...] | None]:
-    """Return the sign vector at every witness, or None for one with too few or many coordinates.
-
-    Exact: a sum of d + 1 products of integers, in int64 when its bound fits, else in Python's.
-    """
-    d = arrangement.dimension
-    fitting = [len(face.witness) == d for face in faces]
-    points = [
-        primitive((*face.witness, -1)) for face, fits in zip(faces, fitting, strict=True) if fits
-    ]
-    planes = arrangement.integer_planes
-    if not points or not planes:
-        return [() if fits else None for fits in fitting]
-    bound = (d + 1) * _largest(points) * _largest(planes)
-    kind = np.int64 if bound < 2**63 else object
-    values = np.array(points, dtype=kind) @ np.array(planes, dtype=kind).T
-    found = map(tuple, ((values > 0).astype(int) - (values < 0)).tolist())
-    return [next(found) if fits else None for fits in fitting]
-
-
-def _largest(rows: Iterable[Sequence[int]]) -> int:
-    """Return the largest absolute value of an entry."""
-    return max(abs(x) for row in rows for x in row)

@@ -6,7 +6,7 @@ every dimension (a line in R^2, a hyperplane in R^5).
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
@@ -204,6 +204,11 @@ class Planes:
             1 if plane == first[label] else -1
             for plane, label in zip(self._integer_planes, self.class_of, strict=True)
         )
+
+    def over_planes(self, sides: Sequence[int]) -> tuple[int, ...]:
+        """Return a sign vector, from the sides of the first plane of each class."""
+        turned = zip(self.orientation, self.class_of, strict=True)
+        return tuple(flip * sides[label] for flip, label in turned)
 
     @cached_property
     def rank(self) -> int:

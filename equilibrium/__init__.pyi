@@ -17,8 +17,8 @@ from .model.errors import (
 from .model.grasp import Contact as Contact, Grasp as Grasp
 from .model.unit_normal import UnitNormal as UnitNormal, unit_normal as unit_normal
 from .model.units import Units as Units
+from .solver.contact_states import contact_states as contact_states
 from .solver.equilibrium import Equilibrium as Equilibrium
-from .solver.prepared import contact_states as contact_states
 from .solver.state_equilibrium import Solution as Solution
 from .verdict import Solver as Solver, Verdict as Verdict, solve as solve
 

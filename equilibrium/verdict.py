@@ -15,8 +15,6 @@ from dataclasses import dataclass, field
 from functools import cached_property
 from typing import Any
 
-import numpy as np
-
 from arrangement.exact import RationalVector, to_text
 from arrangement.plugins import display
 from arrangement.progress import watched
@@ -24,21 +22,22 @@ from arrangement.progress import watched
 from .certificate.checker import Report, check
 from .certificate.document import Certificate, refuted_certificate, resisted_certificate
 from .model.grasp import Grasp, read_wrench
-from .solver.all_stick import rest_refutation
-from .solver.contact_states import states_at, states_of_code
-from .solver.elimination import Refutation, decide
+from .solver.contact_states import Codes, state_codes, states_at, states_of_code
 from .solver.equilibrium import Equilibrium, equilibrium_of, maximal
-from .solver.interval_filter import UNDECIDED
-from .solver.prepared import PreparedGrasp
+from .solver.integer_contacts import IntegerContacts
+from .solver.interval_filter import Screen
 from .solver.resistance import resistance
 from .solver.state_equilibrium import Solution
 from .solver.state_splits import Node
-from .solver.state_system import States
+from .solver.state_system import States, state_system
+
+#: With more contacts all equilibria are listed only when asked for: their search takes long.
+MOST_LISTED = 20
 
 
 @dataclass(frozen=True)
 class Verdict:
-    """The answer for one grasp and wrench, with what is needed to check it.
+    """The answer for one grasp and wrench, true when stable, with what is needed to check it.
 
     Attributes:
         grasp, wrench: the question.
@@ -56,14 +55,24 @@ class Verdict:
         """Whether at least one equilibrium exists."""
         return self.solution is not None
 
+    def __bool__(self) -> bool:
+        """Return whether the wrench is resisted."""
+        return self.stable
+
     @cached_property
     def equilibria(self) -> tuple[Equilibrium, ...]:
         """The maximal pieces of the set of all solutions; empty when unstable.
 
         Pieces may touch; none lies in another. Of a piece with many solutions, the reported one
-        has the least ``|d|^2``, and among those the least ``|c|^2``, both exact.
+        has the least ``|d|^2``, and among those the least ``|c|^2``, both exact. To find all
+        takes far longer than the verdict where there are many contacts.
         """
         return () if self.solution is None else self._solver._equilibria(self.wrench)
+
+    @cached_property
+    def states(self) -> States:
+        """The state of each contact at the motion of `solution`; none when there is none."""
+        return () if self.solution is None else states_at(self.grasp, self.solution.motion)
 
     @cached_property
     def certificate(self) -> Certificate:
@@ -77,11 +86,26 @@ class Verdict:
         """Check the certificate, and that it answers this question; the report is true if so."""
         return check(self.certificate.to_dict(), question=(self.grasp, self.wrench))
 
-    def to_dict(self) -> dict[str, Any]:
-        """Return a JSON form; numbers are strings of rationals."""
+    def lists_all(self, every: bool | None = None) -> bool:
+        """Return whether `to_dict` lists all equilibria."""
+        return not self.stable or (len(self.grasp) <= MOST_LISTED if every is None else every)
+
+    def to_dict(self, every: bool | None = None) -> dict[str, Any]:
+        """Return a JSON form; numbers are strings of rationals.
+
+        Args:
+            every: list all equilibria; False: only the one of the certificate, by states, motion
+                and forces, and ``"complete": false``. None: all up to `MOST_LISTED` contacts.
+        """
+        complete = self.lists_all(every)
+        if complete or self.solution is None:
+            listed = [piece.to_dict() for piece in self.equilibria]
+        else:
+            listed = [{"states": list(self.states), **self.solution.to_dict()}]
         return {
             "stable": self.stable,
-            "equilibria": [piece.to_dict() for piece in self.equilibria],
+            "equilibria": listed,
+            **({} if complete else {"complete": False}),
             "wrench": [to_text(x) for x in self.wrench],
             "grasp": self.grasp.to_dict(),
         }
@@ -119,7 +143,7 @@ def solve(
     return Solver(grasp).solve(wrench, time_limit=time_limit, shorten=shorten)
 
 
-class Solver(PreparedGrasp):
+class Solver:
     """A grasp prepared for many wrenches: what one question computes serves the next.
 
     Every function about the wrenches that a grasp resists takes a solver in place of the grasp.
@@ -130,12 +154,33 @@ class Solver(PreparedGrasp):
     [True, False]
     """
 
+    def __init__(self, grasp: Grasp) -> None:
+        self.grasp = grasp
+
+    @cached_property
+    def _integers(self) -> IntegerContacts:
+        return IntegerContacts(self.grasp)
+
+    @cached_property
+    def _codes(self) -> Codes:
+        return state_codes(self.grasp)
+
+    @cached_property
+    def screen(self) -> Screen:
+        """The systems of all choices of contact states in floating point, with error bounds."""
+        return Screen(self._integers.floats, self._codes)
+
+    @property
+    def states(self) -> tuple[States, ...]:
+        """The choices of contact states; see `contact_states`."""
+        return tuple(map(states_of_code, self._codes.tolist()))
+
     def solve(
         self, wrench: Iterable[Any], *, time_limit: float | None = None, shorten: bool = False
     ) -> Verdict:
         """Decide one wrench; see the function `solve`."""
         applied = read_wrench(wrench)
-        found = resistance(self.integers, applied, time_limit, shorten)
+        found = resistance(self._integers, applied, time_limit, shorten)
         if isinstance(found, Solution):
             return Verdict(self.grasp, applied, found, self)
         return Verdict(self.grasp, applied, None, self, found)
@@ -150,28 +195,22 @@ class Solver(PreparedGrasp):
         The states at a motion on the border of normal planes may be none of the choices; where
         they hold more of the solutions, theirs is the piece to report.
         """
-        pieces: list[Equilibrium] = []
-        undecided = np.flatnonzero(self.screen.violations(wrench) == UNDECIDED)
-        for row in watched(undecided.tolist(), "contact states"):
-            states = states_of_code(self.codes[row].tolist())
-            if not (
-                self.balances.refutation(wrench, states)
-                or rest_refutation(self.grasp, wrench, states)
-            ):
-                pieces += self._piece(states, wrench)
+        possible = self._codes[self.screen.possible(wrench)].tolist()
+
+        def piece_of(states: States) -> Equilibrium | None:
+            return equilibrium_of(state_system(self.grasp, states, wrench))
+
+        tried = map(states_of_code, watched(possible, "contact states"))
+        pieces = [piece for piece in map(piece_of, tried) if piece]
         known = {piece.states for piece in pieces}
         for piece in pieces:
             states = states_at(self.grasp, piece.motion)
             if states not in known:
                 known.add(states)
-                pieces += self._piece(states, wrench)
+                further = piece_of(states)
+                if further:
+                    pieces.append(further)
         return maximal(pieces)
-
-    def _piece(self, states: States, wrench: RationalVector) -> list[Equilibrium]:
-        """Return the piece of one choice of states, if there is one."""
-        system = self.system(states, wrench)
-        outcome = decide(system)
-        return [] if isinstance(outcome, Refutation) else [equilibrium_of(system, outcome)]
 
 
 def prepare(grasp: Grasp | Solver) -> Solver:

@@ -1,8 +1,8 @@
 """The proved checker beside the one in Python: one answer for each document, or exit code 1.
 
-Documents are motions with forces, and trees of many shapes, for questions in which degenerate cases
-are common; mutants of each are changed in one place, in their numbers, nodes, keys or bytes. Also
-compared: what both read of grasp and wrench.
+Documents are the solver's certificates, and trees of other shapes, for questions in which
+degenerate cases are common; mutants of each are changed in one place, in their numbers, nodes,
+keys or bytes. Also compared: what both read of grasp and wrench.
 
     python tests/formal_agreement.py PROGRAM [--documents 1000] [--mutants 4] [--seed 0]
 """
@@ -27,16 +27,14 @@ sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
 
 from arrangement.errors import InputError
 from arrangement.exact import to_text
-from arrangement.io.files import _parse
-from equilibrium import solve
-from equilibrium.certificate.checker import check
-from equilibrium.certificate.document import refuted_certificate, resisted_certificate
+from equilibrium import check, read_certificate, solve
+from equilibrium.certificate.document import refuted_certificate
 from equilibrium.certificate.reading import read_question
 from tests.equilibrium.awkward import question
 from tests.equilibrium.trees import TooLarge, refutation
 
 ANSWERS = ("accepted", "refused", "malformed")
-#: Trees for one question, and the most nodes of one.
+#: Trees for one question beside the solver's, and the most nodes of one.
 SHAPES, NODES = 3, 60
 #: Files that one run of the program looks at.
 BATCH = 500
@@ -56,14 +54,9 @@ def documents(seed: int) -> Iterator[dict[str, Any]]:
     """Yield certificates of both kinds without end; all are valid."""
     for k in count(1000 * seed):
         asked = question(k)
-        found = solve(asked.grasp, asked.wrench).solution
-        if found is not None:
-            certificate = resisted_certificate(
-                asked.grasp, asked.wrench, found.motion, found.forces
-            )
-            yield certificate.to_dict()
-            continue
-        for shape in range(SHAPES):
+        verdict = solve(asked.grasp, asked.wrench)
+        yield verdict.certificate.to_dict()
+        for shape in range(0 if verdict.stable else SHAPES):
             try:
                 tree = refutation(asked.grasp, asked.wrench, shape, NODES)
             except TooLarge:
@@ -186,7 +179,7 @@ def _broken_text(text: bytes, source: Random) -> bytes:
 def python_answer(path: Path) -> tuple[str, Any]:
     """Return the answer of the Python checker, and the question where the document has a form."""
     try:
-        document = _parse(path.read_bytes(), path.name, floats=False)
+        document = read_certificate(path)
         report = check(document)
         _, grasp, wrench = read_question(document)
     except InputError:

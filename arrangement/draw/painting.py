@@ -103,14 +103,6 @@ class Stage:
         """Return the sides of a point of the picture, in floats."""
         return tuple(1 if float(n @ point) > b else -1 for n, b in self.planes)
 
-    def signs(self, sides: Sequence[int]) -> tuple[int, ...]:
-        """Return signs over the classes as a sign vector over the input planes."""
-        arrangement = self.arrangement
-        return tuple(
-            flip * sides[label]
-            for flip, label in zip(arrangement.orientation, arrangement.class_of, strict=True)
-        )
-
     def body_edges(self) -> tuple[tuple[Key, tuple[int, ...], npt.NDArray[np.int64]], ...]:
         """Return key, sign vector and ends of the segments of the edges of a cube."""
         found = []

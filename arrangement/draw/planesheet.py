@@ -117,7 +117,11 @@ class PlanesSheet:
     def _facet(self, facet: Facet, number: int) -> None:
         stage = self.stage
         normal = stage.planes[facet.label][0]
-        drawn = DrawnFacet(facet.label, stage.signs(facet.sides), (normal[0], normal[1], normal[2]))
+        drawn = DrawnFacet(
+            facet.label,
+            stage.arrangement.over_planes(facet.sides),
+            (normal[0], normal[1], normal[2]),
+        )
         corners = self.place(stage.points[list(facet.corners)])
         name = f"facet-{number}-plane-{stage.arrangement.distinct[facet.label][0] + 1}"
         self.areas.append((self.z, corners))
@@ -149,7 +153,7 @@ class PlanesSheet:
         for run in self._outline_runs():
             middle = run[len(run) // 2]
             sides = stage.sides_of(middle)
-            pieces.append((stage.key(sides), stage.signs(sides), run))
+            pieces.append((stage.key(sides), stage.arrangement.over_planes(sides), run))
         return pieces
 
     def _outline_runs(self) -> list[Floats]:

@@ -26,7 +26,7 @@ def orthographic(normal: Floats, start: Floats, angle: float) -> Floats:
     """Return the arc as seen from far away; within 10^-5 of the true ellipse."""
     place, speed = _points(normal, start, angle, math.pi / 8)
     step = angle / (len(place) - 1)
-    return _joined(place[:, :2], speed[:, :2] * (4 / 3 * math.tan(step / 4)))
+    return joined(place[:, :2], speed[:, :2] * (4 / 3 * math.tan(step / 4)))
 
 
 def stereographic(normal: Floats, start: Floats, angle: float) -> Floats:
@@ -40,7 +40,7 @@ def stereographic(normal: Floats, start: Floats, angle: float) -> Floats:
     if abs(c) < 1e-9:
         ends, _ = _points(normal, start, angle, angle)
         flat = ends[:, :2] / (1 + ends[:, 2:])
-        return _joined(flat, np.tile((flat[1] - flat[0]) / 3, (2, 1)))
+        return joined(flat, np.tile((flat[1] - flat[0]) / 3, (2, 1)))
     centre, radius = np.array([a / c, b / c]), 1 / abs(c)
     ends, _ = _points(normal, start, angle, angle)
     first, last = ends[:, :2] / (1 + ends[:, 2:]) - centre
@@ -52,7 +52,7 @@ def stereographic(normal: Floats, start: Floats, angle: float) -> Floats:
     at = math.atan2(first[1], first[0]) + way * np.linspace(0, sweep, pieces + 1)
     spoke = radius * np.stack([np.cos(at), np.sin(at)], axis=1)
     speed = way * np.stack([-spoke[:, 1], spoke[:, 0]], axis=1)
-    return _joined(centre + spoke, speed * (4 / 3 * math.tan(sweep / pieces / 4)))
+    return joined(centre + spoke, speed * (4 / 3 * math.tan(sweep / pieces / 4)))
 
 
 @dataclass(frozen=True)
@@ -75,7 +75,7 @@ class Chart:
         place, speed = _points(normal, start, angle, math.pi / 60)
         h, step = 1e-5, angle / (len(place) - 1)
         ahead, back = (self.project(place + s * h * speed) for s in (1, -1))
-        return _joined(self.project(place), (ahead - back) / (2 * h) * step / 3)
+        return joined(self.project(place), (ahead - back) / (2 * h) * step / 3)
 
     def project(self, points: Floats) -> Floats:
         """Return the places of unit vectors (k, 3) in front of, or at, the limb."""
@@ -182,7 +182,7 @@ class StraightChart(Drawn):
         start, stop = (int(v) for v in incidence.origin[2 * arc : 2 * arc + 2])
         if int(incidence.arc_circle[arc]) != self.limb:
             ends = self.places[[start, stop]]
-            return _joined(ends, np.tile((ends[1] - ends[0]) / 3, (2, 1)))
+            return joined(ends, np.tile((ends[1] - ends[0]) / 3, (2, 1)))
         normal = self.normals[self.limb]
         if start < 0:
             return self.projection(normal, _across(normal), 2 * math.pi)
@@ -214,7 +214,7 @@ def _points(normal: Floats, start: Floats, angle: float, most: float) -> tuple[F
     return np.cos(at) * start + np.sin(at) * side, np.cos(at) * side - np.sin(at) * start
 
 
-def _joined(place: Floats, handle: Floats) -> Floats:
+def joined(place: Floats, handle: Floats) -> Floats:
     """Return the control points of cubic curves through `place` with the given handles."""
     curve = np.empty((3 * len(place) - 2, 2))
     curve[0::3] = place

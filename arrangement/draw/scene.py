@@ -1,7 +1,7 @@
 """What a picture shows, before any file format: paths, marks and labels on a sheet of paper.
 
 A view adds items to a `Scene`; a writer (`figure`) reads them and knows no view. Every item has a
-name such as ``region-3``, and its role is the first word of it. Coordinates are printer's points
+name such as ``region-3``, whose first word says what it is. Coordinates are printer's points
 (1/72 inch) from the lower left corner.
 
 Styles: ``fc`` colour inside, ``ec`` of the line, ``lw`` its width in points, ``ls`` its dashes
@@ -11,7 +11,6 @@ marks ``color``, ``weight``, ``style``, ``halo`` (width, colour), ``plate`` (a b
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass, field
@@ -58,11 +57,6 @@ class Item:
     order: float | None = None
     clip: Box | tuple[Place, float] | None = None
     style: Mapping[str, Any] = field(default_factory=dict)
-
-    @property
-    def role(self) -> str:
-        """The first word of the name: what it is."""
-        return next(iter(re.findall("[a-z]+", self.name)), "label")
 
 
 @dataclass(frozen=True, kw_only=True)

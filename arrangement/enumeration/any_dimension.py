@@ -32,11 +32,10 @@ from arrangement.exact import IntegerVector
 from arrangement.linear import rank, unit_vectors
 from arrangement.planes import Planes
 
+from .packing import Words, grouped, pack, unpack
 from .sequence import Integers, Level, Rows, Signs, no_faces, primitive_rows
 
 Indices: TypeAlias = NDArray[np.intp]
-#: (..., W) 64-bit words; class k has bit 2k for + and bit 2k + 1 for -, counted over all words.
-Words: TypeAlias = NDArray[np.uint64]
 
 #: Sums and products below this bound are exact in int64.
 _SAFE = 1 << 62
@@ -63,7 +62,7 @@ class CentralFaces:
     """The faces of one dimension of a central arrangement.
 
     Attributes:
-        words: (F, W); their signs.
+        words: (F, W); their signs: class k has bit 2k for + and bit 2k + 1 for -.
         flats: (F); the flat that each one spans.
         points: (F, n); a point of each.
     """
@@ -125,7 +124,7 @@ def _covers(faces: CentralFaces, rises: _Rises, forbidden: Words) -> CentralFace
     words = faces.words[face] | rises.words[rise]
     allowed = ~(words & forbidden).any(axis=1)
     face, rise, words = face[allowed], rise[allowed], words[allowed]
-    order, new = _sorted_rows(words)
+    order, new = grouped(words)
     first = order[new]
     if len(faces.words) == 1 and not faces.words.any():
         points = rises.vectors[rise[first]]
@@ -207,8 +206,7 @@ def _as_level(planes: Planes, faces: CentralFaces) -> Level:
     orientation = np.array(planes.orientation, np.int8)
 
     def signs(rows: Rows) -> Signs:
-        octets = np.ascontiguousarray(words[rows], "<u8").view(np.uint8)
-        bits = np.unpackbits(octets, axis=1, count=2 * classes, bitorder="little").view(np.int8)
+        bits = unpack(words[rows], 2 * classes).view(np.int8)
         found: Signs = (bits[:, 0::2] - bits[:, 1::2])[:, columns] * orientation
         return found
 
@@ -217,19 +215,7 @@ def _as_level(planes: Planes, faces: CentralFaces) -> Level:
 
 def _unit_words(classes: int) -> Words:
     """Return (classes, W); row k has the bit for + of class k alone."""
-    words = np.zeros((classes, 1 + 2 * classes // 64), np.uint64)
-    bit = 2 * np.arange(classes)
-    words[np.arange(classes), bit // 64] = _ONE << (bit % 64).astype(np.uint64)
-    return words
-
-
-def _sorted_rows(rows: NDArray[Any]) -> tuple[Indices, NDArray[np.bool_]]:
-    """Return an order in which equal rows are neighbours, and which of them are new in it."""
-    order = np.lexsort(rows.T) if rows.shape[1] > 1 else np.argsort(rows[:, 0], kind="stable")
-    ordered = rows[order]
-    new = np.ones(len(rows), bool)
-    np.any(ordered[1:] != ordered[:-1], axis=1, out=new[1:])
-    return order, new
+    return pack(np.eye(2 * classes, dtype=bool)[::2])
 
 
 def _grouped(rows: NDArray[Any]) -> tuple[Indices, Indices]:
@@ -238,7 +224,7 @@ def _grouped(rows: NDArray[Any]) -> tuple[Indices, Indices]:
         known: dict[tuple[int, ...], int] = {}
         label = np.array([known.setdefault(tuple(row), len(known)) for row in rows.tolist()])
         return np.unique(label, return_index=True)[1], label
-    order, new = _sorted_rows(rows)
+    order, new = grouped(rows.view(np.uint64))
     label = np.empty(len(rows), np.intp)
     label[order] = np.cumsum(new) - 1
     return order[new], label

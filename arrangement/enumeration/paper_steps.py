@@ -101,13 +101,9 @@ def published_enumeration(arrangement: Planes, merge: bool = False) -> Published
     cycles = _cycles(graph)
     lines = [_line(regions, graph, cycle) for cycle in cycles]
     facets = [_on_planes(regions[k], {plane}) for k, _, plane in graph.edges(data="plane")]
-    turns = arrangement.orientation
-    owner = {plane: c for c, members in enumerate(classes) for plane in members}
 
     def filled(signs: SignVector) -> SignVector:
-        if not merge:
-            return signs
-        return tuple(turns[plane] * signs[owner[plane]] for plane in range(len(planes)))
+        return arrangement.over_planes(signs) if merge else signs
 
     return PublishedEnumeration(
         regions=tuple(filled(signs) for signs in regions),

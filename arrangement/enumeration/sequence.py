@@ -56,7 +56,7 @@ class FaceSequence(Sequence[Face]):
     """The faces of an arrangement, or those of one dimension, in a fixed order.
 
     It looks like a tuple of `Face`: length, indices, slices (which are tuples), iteration. The
-    arrays behind it are `signs` and `dimensions`.
+    arrays behind it are `signs`, `dimensions` and `points`.
 
     Order: by dimension, lowest first. Within a dimension it is the order of the engine: the same
     for the same planes, without a meaning.
@@ -88,10 +88,16 @@ class FaceSequence(Sequence[Face]):
     @cached_property
     def signs(self) -> Signs:
         """(count, m); the sign of every face at every input plane. Count times m bytes."""
-        whole = [level.signs(slice(None)) for level in self._levels if level.count]
-        return _frozen(
-            np.concatenate(whole) if whole else np.empty((0, len(self._planes)), np.int8)
-        )
+        empty = np.empty((0, len(self._planes)), np.int8)
+        parts = [level.signs(slice(None)) for level in self._levels if level.count]
+        return _frozen(np.concatenate([empty, *parts]))
+
+    @cached_property
+    def points(self) -> Integers:
+        """(count, d + 1); an exact point in every face: integers ``(X, W)``, W > 0, for X / W."""
+        empty = np.empty((0, self._planes.dimension + 1), np.int64)
+        parts = [level.points(slice(None)) for level in self._levels if level.count]
+        return _frozen(np.concatenate([empty, *parts]))
 
     def of_dimension(self, dimension: int) -> FaceSequence:
         """Return the faces of one dimension."""
@@ -171,6 +177,6 @@ class _Quotients(dict[tuple[int, int], Fraction]):
         return self.setdefault(pair, Fraction(x) if scale == 1 else Fraction(x, scale))
 
 
-def _frozen(signs: Signs) -> Signs:
-    signs.flags.writeable = False
-    return signs
+def _frozen(array: NDArray[Any]) -> NDArray[Any]:
+    array.flags.writeable = False
+    return array

@@ -83,7 +83,7 @@ def cut_cells(
         ]
     cells = tuple(
         sorted(
-            (Cell(_signs(arrangement, sides), sides, *solid) for sides, solid in solids),
+            (Cell(arrangement.over_planes(sides), sides, *solid) for sides, solid in solids),
             key=lambda cell: cell.signs,
         )
     )
@@ -111,13 +111,6 @@ def read_signs(arrangement: Planes, text: str) -> tuple[int, ...]:
             "lists them"
         )
     return signs
-
-
-def _signs(arrangement: Planes, sides: tuple[int, ...]) -> tuple[int, ...]:
-    return tuple(
-        flip * sides[label]
-        for flip, label in zip(arrangement.orientation, arrangement.class_of, strict=True)
-    )
 
 
 #: faces and walls, as in `Cell`

@@ -5,24 +5,14 @@ from __future__ import annotations
 import argparse
 from typing import Any
 
-from arrangement import terminal
+from .arguments import add_command
 
 
 def add_commands(commands: Any) -> None:
     """Add draw."""
-    draw = commands.add_parser(
-        "draw", help="a picture of a grasp, of what it resists, or of the methods side by side"
-    )
-    draw.add_argument("grasp", metavar="GRASP", help="a path, - for stdin, or a built-in name")
-    draw.add_argument(
-        "--preload",
-        metavar="P",
-        type=terminal.rational_argument,
-        help="use this preload at every contact instead of the grasp's own",
-    )
+    text = "a picture of a grasp, of what it resists, or of the methods side by side"
+    draw: Any = add_command(commands, "draw", _draw, text)
     draw.later = lambda: _add_options(draw)
-    terminal.add_json_option(draw)
-    draw.set_defaults(command=_draw)
 
 
 def _add_options(draw: argparse.ArgumentParser) -> None:

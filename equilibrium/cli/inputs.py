@@ -9,7 +9,7 @@ from __future__ import annotations
 import argparse
 import json
 import sys
-from collections.abc import Callable
+from collections.abc import Sequence
 from fractions import Fraction
 from typing import TYPE_CHECKING, Any
 
@@ -27,18 +27,22 @@ def add_commands(commands: Any) -> None:
     make = commands.add_parser("make", help="a grasp file from a CSV file, a polygon, a circle ...")
     kinds = make.add_subparsers(required=True, metavar="KIND")
 
-    table = _add(kinds, "csv", _csv, "one contact a line; columns x, y, normal_x, ...")
-    table.add_argument("file", metavar="FILE.csv")
+    text = "one contact a line; columns x, y, normal_x, ..."
+    _add(kinds, "csv", text, "read_csv").add_argument("file", metavar="FILE.csv")
 
-    floats = _add(kinds, "floats", _floats, "measured or simulated data in floats, snapped")
+    text = "measured or simulated data in floats, snapped"
+    floats = _add(kinds, "floats", text, "read_float_data", options=("tolerance",))
     floats.add_argument("file", metavar="DATA", help="a JSON or .csv file, or - for stdin (JSON)")
     text = "largest change of a coordinate or value"
     add_number(floats, "--tolerance", Fraction(1, 10**6), text)
 
-    polygon = _add(kinds, "polygon", _polygon, "places on the boundary of a polygon (JSON)")
+    text = "places on the boundary of a polygon (JSON)"
+    polygon = _add(kinds, "polygon", text, "read_polygon")
     polygon.add_argument("file", metavar="FILE.json", help="a path, or - for stdin")
 
-    circle = _add(kinds, "circle", _circle, "contacts on a circle, normals to its centre")
+    text = "contacts on a circle, normals to its centre"
+    options = ("radius", "preload")
+    circle = _add(kinds, "circle", text, "on_circle", ("angles", "friction"), options)
     circle.add_argument("--angles", nargs="+", type=float, metavar="DEGREES", required=True)
     add_number(circle, "--radius", 1, "of the circle")
     circle.add_argument("--friction", metavar="Q", type=terminal.rational_argument, required=True)
@@ -52,11 +56,21 @@ def add_commands(commands: Any) -> None:
 
 
 def _add(
-    kinds: Any, name: str, read: Callable[[argparse.Namespace], Conversion], text: str
+    kinds: Any,
+    name: str,
+    text: str,
+    reader: str,
+    given: Sequence[str] = ("file",),
+    options: Sequence[str] = (),
 ) -> argparse.ArgumentParser:
-    """Add a kind of input whose conversion rounds."""
+    """Add a kind of input whose conversion rounds.
+
+    Args:
+        reader: the function of `equilibrium.inputs`.
+        given, options: the arguments that it takes, without and with their names.
+    """
     parser = add_command(kinds, name, _converted, text, grasp=False)
-    parser.set_defaults(read=read)
+    parser.set_defaults(reader=reader, given=given, options=(*options, "angle_tolerance"))
     text = "largest error of a normal that has no exact unit form"
     add_number(parser, "--angle-tolerance", Fraction(1, 10**6), text, "RADIANS")
     _add_units(parser)
@@ -67,32 +81,6 @@ def _add_units(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--units", nargs=2, metavar=("LENGTH", "FORCE"), help="what the numbers mean, as in: mm N"
     )
-
-
-def _csv(arguments: argparse.Namespace) -> Conversion:
-    from equilibrium.inputs import read_csv
-
-    return read_csv(arguments.file, angle_tolerance=arguments.angle_tolerance)
-
-
-def _floats(arguments: argparse.Namespace) -> Conversion:
-    from equilibrium.inputs import read_float_data
-
-    tolerances = {name: getattr(arguments, name) for name in ("tolerance", "angle_tolerance")}
-    return read_float_data(arguments.file, **tolerances)
-
-
-def _polygon(arguments: argparse.Namespace) -> Conversion:
-    from equilibrium.inputs import read_polygon
-
-    return read_polygon(arguments.file, angle_tolerance=arguments.angle_tolerance)
-
-
-def _circle(arguments: argparse.Namespace) -> Conversion:
-    from equilibrium.inputs import on_circle
-
-    options = {name: getattr(arguments, name) for name in ("radius", "preload", "angle_tolerance")}
-    return on_circle(arguments.angles, arguments.friction, **options)
 
 
 def _random(arguments: argparse.Namespace) -> int:
@@ -107,7 +95,11 @@ def _labelled(grasp: Grasp, arguments: argparse.Namespace) -> Grasp:
 
 
 def _converted(arguments: argparse.Namespace) -> int:
-    found = arguments.read(arguments)
+    from equilibrium import inputs
+
+    options = {name: getattr(arguments, name) for name in arguments.options}
+    read = getattr(inputs, arguments.reader)
+    found: Conversion = read(*(getattr(arguments, name) for name in arguments.given), **options)
     document = {**found.to_dict(), "grasp": _labelled(found.grasp, arguments).to_dict()}
     if not found.exact and not arguments.json:
         point = float(max(map(abs, found.point_errors), default=0))

@@ -4,15 +4,20 @@ from __future__ import annotations
 
 import argparse
 from collections.abc import Iterator, Sequence
+from itertools import chain
 from typing import TYPE_CHECKING, Any
 
 from arrangement import terminal
 
 from . import draw, inputs, methods, wrench_sets
 from .arguments import add_command, add_wrench, grasp_of, show, vector
+from .proof_words import proof_lines
 
 if TYPE_CHECKING:
     from equilibrium.solver.equilibrium import Equilibrium
+    from equilibrium.solver.state_equilibrium import Solution
+    from equilibrium.solver.state_system import States
+    from equilibrium.verdict import Verdict
 
 #: The names of `printed_model.OPTIONS`, kept here so that ``--help`` loads no solver.
 LITERAL = (
@@ -46,6 +51,9 @@ def _parser() -> terminal.Parser:
     )
     solve.add_argument(
         "--shorten", action="store_true", help="look longer for a smaller proof of a no"
+    )
+    solve.add_argument(
+        "--all", action="store_true", help="list all equilibria of more than 20 contacts, too"
     )
     solve.add_argument(
         "--literal",
@@ -86,23 +94,26 @@ def _seconds(text: str) -> float:
 
 def _solve(arguments: argparse.Namespace) -> int:
     from equilibrium.io.files import write_certificate
-    from equilibrium.methods.printed_model import LiteralVerdict, solve_literal
+    from equilibrium.methods.printed_model import solve_literal
     from equilibrium.model.errors import GraspError
-    from equilibrium.verdict import Verdict, solve
+    from equilibrium.verdict import solve
 
     if arguments.literal and arguments.certificate:
         raise GraspError("a literal reading has no certificate; omit one of the two options")
     grasp = grasp_of(arguments)
-    found: Verdict | LiteralVerdict
     if arguments.literal:
-        found = solve_literal(grasp, arguments.wrench, arguments.literal)
-    else:
-        limits = {"time_limit": arguments.time_limit, "shorten": arguments.shorten}
-        found = solve(grasp, arguments.wrench, **limits)
-        if arguments.certificate:
-            write_certificate(arguments.certificate, found.certificate)
-    lines = _verdict_lines(found.equilibria)
-    return show(arguments, found.to_dict(), lines, found.stable, grasp)
+        literal = solve_literal(grasp, arguments.wrench, arguments.literal)
+        lines = _verdict_lines(literal.equilibria)
+        return show(arguments, literal.to_dict(), lines, literal.stable, grasp)
+    limits = {"time_limit": arguments.time_limit, "shorten": arguments.shorten}
+    found = solve(grasp, arguments.wrench, **limits)
+    if arguments.certificate:
+        write_certificate(arguments.certificate, found.certificate)
+    every = arguments.all or None
+    lines = _verdict_lines(found.equilibria) if found.lists_all(every) else _one_of_many(found)
+    if not found.stable:
+        lines = chain(lines, proof_lines(found))
+    return show(arguments, found.to_dict(every), lines, found.stable, grasp)
 
 
 def _verdict_lines(pieces: Sequence[Equilibrium]) -> Iterator[str]:
@@ -111,9 +122,21 @@ def _verdict_lines(pieces: Sequence[Equilibrium]) -> Iterator[str]:
         return
     yield f"stable: {len(pieces)} " + ("equilibrium" if len(pieces) == 1 else "equilibria")
     for piece in pieces:
-        yield f"  motion {vector(piece.motion)}" + _freedom(piece)
-        for i, (state, force) in enumerate(zip(piece.states, piece.forces, strict=True), 1):
-            yield f"    contact {i}  {state:<8}  force {vector(force)}"
+        yield from _equilibrium_lines(piece, piece.states, _freedom(piece))
+
+
+def _one_of_many(found: Verdict) -> Iterator[str]:
+    yield "stable: the equilibrium found is below; there may be others, and --all lists them"
+    if found.solution is not None:
+        yield from _equilibrium_lines(found.solution, found.states)
+
+
+def _equilibrium_lines(
+    found: Equilibrium | Solution, states: States, freedom: str = ""
+) -> Iterator[str]:
+    yield f"  motion {vector(found.motion)}{freedom}"
+    for i, (state, force) in enumerate(zip(states, found.forces, strict=True), 1):
+        yield f"    contact {i}  {state:<8}  force {vector(force)}"
 
 
 def _freedom(piece: Equilibrium) -> str:

@@ -95,7 +95,7 @@ def _drawn(layout: Layout, width: float) -> Scene:
     height = scale * (high[1] - low[1]) + 2 * margin
     scene = Scene(width, (height + legend.height) / POINTS)
     middle = np.array([wide / 2, legend.height + height / 2])
-    picture = _Picture(layout, scene, scale, middle - scale * (low + high) / 2)
+    picture = Picture(layout, scene, scale, middle - scale * (low + high) / 2)
     picture.body()
     picture.contacts()
     picture.wrench()
@@ -104,7 +104,7 @@ def _drawn(layout: Layout, width: float) -> Scene:
     return scene
 
 
-class _Picture:
+class Picture:
     """Puts a layout on a scene: a place p on paper at ``scale * p + shift``."""
 
     def __init__(self, layout: Layout, scene: Scene, scale: float, shift: Floats) -> None:

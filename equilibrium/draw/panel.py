@@ -158,7 +158,7 @@ class Panel:
             for i, segment in enumerate(segments):
                 found = self.window.stretch(segment)
                 if found is not None:
-                    self.scene.line(self.at(found[0]), ec=BLACK, lw=1.3, gid=self.gid(kind, i),
+                    self.scene.line(self.at(found), ec=BLACK, lw=1.3, gid=self.gid(kind, i),
                                     zorder=2, capstyle="round")  # fmt: skip
         for i, point in enumerate(outline.points):
             place = self.at(self.window.paper(point))

@@ -13,7 +13,7 @@ from .legend import Legend
 from .panel import fill_of
 from .row import Question, new_legend, row_of_panels
 from .style import FILLS, SYMBOLS, number, vector
-from .window import window_of
+from .window import joint_window
 
 
 @picture
@@ -46,7 +46,7 @@ def draw_resist(
     question = Question(wrench, extent)
     applied, half, torque = question.wrench, question.half, question.torque
     region = resisted_region(grasp, origin=(0, 0, torque))
-    window = window_of(region, question.marked, half)
+    window = joint_window([region], question.marked, half, pieces=True)
     legend = new_legend(width)
     _describe(grasp, region, applied, legend, fades=half is None)
     scene, (panel,) = row_of_panels(1, window, legend, grasp)

@@ -8,6 +8,7 @@ from typing import Any
 
 import numpy as np
 
+from arrangement.draw.projections import joined
 from arrangement.draw.scene import FONT, Floats, Scene
 
 
@@ -38,11 +39,7 @@ def arc(centre: Floats, radius: float, start: float, sweep: float) -> Floats:
     handle = 4 / 3 * math.tan(sweep / 16)
     radial = np.stack([np.cos(angles), np.sin(angles)], axis=1)
     tangent = np.stack([-radial[:, 1], radial[:, 0]], axis=1)
-    control = np.empty((13, 2))
-    control[0::3] = radial
-    control[1::3] = radial[:-1] + handle * tangent[:-1]
-    control[2::3] = radial[1:] - handle * tangent[1:]
-    return centre + radius * control
+    return centre + radius * joined(radial, handle * tangent)
 
 
 def turning_arrow(scene: Scene, centre: Floats, radius: float, way: int, **style: Any) -> None:

@@ -13,6 +13,7 @@ DRAWINGS = Drawings(
         "polar": "polar:draw_polar",
         "compare": "compare:draw_compare",
         "methods": "methods:draw_methods",
+        "proof": "proof:draw_proof",
     },
     models={},
     pages={"resist": "page:resist_page"},

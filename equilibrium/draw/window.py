@@ -56,8 +56,8 @@ class Window:
         cut = self._cut(polyhedron.inequalities, polyhedron.equalities)
         return None if cut is None else np.array([self.paper(p) for p in polygon_cycle(cut)])
 
-    def stretch(self, segment: Segment) -> tuple[Floats, bool, bool] | None:
-        """Return the ends of the part of a segment inside, and which of them are not its own."""
+    def stretch(self, segment: Segment) -> Floats | None:
+        """Return the ends of the part of a segment inside, on paper."""
         inequalities = []
         for end, sign in ((segment.start, 1), (segment.end, -1)):
             if end is not None:
@@ -66,30 +66,13 @@ class Window:
         cut = self._cut(inequalities, [(*segment.normal, segment.constant)])
         if cut is None or len(cut.points) < 2:
             return None
-        along = segment.direction
-        first, last = sorted(cut.points, key=lambda p: Fraction(dot(along, p)))
-        ends = np.array([self.paper(first), self.paper(last)])
-        return ends, first != segment.start, last != segment.end
+        ends = sorted(cut.points, key=lambda p: Fraction(dot(segment.direction, p)))
+        return np.array([self.paper(end) for end in ends])
 
     def _cut(
         self, inequalities: Iterable[IntegerVector], equalities: Iterable[IntegerVector]
     ) -> Polyhedron | None:
         return from_conditions([*inequalities, *self.rows], equalities, 2)
-
-
-def window_of(
-    region: Region, extra: Iterable[RationalVector] = (), half: Fraction | None = None
-) -> Window:
-    """Return a square window for a region.
-
-    It holds the origin, all ends of the region's border, and the corners of single pieces unless
-    they lie far outside the others; and it shows a part of every ray.
-
-    Args:
-        extra: more points to hold.
-        half: this half side instead, about the origin.
-    """
-    return joint_window([region], extra, half, pieces=True)
 
 
 def joint_window(
@@ -99,7 +82,15 @@ def joint_window(
     *,
     pieces: bool = False,
 ) -> Window:
-    """Return one square window for several regions; `pieces`: for the corners of pieces too."""
+    """Return one square window for several regions.
+
+    It holds the origin and all ends of the regions' borders, and it shows a part of every ray.
+
+    Args:
+        extra: more points to hold.
+        half: this half side instead, about the origin.
+        pieces: hold the corners of single pieces too, unless they lie far outside the others.
+    """
     if half is not None:
         return Window(ZERO, half)
     needed = [ZERO, *extra, *(end for region in regions for end in _ends(region))]

@@ -11,15 +11,15 @@ from __future__ import annotations
 import csv
 import io
 import os
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from fractions import Fraction
 from pathlib import Path
 from typing import Any
 
-from arrangement.exact import RationalVector, rational, shown
+from arrangement.exact import rational, shown
 from equilibrium.model.errors import GraspError
-from equilibrium.model.grasp import VALUES, Contact
-from equilibrium.model.unit_normal import UnitNormal, unit_normal
+from equilibrium.model.grasp import VALUES, Grasp
+from equilibrium.model.unit_normal import unit_normal
 
 from .conversion import DEFAULT_TOLERANCE, Conversion, assembled
 
@@ -47,25 +47,33 @@ def parse_csv(text: str, *, angle_tolerance: Any = DEFAULT_TOLERANCE) -> Convers
     >>> found.grasp.contacts[0].normal, found.exact
     ((Fraction(1, 1), Fraction(0, 1)), True)
     """
-    places: list[tuple[RationalVector, Fraction]] = []
-    normals: list[UnitNormal] = []
-    values: list[dict[str, Fraction]] = []
-    for line, row in csv_rows(text):
+
+    def contact(row: dict[str, str]) -> Conversion:
+        numbers = {name: rational(entry, name) for name, entry in row.items()}
+        normal = unit_normal((numbers["normal_x"], numbers["normal_y"]), angle_tolerance)
+        place = ((numbers["x"], numbers["y"]), Fraction(0))
+        return assembled([place], [normal], [{x: numbers[x] for x in VALUES if x in numbers}])
+
+    return each_line(text, contact)
+
+
+def each_line(text: str, contact: Callable[[dict[str, str]], Conversion]) -> Conversion:
+    """Return the contacts that a function reads from the lines, all together."""
+    parts = []
+    for line, row in _rows(text):
         try:
-            numbers = {name: rational(entry, name) for name, entry in row.items()}
-            normal = unit_normal((numbers["normal_x"], numbers["normal_y"]), angle_tolerance)
-            point = (numbers["x"], numbers["y"])
-            rest = {name: x for name, x in numbers.items() if name in VALUES}
-            Contact(point, normal.normal, **rest)
+            parts.append(contact(row))
         except ValueError as error:
             raise GraspError(f"line {line}: {error}") from None
-        places.append((point, Fraction(0)))
-        normals.append(normal)
-        values.append(rest)
-    return assembled(places, normals, values)
+    return Conversion(
+        Grasp(contact for part in parts for contact in part.grasp),
+        tuple(error for part in parts for error in part.point_errors),
+        tuple(error for part in parts for error in part.angle_errors),
+        max((part.value_error for part in parts), default=Fraction(0)),
+    )
 
 
-def csv_rows(text: str) -> Iterator[tuple[int, dict[str, str]]]:
+def _rows(text: str) -> Iterator[tuple[int, dict[str, str]]]:
     """Yield line numbers and entries by column."""
     reader = csv.reader(io.StringIO(text), strict=True)
     try:

@@ -17,7 +17,7 @@ from typing import Any
 from arrangement.exact import RationalVector, rational, shown
 from arrangement.io.files import Source, check_keys, check_list, read_document
 from equilibrium.model.errors import GraspError
-from equilibrium.model.grasp import VALUES, Grasp
+from equilibrium.model.grasp import VALUES
 
 from .conversion import (
     DEFAULT_TOLERANCE,
@@ -27,7 +27,7 @@ from .conversion import (
     snapped,
     unit_normals,
 )
-from .csv_file import csv_rows, csv_text
+from .csv_file import csv_text, each_line
 
 _DECIMAL = re.compile(r"[+-]?([0-9]{1,400}\.?[0-9]{0,400}|\.[0-9]{1,400})([eE][+-]?[0-9]{1,4})?")
 
@@ -91,7 +91,7 @@ def read_float_data(
     """
     tolerances = {"tolerance": tolerance, "angle_tolerance": angle_tolerance}
     if isinstance(source, (str, os.PathLike)) and os.fspath(source).lower().endswith(".csv"):
-        return _joined([_contact(*row, tolerances) for row in csv_rows(csv_text(source))])
+        return each_line(csv_text(source), lambda row: _contact(row, tolerances))
     document = read_document(source, ("points",), floats=True)
     required = ("schema_version", "points", "normals", VALUES[0])
     check_keys(document, required, (*VALUES[1:], "description"), "the document")
@@ -117,28 +117,14 @@ def _plain(value: Any, where: str) -> Any:
     return value
 
 
-def _contact(line: int, row: dict[str, str], tolerances: dict[str, Any]) -> Conversion:
+def _contact(row: dict[str, str], tolerances: dict[str, Any]) -> Conversion:
     """Return one contact, from a line of a CSV file."""
-    try:
-        numbers = {name: _number(entry, name) for name, entry in row.items()}
-        point, normal = [numbers["x"], numbers["y"]], [numbers["normal_x"], numbers["normal_y"]]
-        values = {name: numbers[name] for name in VALUES if name in numbers}
-        return from_float_data([point], [normal], **values, **tolerances)
-    except ValueError as error:
-        raise GraspError(f"line {line}: {error}") from None
+    numbers = {name: _number(entry, name) for name, entry in row.items()}
+    point, normal = [numbers["x"], numbers["y"]], [numbers["normal_x"], numbers["normal_y"]]
+    values = {name: numbers[name] for name in VALUES if name in numbers}
+    return from_float_data([point], [normal], **values, **tolerances)
 
 
 def _number(text: str, name: str) -> float | Fraction:
     """Return a decimal as the nearest float, anything else as `rational` reads it."""
     return float(text) if _DECIMAL.fullmatch(text) else rational(text, name)
-
-
-def _joined(parts: Iterable[Conversion]) -> Conversion:
-    """Return the contacts of several conversions as one."""
-    listed = list(parts)
-    return Conversion(
-        Grasp(contact for part in listed for contact in part.grasp),
-        tuple(error for part in listed for error in part.point_errors),
-        tuple(error for part in listed for error in part.angle_errors),
-        max((part.value_error for part in listed), default=Fraction(0)),
-    )

@@ -9,7 +9,7 @@ from typing import Any, NamedTuple
 from arrangement.exact import RationalVector, rational, rational_vector, sign
 from arrangement.io.files import Source, check_keys, check_list, read_document
 from equilibrium.model.errors import GraspError
-from equilibrium.model.grasp import VALUES
+from equilibrium.model.grasp import VALUES, pair
 
 from .conversion import DEFAULT_TOLERANCE, Conversion, assembled, contact_values, unit_normals
 
@@ -53,7 +53,7 @@ def from_polygon(
     >>> from_polygon(triangle, [OnEdge(1, "1/2")], 1).grasp.contacts[0].normal
     (Fraction(-3, 5), Fraction(-4, 5))
     """
-    corners = [_corner(v, i) for i, v in enumerate(vertices)]
+    corners = [pair(v, f"vertices[{i}]") for i, v in enumerate(vertices)]
     inside = _orientation(corners)
     found = [
         _placed(corners, place, i) if isinstance(place, OnEdge) else _located(corners, place, i)
@@ -107,15 +107,10 @@ def _clash(corners: Sequence[RationalVector], i: int, j: int) -> bool:
 def _segments_meet(
     a: RationalVector, b: RationalVector, c: RationalVector, d: RationalVector
 ) -> bool:
-    turns = [sign(_cross(_minus(q, p), _minus(r, p))) for p, q, r in (
-        (a, b, c), (a, b, d), (c, d, a), (c, d, b)
-    )]  # fmt: skip
-    if turns[0] * turns[1] < 0 and turns[2] * turns[3] < 0:
-        return True
-    return any(
-        turn == 0 and _parameter(p, q, r) is not None
-        for turn, (p, q, r) in zip(turns, ((a, b, c), (a, b, d), (c, d, a), (c, d, b)), strict=True)
-    )
+    cases = ((a, b, c), (a, b, d), (c, d, a), (c, d, b))
+    turns = [sign(_cross(_minus(q, p), _minus(r, p))) for p, q, r in cases]
+    crossing = turns[0] * turns[1] < 0 and turns[2] * turns[3] < 0
+    return crossing or any(_parameter(*case) is not None for case in cases)
 
 
 def _parameter(
@@ -158,13 +153,6 @@ def _placed(
         raise GraspError(f"places[{index}].at is {s}; it must be from 0 to 1")
     start, end = corners[edge], corners[(edge + 1) % len(corners)]
     return edge, tuple(x + s * (y - x) for x, y in zip(start, end, strict=True))
-
-
-def _corner(values: Iterable[Any], index: int) -> RationalVector:
-    corner = rational_vector(values, f"vertices[{index}]")
-    if len(corner) != 2:
-        raise GraspError(f"vertices[{index}] has {len(corner)} coordinates; give two")
-    return corner
 
 
 def _minus(a: RationalVector, b: RationalVector) -> RationalVector:

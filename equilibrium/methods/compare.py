@@ -10,11 +10,12 @@ from arrangement.exact import RationalVector, to_text
 from arrangement.progress import watched
 from equilibrium.model.grasp import Grasp, read_wrench
 
+from .method import Accepting
 from .registry import DECIDING, METHODS, method_named
 
 
 @dataclass(frozen=True)
-class Answer:
+class Answer(Accepting):
     """The verdict of one method.
 
     Attributes:
@@ -41,7 +42,11 @@ class Comparison:
     @property
     def stable(self) -> bool:
         """The verdict of the complete model."""
-        return bool(self.answers[0].accepts)
+        return bool(self.answers[0])
+
+    def __bool__(self) -> bool:
+        """Return the verdict of the complete model."""
+        return self.stable
 
     @property
     def disagreeing(self) -> tuple[str, ...]:

@@ -11,8 +11,10 @@ from .method import Method, Outcome
 
 
 def _decide(grasp: Grasp, wrench: RationalVector) -> Outcome:
-    pieces = solve(grasp, wrench).equilibria
-    return bool(pieces), f"{len(pieces)} maximal pieces of solutions"
+    found = solve(grasp, wrench)
+    if not found.lists_all():
+        return True, "an equilibrium was found"
+    return found.stable, f"{len(found.equilibria)} maximal pieces of solutions"
 
 
 COMPLETE = Method(

@@ -13,31 +13,28 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
-from itertools import product
 from typing import Any
 
 from arrangement.arrangement import Arrangement
-from arrangement.exact import IntegerVector, RationalVector, dot, primitive
+from arrangement.exact import RationalVector
 from arrangement.linprog import Infeasible, feasible_point
-from arrangement.polyhedra.cones import generators
-from arrangement.polyhedra.polyhedron import Polyhedron, from_generators
+from arrangement.polyhedra.polyhedron import Polyhedron
 from equilibrium.model.grasp import Grasp, read_wrench
 from equilibrium.solver.contact_rows import (
     Pair,
     balance_rows,
-    cone_rows,
-    friction_edges,
     negated,
     normal_force_row,
     unit_row,
 )
+from equilibrium.wrench_sets.images import StateImages
 
-from .method import Method, Outcome, cut
-from .springs import APEX, Forces, forces_at
+from .method import Accepting, Method, Outcome, cut
+from .springs import Forces, force_rows, forces_at
 
 
 @dataclass(frozen=True)
-class ConesVerdict:
+class ConesVerdict(Accepting):
     """Whether some motion and friction inside the cones balance a wrench.
 
     Attributes:
@@ -94,7 +91,7 @@ def _program(grasp: Grasp, attached: Sequence[bool]) -> tuple[list[Pair], list[R
         normal, friction = normal_force_row(contact, n), unit_row(column, n)
         if touches:
             pairs.append((normal, friction))
-            rows += [normal, *cone_rows(contact.friction, normal, friction)]
+            rows += force_rows(contact, pairs[-1])
         else:
             pairs.append(((Fraction(0),) * (n + 1),) * 2)
             rows.append(negated(normal))
@@ -108,35 +105,10 @@ def _decide(grasp: Grasp, wrench: RationalVector) -> Outcome:
 
 @cut
 def _region(grasp: Grasp) -> Iterator[Polyhedron | None]:
-    """Yield one polyhedron for each choice of attached contacts.
-
-    In a region the wrench is linear in the motion and the friction forces, whose limits are linear
-    in the motion: the extreme wrenches come from extreme motions with extreme friction.
-    """
-    for attached in _attached_choices(grasp):
-        rows, touching = [APEX], []
-        for contact, touches in zip(grasp, attached, strict=True):
-            normal = normal_force_row(contact)
-            rows.append(primitive(normal if touches else negated(normal)))
-            if touches:
-                touching.append((normal, friction_edges(contact)))
-        # Along a line of the region no touching spring changes, so the wrench does not either.
-        rays, _ = generators(rows, [], 4)
-        images = {image for ray in rays for image in _extreme_wrenches(touching, ray)}
-        yield from_generators(images, (), 3)
-
-
-def _extreme_wrenches(
-    touching: Sequence[tuple[RationalVector, Pair]], motion: IntegerVector
-) -> Iterator[IntegerVector]:
-    forces = [Fraction(dot(normal, motion)) for normal, _ in touching]
-    for edges in product(*(pair for _, pair in touching)):
-        wrench = [
-            -sum((f * edge[k] for f, edge in zip(forces, edges, strict=True)), Fraction(0))
-            for k in range(3)
-        ]
-        if any(wrench) or motion[3]:
-            yield primitive([*wrench, Fraction(motion[3])])
+    """Yield one polyhedron for each choice of attached contacts."""
+    images = StateImages(grasp)
+    for choice in _attached_choices(grasp):
+        yield images.resisted_with(["attached" if touches else "detached" for touches in choice])
 
 
 CONES = Method(

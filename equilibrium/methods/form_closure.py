@@ -11,21 +11,22 @@ closure.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 
 from arrangement.exact import RationalVector, primitive
 from arrangement.linear import rank
 from arrangement.linprog import Infeasible, Optimal, Row, feasible_point, minimize
+from arrangement.polyhedra.cones import generators
 from equilibrium.model.grasp import Grasp
 from equilibrium.solver.contact_rows import friction_edges
 
-from .method import Method, Outcome
+from .method import Accepting, Method, Outcome
 
 
 @dataclass(frozen=True)
-class FormClosure:
+class FormClosure(Accepting):
     """Whether the contacts immobilise the object, with a proof either way.
 
     Attributes:
@@ -86,24 +87,9 @@ def _multipliers(wrenches: Sequence[RationalVector]) -> RationalVector:
 
 
 def _free_motion(wrenches: Sequence[RationalVector]) -> RationalVector:
-    """Return d != 0 with ``w . d >= 0`` for all wrenches, which exists without closure.
-
-    Either some wrench can be given positive work, or a motion is orthogonal to all of them.
-    """
-    rows: list[Row] = [[*w, Fraction(0)] for w in wrenches]
-    for row in _nonzero_rows(wrenches):
-        point = feasible_point(3, [*rows, row])
-        if not isinstance(point, Infeasible):
-            return tuple(Fraction(x) for x in primitive(point))
-    raise AssertionError("a grasp without closure has a free motion")
-
-
-def _nonzero_rows(wrenches: Sequence[RationalVector]) -> Iterator[Row]:
-    """Yield conditions of which every motion but zero meets one, up to scale."""
-    yield [*(sum((w[k] for w in wrenches), Fraction(0)) for k in range(3)), Fraction(-1)]
-    for axis in range(3):
-        for side in (1, -1):
-            yield [*(side * int(axis == k) for k in range(3)), -1]
+    """Return d != 0 with ``w . d >= 0`` for all wrenches, which exists without closure."""
+    rays, lines = generators([primitive(w) for w in wrenches], [], 3)
+    return tuple(map(Fraction, [*rays, *lines][0]))
 
 
 def _decide(grasp: Grasp, _: RationalVector) -> Outcome:

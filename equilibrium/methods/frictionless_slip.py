@@ -21,7 +21,7 @@ from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import Grasp, read_wrench
 from equilibrium.solver.contact_rows import Pair, balance_rows, negated
 
-from .method import Method, Outcome, cut
+from .method import Accepting, Method, Outcome, cut
 from .springs import (
     Forces,
     balanced_wrenches,
@@ -39,7 +39,7 @@ MAX_CONTACTS = 12
 
 
 @dataclass(frozen=True)
-class FrictionlessSlipVerdict:
+class FrictionlessSlipVerdict(Accepting):
     """Whether some choice of states has legal forces.
 
     Attributes:

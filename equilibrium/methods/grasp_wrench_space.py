@@ -35,14 +35,14 @@ from equilibrium.model.grasp import Grasp, read_wrench
 from equilibrium.solver.contact_rows import friction_edges, sum_row, unit_row
 from equilibrium.wrench_sets.plane import polygon_cycle
 
-from .method import Method, Outcome, cut
+from .method import Accepting, Method, Outcome, cut
+from .springs import Forces
 
 Norm = Literal["L1", "Linf"]
-Forces = tuple[tuple[Fraction, Fraction], ...]
 
 
 @dataclass(frozen=True)
-class WrenchSpaceVerdict:
+class WrenchSpaceVerdict(Accepting):
     """Whether bounded forces inside the cones can balance a wrench.
 
     Attributes:

@@ -18,7 +18,7 @@ from arrangement.polyhedra.polyhedron import Polyhedron
 from equilibrium.model.grasp import Grasp, read_wrench
 from equilibrium.solver.contact_rows import Pair, balance_rows
 
-from .method import Method, Outcome, cut
+from .method import Accepting, Method, Outcome, cut
 from .springs import (
     Forces,
     balanced_wrenches,
@@ -30,7 +30,7 @@ from .springs import (
 
 
 @dataclass(frozen=True)
-class ComplianceVerdict:
+class ComplianceVerdict(Accepting):
     """Whether the forces of the springs lie inside the cones.
 
     Attributes:

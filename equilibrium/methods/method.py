@@ -9,14 +9,22 @@ from typing import Any, TypeAlias
 from arrangement.exact import RationalVector
 from arrangement.polyhedra.polyhedron import Polyhedron
 from equilibrium.model.errors import GraspError
-from equilibrium.model.grasp import Grasp, read_wrench
-from equilibrium.wrench_sets.plane import FORCES, Region
-from equilibrium.wrench_sets.space import Piece, maximal_pieces
+from equilibrium.model.grasp import Grasp
+from equilibrium.wrench_sets.plane import FORCES, Region, region_of
 
 #: Whether a method accepts (None: it says nothing), and what the answer rests on.
 Outcome: TypeAlias = tuple[bool | None, str]
 Decide: TypeAlias = Callable[[Grasp, RationalVector], Outcome]
 FindRegion: TypeAlias = Callable[[Grasp, Sequence[Iterable[Any]], Iterable[Any]], Region]
+
+
+class Accepting:
+    """A result that is true when the method accepts, and false when it refuses or says nothing."""
+
+    accepts: bool | None
+
+    def __bool__(self) -> bool:
+        return bool(self.accepts)
 
 
 @dataclass(frozen=True)
@@ -75,9 +83,6 @@ def cut(shapes: Callable[[Grasp], Iterable[Polyhedron | None]]) -> FindRegion:
     """Return how to find the region of a method that accepts a union of polyhedra of wrenches."""
 
     def region(grasp: Grasp, spans: Sequence[Iterable[Any]], origin: Iterable[Any]) -> Region:
-        frame, start = [read_wrench(span) for span in spans], read_wrench(origin)
-        cuts = (shape.cut(start, frame) for shape in shapes(grasp) if shape is not None)
-        pieces = maximal_pieces([Piece((), shape) for shape in cuts if shape is not None])
-        return Region(start, (frame[0], frame[1]), pieces)
+        return region_of(lambda _: (((), shape) for shape in shapes(grasp)), spans, origin)
 
     return region

@@ -17,9 +17,9 @@ from arrangement.planes import Face
 from arrangement.progress import watched
 from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import Grasp, read_wrench
-from equilibrium.solver.elimination import Refutation, decide
+from equilibrium.solver.contact_states import DETACHED, states_of_code
 from equilibrium.solver.equilibrium import Equilibrium, equilibrium_of, maximal
-from equilibrium.solver.state_system import State, States, state_system
+from equilibrium.solver.state_system import States, state_system
 
 from .method import Method, Outcome
 
@@ -33,9 +33,6 @@ OPTIONS = {
     "coincident-planes": "Steps 1 to 3 without merging coincident planes",
     "single-solution": "Algorithm 2 stops at the first solution, as if it were the only one",
 }
-
-
-_SLIP: dict[int, State] = {1: "slip+", 0: "stick", -1: "slip-"}
 
 
 @dataclass(frozen=True)
@@ -57,6 +54,10 @@ class LiteralVerdict:
     def stable(self) -> bool:
         """Whether this reading finds an equilibrium."""
         return bool(self.equilibria)
+
+    def __bool__(self) -> bool:
+        """Return whether this reading finds an equilibrium."""
+        return self.stable
 
     def to_dict(self) -> dict[str, Any]:
         """Return a JSON form; numbers are strings of rationals."""
@@ -97,9 +98,9 @@ def solve_literal(
             friction_sign=-1 if "signs" in chosen else 1,
             cell_check="cell-check" not in chosen,
         )
-        outcome = decide(system)
-        if not isinstance(outcome, Refutation):
-            pieces.append(equilibrium_of(system, outcome))
+        found = equilibrium_of(system)
+        if found is not None:
+            pieces.append(found)
             if "single-solution" in chosen:
                 break
     return LiteralVerdict(grasp, applied, chosen, maximal(pieces))
@@ -107,10 +108,8 @@ def solve_literal(
 
 def _states(grasp: Grasp, options: tuple[str, ...]) -> tuple[States, ...]:
     """Return the contact states that the chosen reading tries, without repeats."""
-    label, faces = _touching, grasp.motion_arrangement().faces()
-    if "detachment" in options:
-        faces, label = grasp.tangential_arrangement().faces(), _attached
-    tangential = grasp.tangential_arrangement()
+    m, tangential = len(grasp), grasp.tangential_arrangement()
+    faces = (tangential if "detachment" in options else grasp.motion_arrangement()).faces()
     published: Collection[tuple[int, ...]] | None = None
     if "coincident-planes" in options:
         published = frozenset(published_enumeration(tangential).states)
@@ -119,22 +118,15 @@ def _states(grasp: Grasp, options: tuple[str, ...]) -> tuple[States, ...]:
 
     def is_listed(face: Face) -> bool:
         """Return whether this enumeration reaches a face, by its tangential signs."""
-        slips = face.signs[: len(grasp)]
+        slips = face.signs[:m]
         return (published is None or slips in published) if any(slips) else origin
 
-    listed = filter(is_listed, faces)
-    return tuple(dict.fromkeys(map(label, listed)))
+    def states_on(face: Face) -> States:
+        """Return the states on a face; without normal planes no contact detaches."""
+        pairs = zip(face.signs[:m], face.signs[m:] or (-1,) * m, strict=True)
+        return states_of_code([slip if side < 0 else DETACHED for slip, side in pairs])
 
-
-def _touching(face: Face) -> States:
-    """Return the states on a face of the tangential and normal planes."""
-    m = len(face.signs) // 2
-    return tuple("detached" if face.signs[m + i] >= 0 else _SLIP[face.signs[i]] for i in range(m))
-
-
-def _attached(face: Face) -> States:
-    """Return the states on a face of the tangential planes when no contact detaches."""
-    return tuple(_SLIP[sign] for sign in face.signs)
+    return tuple(dict.fromkeys(map(states_on, filter(is_listed, faces))))
 
 
 def _decide(grasp: Grasp, wrench: RationalVector) -> Outcome:

@@ -29,11 +29,11 @@ from itertools import product
 from typing import Any
 
 from arrangement.arrangement import Arrangement
-from arrangement.exact import RationalVector, primitive, rational, rational_vector, to_text
+from arrangement.exact import RationalVector, primitive, rational, to_text
 from arrangement.linprog import Infeasible, Unbounded, feasible_point, minimize
 from arrangement.polyhedra.polyhedron import Polyhedron, from_generators
 from equilibrium.model.errors import GraspError
-from equilibrium.model.grasp import Grasp, read_wrench
+from equilibrium.model.grasp import Grasp, pair, read_wrench
 from equilibrium.solver.contact_rows import (
     balance_rows,
     cone_rows,
@@ -105,12 +105,9 @@ def mass_matrix(mass: Any, inertia: Any, centre: Iterable[Any]) -> tuple[Rationa
         GraspError: a mass or inertia that is not above 0, or a centre without two coordinates.
     """
     m, i = rational(mass, "mass"), rational(inertia, "inertia")
-    place = rational_vector(centre, "centre")
     if m <= 0 or i <= 0:
         raise GraspError(f"mass is {m} and inertia {i}; both must be above 0")
-    if len(place) != 2:
-        raise GraspError(f"centre has {len(place)} coordinates; give two")
-    x, y = place
+    x, y = pair(centre, "centre")
     zero = Fraction(0)
     return ((m, zero, -m * y), (zero, m, m * x), (-m * y, m * x, i + m * (x * x + y * y)))
 

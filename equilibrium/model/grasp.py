@@ -57,7 +57,7 @@ class Contact:
         preload: Any = 0,
     ) -> None:
         values = {
-            "point": _pair(point, "point"),
+            "point": pair(point, "point"),
             "normal": _unit(normal),
             "friction": rational(friction, "friction"),
             "stiffness": rational(stiffness, "stiffness"),
@@ -210,17 +210,17 @@ def _contact(entry: Any, index: int) -> Contact:
         raise GraspError(f"{name}: {error}") from None
 
 
-def _pair(values: Iterable[Any], name: str) -> RationalVector:
+def pair(values: Iterable[Any], name: str) -> RationalVector:
     """Return two rationals."""
-    pair = rational_vector(values, name)
-    if len(pair) != 2:
-        raise GraspError(f"{name} has {len(pair)} coordinates; give two")
-    return pair
+    found = rational_vector(values, name)
+    if len(found) != 2:
+        raise GraspError(f"{name} has {len(found)} coordinates; give two")
+    return found
 
 
 def _unit(values: Iterable[Any]) -> RationalVector:
     """Return an exactly unit normal, or say how to get one."""
-    normal = _pair(values, "normal")
+    normal = pair(values, "normal")
     square = normal[0] ** 2 + normal[1] ** 2
     if square != 1:
         written = ", ".join(to_text(x)[:40] for x in normal)

@@ -8,13 +8,15 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 from fractions import Fraction
-from typing import TypeAlias
+from typing import TypeAlias, TypeVar
 
 from arrangement.exact import RationalVector
 from equilibrium.model.grasp import Contact
 
 #: Normal and tangential force.
 Pair: TypeAlias = tuple[RationalVector, RationalVector]
+
+_Number = TypeVar("_Number", int, Fraction)
 
 #: The sign of the friction force of a slipping contact: against its motion along the tangent.
 DIRECTION = {"slip+": -1, "slip-": 1}
@@ -36,7 +38,7 @@ def unit_row(column: int, n: int) -> RationalVector:
     return tuple(Fraction(int(j == column)) for j in range(n + 1))
 
 
-def negated(row: RationalVector) -> RationalVector:
+def negated(row: tuple[_Number, ...]) -> tuple[_Number, ...]:
     """Return the row with all signs changed."""
     return tuple(-x for x in row)
 

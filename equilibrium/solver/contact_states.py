@@ -17,7 +17,6 @@ from typing import TypeAlias
 import numpy as np
 import numpy.typing as npt
 
-from arrangement.enumeration.affine_space import SpaceFaces
 from arrangement.exact import RationalVector
 from equilibrium.model.grasp import Grasp
 
@@ -35,18 +34,22 @@ def states_of_code(row: list[int]) -> States:
     return tuple(STATE_OF_CODE[code] for code in row)
 
 
-def codes_of_faces(grasp: Grasp, faces: SpaceFaces) -> Codes:
-    """Return the choices of contact states, without repeats, as an array (choices, contacts).
+def contact_states(grasp: Grasp) -> tuple[States, ...]:
+    """Return choices of contact states that together admit every equilibrium, without repeats."""
+    return tuple(map(states_of_code, state_codes(grasp).tolist()))
 
-    Args:
-        faces: of ``Grasp.motion_arrangement``.
-    """
-    m = len(grasp)
-    tangential = sorted({faces.arrangement.class_of[i] for i in range(m)})
-    parts = [faces.regions, faces.facets_on(tangential), faces.edges_between(tangential)]
-    codes = np.concatenate([_codes(faces.plane_signs(part)) for part in parts])
+
+def state_codes(grasp: Grasp) -> Codes:
+    """Return the same as an array (choices, contacts)."""
+    planes = grasp.motion_arrangement()
+    tangential = sorted({planes.distinct[label][0] for label in planes.class_of[: len(grasp)]})
+    parts = []
+    for least, dimension in enumerate((3, 2, 1)):
+        signs = planes.faces(dimension).signs
+        parts.append(_codes(signs[(signs[:, tangential] == 0).sum(axis=1) >= least]))
+    codes = np.concatenate(parts)
     if grasp.tangential_arrangement().rank == 3:
-        at_rest = grasp.motion_arrangement().signs_at((0, 0, 0))
+        at_rest = planes.signs_at((0, 0, 0))
         codes = np.concatenate([codes, _codes(np.array([at_rest], dtype=np.int8))])
     codes = _distinct(codes)
     codes.setflags(write=False)

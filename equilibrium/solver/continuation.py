@@ -15,8 +15,10 @@ from collections.abc import Iterator
 import numpy as np
 
 from arrangement.exact import RationalVector
+from arrangement.float_filter import Floats
 
-from .integer_contacts import FloatContacts, Floats, IntegerContacts, nearest
+from .float_contacts import FloatContacts, nearest
+from .integer_contacts import IntegerContacts
 from .state_equilibrium import Guess, Solution, exact_equilibrium
 
 _STEPS = 30

@@ -8,11 +8,12 @@ from fractions import Fraction
 from typing import Any
 
 from arrangement import linprog
-from arrangement.exact import RationalVector, rational_vector, to_text
+from arrangement.exact import RationalVector, dot, primitive, rational_vector, to_text
 from arrangement.polyhedra.intervals import Interval, texts
 from equilibrium.model.errors import GraspError
 
-from .elimination import Continuum, Point
+from .contact_rows import negated, sum_row, unit_row
+from .elimination import gauss_jordan
 from .min_norm_point import least_point
 from .state_system import States, StateSystem, each_force, value
 
@@ -70,7 +71,7 @@ class Equilibrium:
         if other.unique:
             return False
         equalities, inequalities = _conditions(self.system, other.system)
-        return all(_always_zero(self.system, row) for row in equalities) and all(
+        return all(set(_range(self.system, row)) == {0} for row in equalities) and all(
             _never_negative(self.system, row) for row in inequalities
         )
 
@@ -87,18 +88,39 @@ class Equilibrium:
         }
 
 
-def equilibrium_of(system: StateSystem, outcome: Point | Continuum) -> Equilibrium:
-    """Return the reported equilibrium of a system that has solutions."""
+def equilibrium_of(system: StateSystem) -> Equilibrium | None:
+    """Return the solutions of a system as one reported equilibrium; None if there are none.
+
+    The number of equalities equals the number of variables. Regular ones leave one point to check;
+    of singular consistent ones the exact linear program decides.
+    """
     n = system.size
-    motion_rows = [tuple(Fraction(int(i == j)) for j in range(n + 1)) for i in range(3)]
-    rows = [*motion_rows, *each_force(system)]
-    if isinstance(outcome, Point):
-        z, ranges = outcome.values, [(v, v) for v in (value(r, outcome.values) for r in rows)]
-        return _report(system, z, True, ranges)
-    z = _least_solution(system, motion_rows)
-    ranges_found = [_range(system, row) for row in rows]
-    unique = all(low == high and low is not None for low, high in ranges_found)
-    return _report(system, z, unique, ranges_found)
+    rows, pivots, scale = gauss_jordan(system.equalities)
+    if n in pivots:
+        return None
+    components = [*(unit_row(j, n) for j in range(3)), *each_force(system)]
+    if len(pivots) == n:
+        sign = -1 if scale < 0 else 1
+        point = [*(-sign * row[n] for row in rows), sign * scale]
+        # In integers over the common denominator: no fraction is reduced on the way.
+        if any(dot(primitive(row), point) < 0 for row in system.inequalities):
+            return None
+        z = tuple(Fraction(x, point[n]) for x in point[:n])
+        ranges: list[Interval] = [(x, x) for x in (value(row, z) for row in components)]
+    else:
+        if isinstance(system.program.point(), linprog.Infeasible):
+            return None
+        z = _least_solution(system)
+        ranges = [_range(system, row) for row in components]
+    return Equilibrium(
+        system.states,
+        z[:3],
+        tuple((value(c_n, z), value(c_t, z)) for c_n, c_t in system.forces),
+        all(low == high and low is not None for low, high in ranges),
+        tuple(ranges[:3]),
+        tuple(zip(ranges[3::2], ranges[4::2], strict=True)),
+        system,
+    )
 
 
 def maximal(pieces: Sequence[Equilibrium]) -> tuple[Equilibrium, ...]:
@@ -119,27 +141,19 @@ def maximal(pieces: Sequence[Equilibrium]) -> tuple[Equilibrium, ...]:
     return tuple(kept)
 
 
-def _report(
-    system: StateSystem, z: RationalVector, unique: bool, ranges: Sequence[Interval]
-) -> Equilibrium:
-    forces = tuple((value(c_n, z), value(c_t, z)) for c_n, c_t in system.forces)
-    pairs = tuple((ranges[j], ranges[j + 1]) for j in range(3, len(ranges), 2))
-    return Equilibrium(system.states, z[:3], forces, unique, tuple(ranges[:3]), pairs, system)
-
-
-def _least_solution(system: StateSystem, motion_rows: list[RationalVector]) -> RationalVector:
+def _least_solution(system: StateSystem) -> RationalVector:
     """Return the solution of least motion, and among those of least tangential forces.
 
     The motion fixes the normal forces, so least forces means least tangential ones of the sticking
     contacts.
     """
     n, inequalities, equalities = system.size, system.inequalities, system.equalities
-    motion = least_point(n, inequalities, equalities, motion_rows)
+    variables = [unit_row(j, n) for j in range(n)]
+    motion = least_point(n, inequalities, equalities, variables[:3])
     if n == 3:
         return motion
-    fixed = [(*row[:-1], -x) for row, x in zip(motion_rows, motion, strict=True)]
-    sticking = [tuple(Fraction(int(i == j)) for j in range(n + 1)) for i in range(3, n)]
-    return (*motion, *least_point(n, inequalities, (*equalities, *fixed), sticking))
+    fixed = [(*row[:-1], -x) for row, x in zip(variables, motion, strict=False)]
+    return (*motion, *least_point(n, inequalities, (*equalities, *fixed), variables[3:]))
 
 
 def _inside(system: StateSystem, z: RationalVector) -> bool:
@@ -156,18 +170,13 @@ def _least(system: StateSystem, row: RationalVector) -> Fraction | None:
 
 def _range(system: StateSystem, row: RationalVector) -> Interval:
     low = _least(system, row)
-    high = _least(system, tuple(-x for x in row))
+    high = _least(system, negated(row))
     return low, None if high is None else -high
 
 
 def _never_negative(system: StateSystem, row: RationalVector) -> bool:
     low = _least(system, row)
     return low is not None and low >= 0
-
-
-def _always_zero(system: StateSystem, row: RationalVector) -> bool:
-    low, high = _range(system, row)
-    return low == 0 and high == 0
 
 
 def _conditions(
@@ -179,21 +188,20 @@ def _conditions(
     each of which is a row in the variables of `inner`; besides, all forces have to agree.
     """
     n = inner.size
-    images = [tuple(Fraction(int(i == j)) for j in range(n + 1)) for i in range(3)]
+    images = [unit_row(j, n) for j in range(3)]
     images += [
         pair[1] for pair, state in zip(inner.forces, outer.states, strict=True) if state == "stick"
     ]
 
     def carried(row: RationalVector) -> RationalVector:
-        combined = [
-            sum((c * image[j] for c, image in zip(row[:-1], images, strict=True)), Fraction(0))
-            for j in range(n + 1)
-        ]
-        combined[n] += row[-1]
-        return tuple(combined)
+        combined: RationalVector = (*[Fraction(0)] * n, row[-1])
+        for factor, image in zip(row[:-1], images, strict=True):
+            if factor:
+                combined = sum_row(combined, image, factor)
+        return combined
 
     agree = [
-        tuple(a - b for a, b in zip(mine, carried(theirs), strict=True))
+        sum_row(mine, carried(theirs), -1)
         for mine, theirs in zip(each_force(inner), each_force(outer), strict=True)
     ]
     equalities = [*map(carried, outer.equalities), *agree]

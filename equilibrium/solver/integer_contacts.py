@@ -1,4 +1,4 @@
-"""The numbers of all contacts of a grasp as integers over denominators, and as floats.
+"""The numbers of all contacts of a grasp as integers over denominators.
 
 At a homogeneous motion ``(d_0, d)`` the spring of a contact has the force
 ``preload d_0 - stiffness N . d`` and its point slips by ``T . d``; both are linear.
@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from fractions import Fraction
 from functools import cached_property
 from typing import Any, TypeAlias
 
@@ -18,11 +17,12 @@ import numpy.typing as npt
 from arrangement.exact import RationalVector
 from equilibrium.model.grasp import Grasp
 
-Floats: TypeAlias = npt.NDArray[np.float64]
+from .float_contacts import FloatContacts
+
 #: Python integers in an array.
 Whole: TypeAlias = npt.NDArray[Any]
 
-_LARGE = 1e60
+_WORD = 2**62
 
 
 class IntegerContacts:
@@ -41,13 +41,13 @@ class IntegerContacts:
         for c in grasp:
             spring.append(_whole((c.preload, *(-c.stiffness * x for x in c.normal_wrench))))
             wrenches.append(_whole((*c.normal_wrench, *c.tangential_wrench)))
-        self.spring = _array([row for row, _ in spring], (m, 4))
-        self.spring_unit = _array([unit for _, unit in spring], (m,))
-        both = _array([row for row, _ in wrenches], (m, 6))
+        self.spring = whole([row for row, _ in spring], (m, 4))
+        self.spring_unit = whole([unit for _, unit in spring], (m,))
+        both = whole([row for row, _ in wrenches], (m, 6))
         self.normal, self.tangent = both[:, :3], both[:, 3:]
-        self.wrench_unit = _array([unit for _, unit in wrenches], (m,))
-        self.friction = _array([c.friction.numerator for c in grasp], (m,))
-        self.friction_unit = _array([c.friction.denominator for c in grasp], (m,))
+        self.wrench_unit = whole([unit for _, unit in wrenches], (m,))
+        self.friction = whole([c.friction.numerator for c in grasp], (m,))
+        self.friction_unit = whole([c.friction.denominator for c in grasp], (m,))
 
     def __len__(self) -> int:
         return len(self.grasp)
@@ -81,48 +81,21 @@ class IntegerContacts:
         return FloatContacts(self.grasp)
 
 
-class FloatContacts:
-    """The numbers of contacts in floating point; for guesses only.
-
-    Attributes:
-        spring: (m, 4), the row ``(preload, -stiffness N)``.
-        normal, tangent: (m, 3); pull: friction times T.
-        length: a typical distance of the contacts from the origin.
-    """
-
-    def __init__(self, grasp: Grasp) -> None:
-        m = len(grasp)
-        rows = [
-            (*c.normal_wrench, *c.tangential_wrench, c.stiffness, c.preload, c.friction)
-            for c in grasp
-        ]
-        table = np.array([[nearest(x) for x in row] for row in rows]).reshape(m, 9)
-        self.normal, self.tangent = table[:, :3], table[:, 3:6]
-        stiffness, preload, self.friction = table[:, 6], table[:, 7], table[:, 8]
-        self.spring = np.concatenate([preload[:, None], -stiffness[:, None] * self.normal], axis=1)
-        self.pull = self.friction[:, None] * self.tangent
-        self.stiffness, self.preload = stiffness, preload
-        points = np.array([[nearest(x) for x in c.point] for c in grasp]).reshape(m, 2)
-        self.length = float(np.median(np.hypot(*points.T))) if m else 1.0
-        if not self.length > 0:
-            self.length = 1.0
-
-
-def nearest(x: Fraction) -> float:
-    """Return the nearest float of moderate size."""
-    try:
-        return min(max(float(x), -_LARGE), _LARGE)
-    except OverflowError:
-        return _LARGE if x > 0 else -_LARGE
-
-
 def _whole(row: RationalVector) -> tuple[list[int], int]:
     """Return integers and their common denominator."""
     unit = math.lcm(*(x.denominator for x in row))
     return [x.numerator * (unit // x.denominator) for x in row], unit
 
 
-def _array(values: Sequence[Any], shape: tuple[int, ...]) -> Whole:
-    array = np.empty(shape, dtype=object)
-    array[...] = np.array(values, dtype=object).reshape(shape)
-    return array
+def whole(values: Sequence[Any], shape: tuple[int, ...]) -> Whole:
+    """Return an array of Python integers."""
+    return np.array(values, dtype=object).reshape(shape)
+
+
+def product(left: Whole, right: Whole) -> Whole:
+    """Return the exact matrix product; in machine words where they cannot overflow."""
+    one, other = (max(map(abs, factor.flat), default=0) for factor in (left, right))
+    if left.shape[1] * one * other < _WORD and max(one, other) < _WORD:
+        return (left.astype(np.int64) @ right.astype(np.int64)).astype(object)
+    exact: Whole = left.dot(right)
+    return exact

@@ -18,22 +18,19 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass
+from typing import TypeAlias
 
 import numpy as np
+import numpy.typing as npt
 
 from arrangement.exact import RationalVector
 from arrangement.float_filter import Booleans, Floats, error_bound
 from arrangement.progress import watched
-from equilibrium.model.grasp import Grasp
 
 from .contact_states import DETACHED, Codes
-from .float_contacts import Integers, OutOfRange, RoundedContacts, floats
+from .float_contacts import FloatContacts, are_moderate, nearest
 
-#: The conditions that a choice of states may violate, by contact. The last two: the friction limit
-#: of all contacts that stick on one tangential plane, less or plus their force along the tangent
-#: of the first of them.
-CONDITIONS = ("normal", "slip", "friction-", "friction+")
-UNDECIDED = -1
+Integers: TypeAlias = npt.NDArray[np.int64]
 
 #: Above the rounding errors of a bound's own computation: sums of positive numbers, a few hundred
 #: roundings at most. Nothing that matters is as small as `_TINY`.
@@ -44,77 +41,59 @@ _PRODUCT = error_bound(7 + 3)
 #: Of a number that is rounded once, and once more when it is used.
 _ROUNDED = error_bound(2)
 _ROWS = 8192
-#: Contacts looked at together; most choices fail at one of the first.
-_CONTACTS = 12
-_ALL = slice(None)
 
 
 class Screen:
     """The systems of all contact states of one grasp, ready for any wrench.
 
     Args:
-        codes: choices of contact states, as `contact_states.codes_of_faces` returns them.
+        codes: choices of contact states, as `contact_states.state_codes` returns them.
     """
 
-    def __init__(self, grasp: Grasp, codes: Codes) -> None:
-        self.codes = codes
+    def __init__(self, contacts: FloatContacts, codes: Codes) -> None:
+        self.contacts, self.codes = contacts, codes
         self._batches: list[_Batch] = []
-        try:
-            contacts = RoundedContacts(grasp)
-        except OutOfRange:
+        if not contacts.moderate:
             return
+        planes = contacts.grasp.tangential_arrangement()
+        self.class_of = np.array(planes.class_of, dtype=np.int64)
+        self.orientation = np.array(planes.orientation, dtype=np.float64)
+        self.plane = contacts.tangent[[members[0] for members in planes.distinct]].reshape(-1, 3)
         parts = [
-            (planes, rows[start : start + _ROWS], classes[start : start + _ROWS])
-            for planes, rows, classes in _by_sticking_planes(contacts, self.codes)
+            (rows[start : start + _ROWS], classes[start : start + _ROWS])
+            for rows, classes in self._by_sticking_planes()
             for start in range(0, len(rows), _ROWS)
         ]
-        for planes, rows, classes in watched(parts, "batches of states"):
-            self._batches.append(_Batch(contacts, self.codes[rows], rows, classes, planes))
+        for rows, classes in watched(parts, "batches of states"):
+            self._batches.append(_Batch(self, rows, classes))
 
-    def violations(self, wrench: RationalVector) -> Integers:
-        """Return a violated condition for each choice of states, or `UNDECIDED`.
+    def _by_sticking_planes(self) -> Iterator[tuple[Integers, Integers]]:
+        """Yield the choices with 0, 1 and 2 tangential planes on which contacts stick.
 
-        The condition ``kind * contacts + contact`` is the one with that kind of `CONDITIONS`.
+        As the rows of the choices, and these planes (choices, number).
         """
-        found = np.full(len(self.codes), UNDECIDED, dtype=np.int64)
-        try:
-            applied = floats([wrench])[0]
-        except OutOfRange:
-            return found
-        for batch in watched(self._batches, "batches of states"):
-            found[batch.rows] = batch.violations(applied)
-        return found
+        present = np.zeros((len(self.codes), len(self.plane)), dtype=bool)
+        for contact, plane in enumerate(self.class_of.tolist()):
+            present[:, plane] |= self.codes[:, contact] == 0
+        number = present.sum(axis=1)
+        for planes in range(3):
+            rows = np.flatnonzero(number == planes)
+            if len(rows):
+                yield rows, np.nonzero(present[rows])[1].reshape(len(rows), planes)
 
-    def possible_along(self, base: RationalVector, direction: RationalVector) -> Booleans:
-        """Return for each choice of states whether ``base + t direction`` may have it, t > 0.
+    def possible(self, base: RationalVector, direction: RationalVector | None = None) -> Booleans:
+        """Return for each choice of states whether the wrench ``base`` may have it.
 
-        False is proven: no equilibrium with these states holds such a wrench for any t > 0.
+        With a direction, whether ``base + t direction`` may have it for some t > 0. False is
+        proven: no equilibrium with these states holds such a wrench.
         """
         possible = np.ones(len(self.codes), dtype=np.bool_)
-        try:
-            start, along = floats([base, direction])
-        except OutOfRange:
-            return possible
-        for batch in self._batches:
-            possible[batch.rows] = batch.possible_along(start, along)
+        wrenches = [base] if direction is None else [base, direction]
+        if all(map(are_moderate, wrenches)):
+            given = [np.array([nearest(x) for x in wrench]) for wrench in wrenches]
+            for batch in watched(self._batches, "batches of states"):
+                possible[batch.rows] = batch.possible(*given)
         return possible
-
-
-def _by_sticking_planes(
-    contacts: RoundedContacts, codes: Codes
-) -> Iterator[tuple[int, Integers, Integers]]:
-    """Yield the choices with 0, 1 and 2 tangential planes on which contacts stick.
-
-    Each with the number of planes, the rows of the choices, and the planes (choices, number).
-    """
-    present = np.zeros((len(codes), len(contacts.plane)), dtype=bool)
-    for contact, plane in enumerate(contacts.class_of.tolist()):
-        present[:, plane] |= codes[:, contact] == 0
-    number = present.sum(axis=1)
-    for planes in range(3):
-        rows = np.flatnonzero(number == planes)
-        if len(rows):
-            yield planes, rows, np.nonzero(present[rows])[1].reshape(len(rows), planes)
 
 
 @dataclass(frozen=True)
@@ -144,36 +123,34 @@ class _Solutions:
 class _Batch:
     """Choices of states with equally many tangential planes on which contacts stick."""
 
-    def __init__(
-        self,
-        contacts: RoundedContacts,
-        codes: Codes,
-        rows: Integers,
-        classes: Integers,
-        planes: int,
-    ) -> None:
-        self.contacts, self.codes, self.rows, self.classes = contacts, codes, rows, classes
-        self.size = 3 + planes
+    def __init__(self, screen: Screen, rows: Integers, classes: Integers) -> None:
+        self.screen, self.contacts = screen, screen.contacts
+        self.codes, self.rows, self.classes = screen.codes[rows], rows, classes
+        self.size = 3 + classes.shape[1]
         self._build()
         self._invert()
 
     def _build(self) -> None:
-        count, data = len(self.codes), self.contacts
+        """Add up the balances: the preloads, the matrix, and bounds of their errors."""
+        c, (count, m) = self.contacts, self.codes.shape
         attached = (self.codes != DETACHED).astype(np.float64)
         slip = np.where(self.codes == DETACHED, 0, self.codes).astype(np.float64)
-        towards, along = data.stiffness_terms
+        along, across = (
+            (arm[:, :, None] * c.spring[:, None, :]).reshape(m, 12) for arm in (c.normal, c.pull)
+        )
+        sums = (attached @ along - slip @ across).reshape(count, 3, 4)
+        # A term has at most four rounded factors and three products; two sums of m terms are
+        # subtracted: m + 8 roundings, taken four times.
+        sizes = np.abs(along).sum(axis=0) + np.abs(across).sum(axis=0)
+        errors = error_bound(4 * (m + 8) - 2) * sizes.reshape(3, 4)
+        self.load, self.load_error = sums[:, :, 0], errors[:, 0]
         self.matrix = np.zeros((count, self.size, self.size))
-        self.matrix[:, :3, :3] = (attached @ towards - slip @ along).reshape(count, 3, 3)
-        for j in range(self.size - 3):
-            plane = data.plane[self.classes[:, j]]
-            self.matrix[:, :3, 3 + j], self.matrix[:, 3 + j, :3] = -plane, plane
+        self.matrix[:, :3, :3] = -sums[:, :, 1:]
         self.matrix_error = np.zeros((self.size, self.size))
-        total = np.abs(towards).sum(axis=0) + np.abs(along).sum(axis=0)
-        self.matrix_error[:3, :3] = data.relative_error * total.reshape(3, 3)
-        towards, along = data.preload_terms
-        self.load = attached @ towards - slip @ along
-        total = np.abs(towards).sum(axis=0) + np.abs(along).sum(axis=0)
-        self.load_error = data.relative_error * total
+        self.matrix_error[:3, :3] = errors[:, 1:]
+        for j in range(self.size - 3):
+            plane = self.screen.plane[self.classes[:, j]]
+            self.matrix[:, :3, 3 + j], self.matrix[:, 3 + j, :3] = -plane, plane
 
     def _invert(self) -> None:
         """Compute R and beta; where A is singular in floating point, beta is above 1."""
@@ -208,59 +185,38 @@ class _Batch:
         error = np.where(self.beta < 1, error, np.inf)
         return _Solutions(z[:, :3, 0], z[:, 3:, 0], error, loaded)
 
-    def violations(self, wrench: Floats) -> Integers:
-        """Return a condition that surely fails in each choice, or `UNDECIDED`.
-
-        Springs first, a few contacts at a time; slip and friction where they leave a choice open.
-        """
-        m = self.codes.shape[1]
-        violated = np.full(len(self.codes), UNDECIDED)
-        if m == 0:
-            return violated
+    def possible(self, base: Floats, direction: Floats | None = None) -> Booleans:
+        """Return whether all conditions of each choice may hold; see `Screen`."""
         with np.errstate(all="ignore"):
-            found, left = self._solve(wrench), np.arange(len(self.codes))
-            for start in range(0, m, _CONTACTS):
-                some = slice(start, start + _CONTACTS)
-                worst = _worst(self._springs(found.at(left), left, some))
-                violated[left] = np.where(worst == UNDECIDED, UNDECIDED, start + worst)
-                left = left[worst == UNDECIDED]
-            if len(left):
-                worst = _worst(self._slips_and_friction(found.at(left), left))
-                violated[left] = np.where(worst == UNDECIDED, UNDECIDED, m + worst)
-        return violated
-
-    def possible_along(self, base: Floats, direction: Floats) -> Booleans:
-        """Return whether some t > 0 may satisfy all conditions of each choice; see `Screen`."""
-        if self.codes.shape[1] == 0:
-            return np.ones(len(self.codes), dtype=np.bool_)
-        with np.errstate(all="ignore"):
-            pair = self._solve(base), self._solve(direction, 0.0)
-            every = np.arange(len(self.codes))
-            springs = [self._springs(found, every) for found in pair]
-            possible = ~_surely_empty(*springs)
+            found = [self._solve(base)]
+            if direction is not None:
+                found.append(self._solve(direction, 0.0))
+            bounds = [self._springs(one) for one in found]
+            possible = ~_surely_empty(*bounds)
             left = np.flatnonzero(possible)
             if len(left):
-                others = [self._slips_and_friction(found.at(left), left) for found in pair]
-                both = [np.hstack([a[left], b]) for a, b in zip(springs, others, strict=True)]
-                possible[left] = ~_surely_empty(*both)
+                bounds = [
+                    np.hstack([springs[left], self._slips_and_friction(one.at(left), left)])
+                    for springs, one in zip(bounds, found, strict=True)
+                ]
+                possible[left] = ~_surely_empty(*bounds)
         return possible
 
-    def _springs(self, found: _Solutions, rows: Integers, contacts: slice = _ALL) -> Floats:
-        """Return upper bounds of the spring conditions of some rows, by contact."""
-        normal, doubt = self._normal_forces(found, contacts)
-        detached = self.codes[rows, contacts] == DETACHED
-        bounds: Floats = np.where(detached, -normal, normal) + doubt
+    def _springs(self, found: _Solutions) -> Floats:
+        """Return upper bounds of the spring conditions, by contact."""
+        normal, doubt = self._normal_forces(found)
+        bounds: Floats = np.where(self.codes == DETACHED, -normal, normal) + doubt
         return bounds
 
-    def _normal_forces(self, found: _Solutions, contacts: slice = _ALL) -> tuple[Floats, Floats]:
+    def _normal_forces(self, found: _Solutions) -> tuple[Floats, Floats]:
         """Return ``preload - stiffness N . d`` and a bound of its error, by contact."""
-        spring, preload = self.contacts.spring[contacts], self.contacts.preload[contacts]
-        normal = found.loaded * preload - found.motion @ spring.T
+        spring, preload = self.contacts.spring[:, 1:], self.contacts.preload
+        normal = found.loaded * preload + found.motion @ spring.T
         doubt = _MARGIN * np.outer(found.reach, np.abs(spring).sum(axis=1))
         return normal, doubt + found.loaded * (_MARGIN * _PRODUCT * preload)
 
     def _slips_and_friction(self, found: _Solutions, rows: Integers) -> Floats:
-        """Return upper bounds of the other `CONDITIONS` of some rows; infinite where none is."""
+        """Return upper bounds of the other conditions of some rows; infinite where none is."""
         data, codes = self.contacts, self.codes[rows]
         moved = found.motion @ data.tangent.T
         doubt = _MARGIN * np.outer(found.reach, np.abs(data.tangent).sum(axis=1))
@@ -271,25 +227,29 @@ class _Batch:
         return np.concatenate(bounds, axis=1)
 
     def _friction(self, found: _Solutions, chosen: Integers) -> list[Floats]:
-        """Return upper bounds of the friction conditions, at the first sticking contacts."""
-        data, codes, m = self.contacts, self.codes[chosen], self.codes.shape[1]
+        """Return upper bounds of the friction conditions, two for each sticking plane.
+
+        They are the limit of all contacts that stick on it, less or plus their force along the
+        tangent of the first of them; they stand in the column of this one.
+        """
+        screen, codes, m = self.screen, self.codes[chosen], self.codes.shape[1]
         normal, doubt = self._normal_forces(found)
         lower, upper = np.full((2, len(codes), m), np.inf)
         rows = np.arange(len(codes))
         for j in range(self.size - 3):
-            sticking = (codes == 0) & (data.class_of == self.classes[chosen, j][:, None])
-            share = sticking * data.friction
+            sticking = (codes == 0) & (screen.class_of == self.classes[chosen, j][:, None])
+            share = sticking * self.contacts.friction
             limit = (share * normal).sum(axis=1)
             unsure = (share * (doubt + error_bound(2 * (m + 3)) * np.abs(normal))).sum(axis=1)
             first = sticking.argmax(axis=1)
-            force = found.forces[:, j] * data.orientation[first]
+            force = found.forces[:, j] * screen.orientation[first]
             unsure = _MARGIN * (unsure + found.error + _ROUNDED * np.abs(force))
             lower[rows, first] = limit - force + unsure
             upper[rows, first] = limit + force + unsure
         return [lower, upper]
 
 
-def _surely_empty(at_zero: Floats, growth: Floats) -> Booleans:
+def _surely_empty(at_zero: Floats, growth: Floats | float = 0.0) -> Booleans:
     """Return for each row whether no t > 0 has ``at_zero + t growth >= 0`` in every column.
 
     A column that is not finite says nothing. The ends are rounded by less than 10^-15 of their
@@ -298,15 +258,8 @@ def _surely_empty(at_zero: Floats, growth: Floats) -> Booleans:
     known = np.isfinite(at_zero) & np.isfinite(growth)
     never = known & (at_zero <= 0) & (growth <= 0) & ((at_zero < 0) | (growth < 0))
     ends = at_zero / -growth
-    low = np.where(known & (growth > 0) & (at_zero < 0), ends, 0.0).max(axis=1)
-    high = np.where(known & (growth < 0) & (at_zero > 0), ends, np.inf).min(axis=1)
+    low = np.where(known & (growth > 0) & (at_zero < 0), ends, 0.0).max(axis=1, initial=0.0)
+    high = np.where(known & (growth < 0) & (at_zero > 0), ends, np.inf).min(axis=1, initial=np.inf)
     apart = np.minimum(low, 1e300) * (1 - 1e-15) > high * (1 + 1e-15) + 1e-290
     empty: Booleans = never.any(axis=1) | apart
     return empty
-
-
-def _worst(bounds: Floats) -> Integers:
-    """Return the column of the least upper bound in each row if it is negative."""
-    worst = np.argmin(bounds, axis=1)
-    fails = np.take_along_axis(bounds, worst[:, None], axis=1)[:, 0] < 0
-    return np.where(fails, worst, UNDECIDED)

@@ -15,9 +15,7 @@ import numpy as np
 
 from arrangement.exact import IntegerVector, RationalVector, primitive
 
-from .integer_contacts import IntegerContacts, Whole
-
-_WORD = 2**62
+from .integer_contacts import IntegerContacts, product, whole
 
 
 def closed(
@@ -28,8 +26,8 @@ def closed(
 ) -> list[bool]:
     """Return for each region whether the virtual motion beside it closes it."""
     count, m = len(regions), len(contacts)
-    generators = _array(regions, (count, 4, 4))
-    chosen = _array(motions, (count, 3))
+    generators = whole(regions, (count, 4, 4))
+    chosen = whole(motions, (count, 3))
     spring = product(generators.reshape(-1, 4), contacts.spring.T).reshape(count, 4, m)
     slip = product(generators[:, :, 1:].reshape(-1, 3), contacts.tangent.T).reshape(count, 4, m)
     along = product(chosen, contacts.normal.T)
@@ -44,20 +42,6 @@ def closed(
     unit = contacts.common_unit
     load = primitive([*wrench, 1])
     work = terms.astype(object).dot(contacts.shares) * load[3]
-    work = work + (chosen.dot(_array([load[:3]], (3,))) * unit)[:, None] * generators[:, :, 0]
+    work = work + (chosen.dot(whole([load[:3]], (3,))) * unit)[:, None] * generators[:, :, 0]
     passed = np.where(generators[:, :, 0] > 0, work > 0, work >= 0)
     return [bool(x) for x in passed.all(axis=1)]
-
-
-def product(left: Whole, right: Whole) -> Whole:
-    """Return the exact matrix product; in machine words where they cannot overflow."""
-    one, other = (max(map(abs, factor.flat), default=0) for factor in (left, right))
-    if left.shape[1] * one * other < _WORD and max(one, other) < _WORD:
-        return (left.astype(np.int64) @ right.astype(np.int64)).astype(object)
-    exact: Whole = left.dot(right)
-    return exact
-
-
-def _array(values: Sequence[object], shape: tuple[int, ...]) -> Whole:
-    array: Whole = np.array(values, dtype=object).reshape(shape)
-    return array

@@ -42,8 +42,7 @@ def least_point(n: int, inequalities: Rows, equalities: Rows, image: Rows) -> Ra
     """
     program = linprog.Program(n, inequalities, equalities)
     start = program.point()
-    if isinstance(start, linprog.Infeasible):
-        raise AssertionError("the least point of an empty polyhedron was asked for")
+    assert not isinstance(start, linprog.Infeasible)
     corral = [_Atom(_apply(image, start), 1, Fraction(1))]
     while True:
         point = _combination(corral)
@@ -69,8 +68,7 @@ def _downhill(program: linprog.Program, image: Rows, point: RationalVector) -> _
     answer = program.minimize(objective)
     if isinstance(answer, linprog.Unbounded):
         return _Atom(_apply(image, answer.ray, 0), 0, Fraction(0))
-    if isinstance(answer, linprog.Infeasible):
-        raise AssertionError("a polyhedron cannot become empty")
+    assert not isinstance(answer, linprog.Infeasible)
     vertex = _apply(image, answer.point)
     if dot(point, vertex) >= dot(point, point):
         return None

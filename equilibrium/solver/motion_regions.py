@@ -18,10 +18,11 @@ from typing import Any
 import numpy as np
 
 from arrangement.exact import IntegerVector, RationalVector
+from arrangement.float_filter import Floats
 from equilibrium.model.errors import TimeLimitError
 
 from .continuation import find_equilibrium, motion_scale
-from .integer_contacts import Floats, IntegerContacts
+from .integer_contacts import IntegerContacts
 from .leaf_test import closed
 from .state_equilibrium import Solution
 from .state_splits import Node, StateSplits, TooManyParts

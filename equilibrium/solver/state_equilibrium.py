@@ -9,14 +9,17 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 from fractions import Fraction
+from typing import Any
 
 import numpy as np
 import numpy.typing as npt
 
-from arrangement.exact import RationalVector
+from arrangement.exact import RationalVector, to_text
+from arrangement.float_filter import Floats
+from arrangement.linear import rank
 
 from .elimination import gauss_jordan
-from .integer_contacts import Floats, IntegerContacts, Whole
+from .integer_contacts import IntegerContacts, product
 
 #: Shares of the friction limit are multiples of one over this.
 _SHARES = 2**14
@@ -30,6 +33,13 @@ class Solution:
 
     motion: RationalVector
     forces: tuple[tuple[Fraction, Fraction], ...]
+
+    def to_dict(self) -> dict[str, Any]:
+        """Return a JSON form; numbers are strings of rationals."""
+        return {
+            "motion": [to_text(x) for x in self.motion],
+            "forces": [[to_text(x) for x in pair] for pair in self.forces],
+        }
 
 
 @dataclass(frozen=True)
@@ -75,15 +85,13 @@ def exact_equilibrium(
     touching = np.array(guess.touching, dtype=bool)
     arm = (along * _SHARES + across * shares[:, None])[touching]
     unit = contacts.common_unit * _SHARES
-    stiffness = arm.T.dot(contacts.spring[touching]) if touching.any() else _zeros(3, 4)
+    stiffness = product(arm.T, contacts.spring[touching])
     rows = []
     for j in range(3):
         pull = [int(contacts.tangent[i, j]) for i in pillars]
-        row = [*stiffness[j, 1:], *(unit * x for x in pull), stiffness[j, 0] + wrench[j] * unit]
-        rows.append([Fraction(x) for x in row])
-    for i in pillars:
-        still = [*contacts.tangent[i].tolist(), *[0] * len(pillars), 0]
-        rows.append([Fraction(x) for x in still])
+        constant = stiffness[j, 0] + wrench[j] * unit
+        rows.append([*stiffness[j, 1:], *(unit * x for x in pull), constant])
+    rows += [[*contacts.tangent[i], *[0] * len(pillars), 0] for i in pillars]
     size = 3 + len(pillars)
     reduced, pivots, scale = gauss_jordan(rows)
     if size in pivots:
@@ -116,16 +124,12 @@ def _pillars(contacts: IntegerContacts, guess: Guess) -> list[int]:
         if not size[best] > 1e-9 * np.linalg.norm(tangents[best]) * (spare[best] + 1e-9):
             break
         tried = [*chosen, int(sticking[best])]
-        if _rank(contacts.tangent[tried].tolist()) < len(tried):
+        if rank(contacts.tangent[tried].tolist()) < len(tried):
             break
         unit = left[best] / size[best]
         left = left - np.outer(left @ unit, unit)
         chosen = tried
     return chosen
-
-
-def _rank(rows: list[list[int]]) -> int:
-    return len(gauss_jordan([[Fraction(x) for x in row] for row in rows])[1])
 
 
 def _checked(
@@ -165,9 +169,3 @@ def _checked(
     if any(force[i] <= 0 and special[i] for i in special):
         return None
     return Solution(tuple(Fraction(x, scale) for x in point[:3]), tuple(forces))
-
-
-def _zeros(*shape: int) -> Whole:
-    zeros = np.empty(shape, dtype=object)
-    zeros[...] = 0
-    return zeros

@@ -10,6 +10,7 @@ splits end.
 
 from __future__ import annotations
 
+import itertools
 import math
 import time
 from collections.abc import Sequence
@@ -20,10 +21,9 @@ from typing import Any, TypeAlias
 import numpy as np
 
 from arrangement import linprog
-from arrangement.exact import IntegerVector, RationalVector, primitive, to_text
+from arrangement.exact import IntegerVector, RationalVector, dot, primitive
 
-from .integer_contacts import IntegerContacts
-from .leaf_test import product
+from .integer_contacts import IntegerContacts, product
 from .state_equilibrium import Solution
 
 #: A node of a proof, as certificates write it.
@@ -31,8 +31,6 @@ Node: TypeAlias = Any
 States: TypeAlias = dict[int, str]
 
 _ZERO = Fraction(0)
-#: The direction of slip in a state.
-_SLIDING = {"slip+": 1, "slip-": -1}
 #: The directions of slip that a state allows.
 _SIGNS = {"slip+": (1,), "slip-": (-1,), "stick": (1, -1), "attached": (1, -1), "detached": ()}
 #: Largest entries of rounded multipliers that are tried.
@@ -103,10 +101,9 @@ class StateSplits:
         self.left -= 1
         if self.left < 0 or time.monotonic() > self.deadline:
             raise TooManyParts
-        program = _PartProgram(self, states)
-        found = program.solve()
-        if isinstance(found, _Closed):
-            return found.written(self, states)
+        found = _PartProgram(self, states).solve()
+        if not isinstance(found, Solution):
+            return found
         contact = self._worst(found, states)
         if contact is None:
             return found
@@ -145,8 +142,8 @@ class StateSplits:
             if states.get(i) in ("detached", "stick", "slip+", "slip-"):
                 continue
             c = self.contacts.grasp.contacts[i]
-            moved = _sum(c.normal_wrench, found.motion)
-            slipped = _sum(c.tangential_wrench, found.motion)
+            moved = dot(c.normal_wrench, found.motion)
+            slipped = dot(c.tangential_wrench, found.motion)
             normal, rub = found.forces[i]
             excess = normal - max(_ZERO, c.preload - c.stiffness * moved)
             limit = c.friction * normal
@@ -156,87 +153,6 @@ class StateSplits:
             if wrong > most:
                 worst, most = i, wrong
         return worst
-
-
-@dataclass(frozen=True)
-class _Closed:
-    """Numbers that close a part: the virtual motion, and alpha, h by contact."""
-
-    motion: RationalVector
-    multipliers: dict[int, tuple[Fraction, Fraction]]
-
-    def written(self, splits: StateSplits, states: States) -> Node:
-        """Return the leaf; with the smallest integers found that still close the part."""
-        numbers = [*self.motion, *(x for pair in self.multipliers.values() for x in pair)]
-        largest = max(map(abs, self.motion)) or max(map(abs, numbers)) or Fraction(1)
-        names = list(self.multipliers)
-        for size in (*_SIZES, 0):
-            if size:
-                tried = [Fraction(round(x * size / largest)) for x in numbers]
-            else:
-                tried = [Fraction(x) for x in primitive(numbers)]
-            motion = tuple(tried[:3])
-            given = {i: (tried[3 + 2 * n], tried[4 + 2 * n]) for n, i in enumerate(names)}
-            for kept in ({i: x for i, x in given.items() if any(x)}, given):
-                if holds(splits, states, motion, kept):
-                    return _leaf(motion, kept)
-        raise AssertionError("the program's numbers do not close the part")
-
-
-def _leaf(motion: RationalVector, given: dict[int, tuple[Fraction, Fraction]]) -> Node:
-    written = [to_text(x) for x in motion]
-    if not given:
-        return written
-    texts = {
-        str(i): [to_text(alpha), *([to_text(h)] if h else [])]
-        for i, (alpha, h) in sorted(given.items())
-    }
-    return {"virtual_motion": written, "multipliers": texts}
-
-
-def holds(
-    splits: StateSplits,
-    states: States,
-    motion: RationalVector,
-    given: dict[int, tuple[Fraction, Fraction]],
-) -> bool:
-    """Whether a leaf closes a part: a virtual motion, and the multipliers given."""
-    contacts = splits.contacts
-    load = _sum(motion, splits.wrench)
-    works = [load * weight for weight in splits.weight]
-    for i, c in enumerate(contacts.grasp):
-        state = states.get(i)
-        sign = _SLIDING.get(state or "", 0 if state == "stick" else splits.known[i])
-        across = c.friction * _sum(motion, c.tangential_wrench)
-        kappa = _sum(motion, c.normal_wrench) - (sign * across if sign else abs(across))
-        if i in given:
-            alpha, h = given[i]
-            if not _allowed(state, alpha, h, kappa):
-                return False
-        elif state is None and (i not in splits.kept or (i in splits.mixed and kappa >= 0)):
-            continue
-        else:
-            alpha, h = _ZERO if state == "detached" else kappa, _ZERO
-        lifted = i not in given and state is None
-        for j, spring in enumerate(splits.spring[:, i]):
-            force = max(0, spring) if lifted else spring
-            works[j] += alpha * Fraction(force, contacts.spring_unit[i])
-            works[j] += h * Fraction(splits.slip[j, i], contacts.wrench_unit[i])
-    return all(x > 0 if g else x >= 0 for x, g in zip(works, splits.weight, strict=True))
-
-
-def _allowed(state: str | None, alpha: Fraction, h: Fraction, kappa: Fraction) -> bool:
-    """Whether multipliers are allowed in a state."""
-    if alpha < 0 and state in (None, "detached"):
-        return False
-    if alpha > kappa and state != "detached":
-        return False
-    up = h <= 0 or state in ("stick", "slip-")
-    return up and (h >= 0 or state in ("stick", "slip+"))
-
-
-def _sum(left: RationalVector, right: RationalVector) -> Fraction:
-    return sum((x * y for x, y in zip(left, right, strict=True)), _ZERO)
 
 
 class _PartProgram:
@@ -256,18 +172,10 @@ class _PartProgram:
         self.alpha = {i: 3 + n for n, i in enumerate(self.springs)}
         self.h = {i: 3 + len(self.springs) + n for n, i in enumerate(self.slips)}
         self.size = 4 + len(self.springs) + len(self.slips)
-        self.fixed: list[list[Any]] = []
+        #: The motion and the work are bounded.
+        self.box = [self._row({k: sign}, 1) for k in range(3) for sign in (1, -1)]
+        self.box.append(self._row({self.size - 1: -1}, 1))
         self.limits: list[tuple[int, int]] = []
-        for k in range(3):
-            for sign in (1, -1):
-                self.fixed.append(self._row({k: sign}, 1))
-        self.fixed.append(self._row({self.size - 1: -1}, 1))
-        for i in self.springs:
-            state = states.get(i)
-            if state in (None, "detached"):
-                self.fixed.append(self._row({self.alpha[i]: 1}))
-            if state in ("slip+", "slip-"):
-                self.fixed.append(self._row({self.h[i]: -1 if state == "slip+" else 1}))
         self.bounds: list[list[Any]] = []
         for i in self.springs:
             for sign in self._signs(i):
@@ -277,6 +185,12 @@ class _PartProgram:
                 row = {k: arm[k] for k in range(3)} | {self.alpha[i]: -unit}
                 self.bounds.append(self._row(row))
                 self.limits.append((i, sign))
+        for i in self.springs:
+            if states.get(i) in (None, "detached"):
+                self.bounds.append(self._row({self.alpha[i]: 1}))
+        for i in self.slips:
+            if states[i] != "stick":
+                self.bounds.append(self._row({self.h[i]: -1 if states[i] == "slip+" else 1}))
 
     def _signs(self, i: int) -> tuple[int, ...]:
         signs = _SIGNS[self.states.get(i, "attached")]
@@ -290,19 +204,15 @@ class _PartProgram:
             row[column] = x
         return row
 
-    def _cut(self, motion: Sequence[Fraction], j: int) -> _Cut:
+    def _cut(self, motion: Sequence[Any], j: int) -> _Cut:
         """Return the bound at a generator that is exact at a virtual motion."""
-        signs = {}
+        splits, signs = self.splits, {}
         for i in self.free:
-            if self.splits.spring[j, i] <= 0:
-                continue
-            across = sum(x * t for x, t in zip(motion, self.splits.across[i], strict=True))
-            sign = self.splits.known[i] or (1 if across >= 0 else -1)
-            if i in self.splits.mixed:
-                along = sum(x * n for x, n in zip(motion, self.splits.along[i], strict=True))
-                if along - sign * across >= 0:
-                    continue
-            signs[i] = sign
+            if splits.spring[j, i] > 0:
+                across = dot(motion, splits.across[i])
+                sign = splits.known[i] or (1 if across >= 0 else -1)
+                if i not in splits.mixed or dot(motion, splits.along[i]) < sign * across:
+                    signs[i] = sign
         return _Cut(j, signs)
 
     def _cut_row(self, cut: _Cut) -> list[Any]:
@@ -320,37 +230,48 @@ class _PartProgram:
         entries[self.size - 1] = -splits.weight[j]
         return self._row(entries)
 
-    def solve(self) -> _Closed | Solution:
-        """Return what closes the part, or what balances the load in it."""
+    def solve(self) -> Node | Solution:
+        """Return the leaf that closes the part, or what balances the load in it."""
         cuts: list[_Cut] = []
         rows: list[list[Any]] = []
         point: Sequence[Fraction] = [*self.splits.wrench, *[_ZERO] * (self.size - 3)]
-        first = True
         while True:
-            fresh = 0
-            for j in range(len(self.splits.generators)):
-                cut = self._cut(point[:3], j)
-                row = self._cut_row(cut)
-                if first or sum(x * y for x, y in zip(row, point, strict=False)) < 0:
-                    cuts.append(cut)
-                    rows.append(row)
-                    fresh += 1
-            if not first and not fresh:
-                pairs = {
-                    i: (point[n], point[self.h[i]] if i in self.h else _ZERO)
-                    for i, n in self.alpha.items()
-                }
-                return _Closed(tuple(point[:3]), pairs)
-            first = False
+            found = [self._cut(point[:3], j) for j in range(len(self.splits.generators))]
+            made = [self._cut_row(cut) for cut in found]
+            broken = [j for j, row in enumerate(made) if not cuts or dot(row[:-1], point) < 0]
+            if not broken:
+                return self._leaf(point[:-1])
+            cuts += [found[j] for j in broken]
+            rows += [made[j] for j in broken]
             objective = [0] * (self.size - 1) + [-1]
-            answer = linprog.minimize(objective, [*self.fixed, *self.bounds, *rows])
+            answer = linprog.minimize(objective, [*self.box, *self.bounds, *rows])
             assert isinstance(answer, linprog.Optimal)
             point = answer.point
             if point[-1] == 0:
-                start = len(self.fixed)
-                middle = start + len(self.bounds)
-                y = answer.inequality_multipliers
-                return self._balanced(cuts, y[middle:], y[start:middle])
+                y = answer.inequality_multipliers[len(self.box) :]
+                return self._balanced(cuts, y[len(self.bounds) :], y[: len(self.limits)])
+
+    def _leaf(self, numbers: Sequence[Fraction]) -> Node:
+        """Return the leaf, with the smallest integers found that still close the part."""
+        largest = max(map(abs, numbers[:3])) or max(map(abs, numbers)) or Fraction(1)
+        rounded = ([round(x * size / largest) for x in numbers] for size in _SIZES)
+        tried = next(filter(self._closes, itertools.chain(rounded, [primitive(numbers)])))
+        motion = [str(x) for x in tried[:3]]
+        given = {}
+        for i, column in self.alpha.items():
+            alpha, h = tried[column], tried[self.h[i]] if i in self.h else 0
+            # A detached contact without multipliers has these.
+            if alpha or h or self.states.get(i) != "detached":
+                given[str(i)] = [str(alpha), *([str(h)] if h else [])]
+        return {"virtual_motion": motion, "multipliers": given} if given else motion
+
+    def _closes(self, numbers: Sequence[int]) -> bool:
+        """Return whether a virtual motion, alphas and hs close the part."""
+        if any(dot(row[:-2], numbers) < 0 for row in self.bounds):
+            return False
+        rows = (self._cut_row(self._cut(numbers[:3], j)) for j in range(len(self.splits.weight)))
+        works = (dot(row[:-2], numbers) for row in rows)
+        return all(x > 0 if g else x >= 0 for x, g in zip(works, self.splits.weight, strict=True))
 
     def _balanced(
         self, cuts: list[_Cut], weights: RationalVector, pushes: RationalVector

@@ -14,7 +14,8 @@ from functools import cached_property
 from typing import Literal, TypeAlias
 
 from arrangement import linprog
-from arrangement.exact import RationalVector, dot
+from arrangement.exact import RationalVector, dot, primitive
+from arrangement.linear import rank
 from equilibrium.model.grasp import Grasp
 
 from .contact_rows import (
@@ -63,7 +64,7 @@ class StateSystem:
 def state_system(
     grasp: Grasp,
     states: States,
-    wrench: RationalVector | None = None,
+    wrench: RationalVector,
     *,
     friction_sign: int = 1,
     cell_check: bool = True,
@@ -71,15 +72,20 @@ def state_system(
     """Return the linear system of a choice of states.
 
     Args:
-        wrench: applied; None for none. See `loaded` for another one.
         friction_sign: -1 lets friction pull along the slip (a literal reading only).
         cell_check: False leaves out the direction of slip (a literal reading only).
     """
     n = 3 + states.count("stick")
     columns = iter(range(3, n))
     equalities, inequalities, forces = [], [], []
-    for contact, state in zip(grasp, states, strict=True):
+    pairs = list(zip(grasp, states, strict=True))
+    # Three independent sticking planes leave d = 0 only: each spring has its preload, and exact
+    # programs are many times faster without its stiffness.
+    still = rank([primitive(c.tangential_wrench) for c, state in pairs if state == "stick"]) == 3
+    for contact, state in pairs:
         normal, slip = normal_force_row(contact, n), slip_row(contact, n)
+        if still:
+            normal = (*[Fraction(0)] * n, contact.preload)
         if state == "detached":
             inequalities.append(negated(normal))
             forces.append(((Fraction(0),) * (n + 1),) * 2)
@@ -96,16 +102,8 @@ def state_system(
             if cell_check:
                 inequalities.append(tuple(-direction * x for x in slip))
         forces.append((normal, tangential))
-    rows = (*balance_rows(grasp, forces, (Fraction(0),) * 3, n), *equalities)
-    system = StateSystem(states, rows, tuple(inequalities), tuple(forces))
-    return system if wrench is None else loaded(system, wrench)
-
-
-def loaded(system: StateSystem, wrench: RationalVector) -> StateSystem:
-    """Return a system with one more wrench applied: only the constants of the balances change."""
-    pairs = zip(system.equalities, wrench, strict=False)
-    rows = (*((*row[:-1], row[-1] + w) for row, w in pairs), *system.equalities[3:])
-    return StateSystem(system.states, rows, system.inequalities, system.forces)
+    rows = (*balance_rows(grasp, forces, wrench, n), *equalities)
+    return StateSystem(states, rows, tuple(inequalities), tuple(forces))
 
 
 def value(row: RationalVector, point: RationalVector) -> Fraction:

@@ -15,8 +15,10 @@ import numpy as np
 import numpy.typing as npt
 
 from arrangement.exact import RationalVector
+from arrangement.float_filter import Floats
 
-from .integer_contacts import FloatContacts, Floats, IntegerContacts, nearest
+from .float_contacts import FloatContacts, nearest
+from .integer_contacts import IntegerContacts
 
 #: Entries of the virtual motions tried first.
 _RANGE = 2

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
-from functools import cmp_to_key
+from fractions import Fraction
 from typing import Any
 
 from arrangement.exact import IntegerVector
@@ -37,12 +37,12 @@ class Sector:
 
 
 def counter_clockwise(directions: Iterable[IntegerVector]) -> list[IntegerVector]:
-    """Return primitive directions without repeats, by angle from (1, 0).
+    """Return primitive directions, none zero, without repeats, by angle from (1, 0).
 
     >>> counter_clockwise([(0, -1), (1, 1), (1, 0)])
     [(1, 0), (1, 1), (0, -1)]
     """
-    return sorted(set(directions), key=cmp_to_key(_compare))
+    return sorted(set(directions), key=_angle)
 
 
 def sectors(
@@ -56,7 +56,8 @@ def sectors(
     after = [*corners[1:], corners[0]]
     # With the axes among them, neighbours are at most a right angle apart.
     # Stops of even number are corners.
-    stops = [stop for a, b in zip(corners, after, strict=True) for stop in (a, _between(a, b))]
+    pairs = zip(corners, after, strict=True)
+    stops = [stop for a, b in pairs for stop in (a, (a[0] + b[0], a[1] + b[1]))]
     flags = [member(stop) for stop in stops]
     if all(flags):
         return (Sector((1, 0), (1, 0), whole=True),)
@@ -79,17 +80,9 @@ def _run_end(flags: Sequence[bool], first: int) -> int:
     return last
 
 
-def _between(a: IntegerVector, b: IntegerVector) -> IntegerVector:
-    return (a[0] + b[0], a[1] + b[1])
-
-
-def _compare(a: IntegerVector, b: IntegerVector) -> int:
-    lower_a, lower_b = _lower(a), _lower(b)
-    if lower_a != lower_b:
-        return 1 if lower_a else -1
-    return a[1] * b[0] - a[0] * b[1]
-
-
-def _lower(a: IntegerVector) -> bool:
-    """Return whether the angle is at least half a turn."""
-    return a[1] < 0 or (a[1] == 0 and a[0] < 0)
+def _angle(direction: IntegerVector) -> tuple[int, Fraction]:
+    """Return the number of the quadrant, and the tangent of the angle in it."""
+    (x, y), quadrant = direction, 0
+    while x <= 0 or y < 0:
+        x, y, quadrant = y, -x, quadrant + 1
+    return quadrant, Fraction(y, x)

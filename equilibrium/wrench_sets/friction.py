@@ -32,7 +32,7 @@ from equilibrium.solver.contact_rows import (
     sum_row,
     unit_row,
 )
-from equilibrium.solver.prepared import contact_states
+from equilibrium.solver.contact_states import contact_states
 from equilibrium.solver.state_system import States
 from equilibrium.verdict import solve
 

@@ -9,7 +9,7 @@ a mixture of the two at the same d, and the maps are linear.)
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from fractions import Fraction
 from math import lcm
 from typing import NamedTuple
@@ -19,8 +19,7 @@ from arrangement.linear import reduced
 from arrangement.polyhedra.cones import generators
 from arrangement.polyhedra.polyhedron import Polyhedron, from_generators
 from equilibrium.model.grasp import Grasp
-from equilibrium.solver.contact_rows import friction_edges, normal_force_row, slip_edge
-from equilibrium.solver.state_system import States
+from equilibrium.solver.contact_rows import friction_edges, negated, normal_force_row, slip_edge
 
 #: Above this number, redundant images are removed before the next sticking contact.
 _MANY = 40
@@ -46,13 +45,11 @@ class StateImages:
 
     def __init__(self, grasp: Grasp) -> None:
         springs = [normal_force_row(contact) for contact in grasp]
-        edges = [
-            {
-                "stick": list(dict.fromkeys(friction_edges(contact))),
-                **{state: [slip_edge(contact, state)] for state in ("slip+", "slip-")},
-            }
-            for contact in grasp
-        ]
+        edges = []
+        for contact in grasp:
+            both = list(dict.fromkeys(friction_edges(contact)))
+            slipping = {state: [slip_edge(contact, state)] for state in ("slip+", "slip-")}
+            edges.append({"stick": both, "attached": both, **slipping})
         first = lcm(*(x.denominator for row in springs for x in row))
         second = lcm(*(x.denominator for e in edges for edge in e["stick"] for x in edge))
         self._scale = first * second
@@ -66,31 +63,33 @@ class StateImages:
         ]
 
     def resisted_with(
-        self, states: States, plane: IntegerVector | None = None
+        self, states: Sequence[str], plane: IntegerVector | None = None
     ) -> Polyhedron | None:
         """Return the wrenches resisted with these contact states; None when there are none.
 
         Args:
+            states: besides those of the complete model, "attached": friction inside the cone,
+                whatever the slip.
             plane: ``(a, b)``: leave out motions at which none of the wrenches has
                 ``a . w + b = 0``. All wrenches of this plane remain, of others only some.
         """
         inequalities, equalities = self._reaching(states, plane) if plane else ([], [])
         for contact, state in zip(self._contacts, states, strict=True):
             if state == "detached":
-                inequalities.append(_opposite(contact.spring))
+                inequalities.append(negated(contact.spring))
                 continue
             inequalities.append(contact.spring)
             if state == "stick":
                 equalities.append(contact.slip)
-            else:
-                inequalities.append(contact.slip if state == "slip+" else _opposite(contact.slip))
+            elif state != "attached":
+                inequalities.append(contact.slip if state == "slip+" else negated(contact.slip))
         # Along a line of the cell no touching spring may change, so the wrench does not either.
         rays, _ = generators(inequalities, equalities, 4, finite=True)
         images = {image for ray in rays for image in self._images(states, ray)}
         return from_generators(images, (), 3)
 
     def _reaching(
-        self, states: States, plane: IntegerVector
+        self, states: Sequence[str], plane: IntegerVector
     ) -> tuple[list[IntegerVector], list[IntegerVector]]:
         """Return the conditions on a motion that its wrenches reach a plane.
 
@@ -107,9 +106,9 @@ class StateImages:
                     highest[j] += max(values) * x
         if lowest == highest:
             return [], [tuple(lowest)] if any(lowest) else []
-        return [_opposite(tuple(lowest)), tuple(highest)], []
+        return [negated(tuple(lowest)), tuple(highest)], []
 
-    def _images(self, states: States, motion: IntegerVector) -> Iterator[IntegerVector]:
+    def _images(self, states: Sequence[str], motion: IntegerVector) -> Iterator[IntegerVector]:
         """Yield the homogeneous wrenches that balance the extreme forces at a motion."""
         wrenches: list[IntegerVector] = [(0, 0, 0)]
         for contact, state in zip(self._contacts, states, strict=True):
@@ -132,7 +131,3 @@ def _extreme(points: list[IntegerVector]) -> list[IntegerVector]:
     facets, equalities = generators([(*point, 1) for point in points], (), 4)
     rays, _ = generators(facets, equalities, 4)
     return [ray[:3] for ray in rays]
-
-
-def _opposite(row: IntegerVector) -> IntegerVector:
-    return tuple(-x for x in row)

@@ -27,8 +27,7 @@ from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import Grasp, read_wrench
 from equilibrium.solver.contact_states import states_of_code
 from equilibrium.solver.elimination import gauss_jordan
-from equilibrium.solver.prepared import PreparedGrasp
-from equilibrium.solver.state_system import States, StateSystem
+from equilibrium.solver.state_system import States, StateSystem, state_system
 from equilibrium.verdict import Solver, prepare
 
 _MAGNITUDES: Interval = (Fraction(0), None)
@@ -91,9 +90,10 @@ def resisted_magnitudes(
         raise GraspError("direction is (0, 0, 0); give a wrench other than zero")
     solver = prepare(grasp)
     screen = solver.screen
-    possible = screen.codes[screen.possible_along(start, along)].tolist()
+    possible = screen.codes[screen.possible(start, along)].tolist()
     found = (
-        _interval(solver, states_of_code(row), start, along) for row in watched(possible, "states")
+        _interval(solver.grasp, states_of_code(row), start, along)
+        for row in watched(possible, "states")
     )
     parts = [part for part in found if part is not None]
     # The screen speaks of t > 0 only.
@@ -103,10 +103,10 @@ def resisted_magnitudes(
 
 
 def _interval(
-    solver: PreparedGrasp, states: States, base: RationalVector, along: RationalVector
+    grasp: Grasp, states: States, base: RationalVector, along: RationalVector
 ) -> Interval | None:
     """Return the magnitudes that one choice of states allows."""
-    system = solver.system(states, base)
+    system = state_system(grasp, states, base)
     n = system.size
     moved = (*along, *[Fraction(0)] * (n - 3))
     rows = [(*row[:-1], u, row[-1]) for row, u in zip(system.equalities, moved, strict=True)]

@@ -35,6 +35,10 @@ class Margin:
     resisted: bool
     intervals: tuple[Interval, ...]
 
+    def __bool__(self) -> bool:
+        """Return whether the wrench itself is resisted."""
+        return self.resisted
+
     @property
     def around(self) -> Interval | None:
         """The interval of factors around 1, its ends on the boundary; None if not resisted.

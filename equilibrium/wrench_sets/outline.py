@@ -19,6 +19,7 @@ from arrangement.polyhedra.intervals import Interval, is_long, remainder, union
 from arrangement.polyhedra.polyhedron import Polyhedron
 from arrangement.polyhedra.separation import possibly_meeting, sides
 from arrangement.progress import watched
+from equilibrium.solver.contact_rows import negated
 
 
 @dataclass(frozen=True)
@@ -99,14 +100,14 @@ def _border(solid: Sequence[Polyhedron]) -> Iterator[Segment]:
     found = zip(rows, carriers, _near(rows, carriers, solid), strict=True)
     for row, edges, near in watched(found, "lines", len(rows)):
         line = _Line(row)
-        covered = [line.part(p) for p in near if line.covers_beyond(p)]
+        covered = [line.part(p) for p in near if row not in p.inequalities]
         yield from line.segments([line.part(p) for p in edges], covered)
 
 
 def _whiskers(thin: Sequence[Polyhedron], solid: Sequence[Polyhedron]) -> Iterator[Segment]:
     """Yield the parts of flat polygons outside the two-dimensional part."""
-    rows = sorted({max(p.equalities[0], _opposite(p.equalities[0])) for p in thin})
-    carriers = [[p for p in thin if _Line(row).carries(p)] for row in rows]
+    rows = sorted({max(p.equalities[0], negated(p.equalities[0])) for p in thin})
+    carriers = [[p for p in thin if p.equalities[0] in (row, negated(row))] for row in rows]
     for row, edges, near in zip(rows, carriers, _near(rows, carriers, solid), strict=True):
         line = _Line(row)
         yield from line.segments([line.part(p) for p in edges], [line.part(p) for p in near])
@@ -136,7 +137,7 @@ def _tight(row: IntegerVector, polygon: Polyhedron) -> list[IntegerVector]:
     """Return the homogeneous generators of the part of a polygon in a line at its border."""
     rays, lines = polygon.homogeneous
     found = [x for x in rays if dot(row, x) == 0]
-    return [*found, *(x for y in lines if dot(row, y) == 0 for x in (y, _opposite(y)))]
+    return [*found, *(x for y in lines if dot(row, y) == 0 for x in (y, negated(y)))]
 
 
 class _Line:
@@ -156,15 +157,6 @@ class _Line:
         """Return the part of the line in a polygon."""
         return polygon.along_homogeneous((*self.base, self.square), (*self.direction, 0))
 
-    def covers_beyond(self, polygon: Polyhedron) -> bool:
-        """Return whether a polygon is not only on the positive side of the line."""
-        return (*self.normal, self.constant) not in polygon.inequalities
-
-    def carries(self, polygon: Polyhedron) -> bool:
-        """Return whether a flat polygon lies in the line."""
-        row = (*self.normal, self.constant)
-        return polygon.equalities[0] in (row, _opposite(row))
-
     def segments(
         self, edges: Iterable[Interval | None], covered: Iterable[Interval | None]
     ) -> list[Segment]:
@@ -182,10 +174,6 @@ class _Line:
             return None
         pairs = zip(self.base, self.direction, strict=True)
         return tuple((b + parameter * u) / self.square for b, u in pairs)
-
-
-def _opposite(row: IntegerVector) -> IntegerVector:
-    return tuple(-x for x in row)
 
 
 def _point_text(point: RationalVector | None) -> list[str] | None:

@@ -6,7 +6,7 @@ the plane has the forces at zero torque about the origin of the object frame.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
@@ -23,16 +23,14 @@ from arrangement.exact import (
 from arrangement.linear import cross
 from arrangement.polyhedra.intervals import Interval
 from arrangement.polyhedra.polyhedron import Polyhedron
-from arrangement.progress import watched
 from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import Grasp, read_wrench
 from equilibrium.solver.state_system import States
 from equilibrium.verdict import Solver, prepare
 
 from .directions import Sector, counter_clockwise, sectors
-from .images import StateImages
 from .outline import Outline, outline_of
-from .space import Piece, magnitudes_in, maximal_pieces, states_with
+from .space import Piece, images_of, magnitudes_in, maximal_pieces, states_with
 
 FORCES = ((1, 0, 0), (0, 1, 0))
 
@@ -115,14 +113,26 @@ def resisted_region(
     >>> [sector.to_dict()["start"] for sector in region.unlimited]
     [['-1', '0']]
     """
+    solver = prepare(grasp)
+    return region_of(lambda plane: images_of(solver, plane), spans, origin)
+
+
+def region_of(
+    shapes: Callable[[IntegerVector], Iterable[tuple[States, Polyhedron | None]]],
+    spans: Sequence[Iterable[Any]],
+    origin: Iterable[Any],
+) -> Region:
+    """Return what a plane cuts out of polyhedra of wrenches.
+
+    Args:
+        shapes: gives them, with their contact states, for ``(a, b)`` with ``a . w + b = 0`` in the
+            plane.
+    """
     frame = [read_wrench(span) for span in spans]
     start = read_wrench(origin)
-    if len(frame) != 2 or not any(cross(*frame)):
+    if len(frame) != 2 or not any(normal := cross(*frame)):
         raise GraspError("a plane needs two spanning wrenches that are not parallel")
-    plane = _plane(start, *frame)
-    solver = prepare(grasp)
-    images, every = StateImages(solver.grasp), watched(solver.states, "contact states")
-    found = ((states, images.resisted_with(states, plane)) for states in every)
+    found = shapes(primitive((*normal, -dot(normal, start))))
     cuts = ((states, shape.cut(start, frame)) for states, shape in found if shape is not None)
     polygons = [Piece(states, shape) for states, shape in cuts if shape is not None]
     return Region(start, (frame[0], frame[1]), maximal_pieces(polygons))
@@ -149,12 +159,6 @@ def _end_of(polygon: Polyhedron, row: IntegerVector, edge: IntegerVector) -> Rat
     """Return the vertex at which an edge ends."""
     tight = [point for point in polygon.points if dot(row, (*point, 1)) == 0]
     return max(tight, key=lambda point: Fraction(dot(edge, point)))
-
-
-def _plane(origin: RationalVector, one: RationalVector, other: RationalVector) -> IntegerVector:
-    """Return ``(a, b)`` with ``a . w + b = 0`` in the plane."""
-    normal = cross(one, other)
-    return primitive((*normal, -dot(normal, origin)))
 
 
 def _polygon_dict(piece: Piece) -> dict[str, Any]:

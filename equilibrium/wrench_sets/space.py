@@ -5,12 +5,12 @@ It is the union, over all contact states, of what `StateImages.resisted_with` re
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
 
-from arrangement.exact import RationalVector
+from arrangement.exact import IntegerVector, RationalVector
 from arrangement.polyhedra.intervals import Interval, intersection, union
 from arrangement.polyhedra.polyhedron import Polyhedron
 from arrangement.polyhedra.separation import surely_outside
@@ -76,10 +76,17 @@ def resisted_set(grasp: Grasp | Solver) -> ResistedSet:
     (True, False)
     """
     solver = prepare(grasp)
-    images, every = StateImages(solver.grasp), watched(solver.states, "contact states")
-    found = ((states, images.resisted_with(states)) for states in every)
-    pieces = [Piece(states, shape) for states, shape in found if shape is not None]
+    pieces = [Piece(states, shape) for states, shape in images_of(solver) if shape is not None]
     return ResistedSet(solver.grasp, maximal_pieces(pieces))
+
+
+def images_of(
+    solver: Solver, plane: IntegerVector | None = None
+) -> Iterator[tuple[States, Polyhedron | None]]:
+    """Yield all contact states with `StateImages.resisted_with`."""
+    images = StateImages(solver.grasp)
+    for states in watched(solver.states, "contact states"):
+        yield states, images.resisted_with(states, plane)
 
 
 def states_with(pieces: Sequence[Piece], point: RationalVector) -> tuple[States, ...]:

@@ -18,6 +18,7 @@ TOPICS: tuple[str, ...] = (
     "equations",
     "directions",
     "methods",
+    "certificates",
 )
 
 

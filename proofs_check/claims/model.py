@@ -6,14 +6,14 @@ import random
 from collections.abc import Iterator, Sequence
 from fractions import Fraction
 from functools import partial
-from itertools import combinations, product
+from itertools import chain, combinations, product
 from math import comb
 
 from arrangement import counts
 from arrangement.linear import determinant
 from equilibrium.model.grasp import Contact, Grasp
 from proofs_check.routes.fourier_motzkin import Row, project
-from proofs_check.statement import Case, Claim, Route, Source, proved
+from proofs_check.statement import Case, Claim, Route, Source, Verdict, proved, sampled
 
 #: Rational unit normals: multiples of 1/5, 1/13 and 1/17, turned and mirrored below.
 _TRIPLES = ((3, 4, 5), (5, 12, 13), (8, 15, 17), (1, 0, 1))
@@ -107,45 +107,69 @@ def _random_grasps(most: int, *preloads: bool, what: str = "the numbers of") -> 
     return proved(over, lambda rng: _grasps(rng, most, preloads))
 
 
+def _choices_of_faces(grasp: Grasp, closed: bool = False) -> set[tuple[int | str, ...]]:
+    """Return the states that faces have: "detached", or "attached" and the slip, of each contact.
+
+    With closed conditions a state goes on to the border of its motions.
+    """
+    m = len(grasp)
+    found: set[tuple[int | str, ...]] = set()
+    for face in grasp.motion_arrangement().faces():
+        options: list[list[tuple[int | str, ...]]] = []
+        for slip, side in zip(face.signs[:m], face.signs[m:], strict=True):
+            slips = (0, 1, -1) if closed and not slip else (slip,)
+            detached: list[tuple[int | str, ...]] = [("detached",)] if side >= 0 else []
+            attached = side < 0 or (closed and not side)
+            options.append(detached + [("attached", s) for s in slips if attached])
+        found |= {tuple(chain.from_iterable(chosen)) for chosen in product(*options)}
+    return found
+
+
 def _states_of_faces(grasp: Grasp) -> int:
     """Different states of the contacts over all faces; the slip of a detached one is no state."""
-    m = len(grasp)
-    found = set()
-    for face in grasp.motion_arrangement().faces():
-        pairs = zip(face.signs[:m], face.signs[m:], strict=True)
-        found.add(tuple("detached" if side >= 0 else slip for slip, side in pairs))
-    return len(found)
+    return len(_choices_of_faces(grasp))
 
 
-def _states_by_elimination(grasp: Grasp) -> int:
-    """Of all 4^m choices of states, those with a motion: strict conditions leave room e > 0."""
-    options: list[tuple[tuple[list[Row], list[Row]], ...]] = []
-    for contact in grasp:
+def _nodes_of_faces(closed: bool, grasp: Grasp) -> int:
+    paths = _choices_of_faces(grasp, closed)
+    return len({path[:k] for path in paths for k in range(len(path) + 1)})
+
+
+def _by_elimination(grasp: Grasp, closed: bool = False) -> tuple[int, int]:
+    """Nodes and ends of the tree of states with a motion: strict conditions leave room e > 0."""
+    room = Fraction(0 if closed else -1)
+
+    def within(row: Row, side: int) -> Row:
+        """Return ``side * row >= e``."""
+        turned = [side * x for x in row]
+        return (*turned[:3], room, turned[-1])
+
+    def grown(i: int, attached: bool, equal: list[Row], rows: list[Row]) -> tuple[int, int]:
+        if not _possible(equal, rows):
+            return 0, 0
+        if i == len(grasp):
+            return 1, 1
+        contact = grasp.contacts[i]
         normal = tuple(contact.stiffness * x for x in contact.normal_wrench)
         gap: Row = (*normal, Fraction(0), -contact.preload)
         slip: Row = (*contact.tangential_wrench, Fraction(0), Fraction(0))
-        attached = _with_room(gap, -1)
-        options.append(
-            (
-                ([], [gap]),
-                ([], [attached, _with_room(slip, 1)]),
-                ([], [attached, _with_room(slip, -1)]),
-                ([slip], [attached]),
-            )
-        )
-    return sum(map(_possible, product(*options)))
+        if attached:
+            ways = [grown(i + 1, False, equal, [*rows, within(slip, s)]) for s in (1, -1)]
+            ways.append(grown(i + 1, False, [*equal, slip], rows))
+        else:
+            ways = [grown(i + 1, False, equal, [*rows, gap])]
+            ways.append(grown(i, True, equal, [*rows, within(gap, -1)]))
+        return 1 + sum(nodes for nodes, _ in ways), sum(ends for _, ends in ways)
+
+    return grown(0, False, [], [])
 
 
-def _with_room(row: Row, side: int) -> Row:
-    """Return ``side * row - e >= 0``."""
-    turned = [side * x for x in row]
-    return (*turned[:3], Fraction(-1), turned[-1])
+def _nodes_by_elimination(closed: bool, grasp: Grasp) -> int:
+    return _by_elimination(grasp, closed)[0]
 
 
-def _possible(chosen: tuple[tuple[list[Row], list[Row]], ...]) -> bool:
+def _possible(equalities: list[Row], inequalities: list[Row]) -> bool:
     """Whether e can be above 0."""
-    equalities = [row for pair in chosen for row in pair[0]]
-    inequalities = [row for pair in chosen for row in pair[1]]
     limit: Row = tuple(map(Fraction, (0, 0, 0, -1, 1)))
     rows = project(equalities, [*inequalities, limit], keep=3)
     return rows is not None and all(row[4] > 0 for row in rows if row[3] < 0)
@@ -153,6 +177,34 @@ def _possible(chosen: tuple[tuple[list[Row], list[Row]], ...]) -> bool:
 
 def _few_states(grasp: Grasp, states: int) -> bool:
     return states <= sum(most_faces(len(grasp), preload=_has_preload(grasp)))
+
+
+def _depth_by_faces(grasp: Grasp) -> int:
+    """Two splits for each contact, times the faces of its 2m planes."""
+    return 2 * len(grasp) * sum(counts.f_vector(grasp.motion_arrangement()))
+
+
+def _equal_contacts(most: int) -> Iterator[Case]:
+    for m in range(1, most + 1):
+        grasp = Grasp([Contact((0, 0), (0, 1), 1)] * m)
+        yield Case(f"m = {m}, all at one point", grasp, grasp.to_dict())
+
+
+def _state_tree(closed: bool) -> partial[Claim]:
+    """What the claims on trees of states share."""
+    return partial(
+        Claim,
+        locator="our theorem, on proofs by states alone",
+        quantity="number of nodes",
+        routes=(
+            Route("beginnings of the states of all faces", partial(_nodes_of_faces, closed)),
+            Route(
+                "Fourier-Motzkin elimination, node by node", partial(_nodes_by_elimination, closed)
+            ),
+        ),
+        judge=lambda grasp, nodes: nodes <= _depth_by_faces(grasp),
+        explain=lambda grasp, nodes: f"{nodes} nodes, depth by faces {_depth_by_faces(grasp)}",
+    )
 
 
 _on_faces = partial(
@@ -206,10 +258,34 @@ CLAIMS = (
         quantity="number of states that some motion has",
         routes=(
             Route("signs of all faces, repeats dropped", _states_of_faces),
-            Route("4^m choices by Fourier-Motzkin elimination", _states_by_elimination),
+            Route(
+                "4^m choices by Fourier-Motzkin elimination",
+                lambda grasp: _by_elimination(grasp)[1],
+            ),
         ),
         judge=_few_states,
         sources=_random_grasps(3, False, True, what="counted on"),
         meaning="Algorithm 2 with detachment is polynomial: quadratic, or cubic with preload.",
+    ),
+    _state_tree(closed=False)(
+        id="state-tree",
+        statement="Attachment and slip of one contact after the other, without the choices that no "
+        "motion has, make a tree with at most depth times faces nodes: depth 2m, faces of the 2m "
+        "planes.",
+        hypotheses=("m >= 1",),
+        sources=_random_grasps(3, False, True, what="counted on"),
+        meaning="States alone make trees of polynomial size, quartic in m at most.",
+    ),
+    _state_tree(closed=True)(
+        id="state-tree-closed",
+        statement="The same bound holds when the conditions of the states are closed, as those of "
+        "certificates are.",
+        hypotheses=("m >= 1",),
+        sources=sampled("1 to 4 equal contacts", lambda _: _equal_contacts(4)),
+        expected=Verdict.REFUTED,
+        search=lambda: _equal_contacts(3),
+        meaning="A motion on a border then has several states. Without preload d = 0 has all 4^m, "
+        "so nothing is dropped. Two contacts make at most 26 nodes, fewer than 4 times 9 faces, "
+        "so three are the fewest on which it fails.",
     ),
 )

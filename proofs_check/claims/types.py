@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Iterator
 from itertools import combinations
 
@@ -51,21 +52,25 @@ def _adjacent(planes: Arrangement) -> Iterator[tuple[Signs, Signs]]:
             yield one, other
 
 
+#: A vertex, an edge and a face of a map, each on the border of the next.
+Flag = tuple[Signs, Edge, int]
+
+
 def _code(graph: DualGraph) -> tuple[int, ...]:
     """Return a text of a 3-connected planar graph: equal exactly for isomorphic ones.
 
-    Such a graph has one embedding in the sphere up to reflection (Whitney). From a directed edge
-    and a sense of turning, vertices are numbered breadth first, and every rotation is written down.
-    The smallest text over all starts at vertices of the rarest kind is the code.
+    Such a graph has one embedding in the sphere up to reflection (Whitney). A flag has three
+    neighbours, each with another vertex, edge or face. From one flag on, flags are numbered breadth
+    first, and the numbers of all neighbours written down. The smallest text over all starts at
+    vertices of the rarest kind is the code.
     """
-    turn = _rotations(graph)
+    flags = _flags(graph)
+    index = {flag: k for k, flag in enumerate(flags)}
+    near = [[index[other] for other in others] for others in flags.values()]
     kinds = {v: _kind(graph, v) for v in graph.vertices}
-    number: dict[tuple[int, ...], int] = {}
-    for kind in kinds.values():
-        number[kind] = number.get(kind, 0) + 1
+    number = Counter(kinds.values())
     rarest = min(number, key=lambda kind: (number[kind], kind))
-    starts = [(v, w) for v, kind in kinds.items() if kind == rarest for w in turn[v]]
-    return min(_walk(turn, v, w, sense) for v, w in starts for sense in (1, -1))
+    return min(_walk(near, k) for (v, _, _), k in index.items() if kinds[v] == rarest)
 
 
 def _kind(graph: DualGraph, vertex: Signs) -> tuple[int, ...]:
@@ -73,66 +78,33 @@ def _kind(graph: DualGraph, vertex: Signs) -> tuple[int, ...]:
     return tuple(sorted(len(f) for f in graph.faces if any(vertex in edge for edge in f)))
 
 
-def _rotations(graph: DualGraph) -> dict[Signs, list[Signs]]:
-    """Return the neighbours of every vertex in their order around it, all in one sense."""
-    left = _left_sides(graph)
-    turns = {}
-    for v in graph.vertices:
-        after = {}
-        for w in graph.neighbours[v]:
-            face = graph.faces[left[v, w]]
-            edges: list[Edge] = [e for e in face if v in e and w not in e]
-            (other,) = edges[0] - {v}
-            after[w] = other
-        order = [min(after)]
-        while after[order[-1]] != order[0]:
-            order.append(after[order[-1]])
-        turns[v] = order
-    return turns
-
-
-def _left_sides(graph: DualGraph) -> dict[tuple[Signs, Signs], int]:
-    """Return the face on the left of every directed edge, for one orientation of the sphere."""
-    faces_of: dict[Edge, list[int]] = {edge: [] for edge in graph.edges}
+def _flags(graph: DualGraph) -> dict[Flag, tuple[Flag, Flag, Flag]]:
+    """Return every flag with its three neighbours."""
+    faces_of: dict[Edge, set[int]] = {edge: set() for edge in graph.edges}
     for k, face in enumerate(graph.faces):
         for edge in face:
-            faces_of[edge].append(k)
-    left: dict[tuple[Signs, Signs], int] = {}
-    first = next(iter(graph.faces[0]))
-    waiting = [(0, tuple(first))]
-    done = set()
-    while waiting:
-        k, (a, b) = waiting.pop()
-        if k in done:
-            continue
-        done.add(k)
-        start = (a, b)
-        while True:
-            left[a, b] = k
-            one, other = faces_of[frozenset((a, b))]
-            waiting.append((other if one == k else one, (b, a)))
-            (c,) = next(e for e in graph.faces[k] if b in e and a not in e) - {b}
-            a, b = b, c
-            if (a, b) == start:
-                break
-    return left
+            faces_of[edge].add(k)
+    found = {}
+    for k, face in enumerate(graph.faces):
+        for edge in face:
+            (next_face,) = faces_of[edge] - {k}
+            for v in edge:
+                (vertex,) = edge - {v}
+                (next_edge,) = (e for e in face if v in e and e != edge)
+                found[v, edge, k] = ((vertex, edge, k), (v, next_edge, k), (v, edge, next_face))
+    return found
 
 
-def _walk(turn: dict[Signs, list[Signs]], v: Signs, w: Signs, sense: int) -> tuple[int, ...]:
-    """Return the code from one start: for every vertex in order the numbers around it."""
-    number = {v: 0}
-    queue = [(v, w)]
+def _walk(near: list[list[int]], start: int) -> tuple[int, ...]:
+    """Return the code from one flag: for every flag in order the numbers of its neighbours."""
+    number, queue = {start: 0}, [start]
     code: list[int] = []
-    for here, first in queue:
-        around = turn[here]
-        at = around.index(first)
-        for k in range(len(around)):
-            there = around[(at + sense * k) % len(around)]
+    for here in queue:
+        for there in near[here]:
             if there not in number:
                 number[there] = len(number)
-                queue.append((there, here))
+                queue.append(there)
             code.append(number[there])
-        code.append(-1)
     return tuple(code)
 
 

@@ -124,8 +124,8 @@ def violations(
     for i, (touch, (normal, tangential)) in enumerate(
         zip(question.touches, forces, strict=True), 1
     ):
-        spring = touch.preload - touch.stiffness * _dot(touch.normal, motion)
-        slip = _dot(touch.tangential, motion)
+        spring = touch.preload - touch.stiffness * dot(touch.normal, motion)
+        slip = dot(touch.tangential, motion)
         if normal != max(Fraction(0), spring):
             broken.append(f"spring of contact {i}")
         if abs(tangential) > touch.friction * normal:
@@ -273,7 +273,8 @@ def united(intervals: Iterable[Interval]) -> tuple[Interval, ...]:
     return tuple(united)
 
 
-def _dot(left: Sequence[Fraction], right: Sequence[Fraction]) -> Fraction:
+def dot(left: Sequence[Fraction], right: Sequence[Fraction]) -> Fraction:
+    """Return the inner product."""
     return sum((a * b for a, b in zip(left, right, strict=True)), Fraction(0))
 
 

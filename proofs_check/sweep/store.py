@@ -10,9 +10,9 @@ from __future__ import annotations
 import json
 import sqlite3
 from collections.abc import Iterator, Mapping
+from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
-from types import TracebackType
 from typing import Any
 
 from proofs_check.errors import SweepError
@@ -50,12 +50,7 @@ class Store:
     def __enter__(self) -> Store:
         return self
 
-    def __exit__(
-        self,
-        kind: type[BaseException] | None,
-        error: BaseException | None,
-        trace: TracebackType | None,
-    ) -> None:
+    def __exit__(self, *_: object) -> None:
         self.close()
 
     def close(self) -> None:
@@ -135,11 +130,7 @@ def create(path: str, plan: Mapping[str, Any], claim: Mapping[str, Any]) -> Stor
     Raises:
         SweepError: the file is no store, belongs to another plan, or cannot be written.
     """
-    try:
-        connection = sqlite3.connect(path, timeout=60, isolation_level=None)
-    except sqlite3.Error as error:
-        raise SweepError(f"cannot open {path}: {error}") from None
-    try:
+    with _opened(path, path) as connection:
         if connection.execute("SELECT count(*) FROM sqlite_master").fetchone()[0]:
             _checked(path, connection)
         connection.execute("PRAGMA journal_mode = WAL")
@@ -147,13 +138,7 @@ def create(path: str, plan: Mapping[str, Any], claim: Mapping[str, Any]) -> Stor
         _fill(connection, plan, claim)
         store = _checked(path, connection)
         _compare_plans(path, store.plan, plan)
-    except sqlite3.Error as error:
-        connection.close()
-        raise SweepError(f"cannot use {path} as a store: {error}") from None
-    except BaseException:
-        connection.close()
-        raise
-    return store
+        return store
 
 
 def read(path: str) -> Store:
@@ -164,16 +149,24 @@ def read(path: str) -> Store:
     """
     if not Path(path).is_file():
         raise SweepError(f"there is no store {path}; proofs-check sweep makes one")
+    with _opened(path, f"{Path(path).resolve().as_uri()}?mode=ro") as connection:
+        return _checked(path, connection)
+
+
+@contextmanager
+def _opened(path: str, place: str) -> Iterator[sqlite3.Connection]:
+    """Connect to a file; close it when what is done with it fails."""
     try:
-        place = f"{Path(path).resolve().as_uri()}?mode=ro"
-        connection = sqlite3.connect(place, timeout=60, isolation_level=None, uri=True)
+        connection = sqlite3.connect(place, timeout=60, isolation_level=None, uri=place != path)
     except sqlite3.Error as error:
         raise SweepError(f"cannot open {path}: {error}") from None
     try:
-        return _checked(path, connection)
-    except sqlite3.Error as error:
+        yield connection
+    except BaseException as error:
         connection.close()
-        raise SweepError(f"cannot read {path} as a store: {error}") from None
+        if isinstance(error, sqlite3.Error):
+            raise SweepError(f"cannot use {path} as a store: {error}") from None
+        raise
 
 
 def _fill(
@@ -193,7 +186,6 @@ def _checked(path: str, connection: sqlite3.Connection) -> Store:
     application = connection.execute("PRAGMA application_id").fetchone()[0]
     layout = connection.execute("PRAGMA user_version").fetchone()[0]
     if application != APPLICATION or layout != LAYOUT:
-        connection.close()
         raise SweepError(
             f"{path} is not a store of a sweep (or of another version); name another file"
         )

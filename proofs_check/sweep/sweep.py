@@ -167,14 +167,12 @@ class Total:
     smallest: dict[str, dict[str, Any]] = field(default_factory=dict)
     environments: list[dict[str, Any]] = field(default_factory=list)
 
-    def number(self, kind: str) -> int:
-        """Return how often an outcome came out."""
-        return sum(row[OUTCOMES.index(kind)] for row in self.counts.values())
-
     @property
     def outcomes(self) -> dict[str, int]:
         """How often each of `OUTCOMES` came out."""
-        return {kind: self.number(kind) for kind in OUTCOMES}
+        return {
+            kind: sum(row[k] for row in self.counts.values()) for k, kind in enumerate(OUTCOMES)
+        }
 
     @property
     def samples(self) -> int:

@@ -1,4 +1,4 @@
-"""The engine for planes in R^3: the same faces as the general engine, and proven witnesses."""
+"""The engine for planes of rank 3: the same faces as the general engine, with exact points."""
 
 from __future__ import annotations
 
@@ -9,9 +9,11 @@ import numpy as np
 import pytest
 from hypothesis import assume, given, settings, strategies as st
 
-from arrangement import Arrangement, InputError
+from arrangement import Arrangement
 from arrangement.counts import f_vector
-from arrangement.enumeration.affine_space import SpaceFaces, predicates, space_faces, witnesses
+from arrangement.enumeration.affine_space import predicates
+from arrangement.enumeration.choose import enumerate_faces
+from arrangement.enumeration.sequence import FaceSequence
 from arrangement.exact import sign
 from arrangement.linear import determinant
 from tests.arrangement.strategies import arrangements
@@ -24,24 +26,28 @@ def rows(signs: np.ndarray) -> list[tuple[int, ...]]:
     return [tuple(row) for row in signs.tolist()]
 
 
-def assert_same_as_the_general_engine(planes: Arrangement) -> SpaceFaces:
-    made = space_faces(planes)
-    for dimension, signs in ((1, made.edges), (2, made.facets), (3, made.regions)):
-        found = rows(made.plane_signs(signs))
+def space_faces(planes: Arrangement) -> FaceSequence:
+    """Return the faces by the engine under test; below rank 3 by the one that is chosen then."""
+    return enumerate_faces(planes, "affine-space" if planes.rank == 3 else None)
+
+
+def assert_same_as_the_general_engine(planes: Arrangement) -> FaceSequence:
+    made, expected = space_faces(planes), enumerate_faces(planes, "any-dimension")
+    for dimension in range(4):
+        found = rows(made.of_dimension(dimension).signs)
         assert len(found) == len(set(found))
-        assert set(found) == {face.signs for face in planes.faces(dimension)}
-    assert made.f_vector == planes.f_vector
-    assert_witnesses(made)
+        assert set(found) == {face.signs for face in expected.of_dimension(dimension)}
+    assert made.f_vector == expected.f_vector
+    assert_points(planes, made)
     return made
 
 
-def assert_witnesses(made: SpaceFaces) -> None:
-    points = made.witnesses()
-    regions = rows(made.plane_signs(made.regions))
-    assert [made.arrangement.signs_at(point) for point in points] == regions
-    for row, point in zip(made.integer_witnesses().tolist(), points, strict=True):
-        assert row[3] > 0
-        assert point == tuple(Fraction(x, row[3]) for x in row[:3])
+def assert_points(planes: Arrangement, made: FaceSequence) -> None:
+    for row, signs, face in zip(made.points.tolist(), rows(made.signs), made, strict=True):
+        assert row[-1] > 0
+        point = tuple(Fraction(x, row[-1]) for x in row[:-1])
+        assert planes.signs_at(point) == planes.signs_at(face.witness) == signs == face.signs
+        assert point == face.witness or planes.is_central
 
 
 @st.composite
@@ -108,10 +114,9 @@ def test_any_float_proposal_leads_to_the_same_faces(planes, seed):
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr("arrangement.enumeration.affine_space.lines._parameters", hostile)
         found = space_faces(planes)
-        for name in ("edges", "facets", "regions"):
-            assert set(rows(getattr(found, name))) == set(rows(getattr(expected, name)))
+        assert set(rows(found.signs)) == set(rows(expected.signs))
         assert found.f_vector == expected.f_vector
-        assert_witnesses(found)
+        assert_points(planes, found)
 
 
 def random_planes(source: Random, count: int, central: int, bound: int) -> Arrangement:
@@ -128,24 +133,32 @@ def test_many_planes_have_the_number_of_faces_of_zaslavsky(count, central, bound
     planes = random_planes(Random(count * bound), count, central, bound)
     made = space_faces(planes)
     assert made.f_vector == f_vector(planes)
-    assert made.f_vector[1:] == (len(made.edges), len(made.facets), len(made.regions))
-    facets = made.facets
+    assert made.f_vector == tuple(len(made.of_dimension(k).signs) for k in range(4))
+    first = [members[0] for members in planes.distinct]
+    facets = made.of_dimension(2).signs[:, first]
     assert ((facets == 0).sum(axis=1) == 1).all()
-    assert (made.regions != 0).all()
+    assert (made.of_dimension(3).signs != 0).all()
 
 
 @settings(max_examples=60, deadline=None)
 @given(arrangements(dimensions=(3, 3), planes=(1, 9)))
 def test_both_sides_of_a_facet_are_regions(planes):
     made = space_faces(planes)
-    regions = set(rows(made.regions))
+    regions, facets = set(rows(made.of_dimension(3).signs)), made.of_dimension(2).signs
     for side in (1, -1):
-        assert set(rows(np.where(made.facets == 0, side, made.facets))) <= regions
+        assert set(rows(np.where(facets == 0, side * np.array(planes.orientation), facets))) <= (
+            regions
+        )
 
 
-@pytest.mark.parametrize("bound", [6, 2**80])
-def test_every_witness_of_many_regions_lies_in_its_region(bound):
-    assert_witnesses(space_faces(random_planes(Random(bound), 18, 9, bound)))
+@pytest.mark.parametrize("bound", [6, 2**18, 2**19, 2**80])
+def test_every_point_of_many_faces_lies_in_its_face(bound):
+    """Up to 48 B^3 < 2^63 sums stay in int64; beyond, they are Python integers."""
+    planes = random_planes(Random(bound), 18, 9, bound)
+    made = space_faces(planes)
+    assert_points(planes, made)
+    largest = max(abs(x) for plane in planes.integer_planes for x in plane)
+    assert (made.points.dtype == np.int64) == (48 * largest**3 < 2**63)
 
 
 GRID = Arrangement(
@@ -197,20 +210,16 @@ def hair_apart(exponent: int) -> Arrangement:
 
 def test_integers_decide_what_floats_cannot(exact_work, monkeypatch):
     """Planes 10^-30 apart have equal floats; counting shows that the exact paths are taken."""
-    sorted_again, exact_points = [], []
-    exact_order, exact_point = predicates.PlaneTable.exact_parameters, witnesses.exact_point
+    sorted_again = []
+    exact_order = predicates.PlaneTable.exact_parameters
     monkeypatch.setattr(
         predicates.PlaneTable,
         "exact_parameters",
         lambda *args: sorted_again.append(1) or exact_order(*args),
     )
-    monkeypatch.setattr(
-        witnesses, "exact_point", lambda *args: exact_points.append(1) or exact_point(*args)
-    )
     assert_same_as_the_general_engine(hair_apart(30))
     assert sum(exact_work) > 100
     assert sorted_again
-    assert exact_points
 
 
 def test_no_integers_are_needed_for_planes_through_the_origin_and_generic_ones(exact_work):
@@ -230,7 +239,7 @@ def test_entries_that_no_float_can_hold_are_decided_by_integers():
         [1, far, 0, 0, far**2, -far],
     )
     made = assert_same_as_the_general_engine(planes)
-    assert made.integer_witnesses().dtype == object
+    assert made.points.dtype == object
 
 
 def test_different_rows_with_one_key_stay_different(monkeypatch):
@@ -238,31 +247,22 @@ def test_different_rows_with_one_key_stay_different(monkeypatch):
     planes = random_planes(Random(3), 66, 66, 40)
     expected = space_faces(planes)
     monkeypatch.setattr(
-        "arrangement.enumeration.affine_space.packing._keys", lambda rows: rows[:, 0] & np.uint64(7)
+        "arrangement.enumeration.packing._keys", lambda rows: rows[:, 0] & np.uint64(7)
     )
     found = space_faces(planes)
     assert found.f_vector == expected.f_vector == f_vector(planes)
-    assert set(rows(found.regions)) == set(rows(expected.regions))
-    assert set(rows(found.facets)) == set(rows(expected.facets))
+    assert set(rows(found.signs)) == set(rows(expected.signs))
 
 
 def test_arrays_are_read_only_and_equal_input_gives_equal_output():
     made, again = space_faces(GRID), space_faces(GRID)
-    for name in ("edges", "facets", "regions"):
+    assert made.signs.dtype == np.int8
+    for name in ("signs", "points"):
         array = getattr(made, name)
-        assert array.dtype == np.int8
         assert np.array_equal(array, getattr(again, name))
         with pytest.raises(ValueError, match="read-only"):
             array[0, 0] = 1
-    with pytest.raises(ValueError, match="read-only"):
-        made.integer_witnesses()[0, 0] = 1
-    assert made.witnesses() == again.witnesses()
-
-
-@pytest.mark.parametrize("dimension", [1, 2, 4])
-def test_other_dimensions_are_refused(dimension):
-    with pytest.raises(InputError, match=rf"R\^{dimension}"):
-        space_faces(Arrangement([], dimension=dimension))
+    assert tuple(made) == tuple(again)
 
 
 @settings(max_examples=50, deadline=None)

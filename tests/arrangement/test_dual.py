@@ -2,30 +2,26 @@
 
 from __future__ import annotations
 
-import sys
 from collections import Counter
 from dataclasses import replace
 from fractions import Fraction
 from itertools import product
 from typing import Any
 
-import networkx as nx
 import numpy as np
 import pytest
 from hypothesis import assume, given, settings, strategies as st
 
-from arrangement import Arrangement, ArrangementError, InputError, MissingExtraError, counts
+from arrangement import Arrangement, ArrangementError, InputError, counts
 from arrangement.polyhedra.dual import (
     DualPolyhedron,
     dual_polygon,
     dual_polyhedron,
     dual_segment,
     dual_zonotope,
-    faces_by_embedding,
-    faces_by_minimum_cycle_basis,
-    same_faces,
 )
 
+from .graph_faces import faces_by_embedding, faces_by_minimum_cycle_basis, same_faces
 from .strategies import arrangements
 
 SQUARE_AXES = [[1, 0, 0], [0, 1, 0], [0, 0, 1]]
@@ -118,11 +114,10 @@ def test_three_routes_give_the_same_faces(planes: Arrangement) -> None:
         assert same_faces(dual.faces, faces_by_minimum_cycle_basis(graph))
 
 
-def test_minimum_cycle_bases_of_networkx_and_igraph_give_all_faces() -> None:
-    pytest.importorskip("igraph")
+def test_minimum_cycle_bases_give_all_faces() -> None:
     for normals, _, _ in KNOWN.values():
         dual = dual_polyhedron(Arrangement(normals))
-        found = faces_by_minimum_cycle_basis(dual.graph(), "igraph")
+        found = faces_by_minimum_cycle_basis(dual.graph())
         assert len(found) == len(dual.faces)
         assert same_faces(dual.faces, found)
 
@@ -131,18 +126,6 @@ def test_same_faces_sees_a_changed_cycle() -> None:
     assert same_faces([(0, 1, 2, 3)], [(2, 1, 0, 3)])
     assert not same_faces([(0, 1, 2, 3)], [(0, 2, 1, 3)])
     assert not same_faces([(0, 1, 2), (0, 1, 2)], [(0, 1, 2)])
-
-
-def test_without_igraph_the_error_names_the_extra(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setitem(sys.modules, "igraph", None)
-    graph = dual_polyhedron(Arrangement(SQUARE_AXES)).graph()
-    with pytest.raises(MissingExtraError, match=r"slipstates\[igraph\]"):
-        faces_by_minimum_cycle_basis(graph, "igraph")
-
-
-def test_the_cycle_basis_of_a_tree_is_refused() -> None:
-    with pytest.raises(ArrangementError, match="no single cycle"):
-        faces_by_minimum_cycle_basis(nx.Graph([(0, 1), (1, 2)]))
 
 
 @settings(max_examples=25, deadline=None)

@@ -8,7 +8,9 @@ from pathlib import Path
 import pytest
 
 from arrangement.cli import main as arrangement_main
+from equilibrium import solve
 from equilibrium.cli.program import main
+from equilibrium.inputs.random import random_grasp
 
 from .test_resistance import hard
 
@@ -37,6 +39,23 @@ def test_unstable_verdict_in_json(capsys):
     assert (code, err) == (1, "")
     document = json.loads(out)
     assert (document["stable"], document["equilibria"]) == (False, [])
+
+
+def test_of_many_contacts_all_equilibria_are_listed_only_when_asked_for(capsys, tmp_path: Path):
+    path = tmp_path / "grasp.json"
+    for contacts, complete in ((20, True), (21, False)):
+        grasp = random_grasp(contacts, seed=0)
+        path.write_text(json.dumps(grasp.to_dict()))
+        asked = ("solve", str(path), "--wrench", "1", "1/2", "0")
+        few, every = (json.loads(call(capsys, *asked, *x, "--json")[1]) for x in ((), ("--all",)))
+        assert ("complete" not in few, "complete" not in every) == (complete, True)
+        (found,) = few["equilibria"]
+        pieces = solve(grasp, (1, "1/2", 0)).equilibria
+        assert any(piece.contains(found["motion"], found["forces"]) for piece in pieces)
+        assert len(every["equilibria"]) == len(pieces)
+        text = call(capsys, *asked)[1]
+        assert ("--all" in text.splitlines()[0]) is not complete
+        assert text.count("contact ") == contacts
 
 
 def test_preload_option_is_the_preloaded_instance(capsys):

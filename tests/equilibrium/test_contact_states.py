@@ -5,10 +5,9 @@ from __future__ import annotations
 import pytest
 from hypothesis import given, settings
 
-from equilibrium import Grasp, contact_states, read_grasp
+from equilibrium import Grasp, Solver, contact_states, read_grasp
 from equilibrium.inputs.random import random_grasp
 from equilibrium.solver.contact_states import states_at
-from equilibrium.solver.prepared import PreparedGrasp
 
 from . import oracle
 from .awkward import question
@@ -62,7 +61,7 @@ def test_states_are_few_and_distinct():
 
 def test_no_contact_has_the_one_empty_choice():
     assert contact_states(Grasp()) == ((),)
-    assert PreparedGrasp(Grasp()).codes.shape == (1, 0)
+    assert Solver(Grasp()).screen.codes.shape == (1, 0)
 
 
 def test_all_stick_is_among_the_states_of_a_preloaded_grasp():

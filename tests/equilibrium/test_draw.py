@@ -25,6 +25,7 @@ from equilibrium.draw import (
     draw_grasp,
     draw_methods,
     draw_polar,
+    draw_proof,
     draw_resist,
     draw_slice,
     write_drawing,
@@ -191,6 +192,9 @@ def figures() -> Iterable[tuple[str, Figure]]:
     yield "polar", draw_polar(loaded, directions=36)
     yield "compare", draw_compare(loaded, wrench=(0, 1, 0))
     yield "methods", draw_methods(loaded, wrenches=[(0, k, "-1/2") for k in range(6)])
+    yield "proof", draw_proof(THREE, wrench=(0, 1, 0))
+    yield "proof preloaded", draw_proof(loaded, wrench=(1, "11/10", 0))
+    yield "proof four", draw_proof(FOUR, wrench=(0, 1, 0), width=150.0)
     yield "compare narrow", draw_compare(FOUR, methods=["complete", "weak"], width=88.0)
 
 
@@ -311,6 +315,7 @@ def test_files_repeat_byte_for_byte(view: str, suffix: str, tmp_path: Path) -> N
     for name in "ab":
         loads = [(0, 1, 0), (0, -1, 0)]
         options: dict[str, Any] = {"wrenches": loads} if view == "methods" else {}
+        options |= {"wrench": loads[0]} if view == "proof" else {}
         write_drawing(THREE, tmp_path / f"{name}{suffix}", view, **options)
     assert (tmp_path / f"a{suffix}").read_bytes() == (tmp_path / f"b{suffix}").read_bytes()
     assert len(list(tmp_path.iterdir())) == 2
@@ -332,6 +337,9 @@ BAD = [
     ["--view", "methods"],
     ["--view", "resist", "--wrench", "0", "1", "0", "--wrench", "0", "2", "0"],
     ["--view", "methods", "--wrench", "0", "1", "0", "--extent", "1"],
+    ["--view", "proof"],
+    ["--view", "proof", "--wrench", "0", "-1", "0"],
+    ["--view", "proof", "--wrench", "0", "1", "0", "--turn", "0"],
 ]
 
 
@@ -358,7 +366,7 @@ def test_missing_library_names_the_extra(
     monkeypatch.setitem(sys.modules, "matplotlib", None)
     for view in DRAWINGS.views:
         target = str(tmp_path / "a.svg")
-        wrench = ["--wrench", "0", "1", "0"] if view == "methods" else []
+        wrench = ["--wrench", "0", "1", "0"] if view in ("methods", "proof") else []
         assert main(["draw", "paper-three-contacts", "-o", target, "--view", view, *wrench]) == 2
         assert "slipstates[figures]" in capsys.readouterr().err
     assert list(tmp_path.iterdir()) == []

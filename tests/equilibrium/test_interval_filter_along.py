@@ -9,11 +9,10 @@ import numpy as np
 import pytest
 from hypothesis import given, settings, strategies as st
 
-from equilibrium import Contact, Grasp, contact_states
+from equilibrium import Contact, Grasp, Solver, contact_states
 from equilibrium.inputs.random import random_grasp, random_wrench
 from equilibrium.solver.contact_states import states_of_code
 from equilibrium.solver.interval_filter import Screen
-from equilibrium.solver.prepared import PreparedGrasp
 from equilibrium.wrench_sets.line import _interval, resisted_magnitudes
 
 from .awkward import question
@@ -27,11 +26,10 @@ W = (Fraction(1), Fraction(-1, 2), Fraction(1, 3))
 
 def assert_nothing_lost(grasp: Grasp, base: tuple, direction: tuple) -> int:
     """Check each choice ruled out by exact elimination; return how many there are."""
-    solver = PreparedGrasp(grasp)
-    screen = solver.screen
-    possible = screen.possible_along(base, direction)
+    screen = Solver(grasp).screen
+    possible = screen.possible(base, direction)
     for row in screen.codes[~possible].tolist():
-        assert _interval(solver, states_of_code(row), base, direction) in (None, (0, 0))
+        assert _interval(grasp, states_of_code(row), base, direction) in (None, (0, 0))
     return int((~possible).sum())
 
 
@@ -75,7 +73,7 @@ def test_the_intervals_are_the_same_without_the_screen(grasp, base, direction):
     found = resisted_magnitudes(grasp, direction, base).intervals
     with pytest.MonkeyPatch.context() as patch:
         everything = np.ones(len(contact_states(grasp)), dtype=bool)
-        patch.setattr(Screen, "possible_along", lambda *_: everything)
+        patch.setattr(Screen, "possible", lambda *_: everything)
         assert resisted_magnitudes(grasp, direction, base).intervals == found
 
 
@@ -88,14 +86,14 @@ def test_most_choices_are_ruled_out():
 @pytest.mark.parametrize("power", [-40, 40, 400])
 def test_numbers_that_floats_should_not_see_rule_nothing_out(power):
     scale = Fraction(10) ** power
-    assert PreparedGrasp(random_grasp(3, seed=1)).screen.possible_along(ZERO, (scale, *W[1:])).all()
+    assert Solver(random_grasp(3, seed=1)).screen.possible(ZERO, (scale, *W[1:])).all()
     c = random_grasp(1, seed=1).contacts[0]
     stiff = Grasp([replace(c, stiffness=c.stiffness * scale, preload=0)] * 2)
-    assert PreparedGrasp(stiff).screen.possible_along(ZERO, W).all()
+    assert Solver(stiff).screen.possible(ZERO, W).all()
 
 
 def test_without_contacts_nothing_is_ruled_out():
-    assert PreparedGrasp(Grasp()).screen.possible_along(ZERO, W).all()
+    assert Solver(Grasp()).screen.possible(ZERO, W).all()
 
 
 @settings(max_examples=20, deadline=None)

@@ -6,13 +6,15 @@ from pkgutil import iter_modules
 
 import pytest
 
-from equilibrium import methods
+from equilibrium import methods, solve, solve_literal
 from equilibrium.cli.program import main
 from equilibrium.io.files import read_grasp
 from equilibrium.methods.compare import ask, compare
+from equilibrium.methods.frictionless_slip import frictionless_slip
 from equilibrium.methods.method import Method
 from equilibrium.methods.registry import DECIDING, METHODS
 from equilibrium.methods.survey import OTHERS, shrunk, size, smallest_examples, survey
+from equilibrium.wrench_sets.margin import margin
 
 
 @pytest.mark.parametrize(
@@ -38,6 +40,24 @@ def test_rows_of_the_papers_tables(name, preload, wrench, stable, disagreeing):
     assert set(found.disagreeing) - {"printed"} == disagreeing - {"printed"}
     assert found["form-closure"].accepts is None
     assert [answer.method for answer in found.answers] == list(DECIDING)
+
+
+@pytest.mark.parametrize(("wrench", "yes"), [((0, -1, 0), True), ((0, 1, 0), False)])
+def test_a_result_is_true_exactly_when_it_says_yes(wrench, yes):
+    grasp = read_grasp("paper-three-contacts")
+    compared = compare(grasp, wrench)
+    for found in (
+        solve(grasp, wrench),
+        solve_literal(grasp, wrench, ["single-solution"]),
+        margin(grasp, wrench),
+        frictionless_slip(grasp, wrench),
+        compared,
+        compared["complete"],
+    ):
+        assert bool(found) is yes
+    for answer in compared.answers:
+        assert bool(answer) is (answer.accepts is True)
+    assert compared["form-closure"].accepts is None
 
 
 def test_every_file_of_a_method_is_in_the_table():

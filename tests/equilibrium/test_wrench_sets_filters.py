@@ -6,16 +6,17 @@ import numpy as np
 import pytest
 from hypothesis import given, settings, strategies as st
 
-from arrangement.exact import dot
+from arrangement.exact import dot, primitive
+from arrangement.linear import cross
 from arrangement.polyhedra.cones import generators
 from arrangement.polyhedra.polyhedron import from_conditions
 from arrangement.polyhedra.separation import possibly_meeting, sides, surely_outside
 from equilibrium.inputs.random import random_grasp
-from equilibrium.solver.prepared import contact_states
+from equilibrium.solver.contact_states import contact_states
 from equilibrium.wrench_sets import outline, space
 from equilibrium.wrench_sets.images import StateImages
 from equilibrium.wrench_sets.outline import outline_of
-from equilibrium.wrench_sets.plane import FORCES, _plane, resisted_region
+from equilibrium.wrench_sets.plane import FORCES, resisted_region
 from equilibrium.wrench_sets.space import resisted_set
 
 from .wrench_sets_strategies import grasps, wrenches
@@ -35,7 +36,8 @@ frames = st.sampled_from(
 def test_a_plane_cuts_every_state_as_if_all_its_wrenches_were_there(grasp, spans, origin):
     spans = [tuple(map(Fraction, span)) for span in spans]
     origin = tuple(map(Fraction, origin))
-    plane = _plane(origin, *spans)
+    normal = cross(*spans)
+    plane = primitive((*normal, -dot(normal, origin)))
     images = StateImages(grasp)
     for states in contact_states(grasp):
         whole, reaching = images.resisted_with(states), images.resisted_with(states, plane)

@@ -61,12 +61,12 @@ def test_states_are_counted_alike_by_faces_and_by_elimination(
     seed: int, m: int, preload: bool
 ) -> None:
     grasp = model._random_grasp(Random(seed), m, preload=preload)
-    assert model._states_of_faces(grasp) == model._states_by_elimination(grasp)
+    assert model._states_of_faces(grasp) == model._by_elimination(grasp)[1]
 
 
 def test_one_contact_has_four_states() -> None:
     grasp = Grasp([Contact((0, 0), (0, 1), 1, 1, 1)])
-    assert model._states_by_elimination(grasp) == 4
+    assert model._by_elimination(grasp) == (6, 4)
 
 
 def test_the_grasps_of_the_paper_are_not_in_general_position() -> None:

@@ -107,8 +107,8 @@ def test_the_counts_are_those_of_the_instances_one_by_one(tmp_path: Path) -> Non
         sums = total(opened.chunks())
     # The statement: at most m^2 regions. It fails for one plane, which has two.
     planes = [instance(plan, k) for k in range(40)]
-    assert sums.number("fails") == 0
-    assert sums.number("excused") == sum(p.f_vector[3] > len(p) ** 2 for p in planes) == 10
+    assert sums.outcomes["fails"] == 0
+    assert sums.outcomes["excused"] == sum(p.f_vector[3] > len(p) ** 2 for p in planes) == 10
     assert sums.samples == 40
     assert len(sums.smallest["excused"]["instance"]["planes"]) == 1
 
@@ -119,7 +119,7 @@ def test_every_claim_that_can_be_swept_gives_values_on_random_instances(id: str)
     low = max(chosen.domain.least, 2 if chosen.domain.unit == "contacts" else 3)
     plan = plan_sweep(id, (low, low + (chosen.domain.unit == "planes")), 6, 1, 6)
     sums = total([run_chunk(plan, 0)])
-    assert sums.number("broken") == 0
+    assert sums.outcomes["broken"] == 0
     found = verdict_from(sums.outcomes)
     assert sweepreport.consistent(found, registry()[id].expected)
 
@@ -173,7 +173,7 @@ def test_a_worker_that_dies_takes_nothing_with_it(tmp_path: Path) -> None:
     sweep(plan, str(tmp_path / "s.sqlite"), jobs=2)
     assert (tmp_path / "mine.mark").exists()
     with store.read(str(tmp_path / "s.sqlite")) as opened:
-        assert total(opened.chunks()).number("holds") == 24
+        assert total(opened.chunks()).outcomes["holds"] == 24
 
 
 def test_workers_that_always_die_end_the_sweep_with_a_message(

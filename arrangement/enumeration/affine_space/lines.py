@@ -8,16 +8,16 @@ proposal fails is sorted again by exact rational parameters.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 from fractions import Fraction
 
 import numpy as np
 
+from arrangement.enumeration.packing import Bits, Words, pack, unit_words
 from arrangement.errors import ArrangementError
 from arrangement.float_filter import Floats, Signs
 from arrangement.progress import watched
 
-from .packing import Bits, Words, pack, unit_words
 from .predicates import Indices, PlaneTable
 
 #: Pairs (line, plane) handled at once: temporary arrays stay in the cache.
@@ -35,8 +35,6 @@ class Lines:
             direction ``n_first x n_second``.
         words: (E, W); the classes with sign +.
         upper: (E); a class that crosses at the upper end, or -1 for the last segment.
-        single: (E); whether just three classes meet at the upper end: the two of the line and one.
-        parameter: (E); where, roughly: ``t`` in the floats of the `PlaneTable`.
     """
 
     first: Indices
@@ -45,8 +43,6 @@ class Lines:
     line: Indices
     words: Words
     upper: Indices
-    single: Bits
-    parameter: Floats
 
 
 def trace_lines(table: PlaneTable) -> Lines:
@@ -59,16 +55,10 @@ def trace_lines(table: PlaneTable) -> Lines:
     starts = watched(range(0, len(i), step), "blocks of lines")
     parts = [_block(table, i[s : s + step], j[s : s + step]) for s in starts]
     offsets = np.cumsum([0] + [len(part.first) for part in parts])
-    return Lines(
-        np.concatenate([part.first for part in parts]),
-        np.concatenate([part.second for part in parts]),
-        np.concatenate([part.through for part in parts]),
-        np.concatenate([part.line + start for part, start in zip(parts, offsets, strict=False)]),
-        np.concatenate([part.words for part in parts]),
-        np.concatenate([part.upper for part in parts]),
-        np.concatenate([part.single for part in parts]),
-        np.concatenate([part.parameter for part in parts]),
-    )
+    for part, start in zip(parts, offsets, strict=False):
+        np.add(part.line, start, out=part.line)
+    columns = zip(*([getattr(part, f.name) for f in fields(Lines)] for part in parts), strict=True)
+    return Lines(*map(np.concatenate, columns))
 
 
 def _block(table: PlaneTable, i: Indices, j: Indices) -> Lines:
@@ -83,25 +73,24 @@ def _block(table: PlaneTable, i: Indices, j: Indices) -> Lines:
     smaller = np.arange(len(table)) < j[:, None]
     keep = np.nonzero((through & smaller).sum(axis=1) == 1)[0]
     i, j, triple, through = i[keep], j[keep], triple[keep], through[keep]
-    parameters = _parameters(table, i, j, triple, slopes[keep])
-    order, tied = _order(table, i, j, triple, parameters)
-    return _segments(i, j, triple, sides[keep], through, order, tied, parameters)
+    order, tied = _order(table, i, j, triple, _parameters(table, i, j, triple, slopes[keep]))
+    return _segments(i, j, triple, sides[keep], through, order, tied)
 
 
-def points_on_lines(table: PlaneTable, i: Indices, j: Indices) -> tuple[Floats, Floats]:
-    """Return, roughly, the point of each line nearest to the origin, and its direction D."""
+def _points_on_lines(table: PlaneTable, i: Indices, j: Indices) -> Floats:
+    """Return, roughly, the point of each line nearest to the origin."""
     direction = table.minors[i, j, :3]
     left, right = table.floats[i], table.floats[j]
     sums = left[:, 3:] * np.cross(right[:, :3], direction)
     sums += right[:, 3:] * np.cross(direction, left[:, :3])
     with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
         points: Floats = sums / (direction**2).sum(axis=1, keepdims=True)
-    return np.nan_to_num(points, copy=False), direction
+    return np.nan_to_num(points, copy=False)
 
 
 def _parameters(table: PlaneTable, i: Indices, j: Indices, triple: Signs, slopes: Floats) -> Floats:
     """Return the float parameters of the crossings; infinity where there is none."""
-    points, _ = points_on_lines(table, i, j)
+    points = _points_on_lines(table, i, j)
     heights = table.floats[:, 3] - points @ table.floats[:, :3].T
     with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
         parameters = np.nan_to_num(heights / slopes, copy=False)
@@ -161,7 +150,6 @@ def _segments(
     through: Bits,
     order: Indices,
     tied: Bits,
-    parameters: Floats,
 ) -> Lines:
     """Cut lines at their crossings: sign vectors are running XORs of single bits.
 
@@ -181,8 +169,5 @@ def _segments(
     starts[:, 1:-1] &= ~tied[:, 1:]
     line, place = np.nonzero(starts)
     last = np.append(line[1:] != line[:-1], True)
-    upper = order[line, np.minimum(place, classes - 1)]
-    parameter = parameters[line, upper]
-    upper[last], parameter[last] = -1, np.nan
-    single = (np.append(place[1:], 0) - place == 1) & (through.sum(axis=1) == 2)[line]
-    return Lines(i, j, through, line, states[line, place], upper, single, parameter)
+    upper = np.where(last, -1, order[line, np.minimum(place, classes - 1)])
+    return Lines(i, j, through, line, states[line, place], upper)

@@ -6,11 +6,9 @@ the zonotope ``sum_i [-g_i, g_i]``, whose vertex for the region of sign vector s
 ``sum_i s_i g_i`` ([Ziegler1995], section 7.3). So it is convex by construction.
 
 Rooms: `generators`, `polyhedron` (rank 3), `flat` (ranks 2 and 1), `incidence` (what the enumerator
-hands over), `validate` (the exact check), `crosscheck` (faces found in two other ways), `mesh`
-(trimesh, files).
+hands over), `validate` (the exact check), `mesh` (trimesh, files).
 """
 
-from .crosscheck import faces_by_embedding, faces_by_minimum_cycle_basis, same_faces
 from .flat import DualPolygon, DualSegment, dual_polygon, dual_segment
 from .polyhedron import DualPolyhedron, dual_polyhedron, dual_zonotope
 
@@ -22,7 +20,4 @@ __all__ = [
     "dual_polyhedron",
     "dual_segment",
     "dual_zonotope",
-    "faces_by_embedding",
-    "faces_by_minimum_cycle_basis",
-    "same_faces",
 ]

@@ -24,13 +24,7 @@ from .certificates import (
 )
 from .hull import RepresentativeHull, SphereHull, representative_hull, sphere_hull
 from .points import sphere_points
-from .report import (
-    Inscribability,
-    InscribabilityRow,
-    inscribability,
-    inscribability_table,
-    small_arrangements,
-)
+from .report import Inscribability, inscribability
 from .search import decide
 from .zonotope import InscribedZonotope, inscribed_zonotope
 
@@ -38,7 +32,6 @@ __all__ = [
     "FarkasCertificate",
     "IndependentSetCertificate",
     "Inscribability",
-    "InscribabilityRow",
     "InscribedZonotope",
     "PolyhedralGraph",
     "RepresentativeHull",
@@ -46,10 +39,8 @@ __all__ = [
     "WeightCertificate",
     "decide",
     "inscribability",
-    "inscribability_table",
     "inscribed_zonotope",
     "representative_hull",
-    "small_arrangements",
     "sphere_hull",
     "sphere_points",
 ]

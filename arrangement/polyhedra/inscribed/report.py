@@ -1,8 +1,7 @@
-"""Inscribability of the dual of an arrangement, with evidence, and a table of small cases."""
+"""Inscribability of the dual of an arrangement, with evidence."""
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 
 from arrangement.counts import region_count
@@ -86,62 +85,3 @@ def inscribability(arrangement: Planes | DualPolyhedron) -> Inscribability:
     dual = arrangement if isinstance(arrangement, DualPolyhedron) else dual_polyhedron(arrangement)
     graph = PolyhedralGraph.of(len(dual.signs), dual.edges.tolist())
     return Inscribability(dual.arrangement, sphere_points(dual), decide(graph))
-
-
-@dataclass(frozen=True, slots=True)
-class InscribabilityRow:
-    """One line of the table: counts of the dual, and the answer with the kind of its proof."""
-
-    name: str
-    planes: int
-    vertices: int
-    edges: int
-    simple: bool
-    simplicial: bool
-    inscribable: bool
-    proof: str
-
-
-def inscribability_table(arrangements: Mapping[str, Planes]) -> tuple[InscribabilityRow, ...]:
-    """Return a row for each named arrangement; every certificate has been verified.
-
-    An arrangement is simplicial if every region has three facets: ``2 E = 3 V``.
-    """
-    rows = []
-    for name, arrangement in arrangements.items():
-        dual = dual_polyhedron(arrangement)
-        answer = inscribability(dual)
-        answer.verify()
-        v, e, _ = dual.f_vector
-        rows.append(
-            InscribabilityRow(
-                name,
-                len(arrangement.distinct),
-                v,
-                e,
-                e == 2 * v - 4,
-                2 * e == 3 * v,
-                answer.inscribable,
-                answer.certificate.kind,
-            )
-        )
-    return tuple(rows)
-
-
-def small_arrangements(planes: Iterable[int] = range(3, 9)) -> dict[str, Planes]:
-    """Return generic and simplicial arrangements by name, by number of planes.
-
-    Generic: the planes of the moment curve. (From 6 planes on there are further simple types.)
-    Simplicial: near-pencils and the rational entries of Gruenbaum's catalogue.
-    """
-    from arrangement.library.families import generic, near_pencil, simplicial, simplicial_entries
-
-    found: dict[str, Planes] = {}
-    for m in planes:
-        found[f"generic {m}"] = generic(m)
-        if m > 3:
-            found[f"near-pencil {m}"] = near_pencil(m)
-        for size, number in simplicial_entries():
-            if size == m:
-                found[f"A({size},{number})"] = simplicial(size, number)
-    return found

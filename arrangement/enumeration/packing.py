@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Any, TypeAlias
+from typing import TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
@@ -41,7 +41,13 @@ def unit_words(classes: int) -> Words:
 
 
 def distinct_rows(rows: Words) -> NDArray[np.intp]:
-    """Return the place of one copy of each different row.
+    """Return the place of one copy of each different row."""
+    order, new = grouped(rows)
+    return order[new]
+
+
+def grouped(rows: Words) -> tuple[NDArray[np.intp], Bits]:
+    """Return an order in which equal rows are neighbours, and which of them are new in it.
 
     Rows are sorted by one mixed key. Then rows with equal keys are compared in full; if two
     different ones share a key, all are sorted as they are.
@@ -50,24 +56,11 @@ def distinct_rows(rows: Words) -> NDArray[np.intp]:
     """
     keys = _keys(rows)
     order = np.argsort(keys, kind="stable")
-    new = _changes(rows[order])
-    if rows.shape[1] > 1 and (new & ~_changes(keys[order][:, None])).any():
+    new = _changes(rows, order)
+    if rows.shape[1] > 1 and (new & ~_changes(keys[:, None], order)).any():
         order = np.lexsort(rows.T)
-        new = _changes(rows[order])
-    return order[new]
-
-
-def distinct_labelled(words: Words, label: NDArray[Any], classes: int) -> tuple[Words, Words]:
-    """Return the different pairs of a row of words and a label below `classes`."""
-    label = label.astype(np.uint64)
-    if classes + classes.bit_length() <= 64:
-        shift, low = np.uint64(classes), np.uint64((1 << classes) - 1)
-        joined = np.sort(words[:, 0] | label << shift)
-        joined = joined[_changes(joined[:, None])]
-        return (joined & low)[:, None], joined >> shift
-    rows = np.concatenate([words, label[:, None]], axis=1)
-    first = distinct_rows(rows)
-    return words[first], label[first]
+        new = _changes(rows, order)
+    return order, new
 
 
 def _keys(rows: Words) -> Words:
@@ -79,9 +72,11 @@ def _keys(rows: Words) -> Words:
     return keys
 
 
-def _changes(ordered: Words) -> Bits:
-    """Return which rows differ from the one before; the first one does."""
-    new = np.ones(len(ordered), bool)
-    if len(ordered):
-        np.any(ordered[1:] != ordered[:-1], axis=1, out=new[1:])
+def _changes(rows: Words, order: NDArray[np.intp]) -> Bits:
+    """Return which rows differ from the one before in an order; the first one does."""
+    new = np.zeros(len(rows), bool)
+    new[:1] = True
+    for column in rows.T:
+        ordered = column[order]
+        new[1:] |= ordered[1:] != ordered[:-1]
     return new

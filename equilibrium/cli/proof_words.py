@@ -1,0 +1,63 @@
+"""A short proof that a wrench is not resisted, in words."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING, Any
+
+from arrangement.exact import to_text
+
+from .arguments import vector
+
+if TYPE_CHECKING:
+    from equilibrium.certificate.leaves import Part
+    from equilibrium.verdict import Verdict
+
+#: Longer proofs are only counted.
+_MOST = 3
+
+
+def proof_lines(verdict: Verdict) -> Iterator[str]:
+    """Yield the cases of the proof of a "no" if they are few, else the number of its leaves."""
+    from equilibrium.certificate.leaves import parts, works
+
+    found = list(parts(verdict.certificate.to_dict()))
+    cases = _cases(found)
+    if not 0 < len(cases) <= _MOST:
+        yield f"proof: {len(found)} leaves; --certificate OUT.json writes it"
+        return
+    yield "proof: whatever the contacts do, no forces balance"
+    for where, together in cases.items():
+        done = works(verdict.grasp, verdict.wrench, together)
+        yield (
+            f"  {where}on the virtual motion {vector(together[0].leaf.motion)} the load does work "
+            f"{to_text(done.load)}, the contacts at least {to_text(done.least)}"
+        )
+        for i, factor in enumerate(done.factors, 1):
+            work = (
+                "none" if factor is None else f"at least {to_text(factor)} times its normal force"
+            )
+            yield f"    contact {i}  {work}"
+
+
+def _cases(found: list[Part]) -> dict[str, list[Part]]:
+    """Return the parts by conditions in words; none if they cannot be told in signs and states.
+
+    Orthants with one virtual motion are one case if they fill the part with their common signs.
+    """
+    groups: dict[Any, list[Part]] = {}
+    for part in found:
+        if any(sum(map(abs, g)) > 1 for g in part.region):
+            return {}
+        groups.setdefault((part.leaf.motion, *part.states.items()), []).append(part)
+    cases = {}
+    for (_, *states), together in groups.items():
+        words = []
+        for axis, name in enumerate("xyr", 1):
+            signs = {sum(g[axis] for g in part.region) for part in together} - {0}
+            words += [f"{name} {'>=' if max(signs) > 0 else '<='} 0"] if len(signs) == 1 else []
+        if len(together) != (1 if len(together[0].region) == 7 else 2 ** (3 - len(words))):
+            return {}
+        words += [f"contact {i + 1} {state}" for i, state in states]
+        cases[f"{', '.join(words)}: " if words else ""] = together
+    return cases

@@ -1,0 +1,55 @@
+"""The exact test of leaves says what a second, naive evaluation says, on regions of every size."""
+
+from __future__ import annotations
+
+from fractions import Fraction
+from random import Random
+from typing import Any
+
+import pytest
+
+from equilibrium.solver.integer_contacts import IntegerContacts
+from equilibrium.solver.leaf_test import closed
+from equilibrium.solver.motion_regions import ORTHANTS
+
+from . import judge
+from .awkward import Question, question
+
+Region = tuple[tuple[int, ...], ...]
+
+
+def region(source: Random) -> Region:
+    """Return an orthant, cut at the middle of edges up to eight times."""
+    found: list[tuple[int, ...]] = list(source.choice(ORTHANTS))
+    for _ in range(source.randrange(9)):
+        j, k = source.sample(range(4), 2)
+        found[j] = tuple(a + b for a, b in zip(found[j], found[k], strict=True))
+    return tuple(found)
+
+
+def answers(asked: Question, regions: list[Region], motions: list[list[int]]) -> list[bool]:
+    """Return what the exact test says, after a comparison with the naive one."""
+    wrench = tuple(asked.wrench)
+    found = closed(IntegerContacts(asked.grasp), wrench, regions, motions)
+    for generators, motion, answer in zip(regions, motions, found, strict=True):
+        rows = [[Fraction(x) for x in g] for g in generators]
+        leaf: Any = [str(x) for x in motion]
+        assert answer == judge.leaf_holds(asked.grasp, wrench, leaf, rows, {})
+    return found
+
+
+@pytest.mark.parametrize("size", [1, 3, 10**12])
+def test_the_answer_is_that_of_a_naive_evaluation(size: int) -> None:
+    source = Random(f"leaves {size}")
+    found: list[bool] = []
+    for seed in range(40):
+        asked = question(seed)
+        regions = [region(source) for _ in range(12)]
+        if seed % 2:
+            motions = [[source.randint(-size, size) for _ in range(3)] for _ in regions]
+        else:
+            # Against which the load surely works.
+            along = [round(w * size) for w in asked.wrench]
+            motions = [[x + source.randint(-1, 1) for x in along] for _ in regions]
+        found += answers(asked, regions, motions)
+    assert 10 < sum(found) < len(found) - 10

@@ -1,0 +1,167 @@
+"""Proofs of a "no" for people: their parts cover all motions, and their works are lower bounds."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Sequence
+from fractions import Fraction
+from inspect import unwrap
+from random import Random
+
+import numpy as np
+import pytest
+from hypothesis import given, settings, strategies as st
+
+from arrangement.draw.scene import Path, area
+from arrangement.exact import dot
+from equilibrium import Contact, Grasp, GraspError, Solver, Verdict, check, read_grasp, solve
+from equilibrium.certificate.document import refuted_certificate
+from equilibrium.certificate.leaves import Part, parts, works
+from equilibrium.cli.program import main
+from equilibrium.cli.proof_words import proof_lines
+from equilibrium.draw import draw_proof
+from equilibrium.inputs import random_grasp
+
+from .trees import TooLarge, refutation
+
+THREE = read_grasp("paper-three-contacts")
+
+
+def refuted(seed: int) -> Verdict:
+    """The first of some random questions that is not resisted."""
+    source = Random(seed)
+    while True:
+        grasp = random_grasp(source.choice((1, 2, 3, 5)), source.randrange(10**6))
+        grasp = grasp.with_preload(source.choice((0, 1)))
+        verdict = solve(grasp, [source.randint(-3, 3) for _ in range(3)])
+        if not verdict.stable:
+            return verdict
+
+
+def state(contact: Contact, motion: Sequence[Fraction]) -> tuple[Fraction, str]:
+    """The normal force at a motion, and the side to which the contact slips."""
+    force = contact.preload - contact.stiffness * dot(contact.normal_wrench, motion)
+    slip = dot(contact.tangential_wrench, motion)
+    return max(force, Fraction(0)), "slip+" if slip > 0 else "slip-" if slip < 0 else "stick"
+
+
+def meets(part: Part, grasp: Grasp, motion: Sequence[Fraction]) -> bool:
+    """Whether the states decided in a part are those at a motion off all borders."""
+    for i, wanted in part.states.items():
+        force, way = state(grasp.contacts[i], motion)
+        if (wanted == "detached") != (force == 0) or wanted not in ("detached", "attached", way):
+            return False
+    return True
+
+
+@settings(max_examples=25, deadline=None)
+@given(st.integers(0, 10**6), st.booleans())
+def test_whatever_friction_does_the_contacts_work_at_least_as_said(seed: int, slow: bool) -> None:
+    verdict, source = refuted(seed), Random(seed)
+    grasp, wrench = verdict.grasp, verdict.wrench
+    document = verdict.certificate.to_dict()
+    if slow:
+        try:
+            document = refuted_certificate(grasp, wrench, refutation(grasp, wrench, seed)).to_dict()
+        except TooLarge:
+            return
+    found = list(parts(document))
+    assert len(found) == check(document).leaves
+    for part in found:
+        done = works(grasp, wrench, [part])
+        assert done.load + done.least > 0
+        for _ in range(5):
+            weights = [source.randint(0, 5) for _ in part.region]
+            zero, *point = (dot(weights, column) for column in zip(*part.region, strict=True))
+            motion = [Fraction(x, zero) for x in point] if zero else []
+            if not motion or not meets(part, grasp, motion):
+                continue
+            total = Fraction(0)
+            for contact, factor in zip(grasp, done.factors, strict=True):
+                force, way = state(contact, motion)
+                stick = Fraction(source.randint(-9, 9), 9)
+                share = {"slip+": Fraction(-1), "slip-": Fraction(1), "stick": stick}[way]
+                along, across = (
+                    dot(row, part.leaf.motion)
+                    for row in (contact.normal_wrench, contact.tangential_wrench)
+                )
+                work = force * (along + share * contact.friction * across)
+                assert work >= (force * factor if factor is not None else force)
+                assert factor is not None or force == 0
+                total += work
+            assert total >= done.least
+
+
+def regions(verdict: Verdict, sense: int) -> list[Path]:
+    scene = unwrap(draw_proof)(verdict.grasp, wrench=verdict.wrench)
+    return [x for x in scene.items if isinstance(x, Path) and x.name.startswith(f"{sense}-region")]
+
+
+def assert_filled(verdict: Verdict) -> None:
+    """The regions of each map fill a square, and overlap nowhere."""
+    for sense in (1, 2):
+        found = [x.points for x in regions(verdict, sense)]
+        size = np.ptp(np.concatenate(found), axis=0)
+        assert size[0] == pytest.approx(size[1])
+        assert sum(map(area, found)) == pytest.approx(size[0] * size[1])
+
+
+@settings(max_examples=15, deadline=None)
+@given(st.integers(0, 10**6))
+def test_the_regions_of_each_map_fill_it_once(seed: int) -> None:
+    assert_filled(refuted(seed))
+
+
+def test_a_proof_by_states_is_drawn_and_said_by_their_planes() -> None:
+    aside = {"virtual_motion": ["1", "2", "0"], "multipliers": {"0": ["-2"]}}
+    inner = {"contact": 2, "attachment": {"detached": ["1", "2", "0"], "attached": aside}}
+    tree = {"contact": 0, "attachment": {"detached": ["-1", "2", "0"], "attached": inner}}
+    wrench = (Fraction(0), Fraction(1), Fraction(0))
+    verdict = Verdict(THREE, wrench, None, Solver(THREE), tree)
+    assert verdict.verify()
+    assert "contact 1 attached, contact 3 detached: on the virtual" in "\n".join(
+        proof_lines(verdict)
+    )
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr("equilibrium.draw.proof.solve", lambda *_: verdict)
+        assert_filled(verdict)
+        assert {len(regions(verdict, sense)) for sense in (1, 2)} == {2}
+
+
+def test_without_preload_the_maps_are_those_of_all_sizes_of_motions() -> None:
+    figure = draw_proof(THREE, wrench=(0, 1, 0))
+    assert "motions of every size" in "".join(t.get_text() for t in figure.axes[0].texts)
+
+
+def test_a_resisted_wrench_has_no_proof_to_draw() -> None:
+    with pytest.raises(GraspError, match=r"is resisted.*the view grasp"):
+        draw_proof(THREE, wrench=(0, -1, 0))
+
+
+WORDS = """\
+not stable: no contact state admits an equilibrium
+proof: whatever the contacts do, no forces balance
+  x >= 0: on the virtual motion (-1, 2, 0) the load does work 11/5, the contacts at least -2
+    contact 1  at least -2 times its normal force
+    contact 2  at least 3/2 times its normal force
+    contact 3  at least 0 times its normal force
+  x <= 0: on the virtual motion (1, 2, 0) the load does work 11/5, the contacts at least -2
+    contact 1  at least 0 times its normal force
+    contact 2  at least 3/2 times its normal force
+    contact 3  at least -2 times its normal force
+"""
+
+
+def test_solve_says_a_short_proof_in_words(capsys: pytest.CaptureFixture[str]) -> None:
+    question = ["solve", "paper-three-contacts-preload-1", "--wrench", "0", "11/10", "0"]
+    assert main(question) == 1
+    assert capsys.readouterr().out == WORDS
+    assert main([*question, "--json"]) == 1
+    assert "proof" not in json.loads(capsys.readouterr().out)
+
+
+def test_solve_counts_the_leaves_of_a_longer_proof(capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["solve", "paper-four-contacts", "--wrench", "0", "1", "0"]) == 1
+    report = solve(read_grasp("paper-four-contacts"), (0, 1, 0)).verify()
+    line = f"proof: {report.leaves} leaves; --certificate OUT.json writes it\n"
+    assert capsys.readouterr().out.endswith(line)

@@ -1,0 +1,82 @@
+"""The second route on proofs: it counts leaves, and refuses whatever does not hold."""
+
+from __future__ import annotations
+
+from copy import deepcopy
+from fractions import Fraction
+from typing import Any
+
+import pytest
+
+from equilibrium import solve
+from proofs_check.claims import certificates, registry
+from proofs_check.instances.grasps import grasp_of
+from proofs_check.routes.leaves import leaf_count
+
+QUESTION = certificates._jaws(6, (Fraction(1), Fraction(-5, 2), Fraction(1)))
+
+
+def tree() -> Any:
+    verdict = solve(grasp_of(QUESTION), QUESTION.wrench)
+    assert not verdict.stable
+    return verdict.certificate.to_dict()["tree"]
+
+
+def leaf_places(node: Any) -> list[tuple[list[Any], int]]:
+    """Return every list of children with the place of a leaf in it."""
+    children = node.get("orthants") or node["children"]
+    found: list[tuple[list[Any], int]] = []
+    for place, child in enumerate(children):
+        found += [(children, place)] if isinstance(child, list) else leaf_places(child)
+    return found
+
+
+def test_the_leaves_of_a_proof_are_counted() -> None:
+    found = tree()
+    assert leaf_count(QUESTION, found) == len(leaf_places(found)) == 12
+
+
+def test_a_tree_with_a_wrong_leaf_is_refused() -> None:
+    for number in range(12):
+        changed = deepcopy(tree())
+        children, place = leaf_places(changed)[number]
+        children[place] = [str(-Fraction(x)) for x in children[place]]
+        with pytest.raises(ValueError, match="does not close"):
+            leaf_count(QUESTION, changed)
+
+
+def test_a_resisted_load_has_no_proof() -> None:
+    held = certificates._jaws(6, (Fraction(0), Fraction(1), Fraction(0)))
+    with pytest.raises(ValueError, match="does not close"):
+        leaf_count(held, tree())
+
+
+@pytest.mark.parametrize(
+    "node",
+    [
+        {"contact": 0, "attachment": {"detached": ["0", "1", "0"], "attached": ["0", "1", "0"]}},
+        {"virtual_motion": ["0", "1", "0"], "multipliers": {}},
+        {"edge": [0, 1], "children": [["0", "1", "0"], ["0", "1", "0"]]},
+    ],
+)
+def test_other_nodes_are_refused(node: Any) -> None:
+    with pytest.raises(ValueError, match="regions alone"):
+        leaf_count(QUESTION, node)
+
+
+def test_an_edge_is_cut_between_two_ends() -> None:
+    below = [["0", "1", "0"]] * 2
+    for change in ({"edge": [1, 1]}, {"edge": [0, 1], "at": ["-1", "2"]}):
+        node = {"orthants": [{"children": below, **change}] + [["0", "1", "0"]] * 7}
+        with pytest.raises(ValueError, match="between its ends"):
+            leaf_count(QUESTION, node)
+
+
+def test_three_equal_contacts_are_the_fewest_whose_closed_states_are_too_many() -> None:
+    claim = registry()["state-tree-closed"]
+    assert claim.search is not None
+    counted = [
+        (claim(case.subject), claim.judge(case.subject, claim(case.subject)))
+        for case in claim.search()
+    ]
+    assert counted == [(6, True), (26, True), (106, False)]
