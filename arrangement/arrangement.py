@@ -43,7 +43,7 @@ class Arrangement(Planes):
         Args:
             dimension: 0 to d.
             engine: one of `arrangement.enumeration.choose.ENGINES`, which says what each can do;
-                left out, the best one for these planes.
+                if omitted, the best one for these planes.
 
         Raises:
             InputError: no such dimension or engine, or an engine that cannot do these planes.

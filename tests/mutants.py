@@ -45,14 +45,16 @@ class Target(NamedTuple):
 
 
 CHECKER = ("tests/equilibrium/test_checker.py",)
-SOLVER = ("tests/equilibrium/test_passive.py",)
+SOLVER = ("tests/equilibrium/test_verdict.py",)
 SEARCH = ("tests/equilibrium/test_leaves.py", "tests/equilibrium/test_resistance.py")
 TARGETS = {
     "checker": Target("equilibrium.certificate.checker", CHECKER),
     "law": Target("equilibrium.certificate.law", CHECKER),
     "reading": Target("equilibrium.certificate.reading", CHECKER),
     "predicates": Target(
-        "arrangement.enumeration.affine_space.predicates", ("tests/arrangement/test_space.py",), 24
+        "arrangement.enumeration.affine_space.predicates",
+        ("tests/arrangement/test_affine_space.py",),
+        24,
     ),
     "states": Target("equilibrium.solver.state_system", SOLVER, 12),
     "elimination": Target("equilibrium.solver.elimination", SOLVER, 12),

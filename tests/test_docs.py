@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import importlib
 import os
 import re
 import runpy
@@ -11,6 +12,7 @@ from types import SimpleNamespace
 
 import pytest
 
+from arrangement.enumeration.choose import ENGINES
 from tests.docpages import ROOT, Page, blocks, commands, loose_literals
 
 DOCS = ROOT / "docs"
@@ -86,6 +88,55 @@ def test_every_work_cited_on_a_page_is_in_the_bibliography() -> None:
     for page in PAGES:
         cited = set(re.findall(r"\[([A-Z]\w+\d{4})\]_", page.read_text(encoding="utf-8")))
         assert cited <= listed, name(page)
+
+
+def known(dotted: str) -> bool:
+    """Whether a dotted name is a module of the project, or something in one."""
+    names = dotted.split(".")
+    for length in range(len(names), 0, -1):
+        try:
+            found = importlib.import_module(".".join(names[:length]))
+        except ImportError:
+            continue
+        for name in names[length:]:
+            found = getattr(found, name, None)
+        return found is not None
+    return False
+
+
+_NAME = re.compile(r"(?<!`)`((?:arrangement|equilibrium|proofs_check|slipstates)\.[\w.]+)`(?!`)")
+_GROUPS = {"slipstates.documents", "slipstates.instances"}
+_TEST = re.compile(r"``?(tests/[\w/]+\.py)(?:::(\w+))?``?")
+
+
+def test_every_dotted_name_on_a_page_is_there() -> None:
+    found = {
+        (name(page), dotted)
+        for page in [*PAGES, *ROOT.glob("*.md")]
+        for dotted in _NAME.findall(page.read_text(encoding="utf-8"))
+    }
+    assert len(found) > 20
+    assert {one for one in found if one[1] not in _GROUPS and not known(one[1])} == set()
+    assert not known("equilibrium.solver.no_such_room")
+
+
+def test_every_test_on_a_page_is_there() -> None:
+    found = {
+        one
+        for page in [*PAGES, *ROOT.glob("*.md")]
+        for one in _TEST.findall(page.read_text("utf-8"))
+    }
+    assert len(found) > 8
+    for path, function in sorted(found):
+        assert (ROOT / path).is_file(), path
+        assert not function or f"def {function}(" in (ROOT / path).read_text("utf-8"), function
+
+
+def test_the_table_of_engines_is_that_of_the_code() -> None:
+    text = (DOCS / "architecture.rst").read_text(encoding="utf-8")
+    table = text[text.index("Which engine lists") : text.index("Exact and approximate")]
+    rows = re.findall(r"(?m)^   \* - ``([\w-]+)``\n     - (.*)$", table)
+    assert rows == [(key, engine.can) for key, engine in ENGINES.items()]
 
 
 def test_there_are_pages_and_code_on_them() -> None:

@@ -174,7 +174,7 @@ def _parts(split: Split, place: _Place) -> list[tuple[Any, _Place]]:
     if split.kind in STATES:
         contact, due = split.at[0], "attached" if split.kind == "slip" else "undecided"
         if states.get(contact, "undecided") != due:
-            raise CertificateError(f"{path}: contact {contact} is not {due} here")
+            raise CertificateError(f"{path}: contact {contact + 1} is not {due} here")
         parts = [(region, {**states, contact: name}) for name in STATES[split.kind]]
     elif (split.kind == "edge") != (len(region) == 4):
         raise CertificateError(f"{path}: orthants cut the half space, an edge one of their cones")
@@ -222,7 +222,7 @@ def _leaf_problem(question: _Question, leaf: Leaf, place: _Place) -> str:
             if broken := _broken_bound(state, alpha, h, kappa):
                 largest = short(Fraction(kappa, scale * contact.per_e))
                 named = f"alpha = {short(given[0])}, h = {short(given[1])}, kappa = {largest}"
-                return f"{place.path}: contact {i}, {state or 'undecided'}: {named}: {broken}"
+                return f"{place.path}: contact {i + 1}, {state or 'undecided'}: {named}: {broken}"
             work = [w + alpha * u + h * v for w, u, v in zip(work, e, s, strict=True)]
         elif state or min(e) >= 0:
             work = [w + kappa * u for w, u in zip(work, e, strict=True)]

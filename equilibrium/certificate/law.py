@@ -28,7 +28,7 @@ def law_problem(
     where ``T . d > 0`` and ``mu c_n`` where ``T . d < 0``, balance ``sum (c_n N + c_t T) + w = 0``.
     """
     total = list(wrench)
-    for i, (contact, (normal, tangential)) in enumerate(zip(grasp, forces, strict=True)):
+    for i, (contact, (normal, tangential)) in enumerate(zip(grasp, forces, strict=True), 1):
         along_normal, along_tangent = unit_wrenches(contact)
         spring = max(Fraction(0), contact.preload - contact.stiffness * _dot(along_normal, motion))
         slip, limit = _dot(along_tangent, motion), contact.friction * normal

@@ -6,7 +6,7 @@ Numbers are integers or texts such as "7/3"; contacts and generators are counted
 the space of motions or tell apart the states of one contact, and leaves have a virtual motion:
 
 * ``[x, y, r]``, or ``{"virtual_motion": [x, y, r], "multipliers": {"4": [alpha],
-  "7": [alpha, h]}}``: a leaf. The keys of multipliers are contacts; h is 0 where it is left out.
+  "7": [alpha, h]}}``: a leaf. The keys of multipliers are contacts; h is 0 if omitted.
 * ``{"orthants": [8 nodes]}`` cuts the half space ``d_0 >= 0`` of homogeneous motions (d_0, d) into
   the cones of e_0, +-e_1, +-e_2, +-e_3; signs in the order +++, ++-, +-+, ..., ---.
 * ``{"edge": [j, k], "at": [p, q], "children": [2 nodes]}`` cuts a cone of four generators at

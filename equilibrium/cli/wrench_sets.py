@@ -15,7 +15,7 @@ from .arguments import add_command, add_count, add_number, add_wrench, grasp_of,
 if TYPE_CHECKING:
     from arrangement.polyhedra.intervals import Interval
     from equilibrium.model.grasp import Grasp
-    from equilibrium.wrench_sets import Gap, Region, ResistibleSet, SearchMap, Segment
+    from equilibrium.wrench_sets import Gap, Region, ResistedSet, SearchMap, Segment
 
 _ZERO = (Fraction(0),) * 3
 
@@ -70,10 +70,10 @@ def _limit(arguments: argparse.Namespace) -> int:
 
 
 def _region(arguments: argparse.Namespace) -> int:
-    from equilibrium.wrench_sets import resistible_region
+    from equilibrium.wrench_sets import resisted_region
 
     grasp, spans = grasp_of(arguments), (arguments.first, arguments.second)
-    region = resistible_region(grasp, spans, arguments.origin)
+    region = resisted_region(grasp, spans, arguments.origin)
     return show(arguments, region.to_dict(), _region_lines(region), bool(region.polygons), grasp)
 
 
@@ -97,14 +97,14 @@ def _region_lines(region: Region) -> Iterator[str]:
 
 
 def _polyhedra(arguments: argparse.Namespace) -> int:
-    from equilibrium.wrench_sets import resistible_set
+    from equilibrium.wrench_sets import resisted_set
 
     grasp = grasp_of(arguments)
-    whole = resistible_set(grasp)
+    whole = resisted_set(grasp)
     return show(arguments, whole.to_dict(), _set_lines(whole), bool(whole.pieces), grasp)
 
 
-def _set_lines(whole: ResistibleSet) -> Iterator[str]:
+def _set_lines(whole: ResistedSet) -> Iterator[str]:
     number = len(whole.pieces)
     yield f"{number} polyhedra (conditions a f_x + b f_y + c tau + d >= 0 or = 0)"
     for piece in whole.pieces:

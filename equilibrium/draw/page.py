@@ -23,7 +23,7 @@ from equilibrium.model.grasp import Contact, Grasp, read_wrench
 from equilibrium.solver.contact_rows import unit_row
 from equilibrium.solver.elimination import gauss_jordan
 from equilibrium.solver.state_system import States, each_force, state_system
-from equilibrium.wrench_sets import Piece, resistible_set
+from equilibrium.wrench_sets import Piece, resisted_set
 
 from .body import Frame, body, frame_of
 
@@ -53,7 +53,7 @@ def resist_page(grasp: Grasp, *, wrench: Wrench | None = None, title: str | None
     number = f"{len(grasp)} contact{'' if len(grasp) == 1 else 's'}"
     heading = title if title is not None else f"Forces that {number} resist"
     shown = {grasp, *map(grasp.with_preload, (0, 1))}
-    found = {loaded: resistible_set(loaded).pieces for loaded in shown}
+    found = {loaded: resisted_set(loaded).pieces for loaded in shown}
     sets, picture = _sets(grasp, found), _picture(grasp)
     data = {"title": heading, "summary": _summary(grasp), **sets, **picture}
     data |= _window(grasp, applied, found[grasp])

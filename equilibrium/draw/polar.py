@@ -1,4 +1,4 @@
-"""The paper's map of resistible magnitudes over directions, by binary search, on the exact set."""
+"""The paper's map of resisted magnitudes over directions, by binary search, on the exact set."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from arrangement.exact import RationalVector, rational
 from arrangement.polyhedra.intervals import Interval
 from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import Grasp
-from equilibrium.wrench_sets import Region, resistible_region, search_map
+from equilibrium.wrench_sets import Region, resisted_region, search_map
 from equilibrium.wrench_sets.search_map import Entry
 
 from .keys import MARKS
@@ -57,7 +57,7 @@ def draw_polar(
     """
     if not 1 <= directions <= MAX_DIRECTIONS:
         raise GraspError(f"directions is {directions}; a picture shows 1 to {MAX_DIRECTIONS}")
-    region = resistible_region(grasp)
+    region = resisted_region(grasp)
     radius = read_extent(extent) or _radius(region)
     step = radius / 1000 if tolerance is None else rational(tolerance, "tolerance")
     found = search_map(grasp, directions, step, 1000 * radius)

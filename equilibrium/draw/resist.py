@@ -7,7 +7,7 @@ from arrangement.draw.registry import Exact, Wrench
 from arrangement.draw.scene import Scene
 from arrangement.exact import RationalVector
 from equilibrium.model.grasp import Grasp
-from equilibrium.wrench_sets import Region, resistible_region
+from equilibrium.wrench_sets import Region, resisted_region
 
 from .legend import Legend
 from .panel import fill_of
@@ -45,7 +45,7 @@ def draw_resist(
     """
     question = Question(wrench, extent)
     applied, half, torque = question.wrench, question.half, question.torque
-    region = resistible_region(grasp, origin=(0, 0, torque))
+    region = resisted_region(grasp, origin=(0, 0, torque))
     window = joint_window([region], question.marked, half, pieces=True)
     legend = new_legend(width)
     _describe(grasp, region, applied, legend, fades=half is None)

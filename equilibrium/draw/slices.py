@@ -11,7 +11,7 @@ from arrangement.draw.scene import Scene
 from arrangement.exact import rational
 from equilibrium.methods import METHODS
 from equilibrium.model.grasp import Grasp
-from equilibrium.wrench_sets import Region, resistible_region
+from equilibrium.wrench_sets import Region, resisted_region
 
 from .row import Question, new_legend, row_of_panels
 from .style import SHADE, number, vector
@@ -81,9 +81,9 @@ def draw_parts(
 def slices(grasp: Grasp, torque: Fraction, preload: Fraction) -> list[tuple[str, Region]]:
     """Return title and region of the three parts."""
     origin = (0, 0, torque)
-    loaded = resistible_region(grasp.with_preload(preload), origin=origin)
+    loaded = resisted_region(grasp.with_preload(preload), origin=origin)
     return [
         ("(a) Grasp Wrench Space, L1", METHODS["wrench-space-L1"].region(grasp, origin=origin)),
-        ("(b) no preload", resistible_region(grasp.with_preload(0), origin=origin)),
+        ("(b) no preload", resisted_region(grasp.with_preload(0), origin=origin)),
         (f"(c) preload {number(preload)}", loaded),
     ]

@@ -32,7 +32,7 @@ def verify_proved(path: str | os.PathLike[str]) -> tuple[bool, str]:
     if program is None:
         raise CertificateError(
             f"the proved checker is not built: there is no program {PROGRAM}; run `make formal` in "
-            "a checkout of the project, or leave out --proved"
+            "a checkout of the project, or omit --proved"
         )
     name = os.fspath(path)
     named = name if name == "-" or not name.startswith("-") else f"./{name}"

@@ -5,7 +5,7 @@ from __future__ import annotations
 from arrangement.exact import RationalVector
 from equilibrium.model.grasp import Grasp
 from equilibrium.verdict import solve
-from equilibrium.wrench_sets.plane import resistible_region
+from equilibrium.wrench_sets.plane import resisted_region
 
 from .method import Method, Outcome
 
@@ -22,5 +22,5 @@ COMPLETE = Method(
     "complete model (springs, cones, dissipation, detachment)",
     "complete model",
     _decide,
-    resistible_region,
+    resisted_region,
 )

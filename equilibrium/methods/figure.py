@@ -7,7 +7,7 @@ from typing import Any
 
 from arrangement.exact import to_text
 from equilibrium.model.grasp import Grasp
-from equilibrium.wrench_sets.plane import FORCES, resistible_region
+from equilibrium.wrench_sets.plane import FORCES, resisted_region
 
 from .grasp_wrench_space import GraspWrenchSpace
 
@@ -28,7 +28,7 @@ def resistance_figure(
     corners = GraspWrenchSpace(grasp, "L1").slice(start, *frame)
     slice_of_space = {"norm": "L1", "corners": [[to_text(x) for x in p] for p in corners]}
     unloaded, loaded = (
-        resistible_region(grasp.with_preload(preload), frame, start) for preload in (0, 1)
+        resisted_region(grasp.with_preload(preload), frame, start) for preload in (0, 1)
     )
     return {
         "grasp_wrench_space": slice_of_space,

@@ -14,9 +14,9 @@ from .gaps import Gap, gaps
 from .line import Magnitudes, resisted_magnitudes
 from .margin import Margin, Preloads, margin, sufficient_preloads
 from .outline import Outline, Segment
-from .plane import Region, polygon_cycle, resistible_region
+from .plane import Region, polygon_cycle, resisted_region
 from .search_map import SearchMap, search_map
-from .space import Piece, ResistibleSet, resistible_set
+from .space import Piece, ResistedSet, resisted_set
 
 __all__ = [
     "FrictionBracket",
@@ -28,7 +28,7 @@ __all__ = [
     "Polyhedron",
     "Preloads",
     "Region",
-    "ResistibleSet",
+    "ResistedSet",
     "SearchMap",
     "Segment",
     "gaps",
@@ -36,8 +36,8 @@ __all__ = [
     "margin",
     "polygon_cycle",
     "resisted_magnitudes",
-    "resistible_region",
-    "resistible_set",
+    "resisted_region",
+    "resisted_set",
     "search_map",
     "sufficient_preloads",
 ]

@@ -17,7 +17,7 @@ from arrangement.polyhedra.intervals import Interval, texts
 from arrangement.progress import watched
 from equilibrium.model.grasp import Contact, Grasp
 
-from .space import resistible_set
+from .space import resisted_set
 
 _NORMALS = ((1, 0), (0, 1), (-1, 0), (0, -1))
 _FRICTIONS = (Fraction(0), Fraction(1, 2), Fraction(1))
@@ -51,7 +51,7 @@ def gaps(contacts: int, seed: int, tries: int) -> Iterator[Gap]:
     random = Random(seed)
     for _ in watched(range(tries), "grasps"):
         grasp = Grasp(_contact(random) for _ in range(contacts))
-        whole = resistible_set(grasp)
+        whole = resisted_set(grasp)
         for direction in _AXES:
             found = whole.along(direction)
             if found and (len(found) > 1 or found[0][0] != 0):

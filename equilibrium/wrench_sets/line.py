@@ -79,7 +79,7 @@ def resisted_magnitudes(
 
     Complexity: two small systems for each choice of contact states, in floating point with a proven
     error bound; for those that this leaves possible an exact elimination, and for singular ones two
-    exact linear programs. Source: [HaasHeger2018], the maps of resistible forces, without search.
+    exact linear programs. Source: [HaasHeger2018], the maps of resisted forces, without search.
 
     >>> from equilibrium.io.files import read_grasp
     >>> resisted_magnitudes(read_grasp("paper-three-contacts-preload-1"), [0, 1, 0]).intervals

@@ -96,7 +96,7 @@ class Region:
         }
 
 
-def resistible_region(
+def resisted_region(
     grasp: Grasp | Solver,
     spans: Sequence[Iterable[Any]] = FORCES,
     origin: Iterable[Any] = (0, 0, 0),
@@ -106,10 +106,10 @@ def resistible_region(
     Raises:
         GraspError: not two spans, or parallel ones.
 
-    Source: [HaasHeger2018], the maps of resistible forces without and with preload, exactly.
+    Source: [HaasHeger2018], the maps of resisted forces without and with preload, exactly.
 
     >>> from equilibrium.io.files import read_grasp
-    >>> region = resistible_region(read_grasp("paper-three-contacts"))
+    >>> region = resisted_region(read_grasp("paper-three-contacts"))
     >>> [sector.to_dict()["start"] for sector in region.unlimited]
     [['-1', '0']]
     """

@@ -1,4 +1,4 @@
-"""The paper's map of resistible forces: a binary search in each of N directions, approximate.
+"""The paper's map of resisted forces: a binary search in each of N directions, approximate.
 
 The search assumes that a direction is resisted up to one magnitude and never beyond. Where the
 exact set is not one interval that starts at 0, its answer is wrong by more than the tolerance: it
@@ -28,7 +28,7 @@ from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import Grasp
 from equilibrium.model.unit_normal import unit_normal
 
-from .plane import FORCES, resistible_region
+from .plane import FORCES, resisted_region
 
 
 @dataclass(frozen=True)
@@ -113,14 +113,14 @@ def search_map(
     Raises:
         GraspError: a count, tolerance or limit that is not positive.
 
-    Source: [HaasHeger2018], Section VI, the maps of resistible forces.
+    Source: [HaasHeger2018], Section VI, the maps of resisted forces.
     """
     step, largest = rational(tolerance, "tolerance"), rational(limit, "limit")
     if directions < 1 or step <= 0 or largest <= 0:
         raise GraspError(
             f"directions {directions}, tolerance {step}, limit {largest}: all must be above 0"
         )
-    region = resistible_region(grasp, spans)
+    region = resisted_region(grasp, spans)
     entries = []
     for i in watched(range(directions), "directions"):
         angle = 2 * pi * i / directions

@@ -35,7 +35,7 @@ class Piece:
 
 
 @dataclass(frozen=True)
-class ResistibleSet:
+class ResistedSet:
     """A finite union of convex polyhedra of wrenches ``(f_x, f_y, tau)``.
 
     Attributes:
@@ -64,20 +64,20 @@ class ResistibleSet:
         return {"polyhedra": [piece.to_dict() for piece in self.pieces]}
 
 
-def resistible_set(grasp: Grasp | Solver) -> ResistibleSet:
+def resisted_set(grasp: Grasp | Solver) -> ResistedSet:
     """Return all wrenches that a grasp resists, exactly.
 
     Complexity: two conversions between conditions and generators in four homogeneous coordinates
     for each choice of contact states: O(m^2) of them without preload, O(m^3) with.
 
     >>> from equilibrium.io.files import read_grasp
-    >>> whole = resistible_set(read_grasp("paper-three-contacts"))
+    >>> whole = resisted_set(read_grasp("paper-three-contacts"))
     >>> whole.contains([0, -5, 0]), whole.contains([0, 1, 0])
     (True, False)
     """
     solver = prepare(grasp)
     pieces = [Piece(states, shape) for states, shape in images_of(solver) if shape is not None]
-    return ResistibleSet(solver.grasp, maximal_pieces(pieces))
+    return ResistedSet(solver.grasp, maximal_pieces(pieces))
 
 
 def images_of(

@@ -21,7 +21,7 @@ def _by_elimination(question: Question) -> tuple[Interval, ...]:
     zero = Fraction(0)
     return tuple(
         (zero if low is None else max(low, zero), high)
-        for low, high in oracle.resistible(question)
+        for low, high in oracle.resisted(question)
         if high is None or high >= 0
     )
 

@@ -113,7 +113,7 @@ def _rays(_rng: random.Random) -> Iterator[Case]:
 
 
 def _held_exactly(probes: Probes) -> tuple[bool, ...]:
-    intervals = oracle.resistible(probes.question)
+    intervals = oracle.resisted(probes.question)
     return tuple(
         any((a is None or a <= t) and (b is None or t <= b) for a, b in intervals)
         for t in probes.factors

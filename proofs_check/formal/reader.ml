@@ -18,15 +18,15 @@ let keys where required optional value =
     List.iter (fun key ->
       if not (List.mem_assoc key members) then malformed "%s has no key %S" where key) required;
     members
-  | _ -> malformed "%s is no object" where
+  | _ -> malformed "%s is not an object" where
 
 let list where length value =
   match value with
   | List items when length = None || length = Some (List.length items) -> items
   | List items -> malformed "%s has %d entries" where (List.length items)
-  | _ -> malformed "%s is no list" where
+  | _ -> malformed "%s is not a list" where
 
-let text where = function Text text -> text | _ -> malformed "%s is no text" where
+let text where = function Text text -> text | _ -> malformed "%s is not a text" where
 
 (* A rational in lowest terms. *)
 let fraction n d =
@@ -37,7 +37,7 @@ let digits text = text <> "" && String.for_all (fun c -> c >= '0' && c <= '9') t
 
 (* An integer, or a text: "12", "-7/3", "0.25"; no other form. *)
 let rational where value =
-  let wrong () = malformed "%s is no exact number such as \"7/3\", \"-0.25\" or 12" where in
+  let wrong () = malformed "%s is not an exact number such as \"7/3\", \"-0.25\" or 12" where in
   let unsigned text =
     match String.index_opt text '/', String.index_opt text '.' with
     | None, None when digits text -> fraction (Z.of_string text) Z.one
@@ -74,7 +74,7 @@ let pair where value =
 let index where below value =
   match value with
   | Integer i when Z.sign i >= 0 && Z.lt i (Z.of_int below) -> Z.to_int i
-  | _ -> malformed "%s is no number from 0 to %d" where (below - 1)
+  | _ -> malformed "%s is not a number from 0 to %d" where (below - 1)
 
 let version where due members =
   match List.assoc "schema_version" members with
@@ -111,7 +111,7 @@ let unit_of_measure where value =
     String.fold_left (fun n c -> if Char.code c land 0xC0 = 0x80 then n else n + 1) 0 text in
   if characters < 1 || characters > 20 || String.exists (fun c -> c < ' ' || c = '\127') text
      || text.[0] = ' ' || text.[bytes - 1] = ' ' then
-    malformed "%s is no text of 1 to 20 characters" where
+    malformed "%s is not a text of 1 to 20 characters" where
 
 let grasp value =
   let members =
@@ -151,7 +151,7 @@ let rec node contacts depth cone states value =
     let given =
       match List.assoc "multipliers" members with
       | Object given -> given
-      | _ -> malformed "multipliers is no object" in
+      | _ -> malformed "multipliers is not an object" in
     Leaf (vector "virtual_motion" (List.assoc "virtual_motion" members),
           List.map (multiplier contacts) given)
   | _ when has "orthants" ->
@@ -187,7 +187,7 @@ let rec node contacts depth cone states value =
     split ();
     let members = keys "a node" [ "contact"; "attachment" ] [] value in
     let i = at "contact" members in
-    if List.mem_assoc i states then malformed "contact %d is not undecided" i;
+    if List.mem_assoc i states then malformed "contact %d is not undecided" (i + 1);
     let parts = keys "attachment" [ "detached"; "attached" ] [] (List.assoc "attachment" members) in
     Attachment (Z.of_int i,
       child cone ((i, Slip_known) :: states) (List.assoc "detached" parts),
@@ -197,7 +197,7 @@ let rec node contacts depth cone states value =
     let members = keys "a node" [ "contact"; "slip" ] [] value in
     let i = at "contact" members in
     if List.assoc_opt i states <> Some Attachment_known then
-      malformed "contact %d is not attached" i;
+      malformed "contact %d is not attached" (i + 1);
     let parts = keys "slip" [ "stick"; "slip+"; "slip-" ] [] (List.assoc "slip" members) in
     let part key = child cone ((i, Slip_known) :: states) (List.assoc key parts) in
     let stick = part "stick" in
@@ -211,7 +211,7 @@ let document value =
     match List.assoc_opt "certificate" members with
     | Some (Text ("resisted" | "not resisted" as kind)) -> kind
     | Some (Text ("stable" | "unstable")) -> malformed "this is an old certificate"
-    | _ -> malformed "this is no certificate" in
+    | _ -> malformed "this is not a certificate" in
   let own = if kind = "resisted" then [ "motion"; "forces" ] else [ "tree" ] in
   ignore (keys "the certificate" ([ "schema_version"; "certificate"; "grasp"; "wrench" ] @ own) []
     value);

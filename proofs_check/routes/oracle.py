@@ -43,7 +43,7 @@ class Question:
 
     Attributes:
         contacts: (point x, point y, normal x, normal y, friction, stiffness, preload) of each.
-        wrench: force x, force y, torque.
+        wrench: (f_x, f_y, tau).
     """
 
     contacts: tuple[Row, ...]
@@ -139,7 +139,7 @@ def violations(
     return tuple(broken)
 
 
-def resistible(question: Question, reading: Reading = MODEL) -> tuple[Interval, ...]:
+def resisted(question: Question, reading: Reading = MODEL) -> tuple[Interval, ...]:
     """Return all factors t for which the grasp holds t times the wrench, as closed intervals."""
     found = []
     systems = Systems(question, reading, scaled=True)

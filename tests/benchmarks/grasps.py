@@ -1,9 +1,8 @@
 """Verdicts on random grasps, ours beside a mixed-integer program, brute force and Siconos.
 
-    run.py --only grasps                      10, 20 and 50 contacts
+    run.py --only grasps                      10, 20, 50, 100 and 1000 contacts
     run.py --only grasps --contacts 10,20     fewer
-    run.py --only grasps --grasps 32          32 grasps of each size instead of 8 to 32
-    run.py --only grasps --hundred            one grasp of 100 contacts too, ours alone
+    run.py --only grasps --grasps 8           8 grasps of each size instead of 16 or 32
 
 Ours is a verdict with its proof; Siconos and the mixed-integer program give floats and none.
 """
@@ -17,63 +16,59 @@ import shutil
 import statistics
 import subprocess
 import sys
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from pathlib import Path
 from typing import Any
 
-from graspjob import MILP_SECONDS, ROUNDED
+from graspjob import BORDER, MILP_SECONDS, PATCHES, VERDICTS
 
 HERE = Path(__file__).resolve().parent
 Found = dict[str, Any]
-#: By number of contacts: the seeds for us, and how many of them for the mixed-integer program.
-#: Those of 50 contacts are chosen so that two of each verdict are there, with and without preload.
-SEEDS: dict[int, Sequence[int]] = {
-    **dict.fromkeys((3, 4, 5), range(16)),
-    10: range(32),
-    20: range(24),
-    50: (0, 6, 1, 2, 3, 14, 15, 31),
-}
-PEER = {10: 16, 20: 8, 50: 2}
+#: By number of contacts: how many grasps for us, and for the mixed-integer program.
+COUNT = {1000: 16, **dict.fromkeys((3, 4, 5), 16)}
+PEER = {10: 16, 20: 8, 50: 4}
+#: Up to how many contacts all equilibria are listed, which is cubic with preload.
+LISTED = 50
 BRUTE = (3, 4, 5)
 #: Wall seconds for all grasps of one size; who needs more is stopped, and what is done counts.
 LIMIT = 240
 
 
-def grasp_tables(
-    contacts: Sequence[int], limit: float = LIMIT, count: int = 0, hundred: bool = False
-) -> None:
+def grasp_tables(contacts: Sequence[int], limit: float = LIMIT, count: int = 0) -> None:
     print(
         "\nVerdicts with proofs on random grasps: medians of processor time (largest)", flush=True
     )
-    found = {m: run("ours", m, _seeds(m, count), limit) for m in contacts}
-    own_table(found)
+    heading()
+    found = {m: _own_lines(m, _seeds(m, count), limit) for m in contacts}
     growth(found)
-    rounded = {
-        m: run("ours", m, [ROUNDED + seed for seed in _seeds(m, count)], limit)
-        for m in contacts
-        if m <= 20
-    }
-    if rounded:
-        print("\nThe same with rounded numbers (planes of at most 5 digits)")
-        own_table(rounded)
+    for added, where in ((PATCHES, "any wrench"), (BORDER, "just beyond the border")):
+        print(f"\nTen patches of contacts on one side, {where}")
+        heading()
+        for m in contacts:
+            one_side = [added + seed for seed in range(count or 32) if seed % 4 >= 2]
+            _own_lines(m, one_side[: 8 if m >= 1000 else None], 2 * limit)
     print("\nOther programs on the same grasps (no proof), and times ours")
     for m in contacts:
-        seeds = _seeds(m)[: PEER.get(m, 8)]
-        against(f"mixed-integer program, m = {m}", found[m], run("milp", m, seeds, 2 * limit))
-        against(f"Siconos, Lemke's method, m = {m}", found[m], siconos(m, _seeds(m, count)))
-        against(f"ours with all equilibria, m = {m}", found[m], run("pieces", m, seeds, limit / 4))
+        if m in PEER:
+            seeds = [
+                one["seed"]
+                for verdict in VERDICTS.values()
+                for one in [x for x in found[m] if x["verdict"] == verdict][: PEER[m] // 2]
+            ]
+            against(f"mixed-integer program, m = {m}", found[m], run("milp", m, seeds, 2 * limit))
+        if m <= LISTED:
+            seeds = _seeds(m, count)
+            against(f"Siconos, Lemke's method, m = {m}", found[m], siconos(m, seeds))
+            listed = run("pieces", m, seeds[:8], limit / 4)
+            against(f"ours with all equilibria, m = {m}", found[m], listed)
     for m in BRUTE:
         seeds = _seeds(m)
         mine = run("ours", m, seeds, limit)
         against(f"brute force, 4^m states, exact, m = {m}", mine, run("brute", m, seeds, limit))
-    if hundred:
-        print("\n100 contacts: all around without and with preload; then pulled away from one side")
-        for seed in (0, 1, 6, 7):
-            own_table({100: run("ours", 100, [seed], 4 * limit)})
 
 
 def _seeds(contacts: int, count: int = 0) -> Sequence[int]:
-    return range(count) if count else SEEDS.get(contacts, range(8))
+    return range(count or COUNT.get(contacts, 32))
 
 
 def run(job: str, contacts: int, seeds: Iterable[int], limit: float) -> list[Found]:
@@ -114,13 +109,11 @@ def siconos(contacts: int, seeds: Sequence[int]) -> list[Found]:
             return []
         answer = json.loads(done.stdout.splitlines()[-1])
         solved = not answer["info"] and answer["error"] < 1e-6
-        found.append({**answer, "seed": question["seed"], "verdict": _VERDICTS[solved]})
+        found.append({**answer, "seed": question["seed"], "verdict": VERDICTS[solved]})
     return found
 
 
 SYSTEM = "/usr/bin/python3"
-NONE = (math.nan, math.nan)
-_VERDICTS = {True: "stable", False: "unstable"}
 _PROBED: dict[str, bool] = {}
 
 
@@ -137,75 +130,58 @@ def _has_siconos(python: str | None) -> bool:
     return _PROBED[python]
 
 
-def own_table(found: dict[int, list[Found]]) -> None:
-    """Print ours by size, verdict and preload."""
+def heading() -> None:
     print(
-        f"{'m':>4} {'verdict':<9} {'preload':<8} {'grasps':>6} {'verdict, proof':>22}"
-        f" {'check':>9} {'check/ours':>10} {'2nd/1st':>8} {'decided':>8} {'proof':>9}"
-    )
-    for m, listed in found.items():
-        for verdict in ("stable", "unstable"):
-            for preload in (False, True, None):
-                chosen = select(listed, verdict, preload)
-                if chosen:
-                    _own_line(m, verdict, {False: "no", True: "yes", None: "both"}[preload], chosen)
-        if bad := [one["seed"] for one in listed if not one["valid"]]:
-            print(f"  REFUSED: the proofs of seeds {bad}")
-
-
-def _own_line(m: int, verdict: str, preload: str, chosen: list[Found]) -> None:
-    seconds = [one["seconds"] for one in chosen]
-    ratio = statistics.median(one["check"] / one["seconds"] for one in chosen)
-    again = [
-        (one["second"] / one["seconds"], one["second_decide"] / one["decide"])
-        for one in chosen
-        if one["second"] is not None
-    ]
-    second, decided = (f"{statistics.median(x):.2f}" for x in zip(*(again or [NONE]), strict=True))
-    size = statistics.median(one["bytes"] for one in chosen) / 1000
-    print(
-        f"{m:>4} {verdict:<9} {preload:<8} {len(chosen):>6}"
-        f" {shown(statistics.median(seconds)):>10} ({shown(max(seconds)):>9})"
-        f" {shown(statistics.median(one['check'] for one in chosen)):>9} {ratio:>10.2f}"
-        f" {second:>8} {decided:>8} {size:>6.0f} kB",
-        flush=True,
+        f"{'m':>4} {'verdict':<12} {'grasps':>6} {'verdict, proof':>20} {'second wrench':>13}"
+        f" {'check':>18} {'proof':>18} {'leaves':>11} {'digits':>6}"
     )
 
 
-def select(listed: list[Found], verdict: str, preload: bool | None) -> list[Found]:
-    return [
-        one
-        for one in listed
-        if one["verdict"] == verdict and preload in (None, bool(one["seed"] % 2))
-    ]
+def _own_lines(m: int, seeds: Iterable[int], limit: float) -> list[Found]:
+    """Measure ours, print a line for each verdict, and return what was found."""
+    listed = run("ours", m, seeds, limit)
+    for verdict in VERDICTS.values():
+        if chosen := [one for one in listed if one["verdict"] == verdict]:
+            again = [one["second"] for one in chosen if one["second"] is not None]
+            print(
+                f"{m:>4} {verdict:<12} {len(chosen):>6} {_spread(chosen, 'seconds', shown):>20}"
+                f" {shown(statistics.median(again)) if again else '-':>13}"
+                f" {_spread(chosen, 'check', shown):>18} {_spread(chosen, 'bytes', kilobytes):>18}"
+                f" {_spread(chosen, 'leaves', str):>11}"
+                f" {statistics.median(one['digits'] for one in chosen):>6g}",
+                flush=True,
+            )
+    if bad := [one["seed"] for one in listed if not one["valid"]]:
+        print(f"  REFUSED: the proofs of seeds {bad}")
+    return listed
+
+
+def _spread(chosen: list[Found], key: str, form: Callable[[Any], str]) -> str:
+    """Return the median (the largest)."""
+    values = [one[key] for one in chosen]
+    return f"{form(statistics.median_low(values))} ({form(max(values))})"
 
 
 def growth(found: dict[int, list[Found]]) -> None:
-    """Print by which power of m the medians grow; unstable is the complete enumeration."""
-    for preload in (False, True):
-        for verdict in ("stable", "unstable"):
-            points = [
-                (m, statistics.median(one["seconds"] for one in chosen))
-                for m, listed in found.items()
-                if (chosen := select(listed, verdict, preload))
-            ]
-            if len(points) > 1:
-                steps = [
-                    f"m^{math.log(b / a) / math.log(n / m):.2f} from {m} to {n}"
-                    for (m, a), (n, b) in itertools.pairwise(points)
-                ]
-                (m, a), (n, b) = points[0], points[-1]
-                if len(points) > 2:
-                    overall = math.log(b / a) / math.log(n / m)
-                    steps.append(f"m^{overall:.2f} from {m} to {n}")
-                name = "with preload" if preload else "without preload"
-                print(f"  growth, {verdict}, {name}: {'; '.join(steps)}")
+    """Print by which power of m the medians grow."""
+    for verdict in VERDICTS.values():
+        points = [
+            (m, statistics.median(times))
+            for m, listed in found.items()
+            if (times := [one["seconds"] for one in listed if one["verdict"] == verdict])
+        ]
+        pairs = [*itertools.pairwise(points), (points[0], points[-1])] if len(points) > 2 else []
+        steps = [
+            f"m^{math.log(b / a) / math.log(n / m):.2f} from {m} to {n}" for (m, a), (n, b) in pairs
+        ]
+        if steps:
+            print(f"  growth, {verdict}: {'; '.join(steps)}")
 
 
 def against(name: str, mine: list[Found], other: list[Found]) -> None:
     """Print a peer's medians beside ours on the same seeds, by our verdict, and its mistakes."""
     own = {one["seed"]: one for one in mine}
-    for verdict in ("stable", "unstable"):
+    for verdict in VERDICTS.values():
         pairs = [
             (own[one["seed"]], one)
             for one in other
@@ -215,14 +191,14 @@ def against(name: str, mine: list[Found], other: list[Found]) -> None:
             continue
         theirs = [one["seconds"] for _, one in pairs]
         ours = statistics.median(one["seconds"] for one, _ in pairs)
-        opposite = _VERDICTS[verdict != "stable"]
+        opposite = VERDICTS[verdict != VERDICTS[True]]
         wrong = [b["seed"] for _, b in pairs if b["verdict"] == opposite]
         silent = sum(b["verdict"] not in (verdict, opposite) for _, b in pairs)
         note = f"  none within {MILP_SECONDS} s: {silent}" if silent else ""
         note += f"  WRONG: seeds {wrong}" if wrong else ""
         median = statistics.median(theirs)
         print(
-            f"  {name:<42} {verdict:<9} {len(pairs):>3} {shown(median):>9}"
+            f"  {name:<42} {verdict:<12} {len(pairs):>3} {shown(median):>9}"
             f" ({shown(max(theirs)):>9}) {median / ours:>9.3g} times ours{note}",
             flush=True,
         )
@@ -231,3 +207,7 @@ def against(name: str, mine: list[Found], other: list[Found]) -> None:
 def shown(value: float) -> str:
     """Return a time with three digits."""
     return f"{1000 * value:.3g} ms" if value < 1 else f"{value:.3g} s"
+
+
+def kilobytes(value: float) -> str:
+    return f"{value / 1000:.1f} kB"

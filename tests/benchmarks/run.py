@@ -6,8 +6,8 @@ work on the machine still moves the times; the ratios within one run are what to
     run.py             ours at all sizes, and the peers that are quick
     run.py --peers     the slow peers too (minutes; several gigabytes for CGAL at 2000)
     run.py --install   first create .bench-venv with the peers that pip can install
-    run.py --only grasps [--contacts 10,20,50] [--hundred]     verdicts alone; see grasps.py
-    run.py --only planes                                       arrangements alone
+    run.py --only grasps [--contacts 10,20]        verdicts alone; see grasps.py
+    run.py --only planes                          arrangements alone
 """
 
 from __future__ import annotations
@@ -33,14 +33,15 @@ def main() -> None:
     parser.add_argument("--peers", action="store_true", help="run the slow peers too")
     parser.add_argument("--install", action="store_true", help="create .bench-venv first")
     parser.add_argument("--only", choices=("planes", "grasps"), help="one half of the tables")
-    parser.add_argument("--contacts", default="10,20,50", help="sizes of the random grasps")
+    parser.add_argument(
+        "--contacts", default="10,20,50,100,1000", help="sizes of the random grasps"
+    )
     parser.add_argument("--grasps", type=int, default=0, help="grasps of each size")
     parser.add_argument("--limit", type=float, default=LIMIT, help="seconds for grasps of one size")
-    parser.add_argument("--hundred", action="store_true", help="grasps of 100 contacts too")
     options = parser.parse_args()
     if options.only != "planes":
         sizes = [int(m) for m in options.contacts.split(",")]
-        grasp_tables(sizes, options.limit, options.grasps, options.hundred)
+        grasp_tables(sizes, options.limit, options.grasps)
     if options.only == "grasps":
         return
     if options.install and (reason := install_peers()):

@@ -198,9 +198,9 @@ def test_a_wrong_proof_of_readable_form_is_a_report(tree):
         ({**ATTACHMENT, **SLIP}, "unknown key"),
         ({"contact": 0, "attachment": {"detached": LEAF}}, 'no key "attached"'),
         ({"contact": 0, "attachment": [LEAF, LEAF]}, "tree.attachment is a list"),
-        (SLIP, "contact 0 is not attached here"),
-        (below(ATTACHMENT, ATTACHMENT), "contact 0 is not undecided here"),
-        (below(ATTACHMENT, SLIP), "contact 0 is not attached here"),
+        (SLIP, "contact 1 is not attached here"),
+        (below(ATTACHMENT, ATTACHMENT), "contact 1 is not undecided here"),
+        (below(ATTACHMENT, SLIP), "contact 1 is not attached here"),
         ({"virtual_motion": LEAF}, 'no key "multipliers"'),
         ({"virtual_motion": ["0"], "multipliers": {}}, "tree.virtual_motion has 1 entries"),
         ({"virtual_motion": LEAF, "multipliers": []}, "by contacts"),
@@ -307,7 +307,7 @@ def test_the_bounds_of_a_leaf_are_exact():
         ),
         (
             {"virtual_motion": ["0", "1/2", "0"], "multipliers": {"0": ["2/3"]}},
-            "tree: contact 0, undecided: alpha = 2/3, h = 0, kappa = 1/2: alpha must be",
+            "tree: contact 1, undecided: alpha = 2/3, h = 0, kappa = 1/2: alpha must be",
         ),
         (
             {"virtual_motion": ["0", "1/2", "0"], "multipliers": {"0": ["1/2"]}},
@@ -394,10 +394,10 @@ def test_ten_million_digits_are_refused_at_once(place):
     ("motion", "forces", "words"),
     [
         (("0", "-1", "0"), [("2", "1")], ""),
-        (("0", "-1", "0"), [("2", "3/2")], "contact 0: friction 3/2 of at most 1"),
+        (("0", "-1", "0"), [("2", "3/2")], "contact 1: friction 3/2 of at most 1"),
         (("0", "-1", "0"), [("1", "1/2")], "normal force 1, its spring gives 2"),
         (("1", "-1", "0"), [("2", "1")], ""),
-        (("-1", "-1", "0"), [("2", "1")], "contact 0: friction 1 of at most 1 while it slips by 1"),
+        (("-1", "-1", "0"), [("2", "1")], "contact 1: friction 1 of at most 1 while it slips by 1"),
         (("0", "0", "0"), [("1", "0")], r"the forces add up to \(1, -1, 0\), not 0"),
     ],
 )

@@ -36,7 +36,7 @@ from equilibrium.inputs import random_grasp
 from equilibrium.methods import METHODS, resistance_figure
 from equilibrium.methods.compare import compare
 from equilibrium.methods.registry import WITH_REGION
-from equilibrium.wrench_sets import gaps, resistible_region, search_map
+from equilibrium.wrench_sets import gaps, resisted_region, search_map
 
 from .strategies import grasps, wrenches
 
@@ -216,7 +216,7 @@ def test_labels_keep_apart_and_inside_the_figure() -> None:
     [THREE, THREE.with_preload(1), FOUR, FOUR.with_preload(1), COINCIDENT, HUGE, Grasp([])],
 )
 def test_region_elements_are_the_exact_pieces_and_borders(grasp: Grasp) -> None:
-    region = resistible_region(grasp)
+    region = resisted_region(grasp)
     drawn = set(names(draw_resist(grasp)))
     outline = region.outline
     for kind, items in (
@@ -234,7 +234,7 @@ def test_region_elements_are_the_exact_pieces_and_borders(grasp: Grasp) -> None:
 @given(grasp=grasps(), wrench=wrenches)
 @example(grasp=Grasp([Contact((0, 0), (0, 1), 0)]), wrench=(0, 1, 0))
 def test_the_whole_finite_border_lies_in_the_picture(grasp: Grasp, wrench: Any) -> None:
-    region = resistible_region(grasp, origin=(0, 0, wrench[2]))
+    region = resisted_region(grasp, origin=(0, 0, wrench[2]))
     items = {item.name: item for item in unwrap(draw_resist)(grasp, wrench=wrench).items}
     mark = items["wrench"]
     assert (mark.sign == "o") is region.contains([Fraction(x) for x in wrench[:2]])

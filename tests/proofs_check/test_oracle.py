@@ -10,7 +10,7 @@ from equilibrium.verdict import solve
 from proofs_check.instances.grasps import grasp_of, paper_question
 from proofs_check.instances.paper_tables import FOUR_CONTACT_GRASP, THREE_CONTACT_GRASP
 from proofs_check.routes.fourier_motzkin import project
-from proofs_check.routes.oracle import Question, normal_forces, resistible, stable, violations
+from proofs_check.routes.oracle import Question, normal_forces, resisted, stable, violations
 
 ZERO, ONE, HALF = Fraction(0), Fraction(1), Fraction(1, 2)
 NORMALS = [(1, 0), (0, 1), (-1, 0), (0, -1), (Fraction(3, 5), Fraction(4, 5))]
@@ -38,10 +38,10 @@ def test_a_boundary_is_decided_exactly() -> None:
     assert not stable(paper_question(THREE_CONTACT_GRASP, (ZERO, ONE + tiny, ZERO), 1))
 
 
-def test_the_resistible_set_is_the_one_of_the_text() -> None:
+def test_the_resisted_set_is_the_one_of_the_text() -> None:
     up = (ZERO, ONE, ZERO)
-    assert resistible(paper_question(FOUR_CONTACT_GRASP, up, 1)) == ((Fraction(-2), Fraction(2)),)
-    assert resistible(paper_question(FOUR_CONTACT_GRASP, up, 0)) == ((ZERO, ZERO),)
+    assert resisted(paper_question(FOUR_CONTACT_GRASP, up, 1)) == ((Fraction(-2), Fraction(2)),)
+    assert resisted(paper_question(FOUR_CONTACT_GRASP, up, 0)) == ((ZERO, ZERO),)
 
 
 @given(questions)

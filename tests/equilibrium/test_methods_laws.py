@@ -18,7 +18,7 @@ from equilibrium.methods.weak_strong import mass_matrix, weak_strong
 from equilibrium.solver.contact_rows import friction_edges
 from equilibrium.verdict import solve
 
-from .others_strategies import frictions, grasps, small, turned, wrenches
+from .methods_strategies import frictions, grasps, small, turned, wrenches
 
 points = st.lists(st.tuples(small, small, small), min_size=1, max_size=14)
 

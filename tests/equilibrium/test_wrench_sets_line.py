@@ -11,14 +11,14 @@ from equilibrium.verdict import solve
 from equilibrium.wrench_sets.gaps import gaps
 from equilibrium.wrench_sets.line import resisted_magnitudes
 
-from .limits_strategies import (
+from .oracle import intervals, merged
+from .wrench_sets_strategies import (
     directions,
     grasps,
     reloaded,
     rotated,
     wrenches,
 )
-from .oracle import intervals, merged
 
 TINY = Fraction(1, 10**30)
 THREE, FOUR = "paper-three-contacts", "paper-four-contacts"

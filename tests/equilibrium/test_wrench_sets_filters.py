@@ -1,4 +1,4 @@
-"""What the quick tests leave out of the resistible sets is exactly nothing."""
+"""What the quick tests leave out of the resisted sets is exactly nothing."""
 
 from fractions import Fraction
 
@@ -16,10 +16,10 @@ from equilibrium.solver.contact_states import contact_states
 from equilibrium.wrench_sets import outline, space
 from equilibrium.wrench_sets.images import StateImages
 from equilibrium.wrench_sets.outline import outline_of
-from equilibrium.wrench_sets.plane import FORCES, resistible_region
-from equilibrium.wrench_sets.space import resistible_set
+from equilibrium.wrench_sets.plane import FORCES, resisted_region
+from equilibrium.wrench_sets.space import resisted_set
 
-from .limits_strategies import grasps, wrenches
+from .wrench_sets_strategies import grasps, wrenches
 
 entries = st.integers(-3, 3)
 conditions = st.lists(st.tuples(entries, entries, entries).filter(any), max_size=5)
@@ -49,8 +49,8 @@ def test_a_plane_cuts_every_state_as_if_all_its_wrenches_were_there(grasp, spans
 @given(grasps(most=4), frames, wrenches, st.tuples(entries, entries))
 def test_a_region_holds_what_the_whole_set_holds(grasp, spans, origin, point):
     wrench = [o + point[0] * a + point[1] * b for o, a, b in zip(origin, *spans, strict=True)]
-    region = resistible_region(grasp, spans, origin)
-    assert region.contains(point) == resistible_set(grasp).contains(wrench)
+    region = resisted_region(grasp, spans, origin)
+    assert region.contains(point) == resisted_set(grasp).contains(wrench)
 
 
 @settings(max_examples=40, deadline=None)
@@ -101,7 +101,7 @@ def test_the_outline_is_the_same_without_the_quick_tests(shapes):
 
 
 def test_the_quick_tests_leave_little_open():
-    region = resistible_region(random_grasp(6, seed=1))
+    region = resisted_region(random_grasp(6, seed=1))
     shapes = [piece.polyhedron for piece in region.polygons if piece.polyhedron.dimension == 2]
     edges = [outline._tight(row, p) for p in shapes for row in p.inequalities]
     assert possibly_meeting(edges, shapes).mean() < 0.4
@@ -111,10 +111,10 @@ def test_the_quick_tests_leave_little_open():
 @settings(max_examples=15, deadline=None)
 @given(grasps(most=4))
 def test_the_polyhedra_are_the_same_without_the_quick_test(grasp):
-    found = resistible_set(grasp)
+    found = resisted_set(grasp)
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(space, "surely_outside", lambda s: np.zeros((len(s), len(s)), dtype=np.bool_))
-        assert resistible_set(grasp) == found
+        assert resisted_set(grasp) == found
 
 
 @settings(max_examples=80, deadline=None)

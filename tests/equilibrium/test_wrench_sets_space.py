@@ -12,9 +12,9 @@ from equilibrium.io.files import read_grasp
 from equilibrium.model.grasp import Contact, Grasp
 from equilibrium.verdict import solve
 from equilibrium.wrench_sets.line import resisted_magnitudes
-from equilibrium.wrench_sets.space import StateImages, resistible_set
+from equilibrium.wrench_sets.space import StateImages, resisted_set
 
-from .limits_strategies import directions, grasps, wrenches
+from .wrench_sets_strategies import directions, grasps, wrenches
 
 entries = st.integers(-3, 3)
 rows4 = st.lists(st.tuples(entries, entries, entries, entries).filter(any), max_size=7)
@@ -87,24 +87,24 @@ def test_no_condition_of_a_polyhedron_is_redundant(generating):
 @settings(max_examples=40)
 @given(grasps(), wrenches)
 def test_membership_is_the_verdict_of_the_solver(grasp, wrench):
-    assert resistible_set(grasp).contains(wrench) == solve(grasp, wrench).stable
+    assert resisted_set(grasp).contains(wrench) == solve(grasp, wrench).stable
 
 
 @settings(max_examples=15)
 @given(grasps(), st.data())
 def test_vertices_are_resisted_with_the_states_of_their_piece(grasp, data):
-    pieces = resistible_set(grasp).pieces
+    pieces = resisted_set(grasp).pieces
     piece = data.draw(st.sampled_from(pieces)) if pieces else None
     for vertex in piece.polyhedron.points if piece else ():
         assert solve(grasp, vertex).stable
-        assert piece.states in resistible_set(grasp).states_at(vertex)
+        assert piece.states in resisted_set(grasp).states_at(vertex)
 
 
 @settings(max_examples=30)
 @given(grasps(most=5), directions, wrenches)
 def test_lines_through_the_polyhedra_are_the_intervals(grasp, direction, base):
     found = resisted_magnitudes(grasp, direction, base).intervals
-    assert resistible_set(grasp).along(direction, base) == found
+    assert resisted_set(grasp).along(direction, base) == found
 
 
 @settings(max_examples=20)
@@ -113,7 +113,7 @@ def test_states_that_no_motion_has_add_nothing(grasp, wrench):
     """Every one of the 4^m choices gives resisted wrenches only."""
     everything = product(("detached", "slip+", "slip-", "stick"), repeat=len(grasp))
     shapes = (StateImages(grasp).resisted_with(states) for states in everything)
-    whole = resistible_set(grasp)
+    whole = resisted_set(grasp)
     for shape in shapes:
         if shape is not None:
             assert all(whole.contains(point) for point in shape.points)
@@ -123,7 +123,7 @@ def test_states_that_no_motion_has_add_nothing(grasp, wrench):
 @settings(max_examples=20)
 @given(grasps(preload=st.just(0)))
 def test_without_preload_every_piece_is_a_cone(grasp):
-    for piece in resistible_set(grasp).pieces:
+    for piece in resisted_set(grasp).pieces:
         assert all(row[3] == 0 for row in piece.polyhedron.inequalities)
         assert piece.polyhedron.contains((0, 0, 0))
 
@@ -145,7 +145,7 @@ def test_many_contacts_that_stick_at_once():
 
 
 def test_the_whole_set_in_json_has_strings_only():
-    document = resistible_set(read_grasp("paper-three-contacts")).to_dict()
+    document = resisted_set(read_grasp("paper-three-contacts")).to_dict()
     for piece in document["polyhedra"]:
         assert all(isinstance(x, str) for row in piece["inequalities"] for x in row)
         assert all(len(row) == 4 for row in piece["inequalities"])

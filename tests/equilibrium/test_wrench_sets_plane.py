@@ -12,9 +12,9 @@ from equilibrium.model.grasp import Contact, Grasp
 from equilibrium.verdict import solve
 from equilibrium.wrench_sets.directions import counter_clockwise, sectors
 from equilibrium.wrench_sets.outline import outline_of
-from equilibrium.wrench_sets.plane import polygon_cycle, resistible_region
+from equilibrium.wrench_sets.plane import polygon_cycle, resisted_region
 
-from .limits_strategies import grasps, small, wrenches
+from .wrench_sets_strategies import grasps, small, wrenches
 
 TINY = Fraction(1, 10**30)
 planar = st.tuples(small, small)
@@ -71,7 +71,7 @@ def test_flat_parts_stick_out_and_points_stand_alone():
 
 def test_three_contacts_without_preload_resist_the_lower_half_plane():
     """[HaasHeger2018], the map without preload: forces with w_y <= 0, the border on top only."""
-    region = resistible_region(read_grasp("paper-three-contacts"))
+    region = resisted_region(read_grasp("paper-three-contacts"))
     (border,) = region.outline.border
     assert (border.start, border.end, border.direction) == (None, None, (-1, 0))
     assert border.constant == 0
@@ -83,7 +83,7 @@ def test_three_contacts_without_preload_resist_the_lower_half_plane():
 
 def test_three_contacts_with_preload_resist_more_only_near_the_top():
     """The same, preload 1: unlimited where w_y <= 0, and upward exactly to w_y = 1."""
-    region = resistible_region(read_grasp("paper-three-contacts-preload-1"))
+    region = resisted_region(read_grasp("paper-three-contacts-preload-1"))
     assert region.along((0, 1)) == ((0, 1),)
     assert not region.contains((0, 1 + TINY))
     assert all(region.contains((x, -y)) for x in (-50, 0, 50) for y in (0, 1, 50))
@@ -95,7 +95,7 @@ def test_three_contacts_with_preload_resist_more_only_near_the_top():
 
 def test_four_contacts_resist_pushes_inside_the_cones():
     """Without preload only one pair of contacts can push, within its friction cone of slope 1/2."""
-    region = resistible_region(read_grasp("paper-four-contacts"))
+    region = resisted_region(read_grasp("paper-four-contacts"))
     assert region.contains((2, 1))
     assert region.contains((-2, -1))
     assert not region.contains((2, 1 + TINY))
@@ -105,19 +105,19 @@ def test_four_contacts_resist_pushes_inside_the_cones():
 
 def test_a_contact_without_friction_resists_a_ray():
     grasp = Grasp([Contact((0, 0), (0, 1), 0)])
-    region = resistible_region(grasp)
+    region = resisted_region(grasp)
     assert region.outline.border == ()
     (whisker,) = region.outline.whiskers
     assert {whisker.start, whisker.end} == {(0, 0), None}
     (sector,) = region.unlimited
     assert sector.start == sector.end == (0, -1)
-    assert resistible_region(Grasp()).outline.points == ((0, 0),)
+    assert resisted_region(Grasp()).outline.points == ((0, 0),)
 
 
 @settings(max_examples=40)
 @given(grasps(), st.tuples(numbers, numbers))
 def test_membership_is_the_verdict_of_the_solver(grasp, point):
-    region = resistible_region(grasp)
+    region = resisted_region(grasp)
     assert region.contains(point) == solve(grasp, (*point, 0)).stable
     assert bool(region.states_at(point)) == region.contains(point)
 
@@ -128,14 +128,14 @@ def test_any_plane_of_wrenches(grasp, origin, point):
     spans = ((1, 0, 2), (0, 1, -1))
     a, b = point
     wrench = [o + a * u + b * v for o, u, v in zip(origin, *spans, strict=True)]
-    region = resistible_region(grasp, spans, origin)
+    region = resisted_region(grasp, spans, origin)
     assert region.contains(point) == solve(grasp, wrench).stable
 
 
 @settings(max_examples=20)
 @given(grasps(least=2))
 def test_resistance_ends_at_the_border_and_nowhere_else(grasp):
-    region = resistible_region(grasp)
+    region = resisted_region(grasp)
     for segment in region.outline.border:
         middle = _middle(segment)
         outside = tuple(x - TINY * n for x, n in zip(middle, segment.normal, strict=True))
@@ -149,7 +149,7 @@ def test_resistance_ends_at_the_border_and_nowhere_else(grasp):
 @given(grasps(least=2), planar, planar.filter(any))
 def test_every_end_along_a_line_lies_on_the_outline(grasp, start, direction):
     """Between the outline's parts the region does not change, seen along any line."""
-    region = resistible_region(grasp)
+    region = resisted_region(grasp)
     parts = [p.polyhedron.along(start, direction) for p in region.polygons]
     for end in {x for part in union(p for p in parts if p) for x in part if x is not None}:
         point = tuple(a + end * u for a, u in zip(start, direction, strict=True))
@@ -159,7 +159,7 @@ def test_every_end_along_a_line_lies_on_the_outline(grasp, start, direction):
 @settings(max_examples=25)
 @given(grasps(), planar.filter(any))
 def test_unlimited_directions_have_an_interval_without_end(grasp, direction):
-    region = resistible_region(grasp)
+    region = resisted_region(grasp)
     parts = region.along(direction)
     unlimited = bool(parts) and parts[-1][1] is None
     assert any(_in_sector(sector, direction) for sector in region.unlimited) == unlimited
@@ -168,7 +168,7 @@ def test_unlimited_directions_have_an_interval_without_end(grasp, direction):
 @settings(max_examples=25)
 @given(grasps(least=2))
 def test_cycles_turn_left(grasp):
-    for piece in resistible_region(grasp).polygons:
+    for piece in resisted_region(grasp).polygons:
         cycle = polygon_cycle(piece.polyhedron)
         assert sorted(cycle) == sorted(piece.polyhedron.points)
         if len(cycle) > 2:
@@ -178,9 +178,9 @@ def test_cycles_turn_left(grasp):
 
 def test_parallel_spans_are_refused():
     with pytest.raises(GraspError):
-        resistible_region(Grasp(), ((1, 0, 0), (2, 0, 0)))
+        resisted_region(Grasp(), ((1, 0, 0), (2, 0, 0)))
     with pytest.raises(GraspError):
-        resistible_region(Grasp(), ((1, 0, 0),))
+        resisted_region(Grasp(), ((1, 0, 0),))
 
 
 def test_sectors_across_the_first_axis_and_open_ends():

@@ -16,9 +16,9 @@ from equilibrium.solver.interval_filter import Screen
 from equilibrium.wrench_sets.line import _interval, resisted_magnitudes
 
 from .awkward import question
-from .limits_strategies import directions
 from .strategies import grasps, wrenches
-from .test_screening import beside
+from .test_interval_filter import beside
+from .wrench_sets_strategies import directions
 
 ZERO = (Fraction(0),) * 3
 W = (Fraction(1), Fraction(-1, 2), Fraction(1, 3))

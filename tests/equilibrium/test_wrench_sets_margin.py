@@ -11,7 +11,7 @@ from equilibrium.wrench_sets.friction import least_friction
 from equilibrium.wrench_sets.margin import margin, sufficient_preloads
 from equilibrium.wrench_sets.search_map import binary_search, compare, search_map
 
-from .limits_strategies import directions, grasps, wrenches
+from .wrench_sets_strategies import directions, grasps, wrenches
 
 TINY = Fraction(1, 10**30)
 THREE = "paper-three-contacts-preload-1"

@@ -12,7 +12,7 @@ from arrangement.counts import region_count
 from arrangement.enumeration.great_circles import crossings, sphere_arrangement
 from arrangement.enumeration.great_circles.predicates import integer_array, turns
 from arrangement.float_filter import signs_of
-from tests.arrangement.test_sphere import B3, GENERIC, NEAR_PENCIL, PENCIL
+from tests.arrangement.test_great_circles import B3, GENERIC, NEAR_PENCIL, PENCIL
 
 Normals = list[tuple[int, ...]]
 

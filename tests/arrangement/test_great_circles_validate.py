@@ -9,7 +9,7 @@ import pytest
 
 from arrangement import Arrangement, ArrangementError
 from arrangement.enumeration.great_circles import SphereArrangement, sphere_arrangement
-from tests.arrangement.test_sphere import B3, GENERIC, NEAR_PENCIL, PENCIL
+from tests.arrangement.test_great_circles import B3, GENERIC, NEAR_PENCIL, PENCIL
 
 
 def broken(normals: list[tuple[int, ...]], field: str, change) -> SphereArrangement:
