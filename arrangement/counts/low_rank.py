@@ -1,22 +1,34 @@
-"""Counts of flats for configurations of rank at most 3, straight from the vectors.
+"""Counts of flats for configurations of rank at most 4, straight from the vectors.
 
-This covers central arrangements of rank up to 3 and affine ones of rank up to 2, degenerate or
-not. Nothing is enumerated but the flats of rank 2, as groups of equal ratios: contract by one
-vector a; planes c and c' lie on one flat with a exactly when their images in the quotient by a are
-proportional. The flat is counted at its smallest plane. Groups that contain infinity are empty
-intersections and are left out.
+This covers central arrangements of rank up to 4 and affine ones of rank up to 3, degenerate or
+not. Nothing is enumerated but the flats of rank 2 and 3, as groups of equal ratios.
 
-**Moebius values.** In an interval of length 2 with k atoms, mu = k - 1. With m planes, L flats of
-rank 2, and S the sum of their numbers of planes, the sums ``V[k][j]`` of |mu(X, Y)| over flats
-X <= Y of ranks k and j are
+**Rank 2.** Contract by one vector a: planes c and c' lie on one flat with a exactly when their
+images in the quotient by a are proportional. The flat is counted at its smallest plane.
 
-    V[0] = 1, m, S - L;  V[1] = m, S;  V[2] = L.
+**Rank 3.** Contract by a flat of rank 2, spanned by its two smallest planes a < b: the quotient
+has two coordinates, the 3 x 3 minors of (a, b, c), so planes are grouped by one ratio. A flat of
+rank 3 is counted at the flat spanned by its own two smallest planes: exactly one.
+Groups that contain infinity are empty intersections and are left out.
+
+**Moebius values.** In an interval of length 2 with k atoms, mu = k - 1. In one of length 3 the
+sum of mu over the interval is 0, so ``|mu| = 1 - (atoms) + sum over rank 2 of (k - 1)``. With
+
+    m planes,  L flats of rank 2,  S = sum of their numbers of planes,
+    P flats of rank 3,  M = sum of their numbers of planes,
+    K pairs (flat of rank 2 inside one of rank 3),  I = sum over these pairs of the planes
+    of the smaller flat,
+
+the sums ``V[k][j]`` of |mu(X, Y)| over flats X <= Y of ranks k and j are
+
+    V[0] = 1, m, S - L, P - M + I - K;  V[1] = m, S, I - M;  V[2] = L, K;  V[3] = P.
 
 **Top.** A central configuration has one flat of full rank r, and mu sums to 0 over each [X, top]:
 ``V[k][r] = sum_{j < r} (-1)^(r-1-j) V[k][j]``.
 
-**Exactness.** The numbers compared are minors of order 2, at most 2 B^2 in size for entries up to
-B. Up to B = 2 * 10^9 they are int64, else Python integers in the same arrays. SymPy's matrices
+**Exactness.** The numbers compared are minors of order at most 3, at most 6 B^3 in size, partial
+sums included, for entries up to B. Up to that bound they are int64 (B up to 1,154,107; in rank 3
+the bound is 2 B^2, so B up to 2 * 10^9), else Python integers in the same arrays. SymPy's matrices
 take 5 to 25 times as long for the same groups, for 20 to 200 planes of rank 3.
 """
 
@@ -31,9 +43,11 @@ from numpy.typing import NDArray
 from .configuration import Configuration
 
 #: Highest rank, infinity included, that this module counts.
-MAX_RANK = 3
+MAX_RANK = 4
 _INT64_MAX = 2**63 - 1
 _CHUNK = 1 << 19
+_COLUMN_PAIRS = np.array([(0, 1), (0, 2), (0, 3), (1, 2), (1, 3), (2, 3)])
+_COLUMN_REST = np.array([(2, 3), (1, 3), (1, 2), (0, 3), (0, 2), (0, 1)])
 
 Integers = NDArray[Any]
 WhitneyMatrix = tuple[tuple[int, ...], ...]
@@ -60,9 +74,10 @@ class Groups:
 
 
 def whitney_matrix(config: Configuration) -> WhitneyMatrix:
-    """Return the doubly indexed Whitney numbers, unsigned, of a configuration of rank <= 3.
+    """Return the doubly indexed Whitney numbers, unsigned, of a configuration of rank <= 4.
 
-    Complexity: O(m^2 log m) time, O(m^2) memory, in numbers.
+    Complexity: O(m^2 log m) up to rank 3, O(L m log m) with L <= m^2/2 in rank 4; memory O(m^2)
+    and O(L + 2^19), in numbers.
     """
     below_top = _below_top(config)
     if config.infinity is not None:
@@ -73,14 +88,14 @@ def whitney_matrix(config: Configuration) -> WhitneyMatrix:
 def rank_two_groups(config: Configuration) -> Groups:
     """Return the flats of rank 2, each once, as group of the planes beside its smallest (`row`).
 
-    For rank 3 only.
+    For rank 3 and 4 only.
     """
     vectors = _matrix(config)
-    chunks = _chunks(len(config.vectors), len(vectors))
-    groups = [_group(_contract_by_one(vectors, rows), rows) for rows in chunks]
-    return _concatenate(
-        [_keep(g, (g.first > g.row) & (g.last < len(config.vectors))) for g in groups]
-    )
+    groups = [
+        _flats_only(_group(_contract_by_one(vectors, rows), rows), len(config.vectors))
+        for rows in _chunks(len(config.vectors), len(vectors))
+    ]
+    return _keep(_concatenate(groups), lambda g: g.first > g.row)
 
 
 def _below_top(config: Configuration) -> WhitneyMatrix:
@@ -92,7 +107,15 @@ def _below_top(config: Configuration) -> WhitneyMatrix:
         return ((1, m), (0, m))
     lines = rank_two_groups(config)
     count, planes = len(lines.row), int(lines.size.sum()) + len(lines.row)
-    return ((1, m, planes - count), (0, m, planes), (0, 0, count))
+    if config.rank == 3:
+        return ((1, m, planes - count), (0, m, planes), (0, 0, count))
+    points, point_planes, pairs, triples = _rank_three_sums(config, lines)
+    return (
+        (1, m, planes - count, points - point_planes + triples - pairs),
+        (0, m, planes, triples - point_planes),
+        (0, 0, count, pairs),
+        (0, 0, 0, points),
+    )
 
 
 def _with_top(below: WhitneyMatrix, rank: int) -> WhitneyMatrix:
@@ -104,13 +127,30 @@ def _with_top(below: WhitneyMatrix, rank: int) -> WhitneyMatrix:
     return (*rows, (0,) * rank + (1,))
 
 
+def _rank_three_sums(config: Configuration, lines: Groups) -> tuple[int, int, int, int]:
+    """Return P, M, K, I of the module's notes."""
+    vectors, m = _matrix(config), len(config.vectors)
+    points = point_planes = pairs = triples = 0
+    for rows in _chunks(len(lines.row), len(vectors)):
+        first, second = lines.row[rows], lines.first[rows]
+        group = _flats_only(_group(_contract_by_two(vectors, first, second), rows), m)
+        on_line = lines.size[group.row] + 1
+        counted = group.first > lines.first[group.row]
+        points += int(counted.sum())
+        point_planes += int((on_line + group.size)[counted].sum())
+        pairs += len(group.row)
+        triples += int(on_line.sum())
+    return points, point_planes, pairs, triples
+
+
 def _matrix(config: Configuration) -> Integers:
     """Return the vectors, infinity last, as int64 when every minor fits, else as objects."""
     rows = list(config.vectors)
     if config.infinity is not None:
         rows.append(config.infinity)
     largest = max((abs(x) for row in rows for x in row), default=0)
-    return np.array(rows, dtype=np.int64 if 2 * largest**2 <= _INT64_MAX else object)
+    bound = 2 * largest**2 if config.rank <= 3 else 6 * largest**3
+    return np.array(rows, dtype=np.int64 if bound <= _INT64_MAX else object)
 
 
 def _chunks(rows: int, columns: int) -> list[Integers]:
@@ -128,6 +168,24 @@ def _contract_by_one(vectors: Integers, rows: Integers) -> list[Integers]:
     columns = vectors.T
     at_pivot = columns[order[:, 0]]
     return [columns[order[:, k]] * a[:, :1] - at_pivot * a[:, k, None] for k in range(1, rank)]
+
+
+def _contract_by_two(vectors: Integers, first: Integers, second: Integers) -> list[Integers]:
+    """Return two 3 x 3 minors of (a, b, c) for every c: its ratio in the quotient by a and b."""
+    a, b = vectors[first], vectors[second]
+    i, j = _COLUMN_PAIRS.T
+    minors = a[:, i] * b[:, j] - a[:, j] * b[:, i]
+    choice = (minors != 0).argmax(axis=1)
+    each = np.arange(len(first))
+    i, j = _COLUMN_PAIRS[choice].T
+    columns = vectors.T
+    plain = minors[each, choice][:, None]
+    coordinates = []
+    for k in _COLUMN_REST[choice].T:
+        with_i = (a[each, i] * b[each, k] - a[each, k] * b[each, i])[:, None]
+        with_j = (a[each, j] * b[each, k] - a[each, k] * b[each, j])[:, None]
+        coordinates.append(columns[i] * with_j - columns[j] * with_i + columns[k] * plain)
+    return coordinates
 
 
 def _group(coordinates: list[Integers], rows: Integers) -> Groups:
@@ -162,8 +220,14 @@ def _canonical(parts: list[Integers], divisor: Integers) -> list[Integers]:
     return [np.array(codes, dtype=np.int64)]
 
 
-def _keep(groups: Groups, chosen: Integers) -> Groups:
-    """Return some of the groups."""
+def _flats_only(groups: Groups, infinity: int) -> Groups:
+    """Leave out groups with the column of infinity, which is the last if there is one."""
+    return _keep(groups, lambda g: g.last < infinity)
+
+
+def _keep(groups: Groups, rule: Any) -> Groups:
+    """Return the groups for which the vectorised rule holds."""
+    chosen = rule(groups)
     return Groups(
         groups.row[chosen],
         groups.first[chosen],

@@ -30,11 +30,12 @@ def doubly_indexed_whitney_numbers(arrangement: Planes) -> WhitneyMatrix:
     """Return the table V, V[k][j] = sum of |mu(X, Y)| over flats X <= Y of rank k and j.
 
     Its first row gives the characteristic polynomial, its diagonal the flats, its row sums the
-    faces. Central arrangements of rank <= 3 and affine ones of rank <= 2 take a vectorised route
+    faces. Central arrangements of rank <= 4 and affine ones of rank <= 3 take a vectorised route
     that needs no lattice; the others go through `intersection_lattice`.
 
-    Complexity: up to rank 3 (affine: 2) O(m^2 log m) for m planes; beyond, the square of the
-    number of flats at worst.
+    Complexity: up to rank 3 (affine: 2) O(m^2 log m) for m planes; central rank 4 and affine
+    rank 3 O(L m log m) with L <= m^2 / 2 flats of rank 2; beyond, the square of the number of
+    flats at worst.
 
     Source: C. Greene, T. Zaslavsky, Trans. AMS 280 (1983), section 2.
     """

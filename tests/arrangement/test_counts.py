@@ -127,7 +127,7 @@ def test_huge_entries_take_the_integer_route_to_the_same_counts(planes: Arrangem
     d = planes.dimension
     normals = product([list(n) for n in planes.normals], huge_unimodular(d))
     moved = Arrangement(normals, planes.offsets)
-    if planes.rank == d and configuration(moved).rank <= lowrank.MAX_RANK:
+    if planes.rank == d:
         assert lowrank._matrix(configuration(moved)).dtype == object
     assert counts.doubly_indexed_whitney_numbers(moved) == counts.doubly_indexed_whitney_numbers(
         planes
@@ -145,21 +145,22 @@ def test_near_degenerate_huge_planes_are_told_apart() -> None:
     assert counts.region_count(off) == 26
 
 
-#: The largest entry for which sums of 2 products stay below 2^63.
-LIMIT = 2_147_483_647
-
-
-def test_int64_is_used_up_to_the_bound_only() -> None:
-    assert 2 * LIMIT**2 < 2**63 <= 2 * (LIMIT + 1) ** 2
-    for largest, expected in ((LIMIT, np.dtype(np.int64)), (LIMIT + 1, np.dtype(object))):
-        planes = Arrangement([[1, 0, 0], [0, 1, 0], [0, 0, 1], [largest, 1, 1]])
+@pytest.mark.parametrize(("rank", "limit"), [(3, 2_147_483_647), (4, 1_154_107)])
+def test_int64_is_used_up_to_the_bound_only(rank: int, limit: int) -> None:
+    # sums of 2 or 6 products of rank - 1 entries must stay below 2^63
+    products = {3: 2, 4: 6}[rank]
+    assert products * limit ** (rank - 1) < 2**63 <= products * (limit + 1) ** (rank - 1)
+    rows = [[int(i == j) for j in range(rank)] for i in range(rank)]
+    for largest, expected in ((limit, np.dtype(np.int64)), (limit + 1, np.dtype(object))):
+        planes = Arrangement([*rows, [largest] + [1] * (rank - 1)])
         assert lowrank._matrix(configuration(planes)).dtype == expected
 
 
-def test_counts_at_the_int64_bound_equal_those_beyond() -> None:
-    signs = [(1, *rest) for rest in iter_product((1, -1), repeat=2)]
-    rows = [[(LIMIT - k) * s for k, s in enumerate(row)] for row in signs]
-    axes = [[int(i == j) for j in range(3)] for i in range(3)]
+@pytest.mark.parametrize(("rank", "limit"), [(3, 2_147_483_647), (4, 1_154_107)])
+def test_counts_at_the_int64_bound_equal_those_beyond(rank: int, limit: int) -> None:
+    signs = [(1, *rest) for rest in iter_product((1, -1), repeat=rank - 1)]
+    rows = [[(limit - k) * s for k, s in enumerate(row)] for row in signs]
+    axes = [[int(i == j) for j in range(rank)] for i in range(rank)]
     # the same planes in coordinates stretched by 10^20: entries far beyond the bound
     stretched = [[x * 10 ** (20 * j) for j, x in enumerate(row)] for row in rows + axes]
     near, beyond = configuration(Arrangement(rows + axes)), configuration(Arrangement(stretched))
