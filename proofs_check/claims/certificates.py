@@ -64,7 +64,7 @@ CLAIMS = (
         statement="For two jaws with m contacts at even distances, of total stiffness 4 and total "
         "preload 4, the proof that a load is not resisted has no more leaves than for the four "
         "contacts of the paper.",
-        hypotheses=("friction 1/2", "the load is not on the border of what is resisted"),
+        hypotheses=("friction 1/2", "the load is not near the border of what is resisted"),
         quantity="leaves of a valid proof",
         routes=(
             Route("the checker of certificates", _checked),
