@@ -20,7 +20,7 @@ class Engine:
 
     Attributes:
         list_faces: from planes to their faces of dimension 0, 1, ..., d.
-        ranks: whether it can do planes, which depends on their rank.
+        ranks: the ranks, of the planes or of the cone over affine ones, that it can do.
         can: the same in words.
     """
 
@@ -29,14 +29,23 @@ class Engine:
     can: str
 
 
+def cone_rank(planes: Planes) -> int:
+    """Return the rank of the planes, or one more if they are affine."""
+    return planes.rank + (not planes.is_central)
+
+
 #: The fastest comes first. In any dimension: what counts is the rank.
 ENGINES = {
     "great-circles": Engine(
         great_circles.list_faces,
-        lambda planes: planes.rank + (not planes.is_central) <= 3,
+        lambda planes: cone_rank(planes) <= 3,
         "rank up to 3, or up to 2 with planes that miss the origin",
     ),
-    "affine-space": Engine(affine_space.list_faces, lambda planes: planes.rank == 3, "rank 3"),
+    "affine-space": Engine(
+        affine_space.list_faces,
+        lambda planes: planes.rank == 3 or cone_rank(planes) == 4,
+        "rank 3, or 4 if all planes contain the origin",
+    ),
     "any-dimension": Engine(any_dimension.list_faces, lambda planes: True, "every rank"),
 }
 

@@ -6,9 +6,11 @@ of r independent columns of the normals are enough, and the others can be 0.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
+from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from arrangement.linear import rank
 from arrangement.planes import Planes
@@ -75,4 +77,26 @@ def upper_half(level: Level) -> Level:
         len(upper),
         lambda rows: level.signs(upper[rows])[:, :-1],
         lambda rows: level.points(upper[rows])[:, :-1],
+    )
+
+
+def joined(levels: Sequence[Level]) -> Level:
+    """Return the faces of several levels of one dimension, one level after the other."""
+    ends = np.cumsum([level.count for level in levels])
+
+    def gathered(parts: Callable[[Level, Rows], NDArray[Any]], rows: Rows) -> NDArray[Any]:
+        chosen = np.arange(ends[-1])[rows]
+        of = np.searchsorted(ends, chosen, side="right")
+        found = np.concatenate(
+            [
+                parts(level, chosen[of == i] - (ends[i] - level.count))
+                for i, level in enumerate(levels)
+            ]
+        )
+        return found[np.argsort(np.argsort(of, kind="stable"))]
+
+    return Level(
+        int(ends[-1]),
+        lambda rows: gathered(lambda level, at: level.signs(at), rows),
+        lambda rows: gathered(lambda level, at: level.points(at), rows),
     )

@@ -1,4 +1,4 @@
-"""All faces of planes of rank 3 at scale, central or affine, in a space of any dimension."""
+"""All faces of planes of rank 3 in R^3 at scale, central or affine."""
 
 from __future__ import annotations
 
@@ -8,7 +8,6 @@ from typing import TypeAlias
 import numpy as np
 
 from arrangement.enumeration.packing import Words, pack, unit_words, unpack
-from arrangement.enumeration.reduction import from_dimension, in_dimension
 from arrangement.enumeration.sequence import Integers, Level, Rows, Signs
 from arrangement.planes import Planes
 
@@ -21,8 +20,8 @@ from .predicates import Indices, PlaneTable
 _Sides: TypeAlias = Callable[[Indices], tuple[Words, Words]]
 
 
-def list_faces(planes: Planes) -> tuple[Level, ...]:
-    """Return the faces of dimension 0, 1, ..., d of planes of rank 3.
+def space_levels(planes: Planes) -> tuple[Level, ...]:
+    """Return the faces of dimension 0 to 3 of planes of rank 3 in R^3.
 
     Exact for every input: coincident and parallel planes, pencils, many planes through one point,
     entries of any size. Floats only propose; each decision is certified or taken by integers.
@@ -30,12 +29,6 @@ def list_faces(planes: Planes) -> tuple[Level, ...]:
     Complexity: O(n^3) faces for n planes; O(n^3 log n) time and O(n^3) memory. The constants are
     those of numpy, unless so many determinants vanish or nearly vanish that integers decide most.
     """
-    reduced, columns = in_dimension(planes, 3)
-    return from_dimension(_levels(reduced), planes, columns)
-
-
-def _levels(planes: Planes) -> tuple[Level, ...]:
-    """Return the faces of dimension 0 to 3 of planes of rank 3 in R^3."""
     table = PlaneTable([planes.integer_planes[members[0]] for members in planes.distinct])
     lines = trace_lines(table)
     faces = faces_around(table, lines)
