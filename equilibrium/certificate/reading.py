@@ -66,7 +66,7 @@ def read_question(document: Any) -> tuple[str, Grasp, RationalVector]:
     if kind in ("stable", "unstable"):
         raise CertificateError(
             f'this is an old certificate ("{kind}", by a list of regions); make a new one with '
-            "`equilibrium solve GRASP --wrench X Y R --certificate OUT.json`"
+            "`equilibrium solve GRASP --wrench FX FY TAU --certificate OUT.json`"
         )
     if type(version) is not int or version != SCHEMA_VERSION:
         raise CertificateError(f"schema_version is {shown(version)}; {SCHEMA_VERSION} is read here")
