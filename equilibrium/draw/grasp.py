@@ -38,15 +38,16 @@ def draw_grasp(
     Forces are those on the object; all arrows of forces have one scale, which the bar states. The
     mark of a contact tells by shape its state at the motion drawn. The virtual motion is drawn as
     the displaced outline (of a grasp without outline, as arrows at the contacts), to first order,
-    by a factor that is stated. The outline is dashed and only indicative (see `body`) unless a
-    polygon is given; where no simple curve passes through the contacts, dashed lines join them.
+    by a factor that is stated. The outline is that of the grasp; where none is stated, it is dashed
+    and only indicative (see `body`), and where no simple curve passes through the contacts, dashed
+    lines join them.
     Where the origin of the frame is far from the contacts, the wrench is carried to their middle.
 
     Args:
         grasp: contacts; none, coincident ones and coordinates of any size are possible.
         wrench: applied (f_x, f_y, tau), the torque about the origin; if omitted, none acts and
             nothing is solved.
-        outline: corners of the object, exact; if omitted, an indicative curve.
+        outline: corners of the object, exact, instead of the outline of the grasp.
         piece: which of the equilibria found (see `solve`), from 1.
         width: of the figure, in millimetres.
 

@@ -14,12 +14,13 @@ from arrangement.draw.scene import Floats
 from arrangement.exact import RationalVector
 from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import Grasp
+from equilibrium.model.outline import Polygon
 from equilibrium.solver.contact_states import states_at
 from equilibrium.solver.equilibrium import Equilibrium
 from equilibrium.solver.state_system import States
 from equilibrium.verdict import Verdict
 
-from .body import Frame, body, frame_of, polygon, read_outline
+from .body import Frame, body, frame_of, stated_body
 from .style import nice, rounded
 
 #: Lengths on paper, where the contacts fill [-1, 1]: cones, the largest force, its torque arc.
@@ -66,9 +67,9 @@ def layout_of(
     grasp: Grasp, verdict: Verdict | None, outline: Iterable[Iterable[Any]] | None, piece: int
 ) -> Layout:
     """Return all that a picture of a grasp shows (see `draw_grasp` for the arguments)."""
-    corners = None if outline is None else read_outline(outline)
-    frame = frame_of([*(c.point for c in grasp), *(corners or ())])
-    curve = body(grasp, frame) if corners is None else polygon(frame, corners)
+    shape = grasp.outline if outline is None else Polygon(outline)
+    frame = frame_of(grasp, shape)
+    curve = body(grasp, frame) if shape is None else stated_body(shape, frame)
     applied = None if verdict is None else verdict.wrench
     far = any(abs(x) > Fraction(3, 2) * frame.size for x in frame.centre)
     place: RationalVector = (Fraction(0), Fraction(0))
@@ -78,7 +79,7 @@ def layout_of(
             x, y, torque = applied
             applied = (x, y, torque - (place[0] * y - place[1] * x))
     layout = Layout(
-        grasp, verdict, _chosen(verdict, piece), frame, curve, corners is not None,
+        grasp, verdict, _chosen(verdict, piece), frame, curve, shape is not None,
         frame.paper(place), applied, far,
     )  # fmt: skip
     layout.places = [frame.paper(c.point) for c in grasp]

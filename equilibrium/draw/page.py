@@ -25,7 +25,7 @@ from equilibrium.solver.elimination import gauss_jordan
 from equilibrium.solver.state_system import States, each_force, state_system
 from equilibrium.wrench_sets import Piece, resisted_set
 
-from .body import Frame, body, frame_of
+from .body import Frame, body, frame_of, stated_body
 
 #: Contacts beyond which the pieces are too many for a page.
 MAX_CONTACTS = 8
@@ -146,9 +146,9 @@ def _combined(forms: Sequence[RationalVector | None], row: RationalVector) -> Ra
 
 
 def _picture(grasp: Grasp) -> dict[str, Any]:
-    """Return the contacts and an indicative outline in paper coordinates."""
-    frame = frame_of([contact.point for contact in grasp])
-    curve = body(grasp, frame)
+    """Return the contacts and the outline in paper coordinates."""
+    frame = frame_of(grasp, grasp.outline)
+    curve = body(grasp, frame) if grasp.outline is None else stated_body(grasp.outline, frame)
     return {
         "contacts": [
             {
@@ -160,6 +160,7 @@ def _picture(grasp: Grasp) -> dict[str, Any]:
             }
             for contact in grasp
         ],
+        "stated": grasp.outline is not None,
         "outline": None if curve is None else [_floats(p) for p in flattened(curve, 16)],
         "origin": _floats(np.clip(frame.paper((Fraction(0),) * 2), -1.5, 1.5)),
         **_frame(frame),
