@@ -164,6 +164,23 @@ def _crosses(points: Floats) -> bool:
     return bool((apart & apart.T).any())
 
 
+def free_lengths(outline: Floats, start: Floats, angles: Floats) -> Floats:
+    """Return how far one can go inside a closed polygon from a point of it, in some directions.
+
+    0 where the outside begins at once.
+    """
+    ways = np.stack([np.cos(angles), np.sin(angles)], axis=1)[:, None]
+    first, along = outline - start, np.roll(outline, -1, axis=0) - outline
+    across = ways[..., 0] * along[:, 1] - ways[..., 1] * along[:, 0]
+    across = np.where(np.abs(across) < 1e-12, 1e-12, across)
+    length = (first[:, 0] * along[:, 1] - first[:, 1] * along[:, 0]) / across
+    at = (first[:, 0] * ways[..., 1] - first[:, 1] * ways[..., 0]) / across
+    hits = (length > 1e-3) & (at >= 0) & (at < 1)
+    nearest = np.where(hits, length, np.inf).min(axis=1)
+    found: Floats = np.where(hits.sum(axis=1) % 2 == 1, nearest, 0.0)
+    return found
+
+
 def _joined(pieces: Sequence[_Piece]) -> Floats:
     return np.array([pieces[0][0], *(x for piece in pieces for x in piece[1:])])
 
