@@ -12,8 +12,8 @@ from arrangement.polyhedra.dual import dual_polyhedron
 from arrangement.polyhedra.inscribed import representative_hull
 
 from .colours import BLUE, VERMILION, DrawnRegion, Painter, painter, plane_colour
+from .coordinates import in_coordinates
 from .disc import Disc, front, has_key, key_entries, plane_names, region_sides, rim_width
-from .equalize import evened
 from .figure import picture
 from .globe import Globe, clear_direction
 from .labels import SIZES, crosses, sign_forms, tried, write_beside
@@ -34,7 +34,7 @@ def draw_dual(
     colour: str | Painter = "sides",
     width: float = 180.0,
     hull: bool = False,
-    even: bool = False,
+    coordinates: str | None = None,
 ) -> Scene:
     """Draw the great circles of central planes in R^3, and beside them the dual polyhedron.
 
@@ -58,8 +58,9 @@ def draw_dual(
         colour: as for `draw_sphere`.
         width: of the figure, in millimetres; below 120 the panels stand one above the other.
         hull: draw the hull of representatives.
-        even: draw the planes after a linear map that spreads their normals evenly and changes no
-            sign vector (see `equalize.evened`); the direction counts after it.
+        coordinates: "symmetric": after a linear map that shows the symmetry of the planes and
+            changes no sign vector; "even": after one that spreads the normals evenly; "given". If
+            omitted, symmetric, but for planes of motions and for the hull.
 
     Raises:
         InputError: another space or rank, planes off the origin, too many circles, unknown
@@ -67,7 +68,9 @@ def draw_dual(
         MissingExtraError: matplotlib is absent.
     """
     paint, width = painter(colour), checked_width(width)
-    arrangement = evened(arrangement) if even else arrangement
+    if coordinates is None and hull:
+        coordinates = "given"
+    arrangement, direction = in_coordinates(coordinates, arrangement, direction)
     globe = Globe(arrangement, direction)
     if direction is None and not hull:
         globe = Globe(arrangement, _oblique_direction(globe))

@@ -10,8 +10,8 @@ from arrangement.arrangement import Arrangement
 from arrangement.exact import IntegerVector
 
 from .colours import Painter, painter
+from .coordinates import in_coordinates
 from .disc import alone, front, key_entries, plane_names
-from .equalize import evened
 from .figure import picture
 from .globe import Globe, best_direction, unit_vectors
 from .projections import Chart, Drawn, StraightChart, orthographic
@@ -28,7 +28,7 @@ def draw_gnomonic(
     direction: Vector | None = None,
     colour: str | Painter = "sides",
     width: float = 88.0,
-    even: bool = False,
+    coordinates: str | None = None,
 ) -> Scene:
     """Draw central planes in R^3 as lines of the projective plane.
 
@@ -53,15 +53,16 @@ def draw_gnomonic(
             from infinity.
         colour: as for `draw_sphere`.
         width: of the figure, in millimetres.
-        even: draw the planes after a linear map that spreads their normals evenly and changes no
-            sign vector (see `equalize.evened`); the direction counts after it.
+        coordinates: "symmetric": after a linear map that shows the symmetry of the planes and
+            changes no sign vector; "even": after one that spreads the normals evenly; "given". If
+            omitted, symmetric, but for planes of motions.
 
     Raises:
         InputError: another space, planes off the origin, too many circles, unknown colouring.
         MissingExtraError: matplotlib is absent.
     """
     paint = painter(colour)
-    arrangement = evened(arrangement) if even else arrangement
+    arrangement, direction = in_coordinates(coordinates, arrangement, direction)
     globe = Globe(arrangement, direction)
     if direction is None:
         globe = Globe(arrangement, _central_direction(globe))

@@ -8,6 +8,7 @@ from arrangement.arrangement import Arrangement
 from arrangement.polyhedra.cells import cut_cells, read_signs
 
 from .colours import chosen, fill_colour
+from .coordinates import in_coordinates
 from .exploded_cells import lifted_cells
 from .figure import picture
 from .globe import view_direction
@@ -30,6 +31,7 @@ def draw_planes(
     lift: Iterable[str] = (),
     colour: str | FacetPainter = "planes",
     width: float = 88.0,
+    coordinates: str | None = None,
 ) -> Scene:
     """Draw the planes of an arrangement in R^3 inside a ball or a cube, cell by cell.
 
@@ -49,6 +51,10 @@ def draw_planes(
         colour: "planes" (each its own colour), "shade" (grey by the angle to the light), "none",
             or a function from a `DrawnFacet` to a colour.
         width: of the figure, in millimetres.
+        coordinates: "symmetric": after a linear map that shows the symmetry of the planes and
+            changes no sign vector; "even": after one that spreads the normals evenly; "given". If
+            omitted, symmetric, but for planes of motions
+            and where the body has a given place.
 
     Raises:
         InputError: another space, too many planes, no such cell, lifted cells that hide each
@@ -59,6 +65,9 @@ def draw_planes(
     paper = checked_width(width)
     texts = [lift] if isinstance(lift, str) else list(lift)
     chosen = [read_signs(arrangement, text) for text in texts]
+    if coordinates is None and not (centre is None and radius is None):
+        coordinates = "given"
+    arrangement, direction = in_coordinates(coordinates, arrangement, direction)
     toward = None if direction is None else view_direction(direction)
     cells = cut_cells(arrangement, body, centre, radius)
     if toward is None:

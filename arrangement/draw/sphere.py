@@ -7,8 +7,8 @@ import numpy as np
 from arrangement.arrangement import Arrangement
 
 from .colours import DrawnRegion, Painter, painter
+from .coordinates import in_coordinates
 from .disc import Disc, alone, front, key_entries
-from .equalize import evened
 from .figure import picture
 from .globe import Floats, Globe
 from .labels import flattened, write_inside
@@ -24,7 +24,7 @@ def draw_sphere(
     direction: Vector | None = None,
     colour: str | Painter = "sides",
     width: float = 88.0,
-    even: bool = False,
+    coordinates: str | None = None,
 ) -> Scene:
     """Draw the great circles of central planes in R^3 as seen from a direction.
 
@@ -38,15 +38,16 @@ def draw_sphere(
         colour: "sides" (by number of sides), "signs" (by number of minus signs), "none", or a
             function from a `DrawnRegion` to a colour.
         width: of the figure, in millimetres.
-        even: draw the planes after a linear map that spreads their normals evenly and changes no
-            sign vector (see `equalize.evened`); the direction counts after it.
+        coordinates: "symmetric": after a linear map that shows the symmetry of the planes and
+            changes no sign vector; "even": after one that spreads the normals evenly; "given". If
+            omitted, symmetric, but for planes of motions.
 
     Raises:
         InputError: another space, planes off the origin, too many circles, unknown colouring.
         MissingExtraError: matplotlib is absent.
     """
     paint = painter(colour)
-    arrangement = evened(arrangement) if even else arrangement
+    arrangement, direction = in_coordinates(coordinates, arrangement, direction)
     globe = Globe(arrangement, direction)
     disc = alone(globe, front(globe, orthographic), colour, width)
     hidden = _hidden(disc)

@@ -13,8 +13,8 @@ from arrangement.errors import InputError
 from arrangement.exact import IntegerVector
 
 from .colours import DrawnRegion, Painter, painter
+from .coordinates import in_coordinates
 from .disc import alone, front, has_key, key_entries, plane_names, region_sides, rim_width
-from .equalize import evened
 from .figure import picture
 from .globe import Globe, best_direction, unit_vectors
 from .labels import flattened, sign_text, write_inside
@@ -34,7 +34,7 @@ def draw_stereographic(
     colour: str | Painter = "sides",
     width: float = 88.0,
     whole: bool | None = None,
-    even: bool = False,
+    coordinates: str | None = None,
 ) -> Scene:
     """Draw the great circles of central planes in R^3 in stereographic projection.
 
@@ -56,8 +56,9 @@ def draw_stereographic(
         width: of the figure, in millimetres.
         whole: both halves, or the front half; if omitted, both where all circles stay within
             3.3 radii, as for few circles.
-        even: draw the planes after a linear map that spreads their normals evenly and changes no
-            sign vector (see `equalize.evened`); the direction counts after it.
+        coordinates: "symmetric": after a linear map that shows the symmetry of the planes and
+            changes no sign vector; "even": after one that spreads the normals evenly; "given". If
+            omitted, symmetric, but for planes of motions.
 
     Raises:
         InputError: another space, planes off the origin, too many circles, unknown colouring; or
@@ -65,7 +66,7 @@ def draw_stereographic(
         MissingExtraError: matplotlib is absent.
     """
     paint = painter(colour)
-    arrangement = evened(arrangement) if even else arrangement
+    arrangement, direction = in_coordinates(coordinates, arrangement, direction)
     globe = Globe(arrangement, direction)
     if direction is None and whole is not False:
         central = Globe(arrangement, _inner_direction(globe))
