@@ -87,7 +87,8 @@ def test_the_colouring_by_minus_signs_has_a_legend() -> None:
 
 
 def test_sign_vectors_keep_off_the_dashed_arcs_or_stand_on_a_halo() -> None:
-    axes = draw_sphere(read_arrangement("braid-a3"), direction=VIEW).axes[0]
+    planes = read_arrangement("braid-a3")
+    axes = draw_sphere(planes, direction=VIEW, coordinates="given").axes[0]
     figure = axes.figure
     figure.canvas.draw()
     dashes = [p for p in axes.patches if (p.get_gid() or "").startswith("back")]
