@@ -57,7 +57,7 @@ def _parser() -> terminal.Parser:
     draw.set_defaults(command=_draw)
 
     for command in (count, faces, bounds, names, draw):
-        terminal.add_json_option(command)
+        terminal.add_common_options(command)
     return parser
 
 

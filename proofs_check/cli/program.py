@@ -27,7 +27,7 @@ def _parser() -> terminal.Parser:
     def command(name: str, function: str, help: str) -> argparse.ArgumentParser:
         added: argparse.ArgumentParser = commands.add_parser(name, help=help)
         added.set_defaults(command=_later(function))
-        terminal.add_json_option(added)
+        terminal.add_common_options(added)
         return added
 
     command("list", "run.list_claims", "list the claims")

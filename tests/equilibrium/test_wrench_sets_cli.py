@@ -36,7 +36,7 @@ def test_limit_of_nothing_exits_with_one(capsys):
     [
         ("limit", THREE, "--direction", "0", "0", "0"),
         ("limit", THREE, "--direction", "0", "1"),
-        ("limit", THREE, "--direction", "0", "1e5", "0"),
+        ("limit", THREE, "--direction", "0", "1e99999", "0"),
         ("limit", THREE),
         ("limit", "no-such-grasp", "--direction", "0", "1", "0"),
         ("region", THREE, "--second", "2", "0", "0"),
