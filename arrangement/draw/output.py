@@ -66,7 +66,9 @@ def save_figure(path: str | os.PathLike[str], make: Callable[[], Figure]) -> Non
 def save_picture(stream: io.BytesIO, suffix: str, make: Callable[[], Figure]) -> None:
     """Write the figure that `make` returns to a stream, as `save_figure` does."""
     mpl = require_matplotlib()
-    with mpl.rc_context({**mpl.rcParamsDefault, **_STYLE}):
+    # Whoever asks for the backend loads all of pyplot; figures of their own need none.
+    plain = {key: value for key, value in mpl.rcParamsDefault.items() if key != "backend"}
+    with mpl.rc_context({**plain, **_STYLE}):
         make().savefig(stream, format=suffix[1:], dpi=300, metadata=_METADATA[suffix])
 
 
