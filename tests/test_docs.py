@@ -235,3 +235,34 @@ def test_a_script_that_fails_or_makes_no_figure_ends_the_build(
 ) -> None:
     with pytest.raises((ZeroDivisionError, RuntimeError)):
         draw(script)
+
+
+#: The last words of a row of the table of limits: the constants that it names.
+LIMITS = {
+    "CSV file)": ("arrangement.io.files:MAX_BYTES", "equilibrium.inputs.csv_file:MAX_BYTES"),
+    "a certificate": ("equilibrium.io.files:MAX_CERTIFICATE_BYTES",),
+    "one number": ("arrangement.exact:MAX_TEXT_LENGTH",),
+    "space in a file": ("arrangement.io.arrangements:MAX_DIMENSION",),
+    "interactive page": ("arrangement.draw.globe:MAX_CIRCLES", "arrangement.draw.page:MAX_CIRCLES"),
+    "Hasse diagram": ("arrangement.draw.lattice:MAX_FLATS",),
+    "resisted forces": ("equilibrium.draw.page:MAX_CONTACTS",),
+    "is exponential": ("equilibrium.methods.frictionless_slip:MAX_CONTACTS",),
+    "combinatorial types": ("arrangement.library.census.catalogue:MOST_PLANES",),
+    "after the other": ("proofs_check.sweep.sweep:MOST", "arrangement.terminal:MOST"),
+    "in a certificate": ("equilibrium.certificate.checker:MAX_DEPTH",),
+}
+
+
+def test_the_limits_on_the_page_are_those_of_the_code() -> None:
+    text = (DOCS / "accuracy.rst").read_text(encoding="utf-8").partition("\nLimits of size\n")[2]
+    rows = re.findall(r"   \* - (.+)\n     - (.+)", text.partition("There is no other")[0])[1:]
+    assert len(rows) == len(LIMITS)
+    for what, most in rows:
+        (names,) = (names for end, names in LIMITS.items() if what.endswith(end))
+        stated = [
+            int(number) * (2**20 if "MiB" in most else 1) for number in re.findall(r"[0-9]+", most)
+        ]
+        for limit in names:
+            module, _, constant = limit.partition(":")
+            value = getattr(importlib.import_module(module), constant)
+            assert value in stated, (what, most, limit, value)
