@@ -249,7 +249,7 @@ LIMITS = {
     "is exponential": ("equilibrium.methods.frictionless_slip:MAX_CONTACTS",),
     "combinatorial types": ("arrangement.library.census.catalogue:MOST_PLANES",),
     "after the other": ("proofs_check.sweep.sweep:MOST", "arrangement.terminal:MOST"),
-    "in a certificate": ("equilibrium.certificate.checker:MAX_DEPTH",),
+    "of a proof": ("equilibrium.certificate.checker:MAX_DEPTH",),
 }
 
 
