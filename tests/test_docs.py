@@ -12,7 +12,10 @@ from types import SimpleNamespace
 
 import pytest
 
+from arrangement import cli as arrangement_cli
 from arrangement.enumeration.choose import ENGINES
+from equilibrium.cli import program as equilibrium_cli
+from proofs_check.cli import program as claims_cli
 from tests.docpages import ROOT, Page, blocks, commands, loose_literals
 
 DOCS = ROOT / "docs"
@@ -235,6 +238,14 @@ def test_a_script_that_fails_or_makes_no_figure_ends_the_build(
 ) -> None:
     with pytest.raises((ZeroDivisionError, RuntimeError)):
         draw(script)
+
+
+def test_every_command_has_an_example() -> None:
+    page = (DOCS / "commands.rst").read_text(encoding="utf-8")
+    for parser in (arrangement_cli._parser(), equilibrium_cli._parser(), claims_cli._parser()):
+        (commands,) = (a.choices for a in parser._actions if isinstance(a.choices, dict))
+        for command in commands:
+            assert f"\n   $ {parser.prog} {command}" in page
 
 
 #: The last words of a row of the table of limits: the constants that it names.
