@@ -2,11 +2,9 @@
 
 from __future__ import annotations
 
-import math
-from collections.abc import Iterator
+from collections.abc import Mapping
 from dataclasses import replace
 from fractions import Fraction
-from typing import NamedTuple
 
 import numpy as np
 
@@ -14,36 +12,24 @@ from arrangement.draw.colours import BLUE, GREY, VERMILION, fill_colour, pale
 from arrangement.draw.figure import picture
 from arrangement.draw.registry import Exact, Wrench
 from arrangement.draw.scene import POINTS, Floats, Scene, area, checked_width
-from arrangement.exact import IntegerVector, RationalVector, primitive, rational
-from arrangement.polyhedra.cones import generators
-from arrangement.polyhedra.polyhedron import Polyhedron, from_conditions
-from equilibrium.certificate.leaves import Part, parts, works
-from equilibrium.model.errors import GraspError
-from equilibrium.model.grasp import Grasp, read_wrench
-from equilibrium.solver.contact_rows import negated, normal_force_row, slip_row
-from equilibrium.verdict import Verdict, solve
+from arrangement.exact import RationalVector
+from equilibrium.certificate.leaves import Part, works
+from equilibrium.model.grasp import Grasp
+from equilibrium.verdict import Verdict
 
 from .grasp import Picture
-from .layout import MOVED, Layout, layout_of
+from .layout import MOVED, Layout, layout_of, shift_at
 from .panel import ABOVE, BELOW, LEFT, Panel
+from .proof_maps import MAP, TURNS, Shape, proof_maps, summary_lines
 from .row import GAP, RIGHT, new_legend
 from .shapes import Labels, arrow, turning_arrow
-from .style import nice, number, rounded, vector
-from .window import Window, roomiest
+from .style import number, vector
+from .window import roomiest
 
-#: Half the side of the maps, and of the small grasps, where the contacts fill [-1, 1].
-_MAP, _SMALL = 3, 2.5
-#: How many parts are shown beside the map, and how many virtual motions the legend names.
+#: Half the side of the small grasps, where the contacts fill [-1, 1].
+_SMALL = 2.5
+#: How many virtual motions are shown below the maps, and how many the legend names.
 _SHOWN, _NAMED = 3, 9
-_TURNS = {1: "counter-clockwise", -1: "clockwise"}
-
-
-class _Shape(NamedTuple):
-    """A part of the motions where it meets the rotations of one sense: a polygon of centres."""
-
-    part: Part
-    sense: int
-    corners: Floats
 
 
 @picture
@@ -71,29 +57,15 @@ def draw_proof(
         GraspError: the wrench is resisted, or a turn that is not above 0.
         MissingExtraError: matplotlib is absent.
     """
-    verdict = solve(grasp, read_wrench(wrench))
-    if verdict.stable:
-        raise GraspError(
-            "the wrench is resisted, so no proof refutes it; the view grasp shows what balances it"
-        )
+    maps = proof_maps(grasp, wrench, turn)
+    verdict, ranks = maps.verdict, maps.ranks
     layout = layout_of(grasp, verdict, None, 1)
-    found = list(parts(verdict.certificate.to_dict()))
-    angle = _angle(layout, found, turn)
-    window = Window(layout.frame.centre, _MAP * layout.frame.size)
-    shapes = [
-        _Shape(part, sense, corners)
-        for part in found
-        for sense in _TURNS
-        if (centres := _centres(part, grasp, sense, angle)) is not None
-        and (corners := window.inside(centres)) is not None
-    ]
-    sizes: dict[RationalVector, float] = {part.leaf.motion: 0.0 for part in found}
-    for shape in shapes:
-        sizes[shape.part.leaf.motion] += area(shape.corners)
-    ranks = {motion: i for i, motion in enumerate(sorted(sizes, key=lambda m: -sizes[m]))}
     legend = new_legend(checked_width(width, 150.0))
-    for line in _lines(verdict, found, ranks, angle):
+    for line in summary_lines(maps, _NAMED):
         legend.line(line)
+    legend.line(
+        "below: λ as arrows at the contacts; the least work of each where its normal force is c"
+    )
     for motion, i in list(ranks.items())[:_NAMED]:
         legend.key(_fill(i), f"{i + 1}: λ = {vector(motion)}")
     side = (legend.width - LEFT - RIGHT - GAP) / 2
@@ -101,65 +73,23 @@ def draw_proof(
     scene = Scene(width, (side + small + 2.5 * ABOVE + BELOW + legend.height) / POINTS)
     low = legend.height + small + 1.5 * ABOVE + BELOW
     unit = grasp.units.length if grasp.units else ""
-    for i, sense in enumerate(_TURNS):
-        panel = Panel(scene, window, (LEFT + i * (side + GAP), low), side, f"{i + 1}-")
+    for i, sense in enumerate(TURNS):
+        panel = Panel(scene, maps.window, (LEFT + i * (side + GAP), low), side, f"{i + 1}-")
         panel.rulers(("$x$", "$y$"), unit, left=i == 0)
-        panel.title(f"centres of {_TURNS[sense]} motions")
-        drawn = _grasp(scene, layout, side / 2 / _MAP, panel.at((0, 0)), panel.name)
-        _map(panel, [shape for shape in shapes if shape.sense == sense], ranks, drawn.labels)
+        panel.title(f"centres of {TURNS[sense]} motions")
+        drawn = _grasp(scene, layout, side / 2 / MAP, panel.at((0, 0)), panel.name)
+        _map(panel, [shape for shape in maps.shapes if shape.sense == sense], ranks, drawn.labels)
     shown = list(ranks)[:_SHOWN]
     for i, motion in enumerate(shown):
-        together = [part for part in found if part.leaf.motion == motion]
+        together = [part for part in maps.parts if part.leaf.motion == motion]
         middle = np.array([(2 * i + 1) * scene.width / len(shown), 2 * legend.height + small]) / 2
         _example(scene, layout, verdict, together, (i, middle, small))
     legend.draw(scene)
     return scene
 
 
-def _angle(layout: Layout, found: list[Part], turn: Exact | None) -> Fraction | None:
-    """Return the rotation to be shown; None if regions do not depend on the size of motions."""
-    if turn is not None:
-        angle = rational(turn, "turn")
-        if angle <= 0:
-            raise GraspError(f"turn is {angle}; it must be above 0")
-        return angle
-    plain = all(g[0] == 0 or not any(g[1:]) for part in found for g in part.region)
-    if plain and not any(layout.grasp.contacts[i].preload for part in found for i in part.states):
-        return None
-    reach = max((c.preload / c.stiffness for c in layout.grasp), default=Fraction(0))
-    wanted = reach / layout.frame.size or Fraction(1)
-    near = rounded(wanted)
-    angle = nice(near) if near and math.isfinite(near) else wanted
-    rows = (row for part in found for row, _ in _conditions(part, layout.grasp))
-    borders = {Fraction(abs(zero), abs(r)) for x, y, r, zero in rows if r and not (x or y)}
-    while angle in borders:
-        angle *= Fraction(9, 10)
-    return angle
-
-
-def _conditions(part: Part, grasp: Grasp) -> Iterator[tuple[IntegerVector, bool]]:
-    """Yield rows ``a . (x, y, r, d_0) >= 0`` of a part, and whether ``= 0`` is meant instead."""
-    for zero, *row in generators(part.region, (), 4)[0]:
-        yield (*row, zero), False
-    for i, state in part.states.items():
-        spring, slip = normal_force_row(grasp.contacts[i]), slip_row(grasp.contacts[i])
-        yield primitive(negated(spring) if state == "detached" else spring), False
-        if state not in ("detached", "attached"):
-            yield primitive(negated(slip) if state == "slip-" else slip), state == "stick"
-
-
-def _centres(part: Part, grasp: Grasp, sense: int, angle: Fraction | None) -> Polyhedron | None:
-    """Return the centres of the rotations of a part, of one sense and angle."""
-    rows: dict[bool, list[IntegerVector]] = {False: [], True: []}
-    for (x, y, r, zero), equal in _conditions(part, grasp):
-        constant = sense * r + (zero / angle if angle else 0)
-        if any(row := primitive((-sense * y, sense * x, constant))):
-            rows[equal].append(row)
-    return from_conditions(rows[False], rows[True], 2)
-
-
 def _map(
-    panel: Panel, shapes: list[_Shape], ranks: dict[RationalVector, int], labels: Labels
+    panel: Panel, shapes: list[Shape], ranks: Mapping[RationalVector, int], labels: Labels
 ) -> None:
     """Fill the regions, with the number of their virtual motion where there is room."""
     for i, shape in enumerate(sorted(shapes, key=lambda s: -area(s.corners))):
@@ -209,7 +139,7 @@ def _example(
     for k, text in enumerate((f"{i + 1}: load {load}, contacts ≥ {least}", f"together ≥ {both}")):
         place = middle[0], middle[1] + size / 2 + 12 - 9 * k
         scene.text(place, text, weight="normal" if k else "bold")
-    shifts = [(x - r * c.point[1], y + r * c.point[0]) for c in verdict.grasp]
+    shifts = [shift_at((x, y, r), c.point) for c in verdict.grasp]
     largest = max((abs(v) for shift in shifts for v in shift), default=Fraction(0))
     for k, (shift, start) in enumerate(zip(shifts, drawn.places, strict=True), 1):
         if any(shift):
@@ -238,20 +168,3 @@ def _example(
             turning_arrow(scene, at, 0.15 * scale, 1 if r > 0 else -1, color=BLUE,
                           gid=f"{name}centre", zorder=7)  # fmt: skip
             scene.mark(at, "o", 2.5, color=BLUE, zorder=7)
-
-
-def _lines(
-    verdict: Verdict, found: list[Part], ranks: dict[RationalVector, int], angle: Fraction | None
-) -> Iterator[str]:
-    named = f", {_NAMED} of them named" if len(ranks) > _NAMED else ""
-    yield (
-        f"w = {vector(verdict.wrench)} is not resisted; regions of motions: {len(found)}; "
-        f"virtual motions λ = (x, y, r): {len(ranks)}{named}"
-    )
-    yield (
-        "regions: motions of every size; farther centres and translations lie beyond the edges"
-        if angle is None
-        else f"regions: only the motions with r = {number(angle)} (left) and r = "
-        f"{number(-angle)} (right) are shown; the proof has all"
-    )
-    yield "below: λ as arrows at the contacts; the least work of each where its normal force is c"

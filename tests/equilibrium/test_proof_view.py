@@ -123,7 +123,7 @@ def test_a_proof_by_states_is_drawn_and_said_by_their_planes() -> None:
         proof_lines(verdict)
     )
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr("equilibrium.draw.proof.solve", lambda *_: verdict)
+        patch.setattr("equilibrium.draw.proof_maps.solve", lambda *_: verdict)
         assert_filled(verdict)
         assert {len(regions(verdict, sense)) for sense in (1, 2)} == {2}
 
