@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping
 from dataclasses import replace
 from fractions import Fraction
@@ -10,6 +11,7 @@ import numpy as np
 
 from arrangement.draw.colours import BLUE, GREY, VERMILION, fill_colour, pale
 from arrangement.draw.figure import picture
+from arrangement.draw.labels import flattened
 from arrangement.draw.registry import Exact, Wrench
 from arrangement.draw.scene import POINTS, Floats, Scene, area, checked_width
 from arrangement.exact import RationalVector
@@ -22,14 +24,23 @@ from .layout import MOVED, Layout, layout_of, shift_at
 from .panel import ABOVE, BELOW, LEFT, Panel
 from .proof_maps import MAP, TURNS, Shape, proof_maps, summary_lines
 from .row import GAP, RIGHT, new_legend
-from .shapes import Labels, arrow, turning_arrow
+from .shapes import Labels, arc, arrow, turning_arrow
 from .style import number, vector
 from .window import roomiest
 
-#: Half the side of the small grasps, where the contacts fill [-1, 1].
-_SMALL = 2.5
+#: Half the side of the small grasps, where the contacts fill [-1, 1]: with numbers, and without.
+_SMALL = (2.5, 1.7)
 #: How many virtual motions are shown below the maps, and how many the legend names.
 _SHOWN, _NAMED = 3, 9
+#: With more contacts there is no room for the work of each.
+_WRITTEN = 8
+_ARROWS = (
+    "below: λ as arrows at the contacts, grey where one has no force, red where its work may be < 0"
+)
+_EXAMPLES = (
+    (_ARROWS, "numbers: the least work of each contact where its normal force is c"),
+    (f"{_ARROWS};", f"no room for numbers beyond {_WRITTEN} contacts: a page (.html) has them"),
+)
 
 
 @picture
@@ -63,9 +74,8 @@ def draw_proof(
     legend = new_legend(checked_width(width, 150.0))
     for line in summary_lines(maps, _NAMED):
         legend.line(line)
-    legend.line(
-        "below: λ as arrows at the contacts; the least work of each where its normal force is c"
-    )
+    for line in _EXAMPLES[len(grasp) > _WRITTEN]:
+        legend.line(line)
     for motion, i in list(ranks.items())[:_NAMED]:
         legend.key(_fill(i), f"{i + 1}: λ = {vector(motion)}")
     side = (legend.width - LEFT - RIGHT - GAP) / 2
@@ -83,7 +93,7 @@ def draw_proof(
     for i, motion in enumerate(shown):
         together = [part for part in maps.parts if part.leaf.motion == motion]
         middle = np.array([(2 * i + 1) * scene.width / len(shown), 2 * legend.height + small]) / 2
-        _example(scene, layout, verdict, together, (i, middle, small))
+        _example(scene, layout, verdict, together, (i, middle, small, scene.width / len(shown)))
     legend.draw(scene)
     return scene
 
@@ -117,7 +127,6 @@ def _grasp(scene: Scene, layout: Layout, scale: float, middle: Floats, name: str
     drawn.body()
     drawn.contacts()
     drawn.wrench()
-    drawn.numbers()
     named = (replace(item, name=item.name and name + item.name) for item in scene.items[first:])
     scene.items[first:] = named
     return drawn
@@ -128,11 +137,12 @@ def _example(
     layout: Layout,
     verdict: Verdict,
     together: list[Part],
-    where: tuple[int, Floats, float],
+    where: tuple[int, Floats, float, float],
 ) -> None:
     """Draw the virtual motion of some parts on a small grasp, with the works on it."""
-    (i, middle, size), (x, y, r) = where, together[0].leaf.motion
-    scale, name = size / 2 / _SMALL, f"{i + 3}-"
+    (i, middle, size, room), (x, y, r) = where, together[0].leaf.motion
+    half, name = _SMALL[len(verdict.grasp) > _WRITTEN], f"{i + 3}-"
+    scale = size / 2 / half
     drawn = _grasp(scene, layout, scale, middle, name)
     done = works(verdict.grasp, verdict.wrench, together)
     load, least, both = map(number, (done.load, done.least, done.load + done.least))
@@ -141,30 +151,43 @@ def _example(
         scene.text(place, text, weight="normal" if k else "bold")
     shifts = [shift_at((x, y, r), c.point) for c in verdict.grasp]
     largest = max((abs(v) for shift in shifts for v in shift), default=Fraction(0))
-    for k, (shift, start) in enumerate(zip(shifts, drawn.places, strict=True), 1):
+    colours = [
+        GREY if factor is None else VERMILION if factor < 0 else BLUE for factor in done.factors
+    ]
+    for k, (shift, start) in enumerate(zip(shifts, drawn.places, strict=True)):
         if any(shift):
             end = start + 2 * MOVED * scale * np.array([float(v / largest) for v in shift])
-            arrow(scene, start, end, 1.0, fc=BLUE, ec="none", gid=f"{name}shift-{k}", zorder=7)
+            arrow(scene, start, end, 1.0, fc=colours[k], ec="none", gid=f"{name}shift-{k + 1}",
+                  zorder=7)  # fmt: skip
             drawn.labels.avoid_line(start, end)
-    for k, (factor, start) in enumerate(zip(done.factors, drawn.places, strict=True), 1):
-        text = "no force" if factor is None else f"{number(factor)} c"
-        normal = layout.normals[k - 1]
-        along, half = np.array([-normal[1], normal[0]]), scene.measure(text)[0] / 2
-        wanted = [
-            start - out * normal + side * along - [half * np.sign(round(normal[0], 3)), 0]
-            for out in (6, 12, 18, 26)
-            for side in (-10, 10, 16, -16, 0)
-        ]
-        ends = half + 2, scene.width - half - 2
-        wanted = [np.array([min(max(place[0], ends[0]), ends[1]), place[1]]) for place in wanted]
-        colour = GREY if factor is None else VERMILION if factor < 0 else BLUE
-        scene.text(drawn.labels.place(text, wanted), text, color=colour, halo=(1.5, "white"),
-                   gid=f"{name}work-{k}", zorder=8)  # fmt: skip
     if r:
         frame, centre = layout.frame, (-y / r, x / r)
         far = max(abs(v - c) for v, c in zip(centre, frame.centre, strict=True)) / frame.size
-        if 4 * far < 9:
-            at = drawn.at(frame.paper(centre))
-            turning_arrow(scene, at, 0.15 * scale, 1 if r > 0 else -1, color=BLUE,
+        if far < 0.9 * half:
+            at, reach = drawn.at(frame.paper(centre)), 0.15 * scale
+            turning_arrow(scene, at, reach, 1 if r > 0 else -1, color=BLUE,
                           gid=f"{name}centre", zorder=7)  # fmt: skip
             scene.mark(at, "o", 2.5, color=BLUE, zorder=7)
+            drawn.labels.avoid(flattened(arc(at, reach, 0, 2 * math.pi)))
+    if len(verdict.grasp) <= _WRITTEN:
+        drawn.numbers()
+        for k, (factor, colour) in enumerate(zip(done.factors, colours, strict=True)):
+            text = "no force" if factor is None else f"{number(factor)} c"
+            place = _beside(drawn, k, text, (middle[0] - room / 2, middle[0] + room / 2))
+            scene.text(place, text, color=colour, halo=(1.5, "white"), gid=f"{name}work-{k + 1}",
+                       zorder=8)  # fmt: skip
+
+
+def _beside(drawn: Picture, k: int, text: str, ends: tuple[float, float]) -> Floats:
+    """Return a free place for a text outside a contact, between two ends."""
+    start, normal = drawn.places[k], drawn.layout.normals[k]
+    along, half = np.array([-normal[1], normal[0]]), drawn.scene.measure(text)[0] / 2
+    outward = np.array([half * np.sign(round(normal[0], 3)), 0])
+    wanted = [
+        start - out * normal + side * along - outward
+        for out in (6, 12, 18, 26, 34, 42)
+        for side in (-10, 10, 16, -16, 0, 24, -24)
+    ]
+    low, high = ends[0] + half + 2, ends[1] - half - 2
+    held = [np.array([min(max(x, low), high), y]) for x, y in wanted]
+    return drawn.labels.place(text, held)
