@@ -317,7 +317,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
     os.chdir(ROOT)
     sys.path.insert(0, str(ROOT))
     _preload()
-    unknown = [plant(name, given.seed, given.jobs, given.first) for name in given.targets or TARGETS]
+    names = given.targets or TARGETS
+    unknown = [plant(name, given.seed, given.jobs, given.first) for name in names]
     return 1 if any(unknown) else 0
 
 
