@@ -173,8 +173,8 @@ def _example(
         drawn.numbers()
         for k, (factor, colour) in enumerate(zip(done.factors, colours, strict=True)):
             text = "no force" if factor is None else f"{number(factor)} c"
-            place = _beside(drawn, k, text, (middle[0] - room / 2, middle[0] + room / 2))
-            scene.text(place, text, color=colour, halo=(1.5, "white"), gid=f"{name}work-{k + 1}",
+            at = _beside(drawn, k, text, (middle[0] - room / 2, middle[0] + room / 2))
+            scene.text(at, text, color=colour, halo=(1.5, "white"), gid=f"{name}work-{k + 1}",
                        zorder=8)  # fmt: skip
 
 
