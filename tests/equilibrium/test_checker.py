@@ -321,6 +321,20 @@ def test_the_inequality_that_fails_is_named_with_its_numbers(leaf, words):
     assert check(document).problem.startswith(words)
 
 
+@pytest.mark.parametrize(
+    ("leaf", "words"),
+    [
+        (["0", "-1/2", "0"], "the work of load and contacts is -1, and"),
+        ({"virtual_motion": ["0", "1/2", "0"], "multipliers": {"0": ["2/3"]}}, "kappa = 1/2:"),
+    ],
+)
+def test_the_numbers_that_are_named_have_the_units_of_the_question(leaf, words):
+    """Stiffness and friction with denominators: the checker counts in thirtieths here."""
+    grasp = Grasp([Contact((0, 0), (0, 1), "1/5", "1/3", 1)])
+    document = refuted_certificate(grasp, (Fraction(0), Fraction(1), Fraction(0)), leaf).to_dict()
+    assert words in check(document).problem
+
+
 def test_form_is_checked_behind_a_leaf_that_fails():
     tree = {"contact": 0, "attachment": {"detached": LEAF, "attached": ["0"]}}
     with pytest.raises(InputError, match=r"tree\.attachment\.attached"):
