@@ -256,6 +256,11 @@ def _decimal(value: Fraction | int, digits: int) -> tuple[str, bool]:
     return mantissa + e + power, bool(context.flags[Inexact])
 
 
+def vector_text(values: Iterable[Fraction | int]) -> str:
+    """Return a vector with short numbers: ``"(1, -1/2, 0)"``."""
+    return f"({', '.join(number_text(x) for x in values)})"
+
+
 def _integer_text(value: int) -> str:
     """Return the decimal digits of an integer, in halves: str() refuses very long ones."""
     if value.bit_length() <= 2000:
