@@ -154,7 +154,7 @@ def _map_lines(found: SearchMap, unit: str) -> Iterator[str]:
         f"limit {number(found.limit)}{unit}: the search errs in {len(found.disagreements)}"
     )
     for entry in found.entries:
-        answer = "without limit" if entry.found is None else f"up to {float(entry.found):.4f}{unit}"
+        answer = "without limit" if entry.found is None else f"up to {number(entry.found)}{unit}"
         shown = ", ".join(f"{float(x):+.4f}" for x in entry.direction)
         wrong = "" if entry.agrees else f"; exactly {_intervals(entry.exact)}"
         yield f"  ({shown})  {answer}{wrong}"

@@ -78,8 +78,9 @@ function paintGrasp() {
   if (data.load.turn) paintTwist(view, data.origin, data.load.turn);
   const motion = draw("g", { class: "shift" }, view);
   data.contacts.forEach(({ place: p }, i) => arrow(motion, p, along(p, shifts[i], 0.45), "load", 1.1));
-  if (centre && Math.max(...centre.map(Math.abs)) * UNIT < 112) {
-    paintTwist(motion, centre, turn);
+  const far = centre ? Math.max(...centre.map(Math.abs)) * UNIT : Infinity;
+  if (far < 116 - 0.3 * UNIT) paintTwist(motion, centre, turn);
+  if (far < 114) {
     draw("circle", { class: "centre", cx: fixed(UNIT * centre[0]), cy: fixed(-UNIT * centre[1]), r: 3 }, motion);
   }
   paintNames(view);
