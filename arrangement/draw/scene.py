@@ -226,7 +226,9 @@ class Scene:
         if not self.is_free(box):
             return False
         self.boxes.append(box)
-        self.text((x, y), text, size, rotation=rotation, **style)
+        ha = {0: "left", 1: "right"}.get(anchor[0], "center")
+        place = {"left": box[0], "right": box[2], "center": x}[ha], y
+        self.text(place, text, size, ha=ha, rotation=rotation, **style)
         return True
 
     def text(
