@@ -20,10 +20,13 @@ from arrangement.exact import IntegerVector, primitive, rational_vector
 from arrangement.planes import Planes
 
 from .colours import Colouring, DrawnRegion, Painter, colouring
+from .scene import LIGHT
 
 Floats = npt.NDArray[np.float64]
 #: Circles beyond which a picture of one column shows nothing.
 MAX_CIRCLES = 60
+#: The unit vector towards the light, in the axes of a picture: the same for balls and solids.
+TO_LIGHT = np.array([*LIGHT, (1 - LIGHT[0] ** 2 - LIGHT[1] ** 2) ** 0.5])
 
 
 class Globe:

@@ -10,10 +10,10 @@ from arrangement.polyhedra.cells import cut_cells, read_signs
 from .colours import chosen, fill_colour
 from .exploded_cells import lifted_cells
 from .figure import picture
-from .globe import view_direction
+from .globe import TO_LIGHT, view_direction
 from .painting import Stage
 from .planenames import Names
-from .planesheet import LIGHT, FacetPainter, PlanesSheet
+from .planesheet import FacetPainter, PlanesSheet
 from .registry import Exact, Vector
 from .scene import Scene, checked_width
 from .view_direction import clear_sight
@@ -74,7 +74,7 @@ def draw_planes(
 def _painter(colour: str | FacetPainter) -> FacetPainter:
     painters: dict[str, FacetPainter] = {
         "planes": lambda facet: fill_colour(facet.label),
-        "shade": lambda facet: _grey(abs(float(LIGHT @ facet.normal))),
+        "shade": lambda facet: _grey(abs(float(TO_LIGHT @ facet.normal))),
         "none": lambda facet: "#ffffff",
     }
     return chosen(colour, painters)

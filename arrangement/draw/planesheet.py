@@ -13,7 +13,7 @@ import numpy as np
 
 from .colours import SKIN
 from .exploded_cells import Lifted
-from .globe import Floats
+from .globe import TO_LIGHT, Floats
 from .painting import Facet, Key, Stage
 from .scene import POINTS, Scene
 
@@ -21,8 +21,6 @@ from .scene import POINTS, Scene
 OPACITY = 0.82
 #: The share of white in the colour of a plane.
 WHITE = 0.42
-#: Towards the light, in the axes of the picture.
-LIGHT = np.array([-0.35, 0.65, 0.68]) / np.linalg.norm([-0.35, 0.65, 0.68])
 #: Room for the numbers around the body, in points.
 MARGIN = 15.0
 
@@ -209,6 +207,6 @@ def _shaded(colour: str | Colour, normal: Floats) -> Colour:
     """Return a colour as it looks on a face with this normal."""
     from matplotlib.colors import to_rgb
 
-    light = 0.76 + 0.24 * max(0.0, float(LIGHT @ normal))
+    light = 0.76 + 0.24 * max(0.0, float(TO_LIGHT @ normal))
     red, green, blue = to_rgb(colour)
     return red * light, green * light, blue * light
