@@ -61,8 +61,8 @@ class Disc:
         both_ends: bool = False,
         avoid: Sequence[Floats] = (),
         within: Box | None = None,
-    ) -> None:
-        """Draw everything, labels of regions off the lines `avoid`, each (k, 2)."""
+    ) -> list[Floats]:
+        """Draw everything, labels of regions off the lines `avoid`; return all lines, (k, 2)."""
         outlines = []
         for piece, region in self.globe.front.items():
             outline = self.on_paper(self.drawn.outline(piece))
@@ -73,7 +73,9 @@ class Disc:
         hidden = [*self._hidden(), *avoid]
         self._names(both_ends)
         box = within or (0.0, self.scene.height - self.scene.width, *_corner(self.scene))
-        label_regions(self.scene, self.names, outlines, [*self._arcs(), *hidden], hidden, box)
+        lines = [*self._arcs(), *hidden]
+        label_regions(self.scene, self.names, outlines, lines, hidden, box)
+        return lines
 
     def _hidden(self) -> list[Floats]:
         """Draw the arcs on the far side, dashed; return points along them."""
@@ -179,9 +181,7 @@ def label_regions(
         )
 
 
-def alone(
-    globe: Globe, drawn: Drawn, footer: Footer, width: float, *, solid: bool = False
-) -> Disc:
+def alone(globe: Globe, drawn: Drawn, footer: Footer, width: float, *, solid: bool = False) -> Disc:
     """Return a disc as wide as its scene, with room for a footer below; `width` in mm."""
     scene = Scene(width, width + footer.height(width))
     centre = (scene.width / 2, scene.height - scene.width / 2)

@@ -82,9 +82,10 @@ class Globe:
 
     def colouring(self, colour: str | Painter | None, antipodes: str | None) -> Colouring:
         """Return how the regions are coloured; see `colours.colouring`."""
-        pairs = self.whole.incidence.region[: 2 * self.whole.arc_count].reshape(-1, 2)
+        beside = self.whole.incidence.region[: 2 * self.whole.arc_count].tolist()
+        pairs = list(zip(beside[::2], beside[1::2], strict=True))
         classes = self.whole.arrangement.distinct
-        return colouring(colour, antipodes, self.regions, list(map(tuple, pairs.tolist())), classes)
+        return colouring(colour, antipodes, self.regions, pairs, classes)
 
     @cached_property
     def limb(self) -> int:

@@ -86,6 +86,12 @@ def write_inside(
     return False
 
 
+def segments_of(lines: Sequence[Floats]) -> Floats:
+    """Return the segments (n, 2, 2) of lines, each (k, 2)."""
+    pieces = [np.stack([line[:-1], line[1:]], axis=1) for line in lines]
+    return np.concatenate([np.empty((0, 2, 2)), *pieces])
+
+
 def keep_off(lines: Sequence[Floats], areas: Sequence[Floats] = ()) -> Any:
     """Return lines and polygons, each (k, 2), as a tree for `write_inside`."""
     import shapely
@@ -107,9 +113,7 @@ class Leaders:
         import shapely
 
         self.scene = scene
-        pieces = [np.stack([line[:-1], line[1:]], axis=1) for line in lines]
-        segments = np.concatenate([np.empty((0, 2, 2)), *pieces])
-        self.segments = shapely.STRtree(shapely.linestrings(segments))
+        self.segments = shapely.STRtree(shapely.linestrings(segments_of(lines)))
         self.within = shapely.box(*within)
         self.drawn: list[Any] = []
 
@@ -150,15 +154,6 @@ class Leaders:
                 self.scene.circle(start, DOT, fc="black", ec="none", **style)
                 return True
         return False
-
-
-def dense(outline: Floats) -> Floats:
-    """Return a polygon with at most 2 points of paper between neighbouring corners."""
-    pieces = []
-    for p, q in zip(outline, np.roll(outline, -1, axis=0), strict=True):
-        steps = max(1, math.ceil(float(np.linalg.norm(q - p)) / 2))
-        pieces.append(p + (q - p) * np.arange(steps)[:, None] / steps)
-    return np.concatenate(pieces)
 
 
 def write_beside(
