@@ -112,17 +112,19 @@ def _shade(axes: Any, item: Ball, style: dict[str, Any]) -> Any:
 
 
 def _write(axes: Any, item: Label, style: dict[str, Any]) -> None:
-    from matplotlib.patheffects import withStroke
+    from matplotlib.patheffects import Normal, Stroke
 
     halo, plate = style.pop("halo", None), style.pop("plate", None)
-    if halo is not None:
-        style["path_effects"] = [withStroke(linewidth=halo[0], foreground=halo[1])]
     if plate is not None:
         style["bbox"] = plate
-    axes.text(
-        *item.place, item.text, size=item.size, ha=item.ha, va=item.va, rotation=item.rotation,
-        linespacing=1.0, **style,
-    )  # fmt: skip
+    place = {"size": item.size, "ha": item.ha, "va": item.va, "rotation": item.rotation}
+    effects: list[Any] = [] if halo is None else [Stroke(linewidth=halo[0], foreground=halo[1])]
+    if effects and require_matplotlib().rcParams["svg.fonttype"] == "none":
+        # What has an effect becomes outlines; the letters on it stay letters.
+        axes.text(*item.place, item.text, **place, linespacing=1.0, path_effects=effects, **style)
+        effects = []
+    effects = [*effects, Normal()] if effects else effects
+    axes.text(*item.place, item.text, **place, linespacing=1.0, path_effects=effects, **style)
 
 
 def _clip(axes: Any, artist: Any, item: Item) -> None:

@@ -27,8 +27,7 @@ _NEUTRAL = {
     "fill": "fill=none", "draw": "draw=none", "pattern": "pattern=none", "opacity": "opacity=1",
     "fill opacity": "fill opacity=1", "draw opacity": "draw opacity=1",
     "text opacity": "text opacity=1", "dash pattern": "solid", "line cap": "line cap=butt",
-    "line join": "line join=miter", "rotate": "rotate=0", "rounded corners": "sharp corners",
-    "align": "align=none",
+    "line join": "line join=miter", "rounded corners": "sharp corners", "align": "align=none",
 }  # fmt: skip
 #: Text twice, first as a thick line in the colour of the halo; without it where TeX has no way.
 _HALO = r"""\providecommand\slipstateshalo[3]{% width, colour, text
@@ -106,7 +105,9 @@ class _Writer:
         """Return for each role the options that most of its items have."""
         found: dict[str, Counter[tuple[tuple[str, str], ...]]] = {}
         for item, options, _ in self.written:
-            found.setdefault(item.role, Counter())[tuple(options.items())] += 1
+            # A rotation cannot be taken back.
+            shared = tuple((key, x) for key, x in options.items() if key != "rotate")
+            found.setdefault(item.role, Counter())[shared] += 1
         return {role: dict(counts.most_common(1)[0][0]) for role, counts in sorted(found.items())}
 
     def _scopes(self) -> Iterator[str]:
@@ -144,7 +145,8 @@ class _Writer:
         self._colour(options, "fill", face, alpha)
         width = style.get("lw", 1.0)
         if hatch := style.get("hatch"):
-            kind = f"{_HATCHES[hatch[0]]}, distance={_number(12 / len(hatch) / math.sqrt(2))}bp"
+            apart = 12 / len(hatch) * (math.sqrt(2) if hatch[0] in "/\\x" else 1)
+            kind = f"{_HATCHES[hatch[0]]}, distance={_number(apart)}bp"
             size = "radius=.4bp" if hatch[0] in ".o" else "line width=.35bp"
             options["pattern"] = f"{{{kind}, {size}]}}"
             self._colour(options, "pattern color", edge, None)
