@@ -135,7 +135,7 @@ class Disc:
             beyond = 3.6 + (abs(outward[0]) * w + abs(outward[1]) * h * 0.75) / 2
             for extra in (0.0, 2.0, 4.0):
                 place = np.array(self.centre) + (self.radius + beyond + extra) * outward
-                if self.scene.write(place, text, size, color=colour):
+                if self.scene.write(place, text, size, color=colour, style="italic"):
                     return
 
 
@@ -169,7 +169,7 @@ def label_regions(
     small = [
         (region, outline)
         for region, outline in outlines
-        if names.kind != "none"
+        if names.forms(region.signs)
         and not any(
             write_inside(scene, outline, text, off=off) for text in names.forms(region.signs)
         )

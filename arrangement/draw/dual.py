@@ -18,7 +18,7 @@ from .equalize import evened
 from .figure import picture
 from .footer import Footer
 from .globe import TO_LIGHT, Globe, clear_direction
-from .labels import SIZES, crosses, segments_meet, tried, write_beside
+from .labels import SIZES, crosses, tried, write_along, write_beside
 from .projections import orthographic
 from .regionlabels import RegionLabels
 from .registry import Vector
@@ -215,20 +215,10 @@ class _Picture:
         blocked = self._segments(small + 0.5, all_edges=True)
         for c, edges in sorted(by_class.items()):
             text = plane_names(classes[c])
-            half = np.array(self.scene.measure(text, 6.0)) / 2
             for _, e in sorted(edges):
-                u, v, _ = solid.edges[e]
-                along = (self.places[v] - self.places[u]) / max(
-                    float(np.linalg.norm(self.places[v] - self.places[u])), 1e-9
-                )
-                across = np.array([-along[1], along[0]])
-                beyond = float(np.abs(across) @ half) + 1.6
-                middle = (self.places[u] + self.places[v]) / 2
-                if any(
-                    not segments_meet(self.scene.box(at, text, 6.0), blocked).any()
-                    and self.scene.write(at, text, 6.0, color=plane_colour(c), style="italic")
-                    for at in (middle + beyond * across, middle - beyond * across)
-                ):
+                ends = self.places[list(solid.edges[e][:2])]
+                ink = {"color": plane_colour(c), "style": "italic"}
+                if write_along(self.scene, ends, text, 6.0, blocked, **ink):
                     break
 
     def _segments(self, small: float, *, all_edges: bool) -> Floats:

@@ -13,18 +13,16 @@ from arrangement.arrangement import Arrangement
 from arrangement.errors import InputError
 from arrangement.polyhedra.dual import dual_polygon, dual_polyhedron, dual_segment
 
-from .colours import DrawnRegion, Painter, colouring, plane_colour
+from .colours import CHECKERS, Colouring, DrawnRegion, Painter, colouring, plane_colour
 from .disc import plane_names
 from .figure import picture
 from .footer import Footer
 from .globe import MAX_CIRCLES
-from .labels import SIZES, crosses, segments_meet, tried, write_beside
+from .labels import SIZES, crosses, tried, write_along, write_beside
 from .regionlabels import RegionLabels
 from .scene import Floats, Scene, checked_width
 from .solids import edges_of, flat_edges
 from .tutte import tutte_places
-
-_PAD: dict[str, Any] = {"plate": {"fc": "white", "ec": "none", "pad": 0.4}}
 
 
 @dataclass(frozen=True)
@@ -79,11 +77,17 @@ def draw_graph(
     regions = [DrawnRegion(s, d) for s, d in zip(graph.signs, degrees, strict=True)]
     pairs = [(u, v) for u, v, _ in graph.edges]
     colours = colouring(colour, antipodes, regions, pairs, arrangement.distinct)
+    fills = CHECKERS if colours.name == "parity" else ("white", "white")
     even = "even number of minus signs"
     if len(arrangement.distinct) < len(arrangement):
         even += ", coincident planes counted once"
-    marker = {"fc": "white", "lw": 0.7}
-    keys = [(even, {"marker": "round", **marker}), ("odd", {"marker": "square", **marker})]
+    shapes = (("round", even), ("square", "odd"))
+    keys: list[tuple[str, dict[str, Any]]] = [
+        (text, {"marker": shape, "fc": fill, "lw": 0.7})
+        for (shape, text), fill in zip(shapes, fills, strict=False)
+    ]
+    if colours.name == "parity":
+        colours = Colouring(colours.paint, None)
     notes = []
     if arrangement.rank == 3:
         crossed = sorted({c for u, v, c in graph.edges if u in graph.outer and v in graph.outer})
@@ -178,15 +182,8 @@ class _Picture:
             if self.lengths[e] < 2 * self.size + 10:
                 break
             text = plane_names(self.arrangement.distinct[c])
-            w, h = self.scene.measure(text, 6.0)
-            if self.lengths[e] < 2 * self.size + max(w, h) + 6:
-                continue
-            middle = self.segments[e].mean(axis=0)
-            others = np.delete(dots, e, axis=0)
-            box = self.scene.box(middle, text, 6.0)
-            if not segments_meet(box, others).any() and self.scene.write(
-                middle, text, 6.0, color=plane_colour(c), **_PAD
-            ):
+            ink = {"color": plane_colour(c), "style": "italic"}
+            if write_along(self.scene, self.segments[e], text, 6.0, dots, **ink):
                 named.add(c)
 
     def _labels(self) -> None:

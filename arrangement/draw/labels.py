@@ -167,6 +167,7 @@ def write_beside(
     distance: float = 3.0,
     within: Box | None = None,
     others: Floats | None = None,
+    turns: int = 24,
     **style: Any,
 ) -> bool:
     """Write a label beside a point, off all segments, or not at all.
@@ -181,11 +182,12 @@ def write_beside(
         distance: from the point to the nearest part of the label; up to twice as much is tried.
         within: a part of the scene that must not be left.
         others: points (k, 2) that must be farther from the label, by a half, than this one.
+        turns: how many directions are tried, of 24.
         style: goes to matplotlib.
     """
     x, y = float(point[0]), float(point[1])
     close = segments[segments_meet((x - 60, y - 60, x + 60, y + 60), segments)]
-    directions = np.array(list(_around(away)))
+    directions = np.array(list(_around(away)))[:turns]
     for size, text, beyond in product(sizes, texts, (1.0, 2.0)):
         half = np.array(scene.measure(text, size)) / 2
         reach = distance * beyond + (half / np.maximum(np.abs(directions), 1e-9)).min(axis=1)
@@ -200,6 +202,29 @@ def write_beside(
                 continue
             if inside and scene.write(centres[k], text, size, **style):
                 return True
+    return False
+
+
+def write_along(
+    scene: Scene, ends: Floats, text: str, size: float, blocked: Floats, **style: Any
+) -> bool:
+    """Write a text beside the middle of a segment, close to it and off all segments, or not at all.
+
+    Args:
+        scene: where to.
+        ends: (2, 2); of the segment.
+        text: one line.
+        size: in points.
+        blocked: (k, 2, 2) that must not be covered.
+        style: goes to matplotlib.
+    """
+    step = ends[1] - ends[0]
+    across = np.array([-step[1], step[0]]) / max(float(np.linalg.norm(step)), 1e-9)
+    beyond = float(np.abs(across) @ np.array(scene.measure(text, size))) / 2 + 1.6
+    for at in (ends.mean(axis=0) + beyond * across, ends.mean(axis=0) - beyond * across):
+        met = segments_meet(scene.box(at, text, size), blocked).any()
+        if not met and scene.write(at, text, size, **style):
+            return True
     return False
 
 
