@@ -18,7 +18,7 @@ from .equalize import evened
 from .figure import picture
 from .footer import Footer
 from .globe import TO_LIGHT, Globe, clear_direction
-from .labels import SIZES, crosses, tried, write_along, write_beside
+from .labels import SIZES, crosses, segments_of, tried, write_along, write_beside
 from .projections import orthographic
 from .regionlabels import RegionLabels
 from .registry import Vector
@@ -160,8 +160,12 @@ class _Picture:
         solid, scene = self.solid, self.scene
         largest = 1.0 if self.hull else float(np.linalg.norm(solid.places, axis=1).max())
         self.places = np.array(centre) + solid.places * (radius / max(largest, 1e-9))
+        self.limb = np.empty((0, 2, 2))
         if self.hull:
             scene.circle(centre, radius, fill=False, ec="0.6", lw=0.4, zorder=1, gid="limb")
+            at = np.linspace(0, 2 * np.pi, 181)
+            rim = np.array(centre) + radius * np.stack([np.cos(at), np.sin(at)], axis=1)
+            self.limb = segments_of([rim])
         for k, (cycle, normal) in enumerate(solid.faces):
             grey = str(round(0.8 + 0.19 * max(0.0, float(TO_LIGHT @ normal)), 3))
             scene.polygon(self.places[list(cycle)], fc=grey, ec="none", zorder=1, gid=f"face-{k}")
@@ -228,7 +232,7 @@ class _Picture:
             for (u, v, _), hidden in zip(self.solid.edges, self.solid.edge_hidden, strict=True)
             if all_edges or not hidden
         ]
-        return np.concatenate([shown, crosses(self.places, small)])
+        return np.concatenate([shown, crosses(self.places, small), self.limb])
 
     def _labels(self, centre: Floats, small: float, within: Box) -> None:
         """Write the names of the vertices: inside, or beside, where no other vertex is as near."""

@@ -236,9 +236,12 @@ def _apart(box: Floats, points: Floats) -> Floats:
 
 
 def crosses(points: Floats, radius: float) -> Floats:
-    """Return segments (2k, 2, 2) that cover small dots, for `write_beside`."""
-    arms = radius * np.array([[1.0, 0.0], [0.0, 1.0]])
-    return np.concatenate([np.stack([points - arm, points + arm], axis=1) for arm in arms])
+    """Return segments (10k, 2, 2) that cover small discs, for `write_beside`."""
+    arms = radius * np.array([[[-1.0, 0.0], [1.0, 0.0]], [[0.0, -1.0], [0.0, 1.0]]])
+    at = np.arange(9) * math.pi / 4
+    ring = radius * np.stack([np.cos(at), np.sin(at)], axis=1)
+    shape = np.concatenate([arms, np.stack([ring[:-1], ring[1:]], axis=1)])
+    return (points[:, None, None] + shape).reshape(-1, 2, 2)
 
 
 def tried(count: int) -> int:
