@@ -112,8 +112,9 @@ class Names:
         closed = [np.vstack([area, area[:1]]) for _, area in self.picture.areas]
         for name, tip in zip(self.picture.axes.names, self.picture.axes.tips, strict=True):
             tip, origin = self.place(tip), self.place(self.picture.axes.origin)
+            lines = segments_of([*closed, np.array([origin, tip])])
             write_beside(
-                self.scene, tip, [name], (7.0, 6.0), segments=segments_of([*closed, np.array([origin, tip])]),
+                self.scene, tip, [name], (7.0, 6.0), segments=lines,
                 away=tip - origin, distance=2.0, style="italic",
             )  # fmt: skip
 
