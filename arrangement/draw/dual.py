@@ -13,8 +13,8 @@ from arrangement.polyhedra.dual import dual_polyhedron
 from arrangement.polyhedra.inscribed import representative_hull
 
 from .colours import BLUE, VERMILION, DrawnRegion, Painter, plane_colour
+from .coordinates import in_coordinates
 from .disc import HIDDEN, Disc, front, plane_names, rim_width
-from .equalize import evened
 from .figure import picture
 from .footer import Footer
 from .globe import TO_LIGHT, Globe, clear_direction
@@ -39,7 +39,7 @@ def draw_dual(
     labels: str | None = None,
     width: float = 180.0,
     hull: bool = False,
-    even: bool = False,
+    coordinates: str | None = None,
 ) -> Scene:
     """Draw the great circles of central planes in R^3, and beside them the dual polyhedron.
 
@@ -63,20 +63,23 @@ def draw_dual(
         colour, antipodes, labels: as for `draw_sphere`.
         width: of the figure, in millimetres; below 120 the panels stand one above the other.
         hull: draw the hull of representatives.
-        even: draw the planes after a linear map that spreads their normals evenly and changes no
-            sign vector (see `equalize.evened`); the direction counts after it.
+        coordinates: "symmetric": after a linear map that shows the symmetry of the planes and
+            changes no sign vector; "even": after one that spreads the normals evenly; "given". If
+            omitted, symmetric, but for planes of motions and for the hull.
 
     Raises:
         InputError: another space or rank, planes off the origin, too many circles, unknown
             colouring.
         MissingExtraError: matplotlib is absent.
     """
-    width = checked_width(width)
-    arrangement = evened(arrangement) if even else arrangement
+    width, names = checked_width(width), RegionLabels(arrangement, labels)
+    if coordinates is None and hull:
+        coordinates = "given"
+    arrangement, direction = in_coordinates(coordinates, arrangement, direction)
     globe = Globe(arrangement, direction)
     if direction is None and not hull:
         globe = Globe(arrangement, _oblique_direction(globe))
-    colours, names = globe.colouring(colour, antipodes), RegionLabels(arrangement, labels)
+    colours = globe.colouring(colour, antipodes)
     if hull:
         found = representative_hull(dual_polyhedron(arrangement))
         solid = hull_solid(found, globe.direction, globe.axes)

@@ -14,10 +14,11 @@ from arrangement.errors import InputError
 from arrangement.polyhedra.dual import dual_polygon, dual_polyhedron, dual_segment
 
 from .colours import CHECKERS, Colouring, DrawnRegion, Painter, colouring, plane_colour
+from .coordinates import symmetry
 from .disc import plane_names
 from .figure import picture
 from .footer import Footer
-from .globe import MAX_CIRCLES
+from .globe import MAX_CIRCLES, unit_vectors
 from .labels import SIZES, crosses, tried, write_along, write_beside
 from .regionlabels import RegionLabels
 from .scene import Floats, Scene, checked_width
@@ -53,11 +54,11 @@ def draw_graph(
 ) -> Scene:
     """Draw the graph of the dual (regions, and which of them share a facet) without crossings.
 
-    The outer polygon is a largest face; all other vertices are at weighted means of their
-    neighbours (Tutte's theorem), so that edges are straight and never cross. Round vertices have
-    an even number of negative classes of planes, square ones an odd number: every edge joins one
-    of each. A colour and a number on edges name the plane that they cross. In rank 2 the graph
-    is a cycle, in rank 1 one edge.
+    The outer polygon is a largest face, of these a most symmetric one; all other vertices are at
+    weighted means of their neighbours (Tutte's theorem), so that edges are straight and never
+    cross. Round vertices have an even number of negative classes of planes, square ones an odd
+    number: every edge joins one of each. A colour and a number on edges name the plane that they
+    cross. In rank 2 the graph is a cycle, in rank 1 one edge.
 
     Elements: ``vertex-3`` and ``edge-7``, numbered as in the dual.
 
@@ -114,7 +115,16 @@ def planar_graph(arrangement: Arrangement) -> PlanarGraph:
         return _cycle(arrangement)
     dual = dual_polyhedron(arrangement)
     degrees = np.bincount(dual.edges.ravel()).tolist()
-    outer = max(dual.faces, key=lambda f: (len(f), sum(min(degrees[v], 5) for v in f)))[::-1]
+    found = symmetry(arrangement)
+    kept = [1] * len(dual.faces)
+    if found is not None:
+        kept = found.stabilizers(unit_vectors(dual.face_normals)).tolist()
+
+    def fitness(face: int) -> tuple[int, ...]:
+        cycle = dual.faces[face]
+        return len(cycle), kept[face], sum(min(degrees[v], 5) for v in cycle)
+
+    outer = dual.faces[max(range(len(dual.faces)), key=fitness)][::-1]
     places = tutte_places(len(dual.signs), dual.faces, outer)
     return PlanarGraph(places, tuple(map(tuple, dual.signs.tolist())), edges_of(dual), outer)
 

@@ -14,8 +14,8 @@ from arrangement.errors import InputError
 from arrangement.exact import IntegerVector
 
 from .colours import DrawnRegion, Painter
+from .coordinates import in_coordinates
 from .disc import HIDDEN, alone, front, label_regions, plane_names, rim_width
-from .equalize import evened
 from .figure import picture
 from .footer import Footer
 from .globe import Globe, best_direction, unit_vectors
@@ -39,7 +39,7 @@ def draw_stereographic(
     labels: str | None = None,
     width: float = 88.0,
     whole: bool | None = None,
-    even: bool = False,
+    coordinates: str | None = None,
 ) -> Scene:
     """Draw the great circles of central planes in R^3 in stereographic projection.
 
@@ -61,8 +61,9 @@ def draw_stereographic(
         width: of the figure, in millimetres.
         whole: both halves, or the front half; if omitted, both where all circles stay within
             3.3 radii, as for few circles.
-        even: draw the planes after a linear map that spreads their normals evenly and changes no
-            sign vector (see `equalize.evened`); the direction counts after it.
+        coordinates: "symmetric": after a linear map that shows the symmetry of the planes and
+            changes no sign vector; "even": after one that spreads the normals evenly; "given". If
+            omitted, symmetric, but for planes of motions.
 
     Raises:
         InputError: another space, planes off the origin, too many circles, unknown colouring; or
@@ -70,7 +71,8 @@ def draw_stereographic(
         MissingExtraError: matplotlib is absent.
     """
     width = checked_width(width)
-    arrangement = evened(arrangement) if even else arrangement
+    names = RegionLabels(arrangement, labels)
+    arrangement, direction = in_coordinates(coordinates, arrangement, direction)
     globe = Globe(arrangement, direction)
     if direction is None and whole is not False:
         central = Globe(arrangement, _inner_direction(globe))
@@ -78,7 +80,7 @@ def draw_stereographic(
             globe, whole = central, True
     if whole is None:
         whole = 0 < _farthest(globe) <= FARTHEST
-    colours, names = globe.colouring(colour, antipodes), RegionLabels(arrangement, labels)
+    colours = globe.colouring(colour, antipodes)
     if not whole:
         footer = Footer(colours, names, list(globe.front.values()))
         disc = alone(globe, front(globe, stereographic), footer, width)
