@@ -23,7 +23,7 @@ INK = "#333333"
 def drawn_axes(
     planes: Planes, axes: str | None, coordinates: str | None
 ) -> tuple[tuple[str, ...], str | None]:
-    """Return the names of the three axes, or nothing, and the coordinates in which planes are drawn.
+    """Return the names of the axes, or nothing, and the coordinates in which planes are drawn.
 
     Args:
         planes: whose coordinates have names where they have a meaning.

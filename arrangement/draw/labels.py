@@ -241,7 +241,8 @@ def crosses(points: Floats, radius: float) -> Floats:
     at = np.arange(9) * math.pi / 4
     ring = radius * np.stack([np.cos(at), np.sin(at)], axis=1)
     shape = np.concatenate([arms, np.stack([ring[:-1], ring[1:]], axis=1)])
-    return (points[:, None, None] + shape).reshape(-1, 2, 2)
+    discs: Floats = (points[:, None, None] + shape).reshape(-1, 2, 2)
+    return discs
 
 
 def tried(count: int) -> int:

@@ -53,7 +53,7 @@ class Names:
             beyond = float((half / np.maximum(np.abs(way), 1e-9)).min())
             self.scene.line([self.place(point), rim + 4 * way], ec="black", lw=0.4, zorder=4)
             box = {"boxstyle": "round,pad=0.22,rounding_size=0.5", "fc": colour, "ec": "none"}
-            style = {"plate": box, "style": "italic"}
+            style: dict[str, Any] = {"plate": box, "style": "italic"}
             self.scene.write(rim + (4 + beyond) * way, text, 7.0, **style)
 
     def _covered(self, points: Floats) -> Floats:
