@@ -174,7 +174,7 @@ def label_regions(
             write_inside(scene, outline, text, off=off) for text in names.forms(region.signs)
         )
     ]
-    leaders = Leaders(scene, lines, within)
+    leaders = Leaders(scene, lines, within, [outline for _, outline in outlines])
     for region, outline in small:
         names.left_out += len(outlines) > _MOST_LEADERS or not leaders.write(
             outline, names.forms(region.signs)[0]

@@ -18,7 +18,7 @@ from .disc import HIDDEN, Disc, front, plane_names, rim_width
 from .figure import picture
 from .footer import Footer
 from .globe import TO_LIGHT, Globe, clear_direction
-from .labels import SIZES, crosses, segments_of, tried, write_along, write_beside
+from .labels import SIZES, crosses, segments_of, tree_of, tried, write_along, write_beside
 from .projections import orthographic
 from .regionlabels import RegionLabels
 from .registry import Vector
@@ -219,7 +219,7 @@ class _Picture:
             if not solid.edge_hidden[e]:
                 length = float(np.linalg.norm(self.places[u] - self.places[v]))
                 by_class.setdefault(c, []).append((-round(length, 3), e))
-        blocked = self._segments(small + 0.5, all_edges=True)
+        blocked = tree_of(self._segments(small + 0.5))
         for c, edges in sorted(by_class.items()):
             text = plane_names(classes[c])
             for _, e in sorted(edges):
@@ -228,19 +228,15 @@ class _Picture:
                 if write_along(self.scene, ends, text, 6.0, blocked, **ink):
                     break
 
-    def _segments(self, small: float, *, all_edges: bool) -> Floats:
-        """Return the edges, hidden ones as well if asked for, and crosses over the vertices."""
-        shown = [
-            self.places[[u, v]]
-            for (u, v, _), hidden in zip(self.solid.edges, self.solid.edge_hidden, strict=True)
-            if all_edges or not hidden
-        ]
-        return np.concatenate([shown, crosses(self.places, small), self.limb])
+    def _segments(self, small: float) -> Floats:
+        """Return what no label may cover: edges, vertices, and the limb of a hull."""
+        edges = self.places[[edge[:2] for edge in self.solid.edges]]
+        return np.concatenate([edges, crosses(self.places, small), self.limb])
 
     def _labels(self, centre: Floats, small: float, within: Box) -> None:
         """Write the names of the vertices: inside, or beside, where no other vertex is as near."""
         solid, far = self.solid, np.round(np.linalg.norm(self.places - centre, axis=1), 4)
-        segments = self._segments(small, all_edges=True)
+        segments = self._segments(small)
         order = sorted(range(len(far)), key=lambda v: (solid.vertex_hidden[v], -far[v]))
         for v in order[: tried(len(far))] if self.names.kind != "none" else ():
             hidden = solid.vertex_hidden[v]
