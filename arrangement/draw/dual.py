@@ -14,6 +14,7 @@ from arrangement.polyhedra.inscribed import representative_hull
 from .colours import BLUE, VERMILION, DrawnRegion, Painter, painter, plane_colour
 from .disc import Disc, front, has_key, key_entries, plane_names, region_sides, rim_width
 from .equalize import evened
+from .essential import shown_as
 from .figure import picture
 from .globe import Globe, clear_direction
 from .labels import SIZES, crosses, sign_forms, tried, write_beside
@@ -27,6 +28,7 @@ SIDE_BY_SIDE = 120.0
 
 
 @picture
+@shown_as("dual")
 def draw_dual(
     arrangement: Arrangement,
     *,

@@ -12,6 +12,7 @@ from arrangement.exact import IntegerVector
 from .colours import Painter, painter
 from .disc import alone, front, key_entries, plane_names
 from .equalize import evened
+from .essential import shown_as
 from .figure import picture
 from .globe import Globe, best_direction, unit_vectors
 from .projections import Chart, Drawn, StraightChart, orthographic
@@ -22,6 +23,7 @@ _BOTH_ENDS = 16
 
 
 @picture
+@shown_as("gnomonic")
 def draw_gnomonic(
     arrangement: Arrangement,
     *,
@@ -48,7 +50,7 @@ def draw_gnomonic(
     says so.
 
     Args:
-        arrangement: central, in R^3, any rank.
+        arrangement: central, of rank at most 3; in another space than R^3 its essentialisation.
         direction: the exact direction of the middle; if omitted, one in which all rays stay far
             from infinity.
         colour: as for `draw_sphere`.

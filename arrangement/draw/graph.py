@@ -14,6 +14,7 @@ from arrangement.polyhedra.dual import dual_polygon, dual_polyhedron, dual_segme
 
 from .colours import DrawnRegion, Painter, painter, plane_colour
 from .disc import has_key, key_entries, plane_names
+from .essential import shown_as
 from .figure import picture
 from .globe import MAX_CIRCLES
 from .labels import SIZES, crosses, segments_meet, sign_forms, tried, write_beside
@@ -42,6 +43,7 @@ class PlanarGraph:
 
 
 @picture
+@shown_as("graph")
 def draw_graph(
     arrangement: Arrangement,
     *,

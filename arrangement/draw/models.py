@@ -13,6 +13,7 @@ from arrangement.polyhedra.dual import dual_polyhedron
 from arrangement.polyhedra.dual.mesh import content
 
 from .colours import SKIN, DrawnRegion, Painter, fill_colour, painter, pale, side_colour
+from .essential import brought
 from .output import millimetres
 from .painting import unit_points
 from .registry import Exact, Vector
@@ -24,11 +25,11 @@ def dual_model(arrangement: Arrangement, suffix: str, *, size: float = 60.0) -> 
     In GLB a face is coloured by its number of corners.
 
     Args:
-        arrangement: central, in R^3, of rank 3.
+        arrangement: central, of rank 3; in another space than R^3 its essentialisation.
         suffix: ``.stl``, ``.glb`` or ``.obj``.
         size: the largest side of the bounding box, in millimetres.
     """
-    dual = dual_polyhedron(arrangement)
+    dual = dual_polyhedron(brought(arrangement, "dual"))
     colours = tuple(side_colour(len(face)) for face in dual.faces)
     return content(dual, suffix, millimetres(size, "size"), colours)
 
@@ -55,7 +56,8 @@ def cells_model(
     named by the sign vector.
 
     Args:
-        arrangement: in R^3; central or not, of any rank, coincident planes allowed.
+        arrangement: of rank at most 3, central or not, coincident planes allowed; in another space
+            than R^3 its essentialisation.
         suffix: ``.stl``, ``.glb`` or ``.obj``.
         body: "ball" or "cube".
         centre, radius: exact, of the body; see `body_around`.
@@ -75,7 +77,7 @@ def cells_model(
         raise InputError(f"explode is {shown(explode)}; give a factor from 1 to 10")
     paint = None if colour == "planes" else painter(colour)
     half = millimetres(size, "size") / 2
-    cells = cut_cells(arrangement, body, centre, radius)
+    cells = cut_cells(brought(arrangement, "cells"), body, centre, radius)
     points = unit_points(cells) * half
     parts = [_part(cells, cell, points, explode - 1, paint) for cell in cells.cells]
     kind = "one cell" if len(parts) == 1 else f"{len(parts)} cells"

@@ -18,6 +18,7 @@ from arrangement.exact import IntegerVector, primitive, shown
 from arrangement.polyhedra.dual.incidence import dual_incidence
 
 from .equalize import evening_map, is_narrow
+from .essential import brought, caption
 from .globe import Globe, clear_direction, picture_axes, unit_vectors
 from .html_page import BASE_SCRIPT, BASE_STYLE, one_page, own
 from .registry import Vector, refusal
@@ -42,7 +43,7 @@ def arrangement_page(
     point. Planes can be taken away and put back.
 
     Args:
-        arrangement: central, in R^3, any rank, up to `MAX_CIRCLES` distinct planes.
+        arrangement: central, of rank at most 3, up to `MAX_CIRCLES` distinct planes.
         title: a heading; if omitted, the number of planes.
         colour: of the regions at first: "sides" (by number of sides), "signs" (by number of minus
             signs), "parity" (two colours), "none"; if omitted, sides if they differ, else parity.
@@ -53,7 +54,9 @@ def arrangement_page(
     """
     if colour is not None and colour not in COLOURINGS:
         raise refusal(f"the colouring is {shown(colour)}", colour, COLOURINGS)
-    if arrangement.is_central and len(arrangement.distinct) > MAX_CIRCLES:
+    summary = _summary(arrangement)
+    arrangement = brought(arrangement, "arrangement")
+    if len(arrangement.distinct) > MAX_CIRCLES:
         raise InputError(
             f"{len(arrangement.distinct)} distinct planes; a page shows at most {MAX_CIRCLES}"
         )
@@ -61,7 +64,7 @@ def arrangement_page(
     heading = title if title is not None else _heading(arrangement)
     data = {
         "title": heading,
-        "summary": _summary(arrangement),
+        "summary": summary,
         "colour": colour,
         "axes": _floats(globe.axes),
         "even": _evened(globe.whole),
@@ -123,7 +126,9 @@ def _summary(arrangement: Arrangement) -> str:
     number, distinct = len(arrangement), len(arrangement.distinct)
     planes = f"{number} plane{'' if number == 1 else 's'} through the origin"
     same = f", {distinct} of them distinct" if distinct < number else ""
-    return f"{planes}{same}; rank {arrangement.rank}"
+    return "; ".join(
+        filter(None, (f"{planes}{same}", f"rank {arrangement.rank}", caption(arrangement, 3)))
+    )
 
 
 def _cells(sphere: SphereArrangement) -> dict[str, Any]:

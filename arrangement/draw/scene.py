@@ -11,9 +11,10 @@ marks ``color``, ``weight``, ``style``, ``halo`` (width, colour), ``plate`` (a b
 
 from __future__ import annotations
 
+import textwrap
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import lru_cache
 from typing import Any, TypeAlias
 
@@ -222,6 +223,20 @@ class Scene:
         name, order = style.get("gid", ""), style.get("zorder")
         self.items.append(sort(name=name, order=order, clip=self._clip, style=rest, **what))
 
+    def caption(self, text: str, size: float = 6.0) -> None:
+        """Write a text in a strip of its own below all that is there, in lines that fit."""
+        lines = textwrap.wrap(text, 120)
+        for width in range(len(text), 8, -1):
+            if max(self.measure(line, size)[0] for line in lines) < self.width - 2 * GAP:
+                break
+            lines = textwrap.wrap(text, width)
+        strip = (size + 1.5) * len(lines) + 2.0
+        self.items = [_raised(item, strip) for item in self.items]
+        self.boxes = [(left, a + strip, right, b + strip) for left, a, right, b in self.boxes]
+        self.height += strip
+        self.paper = self.paper[0], self.height / POINTS
+        self.write((self.width / 2, 2.0), "\n".join(lines), size, anchor=(0.5, 0.0))
+
     def keys(
         self, y: float, keys: Iterable[tuple[str, dict[str, Any]]], size: float = FONT
     ) -> float:
@@ -255,6 +270,19 @@ class Scene:
         else:
             corners = [(x + 2, y - 3.5), (x + 11, y - 3.5), (x + 11, y + 3.5), (x + 2, y + 3.5)]
             self.polygon(corners, **{"ec": "black", "lw": 0.5, **style})
+
+
+def _raised(item: Item, by: float) -> Item:
+    """Return an item, with what it is cut to, so much higher up."""
+    up, clip = np.array([0.0, by]), item.clip
+    if clip is not None and len(clip) == 2:
+        clip = np.asarray(clip[0]) + up, clip[1]
+    elif clip is not None:
+        clip = clip[0], clip[1] + by, clip[2], clip[3] + by
+    if isinstance(item, Path):
+        return replace(item, clip=clip, points=item.points + up)
+    x, y = item.place
+    return replace(item, clip=clip, place=(x, y + by))
 
 
 def measure(text: str, size: float = FONT, rotation: float = 0.0) -> tuple[float, float]:

@@ -9,6 +9,7 @@ from arrangement.arrangement import Arrangement
 from .colours import DrawnRegion, Painter, painter
 from .disc import Disc, alone, front, key_entries
 from .equalize import evened
+from .essential import shown_as
 from .figure import picture
 from .globe import Floats, Globe
 from .labels import flattened, write_inside
@@ -18,6 +19,7 @@ from .scene import Scene
 
 
 @picture
+@shown_as("sphere")
 def draw_sphere(
     arrangement: Arrangement,
     *,
@@ -33,7 +35,7 @@ def draw_sphere(
     with a name (``region-3``, ``front-7``, ``back-9``).
 
     Args:
-        arrangement: central, in R^3, any rank.
+        arrangement: central, of rank at most 3; in another space than R^3 its essentialisation.
         direction: exact, towards the viewer; if omitted, one in which no circle is edge-on.
         colour: "sides" (by number of sides), "signs" (by number of minus signs), "none", or a
             function from a `DrawnRegion` to a colour.

@@ -15,6 +15,7 @@ from arrangement.exact import IntegerVector
 from .colours import DrawnRegion, Painter, painter
 from .disc import alone, front, has_key, key_entries, plane_names, region_sides, rim_width
 from .equalize import evened
+from .essential import shown_as
 from .figure import picture
 from .globe import Globe, best_direction, unit_vectors
 from .labels import flattened, sign_text, write_inside
@@ -27,6 +28,7 @@ FARTHEST = 3.3
 
 
 @picture
+@shown_as("stereographic")
 def draw_stereographic(
     arrangement: Arrangement,
     *,
@@ -50,7 +52,7 @@ def draw_stereographic(
     ``front-7``, ``limb-2``).
 
     Args:
-        arrangement: central, in R^3, any rank.
+        arrangement: central, of rank at most 3; in another space than R^3 its essentialisation.
         direction: the exact direction of the middle; if omitted, one is chosen.
         colour: as for `draw_sphere`.
         width: of the figure, in millimetres.
