@@ -19,6 +19,8 @@ from arrangement.errors import InputError
 from arrangement.exact import IntegerVector, primitive, rational_vector
 from arrangement.planes import Planes
 
+from .colours import Colouring, DrawnRegion, Painter, colouring
+
 Floats = npt.NDArray[np.float64]
 #: Circles beyond which a picture of one column shows nothing.
 MAX_CIRCLES = 60
@@ -58,6 +60,28 @@ class Globe:
     def normals(self) -> Floats:
         """(c, 3); the unit normals of the circles of `cut`, in the axes of the picture."""
         return unit_vectors(self.cut.circle_normals) @ self.axes.T
+
+    @cached_property
+    def regions(self) -> tuple[DrawnRegion, ...]:
+        """All regions of `whole`, in its order."""
+        degrees = self.whole.incidence.region_degree.tolist()
+        return tuple(
+            DrawnRegion(self.whole.region_signs(r), degrees[r])
+            for r in range(self.whole.region_count)
+        )
+
+    @cached_property
+    def front(self) -> dict[int, DrawnRegion]:
+        """The regions of `cut` on the near side, each with the region of which it is a part."""
+        sides = {region.signs: region for region in self.regions}
+        cut = ((piece, self.cut.region_signs(piece)) for piece in range(self.cut.region_count))
+        return {piece: sides[signs[:-1]] for piece, signs in cut if signs[-1] > 0}
+
+    def colouring(self, colour: str | Painter | None, antipodes: str | None) -> Colouring:
+        """Return how the regions are coloured; see `colours.colouring`."""
+        pairs = self.whole.incidence.region[: 2 * self.whole.arc_count].reshape(-1, 2)
+        classes = self.whole.arrangement.distinct
+        return colouring(colour, antipodes, self.regions, list(map(tuple, pairs.tolist())), classes)
 
     @cached_property
     def limb(self) -> int:

@@ -10,11 +10,13 @@ from typing import Any, TypeAlias
 import numpy as np
 import numpy.typing as npt
 
-from .scene import Box, Floats, Place, Scene
+from .scene import GAP, Box, Floats, Place, Scene
 
 Booleans: TypeAlias = npt.NDArray[np.bool_]
 #: Sizes of sign vectors that are tried, in points.
 SIZES = (7.0, 6.0, 5.0)
+#: Radius of the dot at the end of a leader line, in points.
+DOT = 0.6
 #: Between signs, so that minus signs do not run together.
 HAIR = "\u200a"
 
@@ -22,12 +24,6 @@ HAIR = "\u200a"
 def sign_text(signs: Sequence[int]) -> str:
     """Return a sign vector as text: true minus signs, a hair apart."""
     return HAIR.join("+" if sign > 0 else "\u2212" if sign < 0 else "0" for sign in signs)
-
-
-def sign_rows(signs: Sequence[int], rows: int) -> str:
-    """Return a sign vector broken into rows of equal length."""
-    length = math.ceil(len(signs) / rows)
-    return "\n".join(sign_text(signs[k : k + length]) for k in range(0, len(signs), length))
 
 
 def flattened(curve: Floats, steps: int = 24) -> Floats:
@@ -42,55 +38,110 @@ def flattened(curve: Floats, steps: int = 24) -> Floats:
 def write_inside(
     scene: Scene,
     edge: Floats,
-    signs: Sequence[int],
+    text: str,
     sizes: Sequence[float] = SIZES,
     *,
-    other: Floats | None = None,
-    hiders: Sequence[Floats] = (),
+    off: Any = None,
     **style: Any,
 ) -> bool:
-    """Write a sign vector inside a closed outline, in the largest size that fits, or not at all.
+    """Write a text inside a closed outline, in the largest size that fits, or not at all.
+
+    It stands at the pole of inaccessibility, in units of the width and height of the text: at the
+    centre of the largest such ellipse in what is free.
 
     Args:
         scene: where to.
-        edge: points along the outline, denser than a label is wide.
-        signs: the sign vector.
+        edge: points along the outline.
+        text: one line.
         sizes: those tried, in points.
-        other: more points that must not be covered.
-        hiders: polygons that cover a part of it.
+        off: a geometry of shapely that must not be touched, such as lines and what hides a part.
         style: goes to matplotlib.
     """
-    from matplotlib.path import Path
+    import shapely
 
-    if not signs:
+    free = shapely.Polygon(edge).buffer(0)
+    w, h = scene.measure(text, sizes[-1])
+    left, low, right, high = free.bounds if not free.is_empty else (0.0,) * 4
+    if not text or right - left < w or high - low < h:
         return False
-    low, high = edge.min(axis=0), edge.max(axis=0)
-    fitting = []
-    for size, rows in product(sizes, (1, 2, 3)):
-        text = sign_rows(signs, rows)
-        box = np.array(scene.measure(text, size)) * (1.0, 0.92) + 1.8
-        if rows <= len(signs) and (box < high - low).all():
-            fitting.append((size, text, box))
-    if not fitting:
+    boxes = [
+        shapely.box(*box) for box in scene.boxes
+        if box[0] < right and box[2] > left and box[1] < high and box[3] > low
+    ]  # fmt: skip
+    free = shapely.difference(free, shapely.unary_union([*boxes, off or shapely.Point()]))
+    if free.is_empty:
         return False
-    grid = np.stack(np.meshgrid(*np.linspace(low, high, 29).T), axis=-1).reshape(-1, 2)
-    near = [h for h in hiders if (h.max(axis=0) > low).all() and (h.min(axis=0) < high).all()]
-    free = Path(edge).contains_points(grid)
-    for hider in near:
-        free &= ~Path(hider).contains_points(grid)
-    grid = grid[free]
-    obstacles = np.vstack([_thinned(edge), *map(dense, near)])
-    if other is not None:
-        inside = ((other > low) & (other < high)).all(axis=1)
-        obstacles = np.vstack([obstacles, other[inside]])
-    apart = np.abs(grid[:, None] - obstacles)
-    for size, text, box in fitting:
-        room = (apart / box).max(axis=2).min(axis=1, initial=9.0)
-        order = np.argsort(-np.round(room, 4), kind="stable")[:40]
-        for place in grid[order][room[order] > 0.5]:
-            if scene.write(place, text, size, **style):
-                return True
+    unit = shapely.transform(free, lambda points: points / (w, h))
+    x, y = shapely.maximum_inscribed_circle(unit).coords[0]
+    place = round(x * w, 2), round(y * h, 2)
+    shapely.prepare(free)
+    for size in sizes:
+        left, low, right, high = scene.box(place, text, size)
+        room = shapely.box(left - GAP, low - GAP / 2, right + GAP, high + GAP / 2)
+        if free.contains(room) and scene.write(place, text, size, **style):
+            return True
     return False
+
+
+def write_outside(
+    scene: Scene,
+    edge: Floats,
+    text: str,
+    *,
+    size: float = SIZES[-1],
+    segments: Floats,
+    leaders: list[Floats],
+    within: Box,
+) -> bool:
+    """Write a text off all segments, with a line to a dot inside an outline, or not at all.
+
+    Args:
+        scene: where to.
+        edge: points along the outline, which is too small for the text.
+        text: one line.
+        size: in points.
+        segments: (k, 2, 2) that the text must not cover; the line crosses as few as can be.
+        leaders: the lines drawn so far, which no text covers and no new line crosses; the new one
+            is added.
+        within: a part of the scene that must not be left.
+    """
+    import shapely
+
+    area = shapely.Polygon(edge).buffer(0)
+    if area.is_empty:
+        return False
+    pole, rim = shapely.maximum_inscribed_circle(area).coords
+    if math.dist(pole, rim) < DOT + 0.3:
+        return False
+    start = np.round(pole, 2)
+    half = np.array(scene.measure(text, size)) / 2
+    blocked = np.concatenate([segments, *(line[None] for line in leaders)])
+    tried: list[tuple[float, float, Floats, Floats]] = []
+    for reach in (7.0, 10.0, 14.0, 19.0, 25.0, 32.0, 40.0, 50.0):
+        ways = np.array(list(_around((0.0, 1.0))))
+        centres = start + ways * (reach + (half / np.maximum(np.abs(ways), 1e-9)).min(axis=1)[:, None])
+        boxes = np.hstack([centres - half, centres + half])
+        clear = ~segments_meet(boxes, blocked, 1.0).any(axis=1)
+        for k in np.flatnonzero(clear).tolist():
+            x0, y0, x1, y1 = boxes[k]
+            inside = within[0] <= x0 and within[1] <= y0 and x1 <= within[2] and y1 <= within[3]
+            line = np.array([start, start + ways[k] * (reach - 0.6)])
+            if not inside or not scene.is_free((x0, y0, x1, y1)):
+                continue
+            if segments_meet(np.array(scene.boxes).reshape(-1, 4), line[None], 0.3).any():
+                continue
+            track = shapely.LineString(line)
+            if any(track.distance(shapely.LineString(other)) < 0.6 for other in leaders):
+                continue
+            crossed = int(shapely.intersects(track, shapely.linestrings(segments)).sum())
+            tried.append((crossed * 6.0 + reach, float(k), centres[k], line))
+    if not tried:
+        return False
+    _, _, centre, line = min(tried, key=lambda found: found[:2])
+    leaders.append(line)
+    scene.line(line, ec="black", lw=0.35, zorder=5.5, gid="leader")
+    scene.circle(start, DOT, fc="black", ec="none", zorder=5.5, gid="leader")
+    return scene.write(centre, text, size)
 
 
 def dense(outline: Floats) -> Floats:
@@ -100,12 +151,6 @@ def dense(outline: Floats) -> Floats:
         steps = max(1, math.ceil(float(np.linalg.norm(q - p)) / 2))
         pieces.append(p + (q - p) * np.arange(steps)[:, None] / steps)
     return np.concatenate(pieces)
-
-
-def _thinned(points: Floats, spacing: float = 1.0) -> Floats:
-    """Return some of the points along a line, not much closer than `spacing`."""
-    along = np.cumsum(np.linalg.norm(np.diff(points, axis=0, prepend=points[:1]), axis=1))
-    return points[np.unique(np.floor(along / spacing), return_index=True)[1]]
 
 
 def write_beside(
@@ -159,12 +204,6 @@ def crosses(points: Floats, radius: float) -> Floats:
 def tried(count: int) -> int:
     """Return how many of so many points are to be labelled, outer ones first; few in a crowd."""
     return min(count, 100 if count <= 200 else 12)
-
-
-def sign_forms(signs: Sequence[int]) -> list[str]:
-    """Return a sign vector in one row and, when it is long, in several."""
-    rows = [1] if len(signs) <= 4 else [1, 2] if len(signs) <= 6 else [1, 2, 3]
-    return [sign_rows(signs, k) for k in rows]
 
 
 def _around(away: Place) -> Iterator[tuple[float, float]]:

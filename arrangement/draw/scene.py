@@ -1,16 +1,18 @@
 """What a picture shows, before any file format: paths, marks and labels on a sheet of paper.
 
-A view adds items to a `Scene`; a writer (`figure`) reads them and knows no view. Every item has a
-name such as ``region-3``, whose first word says what it is. Coordinates are printer's points
-(1/72 inch) from the lower left corner.
+A view adds items to a `Scene`; a writer (`figure`, `tikz`) reads them and knows no view. Every item
+has a role, one of `ROLES`, which writers make styles and layers of. It may have a name such as
+``region-3``. Coordinates are printer's points (1/72 inch) from the lower left corner.
 
 Styles: ``fc`` colour inside, ``ec`` of the line, ``lw`` its width in points, ``ls`` its dashes
 (offset, lengths in line widths), ``alpha``, ``capstyle``, ``joinstyle``, ``hatch``; of labels and
 marks ``color``, ``weight``, ``style``, ``halo`` (width, colour), ``plate`` (a box behind the text).
+Besides, of all items: ``gid`` the name, ``role``, ``zorder`` (see `Item.order`).
 """
 
 from __future__ import annotations
 
+import math
 import textwrap
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
@@ -40,6 +42,35 @@ DPI = 300
 FONT = 7.0
 #: Least distance between two labels, and of a label from the border; in points.
 GAP = 0.8
+#: What an item can be, and what it then is.
+ROLES: Mapping[str, str] = {
+    "region": "an area: a region, a facet, a face, a cell, a set of wrenches",
+    "ball": "a shaded ball",
+    "circle": "the visible part of a plane or line of the arrangement",
+    "hidden": "what lies behind something",
+    "edge": "an edge of a polyhedron, a graph or a diagram",
+    "border": "where a set, a body or the picture ends",
+    "point": "a vertex, a mark, the sign of a state",
+    "axis": "axes, rulers, ticks, the origin",
+    "arrow": "a force, a wrench, a motion",
+    "line": "any other line",
+    "label": "a text",
+}
+#: The role that goes with the first word of a name, unless the view gives another.
+_ROLES = {
+    word: role
+    for role, words in {
+        "region": "body cell code cone differs face facet flat polygon region",
+        "circle": "arc front",
+        "hidden": "back",
+        "edge": "cover edge link",
+        "border": "border limb outline rim whisker",
+        "point": "direction mark pad point vertex wrench",
+        "axis": "axis origin scale",
+        "arrow": "centre force motion preload shift",
+    }.items()
+    for word in words.split()
+}
 _CORNERS = ((-1, -1), (1, -1), (1, 1), (-1, 1))
 
 
@@ -49,12 +80,14 @@ class Item:
 
     Attributes:
         name: of the element, such as ``region-3``; may be empty.
+        role: one of `ROLES`.
         order: what is higher is painted later; if None, lines over fills over nothing.
         clip: the box, or the disc (centre and radius), outside which it is not seen.
         style: see the module.
     """
 
     name: str = ""
+    role: str
     order: float | None = None
     clip: Box | tuple[Place, float] | None = None
     style: Mapping[str, Any] = field(default_factory=dict)
@@ -73,6 +106,32 @@ class Path(Item):
     points: Floats
     kind: str
     radius: float = 0.0
+
+
+@dataclass(frozen=True, kw_only=True)
+class Ball(Item):
+    """A ball lit from one side: a radial gradient in a disc.
+
+    Attributes:
+        centre, radius: of the disc, in points.
+        focus: the brightest place, from the centre, in radii.
+        near, far: colours ``#rrggbb`` or ``#rrggbbaa`` there and at the rim. Between them, on a
+            circle with its centre on the way from the centre to the focus, stands the colour of
+            `SHADES`.
+    """
+
+    centre: tuple[float, float]
+    radius: float
+    focus: tuple[float, float]
+    near: str
+    far: str
+
+
+#: Size of a circle between focus (0) and rim (1) of a ball, and the share of the far colour there:
+#: 1 - cos of an angle over its sine, as on a matt ball.
+SHADES = tuple((math.sin(a), 1 - math.cos(a)) for a in (k * math.pi / 16 for k in range(9)))
+#: From where all balls are lit: from the upper left.
+LIGHT = (-0.35, 0.4)
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -197,6 +256,17 @@ class Scene:
         """Draw a circle."""
         self._add(Path, style, points=np.asarray(centre), kind="circle", radius=radius)
 
+    def ball(
+        self, centre: Place, radius: float, near: str = "#ffffff", far: str = "#c0c4cc",
+        focus: tuple[float, float] = LIGHT, **style: Any,
+    ) -> None:  # fmt: skip
+        """Draw a shaded ball; with colours that let through, such as ``#00000040``, a shadow."""
+        place = float(centre[0]), float(centre[1])
+        self._add(
+            Ball, {"role": "ball", **style}, centre=place, radius=radius, focus=focus, near=near,
+            far=far,
+        )  # fmt: skip
+
     def marker(self, at: Place, size: float, shape: str, **style: Any) -> None:
         """Draw a small disc ("round") or square ("square") of about the same area."""
         if shape == "round":
@@ -219,9 +289,12 @@ class Scene:
         self._add(Mark, style, place=(float(at[0]), float(at[1])), sign=sign, size=size)
 
     def _add(self, sort: type[Item], style: dict[str, Any], **what: Any) -> None:
-        rest = {key: value for key, value in style.items() if key not in ("gid", "zorder")}
+        rest = {key: x for key, x in style.items() if key not in ("gid", "zorder", "role")}
         name, order = style.get("gid", ""), style.get("zorder")
-        self.items.append(sort(name=name, order=order, clip=self._clip, style=rest, **what))
+        role = style.get("role") or _role(sort, name, rest)
+        self.items.append(
+            sort(name=name, role=role, order=order, clip=self._clip, style=rest, **what)
+        )
 
     def caption(self, text: str, size: float = 6.0) -> None:
         """Write a text in a strip of its own below all that is there, in lines that fit."""
@@ -281,8 +354,20 @@ def _raised(item: Item, by: float) -> Item:
         clip = clip[0], clip[1] + by, clip[2], clip[3] + by
     if isinstance(item, Path):
         return replace(item, clip=clip, points=item.points + up)
-    x, y = item.place
-    return replace(item, clip=clip, place=(x, y + by))
+    field_name = "centre" if isinstance(item, Ball) else "place"
+    x, y = getattr(item, field_name)
+    return replace(item, clip=clip, **{field_name: (x, y + by)})
+
+
+def _role(sort: type[Item], name: str, style: Mapping[str, Any]) -> str:
+    """Return the role of an item without one: by its name, else by its kind."""
+    if sort is Label:
+        return "label"
+    word = next((part for part in name.split("-") if part.isalpha()), "")
+    if sort is Mark:
+        return "point"
+    filled = style.get("fc", "none") != "none"
+    return _ROLES.get(word, "region" if filled else "line")
 
 
 def measure(text: str, size: float = FONT, rotation: float = 0.0) -> tuple[float, float]:

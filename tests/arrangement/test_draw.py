@@ -2,15 +2,20 @@
 
 from __future__ import annotations
 
+import math
 import sys
 from pathlib import Path
 
+import numpy as np
 import pytest
+from matplotlib.image import imread
 
 from arrangement import Arrangement, InputError, MissingExtraError
 from arrangement.cli import main
 from arrangement.counts import f_vector
-from arrangement.draw import draw_sphere, write_drawing
+from arrangement.draw import draw_sphere, save_figure, write_drawing
+from arrangement.draw.figure import figure
+from arrangement.draw.scene import Scene
 from arrangement.io.arrangements import read_arrangement
 
 NAMES = ["four-generic-planes", "braid-a3", "reflection-b3", "pencil", "coincident-planes"]
@@ -101,3 +106,17 @@ def test_sign_vectors_keep_off_the_dashed_arcs_or_stand_on_a_halo() -> None:
     ]
     assert 0 < len(crossed) < len(signs) / 2
     assert all(text.get_path_effects() for text in crossed)
+
+
+def test_a_ball_is_lit_at_its_focus_and_darkest_at_the_rim(tmp_path: Path) -> None:
+    scene = Scene(40, 40)
+    centre, radius = scene.width / 2, 50.0
+    scene.ball((centre, centre), radius, "#ffffff", "#404040", focus=(-0.4, 0.3))
+    save_figure(tmp_path / "a.png", lambda: figure(scene))
+    shades = imread(tmp_path / "a.png")[..., 0]
+    row, column = np.unravel_index(np.argmin(shades), shades.shape)
+    pixels = len(shades) / scene.height
+    out = math.hypot(column / pixels - centre, scene.height - row / pixels - centre)
+    assert abs(out - radius) < 1
+    at = (int((centre - 0.3 * radius) * pixels), int((centre - 0.4 * radius) * pixels))
+    assert shades[at] > 0.99
