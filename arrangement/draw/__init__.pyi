@@ -4,6 +4,7 @@ from .dual import draw_dual as draw_dual
 from .gnomonic import draw_gnomonic as draw_gnomonic
 from .graph import draw_graph as draw_graph
 from .lattice import draw_lattice as draw_lattice
+from .lines import draw_lines as draw_lines
 from .output import save_figure as save_figure
 from .page import arrangement_page as arrangement_page
 from .planes import draw_planes as draw_planes

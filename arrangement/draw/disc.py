@@ -63,6 +63,15 @@ class Disc:
         within: Box | None = None,
     ) -> None:
         """Draw everything, labels of regions off the lines `avoid`, each (k, 2)."""
+        outlines, arcs, hidden = self.curves(paint, both_ends=both_ends)
+        inner = [*hidden, *avoid]
+        box = within or (0.0, self.scene.height - self.scene.width, *_corner(self.scene))
+        label_regions(self.scene, self.names, outlines, [*arcs, *inner], inner, box)
+
+    def curves(
+        self, paint: Painter, *, both_ends: bool = False
+    ) -> tuple[list[tuple[DrawnRegion, Floats]], list[Floats], list[Floats]]:
+        """Draw everything but labels of regions; return outlines, near arcs and far arcs."""
         outlines = []
         for piece, region in self.globe.front.items():
             outline = self.on_paper(self.drawn.outline(piece))
@@ -70,10 +79,9 @@ class Disc:
             outlines.append((region, flattened(outline)))
         if self.solid:
             self.scene.ball(self.centre, self.radius, "#ffffff55", "#00000048", zorder=1.5)
-        hidden = [*self._hidden(), *avoid]
+        hidden = self._hidden()
         self._names(both_ends)
-        box = within or (0.0, self.scene.height - self.scene.width, *_corner(self.scene))
-        label_regions(self.scene, self.names, outlines, [*self._arcs(), *hidden], hidden, box)
+        return outlines, self._arcs(), hidden
 
     def _hidden(self) -> list[Floats]:
         """Draw the arcs on the far side, dashed; return points along them."""
@@ -183,9 +191,7 @@ def label_regions(
         )  # fmt: skip
 
 
-def alone(
-    globe: Globe, drawn: Drawn, footer: Footer, width: float, *, solid: bool = False
-) -> Disc:
+def alone(globe: Globe, drawn: Drawn, footer: Footer, width: float, *, solid: bool = False) -> Disc:
     """Return a disc as wide as its scene, with room for a footer below; `width` in mm."""
     scene = Scene(width, width + footer.height(width))
     centre = (scene.width / 2, scene.height - scene.width / 2)

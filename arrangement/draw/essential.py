@@ -109,8 +109,12 @@ def caption(planes: Planes, dimension: int) -> str:
     """Return what is said below a picture of planes in R^dimension; nothing in their own space."""
     if planes.dimension == dimension:
         return ""
-    text = f"essentialisation of an arrangement in R{str(planes.dimension).translate(_RAISED)}"
-    return text + ("", ", times a line", ", times a plane", ", times R³")[dimension - planes.rank]
+    essential = "essentialisation of an " * (planes.dimension > planes.rank)
+    space = f"arrangement in R{str(planes.dimension).translate(_RAISED)}"
+    return (
+        f"{essential}{space}"
+        + ("", ", times a line", ", times a plane", ", times R³")[dimension - planes.rank]
+    )
 
 
 def in_space(arrangement: Arrangement, dimension: int) -> Arrangement:

@@ -119,7 +119,9 @@ def write_outside(
     tried: list[tuple[float, float, Floats, Floats]] = []
     for reach in (7.0, 10.0, 14.0, 19.0, 25.0, 32.0, 40.0, 50.0):
         ways = np.array(list(_around((0.0, 1.0))))
-        centres = start + ways * (reach + (half / np.maximum(np.abs(ways), 1e-9)).min(axis=1)[:, None])
+        centres = start + ways * (
+            reach + (half / np.maximum(np.abs(ways), 1e-9)).min(axis=1)[:, None]
+        )
         boxes = np.hstack([centres - half, centres + half])
         clear = ~segments_meet(boxes, blocked, 1.0).any(axis=1)
         for k in np.flatnonzero(clear).tolist():

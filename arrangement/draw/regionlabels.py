@@ -72,9 +72,7 @@ class RegionLabels:
             text = f"{self.left_out} {many} too small for a label"
             scene.write((scene.width / 2, y - _STEP / 2), text, _SIZE)
 
-    def _rows(
-        self, width: float, drawn: Sequence[Sequence[int]]
-    ) -> list[list[tuple[str, str]]]:
+    def _rows(self, width: float, drawn: Sequence[Sequence[int]]) -> list[list[tuple[str, str]]]:
         """Return the table, column by column in order; empty if it is higher than wide."""
         named = sorted((self._numbers[tuple(signs)], sign_text(signs)) for signs in drawn)
         entries = [(str(number), text) for number, text in named]

@@ -14,6 +14,7 @@ DRAWINGS = Drawings(
     views={
         "sphere": "sphere:draw_sphere",
         "planes": "planes:draw_planes",
+        "lines": "lines:draw_lines",
         "stereographic": "stereographic:draw_stereographic",
         "gnomonic": "gnomonic:draw_gnomonic",
         "dual": "dual:draw_dual",
