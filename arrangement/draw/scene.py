@@ -304,11 +304,16 @@ class Scene:
                 break
             lines = textwrap.wrap(text, width)
         strip = (size + 1.5) * len(lines) + 2.0
-        self.items = [_raised(item, strip) for item in self.items]
+        self.items = [_moved(item, 0.0, strip) for item in self.items]
         self.boxes = [(left, a + strip, right, b + strip) for left, a, right, b in self.boxes]
         self.height += strip
         self.paper = self.paper[0], self.height / POINTS
         self.write((self.width / 2, 2.0), "\n".join(lines), size, anchor=(0.5, 0.0))
+
+    def place(self, other: Scene, x: float, y: float) -> None:
+        """Add all that another scene shows, its lower left corner at (x, y)."""
+        self.items += [_moved(item, x, y) for item in other.items]
+        self.boxes += [(l + x, b + y, r + x, t + y) for l, b, r, t in other.boxes]  # noqa: E741
 
     def keys(
         self, y: float, keys: Iterable[tuple[str, dict[str, Any]]], size: float = FONT
@@ -345,18 +350,18 @@ class Scene:
             self.polygon(corners, **{"ec": "black", "lw": 0.5, **style})
 
 
-def _raised(item: Item, by: float) -> Item:
-    """Return an item, with what it is cut to, so much higher up."""
-    up, clip = np.array([0.0, by]), item.clip
+def _moved(item: Item, right: float, up: float) -> Item:
+    """Return an item, with what it is cut to, at another place."""
+    by, clip = np.array([right, up]), item.clip
     if clip is not None and len(clip) == 2:
-        clip = np.asarray(clip[0]) + up, clip[1]
+        clip = np.asarray(clip[0]) + by, clip[1]
     elif clip is not None:
-        clip = clip[0], clip[1] + by, clip[2], clip[3] + by
+        clip = clip[0] + right, clip[1] + up, clip[2] + right, clip[3] + up
     if isinstance(item, Path):
-        return replace(item, clip=clip, points=item.points + up)
-    field_name = "centre" if isinstance(item, Ball) else "place"
-    x, y = getattr(item, field_name)
-    return replace(item, clip=clip, **{field_name: (x, y + by)})
+        return replace(item, clip=clip, points=item.points + by)
+    name = "centre" if isinstance(item, Ball) else "place"
+    x, y = getattr(item, name)
+    return replace(item, clip=clip, **{name: (x + right, y + up)})
 
 
 def _role(sort: type[Item], name: str, style: Mapping[str, Any]) -> str:
