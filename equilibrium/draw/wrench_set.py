@@ -10,10 +10,11 @@ from typing import Any
 
 import numpy as np
 
-from arrangement.draw.colours import BLACK, GREY, VERMILION
+from arrangement.draw.colours import BLACK, GREY, VERMILION, pale
 from arrangement.draw.depth_tree import back_to_front
 from arrangement.draw.figure import picture
 from arrangement.draw.globe import picture_axes, view_direction
+from arrangement.draw.planesheet import LIGHT
 from arrangement.draw.registry import Exact, Vector, Wrench
 from arrangement.draw.scene import POINTS, Floats, Scene, checked_width
 from arrangement.exact import IntegerVector
