@@ -43,9 +43,7 @@ def _parser() -> terminal.Parser:
     )
     bounds.add_argument("--largest", type=int, default=12, metavar="M", help="4 to 30 (default 12)")
     bounds.add_argument("-o", "--output", metavar="PATH", help="a picture: .svg, .pdf, .png")
-    bounds.add_argument(
-        "--width", type=terminal.length_argument, metavar="MM", help="of the picture (default 180)"
-    )
+    bounds.add_argument("--width", metavar="LENGTH", help="of the picture (default 180mm)")
     bounds.set_defaults(command=_bounds)
 
     names = commands.add_parser("list", help="list the built-in documents")

@@ -12,7 +12,7 @@ import numpy as np
 from .colours import DrawnRegion, Painter
 from .footer import Footer
 from .globe import Globe
-from .labels import flattened, spread, turn, write_inside, write_outside
+from .labels import Leaders, flattened, keep_off, spread, turn, write_inside
 from .projections import Drawn, Projection
 from .regionlabels import RegionLabels
 from .scene import Box, Floats, Scene
@@ -61,12 +61,14 @@ class Disc:
         both_ends: bool = False,
         avoid: Sequence[Floats] = (),
         within: Box | None = None,
-    ) -> None:
-        """Draw everything, labels of regions off the lines `avoid`, each (k, 2)."""
+    ) -> list[Floats]:
+        """Draw everything, labels of regions off the lines `avoid`; return all lines, (k, 2)."""
         outlines, arcs, hidden = self.curves(paint, both_ends=both_ends)
         inner = [*hidden, *avoid]
         box = within or (0.0, self.scene.height - self.scene.width, *_corner(self.scene))
-        label_regions(self.scene, self.names, outlines, [*arcs, *inner], inner, box)
+        lines = [*arcs, *inner]
+        label_regions(self.scene, self.names, outlines, lines, inner, box)
+        return lines
 
     def curves(
         self, paint: Painter, *, both_ends: bool = False
@@ -78,7 +80,7 @@ class Disc:
             self.scene.curve(outline, fc=paint(region), ec="none", gid=f"region-{piece}")
             outlines.append((region, flattened(outline)))
         if self.solid:
-            self.scene.ball(self.centre, self.radius, "#ffffff55", "#00000048", zorder=1.5)
+            self.scene.ball(self.centre, self.radius, "#ffffff55", "#0000003c", zorder=1.5)
         hidden = self._hidden()
         self._names(both_ends)
         return outlines, self._arcs(), hidden
@@ -171,24 +173,20 @@ def label_regions(
         inner: those among them that are no borders of regions.
         within: a part of the scene that leader lines must not leave.
     """
-    import shapely
-
-    off = shapely.MultiLineString([line for line in inner if len(line) > 1]).buffer(0.5)
+    off = keep_off(inner)
     small = [
         (region, outline)
         for region, outline in outlines
         if names.kind != "none"
-        and not write_inside(scene, outline, names.text(region.signs), off=off)
+        and not any(
+            write_inside(scene, outline, text, off=off) for text in names.forms(region.signs)
+        )
     ]
-    segments = np.concatenate(
-        [np.empty((0, 2, 2)), *(np.stack([line[:-1], line[1:]], axis=1) for line in lines)]
-    )
-    leaders: list[Floats] = []
+    leaders = Leaders(scene, lines, within)
     for region, outline in small:
-        names.left_out += len(outlines) > _MOST_LEADERS or not write_outside(
-            scene, outline, names.text(region.signs), segments=segments, leaders=leaders,
-            within=within,
-        )  # fmt: skip
+        names.left_out += len(outlines) > _MOST_LEADERS or not leaders.write(
+            outline, names.forms(region.signs)[0]
+        )
 
 
 def alone(globe: Globe, drawn: Drawn, footer: Footer, width: float, *, solid: bool = False) -> Disc:

@@ -48,8 +48,9 @@ def figure(scene: Scene) -> Figure:
     axes: Any = made.add_axes((0.0, 0.0, 1.0, 1.0))
     axes.set(xlim=(0, scene.width), ylim=(0, scene.height))
     axes.set_axis_off()
-    for item in scene.items:
-        _draw(axes, item)
+    with require_matplotlib().rc_context(_HATCH):
+        for item in scene.items:
+            _draw(axes, item)
     return made
 
 
@@ -69,8 +70,7 @@ def _draw(axes: Any, item: Item) -> None:
     elif isinstance(item, Ball):
         artist = _shade(axes, item, style)
     elif isinstance(item, Path):
-        with require_matplotlib().rc_context(_HATCH):
-            artist = axes.add_patch(_patch(item, style))
+        artist = axes.add_artist(_patch(item, style))
     _clip(axes, artist, item)
 
 
@@ -112,17 +112,19 @@ def _shade(axes: Any, item: Ball, style: dict[str, Any]) -> Any:
 
 
 def _write(axes: Any, item: Label, style: dict[str, Any]) -> None:
-    from matplotlib.patheffects import withStroke
+    from matplotlib.patheffects import Normal, Stroke
 
     halo, plate = style.pop("halo", None), style.pop("plate", None)
-    if halo is not None:
-        style["path_effects"] = [withStroke(linewidth=halo[0], foreground=halo[1])]
     if plate is not None:
         style["bbox"] = plate
-    axes.text(
-        *item.place, item.text, size=item.size, ha=item.ha, va=item.va, rotation=item.rotation,
-        linespacing=1.0, **style,
-    )  # fmt: skip
+    place = {"size": item.size, "ha": item.ha, "va": item.va, "rotation": item.rotation}
+    effects: list[Any] = [] if halo is None else [Stroke(linewidth=halo[0], foreground=halo[1])]
+    if effects and require_matplotlib().rcParams["svg.fonttype"] == "none":
+        # What has an effect becomes outlines; the letters on it stay letters.
+        axes.text(*item.place, item.text, **place, linespacing=1.0, path_effects=effects, **style)
+        effects = []
+    effects = [*effects, Normal()] if effects else effects
+    axes.text(*item.place, item.text, **place, linespacing=1.0, path_effects=effects, **style)
 
 
 def _clip(axes: Any, artist: Any, item: Item) -> None:

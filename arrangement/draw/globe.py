@@ -20,10 +20,13 @@ from arrangement.exact import IntegerVector, primitive, rational_vector
 from arrangement.planes import Planes
 
 from .colours import Colouring, DrawnRegion, Painter, colouring
+from .scene import LIGHT
 
 Floats = npt.NDArray[np.float64]
 #: Circles beyond which a picture of one column shows nothing.
 MAX_CIRCLES = 60
+#: The unit vector towards the light, in the axes of a picture: the same for balls and solids.
+TO_LIGHT = np.array([*LIGHT, (1 - LIGHT[0] ** 2 - LIGHT[1] ** 2) ** 0.5])
 
 
 class Globe:
@@ -79,9 +82,10 @@ class Globe:
 
     def colouring(self, colour: str | Painter | None, antipodes: str | None) -> Colouring:
         """Return how the regions are coloured; see `colours.colouring`."""
-        pairs = self.whole.incidence.region[: 2 * self.whole.arc_count].reshape(-1, 2)
+        beside = self.whole.incidence.region[: 2 * self.whole.arc_count].tolist()
+        pairs = list(zip(beside[::2], beside[1::2], strict=True))
         classes = self.whole.arrangement.distinct
-        return colouring(colour, antipodes, self.regions, list(map(tuple, pairs.tolist())), classes)
+        return colouring(colour, antipodes, self.regions, pairs, classes)
 
     @cached_property
     def limb(self) -> int:

@@ -10,11 +10,13 @@ from typing import Any, TypeAlias
 import numpy as np
 import numpy.typing as npt
 
-from .scene import GAP, Box, Floats, Place, Scene
+from .scene import Box, Floats, Place, Scene
 
 Booleans: TypeAlias = npt.NDArray[np.bool_]
 #: Sizes of sign vectors that are tried, in points.
 SIZES = (7.0, 6.0, 5.0)
+#: Lengths of leader lines that are tried, in points.
+_REACHES = (7.0, 10.0, 14.0, 19.0, 25.0, 32.0, 40.0, 50.0)
 #: Radius of the dot at the end of a leader line, in points.
 DOT = 0.6
 #: Between signs, so that minus signs do not run together.
@@ -54,7 +56,7 @@ def write_inside(
         edge: points along the outline.
         text: one line.
         sizes: those tried, in points.
-        off: a geometry of shapely that must not be touched, such as lines and what hides a part.
+        off: shapes that must not be touched, as a tree (see `keep_off`).
         style: goes to matplotlib.
     """
     import shapely
@@ -68,7 +70,8 @@ def write_inside(
         shapely.box(*box) for box in scene.boxes
         if box[0] < right and box[2] > left and box[1] < high and box[3] > low
     ]  # fmt: skip
-    free = shapely.difference(free, shapely.unary_union([*boxes, off or shapely.Point()]))
+    near = [] if off is None else off.geometries.take(off.query(free))
+    free = shapely.difference(free, shapely.union_all([*boxes, *near]))
     if free.is_empty:
         return False
     unit = shapely.transform(free, lambda points: points / (w, h))
@@ -77,82 +80,80 @@ def write_inside(
     shapely.prepare(free)
     for size in sizes:
         left, low, right, high = scene.box(place, text, size)
-        room = shapely.box(left - GAP, low - GAP / 2, right + GAP, high + GAP / 2)
+        room = shapely.box(left - 1.2, low - 0.4, right + 1.2, high + 0.4)
         if free.contains(room) and scene.write(place, text, size, **style):
             return True
     return False
 
 
-def write_outside(
-    scene: Scene,
-    edge: Floats,
-    text: str,
-    *,
-    size: float = SIZES[-1],
-    segments: Floats,
-    leaders: list[Floats],
-    within: Box,
-) -> bool:
-    """Write a text off all segments, with a line to a dot inside an outline, or not at all.
+def segments_of(lines: Sequence[Floats]) -> Floats:
+    """Return the segments (n, 2, 2) of lines, each (k, 2)."""
+    pieces = [np.stack([line[:-1], line[1:]], axis=1) for line in lines]
+    return np.concatenate([np.empty((0, 2, 2)), *pieces])
+
+
+def keep_off(lines: Sequence[Floats], areas: Sequence[Floats] = ()) -> Any:
+    """Return lines and polygons, each (k, 2), as a tree for `write_inside`."""
+    import shapely
+
+    shapes = [shapely.LineString(line) for line in lines] + [shapely.Polygon(a) for a in areas]
+    return shapely.STRtree([shape.buffer(0.5) for shape in shapes])
+
+
+class Leaders:
+    """Labels off all lines, each with a line to a dot in what it names.
 
     Args:
         scene: where to.
-        edge: points along the outline, which is too small for the text.
-        text: one line.
-        size: in points.
-        segments: (k, 2, 2) that the text must not cover; the line crosses as few as can be.
-        leaders: the lines drawn so far, which no text covers and no new line crosses; the new one
-            is added.
+        lines: (k, 2) each; no label covers one, and leader lines cross as few as can be.
         within: a part of the scene that must not be left.
     """
-    import shapely
 
-    area = shapely.Polygon(edge).buffer(0)
-    if area.is_empty:
-        return False
-    pole, rim = shapely.maximum_inscribed_circle(area).coords
-    if math.dist(pole, rim) < DOT + 0.3:
-        return False
-    start = np.round(pole, 2)
-    half = np.array(scene.measure(text, size)) / 2
-    blocked = np.concatenate([segments, *(line[None] for line in leaders)])
-    tried: list[tuple[float, float, Floats, Floats]] = []
-    for reach in (7.0, 10.0, 14.0, 19.0, 25.0, 32.0, 40.0, 50.0):
-        ways = np.array(list(_around((0.0, 1.0))))
+    def __init__(self, scene: Scene, lines: Sequence[Floats], within: Box) -> None:
+        import shapely
+
+        self.scene = scene
+        self.segments = shapely.STRtree(shapely.linestrings(segments_of(lines)))
+        self.within = shapely.box(*within)
+        self.drawn: list[Any] = []
+
+    def write(self, edge: Floats, text: str, size: float = SIZES[-1]) -> bool:
+        """Name what has an outline with points `edge`, or return False where there is no room."""
+        import shapely
+
+        area = shapely.Polygon(edge).buffer(0)
+        if area.is_empty:
+            return False
+        pole, rim = shapely.maximum_inscribed_circle(area).coords
+        if math.dist(pole, rim) < DOT + 0.3:
+            return False
+        start = np.round(pole, 2)
+        half = np.array(self.scene.measure(text, size)) / 2
+        ways = np.tile(list(_around((0.0, 1.0))), (len(_REACHES), 1))
+        reach = np.repeat(_REACHES, 24)[:, None]
         centres = start + ways * (
             reach + (half / np.maximum(np.abs(ways), 1e-9)).min(axis=1)[:, None]
         )
-        boxes = np.hstack([centres - half, centres + half])
-        clear = ~segments_meet(boxes, blocked, 1.0).any(axis=1)
-        for k in np.flatnonzero(clear).tolist():
-            x0, y0, x1, y1 = boxes[k]
-            inside = within[0] <= x0 and within[1] <= y0 and x1 <= within[2] and y1 <= within[3]
-            line = np.array([start, start + ways[k] * (reach - 0.6)])
-            if not inside or not scene.is_free((x0, y0, x1, y1)):
-                continue
-            if segments_meet(np.array(scene.boxes).reshape(-1, 4), line[None], 0.3).any():
-                continue
-            track = shapely.LineString(line)
-            if any(track.distance(shapely.LineString(other)) < 0.6 for other in leaders):
-                continue
-            crossed = int(shapely.intersects(track, shapely.linestrings(segments)).sum())
-            tried.append((crossed * 6.0 + reach, float(k), centres[k], line))
-    if not tried:
+        low, high = centres - half, centres + half
+        boxes = shapely.box(*(low - 1.0).T, *(high + 1.0).T)
+        tracks = shapely.linestrings(
+            np.stack([np.broadcast_to(start, centres.shape), start + ways * (reach - 0.6)], axis=1)
+        )
+        written = shapely.union_all(shapely.box(*np.array(self.scene.boxes).reshape(-1, 4).T))
+        leaders = shapely.union_all(self.drawn).buffer(0.6)
+        free = shapely.contains(self.within, boxes) & ~shapely.intersects(boxes, leaders)
+        free &= ~shapely.intersects(tracks, shapely.union(written, leaders))
+        free[np.unique(self.segments.query(boxes, "intersects")[0])] = False
+        crossed = np.bincount(self.segments.query(tracks, "intersects")[0], minlength=len(tracks))
+        cost = 6.0 * crossed + reach[:, 0]
+        for k in np.argsort(cost, kind="stable").tolist():
+            if free[k] and self.scene.write(centres[k], text, size):
+                self.drawn.append(tracks[k])
+                style = {"zorder": 5.5, "gid": "leader"}
+                self.scene.line(shapely.get_coordinates(tracks[k]), ec="black", lw=0.35, **style)
+                self.scene.circle(start, DOT, fc="black", ec="none", **style)
+                return True
         return False
-    _, _, centre, line = min(tried, key=lambda found: found[:2])
-    leaders.append(line)
-    scene.line(line, ec="black", lw=0.35, zorder=5.5, gid="leader")
-    scene.circle(start, DOT, fc="black", ec="none", zorder=5.5, gid="leader")
-    return scene.write(centre, text, size)
-
-
-def dense(outline: Floats) -> Floats:
-    """Return a polygon with at most 2 points of paper between neighbouring corners."""
-    pieces = []
-    for p, q in zip(outline, np.roll(outline, -1, axis=0), strict=True):
-        steps = max(1, math.ceil(float(np.linalg.norm(q - p)) / 2))
-        pieces.append(p + (q - p) * np.arange(steps)[:, None] / steps)
-    return np.concatenate(pieces)
 
 
 def write_beside(
@@ -165,6 +166,7 @@ def write_beside(
     away: Place = (0.0, 1.0),
     distance: float = 3.0,
     within: Box | None = None,
+    others: Floats | None = None,
     **style: Any,
 ) -> bool:
     """Write a label beside a point, off all segments, or not at all.
@@ -178,6 +180,7 @@ def write_beside(
         away: the direction tried first.
         distance: from the point to the nearest part of the label; up to twice as much is tried.
         within: a part of the scene that must not be left.
+        others: points (k, 2) that must be farther from the label, by a half, than this one.
         style: goes to matplotlib.
     """
     x, y = float(point[0]), float(point[1])
@@ -192,9 +195,19 @@ def write_beside(
             left, low, right, high = within or boxes[k]
             x0, y0, x1, y1 = boxes[k]
             inside = left <= x0 and low <= y0 and x1 <= right and y1 <= high
+            own = _apart(boxes[k], np.array([[x, y]])).min()
+            if others is not None and _apart(boxes[k], others).min(initial=99.0) < 1.5 * own:
+                continue
             if inside and scene.write(centres[k], text, size, **style):
                 return True
     return False
+
+
+def _apart(box: Floats, points: Floats) -> Floats:
+    """Return the distances of points from a box."""
+    gaps = np.maximum(np.maximum(box[:2] - points, points - box[2:]), 0.0)
+    found: Floats = np.linalg.norm(gaps, axis=1)
+    return found
 
 
 def crosses(points: Floats, radius: float) -> Floats:

@@ -17,6 +17,8 @@ LABELS = ("signs", "numbers", "none")
 #: Planes up to which sign vectors are written of themselves.
 SHORT = 4
 _SIZE, _STEP = 5.5, 7.0
+#: A space as wide as a digit.
+FIGURE = "\u2007"
 
 
 class RegionLabels:
@@ -40,11 +42,14 @@ class RegionLabels:
     def _numbers(self) -> dict[tuple[int, ...], int]:
         return {face.signs: k + 1 for k, face in enumerate(self._arrangement.regions())}
 
-    def text(self, signs: Sequence[int]) -> str:
-        """Return the name of a region; empty if it has none."""
+    def forms(self, signs: Sequence[int]) -> list[str]:
+        """Return the name of a region, four signs also in two rows; nothing if it has none."""
         if self.kind == "numbers":
-            return str(self._numbers[tuple(signs)])
-        return sign_text(signs) if self.kind == "signs" else ""
+            return [str(self._numbers[tuple(signs)])]
+        if self.kind == "none" or not signs:
+            return []
+        square = [f"{sign_text(signs[:2])}\n{sign_text(signs[2:])}"] * (len(signs) == 4)
+        return [sign_text(signs), *square]
 
     def height(self, width: float, drawn: Sequence[Sequence[int]]) -> float:
         """Return the height of the notes and the table on a sheet, both in points."""
@@ -58,10 +63,9 @@ class RegionLabels:
         if rows:
             column = (scene.width - 8) / len(rows[0])
             for k, row in enumerate(rows):
-                for j, (number, signs) in enumerate(row):
-                    place = (4 + column * j + 13, y - _STEP * (k + 0.5))
-                    scene.write(place, number, _SIZE, anchor=(1.0, 0.5), color="0.35")
-                    scene.write((place[0] + 3, place[1]), signs, _SIZE, anchor=(0.0, 0.5))
+                for j, text in enumerate(row):
+                    place = (6 + column * j, y - _STEP * (k + 0.5))
+                    scene.write(place, text, _SIZE, anchor=(0.0, 0.5))
             y -= _STEP * len(rows)
         elif self.kind == "numbers" and drawn:
             text = "regions in the order of Arrangement.regions(); their table would fill the page"
@@ -72,11 +76,12 @@ class RegionLabels:
             text = f"{self.left_out} {many} too small for a label"
             scene.write((scene.width / 2, y - _STEP / 2), text, _SIZE)
 
-    def _rows(self, width: float, drawn: Sequence[Sequence[int]]) -> list[list[tuple[str, str]]]:
+    def _rows(self, width: float, drawn: Sequence[Sequence[int]]) -> list[list[str]]:
         """Return the table, column by column in order; empty if it is higher than wide."""
         named = sorted((self._numbers[tuple(signs)], sign_text(signs)) for signs in drawn)
-        entries = [(str(number), text) for number, text in named]
-        room = measure(named[0][1], _SIZE)[0] + 24
+        digits = len(str(named[-1][0]))
+        entries = [f"{str(number).rjust(digits, FIGURE)} {text}" for number, text in named]
+        room = measure(entries[0], _SIZE)[0] + 8
         columns = max(1, min(len(entries), math.floor((width - 8) / room)))
         count = math.ceil(len(entries) / columns)
         if count * _STEP > width:

@@ -181,6 +181,12 @@ class Scene:
         yield
         self._clip = None
 
+    def scaled(self, factor: float) -> Scene:
+        """Return the same sheet enlarged: paper, letters and lines."""
+        grown = Scene(*(factor * length for length in self.paper))
+        grown.items = [_scaled(item, factor) for item in self.items]
+        return grown
+
     def measure(self, text: str, size: float = FONT, rotation: float = 0.0) -> tuple[float, float]:
         """Return the width and height of a text, in points."""
         return measure(text, size, rotation)
@@ -227,7 +233,9 @@ class Scene:
         if not self.is_free(box):
             return False
         self.boxes.append(box)
-        self.text((x, y), text, size, rotation=rotation, **style)
+        ha = "left" if anchor[0] == 0 else "right" if anchor[0] == 1 else "center"
+        place = {"left": box[0], "right": box[2], "center": x}[ha], y
+        self.text(place, text, size, ha=ha, rotation=rotation, **style)
         return True
 
     def text(
@@ -403,6 +411,31 @@ def _measuring() -> Any:
     return renderer(10, 10, DPI), Figure(dpi=DPI)
 
 
+#: What of an item is a length or a point, or several.
+_LENGTHS = ("points", "radius", "place", "centre", "size")
+
+
+def _scaled(item: Item, factor: float) -> Item:
+    found: dict[str, Any] = {
+        key: _grown(getattr(item, key), factor) for key in _LENGTHS if hasattr(item, key)
+    }
+    style = dict(item.style)
+    for key in {"lw", "mew"} & style.keys():
+        style[key] *= factor
+    if style.get("halo"):
+        style["halo"] = (factor * style["halo"][0], style["halo"][1])
+    if "pad" in (style.get("plate") or {}):
+        style["plate"] = {**style["plate"], "pad": factor * style["plate"]["pad"]}
+    clip = None if item.clip is None else _grown(item.clip, factor)
+    return replace(item, style=style, clip=clip, **found)
+
+
+def _grown(value: Any, factor: float) -> Any:
+    if isinstance(value, (tuple, list)):
+        return tuple(_grown(x, factor) for x in value)
+    return factor * value
+
+
 def area(corners: Floats) -> float:
     """Return the area of a polygon; of fewer than three corners, 0."""
     if len(corners) < 3:
@@ -411,9 +444,13 @@ def area(corners: Floats) -> float:
     return abs(float(x @ np.roll(y, -1) - y @ np.roll(x, -1))) / 2
 
 
+class NarrowError(InputError):
+    """The sheet is too narrow for what it shows."""
+
+
 def checked_width(width: object, least: float = 40.0) -> float:
     """Return a width in millimetres, or refuse it."""
     length = millimetres(width, "the width")
     if length < least:
-        raise InputError(f"the width is {shown(width)}; give at least {least:g} millimetres")
+        raise NarrowError(f"the width is {shown(width)}; give at least {least:g} millimetres")
     return length

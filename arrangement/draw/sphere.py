@@ -2,19 +2,26 @@
 
 from __future__ import annotations
 
+import math
+from dataclasses import replace
+
+import numpy as np
+
 from arrangement.arrangement import Arrangement
 
+from .axes import INK, REACH, arrow, axis_names, within_reach
 from .colours import Painter
-from .disc import alone, front
+from .disc import HIDDEN, Disc, alone, front
 from .equalize import evened
 from .essential import shown_as
 from .figure import picture
 from .footer import Footer
-from .globe import Globe
+from .globe import Globe, unit_vectors
+from .labels import segments_of, write_beside
 from .projections import orthographic
 from .regionlabels import RegionLabels
 from .registry import Vector
-from .scene import Scene, checked_width
+from .scene import Floats, Scene, checked_width
 
 
 @picture
@@ -26,6 +33,8 @@ def draw_sphere(
     colour: str | Painter | None = None,
     antipodes: str | None = None,
     labels: str | None = None,
+    axes: str | None = None,
+    sides: bool = False,
     width: float = 88.0,
     even: bool = False,
 ) -> Scene:
@@ -47,6 +56,9 @@ def draw_sphere(
             omitted, whatever two colours give.
         labels: of regions: "signs"; "numbers" in the order of `Arrangement.regions`, with a table
             of sign vectors below; "none". If omitted, signs of up to four planes, else numbers.
+        axes: names of the coordinate axes such as ``x,y,z``, or "none"; if omitted, there are some
+            where the coordinates have a meaning, as x, y, r of the motions of a grasp.
+        sides: mark the positive side of each plane by an arrow.
         width: of the figure, in millimetres.
         even: draw the planes after a linear map that spreads their normals evenly and changes no
             sign vector (see `equalize.evened`); the direction counts after it.
@@ -59,8 +71,54 @@ def draw_sphere(
     arrangement = evened(arrangement) if even else arrangement
     globe = Globe(arrangement, direction)
     colours, names = globe.colouring(colour, antipodes), RegionLabels(arrangement, labels)
+    coordinates = axis_names(arrangement, axes)
     footer = Footer(colours, names, list(globe.front.values()))
     disc = alone(globe, front(globe, orthographic), footer, width, solid=True)
-    disc.draw(colours.paint)
+    arms, arrows = [], []
+    if coordinates:
+        disc = replace(disc, radius=within_reach(globe.axes.T, disc.scene.width / 2, disc.radius))
+        arms = [_axis(disc, k) for k in range(3)]
+        disc.scene.circle(disc.centre, 1.0, fc=INK, ec="none", zorder=2.5, gid="origin")
+    if sides:
+        arrows = [_side(disc, c) for c in range(globe.whole.circle_count)]
+    lines = disc.draw(colours.paint, avoid=[*arms, *arrows])
+    for name, (_, tip) in zip(coordinates, arms, strict=True):
+        write_beside(
+            disc.scene, tip, [name], (7.0, 6.0), segments=segments_of(lines),
+            away=tip - np.array(disc.centre), distance=2.0, style="italic",
+        )  # fmt: skip
     footer.write(disc.scene, disc.scene.height - disc.scene.width)
     return disc.scene
+
+
+def _axis(disc: Disc, k: int) -> Floats:
+    """Draw a coordinate axis from the origin, dashed where the ball hides it; return its ends."""
+    way = disc.globe.axes[:, k]
+    tip = disc.on_paper(REACH * way[:2])
+    flat = float(np.linalg.norm(way[:2]))
+    # In front it leaves the ball where it meets it, else where it passes the limb.
+    out = 1.0 if way[2] > 0 else 1 / max(flat, 1e-9)
+    start = disc.on_paper(min(out, REACH) * way[:2])
+    hidden = {**HIDDEN, "zorder": 2.2, "gid": f"axis-{k + 1}-hidden"}
+    disc.scene.line([disc.centre, start], ec=INK, **hidden)
+    if out < REACH:
+        arrow(disc.scene, start, tip, zorder=3.5, gid=f"axis-{k + 1}")
+    return np.array([disc.centre, tip])
+
+
+def _side(disc: Disc, circle: int) -> Floats:
+    """Draw an arrow to the positive side of a circle, off its crossings; return its ends."""
+    sphere, axes = disc.globe.whole, disc.globe.axes
+    first = sphere.arrangement.integer_planes[sphere.arrangement.distinct[circle][0]][:3]
+    normal = axes @ unit_vectors([first])[0]
+    near = np.array([0.0, 0.0, 1.0]) - normal[2] * normal
+    near /= np.linalg.norm(near)
+    along = np.cross(normal, near)
+    vertices = disc.globe.points
+    spots = [math.cos(t) * near + math.sin(t) * along for t in np.arange(-9, 10) * 0.1]
+    clear = [round(float(np.linalg.norm(vertices - p, axis=1).min(initial=9.0)), 6) for p in spots]
+    foot = spots[int(np.argmax(clear))]
+    tip = math.cos(0.1) * foot + math.sin(0.1) * normal
+    ends = disc.on_paper(np.array([foot[:2], tip[:2]]))
+    arrow(disc.scene, *ends, ec="black", lw=0.7, zorder=3.5, gid=f"side-{circle}", role="arrow")
+    return ends

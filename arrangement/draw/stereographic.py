@@ -204,7 +204,7 @@ class _Whole:
 
     def _outer_label(self, region: DrawnRegion) -> None:
         """Write the name of the outer region into a corner of the frame."""
-        text = self.names.text(region.signs)
+        text = next(iter(self.names.forms(region.signs)), "")
         for x, y in product((1, 0), (1, 0)):
             corner = self._corners()[{(0, 0): 0, (1, 0): 1, (1, 1): 2, (0, 1): 3}[x, y]]
             inside = corner + np.array([4.0 - 8 * x, 4.0 - 8 * y])

@@ -98,6 +98,10 @@ _OPTIONAL = tuple(f.name for f in fields(Contact) if f.default is not MISSING)
 VALUES = (*_REQUIRED[2:], *_OPTIONAL)
 
 
+#: The coordinates of the space of motions.
+MOTIONS = ("x", "y", "r")
+
+
 @dataclass(frozen=True)
 class Grasp:
     """Finitely many contacts on one rigid planar object; none is allowed too.
@@ -136,7 +140,7 @@ class Grasp:
 
     def tangential_arrangement(self) -> Arrangement:
         """Return the m planes ``T . d = 0`` in the space of motions d."""
-        return Arrangement([c.tangential_wrench for c in self], dimension=3)
+        return Arrangement([c.tangential_wrench for c in self], dimension=3, axes=MOTIONS)
 
     def motion_arrangement(self) -> Arrangement:
         """Return the m planes ``T . d = 0``, then the m planes ``stiffness N . d = preload``."""
@@ -145,6 +149,7 @@ class Grasp:
             [c.tangential_wrench for c in self] + normals,
             [Fraction(0)] * len(self) + [c.preload for c in self],
             dimension=3,
+            axes=MOTIONS,
         )
 
     def with_preload(self, preload: Any) -> Grasp:
