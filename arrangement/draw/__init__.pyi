@@ -1,3 +1,4 @@
+from .cells import cells_page as cells_page, draw_cells as draw_cells
 from .colours import DrawnRegion as DrawnRegion
 from .counts import draw_counts as draw_counts
 from .dual import draw_dual as draw_dual

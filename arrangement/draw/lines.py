@@ -11,6 +11,7 @@ from arrangement.arrangement import Arrangement
 from arrangement.errors import InputError
 from arrangement.exact import shown
 
+from .axes import arrow
 from .colours import BLUE, PALETTE, VERMILION, Colouring, DrawnRegion, Painter, colouring
 from .disc import alone, label_regions, plane_names
 from .essential import shown_as
@@ -172,11 +173,8 @@ class _Sheet:
                 np.sign(whole.integer_planes[k][:3] @ self.plane(start + left)) for k in members
             }
             for side in sorted(sides):
-                tip = start + 9 * side * left
-                self.scene.line([start, start + 7 * side * left], ec="black", lw=0.7, role="arrow")
-                foot = start + 5 * side * left
-                self.scene.polygon([tip, foot + 1.7 * way, foot - 1.7 * way], fc="black", ec="none",
-                                   zorder=4, gid=f"side-{label}", role="arrow")  # fmt: skip
+                arrow(self.scene, start, start + 9 * side * left, ec="black", lw=0.7, zorder=4,
+                      role="arrow", gid=f"side-{label}")  # fmt: skip
 
     def plane(self, place: Floats) -> Floats:
         """Return the homogeneous point of the plane at a place on paper."""

@@ -141,7 +141,7 @@ def _cells(sphere: SphereArrangement) -> dict[str, Any]:
             "normal": _exact(normal),
             "unit": _unit(normal),
             "length": _longest(normal) / longest * _norm(normal),
-            "equation": _equation(normal),
+            "equation": equation(normal),
             "circle": int(circle),
         }
         for normal, circle in zip(normals, sphere.plane_circle.tolist(), strict=True)
@@ -187,14 +187,14 @@ def _region(sphere: SphereArrangement, region: int) -> dict[str, Any]:
     }
 
 
-def _equation(normal: IntegerVector) -> str:
+def equation(normal: IntegerVector, offset: int = 0) -> str:
     """Return the equation of a plane, such as ``x - 2y + z = 0``."""
     text = ""
     for entry, name in zip(normal, "xyz", strict=True):
         if entry:
             joint = ("-" if entry < 0 else "") if not text else (" - " if entry < 0 else " + ")
             text += f"{joint}{abs(entry) if abs(entry) != 1 else ''}{name}"
-    return f"{text} = 0"
+    return f"{text} = {offset}"
 
 
 def _exact(vector: IntegerVector) -> list[str]:

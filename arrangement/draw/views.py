@@ -14,6 +14,7 @@ DRAWINGS = Drawings(
     views={
         "sphere": "sphere:draw_sphere",
         "planes": "planes:draw_planes",
+        "cells": "cells:draw_cells",
         "lines": "lines:draw_lines",
         "stereographic": "stereographic:draw_stereographic",
         "gnomonic": "gnomonic:draw_gnomonic",
@@ -22,7 +23,7 @@ DRAWINGS = Drawings(
         "lattice": "lattice:draw_lattice",
     },
     models={"dual": "models:dual_model", "cells": "models:cells_model"},
-    pages={"arrangement": "page:arrangement_page"},
+    pages={"arrangement": "page:arrangement_page", "cells": "cells:cells_page"},
 )
 
 

@@ -13,8 +13,7 @@ import numpy as np
 from arrangement.draw.colours import BLACK, GREY, VERMILION, pale
 from arrangement.draw.depth_tree import back_to_front
 from arrangement.draw.figure import picture
-from arrangement.draw.globe import picture_axes, view_direction
-from arrangement.draw.planesheet import LIGHT
+from arrangement.draw.globe import TO_LIGHT, picture_axes, view_direction
 from arrangement.draw.registry import Exact, Vector, Wrench
 from arrangement.draw.scene import POINTS, Floats, Scene, checked_width
 from arrangement.exact import IntegerVector
@@ -82,7 +81,7 @@ def draw_wrench_set(
 
 def _lit(normal: Floats) -> str:
     """Return the colour of a face of the set, by the angle to the light."""
-    return pale(SOLID, 0.45 * max(0.0, float(LIGHT @ normal)))
+    return pale(SOLID, 0.45 * max(0.0, float(TO_LIGHT @ normal)))
 
 
 class _Solid:

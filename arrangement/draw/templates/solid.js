@@ -30,7 +30,7 @@ function* ordered() {
 }
 
 function placed(point, shift) {
-  const scale = (100 * state.zoom) / (data.radius * (data.apart ? state.apart : 1));
+  const scale = (100 * state.zoom) / (data.radius * (data.apart ? 0.4 + 0.6 * state.apart : 1));
   const p = point.map((x, i) => x + shift[i]);
   return [scale * dot(state.axes[0], p), -scale * dot(state.axes[1], p)].map((x) => x.toFixed(2));
 }
