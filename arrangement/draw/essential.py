@@ -24,11 +24,11 @@ from arrangement.planes import Planes
 from .scene import Floats, Scene
 
 P = ParamSpec("P")
-#: For each view the dimension of its space, and whether planes must be central; the best first.
+#: For each view the dimension of its space, and whether planes must be central.
 SPACES: dict[str, tuple[int, bool]] = {
     "sphere": (3, True),
-    "cells": (3, False),
     "planes": (3, False),
+    "cells": (3, False),
     "lines": (2, False),
     "stereographic": (3, True),
     "gnomonic": (3, True),
@@ -51,13 +51,9 @@ def fits(view: str, planes: Planes) -> bool:
 def suited(views: Sequence[str], planes: Planes) -> list[str]:
     """Return views in the order in which they suit planes, those that cannot show them last."""
 
-    def place(view: str) -> tuple[bool, bool, int]:
-        flat = planes.rank <= 2 and planes.dimension != 3
-        known = list(SPACES)
-        at = known.index(view) if view in known else len(known)
-        return not fits(view, planes), view != "lines" or not flat, at
-
-    return sorted(views, key=place)
+    flat = planes.rank <= 2 and planes.dimension != 3
+    first = "lines" if flat else "sphere" if planes.is_central else "cells"
+    return sorted(views, key=lambda view: (not fits(view, planes), view != first))
 
 
 def shown_as(

@@ -358,7 +358,7 @@ class Scene:
             self.polygon(corners, **{"ec": "black", "lw": 0.5, **style})
 
 
-def _moved(item: Item, right: float, up: float) -> Item:
+def _moved(item: Any, right: float, up: float) -> Any:
     """Return an item, with what it is cut to, at another place."""
     by, clip = np.array([right, up]), item.clip
     if clip is not None and len(clip) == 2:
@@ -367,9 +367,9 @@ def _moved(item: Item, right: float, up: float) -> Item:
         clip = clip[0] + right, clip[1] + up, clip[2] + right, clip[3] + up
     if isinstance(item, Path):
         return replace(item, clip=clip, points=item.points + by)
-    name = "centre" if isinstance(item, Ball) else "place"
-    x, y = getattr(item, name)
-    return replace(item, clip=clip, **{name: (x + right, y + up)})
+    if isinstance(item, Ball):
+        return replace(item, clip=clip, centre=(item.centre[0] + right, item.centre[1] + up))
+    return replace(item, clip=clip, place=(item.place[0] + right, item.place[1] + up))
 
 
 def _role(sort: type[Item], name: str, style: Mapping[str, Any]) -> str:

@@ -95,9 +95,9 @@ def test_models_and_pages_are_made_of_the_essentialisation(planes: Arrangement) 
 @pytest.mark.parametrize(
     ("planes", "view", "others"),
     [
-        ("shi-a2-affine", "sphere", "cells, planes, lines, lattice"),
-        ("parallel-planes-affine", "dual", "cells, planes, lines, lattice"),
-        ("braid-a3", "lines", "sphere, cells, planes, stereographic, gnomonic, dual, graph, latt"),
+        ("shi-a2-affine", "sphere", "planes, cells, lines, lattice"),
+        ("parallel-planes-affine", "dual", "planes, cells, lines, lattice"),
+        ("braid-a3", "lines", "sphere, planes, cells, stereographic, gnomonic, dual, graph, latt"),
     ],
 )
 def test_a_refusal_names_the_views_that_there_are(planes: str, view: str, others: str) -> None:
