@@ -20,24 +20,31 @@ REACH = 1.2
 INK = "#333333"
 
 
-def axis_names(planes: Planes, axes: str | None) -> tuple[str, ...]:
-    """Return the names of the three axes, or nothing if none are drawn.
+def drawn_axes(
+    planes: Planes, axes: str | None, coordinates: str | None
+) -> tuple[tuple[str, ...], str | None]:
+    """Return the names of the axes, or nothing, and the coordinates in which planes are drawn.
 
     Args:
         planes: whose coordinates have names where they have a meaning.
         axes: such as ``"x,y,z"``, or "none"; if omitted, those names.
+        coordinates: see `coordinates.in_coordinates`. Axes are those of the given ones.
 
     Raises:
-        InputError: not three names.
+        InputError: not three names, or axes asked for in other coordinates.
     """
-    if axes is None:
-        return planes.axes
-    names = tuple(name.strip() for name in axes.split(",")) if isinstance(axes, str) else ()
-    if names == ("none",):
-        return ()
-    if len(names) != 3 or not all(0 < len(name) <= 12 for name in names):
-        raise InputError(f"the axes are {shown(axes)}; give three names such as x,y,z, or none")
-    return names
+    names = planes.axes
+    if axes is not None:
+        names = tuple(name.strip() for name in axes.split(",")) if isinstance(axes, str) else ()
+        if names == ("none",):
+            return (), coordinates
+        if len(names) != 3 or not all(0 < len(name) <= 12 for name in names):
+            raise InputError(f"the axes are {shown(axes)}; give three names such as x,y,z, or none")
+        if coordinates not in (None, "given"):
+            raise InputError("axes are those of the given coordinates; leave out one of the two")
+    if not names or coordinates not in (None, "given"):
+        return (), coordinates
+    return names, "given"
 
 
 def arrow(scene: Scene, start: Place, end: Place, **style: Any) -> None:

@@ -132,7 +132,7 @@ class Disc:
         placed = spread([angle for angle, _, _ in wanted], 9.0 / (self.radius + RIM / 2))
         for (angle, text, circle), at in zip(wanted, placed, strict=True):
             ends_at = np.array([[math.cos(angle), math.sin(angle)], [math.cos(at), math.sin(at)]])
-            leader = self.on_paper(ends_at * [[1.0], [1 + 3.2 / self.radius]])
+            leader = self.on_paper(ends_at * [[1.0], [1 + 2.6 / self.radius]])
             colour = self.ink(circle) if self.ink is not None else "black"
             self.scene.line(leader, ec=colour, lw=0.4, zorder=2)
             self._name(ends_at[1], text, colour)
@@ -140,10 +140,10 @@ class Disc:
     def _name(self, outward: Floats, text: str, colour: str) -> None:
         for size in (7.0, 6.0, 5.0):
             w, h = self.scene.measure(text, size)
-            beyond = 3.6 + (abs(outward[0]) * w + abs(outward[1]) * h * 0.75) / 2
+            beyond = 3.4 + (abs(outward[0]) * w + abs(outward[1]) * h) / 2
             for extra in (0.0, 2.0, 4.0):
                 place = np.array(self.centre) + (self.radius + beyond + extra) * outward
-                if self.scene.write(place, text, size, color=colour):
+                if self.scene.write(place, text, size, color=colour, style="italic"):
                     return
 
 
@@ -177,12 +177,12 @@ def label_regions(
     small = [
         (region, outline)
         for region, outline in outlines
-        if names.kind != "none"
+        if names.forms(region.signs)
         and not any(
             write_inside(scene, outline, text, off=off) for text in names.forms(region.signs)
         )
     ]
-    leaders = Leaders(scene, lines, within)
+    leaders = Leaders(scene, lines, within, [outline for _, outline in outlines])
     for region, outline in small:
         names.left_out += len(outlines) > _MOST_LEADERS or not leaders.write(
             outline, names.forms(region.signs)[0]

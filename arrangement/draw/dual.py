@@ -13,13 +13,13 @@ from arrangement.polyhedra.dual import dual_polyhedron
 from arrangement.polyhedra.inscribed import representative_hull
 
 from .colours import BLUE, VERMILION, DrawnRegion, Painter, plane_colour
+from .coordinates import in_coordinates
 from .disc import HIDDEN, Disc, front, plane_names, rim_width
-from .equalize import evened
 from .essential import shown_as
 from .figure import picture
 from .footer import Footer
 from .globe import TO_LIGHT, Globe, clear_direction
-from .labels import SIZES, crosses, segments_meet, tried, write_beside
+from .labels import SIZES, crosses, segments_of, tree_of, tried, write_along, write_beside
 from .projections import orthographic
 from .regionlabels import RegionLabels
 from .registry import Vector
@@ -41,7 +41,7 @@ def draw_dual(
     labels: str | None = None,
     width: float = 180.0,
     hull: bool = False,
-    even: bool = False,
+    coordinates: str | None = None,
 ) -> Scene:
     """Draw the great circles of central planes in R^3, and beside them the dual polyhedron.
 
@@ -65,20 +65,23 @@ def draw_dual(
         colour, antipodes, labels: as for `draw_sphere`.
         width: of the figure, in millimetres; below 120 the panels stand one above the other.
         hull: draw the hull of representatives.
-        even: draw the planes after a linear map that spreads their normals evenly and changes no
-            sign vector (see `equalize.evened`); the direction counts after it.
+        coordinates: "symmetric": after a linear map that shows the symmetry of the planes and
+            changes no sign vector; "even": after one that spreads the normals evenly; "given". If
+            omitted, symmetric, but for planes of motions and for the hull.
 
     Raises:
         InputError: another space or rank, planes off the origin, too many circles, unknown
             colouring.
         MissingExtraError: matplotlib is absent.
     """
-    width = checked_width(width)
-    arrangement = evened(arrangement) if even else arrangement
+    width, names = checked_width(width), RegionLabels(arrangement, labels)
+    if coordinates is None and hull:
+        coordinates = "given"
+    arrangement, direction = in_coordinates(coordinates, arrangement, direction)
     globe = Globe(arrangement, direction)
     if direction is None and not hull:
         globe = Globe(arrangement, _oblique_direction(globe))
-    colours, names = globe.colouring(colour, antipodes), RegionLabels(arrangement, labels)
+    colours = globe.colouring(colour, antipodes)
     if hull:
         found = representative_hull(dual_polyhedron(arrangement))
         solid = hull_solid(found, globe.direction, globe.axes)
@@ -162,8 +165,12 @@ class _Picture:
         solid, scene = self.solid, self.scene
         largest = 1.0 if self.hull else float(np.linalg.norm(solid.places, axis=1).max())
         self.places = np.array(centre) + solid.places * (radius / max(largest, 1e-9))
+        self.limb = np.empty((0, 2, 2))
         if self.hull:
             scene.circle(centre, radius, fill=False, ec="0.6", lw=0.4, zorder=1, gid="limb")
+            at = np.linspace(0, 2 * np.pi, 181)
+            rim = np.array(centre) + radius * np.stack([np.cos(at), np.sin(at)], axis=1)
+            self.limb = segments_of([rim])
         for k, (cycle, normal) in enumerate(solid.faces):
             grey = str(round(0.8 + 0.19 * max(0.0, float(TO_LIGHT @ normal)), 3))
             scene.polygon(self.places[list(cycle)], fc=grey, ec="none", zorder=1, gid=f"face-{k}")
@@ -214,38 +221,24 @@ class _Picture:
             if not solid.edge_hidden[e]:
                 length = float(np.linalg.norm(self.places[u] - self.places[v]))
                 by_class.setdefault(c, []).append((-round(length, 3), e))
-        blocked = self._segments(small + 0.5, all_edges=True)
+        blocked = tree_of(self._segments(small + 0.5))
         for c, edges in sorted(by_class.items()):
             text = plane_names(classes[c])
-            half = np.array(self.scene.measure(text, 6.0)) / 2
             for _, e in sorted(edges):
-                u, v, _ = solid.edges[e]
-                along = (self.places[v] - self.places[u]) / max(
-                    float(np.linalg.norm(self.places[v] - self.places[u])), 1e-9
-                )
-                across = np.array([-along[1], along[0]])
-                beyond = float(np.abs(across) @ half) + 1.6
-                middle = (self.places[u] + self.places[v]) / 2
-                if any(
-                    not segments_meet(self.scene.box(at, text, 6.0), blocked).any()
-                    and self.scene.write(at, text, 6.0, color=plane_colour(c), style="italic")
-                    for at in (middle + beyond * across, middle - beyond * across)
-                ):
+                ends = self.places[list(solid.edges[e][:2])]
+                ink = {"color": plane_colour(c), "style": "italic"}
+                if write_along(self.scene, ends, text, 6.0, blocked, **ink):
                     break
 
-    def _segments(self, small: float, *, all_edges: bool) -> Floats:
-        """Return the edges, hidden ones as well if asked for, and crosses over the vertices."""
-        shown = [
-            self.places[[u, v]]
-            for (u, v, _), hidden in zip(self.solid.edges, self.solid.edge_hidden, strict=True)
-            if all_edges or not hidden
-        ]
-        return np.concatenate([shown, crosses(self.places, small)])
+    def _segments(self, small: float) -> Floats:
+        """Return what no label may cover: edges, vertices, and the limb of a hull."""
+        edges = self.places[[edge[:2] for edge in self.solid.edges]]
+        return np.concatenate([edges, crosses(self.places, small), self.limb])
 
     def _labels(self, centre: Floats, small: float, within: Box) -> None:
         """Write the names of the vertices: inside, or beside, where no other vertex is as near."""
         solid, far = self.solid, np.round(np.linalg.norm(self.places - centre, axis=1), 4)
-        segments = self._segments(small, all_edges=True)
+        segments = self._segments(small)
         order = sorted(range(len(far)), key=lambda v: (solid.vertex_hidden[v], -far[v]))
         for v in order[: tried(len(far))] if self.names.kind != "none" else ():
             hidden = solid.vertex_hidden[v]

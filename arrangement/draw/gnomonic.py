@@ -10,8 +10,8 @@ from arrangement.arrangement import Arrangement
 from arrangement.exact import IntegerVector
 
 from .colours import Painter
+from .coordinates import in_coordinates
 from .disc import alone, front, plane_names
-from .equalize import evened
 from .essential import shown_as
 from .figure import picture
 from .footer import Footer
@@ -34,7 +34,7 @@ def draw_gnomonic(
     antipodes: str | None = None,
     labels: str | None = None,
     width: float = 88.0,
-    even: bool = False,
+    coordinates: str | None = None,
 ) -> Scene:
     """Draw central planes in R^3 as lines of the projective plane.
 
@@ -59,19 +59,21 @@ def draw_gnomonic(
             from infinity.
         colour, antipodes, labels: as for `draw_sphere`.
         width: of the figure, in millimetres.
-        even: draw the planes after a linear map that spreads their normals evenly and changes no
-            sign vector (see `equalize.evened`); the direction counts after it.
+        coordinates: "symmetric": after a linear map that shows the symmetry of the planes and
+            changes no sign vector; "even": after one that spreads the normals evenly; "given". If
+            omitted, symmetric, but for planes of motions.
 
     Raises:
         InputError: another space, planes off the origin, too many circles, unknown colouring.
         MissingExtraError: matplotlib is absent.
     """
     width = checked_width(width)
-    arrangement = evened(arrangement) if even else arrangement
+    names = RegionLabels(arrangement, labels)
+    arrangement, direction = in_coordinates(coordinates, arrangement, direction)
     globe = Globe(arrangement, direction)
     if direction is None:
         globe = Globe(arrangement, _central_direction(globe))
-    colours, names = globe.colouring(colour, antipodes), RegionLabels(arrangement, labels)
+    colours = globe.colouring(colour, antipodes)
     footer = Footer(colours, names, list(globe.front.values()), [_note(globe)])
     disc = alone(globe, _chart(globe), footer, width)
     dotted = []

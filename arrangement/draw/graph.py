@@ -13,19 +13,18 @@ from arrangement.arrangement import Arrangement
 from arrangement.errors import InputError
 from arrangement.polyhedra.dual import dual_polygon, dual_polyhedron, dual_segment
 
-from .colours import DrawnRegion, Painter, colouring, plane_colour
+from .colours import CHECKERS, Colouring, DrawnRegion, Painter, colouring, plane_colour
+from .coordinates import symmetry
 from .disc import plane_names
 from .essential import shown_as
 from .figure import picture
 from .footer import Footer
-from .globe import MAX_CIRCLES
-from .labels import SIZES, crosses, segments_meet, tried, write_beside
+from .globe import MAX_CIRCLES, unit_vectors
+from .labels import SIZES, crosses, tree_of, tried, write_along, write_beside
 from .regionlabels import RegionLabels
 from .scene import Floats, Scene, checked_width
 from .solids import edges_of, flat_edges
 from .tutte import tutte_places
-
-_PAD: dict[str, Any] = {"plate": {"fc": "white", "ec": "none", "pad": 0.4}}
 
 
 @dataclass(frozen=True)
@@ -57,11 +56,11 @@ def draw_graph(
 ) -> Scene:
     """Draw the graph of the dual (regions, and which of them share a facet) without crossings.
 
-    The outer polygon is a largest face; all other vertices are at weighted means of their
-    neighbours (Tutte's theorem), so that edges are straight and never cross. Round vertices have
-    an even number of negative classes of planes, square ones an odd number: every edge joins one
-    of each. A colour and a number on edges name the plane that they cross. In rank 2 the graph
-    is a cycle, in rank 1 one edge.
+    The outer polygon is a largest face, of these a most symmetric one; all other vertices are at
+    weighted means of their neighbours (Tutte's theorem), so that edges are straight and never
+    cross. Round vertices have an even number of negative classes of planes, square ones an odd
+    number: every edge joins one of each. A colour and a number on edges name the plane that they
+    cross. In rank 2 the graph is a cycle, in rank 1 one edge.
 
     Elements: ``vertex-3`` and ``edge-7``, numbered as in the dual.
 
@@ -81,11 +80,17 @@ def draw_graph(
     regions = [DrawnRegion(s, d) for s, d in zip(graph.signs, degrees, strict=True)]
     pairs = [(u, v) for u, v, _ in graph.edges]
     colours = colouring(colour, antipodes, regions, pairs, arrangement.distinct)
+    fills = CHECKERS if colours.name == "parity" else ("white", "white")
     even = "even number of minus signs"
     if len(arrangement.distinct) < len(arrangement):
         even += ", coincident planes counted once"
-    marker = {"fc": "white", "lw": 0.7}
-    keys = [(even, {"marker": "round", **marker}), ("odd", {"marker": "square", **marker})]
+    shapes = (("round", even), ("square", "odd"))
+    keys: list[tuple[str, dict[str, Any]]] = [
+        (text, {"marker": shape, "fc": fill, "lw": 0.7})
+        for (shape, text), fill in zip(shapes, fills, strict=False)
+    ]
+    if colours.name == "parity":
+        colours = Colouring(colours.paint, None)
     notes = []
     if arrangement.rank == 3:
         crossed = sorted({c for u, v, c in graph.edges if u in graph.outer and v in graph.outer})
@@ -112,7 +117,16 @@ def planar_graph(arrangement: Arrangement) -> PlanarGraph:
         return _cycle(arrangement)
     dual = dual_polyhedron(arrangement)
     degrees = np.bincount(dual.edges.ravel()).tolist()
-    outer = max(dual.faces, key=lambda f: (len(f), sum(min(degrees[v], 5) for v in f)))[::-1]
+    found = symmetry(arrangement)
+    kept = [1] * len(dual.faces)
+    if found is not None:
+        kept = found.stabilizers(unit_vectors(dual.face_normals)).tolist()
+
+    def fitness(face: int) -> tuple[int, ...]:
+        cycle = dual.faces[face]
+        return len(cycle), kept[face], sum(min(degrees[v], 5) for v in cycle)
+
+    outer = dual.faces[max(range(len(dual.faces)), key=fitness)][::-1]
     places = tutte_places(len(dual.signs), dual.faces, outer)
     return PlanarGraph(places, tuple(map(tuple, dual.signs.tolist())), edges_of(dual), outer)
 
@@ -171,7 +185,7 @@ class _Picture:
 
     def _zones(self) -> None:
         """Number the edges: the outer polygon outside, then one long edge of each class."""
-        dots = np.concatenate([self.segments, crosses(self.places, self.size + 0.5)])
+        dots = tree_of(np.concatenate([self.segments, crosses(self.places, self.size + 0.5)]))
         named: set[int] = set()
         for e in np.argsort(-self.lengths, kind="stable").tolist():
             c = self.graph.edges[e][2]
@@ -180,15 +194,8 @@ class _Picture:
             if self.lengths[e] < 2 * self.size + 10:
                 break
             text = plane_names(self.arrangement.distinct[c])
-            w, h = self.scene.measure(text, 6.0)
-            if self.lengths[e] < 2 * self.size + max(w, h) + 6:
-                continue
-            middle = self.segments[e].mean(axis=0)
-            others = np.delete(dots, e, axis=0)
-            box = self.scene.box(middle, text, 6.0)
-            if not segments_meet(box, others).any() and self.scene.write(
-                middle, text, 6.0, color=plane_colour(c), **_PAD
-            ):
+            ink = {"color": plane_colour(c), "style": "italic"}
+            if write_along(self.scene, self.segments[e], text, 6.0, dots, **ink):
                 named.add(c)
 
     def _labels(self) -> None:

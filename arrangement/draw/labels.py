@@ -92,6 +92,13 @@ def segments_of(lines: Sequence[Floats]) -> Floats:
     return np.concatenate([np.empty((0, 2, 2)), *pieces])
 
 
+def tree_of(segments: Floats) -> Any:
+    """Return segments (n, 2, 2) as a tree of shapely."""
+    import shapely
+
+    return shapely.STRtree(shapely.linestrings(segments))
+
+
 def keep_off(lines: Sequence[Floats], areas: Sequence[Floats] = ()) -> Any:
     """Return lines and polygons, each (k, 2), as a tree for `write_inside`."""
     import shapely
@@ -107,14 +114,18 @@ class Leaders:
         scene: where to.
         lines: (k, 2) each; no label covers one, and leader lines cross as few as can be.
         within: a part of the scene that must not be left.
+        areas: (k, 2) each; other places are better for labels, which might be taken for theirs.
     """
 
-    def __init__(self, scene: Scene, lines: Sequence[Floats], within: Box) -> None:
+    def __init__(
+        self, scene: Scene, lines: Sequence[Floats], within: Box, areas: Sequence[Floats]
+    ) -> None:
         import shapely
 
         self.scene = scene
-        self.segments = shapely.STRtree(shapely.linestrings(segments_of(lines)))
+        self.segments = tree_of(segments_of(lines))
         self.within = shapely.box(*within)
+        self.areas = shapely.STRtree([shapely.Polygon(area).buffer(0) for area in areas])
         self.drawn: list[Any] = []
 
     def write(self, edge: Floats, text: str, size: float = SIZES[-1]) -> bool:
@@ -146,6 +157,7 @@ class Leaders:
         free[np.unique(self.segments.query(boxes, "intersects")[0])] = False
         crossed = np.bincount(self.segments.query(tracks, "intersects")[0], minlength=len(tracks))
         cost = 6.0 * crossed + reach[:, 0]
+        cost[np.unique(self.areas.query(boxes, "intersects")[0])] += 15.0
         for k in np.argsort(cost, kind="stable").tolist():
             if free[k] and self.scene.write(centres[k], text, size):
                 self.drawn.append(tracks[k])
@@ -167,6 +179,7 @@ def write_beside(
     distance: float = 3.0,
     within: Box | None = None,
     others: Floats | None = None,
+    turns: int = 24,
     **style: Any,
 ) -> bool:
     """Write a label beside a point, off all segments, or not at all.
@@ -181,11 +194,12 @@ def write_beside(
         distance: from the point to the nearest part of the label; up to twice as much is tried.
         within: a part of the scene that must not be left.
         others: points (k, 2) that must be farther from the label, by a half, than this one.
+        turns: how many directions are tried, of 24.
         style: goes to matplotlib.
     """
     x, y = float(point[0]), float(point[1])
     close = segments[segments_meet((x - 60, y - 60, x + 60, y + 60), segments)]
-    directions = np.array(list(_around(away)))
+    directions = np.array(list(_around(away)))[:turns]
     for size, text, beyond in product(sizes, texts, (1.0, 2.0)):
         half = np.array(scene.measure(text, size)) / 2
         reach = distance * beyond + (half / np.maximum(np.abs(directions), 1e-9)).min(axis=1)
@@ -203,6 +217,32 @@ def write_beside(
     return False
 
 
+def write_along(
+    scene: Scene, ends: Floats, text: str, size: float, blocked: Any, **style: Any
+) -> bool:
+    """Write a text beside the middle of a segment, close to it and off all segments, or not at all.
+
+    Args:
+        scene: where to.
+        ends: (2, 2); of the segment.
+        text: one line.
+        size: in points.
+        blocked: a tree of segments that must not be covered, see `tree_of`.
+        style: goes to matplotlib.
+    """
+    import shapely
+
+    step = ends[1] - ends[0]
+    across = np.array([-step[1], step[0]]) / max(float(np.linalg.norm(step)), 1e-9)
+    beyond = float(np.abs(across) @ np.array(scene.measure(text, size))) / 2 + 1.6
+    for at in (ends.mean(axis=0) + beyond * across, ends.mean(axis=0) - beyond * across):
+        left, low, right, high = scene.box(at, text, size)
+        room = shapely.box(left - 0.6, low - 0.6, right + 0.6, high + 0.6)
+        if not len(blocked.query(room, "intersects")) and scene.write(at, text, size, **style):
+            return True
+    return False
+
+
 def _apart(box: Floats, points: Floats) -> Floats:
     """Return the distances of points from a box."""
     gaps = np.maximum(np.maximum(box[:2] - points, points - box[2:]), 0.0)
@@ -211,9 +251,13 @@ def _apart(box: Floats, points: Floats) -> Floats:
 
 
 def crosses(points: Floats, radius: float) -> Floats:
-    """Return segments (2k, 2, 2) that cover small dots, for `write_beside`."""
-    arms = radius * np.array([[1.0, 0.0], [0.0, 1.0]])
-    return np.concatenate([np.stack([points - arm, points + arm], axis=1) for arm in arms])
+    """Return segments (10k, 2, 2) that cover small discs, for `write_beside`."""
+    arms = radius * np.array([[[-1.0, 0.0], [1.0, 0.0]], [[0.0, -1.0], [0.0, 1.0]]])
+    at = np.arange(9) * math.pi / 4
+    ring = radius * np.stack([np.cos(at), np.sin(at)], axis=1)
+    shape = np.concatenate([arms, np.stack([ring[:-1], ring[1:]], axis=1)])
+    discs: Floats = (points[:, None, None] + shape).reshape(-1, 2, 2)
+    return discs
 
 
 def tried(count: int) -> int:

@@ -8,9 +8,10 @@ from typing import Any
 import numpy as np
 
 from .axes import arrow
+from .disc import plane_names
 from .exploded_cells import Lifted
 from .globe import Floats
-from .labels import keep_off, spread, turn, write_beside, write_inside
+from .labels import keep_off, segments_of, spread, turn, write_beside, write_inside
 from .planesheet import Colour, PlanesSheet
 from .regionlabels import RegionLabels
 from .scene import area
@@ -41,16 +42,19 @@ class Names:
             best = int(np.argmax(np.round(score, 6)))
             if self._covered(points[best : best + 1])[0]:
                 continue
-            text = ",".join(str(k + 1) for k in members)
+            text = plane_names(members)
             wanted.append((float(angles[best]), points[best], text, self.picture.colour(label)))
         placed = spread([angle for angle, *_ in wanted], 0.13)
         for (_, point, text, colour), angle in zip(wanted, placed, strict=True):
             way = np.array([math.cos(angle), math.sin(angle)])
             edge = way / max(1e-9, self._gauge(way))
-            start, stop = self.place(point), self.place(edge) + 4 * way
-            self.scene.line([start, stop], ec="black", lw=0.4, zorder=4)
+            rim = self.place(edge)
+            half = np.array(self.scene.measure(text, 7.0)) / 2 + 1.6
+            beyond = float((half / np.maximum(np.abs(way), 1e-9)).min())
+            self.scene.line([self.place(point), rim + 4 * way], ec="black", lw=0.4, zorder=4)
             box = {"boxstyle": "round,pad=0.22,rounding_size=0.5", "fc": colour, "ec": "none"}
-            self.scene.write(self.place(edge) + 8.5 * way, text, 7.0, plate=box)
+            style: dict[str, Any] = {"plate": box, "style": "italic"}
+            self.scene.write(rim + (4 + beyond) * way, text, 7.0, **style)
 
     def _covered(self, points: Floats) -> Floats:
         """Return 1 for points whose number would stand on or at a lifted cell, else 0."""
@@ -105,10 +109,12 @@ class Names:
 
     def name_axes(self) -> None:
         """Write the names of the axes beyond their tips."""
+        closed = [np.vstack([area, area[:1]]) for _, area in self.picture.areas]
         for name, tip in zip(self.picture.axes.names, self.picture.axes.tips, strict=True):
             tip, origin = self.place(tip), self.place(self.picture.axes.origin)
+            lines = segments_of([*closed, np.array([origin, tip])])
             write_beside(
-                self.scene, tip, [name], (7.0, 6.0), segments=np.array([[origin, tip]]),
+                self.scene, tip, [name], (7.0, 6.0), segments=lines,
                 away=tip - origin, distance=2.0, style="italic",
             )  # fmt: skip
 

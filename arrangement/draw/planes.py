@@ -7,8 +7,9 @@ from collections.abc import Iterable
 from arrangement.arrangement import Arrangement
 from arrangement.polyhedra.cells import cut_cells, read_signs
 
-from .axes import StagedAxes, axis_names
+from .axes import StagedAxes, drawn_axes
 from .colours import chosen, fill_colour
+from .coordinates import in_coordinates
 from .essential import shown_as
 from .exploded_cells import lifted_cells
 from .figure import picture
@@ -37,6 +38,7 @@ def draw_planes(
     axes: str | None = None,
     sides: bool = False,
     width: float = 88.0,
+    coordinates: str | None = None,
 ) -> Scene:
     """Draw the planes of an arrangement in R^3 inside a ball or a cube, cell by cell.
 
@@ -61,6 +63,10 @@ def draw_planes(
             where the coordinates have a meaning, as x, y, r of the motions of a grasp.
         sides: mark the positive side of each plane by an arrow.
         width: of the figure, in millimetres.
+        coordinates: "symmetric": after a linear map that shows the symmetry of the planes and
+            changes no sign vector; "even": after one that spreads the normals evenly; "given". If
+            omitted, symmetric, but for planes of motions, with axes, and where the body has a
+            given place.
 
     Raises:
         InputError: another space, too many planes, no such cell, lifted cells that hide each
@@ -71,16 +77,19 @@ def draw_planes(
     paper = checked_width(width)
     texts = [lift] if isinstance(lift, str) else list(lift)
     raised = [read_signs(arrangement, text) for text in texts]
+    names = RegionLabels(arrangement, labels)
+    if coordinates is None and not (centre is None and radius is None):
+        coordinates = "given"
+    shown, coordinates = drawn_axes(arrangement, axes, coordinates)
+    arrangement, direction = in_coordinates(coordinates, arrangement, direction)
     toward = None if direction is None else view_direction(direction)
     cells = cut_cells(arrangement, body, centre, radius)
     if toward is None:
         toward = clear_sight(cells, raised)
     stage = Stage(cells, toward)
-    names = RegionLabels(arrangement, labels)
     room = names.height(paper * POINTS, raised)
     lifted = lifted_cells(stage, raised)
-    coordinates = axis_names(arrangement, axes)
-    picture = PlanesSheet(stage, lifted, paint, paper, room, StagedAxes(stage, coordinates))
+    picture = PlanesSheet(stage, lifted, paint, paper, room, StagedAxes(stage, shown))
     writer = Names(picture, names)
     if sides:
         writer.mark_sides()

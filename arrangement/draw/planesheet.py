@@ -13,16 +13,17 @@ import numpy as np
 
 from .axes import INK, StagedAxes, arrow
 from .colours import SKIN
+from .disc import plane_names
 from .exploded_cells import Lifted
 from .globe import TO_LIGHT, Floats
 from .painting import Facet, Key, Stage
-from .scene import POINTS, Scene
+from .scene import POINTS, Scene, measure
 
 #: Opacity of the facets; what lies behind them shows through.
 OPACITY = 0.82
 #: The share of white in the colour of a plane.
 WHITE = 0.42
-#: Room for the numbers around the body, in points.
+#: Room for the numbers around the body, at least; in points.
 MARGIN = 15.0
 
 
@@ -74,13 +75,15 @@ class PlanesSheet:
         corner = np.concatenate(loose)
         least, most = corner.min(axis=0), corner.max(axis=0)
         paper = width * POINTS
+        numbers = map(plane_names, stage.arrangement.distinct)
+        margin = max(MARGIN, 10.0 + max((measure(text, 7.0)[0] for text in numbers), default=0.0))
         self.scale = min(
             (paper - a - b) / (right - left)
-            for left, a in ((low[0], MARGIN), (least[0], 3.0))
-            for right, b in ((high[0], MARGIN), (most[0], 3.0))
+            for left, a in ((low[0], margin), (least[0], 3.0))
+            for right, b in ((high[0], margin), (most[0], 3.0))
             if right - left > 0.5
         )
-        left = min(low[0] * self.scale - MARGIN, least[0] * self.scale - 3)
+        left = min(low[0] * self.scale - margin, least[0] * self.scale - 3)
         bottom = min(low[1] * self.scale - MARGIN, least[1] * self.scale - 10) - room
         top = max(high[1] * self.scale + MARGIN, most[1] * self.scale + 10)
         self.shift = np.array([-left, -bottom])

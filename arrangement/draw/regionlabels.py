@@ -55,12 +55,15 @@ class RegionLabels:
         """Return the height of the notes and the table on a sheet, both in points."""
         if self.kind == "none" or not drawn:
             return 0.0
-        return _STEP * (2 + len(self._rows(width, drawn)) if self.kind == "numbers" else 1)
+        return _STEP * (3 + len(self._rows(width, drawn)) if self.kind == "numbers" else 1)
 
     def write(self, scene: Scene, y: float, drawn: Sequence[Sequence[int]]) -> None:
         """Write the notes and the table of the regions drawn, from `y` down."""
         rows = self._rows(scene.width, drawn) if self.kind == "numbers" and drawn else []
         if rows:
+            note = "regions by number; numbers of planes are italic"
+            scene.write((scene.width / 2, y - _STEP / 2), note, _SIZE)
+            y -= _STEP
             column = (scene.width - 8) / len(rows[0])
             for k, row in enumerate(rows):
                 for j, text in enumerate(row):

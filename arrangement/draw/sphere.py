@@ -9,10 +9,10 @@ import numpy as np
 
 from arrangement.arrangement import Arrangement
 
-from .axes import INK, REACH, arrow, axis_names, within_reach
+from .axes import INK, REACH, arrow, drawn_axes, within_reach
 from .colours import Painter
+from .coordinates import in_coordinates
 from .disc import HIDDEN, Disc, alone, front
-from .equalize import evened
 from .essential import shown_as
 from .figure import picture
 from .footer import Footer
@@ -36,7 +36,7 @@ def draw_sphere(
     axes: str | None = None,
     sides: bool = False,
     width: float = 88.0,
-    even: bool = False,
+    coordinates: str | None = None,
 ) -> Scene:
     """Draw the great circles of central planes in R^3 as seen from a direction.
 
@@ -60,29 +60,30 @@ def draw_sphere(
             where the coordinates have a meaning, as x, y, r of the motions of a grasp.
         sides: mark the positive side of each plane by an arrow.
         width: of the figure, in millimetres.
-        even: draw the planes after a linear map that spreads their normals evenly and changes no
-            sign vector (see `equalize.evened`); the direction counts after it.
+        coordinates: "symmetric": after a linear map that shows the symmetry of the planes and
+            changes no sign vector; "even": after one that spreads the normals evenly; "given". If
+            omitted, symmetric, but for planes of motions and with axes.
 
     Raises:
         InputError: another space, planes off the origin, too many circles, unknown colouring.
         MissingExtraError: matplotlib is absent.
     """
-    width = checked_width(width)
-    arrangement = evened(arrangement) if even else arrangement
+    width, names = checked_width(width), RegionLabels(arrangement, labels)
+    shown, coordinates = drawn_axes(arrangement, axes, coordinates)
+    arrangement, direction = in_coordinates(coordinates, arrangement, direction)
     globe = Globe(arrangement, direction)
-    colours, names = globe.colouring(colour, antipodes), RegionLabels(arrangement, labels)
-    coordinates = axis_names(arrangement, axes)
+    colours = globe.colouring(colour, antipodes)
     footer = Footer(colours, names, list(globe.front.values()))
     disc = alone(globe, front(globe, orthographic), footer, width, solid=True)
     arms, arrows = [], []
-    if coordinates:
+    if shown:
         disc = replace(disc, radius=within_reach(globe.axes.T, disc.scene.width / 2, disc.radius))
         arms = [_axis(disc, k) for k in range(3)]
         disc.scene.circle(disc.centre, 1.0, fc=INK, ec="none", zorder=2.5, gid="origin")
     if sides:
         arrows = [_side(disc, c) for c in range(globe.whole.circle_count)]
     lines = disc.draw(colours.paint, avoid=[*arms, *arrows])
-    for name, (_, tip) in zip(coordinates, arms, strict=True):
+    for name, (_, tip) in zip(shown, arms, strict=True):
         write_beside(
             disc.scene, tip, [name], (7.0, 6.0), segments=segments_of(lines),
             away=tip - np.array(disc.centre), distance=2.0, style="italic",

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from itertools import product
 from typing import Any
 
@@ -13,13 +14,13 @@ from arrangement.errors import InputError
 from arrangement.exact import IntegerVector
 
 from .colours import DrawnRegion, Painter
+from .coordinates import in_coordinates
 from .disc import HIDDEN, alone, front, label_regions, plane_names, rim_width
-from .equalize import evened
 from .essential import shown_as
 from .figure import picture
 from .footer import Footer
 from .globe import Globe, best_direction, unit_vectors
-from .labels import flattened
+from .labels import flattened, segments_of, write_beside
 from .projections import Drawn, stereographic
 from .regionlabels import RegionLabels
 from .registry import Vector
@@ -40,7 +41,7 @@ def draw_stereographic(
     labels: str | None = None,
     width: float = 88.0,
     whole: bool | None = None,
-    even: bool = False,
+    coordinates: str | None = None,
 ) -> Scene:
     """Draw the great circles of central planes in R^3 in stereographic projection.
 
@@ -62,8 +63,9 @@ def draw_stereographic(
         width: of the figure, in millimetres.
         whole: both halves, or the front half; if omitted, both where all circles stay within
             3.3 radii, as for few circles.
-        even: draw the planes after a linear map that spreads their normals evenly and changes no
-            sign vector (see `equalize.evened`); the direction counts after it.
+        coordinates: "symmetric": after a linear map that shows the symmetry of the planes and
+            changes no sign vector; "even": after one that spreads the normals evenly; "given". If
+            omitted, symmetric, but for planes of motions.
 
     Raises:
         InputError: another space, planes off the origin, too many circles, unknown colouring; or
@@ -71,7 +73,8 @@ def draw_stereographic(
         MissingExtraError: matplotlib is absent.
     """
     width = checked_width(width)
-    arrangement = evened(arrangement) if even else arrangement
+    names = RegionLabels(arrangement, labels)
+    arrangement, direction = in_coordinates(coordinates, arrangement, direction)
     globe = Globe(arrangement, direction)
     if direction is None and whole is not False:
         central = Globe(arrangement, _inner_direction(globe))
@@ -79,7 +82,7 @@ def draw_stereographic(
             globe, whole = central, True
     if whole is None:
         whole = 0 < _farthest(globe) <= FARTHEST
-    colours, names = globe.colouring(colour, antipodes), RegionLabels(arrangement, labels)
+    colours = globe.colouring(colour, antipodes)
     if not whole:
         footer = Footer(colours, names, list(globe.front.values()))
         disc = alone(globe, front(globe, stereographic), footer, width)
@@ -136,7 +139,7 @@ class _Whole:
         self.scene.circle(limb, self.scale, fill=False, ec="black", gid="limb", **HIDDEN)
         corners = self._corners()
         self.scene.polygon(corners, fill=False, ec="black", lw=0.4, ls=(0, (1, 2)), role="border")
-        self._names()
+        self._names(lines)
         at = np.linspace(0, 2 * math.pi, 200)[:, None]
         dashes = self.on_paper(np.hstack([np.cos(at), np.sin(at)]))
         label_regions(
@@ -165,33 +168,27 @@ class _Whole:
         signs = np.array([[-1, -1], [1, -1], [1, 1], [-1, 1]])
         return self.centre + self.half * signs
 
-    def _names(self) -> None:
-        """Write each circle's number outside its farthest point; inner ones go on their line."""
-        classes = self.globe.whole.arrangement.distinct
-        texts = [plane_names(members) for members in classes]
-        order = sorted(range(len(texts)), key=lambda k: abs(self.normals[k, 2]))
-        for k in order:
-            if not self._name(k, texts[k], outside=True):
-                self._name(k, texts[k], outside=False)
+    def _names(self, lines: Sequence[Floats]) -> None:
+        """Write each circle's number outside its farthest point, or else close to its line."""
+        classes, segments = self.globe.whole.arrangement.distinct, segments_of(lines)
+        for k in sorted(range(len(classes)), key=lambda k: abs(self.normals[k, 2])):
+            text = plane_names(classes[k])
+            for step in range(84):
+                if self._name(k, text, step, segments):
+                    break
 
-    def _name(self, k: int, text: str, *, outside: bool) -> bool:
+    def _name(self, k: int, text: str, step: int, segments: Floats) -> bool:
+        """Try a place, farther and farther from the farthest point of a circle."""
         a, b, c = self.normals[k].tolist()
         centre, radius = np.array([a / c, b / c]), 1 / abs(c)
-        w, h = self.scene.measure(text, 7.0)
-        style: dict[str, Any] = (
-            {} if outside else {"plate": {"fc": "white", "ec": "none", "pad": 0.6}}
-        )
-        for step in range(84):
-            angle = math.atan2(b * c, a * c) + (step + 1) // 2 * 0.075 * (1 if step % 2 else -1)
-            outward = np.array([math.cos(angle), math.sin(angle)])
-            beyond = 2.2 + (abs(outward[0]) * w + abs(outward[1]) * h * 0.7) / 2
-            rim = self.on_paper((centre + radius * outward)[None])[0]
-            place = rim + (beyond if outside else 0.0) * outward
-            if self._clearance(place, None if outside else k) < (4.5 if outside else 5.5):
-                continue
-            if self.scene.write(place, text, 7.0, **style):
-                return True
-        return False
+        angle = math.atan2(b * c, a * c) + (step + 1) // 2 * 0.075 * (1 if step % 2 else -1)
+        outward = np.array([math.cos(angle), math.sin(angle)])
+        rim = self.on_paper((centre + radius * outward)[None])[0]
+        return write_beside(
+            self.scene, rim, [text], (7.0, 6.0), segments=segments, away=outward, distance=1.2,
+            within=tuple(np.concatenate([self._corners()[0] + 4, self._corners()[2] - 4])),
+            turns=2, style="italic",
+        )  # fmt: skip
 
     def _clearance(self, place: Floats, own: int | None) -> float:
         """Return how far a place is from all circles but its own; outside all if it has none."""

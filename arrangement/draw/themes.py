@@ -13,9 +13,9 @@ from typing import Any, TypeAlias
 
 import numpy as np
 
+from arrangement.errors import InputError
 from arrangement.exact import shown
 
-from .registry import refusal
 from .scene import Ball, Floats, Item, Label, Path, Scene
 
 THEMES = ("light", "dark", "mono")
@@ -42,7 +42,7 @@ def themed(scene: Scene, theme: str) -> Scene:
         InputError: an unknown theme.
     """
     if theme not in THEMES:
-        raise refusal(f"the theme is {shown(theme)}", theme, THEMES)
+        raise InputError(f"the theme is {shown(theme)}; known are {', '.join(THEMES)}")
     if theme == "light":
         return scene
     made = Scene(*scene.paper)
