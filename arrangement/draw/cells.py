@@ -17,6 +17,7 @@ from arrangement.polyhedra.cells import Cell, Cells, cut_cells
 
 from .axes import StagedAxes
 from .colours import SKIN, fill_colour, pale
+from .coordinates import in_coordinates
 from .disc import plane_names
 from .essential import brought, caption, shown_as
 from .exploded_cells import Lifted, sharp
@@ -50,6 +51,7 @@ def draw_cells(
     explode: float = 1.5,
     direction: Vector | None = None,
     labels: str | None = None,
+    coordinates: str | None = None,
     width: float = 88.0,
 ) -> Scene:
     """Draw the cells of planes in R^3, cut off by a cube or a ball, as solids that stand apart.
@@ -68,6 +70,7 @@ def draw_cells(
         direction: exact, towards the viewer; if omitted, one in which no plane is edge-on.
         labels: of cells, as for `draw_sphere`, on faces that have room; none for more than 60 cells
             if omitted.
+        coordinates: of central planes, as for `draw_planes`.
         width: of the figure, in millimetres.
 
     Raises:
@@ -75,6 +78,9 @@ def draw_cells(
         MissingExtraError: matplotlib is absent.
     """
     width = checked_width(width)
+    if coordinates is None and not (centre is None and radius is None):
+        coordinates = "given"
+    arrangement, direction = in_coordinates(coordinates, arrangement, direction)
     cells = _cells(arrangement, body, centre, radius, explode)
     towards = clear_sight(cells) if direction is None else view_direction(direction)
     stage = Stage(cells, towards)

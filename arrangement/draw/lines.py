@@ -222,7 +222,7 @@ class _Window(_Sheet):
             for near, far in (ends, ends[::-1]):
                 way = (near - far) / np.linalg.norm(near - far)
                 reach = 2.5 + extra + float((half / np.maximum(np.abs(way), 1e-9)).min())
-                if self.scene.write(near + reach * way, text):
+                if self.scene.write(near + reach * way, text, style="italic"):
                     return
         self.missing["lines"] += 1
 
