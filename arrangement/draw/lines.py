@@ -17,7 +17,7 @@ from .disc import alone, label_regions, plane_names
 from .essential import shown_as
 from .figure import picture
 from .footer import Footer
-from .labels import SIZES, flattened, sign_text, write_beside
+from .labels import SIZES, flattened, segments_meet, segments_of, sign_text, write_beside
 from .line_charts import LinesChart
 from .regionlabels import RegionLabels
 from .registry import refusal
@@ -78,11 +78,11 @@ def draw_lines(
     sheet = (_Disc if projective else _Window)(
         LinesChart(arrangement), checked_width(width), names, colour
     )
+    if sides:
+        sheet.mark_sides()
     if everything and names.kind == "signs":
         sheet.label_faces()
     sheet.label_regions()
-    if sides:
-        sheet.arrows()
     sheet.footer.write(sheet.scene, sheet.bottom)
     for what, number in (+sheet.missing).items():
         sheet.scene.caption(f"no room for some labels: {what} {number}")
@@ -96,6 +96,7 @@ class _Sheet:
         lines: points along each class of lines, from one end to the other.
         outlines: the regions and their borders.
         edges, vertices: points along the edges, and places of the vertices, by number.
+        arms: the arrows to positive sides.
         bottom: where the footer begins.
     """
 
@@ -129,6 +130,7 @@ class _Sheet:
         self.outlines: list[tuple[DrawnRegion, Floats]] = []
         self.edges: dict[int, Floats] = {}
         self.vertices: dict[int, Floats] = {}
+        self.arms: list[Floats] = []
         self.draw(width)
 
     def draw(self, width: float) -> None:
@@ -138,21 +140,14 @@ class _Sheet:
     def label_regions(self) -> None:
         """Write the names of the regions."""
         within = (0.0, self.bottom, self.scene.width, self.scene.height)
-        label_regions(self.scene, self.names, self.outlines, list(self.edges.values()), (), within)
+        lines = [*self.edges.values(), *self.arms]
+        label_regions(self.scene, self.names, self.outlines, lines, self.arms, within)
 
     def label_faces(self) -> None:
         """Mark the vertices, and write sign vectors beside them and on the edges."""
-        plate = {"fc": "white", "ec": "none", "pad": 0.6}
-        shares = (0.5, 0.4, 0.6, 0.3, 0.7, 0.2, 0.8)
-        for e, signs in self.chart.edges.items():
-            places = [_along(self.edges[e], share) for share in shares]
-            self.missing["edges"] += not any(
-                self.scene.write(place, sign_text(signs), size, color=BLUE, plate=plate)
-                for size in SIZES
-                for place in places
-            )
-        pieces = [np.stack([e[:-1], e[1:]], axis=1) for e in self.edges.values()]
-        segments = np.concatenate([np.empty((0, 2, 2)), *pieces])
+        for e in self.chart.edges:
+            self.missing["edges"] += not self._label_edge(e)
+        segments = segments_of([*self.edges.values(), *self.arms])
         for v, signs in self.chart.vertices.items():
             self.scene.circle(self.vertices[v], 1.7, fc=VERMILION, ec="none", zorder=4,
                               gid=f"vertex-{v}")  # fmt: skip
@@ -161,7 +156,26 @@ class _Sheet:
                 distance=3.0, color=VERMILION,
             )  # fmt: skip
 
-    def arrows(self) -> None:
+    def _label_edge(self, edge: int) -> bool:
+        """Write a sign vector on an edge, off all others, or beside it."""
+        text = sign_text(self.chart.edges[edge])
+        others = [*(line for e, line in self.edges.items() if e != edge), *self.arms]
+        segments = segments_of(others)
+        for size in SIZES:
+            for share in (0.5, 0.4, 0.6, 0.3, 0.7, 0.2, 0.8):
+                place = _along(self.edges[edge], share)
+                left, low, right, high = box = self.scene.box(place, text, size)
+                on_others = segments_meet(box, segments).any()
+                if not on_others and self.scene.write(place, text, size, color=BLUE):
+                    plate = [(left, low), (right, low), (right, high), (left, high)]
+                    self.scene.polygon(plate, fc="white", ec="none", zorder=3.5, role="line")
+                    return True
+        return write_beside(
+            self.scene, _along(self.edges[edge], 0.5), [text], SIZES, color=BLUE, distance=1.5,
+            segments=segments_of([*others, self.edges[edge]]),
+        )  # fmt: skip
+
+    def mark_sides(self) -> None:
         """Draw an arrow across each line, near an end, to its positive side."""
         whole = self.chart.globe.whole.arrangement
         for label, (members, points) in enumerate(zip(whole.distinct, self.lines, strict=True)):
@@ -173,8 +187,10 @@ class _Sheet:
                 np.sign(whole.integer_planes[k][:3] @ self.plane(start + left)) for k in members
             }
             for side in sorted(sides):
-                arrow(self.scene, start, start + 9 * side * left, ec="black", lw=0.7, zorder=4,
-                      role="arrow", gid=f"side-{label}")  # fmt: skip
+                tip = start + 9 * side * left
+                self.arms.append(np.array([start, tip]))
+                arrow(self.scene, start, tip, ec="black", lw=0.7, zorder=4, role="arrow",
+                      gid=f"side-{label}")  # fmt: skip
 
     def plane(self, place: Floats) -> Floats:
         """Return the homogeneous point of the plane at a place on paper."""

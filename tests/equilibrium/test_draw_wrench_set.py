@@ -19,6 +19,7 @@ from equilibrium.draw.wrench_page import wrench_set_model, wrench_set_page
 from equilibrium.draw.wrench_set import draw_wrench_set
 from equilibrium.model.grasp import Grasp
 from equilibrium.wrench_sets import resisted_set
+from tests.arrangement.test_draw_boxes import offences
 
 GRASPS = [
     name for name in instances() if "contact" in name or "interrupted" in name or "slip" in name
@@ -66,9 +67,10 @@ def texts(scene: Scene) -> set[str]:
 
 @pytest.mark.parametrize("name", [*GRASPS, "several-equilibria"])
 def test_every_grasp_is_drawn_and_the_box_is_stated(name: str) -> None:
-    scene = scene_of(read_grasp(name), wrench=(0, 1, 0))
+    scene = scene_of(read_grasp(name), wrench=(0, 1, 0), width=110)
     assert any(text.startswith("box: f_x ") for text in texts(scene))
     assert sum(item.name.startswith("box-") for item in scene.items) == 12
+    assert offences(scene) == []
 
 
 def test_a_box_of_ones_own_and_a_narrow_sheet() -> None:
