@@ -10,6 +10,7 @@ from __future__ import annotations
 import math
 from collections import Counter
 from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
 from itertools import groupby
 from textwrap import fill
 from typing import Any, TypeAlias
@@ -24,7 +25,7 @@ Options: TypeAlias = dict[str, str]
 
 #: What an item says when it lacks a key that its role has.
 _NEUTRAL = {
-    "fill": "fill=none", "draw": "draw=none", "pattern": "pattern=none", "opacity": "opacity=1",
+    "fill": "fill=none", "draw": "draw=none", "opacity": "opacity=1",
     "fill opacity": "fill opacity=1", "draw opacity": "draw opacity=1",
     "text opacity": "text opacity=1", "dash pattern": "solid", "line cap": "line cap=butt",
     "line join": "line join=miter", "rounded corners": "sharp corners", "align": "align=none",
@@ -34,10 +35,23 @@ _HALO = r"""\providecommand\slipstateshalo[3]{% width, colour, text
   \ifdefined\pdfliteral\rlap{\pdfliteral{2 Tr 1 j #1 w}\color{#2}#3\pdfliteral{0 Tr}}\fi#3}"""
 #: Middle of a line of text above its base, in its size: of letters, of capitals.
 _MIDDLES = {"center": 0.28, "center_baseline": 0.33, "top": 0.7, "bottom": -0.22, "baseline": 0.0}
+#: Lines of hatching a x + b y = k d + c d / 2 for the signs of matplotlib: (a, b), d and c of one
+#: sign; several signs stand closer.
 _HATCHES = {
-    "/": "Lines[angle=45", "\\": "Lines[angle=-45", "-": "Lines[angle=0", "|": "Lines[angle=90",
-    "x": "Hatch[angle=45", "+": "Hatch[angle=0", ".": "Dots[angle=0", "o": "Dots[angle=45",
+    "/": [((1, -1), 24.0, 0)], "\\": [((1, 1), 24.0, 0)],
+    "-": [((0, 1), 12.0, 1)], "|": [((1, 0), 12.0, 1)],
+    "x": [((1, -1), 24.0, 0), ((1, 1), 24.0, 0)], "+": [((0, 1), 12.0, 1), ((1, 0), 12.0, 1)],
 }  # fmt: skip
+
+
+@dataclass(frozen=True)
+class _Written:
+    """A path or a node: what it has of its own, what it is, and what it is cut to."""
+
+    item: Item
+    options: Options
+    body: str
+    clips: tuple[str, ...] = ()
 
 
 def tikz(scene: Scene, *, fragment: bool = False) -> str:
@@ -50,8 +64,6 @@ def tikz(scene: Scene, *, fragment: bool = False) -> str:
     needs = [r"\usepackage{tikz}"]
     if r"\mathbb" in picture:
         needs.append(r"\usepackage{amssymb}")
-    if " pattern={" in picture:
-        needs.append(r"\usetikzlibrary{patterns.meta}")
     if fragment:
         return "% The preamble needs: " + " ".join(needs) + "\n" + picture
     paper = f"paperwidth={_number(scene.width)}bp,paperheight={_number(scene.height)}bp"
@@ -73,7 +85,7 @@ class _Writer:
         self.colours: dict[str, str] = {"000000": "black", "FFFFFF": "white"}
         self.shadings: list[str] = []
         items = sorted(scene.items, key=_order)
-        self.written = [(item, *self._item(item)) for item in items]
+        self.written = [written for item in items for written in self._item(item)]
         self.styles = self._styles()
 
     def picture(self) -> str:
@@ -93,9 +105,9 @@ class _Writer:
         body = "\n".join(scopes)
         return "\n".join(
             [
-                r"\begin{tikzpicture}[", "  x=1bp, y=1bp,",
+                *self.shadings, r"\begin{tikzpicture}[", "  x=1bp, y=1bp,",
                 *(f"  {style}," for style in [layers, labels, *styles]), "]",
-                *colours, *self.shadings, *[_HALO] * (r"\slipstateshalo" in body),
+                *colours, *[_HALO] * (r"\slipstateshalo" in body),
                 rf"\path[use as bounding box] (0,0) rectangle ({width},{height});",
                 body, r"\end{tikzpicture}", "",
             ]
@@ -104,37 +116,45 @@ class _Writer:
     def _styles(self) -> dict[str, Options]:
         """Return for each role the options that most of its items have."""
         found: dict[str, Counter[tuple[tuple[str, str], ...]]] = {}
-        for item, options, _ in self.written:
+        for written in self.written:
             # A rotation cannot be taken back.
-            shared = tuple((key, x) for key, x in options.items() if key != "rotate")
-            found.setdefault(item.role, Counter())[shared] += 1
+            shared = tuple((key, x) for key, x in written.options.items() if key != "rotate")
+            found.setdefault(written.item.role, Counter())[shared] += 1
         return {role: dict(counts.most_common(1)[0][0]) for role, counts in sorted(found.items())}
 
     def _scopes(self) -> Iterator[str]:
         """Yield the scopes of neighbours with one role and one clip."""
-        for (role, clip), group in groupby(self.written, key=lambda w: (w[0].role, _clip(w[0]))):
+        for (role, clips), group in groupby(self.written, key=lambda w: (w.item.role, w.clips)):
             layer = "labels" if role == "label" else f"layer={role}"
             lines = [rf"\begin{{scope}}[/slipstates/{layer}]"]
-            for item, options, body in group:
-                command = r"\node" if role == "label" or isinstance(item, Ball) else r"\path"
-                own = _joined(options, self.styles[role])
-                text = f"{command}{f'[{own}]' if own else ''} {body};"
+            for written in group:
+                command = r"\node" if written.body.startswith("at ") else r"\path"
+                own = _joined(written.options, self.styles[role])
+                text = f"{command}{f'[{own}]' if own else ''} {written.body};"
                 lines.append(fill(text, 98, subsequent_indent="  ", **_UNBROKEN))
-                lines[-1] += f" % {item.name}" if item.name else ""
+                lines[-1] += f" % {written.item.name}" if written.item.name else ""
             lines.append(r"\end{scope}")
-            if clip:
-                lines = [r"\begin{scope}", rf"\clip {clip};", *lines, r"\end{scope}"]
+            if clips:
+                cuts = [rf"\clip {clip};" for clip in clips]
+                lines = [r"\begin{scope}", *cuts, *lines, r"\end{scope}"]
             yield "\n".join(lines)
 
-    def _item(self, item: Item) -> tuple[Options, str]:
+    def _item(self, item: Item) -> Iterator[_Written]:
         if isinstance(item, Label):
-            return self._label(item)
+            yield _Written(item, *self._label(item))
+            return
+        clips = () if item.clip is None else (_clip_path(item.clip),)
         if isinstance(item, Mark):
-            return self._mark(item)
-        if isinstance(item, Ball):
-            return self._ball(item)
-        assert isinstance(item, Path)
-        return self._path_options(item.style, filled=item.kind != "line"), _outline(item)
+            yield _Written(item, *self._mark(item), clips)
+        elif isinstance(item, Ball):
+            yield self._ball(item)
+        elif isinstance(item, Path):
+            body = _outline(item)
+            yield _Written(item, self._path_options(item.style, item.kind != "line"), body, clips)
+            if hatch := item.style.get("hatch"):
+                line = {"ec": item.style.get("ec", "black"), "lw": 0.35}
+                lines = " ".join(_hatching(item, hatch, self.scene.height))
+                yield _Written(item, self._path_options(line, False), lines, (*clips, body))
 
     def _path_options(self, style: Mapping[str, Any], filled: bool) -> Options:
         filled = filled and style.get("fill", True)
@@ -144,12 +164,6 @@ class _Writer:
         options: Options = {}
         self._colour(options, "fill", face, alpha)
         width = style.get("lw", 1.0)
-        if hatch := style.get("hatch"):
-            apart = 12 / len(hatch) * (math.sqrt(2) if hatch[0] in "/\\x" else 1)
-            kind = f"{_HATCHES[hatch[0]]}, distance={_number(apart)}bp"
-            size = "radius=.4bp" if hatch[0] in ".o" else "line width=.35bp"
-            options["pattern"] = f"{{{kind}, {size}]}}"
-            self._colour(options, "pattern color", edge, None)
         if width:
             self._colour(options, "draw", edge, alpha)
         if "draw" in options:
@@ -184,23 +198,38 @@ class _Writer:
         )
         return self._path_options(line, filled=False), body
 
-    def _ball(self, item: Ball) -> tuple[Options, str]:
-        """Declare a shading of the size of the ball; return a node with it."""
+    def _ball(self, item: Ball) -> _Written:
+        """Declare a shading a little larger than the ball, which cuts it smoothly.
+
+        Where it lets through more in one place than in another it has one colour.
+        """
         name, r = f"slipstates-ball-{len(self.shadings)}", item.radius
         near, far = (np.array(_rgba(colour)) for colour in (item.near, item.far))
+        fades = near[3] != far[3]
         stops = []
-        for size, share in SHADES:
+        for size, share in (*SHADES, (1.02, 1.0)):
             shade = near + share * (far - near)
-            red, green, blue = (_number(x, 3) for x in shade[:3])
-            stops.append(f"rgb({_number(size * r)}bp)=({red},{green},{blue})")
+            colour = ",".join(_number(x, 3) for x in (shade[[3, 3, 3]] if fades else shade[:3]))
+            stops.append(f"rgb({_number(size * r)}bp)=({colour})")
         centre = "".join(f"{{{_number(x * r)}bp}}" for x in item.focus)
-        self.shadings.append(
-            rf"\pgfdeclareradialshading{{{name}}}{{\pgfpoint{centre}}}{{{'; '.join(stops)}}}"
-        )
-        options = {"inner sep": "0pt"}
-        if near[3] != 1 or far[3] != 1:
-            options["opacity"] = _number((near[3] + far[3]) / 2, 3)
-        return options, rf"at {_point(item.centre)} {{\pgfuseshading{{{name}}}}}"
+        shading = rf"\pgfdeclareradialshading{{{name}}}{{\pgfpoint{centre}}}{{{'; '.join(stops)}}}"
+        disc = _clip_path((item.centre, r))
+        options: Options = {}
+        if fades:
+            shading += rf"\pgfdeclarefading{{{name}}}{{\pgfuseshading{{{name}}}}}"
+            mean = (near * near[3] + far * far[3]) / (near[3] + far[3])
+            self._colour(options, "fill", tuple(mean[:3].tolist()), None)
+            shift = f"{{shift={{{_point(item.centre)}}}}}"
+            options |= {"path fading": name, "fit fading": "false", "fading transform": shift}
+            written = _Written(item, options, disc)
+        else:
+            options["inner sep"] = "0pt"
+            if near[3] < 1:
+                options["opacity"] = _number(near[3], 3)
+            body = rf"at {_point(item.centre)} {{\pgfuseshading{{{name}}}}}"
+            written = _Written(item, options, body, (disc,))
+        self.shadings.append(shading)
+        return written
 
     def _label(self, item: Label) -> tuple[Options, str]:
         style, size = item.style, item.size
@@ -281,11 +310,21 @@ def _joined(options: Options, known: Options | None = None) -> str:
     return ", ".join([*unsaid, *said])
 
 
-def _clip(item: Item) -> str:
-    """Return the path outside which an item is not seen; a label and a ball are never cut."""
-    if item.clip is None or isinstance(item, Label | Ball):
-        return ""
-    return _clip_path(item.clip)
+def _hatching(item: Path, hatch: str, top: float) -> Iterator[str]:
+    """Yield the lines of hatching across the box of a shape, counted from the left upper corner."""
+    extent = np.full(2, item.radius)
+    low, high = item.points.min(axis=0) - extent, item.points.max(axis=0) + extent
+    corners = np.array([low, (low[0], high[1]), (high[0], low[1]), high])
+    middle, reach = (low + high) / 2, float(np.linalg.norm(high - low)) / 2
+    for normal, step, shift in _HATCHES[hatch[0]]:
+        across, apart = np.array(normal), step / len(hatch)
+        along = reach * np.array([-across[1], across[0]]) / np.linalg.norm(across)
+        zero = top * across[1] + shift * apart / 2
+        heights = (corners @ across - zero) / apart
+        for k in range(math.ceil(heights.min()), math.floor(heights.max()) + 1):
+            missing = zero + k * apart - float(middle @ across)
+            foot = middle + missing * across / float(across @ across)
+            yield f"{_point(foot - along)} -- {_point(foot + along)}"
 
 
 def _clip_path(clip: Box | tuple[Place, float]) -> str:
