@@ -110,6 +110,8 @@ def _maths(tokens: list[tuple[str, str]]) -> str:
             ends = (tokens[k - 1], tokens[k + 1])
             apart = all(kind in ("number", "variable", "power") for kind, _ in ends)
             found += r"\," if apart else ""
+        elif text == "," and k + 1 < len(tokens) and not tokens[k + 1][1].isspace():
+            found += "{,}"
         else:
             found += _MATHS.get(text, text)
     return found.strip()
