@@ -10,6 +10,7 @@ from arrangement import terminal
 from arrangement.errors import InputError
 
 from .registry import LENGTHS, LETTERS, Drawings, Option
+from .themes import THEMES
 
 _KINDS: dict[str, dict[str, Any]] = {
     "str": {"metavar": "NAME"},
@@ -48,6 +49,9 @@ def add_options(
     )
     parser.add_argument(
         "--fragment", action="store_true", default=None, help="in .tex: no document, for \\input"
+    )
+    parser.add_argument(
+        "--theme", metavar="NAME", help=f"of a picture: {', '.join(THEMES)} (default: the first)"
     )
     found: dict[str, list[tuple[str, Option]]] = {}
     for name, option in _every(drawings):
@@ -89,7 +93,7 @@ def given_options(arguments: argparse.Namespace, drawings: Drawings) -> dict[str
     """Return the options that were given, as the view, model or page takes them."""
     kind, name = drawings.target(arguments.output, arguments.view, _model(arguments))
     takes = {_flag(option): option for option in drawings.options(kind, name).values()}
-    printing = {key: getattr(arguments, key) for key in ("font_size", "text", "fragment")}
+    printing = {key: getattr(arguments, key) for key in ("font_size", "text", "fragment", "theme")}
     options: dict[str, Any] = {key: x for key, x in printing.items() if x is not None}
     for flag in dict.fromkeys(_flag(option) for _, option in _every(drawings)):
         value = getattr(arguments, flag)

@@ -48,8 +48,9 @@ def figure(scene: Scene) -> Figure:
     axes: Any = made.add_axes((0.0, 0.0, 1.0, 1.0))
     axes.set(xlim=(0, scene.width), ylim=(0, scene.height))
     axes.set_axis_off()
-    for item in scene.items:
-        _draw(axes, item)
+    with require_matplotlib().rc_context(_HATCH):
+        for item in scene.items:
+            _draw(axes, item)
     return made
 
 
@@ -69,8 +70,7 @@ def _draw(axes: Any, item: Item) -> None:
     elif isinstance(item, Ball):
         artist = _shade(axes, item, style)
     elif isinstance(item, Path):
-        with require_matplotlib().rc_context(_HATCH):
-            artist = axes.add_patch(_patch(item, style))
+        artist = axes.add_artist(_patch(item, style))
     _clip(axes, artist, item)
 
 

@@ -37,6 +37,7 @@ from .output import (
     points,
 )
 from .scene import FONT, NarrowError, Scene
+from .themes import THEMES, themed
 from .tikz import tikz
 
 #: The kinds of options, for signatures; `command` tells how each is written on a command line.
@@ -92,6 +93,7 @@ class Drawings:
         font_size: object = None,
         text: str | None = None,
         fragment: bool = False,
+        theme: str | None = None,
         **options: Any,
     ) -> dict[str, str]:
         """Draw into a file, whole or not at all.
@@ -108,6 +110,8 @@ class Drawings:
             text: in SVG "outlines", which look the same everywhere, or "text", which can be found
                 and edited, in the fonts that the reader has.
             fragment: TikZ for ``\\input`` instead of a document.
+            theme: of a picture: "light", if omitted; "dark"; or "mono", black on white with
+                hatchings.
             options: those of the function of the view, model or page. The width of a view and the
                 size of a model are in millimetres, or texts with a unit: ``"8.4cm"``, ``"252pt"``.
 
@@ -132,7 +136,7 @@ class Drawings:
         for length in LENGTHS & options.keys():
             options[length] = millimetres(options[length], f"the {length}")
         suffix = Path(path).suffix.lower()
-        _check_form(kind, suffix, font_size, text, fragment)
+        _check_form(kind, suffix, font_size or theme, text, fragment)
         module, _, function = getattr(self, f"{kind}s")[name].partition(":")
         draw = getattr(importlib.import_module(f"{self.package}.{module}"), function)
         if kind == "view":
@@ -148,7 +152,7 @@ class Drawings:
                         raise
                     counted = f"{width:.4g}, counted as 1/{scale:.3g} of it for the font size"
                     raise InputError(f"{error} (the width given is {counted})") from None
-                return made.scaled(scale)
+                return themed(made.scaled(scale), theme or THEMES[0])
 
             if suffix in TIKZ:
                 with own_settings():
@@ -198,12 +202,12 @@ LENGTHS = {"width", "size"}
 LETTERS = ("outlines", "text")
 
 
-def _check_form(
-    kind: str, suffix: str, font_size: object, text: str | None, fragment: bool
-) -> None:
+def _check_form(kind: str, suffix: str, looks: object, text: str | None, fragment: bool) -> None:
     """Refuse what does not go with a kind of file."""
-    if font_size is not None and kind != "view":
-        raise InputError(f"a font size is for pictures, and the file name ends in {suffix}")
+    if looks is not None and kind != "view":
+        raise InputError(
+            f"a font size or theme is for pictures, and the file name ends in {suffix}"
+        )
     if fragment and suffix not in TIKZ:
         raise InputError(f"a fragment is TikZ, .tex, and the file name ends in {suffix}")
     if text is not None and suffix != ".svg":

@@ -28,13 +28,18 @@ def add_commands(commands: Any) -> None:
     kinds = make.add_subparsers(required=True, metavar="KIND")
 
     text = "one contact a line; columns x, y, normal_x, ..."
-    _add(kinds, "csv", text, "read_csv").add_argument("file", metavar="FILE.csv")
+    lines = _add(kinds, "csv", text, "read_csv")
+    lines.add_argument("file", metavar="FILE.csv")
 
     text = "measured or simulated data in floats, snapped"
     floats = _add(kinds, "floats", text, "read_float_data", options=("tolerance",))
     floats.add_argument("file", metavar="DATA", help="a JSON or .csv file, or - for stdin (JSON)")
     text = "largest change of a coordinate or value"
     add_number(floats, "--tolerance", Fraction(1, 10**6), text)
+    for parser in (lines, floats):
+        parser.add_argument(
+            "--outline", nargs="+", metavar="X,Y", help="corners of the object, for pictures"
+        )
 
     text = "places on the boundary of a polygon (JSON)"
     polygon = _add(kinds, "polygon", text, "read_polygon")
@@ -84,13 +89,18 @@ def _add_units(parser: argparse.ArgumentParser) -> None:
 
 
 def _random(arguments: argparse.Namespace) -> int:
-    from equilibrium.inputs import random_grasp
+    from equilibrium.inputs import random_grasp, star_outline
 
-    document = _labelled(random_grasp(arguments.contacts, arguments.seed), arguments).to_dict()
+    grasp = random_grasp(arguments.contacts, arguments.seed)
+    document = _labelled(grasp.with_outline(star_outline(grasp)), arguments).to_dict()
     return show(arguments, {"grasp": document}, [json.dumps(document, indent=2)])
 
 
 def _labelled(grasp: Grasp, arguments: argparse.Namespace) -> Grasp:
+    if corners := getattr(arguments, "outline", None):
+        from equilibrium.model.outline import Polygon
+
+        grasp = grasp.with_outline(Polygon(corner.split(",") for corner in corners))
     return grasp.with_units(*arguments.units) if arguments.units else grasp
 
 

@@ -10,16 +10,19 @@ from typing import Any
 
 import numpy as np
 
+from arrangement.draw.labels import flattened
 from arrangement.draw.scene import Floats
 from arrangement.exact import RationalVector
 from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import Grasp
+from equilibrium.model.outline import Polygon
 from equilibrium.solver.contact_states import states_at
 from equilibrium.solver.equilibrium import Equilibrium
+from equilibrium.solver.state_equilibrium import Solution
 from equilibrium.solver.state_system import States
 from equilibrium.verdict import Verdict
 
-from .body import Frame, body, frame_of, polygon, read_outline
+from .body import Frame, body, frame_of, free_lengths, stated_body
 from .style import nice, rounded
 
 #: Lengths on paper, where the contacts fill [-1, 1]: cones, the largest force, its torque arc.
@@ -37,6 +40,9 @@ class Layout:
     Attributes:
         reference: the largest force component; arrows of forces are `FORCE` for `longest` of it.
         arms: for each contact the contact force on paper, or None.
+        found: the equilibrium that is drawn, if there is one.
+        reaches: how far each friction cone is drawn, at nine angles from edge to edge: `CONE`, or
+            less where the object ends.
         states: at the motion that is drawn, often on the boundary of the set of solutions, where
             a contact that may slip does not.
         step: the exact factor that the motion is drawn with, or None when nothing moves.
@@ -44,7 +50,7 @@ class Layout:
 
     grasp: Grasp
     verdict: Verdict | None
-    found: Equilibrium | None
+    found: Equilibrium | Solution | None
     frame: Frame
     curve: Floats | None
     given: bool
@@ -57,6 +63,7 @@ class Layout:
     normals: list[Floats] = field(default_factory=list)
     arms: list[Floats | None] = field(default_factory=list)
     preloads: list[float] = field(default_factory=list)
+    reaches: list[Floats] = field(default_factory=list)
     load: Floats | None = None
     step: Fraction | None = None
     states: States = ()
@@ -66,9 +73,9 @@ def layout_of(
     grasp: Grasp, verdict: Verdict | None, outline: Iterable[Iterable[Any]] | None, piece: int
 ) -> Layout:
     """Return all that a picture of a grasp shows (see `draw_grasp` for the arguments)."""
-    corners = None if outline is None else read_outline(outline)
-    frame = frame_of([*(c.point for c in grasp), *(corners or ())])
-    curve = body(grasp, frame) if corners is None else polygon(frame, corners)
+    shape = grasp.outline if outline is None else Polygon(outline)
+    frame = frame_of(grasp, shape)
+    curve = body(grasp, frame) if shape is None else stated_body(shape, frame)
     applied = None if verdict is None else verdict.wrench
     far = any(abs(x) > Fraction(3, 2) * frame.size for x in frame.centre)
     place: RationalVector = (Fraction(0), Fraction(0))
@@ -78,11 +85,12 @@ def layout_of(
             x, y, torque = applied
             applied = (x, y, torque - (place[0] * y - place[1] * x))
     layout = Layout(
-        grasp, verdict, _chosen(verdict, piece), frame, curve, corners is not None,
+        grasp, verdict, _chosen(verdict, piece), frame, curve, shape is not None,
         frame.paper(place), applied, far,
     )  # fmt: skip
     layout.places = [frame.paper(c.point) for c in grasp]
     layout.normals = [np.array([float(x) for x in c.normal]) for c in grasp]
+    layout.reaches = [_reaches(layout, i) for i in range(len(grasp))]
     _scale_forces(layout)
     if layout.found is not None:
         layout.states = states_at(grasp, layout.found.motion)
@@ -90,12 +98,31 @@ def layout_of(
     return layout
 
 
-def _chosen(verdict: Verdict | None, piece: int) -> Equilibrium | None:
-    if verdict is None or (not verdict.stable and piece == 1):
-        return None
+def _chosen(verdict: Verdict | None, piece: int) -> Equilibrium | Solution | None:
+    """Return an equilibrium by its number; of many contacts the one that was found is the first."""
+    if verdict is None or (piece == 1 and not (verdict.stable and verdict.lists_all())):
+        return None if verdict is None else verdict.solution
     if not 1 <= piece <= len(verdict.equilibria):
         raise GraspError(f"piece is {piece}; there are {len(verdict.equilibria)} equilibria")
     return verdict.equilibria[piece - 1]
+
+
+def cone_angles(layout: Layout, contact: int) -> Floats:
+    """Return nine angles from one edge of a friction cone to the other."""
+    normal, friction = layout.normals[contact], list(layout.grasp)[contact].friction
+    half = math.atan(rounded(friction))
+    angles: Floats = math.atan2(normal[1], normal[0]) + np.linspace(-half, half, 9)
+    return angles
+
+
+def _reaches(layout: Layout, contact: int) -> Floats:
+    """Return how far a friction cone is drawn: inside the object, all as short where that helps."""
+    angles = cone_angles(layout, contact)
+    if layout.curve is None:
+        return np.full(len(angles), CONE)
+    free = free_lengths(flattened(layout.curve), layout.places[contact], angles)
+    even = max(min(CONE, 0.92 * float(free.min())), CONE / 2)
+    return np.minimum(free, even)
 
 
 def _scale_forces(layout: Layout) -> None:

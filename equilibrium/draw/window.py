@@ -93,7 +93,7 @@ def joint_window(
     """
     if half is not None:
         return Window(ZERO, half)
-    needed = [ZERO, *extra, *(end for region in regions for end in _ends(region))]
+    needed = [ZERO, *extra, *(end for region in regions for end in ends(region))]
     shapes = [piece.polyhedron for region in regions for piece in region.polygons]
     inner = [p for shape in shapes for p in shape.points]
     reach = 3 * max(_size(p) for p in needed)
@@ -116,7 +116,7 @@ def joint_window(
     return Window(centre, spread * (1 + ROOM) or Fraction(1))
 
 
-def _ends(region: Region) -> Iterator[RationalVector]:
+def ends(region: Region) -> Iterator[RationalVector]:
     """Yield the ends of border and whiskers, and the isolated points."""
     for segment in (*region.outline.border, *region.outline.whiskers):
         yield from (end for end in (segment.start, segment.end) if end is not None)

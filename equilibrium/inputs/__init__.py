@@ -8,7 +8,7 @@ from .conversion import Conversion, simplest_between, snapped
 from .csv_file import read_csv
 from .floats import from_float_data, read_float_data
 from .polygon import OnEdge, from_polygon, read_polygon
-from .random import random_grasp, random_wrench
+from .random import random_grasp, random_wrench, star_outline
 from .round import on_circle
 
 __all__ = [
@@ -24,4 +24,5 @@ __all__ = [
     "read_polygon",
     "simplest_between",
     "snapped",
+    "star_outline",
 ]

@@ -2,9 +2,13 @@
 
 from __future__ import annotations
 
+import inspect
 import math
+import re
 import sys
+from itertools import combinations
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -14,6 +18,7 @@ from arrangement import Arrangement, InputError, MissingExtraError
 from arrangement.cli import main
 from arrangement.counts import f_vector
 from arrangement.draw import draw_sphere, save_figure, write_drawing
+from arrangement.draw.colours import DrawnRegion, colouring
 from arrangement.draw.figure import figure
 from arrangement.draw.scene import Scene
 from arrangement.io.arrangements import read_arrangement
@@ -88,24 +93,103 @@ def test_a_zero_direction_is_refused() -> None:
 
 def test_the_colouring_by_minus_signs_has_a_legend() -> None:
     axes = draw_sphere(read_arrangement("coordinate-planes"), colour="signs").axes[0]
-    assert [text.get_text() for text in axes.texts][-4:] == ["0", "1", "2", "3 minus signs"]
+    written = [text.get_text() for text in axes.texts]
+    assert {"0", "1", "2", "3 minus signs"} <= set(written)
 
 
-def test_sign_vectors_keep_off_the_dashed_arcs_or_stand_on_a_halo() -> None:
-    axes = draw_sphere(read_arrangement("braid-a3"), direction=VIEW).axes[0]
-    figure = axes.figure
-    figure.canvas.draw()
-    dashes = [p for p in axes.patches if (p.get_gid() or "").startswith("back")]
-    curves = [p.get_transform().transform_path(p.get_path()) for p in dashes]
-    signs = [t for t in axes.texts if set(t.get_text()) <= set("+\u2212\n\u200a")]
-    assert len(signs) > 8
-    crossed = [
-        text
-        for text in signs
-        if any(c.intersects_bbox(text.get_window_extent(), filled=False) for c in curves)
+@pytest.mark.parametrize("antipodes", [None, "same", "opposite"])
+@pytest.mark.parametrize("name", [*NAMES, "coordinate-planes", "nine-generic-planes"])
+def test_neighbours_differ_and_opposite_regions_are_as_asked(name: str, antipodes: str) -> None:
+    planes = read_arrangement(name)
+    regions = [DrawnRegion(face.signs, 0) for face in planes.regions()]
+    pairs = neighbours(planes)
+    found = colouring("parity", antipodes, regions, pairs, planes.distinct)
+    fills = {region.signs: found.paint(region) for region in regions}
+    assert pairs
+    assert all(fills[regions[a].signs] != fills[regions[b].signs] for a, b in pairs)
+    alike = {fills[signs] == fills[tuple(-s for s in signs)] for signs in fills}
+    natural = "opposite" if len(planes.distinct) % 2 else "same"
+    assert alike == {(antipodes or natural) == "same"}
+    if antipodes in (None, natural):
+        assert len(set(fills.values())) == 2
+    elif antipodes == "opposite":
+        assert len(set(fills.values())) == 4
+
+
+def neighbours(planes: Arrangement) -> list[tuple[int, int]]:
+    """Return the pairs of regions that differ on one class of planes, from sign vectors alone."""
+    signs = [face.signs for face in planes.regions()]
+    first = [members[0] for members in planes.distinct]
+    return [
+        (a, b)
+        for a, b in combinations(range(len(signs)), 2)
+        if sum(signs[a][k] != signs[b][k] for k in first) == 1
     ]
-    assert 0 < len(crossed) < len(signs) / 2
-    assert all(text.get_path_effects() for text in crossed)
+
+
+def test_sides_colour_only_where_they_tell_neighbours_apart() -> None:
+    def legend(name: str) -> set[str]:
+        return {text.get_text() for text in draw_sphere(read_arrangement(name)).axes[0].texts}
+
+    assert {"3 sides", "4 sides"} <= legend("cube-diagonals")
+    assert "odd number of minus signs" in legend("five-generic-planes")
+    with pytest.raises(InputError, match="antipodes goes with"):
+        draw_sphere(read_arrangement("pencil"), colour="sides", antipodes="same")
+    with pytest.raises(InputError, match="known are same, opposite"):
+        draw_sphere(read_arrangement("pencil"), antipodes="equal")
+
+
+@pytest.mark.parametrize("name", ["braid-a3", "pencil", "four-generic-planes"])
+def test_numbers_are_those_of_the_regions_and_the_table_explains_them(name: str) -> None:
+    planes = read_arrangement(name)
+    texts = [t.get_text() for t in draw_sphere(planes, labels="numbers").axes[0].texts]
+    rows = [re.fullmatch(r"[\s\u2007]*(\d+) ([+\u2212\u200a]+)", text) for text in texts]
+    table = {int(row[1]): row[2].replace("\u200a", "") for row in rows if row}
+    regions = planes.regions()
+    for number, signs in table.items():
+        assert signs == "".join("+" if s > 0 else "\u2212" for s in regions[number - 1].signs)
+    written = {int(text) for text in texts if text.isdigit() and int(text) > len(planes)}
+    assert written <= set(table)
+    assert len(table) > len(regions) / 2
+
+
+def test_labels_can_be_left_out_and_bad_ones_are_refused() -> None:
+    planes = read_arrangement("braid-a3")
+    texts = [t.get_text() for t in draw_sphere(planes, labels="none", colour="none").axes[0].texts]
+    assert sorted(texts) == ["1", "2", "3", "4", "5", "6"]
+    with pytest.raises(InputError, match="known are signs, numbers, none"):
+        draw_sphere(planes, labels="letters")
+
+
+def test_motions_have_axes_and_other_spaces_when_asked() -> None:
+    def named(name: str, **options: Any) -> set[str]:
+        figure = draw_sphere(read_arrangement(name), **options)
+        return {t.get_text() for t in figure.axes[0].texts} & {"x", "y", "z", "r"}
+
+    assert named("paper-three-contacts") == {"x", "y", "r"}
+    assert named("paper-three-contacts", axes="none") == set()
+    assert named("braid-a3") == set()
+    assert named("braid-a3", axes="x,y,z") == {"x", "y", "z"}
+    with pytest.raises(InputError, match="three names"):
+        draw_sphere(read_arrangement("braid-a3"), axes="x,y")
+
+
+@pytest.mark.parametrize("name", ["braid-a3", "four-generic-planes", "coincident-planes"])
+def test_arrows_point_to_the_positive_side_of_each_plane(name: str) -> None:
+    """Both ends of an arrow, taken back to the sphere; a leader line is no arrow."""
+    planes = read_arrangement(name)
+    scene = inspect.unwrap(draw_sphere)(planes, direction=VIEW, sides=True)
+    ball = next(item for item in scene.items if item.role == "ball")
+    ahead = np.array(VIEW) / np.linalg.norm(VIEW)
+    right = np.array([-VIEW[1], VIEW[0], 0.0]) / np.hypot(*VIEW[:2])
+    frame = np.array([right, np.cross(ahead, right), ahead])
+    heads = [i for i in scene.items if i.name.startswith("side") and i.kind == "polygon"]
+    assert len(heads) == len(planes.distinct)
+    for head in heads:
+        u = (head.points[0] - np.array(ball.centre)) / ball.radius
+        tip = np.array([*u, np.sqrt(1 - u @ u)]) @ frame
+        label = int(head.name.split("-")[1])
+        assert np.array(planes.normals[planes.distinct[label][0]], dtype=float) @ tip > 0
 
 
 def test_a_ball_is_lit_at_its_focus_and_darkest_at_the_rim(tmp_path: Path) -> None:

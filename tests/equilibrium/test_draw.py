@@ -149,7 +149,7 @@ def test_a_given_outline_is_drawn_through_its_corners() -> None:
 
 @pytest.mark.parametrize("grasp", [THREE, FOUR, COINCIDENT, HUGE, random_grasp(5, 2)])
 def test_indicative_outlines_touch_every_contact_along_its_tangent(grasp: Grasp) -> None:
-    frame = frame_of([c.point for c in grasp])
+    frame = frame_of(grasp)
     curve = body(grasp, frame)
     assert curve is not None
     fine = flattened(curve, 400)
@@ -166,7 +166,7 @@ def test_indicative_outlines_touch_every_contact_along_its_tangent(grasp: Grasp)
 def test_indicative_outlines_have_the_object_on_the_inner_side(seed: int) -> None:
     """A curve run counter-clockwise has its inside on the left, where the normals point."""
     grasp = random_grasp(6, seed)
-    curve = body(grasp, frame_of([c.point for c in grasp]))
+    curve = body(grasp, frame_of(grasp))
     if curve is not None:
         fine = flattened(curve)
         after = np.roll(fine, -1, axis=0)

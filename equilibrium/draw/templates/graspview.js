@@ -28,7 +28,7 @@ function paintGrasp() {
   const forces = piece && point
     ? forcesOf(piece).map((pair) => pair.map((row) => row && near(valueOf(row, point)))) : null;
   if (data.outline) {
-    draw("path", { class: "body", d: `M${data.outline.map(spot).join("L")}Z` }, view);
+    draw("path", { class: data.stated ? "body stated" : "body", d: `M${data.outline.map(spot).join("L")}Z` }, view);
     if (motion) paintMotion(view, motion);
   }
   const longest = Math.max(1e-12, ...data.contacts.map((c) => c.preload));
