@@ -61,8 +61,8 @@ def every_kind() -> Scene:
     made.ball((110, 60), 30, "#ffffff60", "#00000060", zorder=2)
     square = np.array([[150, 30], [210, 30], [210, 90], [150, 90]])
     made.polygon(square, fc="#ccddee", ec="#7d7d7d", lw=0, hatch="//////")
-    for k, hatch in enumerate(["\\\\", "--", "||", "xx", "++"]):
-        left = 100 + 20 * k
+    for k, hatch in enumerate(["\\\\", "--", "||", "xx", "++", "...", "oo"]):
+        left = 85 + 19 * k
         box = [(left, 95), (left + 15, 95), (left + 15, 110), (left, 110)]
         made.polygon(box, fc="#eeeeee", ec="#7d7d7d", lw=0, hatch=hatch)
     made.ball((110, 15), 8, "#0000ff10", "#0000ffc0", zorder=3)

@@ -17,6 +17,7 @@ from typing import Any, TypeAlias
 
 import numpy as np
 
+from .hatching import WIDTH, hatching
 from .scene import SHADES, Ball, Box, Item, Label, Mark, Path, Place, Scene
 from .tex_text import tex_text
 
@@ -35,13 +36,6 @@ _HALO = r"""\providecommand\slipstateshalo[3]{% width, colour, text
   \ifdefined\pdfliteral\rlap{\pdfliteral{2 Tr 1 j #1 w}\color{#2}#3\pdfliteral{0 Tr}}\fi#3}"""
 #: Middle of a line of text above its base, in its size: of letters, of capitals.
 _MIDDLES = {"center": 0.28, "center_baseline": 0.33, "top": 0.7, "bottom": -0.22, "baseline": 0.0}
-#: Lines of hatching a x + b y = k d + c d / 2 for the signs of matplotlib: (a, b), d and c of one
-#: sign; several signs stand closer.
-_HATCHES = {
-    "/": [((1, -1), 24.0, 0)], "\\": [((1, 1), 24.0, 0)],
-    "-": [((0, 1), 12.0, 1)], "|": [((1, 0), 12.0, 1)],
-    "x": [((1, -1), 24.0, 0), ((1, 1), 24.0, 0)], "+": [((0, 1), 12.0, 1), ((1, 0), 12.0, 1)],
-}  # fmt: skip
 
 
 @dataclass(frozen=True)
@@ -152,9 +146,20 @@ class _Writer:
             body = _outline(item)
             yield _Written(item, self._path_options(item.style, item.kind != "line"), body, clips)
             if hatch := item.style.get("hatch"):
-                line = {"ec": item.style.get("ec", "black"), "lw": 0.35}
-                lines = " ".join(_hatching(item, hatch, self.scene.height))
-                yield _Written(item, self._path_options(line, False), lines, (*clips, body))
+                options, lines = self._hatching(item, hatch)
+                yield _Written(item, options, lines, (*clips, body))
+
+    def _hatching(self, item: Path, hatch: str) -> tuple[Options, str]:
+        """Return lines across the box of a shape, in the colour of its edge."""
+        extent = np.full(2, item.radius)
+        corners = np.atleast_2d(item.points)
+        low, high = corners.min(axis=0) - extent, corners.max(axis=0) + extent
+        lines, circles = hatching(hatch, low, high, self.scene.height)
+        found = [f"{_point(start)} -- {_point(end)}" for start, end in lines]
+        found += [_disc(*circle) for circle in circles]
+        line = {"ec": item.style.get("ec", "black"), "lw": WIDTH}
+        line |= {"fc": line["ec"]} if hatch[0] == "." else {}
+        return self._path_options(line, filled=hatch[0] == "."), " ".join(found)
 
     def _path_options(self, style: Mapping[str, Any], filled: bool) -> Options:
         filled = filled and style.get("fill", True)
@@ -189,8 +194,8 @@ class _Writer:
         edge = style.get("mec", style["color"])
         line = {"ec": edge, "lw": style.get("mew", 1.0), "alpha": style.get("alpha")}
         if item.sign == "o":
-            place = f"{_point(item.place)} circle[radius={_number(half)}]"
-            return self._path_options({**line, "fc": style["color"]}, filled=True), place
+            line["fc"] = style["color"]
+            return self._path_options(line, filled=True), _disc(item.place, half)
         strokes = {"x": [(-1, -1, 1, 1), (-1, 1, 1, -1)], "_": [(-1, 0, 1, 0)]}[item.sign]
         body = " ".join(
             f"{_point((x + half * a, y + half * b))} -- {_point((x + half * c, y + half * d))}"
@@ -213,7 +218,7 @@ class _Writer:
             stops.append(f"rgb({_number(size * r)}bp)=({colour})")
         centre = "".join(f"{{{_number(x * r)}bp}}" for x in item.focus)
         shading = rf"\pgfdeclareradialshading{{{name}}}{{\pgfpoint{centre}}}{{{'; '.join(stops)}}}"
-        disc = _clip_path((item.centre, r))
+        disc = _disc(item.centre, r)
         options: Options = {}
         if fades:
             shading += rf"\pgfdeclarefading{{{name}}}{{\pgfuseshading{{{name}}}}}"
@@ -310,33 +315,20 @@ def _joined(options: Options, known: Options | None = None) -> str:
     return ", ".join([*unsaid, *said])
 
 
-def _hatching(item: Path, hatch: str, top: float) -> Iterator[str]:
-    """Yield the lines of hatching across the box of a shape, counted from the left upper corner."""
-    extent = np.full(2, item.radius)
-    low, high = item.points.min(axis=0) - extent, item.points.max(axis=0) + extent
-    corners = np.array([low, (low[0], high[1]), (high[0], low[1]), high])
-    middle, reach = (low + high) / 2, float(np.linalg.norm(high - low)) / 2
-    for normal, step, shift in _HATCHES[hatch[0]]:
-        across, apart = np.array(normal), step / len(hatch)
-        along = reach * np.array([-across[1], across[0]]) / np.linalg.norm(across)
-        zero = top * across[1] + shift * apart / 2
-        heights = (corners @ across - zero) / apart
-        for k in range(math.ceil(heights.min()), math.floor(heights.max()) + 1):
-            missing = zero + k * apart - float(middle @ across)
-            foot = middle + missing * across / float(across @ across)
-            yield f"{_point(foot - along)} -- {_point(foot + along)}"
+def _disc(centre: Place, radius: float) -> str:
+    return f"{_point(centre)} circle[radius={_number(radius)}]"
 
 
 def _clip_path(clip: Box | tuple[Place, float]) -> str:
     if len(clip) == 2:
-        return f"{_point(clip[0])} circle[radius={_number(clip[1])}]"
+        return _disc(*clip)
     left, low, right, high = clip
     return f"{_point((left, low))} rectangle {_point((right, high))}"
 
 
 def _outline(item: Path) -> str:
     if item.kind == "circle":
-        return f"{_point(item.points)} circle[radius={_number(item.radius)}]"
+        return _disc(item.points, item.radius)
     if item.kind == "curve":
         start, *rest = map(_point, item.points)
         pieces = [start]
