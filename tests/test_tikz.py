@@ -83,6 +83,7 @@ def every_kind() -> Scene:
     [
         ("+\u200a−\n−\u200a0", r"${+}{-}$ \\ ${-}{0}$"),
         ("w = (0, −1/2, 1)", "$w=(0,-1/2,1)$"),
+        ("\u20071 +\u200a−\u200a+", r"\phantom{0}$1\;{+}{-}{+}$"),
         ("1,2,5–9", "$1{,}2{,}5$--$9$"),
         ("(a) Grasp Wrench Space, L1", "(a) Grasp Wrench Space, $L_1$"),
         ("contacts 1 to 3: ● stick, − slip−", r"contacts 1 to 3: $\bullet$ stick, $-$ slip$-$"),
@@ -157,7 +158,7 @@ def test_tikz_shows_what_our_own_pictures_show(tmp_path: Path) -> None:
     assert max(found) < LIMIT, found
     changes = [
         ("line width=0.9bp", "line width=2.5bp"),
-        ("opacity=0.45", "opacity=0"),
+        ("layer=hidden]", "layer=hidden, xshift=5bp]"),
         ("fill=slipstates1", "fill=slipstates1!60!black"),
         ("x=1bp, y=1bp", "x=1pt, y=1pt"),
         ("layer=circle]", "layer=circle, transparent]"),

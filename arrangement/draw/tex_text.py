@@ -24,7 +24,7 @@ _TEXT = {
     "\\": r"\textbackslash{}", "{": r"\{", "}": r"\}", "#": r"\#", "$": r"\$", "%": r"\%",
     "&": r"\&", "_": r"\_", "^": r"\textasciicircum{}", "~": r"\textasciitilde{}",
     "\u2013": "--", "\u2014": "---", "\u2026": r"\dots{}", "\u200a": r"\kern.06em ",
-    "\u2019": "'", "\u00ab": r"\guillemotleft{}", "\u00bb": r"\guillemotright{}",
+    "\u2007": r"\phantom{0}", "\u2019": "'",
 }  # fmt: skip
 _ACCENTS = {
     "\u0300": r"\`", "\u0301": r"\'", "\u0302": r"\^", "\u0303": r"\~", "\u0304": r"\=",
@@ -37,6 +37,7 @@ _TOKEN = re.compile(
     r"(?P<given>\$[^$]*\$)"
     r"|(?P<norm>\bL(?:\d|\u221e))"
     r"|(?P<power>\d+\^\d+|[\d.]+e[+-]?\d+)"
+    r"|(?P<signs>[+\u22120\u25cf\u25cb](?:\u200a[+\u22120\u25cf\u25cb])+)"
     r"|(?P<number>\d+(?:\.\d+)?)"
     r"|(?P<maths>[" + re.escape("".join(_MATHS)) + "]|[" + "".join(_RAISED) + "]+|["
     + "".join(_LOWERED) + "]+)"
@@ -76,7 +77,7 @@ def _line(line: str) -> str:
 
 def _mixed(tokens: list[tuple[str, str]], wordless: bool) -> str:
     """Return tokens without words: maths if one of them says so, but for what is around it."""
-    hard = {"norm", "power", "maths", "variable"} | ({"number"} if wordless else set())
+    hard = {"norm", "power", "signs", "maths", "variable"} | ({"number"} if wordless else set())
     if not any(kind in hard for kind, _ in tokens):
         return _words(tokens)
     start, stop = 0, len(tokens)
@@ -102,14 +103,16 @@ def _maths(tokens: list[tuple[str, str]]) -> str:
         elif kind == "power":
             base, mark, power = text.partition("^") if "^" in text else text.partition("e")
             found += (f"{base}\\cdot 10" if mark == "e" else base) + f"^{{{int(power)}}}"
+        elif kind == "signs":
+            found += "".join(_SIGNS.get(sign, "") for sign in text)
         elif text[0] in _RAISED:
             found += "^{" + "".join(_RAISED[x] for x in text) + "}"
         elif text[0] in _LOWERED:
             found += "_{" + "".join(_LOWERED[x] for x in text) + "}"
         elif text.isspace():
             ends = (tokens[k - 1], tokens[k + 1])
-            apart = all(kind in ("number", "variable", "power") for kind, _ in ends)
-            found += r"\," if apart else ""
+            apart = all(kind in ("number", "variable", "power", "signs") for kind, _ in ends)
+            found += (r"\;" if ends[1][0] == "signs" else r"\,") if apart else ""
         elif text == "," and k + 1 < len(tokens) and not tokens[k + 1][1].isspace():
             found += "{,}"
         else:
