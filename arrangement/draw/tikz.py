@@ -8,6 +8,7 @@ item says only what is its own. Neighbours on the sheet with one role are a scop
 from __future__ import annotations
 
 import math
+import re
 from collections import Counter
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
@@ -18,7 +19,7 @@ from typing import Any, TypeAlias
 import numpy as np
 
 from .hatching import WIDTH, hatching
-from .scene import SHADES, Ball, Box, Item, Label, Mark, Path, Place, Scene
+from .scene import SHADES, Ball, Box, Floats, Item, Label, Mark, Path, Place, Scene
 from .tex_text import tex_text
 
 #: Keys of TikZ and their values; an empty value for keys that stand alone.
@@ -40,12 +41,12 @@ _MIDDLES = {"center": 0.28, "center_baseline": 0.33, "top": 0.7, "bottom": -0.22
 
 @dataclass(frozen=True)
 class _Written:
-    """A path or a node: what it has of its own, what it is, and what it is cut to."""
+    """A path or a node: what it has of its own, what it is, and the commands that cut it."""
 
     item: Item
     options: Options
     body: str
-    clips: tuple[str, ...] = ()
+    cuts: tuple[str, ...] = ()
 
 
 def tikz(scene: Scene, *, fragment: bool = False) -> str:
@@ -118,7 +119,7 @@ class _Writer:
 
     def _scopes(self) -> Iterator[str]:
         """Yield the scopes of neighbours with one role and one clip."""
-        for (role, clips), group in groupby(self.written, key=lambda w: (w.item.role, w.clips)):
+        for (role, cuts), group in groupby(self.written, key=lambda w: (w.item.role, w.cuts)):
             layer = "labels" if role == "label" else f"layer={role}"
             lines = [rf"\begin{{scope}}[/slipstates/{layer}]"]
             for written in group:
@@ -128,8 +129,7 @@ class _Writer:
                 lines.append(fill(text, 98, subsequent_indent="  ", **_UNBROKEN))
                 lines[-1] += f" % {written.item.name}" if written.item.name else ""
             lines.append(r"\end{scope}")
-            if clips:
-                cuts = [rf"\clip {clip};" for clip in clips]
+            if cuts:
                 lines = [r"\begin{scope}", *cuts, *lines, r"\end{scope}"]
             yield "\n".join(lines)
 
@@ -137,17 +137,17 @@ class _Writer:
         if isinstance(item, Label):
             yield _Written(item, *self._label(item))
             return
-        clips = () if item.clip is None else (_clip_path(item.clip),)
+        cuts = () if item.clip is None else (_cut(_clip_path(item.clip)),)
         if isinstance(item, Mark):
-            yield _Written(item, *self._mark(item), clips)
+            yield _Written(item, *self._mark(item), cuts)
         elif isinstance(item, Ball):
             yield self._ball(item)
         elif isinstance(item, Path):
             body = _outline(item)
-            yield _Written(item, self._path_options(item.style, item.kind != "line"), body, clips)
+            yield _Written(item, self._path_options(item.style, item.kind != "line"), body, cuts)
             if hatch := item.style.get("hatch"):
                 options, lines = self._hatching(item, hatch)
-                yield _Written(item, options, lines, (*clips, body))
+                yield _Written(item, options, lines, (*cuts, _cut(body)))
 
     def _hatching(self, item: Path, hatch: str) -> tuple[Options, str]:
         """Return lines across the box of a shape, in the colour of its edge."""
@@ -204,41 +204,40 @@ class _Writer:
         return self._path_options(line, filled=False), body
 
     def _ball(self, item: Ball) -> _Written:
-        """Declare a shading a little larger than the ball, which cuts it smoothly.
-
-        Where it lets through more in one place than in another it has one colour.
-        """
-        name, r = f"slipstates-ball-{len(self.shadings)}", item.radius
+        """Declare a shading a little larger than the ball, which cuts it smoothly."""
         near, far = (np.array(_rgba(colour)) for colour in (item.near, item.far))
-        fades = near[3] != far[3]
+        name = self._shading(item, near[:3], far[:3])
+        cuts, options = [_cut(_disc(item.centre, item.radius))], {"inner sep": "0pt"}
+        if near[3] != far[3]:
+            fading = self._shading(item, near[[3, 3, 3]], far[[3, 3, 3]])
+            self.shadings.append(rf"\pgfdeclarefading{{{fading}}}{{\pgfuseshading{{{fading}}}}}")
+            x, y = map(_number, item.centre)
+            shift = rf"\pgftransformshift{{\pgfpointxy{{{x}}}{{{y}}}}}"
+            cuts.append(rf"\pgfsetfading{{{fading}}}{{{shift}}}")
+        elif near[3] < 1:
+            options["opacity"] = _number(near[3], 3)
+        body = rf"at {_point(item.centre)} {{\pgfuseshading{{{name}}}}}"
+        return _Written(item, options, body, tuple(cuts))
+
+    def _shading(self, item: Ball, near: Floats, far: Floats) -> str:
+        """Declare a radial shading from one colour to another; return its name."""
+        name, r = f"slipstates-ball-{len(self.shadings)}", item.radius
         stops = []
         for size, share in (*SHADES, (1.02, 1.0)):
-            shade = near + share * (far - near)
-            colour = ",".join(_number(x, 3) for x in (shade[[3, 3, 3]] if fades else shade[:3]))
+            colour = ",".join(_number(x, 3) for x in near + share * (far - near))
             stops.append(f"rgb({_number(size * r)}bp)=({colour})")
-        centre = "".join(f"{{{_number(x * r)}bp}}" for x in item.focus)
-        shading = rf"\pgfdeclareradialshading{{{name}}}{{\pgfpoint{centre}}}{{{'; '.join(stops)}}}"
-        disc = _disc(item.centre, r)
-        options: Options = {}
-        if fades:
-            shading += rf"\pgfdeclarefading{{{name}}}{{\pgfuseshading{{{name}}}}}"
-            mean = (near * near[3] + far * far[3]) / (near[3] + far[3])
-            self._colour(options, "fill", tuple(mean[:3].tolist()), None)
-            shift = f"{{shift={{{_point(item.centre)}}}}}"
-            options |= {"path fading": name, "fit fading": "false", "fading transform": shift}
-            written = _Written(item, options, disc)
-        else:
-            options["inner sep"] = "0pt"
-            if near[3] < 1:
-                options["opacity"] = _number(near[3], 3)
-            body = rf"at {_point(item.centre)} {{\pgfuseshading{{{name}}}}}"
-            written = _Written(item, options, body, (disc,))
-        self.shadings.append(shading)
-        return written
+        focus = "".join(f"{{{_number(x * r)}bp}}" for x in item.focus)
+        self.shadings.append(
+            rf"\pgfdeclareradialshading{{{name}}}{{\pgfpoint{focus}}}{{{'; '.join(stops)}}}"
+        )
+        return name
 
     def _label(self, item: Label) -> tuple[Options, str]:
         style, size = item.style, item.size
-        font = rf"\fontsize{{{_number(size)}}}{{{_number(size)}}}\selectfont"
+        text, rows = tex_text(item.text), item.text.count("\n")
+        # Small signs of Computer Modern are wider than ours.
+        letters = size * min(1.0, 0.55 + 0.065 * size) if "}{-}" in text or "}{+}" in text else size
+        font = rf"\fontsize{{{_number(letters)}}}{{{_number(size)}}}\selectfont"
         font += r"\bfseries\boldmath" if style.get("weight") == "bold" else ""
         font += r"\itshape" if style.get("style") == "italic" else ""
         options: Options = {"font": font}
@@ -247,7 +246,8 @@ class _Writer:
         turned = math.radians(item.rotation)
         if round(item.rotation) % 360 == 90:
             along, down = {"bottom": "left", "top": "right"}.get(item.va, "center"), "center"
-        text, rows = tex_text(item.text), item.text.count("\n")
+        if style.get("style") == "italic":
+            text = _NUMBER.sub(r"$\\mathit{\1}$", text)
         side = {"left": "west", "right": "east"}.get(along, "")
         drop = 0.0 if rows else _MIDDLES[down] * size
         if rows:
@@ -293,6 +293,7 @@ class _Writer:
             options[f"{key} opacity" if alpha is None else "opacity"] = _number(cover, 3)
 
 
+_NUMBER = re.compile(r"\$([0-9{},]+)\$")
 _UNBROKEN: dict[str, Any] = {"break_long_words": False, "break_on_hyphens": False}
 
 
@@ -317,6 +318,10 @@ def _joined(options: Options, known: Options | None = None) -> str:
 
 def _disc(centre: Place, radius: float) -> str:
     return f"{_point(centre)} circle[radius={_number(radius)}]"
+
+
+def _cut(shape: str) -> str:
+    return rf"\clip {shape};"
 
 
 def _clip_path(clip: Box | tuple[Place, float]) -> str:
