@@ -84,6 +84,7 @@ def every_kind() -> Scene:
         ("+\u200a−\n−\u200a0", r"${+}{-}$ \\ ${-}{0}$"),
         ("w = (0, −1/2, 1)", "$w=(0,-1/2,1)$"),
         ("\u20071 +\u200a−\u200a+", r"\phantom{0}$1\;{+}{-}{+}$"),
+        ("f_x −2 to 1, τ −1 to 1", r"$f_x\;{-}2$ to 1, $\tau \;{-}1$ to 1"),
         ("1,2,5–9", "$1{,}2{,}5$--$9$"),
         ("(a) Grasp Wrench Space, L1", "(a) Grasp Wrench Space, $L_1$"),
         ("contacts 1 to 3: ● stick, − slip−", r"contacts 1 to 3: $\bullet$ stick, $-$ slip$-$"),
@@ -93,14 +94,14 @@ def every_kind() -> Scene:
         ("ℝ³", r"$\mathbb{R}^{3}$"),
         ("≈3.3e+19", r"$\approx 3.3\cdot 10^{19}$"),
         ("2–3 minus signs", "2--3 minus signs"),
-        ("Möbius & 100% {of} a_b \\ ~ ^ #", None),
+        ("Möbius & 100% {of} ab_cd \\ ~ ^ #", None),
     ],
 )
 def test_labels_are_maths_where_they_mean_it(text: str, latex: str | None) -> None:
     if latex is not None:
         assert tex_text(text) == latex
     else:
-        escaped = r"M\"{o}bius \& 100\% \{of\} a\_b \textbackslash{} \textasciitilde{}"
+        escaped = r"M\"{o}bius \& 100\% \{of\} ab\_cd \textbackslash{} \textasciitilde{}"
         assert tex_text(text) == escaped + r" \textasciicircum{} \#"
 
 

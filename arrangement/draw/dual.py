@@ -18,7 +18,7 @@ from .disc import HIDDEN, Disc, front, plane_names, rim_width
 from .figure import picture
 from .footer import Footer
 from .globe import TO_LIGHT, Globe, clear_direction
-from .labels import SIZES, crosses, segments_of, tried, write_along, write_beside
+from .labels import SIZES, crosses, segments_of, tree_of, tried, write_along, write_beside
 from .projections import orthographic
 from .regionlabels import RegionLabels
 from .registry import Vector
@@ -175,10 +175,13 @@ class _Picture:
         small = self._inscribe(radius)
         for e, (u, v, c) in enumerate(solid.edges):
             style = self._style(c, solid.edge_hidden[e])
+            style["lw"] *= min(1.0, small / 1.6)
             scene.line(self.places[[u, v]], gid=f"edge-{e}", **style)
         for v, place in enumerate(self.places):
             hidden = solid.vertex_hidden[v]
-            style = {"lw": 0.35, "zorder": 2.5} if hidden else {"lw": 0.7, "zorder": 5}
+            style = (
+                {"lw": 0.35, "zorder": 2.5} if hidden else {"lw": min(0.7, small / 2), "zorder": 5}
+            )
             r = small * (0.7 if hidden else 1.0)
             scene.circle(place, r, fc=self.fills[v], ec="black", gid=f"vertex-{v}", **style)
         if not self.hull:
@@ -196,7 +199,10 @@ class _Picture:
         digits = max(len(self._text(v)) for v in range(len(self.places)))
         inside = 2.6 + 1.3 * digits
         self.inside = self.names.kind == "numbers" and gaps.min() > 2 * inside + 1
-        return inside if self.inside else min(2.6, radius / 14)
+        edges = self.places[[edge[:2] for edge in self.solid.edges]]
+        lengths = np.linalg.norm(edges[:, 0] - edges[:, 1], axis=1)
+        crowded = max(0.5, 0.28 * float(np.quantile(lengths, 0.1)))
+        return inside if self.inside else min(2.6, radius / 14, crowded)
 
     def _text(self, v: int) -> str:
         return next(iter(self.names.forms(self.solid.signs[v])), "")
@@ -219,7 +225,7 @@ class _Picture:
             if not solid.edge_hidden[e]:
                 length = float(np.linalg.norm(self.places[u] - self.places[v]))
                 by_class.setdefault(c, []).append((-round(length, 3), e))
-        blocked = self._segments(small + 0.5, all_edges=True)
+        blocked = tree_of(self._segments(small + 0.5))
         for c, edges in sorted(by_class.items()):
             text = plane_names(classes[c])
             for _, e in sorted(edges):
@@ -228,19 +234,15 @@ class _Picture:
                 if write_along(self.scene, ends, text, 6.0, blocked, **ink):
                     break
 
-    def _segments(self, small: float, *, all_edges: bool) -> Floats:
-        """Return the edges, hidden ones as well if asked for, and crosses over the vertices."""
-        shown = [
-            self.places[[u, v]]
-            for (u, v, _), hidden in zip(self.solid.edges, self.solid.edge_hidden, strict=True)
-            if all_edges or not hidden
-        ]
-        return np.concatenate([shown, crosses(self.places, small), self.limb])
+    def _segments(self, small: float) -> Floats:
+        """Return what no label may cover: edges, vertices, and the limb of a hull."""
+        edges = self.places[[edge[:2] for edge in self.solid.edges]]
+        return np.concatenate([edges, crosses(self.places, small), self.limb])
 
     def _labels(self, centre: Floats, small: float, within: Box) -> None:
         """Write the names of the vertices: inside, or beside, where no other vertex is as near."""
         solid, far = self.solid, np.round(np.linalg.norm(self.places - centre, axis=1), 4)
-        segments = self._segments(small, all_edges=True)
+        segments = self._segments(small)
         order = sorted(range(len(far)), key=lambda v: (solid.vertex_hidden[v], -far[v]))
         for v in order[: tried(len(far))] if self.names.kind != "none" else ():
             hidden = solid.vertex_hidden[v]

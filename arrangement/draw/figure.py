@@ -77,6 +77,7 @@ def _draw(axes: Any, item: Item) -> None:
 def _patch(item: Path, style: dict[str, Any]) -> Any:
     from matplotlib import patches, path
 
+    style.setdefault("fc", "none")
     if item.kind == "circle":
         x, y = item.points.tolist()
         return patches.Circle((x, y), item.radius, **style)

@@ -19,7 +19,7 @@ from .disc import plane_names
 from .figure import picture
 from .footer import Footer
 from .globe import MAX_CIRCLES, unit_vectors
-from .labels import SIZES, crosses, tried, write_along, write_beside
+from .labels import SIZES, crosses, tree_of, tried, write_along, write_beside
 from .regionlabels import RegionLabels
 from .scene import Floats, Scene, checked_width
 from .solids import edges_of, flat_edges
@@ -183,7 +183,7 @@ class _Picture:
 
     def _zones(self) -> None:
         """Number the edges: the outer polygon outside, then one long edge of each class."""
-        dots = np.concatenate([self.segments, crosses(self.places, self.size + 0.5)])
+        dots = tree_of(np.concatenate([self.segments, crosses(self.places, self.size + 0.5)]))
         named: set[int] = set()
         for e in np.argsort(-self.lengths, kind="stable").tolist():
             c = self.graph.edges[e][2]

@@ -92,6 +92,13 @@ def segments_of(lines: Sequence[Floats]) -> Floats:
     return np.concatenate([np.empty((0, 2, 2)), *pieces])
 
 
+def tree_of(segments: Floats) -> Any:
+    """Return segments (n, 2, 2) as a tree of shapely."""
+    import shapely
+
+    return shapely.STRtree(shapely.linestrings(segments))
+
+
 def keep_off(lines: Sequence[Floats], areas: Sequence[Floats] = ()) -> Any:
     """Return lines and polygons, each (k, 2), as a tree for `write_inside`."""
     import shapely
@@ -107,14 +114,18 @@ class Leaders:
         scene: where to.
         lines: (k, 2) each; no label covers one, and leader lines cross as few as can be.
         within: a part of the scene that must not be left.
+        areas: (k, 2) each; other places are better for labels, which might be taken for theirs.
     """
 
-    def __init__(self, scene: Scene, lines: Sequence[Floats], within: Box) -> None:
+    def __init__(
+        self, scene: Scene, lines: Sequence[Floats], within: Box, areas: Sequence[Floats]
+    ) -> None:
         import shapely
 
         self.scene = scene
-        self.segments = shapely.STRtree(shapely.linestrings(segments_of(lines)))
+        self.segments = tree_of(segments_of(lines))
         self.within = shapely.box(*within)
+        self.areas = shapely.STRtree([shapely.Polygon(area).buffer(0) for area in areas])
         self.drawn: list[Any] = []
 
     def write(self, edge: Floats, text: str, size: float = SIZES[-1]) -> bool:
@@ -146,6 +157,7 @@ class Leaders:
         free[np.unique(self.segments.query(boxes, "intersects")[0])] = False
         crossed = np.bincount(self.segments.query(tracks, "intersects")[0], minlength=len(tracks))
         cost = 6.0 * crossed + reach[:, 0]
+        cost[np.unique(self.areas.query(boxes, "intersects")[0])] += 15.0
         for k in np.argsort(cost, kind="stable").tolist():
             if free[k] and self.scene.write(centres[k], text, size):
                 self.drawn.append(tracks[k])
@@ -206,7 +218,7 @@ def write_beside(
 
 
 def write_along(
-    scene: Scene, ends: Floats, text: str, size: float, blocked: Floats, **style: Any
+    scene: Scene, ends: Floats, text: str, size: float, blocked: Any, **style: Any
 ) -> bool:
     """Write a text beside the middle of a segment, close to it and off all segments, or not at all.
 
@@ -215,15 +227,18 @@ def write_along(
         ends: (2, 2); of the segment.
         text: one line.
         size: in points.
-        blocked: (k, 2, 2) that must not be covered.
+        blocked: a tree of segments that must not be covered, see `tree_of`.
         style: goes to matplotlib.
     """
+    import shapely
+
     step = ends[1] - ends[0]
     across = np.array([-step[1], step[0]]) / max(float(np.linalg.norm(step)), 1e-9)
     beyond = float(np.abs(across) @ np.array(scene.measure(text, size))) / 2 + 1.6
     for at in (ends.mean(axis=0) + beyond * across, ends.mean(axis=0) - beyond * across):
-        met = segments_meet(scene.box(at, text, size), blocked).any()
-        if not met and scene.write(at, text, size, **style):
+        left, low, right, high = scene.box(at, text, size)
+        room = shapely.box(left - 0.6, low - 0.6, right + 0.6, high + 0.6)
+        if not len(blocked.query(room, "intersects")) and scene.write(at, text, size, **style):
             return True
     return False
 
