@@ -141,10 +141,11 @@ def _add_draw_options(draw: argparse.ArgumentParser) -> None:
 
 def _draw(arguments: argparse.Namespace) -> int:
     from .draw.command import given_options, write
-    from .draw.views import DRAWINGS
+    from .draw.views import drawings_of
 
     arrangement = _read(arguments)
-    return write(arguments, DRAWINGS, arrangement, given_options(arguments, DRAWINGS))
+    drawings = drawings_of(arrangement)
+    return write(arguments, drawings, arrangement, given_options(arguments, drawings))
 
 
 def _list(arguments: argparse.Namespace) -> int:

@@ -63,6 +63,17 @@ class Disc:
         within: Box | None = None,
     ) -> list[Floats]:
         """Draw everything, labels of regions off the lines `avoid`; return all lines, (k, 2)."""
+        outlines, arcs, hidden = self.curves(paint, both_ends=both_ends)
+        inner = [*hidden, *avoid]
+        box = within or (0.0, self.scene.height - self.scene.width, *_corner(self.scene))
+        lines = [*arcs, *inner]
+        label_regions(self.scene, self.names, outlines, lines, inner, box)
+        return lines
+
+    def curves(
+        self, paint: Painter, *, both_ends: bool = False
+    ) -> tuple[list[tuple[DrawnRegion, Floats]], list[Floats], list[Floats]]:
+        """Draw everything but labels of regions; return outlines, near arcs and far arcs."""
         outlines = []
         for piece, region in self.globe.front.items():
             outline = self.on_paper(self.drawn.outline(piece))
@@ -70,12 +81,9 @@ class Disc:
             outlines.append((region, flattened(outline)))
         if self.solid:
             self.scene.ball(self.centre, self.radius, "#ffffff55", "#0000003c", zorder=1.5)
-        hidden = [*self._hidden(), *avoid]
+        hidden = self._hidden()
         self._names(both_ends)
-        box = within or (0.0, self.scene.height - self.scene.width, *_corner(self.scene))
-        lines = [*self._arcs(), *hidden]
-        label_regions(self.scene, self.names, outlines, lines, hidden, box)
-        return lines
+        return outlines, self._arcs(), hidden
 
     def _hidden(self) -> list[Floats]:
         """Draw the half of each circle on the far side, dashed; return points along them."""

@@ -15,6 +15,7 @@ from arrangement.polyhedra.inscribed import representative_hull
 from .colours import BLUE, VERMILION, DrawnRegion, Painter, plane_colour
 from .coordinates import in_coordinates
 from .disc import HIDDEN, Disc, front, plane_names, rim_width
+from .essential import shown_as
 from .figure import picture
 from .footer import Footer
 from .globe import TO_LIGHT, Globe, clear_direction
@@ -30,6 +31,7 @@ SIDE_BY_SIDE = 120.0
 
 
 @picture
+@shown_as("dual")
 def draw_dual(
     arrangement: Arrangement,
     *,

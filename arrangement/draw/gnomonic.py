@@ -12,6 +12,7 @@ from arrangement.exact import IntegerVector
 from .colours import Painter
 from .coordinates import in_coordinates
 from .disc import alone, front, plane_names
+from .essential import shown_as
 from .figure import picture
 from .footer import Footer
 from .globe import Globe, best_direction, unit_vectors
@@ -24,6 +25,7 @@ _BOTH_ENDS = 16
 
 
 @picture
+@shown_as("gnomonic")
 def draw_gnomonic(
     arrangement: Arrangement,
     *,
@@ -52,7 +54,7 @@ def draw_gnomonic(
     says so.
 
     Args:
-        arrangement: central, in R^3, any rank.
+        arrangement: central, of rank at most 3; in another space than R^3 its essentialisation.
         direction: the exact direction of the middle; if omitted, one in which all rays stay far
             from infinity.
         colour, antipodes, labels: as for `draw_sphere`.

@@ -16,6 +16,7 @@ from arrangement.polyhedra.dual import dual_polygon, dual_polyhedron, dual_segme
 from .colours import CHECKERS, Colouring, DrawnRegion, Painter, colouring, plane_colour
 from .coordinates import symmetry
 from .disc import plane_names
+from .essential import shown_as
 from .figure import picture
 from .footer import Footer
 from .globe import MAX_CIRCLES, unit_vectors
@@ -44,6 +45,7 @@ class PlanarGraph:
 
 
 @picture
+@shown_as("graph")
 def draw_graph(
     arrangement: Arrangement,
     *,

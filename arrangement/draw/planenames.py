@@ -118,8 +118,12 @@ class Names:
                 away=tip - origin, distance=2.0, style="italic",
             )  # fmt: skip
 
-    def name_cells(self) -> None:
-        """Write the name of each lifted cell on its largest free face, or beside it."""
+    def name_cells(self, *, beside: bool = True) -> int:
+        """Write the name of each lifted cell on its largest free face, or `beside` it.
+
+        Return how many found no room on their faces.
+        """
+        left = 0
         segments = self._segments()
         for item in self.lifted:
             off = keep_off([], self._hiders(item))
@@ -131,12 +135,16 @@ class Names:
                 for outline in outlines
                 for text in forms
             ):
+                left += 1
+                if not beside:
+                    continue
                 way = item.shift[:2] + 1e-12
                 corners = self.place(item.corners)
                 write_beside(
                     self.scene, corners[int(np.argmax(corners @ way))], forms, (7.0, 6.0),
                     away=way, segments=segments,
                 )  # fmt: skip
+        return left
 
     def _segments(self) -> Floats:
         """Return what names beside cells must not cross: outlines of the body and of the cells."""

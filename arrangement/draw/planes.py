@@ -10,6 +10,7 @@ from arrangement.polyhedra.cells import cut_cells, read_signs
 from .axes import StagedAxes, drawn_axes
 from .colours import chosen, fill_colour
 from .coordinates import in_coordinates
+from .essential import shown_as
 from .exploded_cells import lifted_cells
 from .figure import picture
 from .globe import TO_LIGHT, view_direction
@@ -23,6 +24,7 @@ from .view_direction import clear_sight
 
 
 @picture
+@shown_as("planes")
 def draw_planes(
     arrangement: Arrangement,
     *,
@@ -46,7 +48,8 @@ def draw_planes(
     from 1. For planes that are not central, the body contains all vertices (see `body_around`).
 
     Args:
-        arrangement: in R^3; central or not, of any rank, coincident planes allowed.
+        arrangement: of rank at most 3, central or not, coincident planes allowed; in another space
+            than R^3 its essentialisation.
         body: "ball" or "cube".
         centre, radius: exact, of the body, instead of one that contains all vertices. For planes
             whose vertices are far apart; what is outside is left out.

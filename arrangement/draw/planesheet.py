@@ -58,9 +58,14 @@ class PlanesSheet:
         width: float,
         room: float,
         axes: StagedAxes,
+        *,
+        apart: bool = False,
     ) -> None:
-        """Take the width in millimetres, and the room to be left below in points."""
-        self.axes = axes
+        """Take the width in millimetres, and the room to be left below in points.
+
+        `apart` says that all cells are lifted, each inside its cone, and nothing else is drawn.
+        """
+        self.axes, self.apart = axes, apart
         self.stage, self.lifted, self.paint = stage, lifted, paint
         self.round = stage.cells.body.kind == "ball"
         self.outline = self._outline()
@@ -107,16 +112,17 @@ class PlanesSheet:
 
     def _paint_all(self) -> None:
         """Paint everything in the order of its keys."""
-        self.scene.polygon(self.place(self.outline), fc="#f7f7f5", ec="none", zorder=0)
-        gone = {item.cell.signs for item in self.lifted}
         stage = self.stage
         todo: list[tuple[int, Key, Callable[[], None]]] = []
-        for number, facet in enumerate(stage.facets):
-            todo.append((0, stage.key(facet.sides), partial(self._facet, facet, number)))
+        if not self.apart:
+            self.scene.polygon(self.place(self.outline), fc="#f7f7f5", ec="none", zorder=0)
+            for number, facet in enumerate(stage.facets):
+                todo.append((0, stage.key(facet.sides), partial(self._facet, facet, number)))
         for item in self.lifted:
             key = stage.key(item.cell.sides) if item.place == 0 else ()
             todo.append((item.place, key, partial(self._solid, item)))
-        for key, signs, ends in self._frame_pieces():
+        gone = {item.cell.signs for item in self.lifted}
+        for key, signs, ends in () if self.apart else self._frame_pieces():
             if signs not in gone:
                 style = {"lw": 0.5, "ec": "#555555"}
                 todo.append((0, key, partial(self._line, self.place(ends), style)))

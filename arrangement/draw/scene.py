@@ -13,6 +13,7 @@ Besides, of all items: ``gid`` the name, ``role``, ``zorder`` (see `Item.order`)
 from __future__ import annotations
 
 import math
+import textwrap
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass, field, replace
@@ -303,6 +304,25 @@ class Scene:
             sort(name=name, role=role, order=order, clip=self._clip, style=rest, **what)
         )
 
+    def caption(self, text: str, size: float = 6.0) -> None:
+        """Write a text in a strip of its own below all that is there, in lines that fit."""
+        lines = textwrap.wrap(text, 120)
+        for width in range(len(text), 8, -1):
+            if max(self.measure(line, size)[0] for line in lines) < self.width - 2 * GAP:
+                break
+            lines = textwrap.wrap(text, width)
+        strip = (size + 1.5) * len(lines) + 2.0
+        self.items = [_moved(item, 0.0, strip) for item in self.items]
+        self.boxes = [(left, a + strip, right, b + strip) for left, a, right, b in self.boxes]
+        self.height += strip
+        self.paper = self.paper[0], self.height / POINTS
+        self.write((self.width / 2, 2.0), "\n".join(lines), size, anchor=(0.5, 0.0))
+
+    def place(self, other: Scene, x: float, y: float) -> None:
+        """Add all that another scene shows, its lower left corner at (x, y)."""
+        self.items += [_moved(item, x, y) for item in other.items]
+        self.boxes += [(l + x, b + y, r + x, t + y) for l, b, r, t in other.boxes]  # noqa: E741
+
     def keys(
         self, y: float, keys: Iterable[tuple[str, dict[str, Any]]], size: float = FONT
     ) -> float:
@@ -336,6 +356,20 @@ class Scene:
         else:
             corners = [(x + 2, y - 3.5), (x + 11, y - 3.5), (x + 11, y + 3.5), (x + 2, y + 3.5)]
             self.polygon(corners, **{"ec": "black", "lw": 0.5, **style})
+
+
+def _moved(item: Any, right: float, up: float) -> Any:
+    """Return an item, with what it is cut to, at another place."""
+    by, clip = np.array([right, up]), item.clip
+    if clip is not None and len(clip) == 2:
+        clip = np.asarray(clip[0]) + by, clip[1]
+    elif clip is not None:
+        clip = clip[0] + right, clip[1] + up, clip[2] + right, clip[3] + up
+    if isinstance(item, Path):
+        return replace(item, clip=clip, points=item.points + by)
+    if isinstance(item, Ball):
+        return replace(item, clip=clip, centre=(item.centre[0] + right, item.centre[1] + up))
+    return replace(item, clip=clip, place=(item.place[0] + right, item.place[1] + up))
 
 
 def _role(sort: type[Item], name: str, style: Mapping[str, Any]) -> str:

@@ -13,6 +13,7 @@ from .axes import INK, REACH, arrow, drawn_axes, within_reach
 from .colours import Painter
 from .coordinates import in_coordinates
 from .disc import HIDDEN, Disc, alone, front
+from .essential import shown_as
 from .figure import picture
 from .footer import Footer
 from .globe import Globe, unit_vectors
@@ -24,6 +25,7 @@ from .scene import Floats, Scene, checked_width
 
 
 @picture
+@shown_as("sphere")
 def draw_sphere(
     arrangement: Arrangement,
     *,
@@ -45,7 +47,7 @@ def draw_sphere(
     is the far half of a circle (``back-2``).
 
     Args:
-        arrangement: central, in R^3, any rank.
+        arrangement: central, of rank at most 3; in another space than R^3 its essentialisation.
         direction: exact, towards the viewer; if omitted, one in which no circle is edge-on.
         colour: "sides" (by number of sides), "parity" (two colours, by number of minus signs),
             "signs" (shades, by number of minus signs), "none", or a function from a `DrawnRegion`

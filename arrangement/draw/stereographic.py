@@ -16,6 +16,7 @@ from arrangement.exact import IntegerVector
 from .colours import DrawnRegion, Painter
 from .coordinates import in_coordinates
 from .disc import HIDDEN, alone, front, label_regions, plane_names, rim_width
+from .essential import shown_as
 from .figure import picture
 from .footer import Footer
 from .globe import Globe, best_direction, unit_vectors
@@ -30,6 +31,7 @@ FARTHEST = 3.3
 
 
 @picture
+@shown_as("stereographic")
 def draw_stereographic(
     arrangement: Arrangement,
     *,
@@ -55,7 +57,7 @@ def draw_stereographic(
     ``front-7``, ``limb-2``).
 
     Args:
-        arrangement: central, in R^3, any rank.
+        arrangement: central, of rank at most 3; in another space than R^3 its essentialisation.
         direction: the exact direction of the middle; if omitted, one is chosen.
         colour, antipodes, labels: as for `draw_sphere`.
         width: of the figure, in millimetres.

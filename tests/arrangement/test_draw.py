@@ -63,7 +63,7 @@ def test_bad_requests_write_nothing(tmp_path: Path, capsys: pytest.CaptureFixtur
     assert main(["draw", "pencil", "-o", target, "--view", "shadow"]) == 2
     assert "known are sphere, planes" in capsys.readouterr().err
     assert main(["draw", "pencil", "-o", target, "--colour", "mood"]) == 2
-    assert main(["draw", "parallel-planes-affine", "-o", target]) == 2
+    assert main(["draw", "parallel-planes-affine", "--view", "sphere", "-o", target]) == 2
     assert main(["draw", "pencil", "-o", str(tmp_path / "a.gif")]) == 2
     assert list(tmp_path.iterdir()) == []
 

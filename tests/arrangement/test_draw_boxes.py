@@ -36,6 +36,10 @@ OTHER_OPTIONS: list[tuple[str, str, dict[str, Any]]] = [
     ("dual", "five-generic-planes", {"hull": True}),
     ("dual", "reflection-b3", {"width": 88.0}),
     ("graph", "reflection-b3", {"labels": "signs"}),
+    ("lines", "generic-lines-affine", {"faces": "all", "sides": True}),
+    ("lines", "pencil", {"projective": True, "sides": True}),
+    ("lines", "shi-a2-affine", {"projective": True, "labels": "signs", "colour": "sides"}),
+    ("cells", "cube-diagonals", {"body": "ball", "explode": 2}),
     ("lattice", "reflection-b3", {"width": 180.0, "moebius": False}),
 ]
 
@@ -54,7 +58,8 @@ def box_of(label: Label) -> Any:
         w, h = measure(label.text, label.size, label.rotation)
     x, y = label.place
     left = x - w * {"left": 0.0, "center": 0.5, "right": 1.0}[label.ha]
-    low = y - h * {"bottom": 0.0, "baseline": 0.2, "center": 0.5, "top": 1.0}[label.va]
+    share = {"bottom": 0.0, "baseline": 0.2, "center": 0.5, "center_baseline": 0.5, "top": 1.0}
+    low = y - h * share[label.va]
     return shapely.box(left, low, left + w, low + h)
 
 
@@ -79,7 +84,7 @@ def offences(scene: Scene) -> list[str]:
     sheet = shapely.box(0, 0, scene.width, scene.height).buffer(0.01)
     found = [label.text for label, box in zip(labels, boxes, strict=True) if not sheet.covers(box)]
     tree = shapely.STRtree(boxes)
-    inner = [box.buffer(-0.2) for box in boxes]
+    inner = np.array([box.buffer(-0.2) for box in boxes], dtype=object)
     found += [
         f"{labels[a].text!r} and {labels[b].text!r}"
         for a, b in tree.query(inner, "intersects").T.tolist()

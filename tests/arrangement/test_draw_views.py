@@ -462,9 +462,7 @@ def test_pictures_repeat_byte_for_byte(view: str, suffix: str, tmp_path: Path) -
 
 
 @pytest.mark.parametrize("view", ["stereographic", "gnomonic", "dual", "graph"])
-@pytest.mark.parametrize(
-    "name", ["parallel-planes-affine", "generic-lines-affine", "braid-a3-in-r4"]
-)
+@pytest.mark.parametrize("name", ["parallel-planes-affine", "generic-lines-affine"])
 def test_planes_that_a_view_cannot_show_leave_no_file(
     view: str, name: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
