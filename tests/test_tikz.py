@@ -33,7 +33,14 @@ NEEDED: dict[str, dict[str, Any]] = {
 }
 #: Pixels that may differ, for each pixel of an edge: lines between two pixels are drawn otherwise.
 LIMIT = 0.03
+#: What to draw; of lines in the plane, some with parallels.
+SHOWN = {"lines": "shi-a2-affine"}
 VIEWS = [(OF_PLANES, name) for name in OF_PLANES.views] + [(OF_GRASPS, n) for n in OF_GRASPS.views]
+
+
+def shown(drawings: Drawings, view: str) -> str:
+    """Return the instance that a view shows in these tests."""
+    return SHOWN.get(view, "braid-a3" if drawings is OF_PLANES else "paper-four-contacts")
 
 
 def scene(drawings: Drawings, view: str, name: str, **options: Any) -> Scene:
@@ -108,8 +115,7 @@ def test_labels_are_maths_where_they_mean_it(text: str, latex: str | None) -> No
 @pytest.mark.parametrize(("drawings", "view"), VIEWS)
 def test_styles_are_those_of_the_roles_and_all_is_plain_text(drawings: Drawings, view: str) -> None:
     """One style at the top for each role that occurs; no letter that pdflatex does not know."""
-    name = "braid-a3" if drawings is OF_PLANES else "paper-four-contacts"
-    made = scene(drawings, view, name)
+    made = scene(drawings, view, shown(drawings, view))
     text = tikz(made, fragment=True)
     head, _, body = text.partition("bounding box")
     roles = {item.role for item in made.items}
@@ -173,10 +179,7 @@ def test_tikz_shows_what_our_own_pictures_show(tmp_path: Path) -> None:
 @pytest.mark.usefixtures("latex")
 def test_every_view_is_the_same_in_tikz(tmp_path: Path) -> None:
     """Without letters: of these, fonts differ."""
-    scenes = []
-    for drawings, view in VIEWS:
-        name = "braid-a3" if drawings is OF_PLANES else "paper-four-contacts"
-        scenes.append(without_labels(scene(drawings, view, name)))
+    scenes = [without_labels(scene(d, view, shown(d, view))) for d, view in VIEWS]
     found = list(differences(tmp_path, scenes, [tikz(made, fragment=True) for made in scenes]))
     assert max(found) < LIMIT, found
 
@@ -229,8 +232,7 @@ def test_a_document_compiles_and_its_letters_are_where_ours_are(
 @pytest.mark.usefixtures("latex")
 @pytest.mark.parametrize(("drawings", "view"), VIEWS)
 def test_one_document_of_each_view(drawings: Drawings, view: str, tmp_path: Path) -> None:
-    name = "cube-diagonals" if drawings is OF_PLANES else "opposed-contacts"
-    check_standalone(tmp_path, drawings, view, name)
+    check_standalone(tmp_path, drawings, view, shown(drawings, view))
 
 
 @pytest.mark.campaign
