@@ -20,6 +20,7 @@ from arrangement.counts import f_vector
 from arrangement.draw import draw_sphere, save_figure, write_drawing
 from arrangement.draw.colours import DrawnRegion, colouring
 from arrangement.draw.figure import figure
+from arrangement.draw.output import picture_bytes
 from arrangement.draw.scene import Scene
 from arrangement.io.arrangements import read_arrangement
 
@@ -204,3 +205,55 @@ def test_a_ball_is_lit_at_its_focus_and_darkest_at_the_rim(tmp_path: Path) -> No
     assert abs(out - radius) < 1
     at = (int((centre - 0.3 * radius) * pixels), int((centre - 0.4 * radius) * pixels))
     assert shades[at] > 0.99
+
+
+@pytest.mark.parametrize(
+    ("output", "options", "said"),
+    [
+        ("none/a.svg", [], "there is no folder"),
+        ("a", [], "has no ending; known are .glb, .html, .obj, .pdf, .png, .stl, .svg, .tex"),
+        (".", [], "is a folder"),
+        ("a.gif", [], "ends in '.gif'"),
+        ("a.svg", ["--width", "8furlong"], "the width is '8furlong'"),
+        ("a.svg", ["--width", "-3cm"], "the width is '-3cm'"),
+        ("a.svg", ["--font-size", "0"], "the font size is '0'"),
+        ("a.svg", ["--width", "45", "--font-size", "10pt"], "counted as 1/1.43 of it"),
+        ("a.stl", ["--font-size", "8"], "for pictures"),
+        ("a.pdf", ["--text", "text"], "a choice of .svg"),
+        ("a.svg", ["--text", "tex"], "did you mean text"),
+        ("a.svg", ["--fragment"], "a fragment is TikZ"),
+    ],
+)
+def test_a_place_or_a_form_that_cannot_be_is_one_error(
+    output: str, options: list[str], said: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert main(["draw", "coordinate-planes", "-o", str(tmp_path / output), *options]) == 2
+    error = capsys.readouterr().err
+    assert error.count("\n") == 1
+    assert said in error
+    assert list(tmp_path.iterdir()) == []
+
+
+@pytest.mark.parametrize("view", ["sphere", "dual", "lattice"])
+def test_width_and_size_of_letters_hold(view: str, tmp_path: Path) -> None:
+    """With letters twice as large the lines are twice as wide, on the same width of paper."""
+    planes, found = read_arrangement("coordinate-planes"), []
+    for size, width in (("7pt", "200mm"), (14, "20cm")):
+        write_drawing(planes, tmp_path / "a.svg", view, width=width, font_size=size, text="text")
+        text = (tmp_path / "a.svg").read_text(encoding="utf-8")
+        paper = float(re.search(r'width="([\d.]+)pt"', text)[1])  # type: ignore[index]
+        assert abs(paper - 200 * 72 / 25.4) < 0.01
+        letters = {float(x) for x in re.findall(r"font(?:-size)?: ?[^;]*?([\d.]+)px", text)}
+        lines = {float(x) for x in re.findall(r"stroke-width: ([\d.]+)", text)}
+        found.append((max(letters), max(lines)))
+    assert found[1] == pytest.approx([2 * x for x in found[0]])
+
+
+def test_letters_of_an_svg_can_be_kept_as_text(tmp_path: Path) -> None:
+    """Those with a halo too."""
+    scene = Scene(40, 20)
+    scene.text((40, 30), "halo", halo=(2, "white"))
+    scene.text((40, 10), "plain")
+    content = picture_bytes(".svg", lambda: figure(scene), letters=True).decode()
+    assert re.findall(r"<text[^>]*>(\w+)</text>", content) == ["halo", "plain"]
+    assert "<text" not in picture_bytes(".svg", lambda: figure(scene)).decode()
