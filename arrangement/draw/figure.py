@@ -40,7 +40,7 @@ def figure(scene: Scene) -> Figure:
     Raises:
         MissingExtraError: matplotlib is absent.
     """
-    require_matplotlib()
+    mpl = require_matplotlib()
     from matplotlib.figure import Figure
 
     width, height = scene.paper
@@ -48,7 +48,7 @@ def figure(scene: Scene) -> Figure:
     axes: Any = made.add_axes((0.0, 0.0, 1.0, 1.0))
     axes.set(xlim=(0, scene.width), ylim=(0, scene.height))
     axes.set_axis_off()
-    with require_matplotlib().rc_context(_HATCH):
+    with mpl.rc_context(_HATCH):
         for item in scene.items:
             _draw(axes, item)
     return made

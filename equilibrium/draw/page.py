@@ -34,7 +34,7 @@ from .layout import cone_rim
 MAX_CONTACTS = 8
 #: The length of friction cones, where the contacts fill [-1, 1].
 _CONE = 0.55
-_SCRIPTS = ("rational.js", "resisted.js", "plane.js", "graspview.js", "resist.js")
+_SCRIPTS = ("rational.js", "resisted.js", "sketch.js", "plane.js", "graspview.js", "resist.js")
 
 
 def resist_page(grasp: Grasp, *, wrench: Wrench | None = None, title: str | None = None) -> str:
@@ -59,12 +59,12 @@ def resist_page(grasp: Grasp, *, wrench: Wrench | None = None, title: str | None
     heading = title if title is not None else f"Forces that {number} resist"
     shown = {grasp, *map(grasp.with_preload, (0, 1))}
     found = {loaded: resisted_set(loaded).pieces for loaded in shown}
-    sets, picture = _sets(grasp, found), _picture(grasp)
+    sets, picture = _sets(grasp, found), grasp_data(grasp)
     data = {"title": heading, "summary": _summary(grasp), **sets, **picture}
     data |= _window(grasp, applied, found[grasp])
     own = "equilibrium.draw"
     scripts: list[Template] = [(own, name) for name in (*_SCRIPTS, "resist_controls.js")]
-    styles: list[Template] = [BASE_STYLE, (own, "resist.css")]
+    styles: list[Template] = [BASE_STYLE, (own, "sketch.css"), (own, "resist.css")]
     return one_page(heading, (own, "resist.html"), styles, [BASE_SCRIPT, *scripts], data)
 
 
@@ -165,14 +165,14 @@ def _combined(forms: Sequence[IntegerVector | None], row: RationalVector) -> Int
     return primitive((*total, Fraction(1)))
 
 
-def _picture(grasp: Grasp) -> dict[str, Any]:
-    """Return the contacts and the outline in paper coordinates."""
+def grasp_data(grasp: Grasp) -> dict[str, Any]:
+    """Return the contacts and the outline in paper coordinates, for ``sketch.js``."""
     frame = frame_of(grasp, grasp.outline)
     curve = body(grasp, frame) if grasp.outline is None else stated_body(grasp.outline, frame)
     return {
         "contacts": [
             {
-                "place": _floats(frame.paper(contact.point)),
+                "place": floats(frame.paper(contact.point)),
                 "normal": [float(x) for x in contact.normal],
                 "cone": _cone(curve, contact, frame),
                 "preload": float(contact.preload),
@@ -181,8 +181,8 @@ def _picture(grasp: Grasp) -> dict[str, Any]:
             for contact in grasp
         ],
         "stated": grasp.outline is not None,
-        "outline": None if curve is None else [_floats(p) for p in flattened(curve, 16)],
-        "origin": _floats(np.clip(frame.paper((Fraction(0),) * 2), -1.5, 1.5)),
+        "outline": None if curve is None else [floats(p) for p in flattened(curve, 16)],
+        "origin": floats(np.clip(frame.paper((Fraction(0),) * 2), -1.5, 1.5)),
         **_frame(frame),
     }
 
@@ -192,7 +192,7 @@ def _cone(curve: Floats | None, contact: Contact, frame: Frame) -> list[list[flo
     place, normal = frame.paper(contact.point), np.array([float(x) for x in contact.normal])
     angles, lengths = cone_rim(curve, place, normal, contact.friction, _CONE)
     rim = place + lengths[:, None] * np.stack([np.cos(angles), np.sin(angles)], axis=1)
-    return [_floats(point) for point in rim]
+    return [floats(point) for point in rim]
 
 
 def _exact(contact: Contact) -> dict[str, Any]:
@@ -245,5 +245,6 @@ def _reach(values: Iterable[Fraction], room: float, least: float) -> float:
     return float(largest * Fraction(room)) if largest else least
 
 
-def _floats(point: Any) -> list[float]:
+def floats(point: Any) -> list[float]:
+    """Return coordinates on paper, short."""
     return [round(float(x), 5) + 0.0 for x in point]

@@ -17,6 +17,10 @@ DRAWINGS = Drawings(
         "wrench-set": "wrench_set:draw_wrench_set",
     },
     models={"wrench-set": "wrench_page:wrench_set_model"},
-    pages={"resist": "page:resist_page", "wrench-set": "wrench_page:wrench_set_page"},
+    pages={
+        "resist": "page:resist_page",
+        "proof": "proof_page:proof_page",
+        "wrench-set": "wrench_page:wrench_set_page",
+    },
 )
 write_drawing = DRAWINGS.write
