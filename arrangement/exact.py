@@ -29,15 +29,15 @@ MAX_TEXT_LENGTH = 100_000
 _DIGITS = 2000
 
 _INTEGER_OR_RATIO = re.compile(r"([+-]?[0-9]+)(?:/([0-9]+))?")
-_DECIMAL = re.compile(r"[+-]?(?:[0-9]+\.[0-9]*|\.[0-9]+)")
+_DECIMAL = re.compile(r"([+-]?(?:[0-9]+\.?[0-9]*|\.[0-9]+))(?:[eE]([+-]?[0-9]{1,4}))?")
 
 
 def rational(value: Rational, name: str = "number") -> Fraction:
     """Return `value` as an exact rational, or refuse it.
 
     Accepted: ``int``, ``Fraction``, sympy ``Rational``, numpy integers, flint and gmpy rationals,
-    and text such as ``"7/3"`` or ``"-0.25"`` (ASCII digits, no exponent, at most
-    100000 characters). Refused: floats, Booleans, NaN, everything else.
+    and text such as ``"7/3"``, ``"-0.25"`` or ``"-1e-3"`` (ASCII digits, an exponent of at most
+    four digits, at most 100000 characters). Refused: floats, Booleans, NaN, everything else.
 
     Raises:
         InputError: the message has `name`, the value, the rule and the remedy.
@@ -86,12 +86,15 @@ def _from_text(text: str, name: str) -> Fraction:
         if denominator == 0:
             raise InputError(f"{name} is {shown(text)}, which divides by zero")
         return Fraction(integer(ratio[1]), denominator)
-    if _DECIMAL.fullmatch(text):
-        whole, _, decimals = text.partition(".")
-        return Fraction(integer(whole + decimals), 10 ** len(decimals))
+    decimal = _DECIMAL.fullmatch(text)
+    if decimal is not None:
+        whole, _, decimals = decimal[1].partition(".")
+        power = int(decimal[2] or 0) - len(decimals)
+        digits = integer(whole + decimals)
+        return Fraction(digits * 10**power) if power > 0 else Fraction(digits, 10**-power)
     raise InputError(
-        f'{name} is {shown(text)}, which is not an exact number; write "7/3", "-0.25" or "12" '
-        "(no exponents, no spaces, no expressions)"
+        f'{name} is {shown(text)}, which is not an exact number; write "7/3", "-0.25", "1e-3" or '
+        '"12" (exponents of at most four digits, no spaces, no expressions)'
     )
 
 
@@ -107,12 +110,13 @@ def integer(text: str) -> int:
 
 
 class _Short(reprlib.Repr):
-    """A representation of bounded length and depth that never fails on huge integers."""
+    """A representation of bounded length and depth that never fails on huge numbers."""
 
     def repr_int(self, x: int, level: int) -> str:
-        if x.bit_length() > 2000:
-            return f"<integer of {x.bit_length()} bits>"
-        return super().repr_int(x, level)
+        return to_text(x)
+
+    def repr_Fraction(self, x: Fraction, level: int) -> str:
+        return to_text(x)
 
 
 _short = _Short()

@@ -100,9 +100,8 @@ def colouring(
         antipodes: "same" or "opposite" colours for opposite regions of central planes. With
             c distinct planes parity gives the same ones if c is even, else the two opposite ones.
             Otherwise more colours are needed. Same and c odd: at least four if the planes are in
-            general position (D. A. Youngs, 4-chromatic projective graphs, J. Graph Theory 21
-            (1996)), and those that the rule of Brelaz finds. Opposite and c even: four, by parity
-            and the side of plane 1.
+            general position [Youngs1996]; as many as the rule of saturation (DSATUR) takes.
+            Opposite and c even: four, by parity and the side of plane 1.
         regions: all of them.
         pairs: the numbers of regions with a common side.
         classes: of coincident planes, each counted once.

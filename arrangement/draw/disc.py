@@ -86,13 +86,14 @@ class Disc:
         return outlines, self._arcs(), hidden
 
     def _hidden(self) -> list[Floats]:
-        """Draw the arcs on the far side, dashed; return points along them."""
+        """Draw the half of each circle on the far side, dashed; return points along them."""
         globe, found = self.globe, []
-        for arc, circle in enumerate(self.drawn.sphere.incidence.arc_circle.tolist()):
-            if self.solid and circle != globe.limb and globe.cut.arc_signs(arc)[-1] < 0:
-                curve = self.on_paper(self.drawn.arc(arc))
+        for circle, normal in enumerate(globe.normals if self.solid else ()):
+            if circle != globe.limb:
+                start = np.array([normal[1], -normal[0], 0.0]) / math.hypot(normal[0], normal[1])
+                curve = self.on_paper(self.drawn.projection(normal, start, math.pi))
                 ink = self.ink(circle) if self.ink is not None else "black"
-                self.scene.curve(curve, fill=False, ec=ink, gid=f"back-{arc}", **HIDDEN)
+                self.scene.curve(curve, fill=False, ec=ink, gid=f"back-{circle}", **HIDDEN)
                 found.append(_closed(flattened(curve, 8), curve))
         return found
 

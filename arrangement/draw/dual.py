@@ -177,10 +177,13 @@ class _Picture:
         small = self._inscribe(radius)
         for e, (u, v, c) in enumerate(solid.edges):
             style = self._style(c, solid.edge_hidden[e])
+            style["lw"] *= min(1.0, small / 1.6)
             scene.line(self.places[[u, v]], gid=f"edge-{e}", **style)
         for v, place in enumerate(self.places):
             hidden = solid.vertex_hidden[v]
-            style = {"lw": 0.35, "zorder": 2.5} if hidden else {"lw": 0.7, "zorder": 5}
+            style = (
+                {"lw": 0.35, "zorder": 2.5} if hidden else {"lw": min(0.7, small / 2), "zorder": 5}
+            )
             r = small * (0.7 if hidden else 1.0)
             scene.circle(place, r, fc=self.fills[v], ec="black", gid=f"vertex-{v}", **style)
         if not self.hull:
@@ -198,7 +201,10 @@ class _Picture:
         digits = max(len(self._text(v)) for v in range(len(self.places)))
         inside = 2.6 + 1.3 * digits
         self.inside = self.names.kind == "numbers" and gaps.min() > 2 * inside + 1
-        return inside if self.inside else min(2.6, radius / 14)
+        edges = self.places[[edge[:2] for edge in self.solid.edges]]
+        lengths = np.linalg.norm(edges[:, 0] - edges[:, 1], axis=1)
+        crowded = max(0.5, 0.28 * float(np.quantile(lengths, 0.1)))
+        return inside if self.inside else min(2.6, radius / 14, crowded)
 
     def _text(self, v: int) -> str:
         return next(iter(self.names.forms(self.solid.signs[v])), "")

@@ -43,8 +43,8 @@ def draw_sphere(
     The ball is lit from the upper left, from in front; arcs on its far side are dashed. A number
     at the limb names a circle: k for the k-th plane, counted from 1. A label that does not fit
     into its region stands beside it, with a line to a dot inside. Every visible region and every
-    arc, cut at the limb, is an element of its own with a name (``region-3``, ``front-7``,
-    ``back-9``).
+    arc, cut at the limb, is an element of its own with a name (``region-3``, ``front-7``); so
+    is the far half of a circle (``back-2``).
 
     Args:
         arrangement: central, of rank at most 3; in another space than R^3 its essentialisation.

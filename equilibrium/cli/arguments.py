@@ -8,12 +8,12 @@ from fractions import Fraction
 from typing import TYPE_CHECKING, Any
 
 from arrangement import terminal
-from arrangement.exact import to_text
+from arrangement.exact import RationalVector, to_text
+from equilibrium.model.errors import GraspError
 
 if TYPE_CHECKING:
     from equilibrium.model.grasp import Grasp
 
-WRENCH = "applied force (f_x, f_y) and torque tau about the origin"
 _AXES = ("F_X", "F_Y", "TAU")
 
 
@@ -35,19 +35,39 @@ def add_command(
     if grasp and preload:
         text = "use this preload at every contact instead of the grasp's own"
         add_number(parser, "--preload", None, text, metavar="P")
-    terminal.add_json_option(parser)
+    terminal.add_common_options(parser)
     parser.set_defaults(command=function)
     return parser
 
 
-def add_wrench(
-    parser: argparse.ArgumentParser, name: str = "--wrench", text: str = WRENCH, default: Any = None
-) -> None:
-    """Add three numbers; they are required where there is no default."""
+def add_applied(parser: argparse.ArgumentParser) -> None:
+    """Add the applied wrench, as such, or as a force or a weight at a point; see `applied`."""
+    ways: Any = parser.add_mutually_exclusive_group(required=True)
+    add_wrench(ways, "--wrench", "applied force (f_x, f_y) and torque tau about the origin", None)
+    number = terminal.rational_argument
+    ways.add_argument("--force", nargs=2, metavar=_AXES[:2], type=number, help="instead: a force")
+    ways.add_argument("--weight", metavar="W", type=number, help="instead: the force (0, -W)")
+    text = "where the force or weight acts (default: at the origin)"
+    parser.add_argument("--at", nargs=2, metavar=("X", "Y"), type=number, help=text)
+
+
+def applied(arguments: argparse.Namespace) -> RationalVector:
+    """Return the wrench that `add_applied` has read."""
+    if arguments.wrench is not None:
+        if arguments.at is not None:
+            raise GraspError("--at goes with --force or --weight; a wrench has its torque")
+        return tuple(arguments.wrench)
+    f_x, f_y = arguments.force or (Fraction(0), -arguments.weight)
+    x, y = arguments.at or (0, 0)
+    return f_x, f_y, x * f_y - y * f_x
+
+
+def add_wrench(parser: Any, name: str, text: str, default: Any, required: bool = False) -> None:
+    """Add three numbers."""
     parser.add_argument(
         name,
         nargs=3,
-        required=default is None,
+        required=required,
         default=default,
         metavar=_AXES,
         type=terminal.rational_argument,
@@ -69,10 +89,10 @@ def add_number(
 def add_count(
     parser: argparse.ArgumentParser, name: str, default: int, text: str, metavar: str = "N"
 ) -> None:
-    """Add a whole number."""
-    parser.add_argument(
-        name, type=int, default=default, metavar=metavar, help=f"{text} (default: {default})"
-    )
+    """Add a number of things to do, or a seed."""
+    text = f"{text} (default: {default})"
+    count = terminal.count_argument
+    parser.add_argument(name, type=count, default=default, metavar=metavar, help=text)
 
 
 def grasp_of(arguments: argparse.Namespace) -> Grasp:

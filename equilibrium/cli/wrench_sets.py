@@ -10,7 +10,17 @@ from typing import TYPE_CHECKING, Any
 from arrangement.exact import to_text
 from arrangement.polyhedra.intervals import end_text
 
-from .arguments import add_command, add_count, add_number, add_wrench, grasp_of, show, vector
+from .arguments import (
+    add_applied,
+    add_command,
+    add_count,
+    add_number,
+    add_wrench,
+    applied,
+    grasp_of,
+    show,
+    vector,
+)
 
 if TYPE_CHECKING:
     from arrangement.polyhedra.intervals import Interval
@@ -24,7 +34,7 @@ def add_commands(commands: Any) -> None:
     """Add limit, region, polyhedra, margin, map, figure and gaps."""
     text = "magnitudes resisted along a direction (exit 1 if none)"
     limit = add_command(commands, "limit", _limit, text)
-    add_wrench(limit, "--direction", "which way; not zero")
+    add_wrench(limit, "--direction", "which way; not zero", None, required=True)
     add_wrench(limit, "--base", "a wrench that acts in any case (default: none)", _ZERO)
 
     text = "resisted wrenches of a plane (exit 1 if none)"
@@ -35,7 +45,7 @@ def add_commands(commands: Any) -> None:
 
     text = "how far a wrench may be scaled, and what would resist it (exit 1 if it is not resisted)"
     margin = add_command(commands, "margin", _margin, text)
-    add_wrench(margin)
+    add_applied(margin)
     add_number(margin, "--width", Fraction(1, 2**20), "length of the friction bracket")
 
     text = "binary search in N directions (exit 1 if it errs)"
@@ -117,9 +127,10 @@ def _margin(arguments: argparse.Namespace) -> int:
     from equilibrium.wrench_sets import least_friction, margin, sufficient_preloads
 
     grasp = grasp_of(arguments)
-    found = margin(grasp, arguments.wrench)
-    preloads = sufficient_preloads(grasp, arguments.wrench)
-    friction = least_friction(grasp, arguments.wrench, arguments.width)
+    wrench = applied(arguments)
+    found = margin(grasp, wrench)
+    preloads = sufficient_preloads(grasp, wrench)
+    friction = least_friction(grasp, wrench, arguments.width)
     remedies = {"preload": preloads.to_dict(), "friction": friction.to_dict()}
     lines = [
         f"resisted: {'yes' if found.resisted else 'no'}",

@@ -120,12 +120,40 @@ def test_an_old_certificate_is_named(capsys, tmp_path: Path):
     assert "make a new one" in err
 
 
+def test_a_wrench_is_three_words_or_one_or_a_force_at_a_point(capsys):
+    def wrench(*words: str) -> list[str]:
+        code, out, _ = call(capsys, "solve", THREE, *words, "--json")
+        assert code in (0, 1)
+        return json.loads(out)["wrench"]
+
+    assert wrench("--wrench", "1/2", "-1e-1", "3") == ["1/2", "-1/10", "3"]
+    assert wrench("--wrench", "-0.5,1,0") == ["-1/2", "1", "0"]
+    assert wrench("--force", "1", "2", "--at", "3,5") == ["1", "2", "1"]
+    assert wrench("--force", "1,2") == ["1", "2", "0"]
+    assert wrench("--weight", "2", "--at", "1/2", "7") == ["0", "-2", "-1"]
+
+
+def test_contacts_at_the_edge_of_their_cones_are_not_called_slipping(capsys):
+    edge, slipping = "paper-four-contacts-preload-1", (THREE, "--preload", "1")
+    _, out, _ = call(capsys, "solve", edge, "--wrench", "0,2,0")
+    still = [line for line in out.splitlines() if "slip" in line]
+    assert "motion (0, 0, 0)" in out
+    assert still
+    assert all("not slipping" in line for line in still)
+    _, out, _ = call(capsys, "solve", *slipping, "--wrench", "0,1,0")
+    assert "slip+" in out
+    assert "not slipping" not in out
+
+
 @pytest.mark.parametrize(
     "arguments",
     [
         ("solve", THREE),
+        ("solve", THREE, "--wrench", "0", "1", "0", "--force", "0", "1"),
+        ("solve", THREE, "--wrench", "0", "1", "0", "--at", "0", "1"),
+        ("solve", THREE, "--at", "0", "1"),
         ("solve", THREE, "--wrench", "0", "1"),
-        ("solve", THREE, "--wrench", "0", "1", "1e9"),
+        ("solve", THREE, "--wrench", "0", "1", "1e99999"),
         ("solve", THREE, "--wrench", "0", "1", "nan"),
         ("solve", "no-such-grasp", "--wrench", "0", "1", "0"),
         ("solve", THREE, "--wrench", "0", "1", "0", "--literal", "everything"),
