@@ -94,9 +94,7 @@ class StagedAxes:
             raise InputError("the origin is not in the body; choose another body, or axes none")
         square = place**2 + 1 - place @ place
         # Where |place + t e_k| = 1 in a ball, and where the k-th coordinate is 1 in a cube.
-        self._out = (
-            1 - place if body.kind == "cube" else np.sqrt(np.maximum(0, square)) - place
-        )
+        self._out = 1 - place if body.kind == "cube" else np.sqrt(np.maximum(0, square)) - place
         ways = stage.axes.T[: len(names)]
         self.tips = self.origin + (self._out[: len(names), None] + REACH - 1) * ways
 

@@ -43,6 +43,8 @@ _PULL = 0.1
 _LEAST = 3
 #: Angles that differ by less are taken for equal.
 _CLOSE = 1e-6
+#: Below this, sums of squares are singular in floats.
+_FLAT = 1e-12
 
 
 @dataclass(frozen=True)
@@ -157,6 +159,8 @@ def _balanced(normals: Floats, weights: Floats) -> Floats | None:
         squares = (moved.T * weights) @ moved
         if np.abs(squares - np.eye(3)).max() < _CLOSE / 100:
             return frame
+        if np.linalg.eigvalsh(squares)[0] < _FLAT:
+            return None
         frame = _normed(_inverse_root(squares) @ frame)
     return None
 

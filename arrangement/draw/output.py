@@ -116,9 +116,9 @@ def picture_bytes(suffix: str, make: Callable[[], Figure], letters: bool = False
 def own_settings(more: Mapping[str, Any] | None = None) -> AbstractContextManager[None]:
     """Return a context in which matplotlib has the settings of our pictures, not the user's."""
     mpl = require_matplotlib()
-    settings: AbstractContextManager[None] = mpl.rc_context(
-        {**mpl.rcParamsDefault, **_STYLE, **(more or {})}
-    )
+    # Whoever asks for the backend loads all of pyplot; figures of their own need none.
+    plain = {key: value for key, value in mpl.rcParamsDefault.items() if key != "backend"}
+    settings: AbstractContextManager[None] = mpl.rc_context({**plain, **_STYLE, **(more or {})})
     return settings
 
 

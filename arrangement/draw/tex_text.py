@@ -24,7 +24,7 @@ _TEXT = {
     "\\": r"\textbackslash{}", "{": r"\{", "}": r"\}", "#": r"\#", "$": r"\$", "%": r"\%",
     "&": r"\&", "_": r"\_", "^": r"\textasciicircum{}", "~": r"\textasciitilde{}",
     "\u2013": "--", "\u2014": "---", "\u2026": r"\dots{}", "\u200a": r"\kern.06em ",
-    "\u2019": "'", "\u00ab": r"\guillemotleft{}", "\u00bb": r"\guillemotright{}",
+    "\u2007": r"\phantom{0}", "\u2019": "'",
 }  # fmt: skip
 _ACCENTS = {
     "\u0300": r"\`", "\u0301": r"\'", "\u0302": r"\^", "\u0303": r"\~", "\u0304": r"\=",
@@ -33,10 +33,14 @@ _ACCENTS = {
 }  # fmt: skip
 _SIGNS = {"+": "{+}", "\u2212": "{-}", "0": "{0}", "\u25cf": r"{\bullet}", "\u25cb": r"{\circ}"}
 
+#: After these a minus is one of a number anyway.
+_BEFORE_MINUS = set("(,=<>/+\u2248\u2264\u2265\u00d7\u00b7")
 _TOKEN = re.compile(
     r"(?P<given>\$[^$]*\$)"
     r"|(?P<norm>\bL(?:\d|\u221e))"
+    r"|(?P<indexed>(?<!\w)[A-Za-z]_[A-Za-z0-9](?!\w))"
     r"|(?P<power>\d+\^\d+|[\d.]+e[+-]?\d+)"
+    r"|(?P<signs>[+\u22120\u25cf\u25cb](?:\u200a[+\u22120\u25cf\u25cb])+)"
     r"|(?P<number>\d+(?:\.\d+)?)"
     r"|(?P<maths>[" + re.escape("".join(_MATHS)) + "]|[" + "".join(_RAISED) + "]+|["
     + "".join(_LOWERED) + "]+)"
@@ -76,7 +80,9 @@ def _line(line: str) -> str:
 
 def _mixed(tokens: list[tuple[str, str]], wordless: bool) -> str:
     """Return tokens without words: maths if one of them says so, but for what is around it."""
-    hard = {"norm", "power", "maths", "variable"} | ({"number"} if wordless else set())
+    hard = {"norm", "indexed", "power", "signs", "maths", "variable"} | (
+        {"number"} if wordless else set()
+    )
     if not any(kind in hard for kind, _ in tokens):
         return _words(tokens)
     start, stop = 0, len(tokens)
@@ -102,17 +108,30 @@ def _maths(tokens: list[tuple[str, str]]) -> str:
         elif kind == "power":
             base, mark, power = text.partition("^") if "^" in text else text.partition("e")
             found += (f"{base}\\cdot 10" if mark == "e" else base) + f"^{{{int(power)}}}"
+        elif kind == "signs":
+            found += "".join(_SIGNS.get(sign, "") for sign in text)
         elif text[0] in _RAISED:
             found += "^{" + "".join(_RAISED[x] for x in text) + "}"
         elif text[0] in _LOWERED:
             found += "_{" + "".join(_LOWERED[x] for x in text) + "}"
         elif text.isspace():
             ends = (tokens[k - 1], tokens[k + 1])
-            apart = all(kind in ("number", "variable", "power") for kind, _ in ends)
-            found += r"\," if apart else ""
+            apart = all(kind in ("number", "variable", "power", "signs") for kind, _ in ends)
+            found += (r"\;" if ends[1][0] == "signs" else r"\,") if apart else ""
+        elif text == "\u2212" and _begins_number(tokens, k):
+            found += r"\;{-}"
+        elif text == "," and k + 1 < len(tokens) and not tokens[k + 1][1].isspace():
+            found += "{,}"
         else:
             found += _MATHS.get(text, text)
     return found.strip()
+
+
+def _begins_number(tokens: list[tuple[str, str]], k: int) -> bool:
+    """Return whether a minus after a space and what is no operator belongs to the number after."""
+    if k < 2 or k + 1 == len(tokens) or not tokens[k - 1][1].isspace():
+        return False
+    return tokens[k + 1][0] == "number" and tokens[k - 2][1] not in _BEFORE_MINUS
 
 
 def _words(tokens: list[tuple[str, str]]) -> str:

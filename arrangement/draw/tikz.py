@@ -8,15 +8,18 @@ item says only what is its own. Neighbours on the sheet with one role are a scop
 from __future__ import annotations
 
 import math
+import re
 from collections import Counter
 from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
 from itertools import groupby
 from textwrap import fill
 from typing import Any, TypeAlias
 
 import numpy as np
 
-from .scene import SHADES, Ball, Box, Item, Label, Mark, Path, Place, Scene
+from .hatching import WIDTH, hatching
+from .scene import SHADES, Ball, Box, Floats, Item, Label, Mark, Path, Place, Scene
 from .tex_text import tex_text
 
 #: Keys of TikZ and their values; an empty value for keys that stand alone.
@@ -24,7 +27,7 @@ Options: TypeAlias = dict[str, str]
 
 #: What an item says when it lacks a key that its role has.
 _NEUTRAL = {
-    "fill": "fill=none", "draw": "draw=none", "pattern": "pattern=none", "opacity": "opacity=1",
+    "fill": "fill=none", "draw": "draw=none", "opacity": "opacity=1",
     "fill opacity": "fill opacity=1", "draw opacity": "draw opacity=1",
     "text opacity": "text opacity=1", "dash pattern": "solid", "line cap": "line cap=butt",
     "line join": "line join=miter", "rounded corners": "sharp corners", "align": "align=none",
@@ -34,10 +37,16 @@ _HALO = r"""\providecommand\slipstateshalo[3]{% width, colour, text
   \ifdefined\pdfliteral\rlap{\pdfliteral{2 Tr 1 j #1 w}\color{#2}#3\pdfliteral{0 Tr}}\fi#3}"""
 #: Middle of a line of text above its base, in its size: of letters, of capitals.
 _MIDDLES = {"center": 0.28, "center_baseline": 0.33, "top": 0.7, "bottom": -0.22, "baseline": 0.0}
-_HATCHES = {
-    "/": "Lines[angle=45", "\\": "Lines[angle=-45", "-": "Lines[angle=0", "|": "Lines[angle=90",
-    "x": "Hatch[angle=45", "+": "Hatch[angle=0", ".": "Dots[angle=0", "o": "Dots[angle=45",
-}  # fmt: skip
+
+
+@dataclass(frozen=True)
+class _Written:
+    """A path or a node: what it has of its own, what it is, and the commands that cut it."""
+
+    item: Item
+    options: Options
+    body: str
+    cuts: tuple[str, ...] = ()
 
 
 def tikz(scene: Scene, *, fragment: bool = False) -> str:
@@ -50,8 +59,6 @@ def tikz(scene: Scene, *, fragment: bool = False) -> str:
     needs = [r"\usepackage{tikz}"]
     if r"\mathbb" in picture:
         needs.append(r"\usepackage{amssymb}")
-    if " pattern={" in picture:
-        needs.append(r"\usetikzlibrary{patterns.meta}")
     if fragment:
         return "% The preamble needs: " + " ".join(needs) + "\n" + picture
     paper = f"paperwidth={_number(scene.width)}bp,paperheight={_number(scene.height)}bp"
@@ -73,7 +80,7 @@ class _Writer:
         self.colours: dict[str, str] = {"000000": "black", "FFFFFF": "white"}
         self.shadings: list[str] = []
         items = sorted(scene.items, key=_order)
-        self.written = [(item, *self._item(item)) for item in items]
+        self.written = [written for item in items for written in self._item(item)]
         self.styles = self._styles()
 
     def picture(self) -> str:
@@ -93,9 +100,9 @@ class _Writer:
         body = "\n".join(scopes)
         return "\n".join(
             [
-                r"\begin{tikzpicture}[", "  x=1bp, y=1bp,",
+                *self.shadings, r"\begin{tikzpicture}[", "  x=1bp, y=1bp,",
                 *(f"  {style}," for style in [layers, labels, *styles]), "]",
-                *colours, *self.shadings, *[_HALO] * (r"\slipstateshalo" in body),
+                *colours, *[_HALO] * (r"\slipstateshalo" in body),
                 rf"\path[use as bounding box] (0,0) rectangle ({width},{height});",
                 body, r"\end{tikzpicture}", "",
             ]
@@ -104,37 +111,55 @@ class _Writer:
     def _styles(self) -> dict[str, Options]:
         """Return for each role the options that most of its items have."""
         found: dict[str, Counter[tuple[tuple[str, str], ...]]] = {}
-        for item, options, _ in self.written:
+        for written in self.written:
             # A rotation cannot be taken back.
-            shared = tuple((key, x) for key, x in options.items() if key != "rotate")
-            found.setdefault(item.role, Counter())[shared] += 1
+            shared = tuple((key, x) for key, x in written.options.items() if key != "rotate")
+            found.setdefault(written.item.role, Counter())[shared] += 1
         return {role: dict(counts.most_common(1)[0][0]) for role, counts in sorted(found.items())}
 
     def _scopes(self) -> Iterator[str]:
         """Yield the scopes of neighbours with one role and one clip."""
-        for (role, clip), group in groupby(self.written, key=lambda w: (w[0].role, _clip(w[0]))):
+        for (role, cuts), group in groupby(self.written, key=lambda w: (w.item.role, w.cuts)):
             layer = "labels" if role == "label" else f"layer={role}"
             lines = [rf"\begin{{scope}}[/slipstates/{layer}]"]
-            for item, options, body in group:
-                command = r"\node" if role == "label" or isinstance(item, Ball) else r"\path"
-                own = _joined(options, self.styles[role])
-                text = f"{command}{f'[{own}]' if own else ''} {body};"
+            for written in group:
+                command = r"\node" if written.body.startswith("at ") else r"\path"
+                own = _joined(written.options, self.styles[role])
+                text = f"{command}{f'[{own}]' if own else ''} {written.body};"
                 lines.append(fill(text, 98, subsequent_indent="  ", **_UNBROKEN))
-                lines[-1] += f" % {item.name}" if item.name else ""
+                lines[-1] += f" % {written.item.name}" if written.item.name else ""
             lines.append(r"\end{scope}")
-            if clip:
-                lines = [r"\begin{scope}", rf"\clip {clip};", *lines, r"\end{scope}"]
+            if cuts:
+                lines = [r"\begin{scope}", *cuts, *lines, r"\end{scope}"]
             yield "\n".join(lines)
 
-    def _item(self, item: Item) -> tuple[Options, str]:
+    def _item(self, item: Item) -> Iterator[_Written]:
         if isinstance(item, Label):
-            return self._label(item)
+            yield _Written(item, *self._label(item))
+            return
+        cuts = () if item.clip is None else (_cut(_clip_path(item.clip)),)
         if isinstance(item, Mark):
-            return self._mark(item)
-        if isinstance(item, Ball):
-            return self._ball(item)
-        assert isinstance(item, Path)
-        return self._path_options(item.style, filled=item.kind != "line"), _outline(item)
+            yield _Written(item, *self._mark(item), cuts)
+        elif isinstance(item, Ball):
+            yield self._ball(item)
+        elif isinstance(item, Path):
+            body = _outline(item)
+            yield _Written(item, self._path_options(item.style, item.kind != "line"), body, cuts)
+            if hatch := item.style.get("hatch"):
+                options, lines = self._hatching(item, hatch)
+                yield _Written(item, options, lines, (*cuts, _cut(body)))
+
+    def _hatching(self, item: Path, hatch: str) -> tuple[Options, str]:
+        """Return lines across the box of a shape, in the colour of its edge."""
+        extent = np.full(2, item.radius)
+        corners = np.atleast_2d(item.points)
+        low, high = corners.min(axis=0) - extent, corners.max(axis=0) + extent
+        lines, circles = hatching(hatch, low, high, self.scene.height)
+        found = [f"{_point(start)} -- {_point(end)}" for start, end in lines]
+        found += [_disc(*circle) for circle in circles]
+        line = {"ec": item.style.get("ec", "black"), "lw": WIDTH}
+        line |= {"fc": line["ec"]} if hatch[0] == "." else {}
+        return self._path_options(line, filled=hatch[0] == "."), " ".join(found)
 
     def _path_options(self, style: Mapping[str, Any], filled: bool) -> Options:
         filled = filled and style.get("fill", True)
@@ -144,12 +169,6 @@ class _Writer:
         options: Options = {}
         self._colour(options, "fill", face, alpha)
         width = style.get("lw", 1.0)
-        if hatch := style.get("hatch"):
-            apart = 12 / len(hatch) * (math.sqrt(2) if hatch[0] in "/\\x" else 1)
-            kind = f"{_HATCHES[hatch[0]]}, distance={_number(apart)}bp"
-            size = "radius=.4bp" if hatch[0] in ".o" else "line width=.35bp"
-            options["pattern"] = f"{{{kind}, {size}]}}"
-            self._colour(options, "pattern color", edge, None)
         if width:
             self._colour(options, "draw", edge, alpha)
         if "draw" in options:
@@ -175,8 +194,8 @@ class _Writer:
         edge = style.get("mec", style["color"])
         line = {"ec": edge, "lw": style.get("mew", 1.0), "alpha": style.get("alpha")}
         if item.sign == "o":
-            place = f"{_point(item.place)} circle[radius={_number(half)}]"
-            return self._path_options({**line, "fc": style["color"]}, filled=True), place
+            line["fc"] = style["color"]
+            return self._path_options(line, filled=True), _disc(item.place, half)
         strokes = {"x": [(-1, -1, 1, 1), (-1, 1, 1, -1)], "_": [(-1, 0, 1, 0)]}[item.sign]
         body = " ".join(
             f"{_point((x + half * a, y + half * b))} -- {_point((x + half * c, y + half * d))}"
@@ -184,27 +203,41 @@ class _Writer:
         )
         return self._path_options(line, filled=False), body
 
-    def _ball(self, item: Ball) -> tuple[Options, str]:
-        """Declare a shading of the size of the ball; return a node with it."""
-        name, r = f"slipstates-ball-{len(self.shadings)}", item.radius
+    def _ball(self, item: Ball) -> _Written:
+        """Declare a shading a little larger than the ball, which cuts it smoothly."""
         near, far = (np.array(_rgba(colour)) for colour in (item.near, item.far))
+        name = self._shading(item, near[:3], far[:3])
+        cuts, options = [_cut(_disc(item.centre, item.radius))], {"inner sep": "0pt"}
+        if near[3] != far[3]:
+            fading = self._shading(item, near[[3, 3, 3]], far[[3, 3, 3]])
+            self.shadings.append(rf"\pgfdeclarefading{{{fading}}}{{\pgfuseshading{{{fading}}}}}")
+            x, y = map(_number, item.centre)
+            shift = rf"\pgftransformshift{{\pgfpointxy{{{x}}}{{{y}}}}}"
+            cuts.append(rf"\pgfsetfading{{{fading}}}{{{shift}}}")
+        elif near[3] < 1:
+            options["opacity"] = _number(near[3], 3)
+        body = rf"at {_point(item.centre)} {{\pgfuseshading{{{name}}}}}"
+        return _Written(item, options, body, tuple(cuts))
+
+    def _shading(self, item: Ball, near: Floats, far: Floats) -> str:
+        """Declare a radial shading from one colour to another; return its name."""
+        name, r = f"slipstates-ball-{len(self.shadings)}", item.radius
         stops = []
-        for size, share in SHADES:
-            shade = near + share * (far - near)
-            red, green, blue = (_number(x, 3) for x in shade[:3])
-            stops.append(f"rgb({_number(size * r)}bp)=({red},{green},{blue})")
-        centre = "".join(f"{{{_number(x * r)}bp}}" for x in item.focus)
+        for size, share in (*SHADES, (1.02, 1.0)):
+            colour = ",".join(_number(x, 3) for x in near + share * (far - near))
+            stops.append(f"rgb({_number(size * r)}bp)=({colour})")
+        focus = "".join(f"{{{_number(x * r)}bp}}" for x in item.focus)
         self.shadings.append(
-            rf"\pgfdeclareradialshading{{{name}}}{{\pgfpoint{centre}}}{{{'; '.join(stops)}}}"
+            rf"\pgfdeclareradialshading{{{name}}}{{\pgfpoint{focus}}}{{{'; '.join(stops)}}}"
         )
-        options = {"inner sep": "0pt"}
-        if near[3] != 1 or far[3] != 1:
-            options["opacity"] = _number((near[3] + far[3]) / 2, 3)
-        return options, rf"at {_point(item.centre)} {{\pgfuseshading{{{name}}}}}"
+        return name
 
     def _label(self, item: Label) -> tuple[Options, str]:
         style, size = item.style, item.size
-        font = rf"\fontsize{{{_number(size)}}}{{{_number(size)}}}\selectfont"
+        text, rows = tex_text(item.text), item.text.count("\n")
+        # Small signs of Computer Modern are wider than ours.
+        letters = size * min(1.0, 0.55 + 0.065 * size) if "}{-}" in text or "}{+}" in text else size
+        font = rf"\fontsize{{{_number(letters)}}}{{{_number(size)}}}\selectfont"
         font += r"\bfseries\boldmath" if style.get("weight") == "bold" else ""
         font += r"\itshape" if style.get("style") == "italic" else ""
         options: Options = {"font": font}
@@ -213,7 +246,8 @@ class _Writer:
         turned = math.radians(item.rotation)
         if round(item.rotation) % 360 == 90:
             along, down = {"bottom": "left", "top": "right"}.get(item.va, "center"), "center"
-        text, rows = tex_text(item.text), item.text.count("\n")
+        if style.get("style") == "italic":
+            text = _NUMBER.sub(r"$\\mathit{\1}$", text)
         side = {"left": "west", "right": "east"}.get(along, "")
         drop = 0.0 if rows else _MIDDLES[down] * size
         if rows:
@@ -259,6 +293,7 @@ class _Writer:
             options[f"{key} opacity" if alpha is None else "opacity"] = _number(cover, 3)
 
 
+_NUMBER = re.compile(r"\$([0-9{},]+)\$")
 _UNBROKEN: dict[str, Any] = {"break_long_words": False, "break_on_hyphens": False}
 
 
@@ -281,23 +316,24 @@ def _joined(options: Options, known: Options | None = None) -> str:
     return ", ".join([*unsaid, *said])
 
 
-def _clip(item: Item) -> str:
-    """Return the path outside which an item is not seen; a label and a ball are never cut."""
-    if item.clip is None or isinstance(item, Label | Ball):
-        return ""
-    return _clip_path(item.clip)
+def _disc(centre: Place, radius: float) -> str:
+    return f"{_point(centre)} circle[radius={_number(radius)}]"
+
+
+def _cut(shape: str) -> str:
+    return rf"\clip {shape};"
 
 
 def _clip_path(clip: Box | tuple[Place, float]) -> str:
     if len(clip) == 2:
-        return f"{_point(clip[0])} circle[radius={_number(clip[1])}]"
+        return _disc(*clip)
     left, low, right, high = clip
     return f"{_point((left, low))} rectangle {_point((right, high))}"
 
 
 def _outline(item: Path) -> str:
     if item.kind == "circle":
-        return f"{_point(item.points)} circle[radius={_number(item.radius)}]"
+        return _disc(item.points, item.radius)
     if item.kind == "curve":
         start, *rest = map(_point, item.points)
         pieces = [start]

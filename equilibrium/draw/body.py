@@ -169,15 +169,21 @@ def free_lengths(outline: Floats, start: Floats, angles: Floats) -> Floats:
 
     0 where the outside begins at once.
     """
+    ends, near = np.roll(outline, -1, axis=0), 1e-3
     ways = np.stack([np.cos(angles), np.sin(angles)], axis=1)[:, None]
-    first, along = outline - start, np.roll(outline, -1, axis=0) - outline
+    along, away = ends - outline, outline - start
     across = ways[..., 0] * along[:, 1] - ways[..., 1] * along[:, 0]
     across = np.where(np.abs(across) < 1e-12, 1e-12, across)
-    length = (first[:, 0] * along[:, 1] - first[:, 1] * along[:, 0]) / across
-    at = (first[:, 0] * ways[..., 1] - first[:, 1] * ways[..., 0]) / across
-    hits = (length > 1e-3) & (at >= 0) & (at < 1)
-    nearest = np.where(hits, length, np.inf).min(axis=1)
-    found: Floats = np.where(hits.sum(axis=1) % 2 == 1, nearest, 0.0)
+    length = (away[:, 0] * along[:, 1] - away[:, 1] * along[:, 0]) / across
+    at = (away[:, 0] * ways[..., 1] - away[:, 1] * ways[..., 0]) / across
+    hits = (length > 2 * near) & (at >= 0) & (at <= 1)
+    free = np.where(hits, length, np.inf).min(axis=1)
+    # Whether a point just ahead is inside: by the edges above and below it.
+    x, y = np.moveaxis(start + near * ways, -1, 0)
+    crossed = (outline[:, 1] > y) != (ends[:, 1] > y)
+    slope = along[:, 0] / np.where(along[:, 1] == 0, 1, along[:, 1])
+    right = crossed & (x < outline[:, 0] + (y - outline[:, 1]) * slope)
+    found: Floats = np.where(right.sum(axis=1) % 2 == 1, free, 0.0)
     return found
 
 

@@ -18,7 +18,7 @@ from equilibrium.model.grasp import Grasp, read_wrench
 from equilibrium.solver.state_equilibrium import Solution
 from equilibrium.verdict import solve
 
-from .layout import ARC, CONE, FORCE, Layout, cone_angles, displaced, layout_of
+from .layout import ARC, CONE, FORCE, Layout, displaced, layout_of
 from .legend import Legend
 from .row import new_legend
 from .shapes import Labels, arrow, mark, turning_arrow, wedge
@@ -153,7 +153,7 @@ class Picture:
             zip(layout.grasp, self.places, layout.normals, strict=True)
         ):
             t = np.array([-n[1], n[0]])
-            reaches, angles = layout.reaches[i] * self.scale, cone_angles(layout, i)
+            angles, reaches = layout.cones[i][0], layout.cones[i][1] * self.scale
             style = {"fc": CONE_FILL, "ec": CONE_EDGE, "lw": 0.5, "gid": f"cone-{i + 1}"}
             if np.ptp(reaches) < 1e-9:
                 wedge(scene, p, n, np.ptp(angles) / 2, reaches[0], zorder=1, **style)

@@ -41,8 +41,7 @@ class Layout:
         reference: the largest force component; arrows of forces are `FORCE` for `longest` of it.
         arms: for each contact the contact force on paper, or None.
         found: the equilibrium that is drawn, if there is one.
-        reaches: how far each friction cone is drawn, at nine angles from edge to edge: `CONE`, or
-            less where the object ends.
+        cones: the angles and lengths of each friction cone (see `cone_rim`).
         states: at the motion that is drawn, often on the boundary of the set of solutions, where
             a contact that may slip does not.
         step: the exact factor that the motion is drawn with, or None when nothing moves.
@@ -63,7 +62,7 @@ class Layout:
     normals: list[Floats] = field(default_factory=list)
     arms: list[Floats | None] = field(default_factory=list)
     preloads: list[float] = field(default_factory=list)
-    reaches: list[Floats] = field(default_factory=list)
+    cones: list[tuple[Floats, Floats]] = field(default_factory=list)
     load: Floats | None = None
     step: Fraction | None = None
     states: States = ()
@@ -90,7 +89,10 @@ def layout_of(
     )  # fmt: skip
     layout.places = [frame.paper(c.point) for c in grasp]
     layout.normals = [np.array([float(x) for x in c.normal]) for c in grasp]
-    layout.reaches = [_reaches(layout, i) for i in range(len(grasp))]
+    layout.cones = [
+        cone_rim(curve, place, normal, contact.friction, CONE)
+        for contact, place, normal in zip(grasp, layout.places, layout.normals, strict=True)
+    ]
     _scale_forces(layout)
     if layout.found is not None:
         layout.states = states_at(grasp, layout.found.motion)
@@ -107,22 +109,19 @@ def _chosen(verdict: Verdict | None, piece: int) -> Equilibrium | Solution | Non
     return verdict.equilibria[piece - 1]
 
 
-def cone_angles(layout: Layout, contact: int) -> Floats:
-    """Return nine angles from one edge of a friction cone to the other."""
-    normal, friction = layout.normals[contact], list(layout.grasp)[contact].friction
+def cone_rim(
+    curve: Floats | None, place: Floats, normal: Floats, friction: Fraction, longest: float
+) -> tuple[Floats, Floats]:
+    """Return nine angles from edge to edge of a friction cone, and how far it is drawn at each.
+
+    It stays inside the outline, if there is one, and is shorter on all sides where that helps.
+    """
     half = math.atan(rounded(friction))
     angles: Floats = math.atan2(normal[1], normal[0]) + np.linspace(-half, half, 9)
-    return angles
-
-
-def _reaches(layout: Layout, contact: int) -> Floats:
-    """Return how far a friction cone is drawn: inside the object, all as short where that helps."""
-    angles = cone_angles(layout, contact)
-    if layout.curve is None:
-        return np.full(len(angles), CONE)
-    free = free_lengths(flattened(layout.curve), layout.places[contact], angles)
-    even = max(min(CONE, 0.92 * float(free.min())), CONE / 2)
-    return np.minimum(free, even)
+    if curve is None:
+        return angles, np.full(len(angles), longest)
+    free = free_lengths(flattened(curve), place, angles)
+    return angles, np.minimum(free, max(min(longest, 0.92 * float(free.min())), longest / 2))
 
 
 def _scale_forces(layout: Layout) -> None:

@@ -87,16 +87,17 @@ class Legend:
 def _packed(
     items: Sequence[tuple[str, str, float]], room: float, least: float
 ) -> list[list[tuple[float, str, str]]]:
-    """Return rows of items of at least some size, each row within the room."""
+    """Return rows of items of at least some size: each goes to the first row with room for it."""
     rows: list[list[tuple[float, str, str]]] = []
-    left = room
+    used: list[float] = []
     for kind, text, size in items:
         cell = max(size, least)
-        if left + cell > room + 1e-6:
+        row = next((i for i, left in enumerate(used) if left + cell <= room + 1e-6), len(rows))
+        if row == len(rows):
             rows.append([])
-            left = 0.0
-        rows[-1].append((_SIDE + left, kind, text))
-        left += cell
+            used.append(0.0)
+        rows[row].append((_SIDE + used[row], kind, text))
+        used[row] += cell
     return rows
 
 

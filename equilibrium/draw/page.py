@@ -16,6 +16,7 @@ import numpy as np
 from arrangement.draw.html_page import BASE_SCRIPT, BASE_STYLE, Template, one_page
 from arrangement.draw.labels import flattened
 from arrangement.draw.registry import Wrench
+from arrangement.draw.scene import Floats
 from arrangement.errors import InputError
 from arrangement.exact import IntegerVector, RationalVector, primitive, to_text
 from arrangement.linear import reduced
@@ -27,9 +28,12 @@ from equilibrium.solver.state_system import States, each_force, state_system
 from equilibrium.wrench_sets import Piece, resisted_set
 
 from .body import Frame, body, frame_of, stated_body
+from .layout import cone_rim
 
 #: Contacts beyond which the pieces are too many for a page.
 MAX_CONTACTS = 8
+#: The length of friction cones, where the contacts fill [-1, 1].
+_CONE = 0.55
 _SCRIPTS = ("rational.js", "resisted.js", "plane.js", "graspview.js", "resist.js")
 
 
@@ -170,7 +174,7 @@ def _picture(grasp: Grasp) -> dict[str, Any]:
             {
                 "place": _floats(frame.paper(contact.point)),
                 "normal": [float(x) for x in contact.normal],
-                "friction": min(float(contact.friction), 1e6),
+                "cone": _cone(curve, contact, frame),
                 "preload": float(contact.preload),
                 "exact": _exact(contact),
             }
@@ -181,6 +185,14 @@ def _picture(grasp: Grasp) -> dict[str, Any]:
         "origin": _floats(np.clip(frame.paper((Fraction(0),) * 2), -1.5, 1.5)),
         **_frame(frame),
     }
+
+
+def _cone(curve: Floats | None, contact: Contact, frame: Frame) -> list[list[float]]:
+    """Return points of the rim of a friction cone, the fifth of nine in the middle."""
+    place, normal = frame.paper(contact.point), np.array([float(x) for x in contact.normal])
+    angles, lengths = cone_rim(curve, place, normal, contact.friction, _CONE)
+    rim = place + lengths[:, None] * np.stack([np.cos(angles), np.sin(angles)], axis=1)
+    return [_floats(point) for point in rim]
 
 
 def _exact(contact: Contact) -> dict[str, Any]:

@@ -179,7 +179,9 @@ def test_marks_of_the_counts_are_zaslavskys_numbers_and_lie_on_the_printed_curve
 def test_sign_vectors_stand_in_their_regions() -> None:
     """The place of each label, taken back to the sphere, has the signs that the label says."""
     planes, direction = read_arrangement("braid-a3"), (4, 3, 4)
-    figure = draw_stereographic(planes, direction=direction, whole=True, labels="numbers")
+    figure = draw_stereographic(
+        planes, direction=direction, whole=True, labels="numbers", coordinates="given"
+    )
     axes, regions = figure.axes[0], planes.regions()
     limb = next(patch for patch in axes.patches if patch.get_gid() == "limb")
     ahead = np.array(direction) / math.sqrt(41)
@@ -391,7 +393,7 @@ def test_labels_do_not_collide(view: str, name: str) -> None:
         (draw_gnomonic, {"direction": (1, 0, 1), "colour": "none"}),
         (draw_dual, {"hull": True}),
         (draw_dual, {"width": 88.0}),
-        (draw_dual, {"even": True, "colour": "signs"}),
+        (draw_dual, {"coordinates": "even", "colour": "signs"}),
         (draw_graph, {"colour": "signs"}),
         (draw_graph, {"width": 50.0}),
         (draw_lattice, {"width": 180.0, "moebius": False}),

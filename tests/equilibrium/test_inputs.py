@@ -22,10 +22,12 @@ from equilibrium.inputs import (
     read_polygon,
     simplest_between,
     snapped,
+    star_outline,
 )
 from equilibrium.inputs.csv_file import parse_csv
 from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import Grasp
+from equilibrium.model.outline import Circle, Polygon
 
 TRIANGLE = [(0, 0), (4, 0), (0, 3)]
 HEADER = "x,y,normal_x,normal_y,friction"
@@ -385,3 +387,44 @@ class TestCsv:
         (tmp_path / "large.csv").write_bytes(b"0" * (4 * 2**20 + 1))
         with pytest.raises(InputError, match="longer"):
             read_csv(tmp_path / "large.csv")
+
+
+class TestOutlines:
+    def test_polygons_and_circles_are_the_outlines(self):
+        corners = ((0, 0), (4, 0), (0, 3))
+        assert from_polygon(corners, [OnEdge(0, "1/2")], 1).grasp.outline == Polygon(corners)
+        assert on_circle(3, 1, radius=2, centre=(1, 0)).grasp.outline == Circle((1, 0), 2)
+
+    @given(st.integers(1, 12), st.integers(0, 10**6))
+    def test_a_star_outline_has_every_contact_on_an_edge_with_its_normal(self, number, seed):
+        grasp = random_grasp(number, seed)
+        outline = star_outline(grasp)
+        if outline is None:
+            return
+        corners = outline.corners
+        turns = zip(corners, [*corners[1:], corners[0]], strict=True)
+        assert all(a[0] * b[1] > a[1] * b[0] for a, b in turns)
+        edges = set(zip(corners[::2], corners[1::2], strict=True))
+        assert len(edges) == len(grasp)
+        for contact in grasp:
+            assert any(
+                tuple((x + y) / 2 for x, y in zip(a, b, strict=True)) == contact.point
+                and sum((y - x) * n for x, y, n in zip(a, b, contact.normal, strict=True)) == 0
+                for a, b in edges
+            )
+
+    def test_most_random_objects_have_one(self):
+        assert sum(star_outline(random_grasp(5, seed)) is not None for seed in range(40)) > 20
+
+    def test_the_command_takes_one_for_csv_files(self, tmp_path, capsys):
+        path = tmp_path / "a.csv"
+        path.write_text("x,y,normal_x,normal_y,friction\n-1,0,1,0,0.5\n", encoding="utf-8")
+        corners = ["-1,-1", "1,-1", "0,3/2"]
+        assert main(["make", "csv", str(path), "--outline", *corners]) == 0
+        found = json.loads(capsys.readouterr().out)
+        assert found["outline"] == [["-1", "-1"], ["1", "-1"], ["0", "3/2"]]
+        assert main(["make", "csv", str(path), "--outline", "0,0", "1,1"]) == 2
+        capsys.readouterr()
+        assert main(["make", "random", "--contacts", "4", "--seed", "3"]) == 0
+        outline = json.loads(capsys.readouterr().out)["outline"]
+        assert outline == star_outline(random_grasp(4, 3)).to_dict()

@@ -35,11 +35,8 @@ function paintGrasp() {
   data.contacts.forEach((contact, i) => {
     const { place, normal: n } = contact;
     const t = [-n[1], n[0]];
-    const half = Math.atan(contact.friction);
-    const edge = (a) => along(along(place, n, 0.55 * Math.cos(a)), t, 0.55 * Math.sin(a));
-    const arc = [-1, -0.5, 0, 0.5, 1].map((s) => edge(s * half));
-    draw("path", { class: "cone", d: `M${spot(place)}L${arc.map(spot).join("L")}Z` }, view);
-    draw("path", { class: "middle", d: `M${spot(place)}L${spot(along(place, n, 0.55))}` }, view);
+    draw("path", { class: "cone", d: `M${spot(place)}L${contact.cone.map(spot).join("L")}Z` }, view);
+    draw("path", { class: "middle", d: `M${spot(place)}L${spot(contact.cone[4])}` }, view);
     draw("path", { class: "pad", d: `M${spot(along(place, t, 0.08))}L${spot(along(place, t, -0.08))}` }, view);
     const preload = state.kind === "own" ? contact.preload / longest : 1;
     if (state.factor.n > 0n && preload > 0) {
