@@ -13,11 +13,18 @@ from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
 
+import numpy as np
+from numpy.typing import NDArray
+
 from arrangement.exact import IntegerVector, dot, primitive, sign, unoriented
 from arrangement.linear import cross, determinant, reduced, triple_product
+from arrangement.progress import watched
 
 from .intervals import Interval, remainder
 from .polyhedron import Polyhedron
+
+#: Of rounded coordinates, over the largest of them: far above any error of rounding.
+_APART = 1e-9
 
 Loop = list[IntegerVector]
 Segment = tuple[IntegerVector, IntegerVector]
@@ -55,10 +62,10 @@ def surface(shapes: Iterable[Polyhedron]) -> tuple[Patch, ...]:
     (10, 12)
     """
     every = list(shapes)
-    solids = [_Solid(shape) for shape in every if shape.dimension == 3]
+    solids = _Solids([_Solid(shape) for shape in every if shape.dimension == 3])
     flat = [shape for shape in every if shape.dimension == 2]
     facets: dict[IntegerVector, list[Loop]] = {}
-    for solid in solids:
+    for solid in solids.listed:
         for row, corners in solid.facets:
             facets.setdefault(row, []).append(corners)
     sheets: dict[IntegerVector, list[Loop]] = {}
@@ -66,7 +73,11 @@ def surface(shapes: Iterable[Polyhedron]) -> tuple[Patch, ...]:
         row = unoriented(shape.equalities[0])
         sheets.setdefault(row, []).append(_ordered(row, _homogeneous(shape)))
     return (
-        *(p for row in sorted(facets) for p in _patches(row, facets[row], solids, sheet=False)),
+        *(
+            p
+            for row in watched(sorted(facets), "planes of faces")
+            for p in _patches(row, facets[row], solids, sheet=False)
+        ),
         *(p for row in sorted(sheets) for p in _patches(row, sheets[row], solids, sheet=True)),
         *_thin(every),
     )
@@ -120,6 +131,42 @@ class _Solid:
         return _ordered(row, found) if len(found) > 2 else []
 
 
+class _Solids:
+    """Polytopes, with rounded corners to find those near a place quickly."""
+
+    def __init__(self, listed: Sequence[_Solid]) -> None:
+        self.listed = listed
+        self.starts = np.cumsum([0, *(len(solid.points) for solid in listed)])[:-1]
+        self.points = rounded([p for solid in listed for p in solid.points])
+
+    def near(self, row: IntegerVector, corners: Sequence[IntegerVector]) -> list[_Solid]:
+        """Return the polytopes that may have a common point with a polygon in a plane.
+
+        Those left out are apart by much more than rounding moves points: `_APART` of their size.
+        """
+        if not self.listed:
+            return []
+        largest = max(map(abs, row))
+        size = max(1.0, float(np.abs(self.points).max()))
+        values = self.points @ [x / largest for x in row[:3]] + row[3] / largest
+        polygon, far = rounded(corners), _APART * size
+        low, high = (f.reduceat(self.points, self.starts) for f in (np.minimum, np.maximum))
+        meets = (low <= polygon.max(axis=0) + far) & (high >= polygon.min(axis=0) - far)
+        found = (
+            meets.all(axis=1)
+            & (np.minimum.reduceat(values, self.starts) <= 4 * far)
+            & (np.maximum.reduceat(values, self.starts) >= -4 * far)
+        )
+        # The largest first: they cover most.
+        order = np.argsort(-np.prod(high - low, axis=1), kind="stable")
+        return [self.listed[k] for k in order[found[order]].tolist()]
+
+
+def rounded(points: Iterable[IntegerVector]) -> NDArray[np.float64]:
+    """Return homogeneous points as floats, (k, 3)."""
+    return np.array([[x / p[3] for x in p[:3]] for p in points]).reshape(-1, 3)
+
+
 def between(p: IntegerVector, q: IntegerVector, at_p: int, at_q: int) -> IntegerVector:
     """Return where a linear form vanishes between two points; its values there differ in sign."""
     s, t = abs(at_q), abs(at_p)
@@ -160,16 +207,21 @@ def _ordered(row: IntegerVector, points: Iterable[IntegerVector]) -> Loop:
 
 
 def _patches(
-    row: IntegerVector, loops: Sequence[Loop], solids: Sequence[_Solid], *, sheet: bool
+    row: IntegerVector, loops: Sequence[Loop], solids: _Solids, *, sheet: bool
 ) -> Iterator[Patch]:
     """Yield what is seen of polygons in a plane, as convex polygons without overlaps."""
-    covers = [_flat(row, s) for solid in solids if (s := solid.section(row, sheet=sheet))]
     kept: list[Loop] = []
-    for loop in (_flat(row, loop) for loop in loops):
-        left = [loop]
-        for cover in [*covers, *kept]:
+    for loop in loops:
+        left = [_flat(row, loop)]
+        for cover in kept:
             left = [rest for part in left for rest in _minus(part, cover)]
         kept += left
+    for solid in solids.near(row, [p for loop in loops for p in loop]):
+        if not kept:
+            break
+        if section := solid.section(row, sheet=sheet):
+            cover = _flat(row, section)
+            kept = [piece for part in kept for piece in _minus(part, cover)]
     edges = _edges(kept)
     for loop, creases in zip(kept, edges, strict=True):
         ends = tuple((_lifted(row, p), _lifted(row, q)) for p, q in creases)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterator
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
@@ -156,11 +156,6 @@ def box_text(grasp: Grasp, box: WrenchBox) -> str:
         for name, m, h in zip(NAMES, box.middle, box.half, strict=True)
     ]
     return f"box: {', '.join(texts)}{units}"
-
-
-def places(points: Iterable[IntegerVector]) -> Floats:
-    """Return homogeneous points as floats, (k, 3)."""
-    return np.array([[x / p[3] for x in p[:3]] for p in points])
 
 
 def box_edges() -> Iterator[tuple[Floats, tuple[int, tuple[int, ...]]]]:

@@ -13,11 +13,11 @@ from arrangement.draw.solid_page import Branch, Face, SolidPage
 from arrangement.errors import InputError
 from arrangement.exact import IntegerVector, primitive
 from arrangement.io.meshes import Part, model_bytes
-from arrangement.polyhedra.surface import Patch, facets
+from arrangement.polyhedra.surface import Patch, facets, rounded
 from equilibrium.model.grasp import Grasp, read_wrench
 
 from .row import read_extent
-from .wrench_box import CUT, NAMES, SOLID, WALLS, WrenchBox, box_edges, box_text, places, wrench_box
+from .wrench_box import CUT, NAMES, SOLID, WALLS, WrenchBox, box_edges, box_text, wrench_box
 
 
 def wrench_set_page(
@@ -53,10 +53,10 @@ def wrench_set_page(
                 told.append(_told(box, patch, wall))
             branch.faces.append(
                 Face(
-                    places(patch.corners),
+                    rounded(patch.corners),
                     CUT if wall else SOLID,
                     np.array(patch.row[:3], dtype=float) if flat else None,
-                    np.array([places(edge) for edge in patch.edges]).reshape(-1, 2, 3),
+                    np.array([rounded(edge) for edge in patch.edges]).reshape(-1, 2, 3),
                     pieces.get(patch.row, -1),
                     sheet=patch.sheet,
                     faint=wall or patch.name == "axis",
@@ -126,7 +126,7 @@ def wrench_set_model(
             points, faces, rows = facets(shape)
             colours = tuple(CUT if row in WALLS else SOLID for row in rows)
             name = "-".join(piece.states) or "all"
-            parts.append(Part(name, half * places(points), faces, colours))
+            parts.append(Part(name, half * rounded(points), faces, colours))
     if not parts:
         raise InputError(
             "the resisted wrenches have no volume; draw them as a picture: .svg, .pdf or .png"

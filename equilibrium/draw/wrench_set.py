@@ -17,7 +17,7 @@ from arrangement.draw.globe import TO_LIGHT, picture_axes, view_direction
 from arrangement.draw.registry import Exact, Vector, Wrench
 from arrangement.draw.scene import POINTS, Floats, Scene, checked_width
 from arrangement.exact import IntegerVector
-from arrangement.polyhedra.surface import Patch
+from arrangement.polyhedra.surface import Patch, rounded
 from equilibrium.model.grasp import Grasp, read_wrench
 
 from .grasp import draw_grasp
@@ -25,7 +25,7 @@ from .keys import MARKS
 from .legend import Legend
 from .row import read_extent
 from .style import nice, vector
-from .wrench_box import CUT, NAMES, SOLID, WALLS, WrenchBox, box_edges, box_text, places, wrench_box
+from .wrench_box import CUT, NAMES, SOLID, WALLS, WrenchBox, box_edges, box_text, wrench_box
 
 #: Room around the box for numbers and names, in points.
 _MARGIN = 24.0
@@ -115,7 +115,7 @@ class _Solid:
         return placed
 
     def _places(self, points: Iterable[IntegerVector]) -> Floats:
-        return self.at(places(points))
+        return self.at(rounded(points))
 
     def _describe(self, legend: Legend, applied: Any) -> None:
         if not self.box.shapes:
