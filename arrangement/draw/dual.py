@@ -47,7 +47,8 @@ def draw_dual(
 
     Both are seen from the same direction. A region of the sphere and its vertex of the dual have
     the same colour and sign vector; a circle and its zone of parallel edges have the same colour
-    and number. Hidden edges are dashed; which are hidden is decided exactly. The generators of
+    and number. Both are lit from the upper left, from in
+    front. Hidden edges are dashed; which are hidden is decided exactly. The generators of
     the dual have length 1. In rank 2 the dual is a polygon, in rank 1 a segment.
 
     With `hull` the second panel has instead the convex hull of one point of the unit sphere for

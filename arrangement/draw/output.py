@@ -32,12 +32,14 @@ _METADATA: dict[str, dict[str, Any]] = {
 
 
 def require_matplotlib() -> Any:
-    """Return matplotlib, or say which extra installs it."""
+    """Return matplotlib, or say which extra installs it and what places labels."""
     try:
         import matplotlib as mpl
+        import shapely  # noqa: F401
     except ImportError:
         raise MissingExtraError(
-            "pictures need matplotlib: install the extra with pip install 'slipstates[figures]'"
+            "pictures need matplotlib and shapely: install the extra with "
+            "pip install 'slipstates[figures]'"
         ) from None
     return mpl
 

@@ -81,8 +81,11 @@ def test_colouring_by_a_function_of_the_region() -> None:
     assert fills == {(1.0, 0.0, 0.0, 1.0), (0.0, 0.0, 1.0, 1.0)}
 
 
-def test_missing_library_names_the_extra(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
-    monkeypatch.setitem(sys.modules, "matplotlib", None)
+@pytest.mark.parametrize("library", ["matplotlib", "shapely"])
+def test_missing_library_names_the_extra(
+    library: str, monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    monkeypatch.setitem(sys.modules, library, None)
     with pytest.raises(MissingExtraError, match=r"slipstates\[figures\]"):
         write_drawing(read_arrangement("pencil"), tmp_path / "a.svg")
 
