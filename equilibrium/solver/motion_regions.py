@@ -182,7 +182,7 @@ class MotionRegions:
             return []
         generators, _ = self._scaled([r.generators for r in regions])
         motions, values = self.virtual.best(self._floats(generators), self.rounds)
-        hopeful = np.flatnonzero(values > 0).tolist()
+        hopeful = np.flatnonzero(values > -_TINY).tolist()
         exact = [self.virtual.integers(motions[n]) for n in hopeful]
         tested = (
             closed(self.contacts, self.wrench, [regions[n].generators for n in hopeful], exact)
