@@ -51,12 +51,12 @@ class RegionRows:
         self.slip = product(rows[:, 1:], contacts.tangent.T)
         self.along, self.across = contacts.balance
         unit = contacts.common_unit
-        self.load = [[w * unit * g for w in wrench] for g in self.weight]
+        self.load = [np.array([w * unit * g for w in wrench], dtype=object) for g in self.weight]
         low, high = self.spring.min(axis=0, initial=0), self.spring.max(axis=0, initial=0)
         self.kept = [int(i) for i in np.flatnonzero(high > 0)]
-        self.mixed = set(np.flatnonzero((low < 0) & (high > 0)).tolist())
+        self.mixed = (low < 0) & (high > 0)
         one, other = (self.slip > 0).all(axis=0), (self.slip < 0).all(axis=0)
-        self.known = (one.astype(int) - other.astype(int)).tolist()
+        self.known = one.astype(int) - other.astype(int)
         #: Whether contacts without a state have a multiplier of their spring.
         self.whole = len(generators) > 4
 
@@ -90,7 +90,7 @@ class PartProgram:
     def __init__(self, region: RegionRows, states: States, cuts: Iterable[Cut] = ()) -> None:
         self.region, self.states = region, states
         whole = region.whole
-        self.springs = [i for i in region.kept if i in states or (whole and i in region.mixed)]
+        self.springs = [i for i in region.kept if i in states or (whole and region.mixed[i])]
         # A detached contact matters only where its spring could still push.
         self.slips = [i for i in self.springs if states.get(i) in ("stick", "slip+", "slip-")]
         self.free = [i for i in region.kept if i not in self.springs]
@@ -121,7 +121,7 @@ class PartProgram:
 
     def _signs(self, i: int) -> tuple[int, ...]:
         signs = _SIGNS[self.states.get(i, "attached")]
-        known = self.region.known[i]
+        known = int(self.region.known[i])
         # A known direction helps where the state leaves it open, as the checker allows.
         return (known,) if known and self.states.get(i) in (None, "attached") else signs
 
@@ -137,23 +137,26 @@ class PartProgram:
             row[column] = x
         return row
 
-    def _cut(self, motion: Sequence[Any], j: int) -> Cut:
-        """Return the bound at a generator that is exact at a virtual motion."""
-        region, signs = self.region, {}
-        for i in self.free:
-            if region.spring[j, i] > 0:
-                across = dot(motion, region.across[i])
-                sign = region.known[i] or (1 if across >= 0 else -1)
-                if i not in region.mixed or dot(motion, region.along[i]) < sign * across:
-                    signs[i] = sign
-        return Cut(j, signs)
+    def _cuts_at(self, motion: Sequence[Any]) -> list[Cut]:
+        """Return for each generator the bound that is exact at a virtual motion."""
+        region, free = self.region, np.array(self.free, dtype=int)
+        direction = np.array(primitive(motion), dtype=object)
+        along, across = region.along[free].dot(direction), region.across[free].dot(direction)
+        known = region.known[free]
+        sign = np.where(known == 0, np.where(across >= 0, 1, -1), known)
+        counts = ~region.mixed[free] | (along < sign * across)
+        result = []
+        for j, spring in enumerate(region.spring[:, free]):
+            chosen = counts & (spring > 0)
+            signs = dict(zip(free[chosen].tolist(), sign[chosen].tolist(), strict=True))
+            result.append(Cut(j, signs))
+        return result
 
     def _cut_row(self, cut: Cut) -> list[Any]:
         region, j = self.region, cut.generator
-        work = list(region.load[j])
-        for i, sign in cut.signs.items():
-            arm = region.along[i] - sign * region.across[i]
-            work = [x + region.spring[j, i] * y for x, y in zip(work, arm, strict=True)]
+        chosen, signs = list(cut.signs), np.array(list(cut.signs.values()), dtype=object)
+        arm = region.along[chosen] - signs[:, None] * region.across[chosen]
+        work = region.spring[j, chosen].dot(arm) + region.load[j]
         unit = region.contacts.common_unit
         entries: dict[int, Any] = dict(enumerate(work))
         for i in self.springs:
@@ -165,8 +168,7 @@ class PartProgram:
 
     def solve(self) -> Node | Solution:
         """Return the leaf that closes the part, or what balances the load in it."""
-        every = range(len(self.region.generators))
-        cuts = self.cuts or [self._cut(self.region.wrench, j) for j in every]
+        cuts = self.cuts or self._cuts_at(self.region.wrench)
         rows = [self._cut_row(cut) for cut in cuts]
         objective = [0] * (self.size - 1) + [-1]
         # So is the work, by what the rows could give: a smaller bound would leave leaves no room.
@@ -179,9 +181,9 @@ class PartProgram:
             if point[-1] == 0:
                 y = answer.inequality_multipliers[len(self.box) :]
                 return self._balanced(cuts, y[len(self.bounds) :], y[: len(self.limits)])
-            found = [self._cut(point[:3], j) for j in every]
+            found = self._cuts_at(point[:3])
             made = [self._cut_row(cut) for cut in found]
-            broken = [j for j in every if dot(made[j][:-1], point) < 0]
+            broken = [j for j, row in enumerate(made) if dot(row[:-1], point) < 0]
             if not broken:
                 return self._leaf(point[:-1])
             cuts = [*cuts, *(found[j] for j in broken)]
@@ -215,7 +217,7 @@ class PartProgram:
         """Return whether a virtual motion, alphas and hs close the part."""
         if any(dot(row[:-2], numbers) < 0 for row in self.bounds):
             return False
-        rows = (self._cut_row(self._cut(numbers[:3], j)) for j in range(len(self.region.weight)))
+        rows = map(self._cut_row, self._cuts_at(numbers[:3]))
         works = (dot(row[:-2], numbers) for row in rows)
         return all(x > 0 if g else x >= 0 for x, g in zip(works, self.region.weight, strict=True))
 

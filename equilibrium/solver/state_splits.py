@@ -68,7 +68,7 @@ class StateSplits:
         cuts, names = program.binding, ("stick", "slip+", "slip-")
         if contact in states:
             return self._children(states, cuts, contact, "slip", names)
-        if contact in self.region.mixed or not self._slides(contact):
+        if self.region.mixed[contact] or not self._slides(contact):
             return self._children(states, cuts, contact, "attachment", ("attached", "detached"))
         slip = self._children({**states, contact: "attached"}, cuts, contact, "slip", names)
         if isinstance(slip, Solution):
@@ -96,7 +96,7 @@ class StateSplits:
 
     def _slides(self, i: int) -> bool:
         """Whether the direction of slip matters and is not known."""
-        return self.region.known[i] == 0 and bool(self.region.contacts.friction[i])
+        return not self.region.known[i] and bool(self.region.contacts.friction[i])
 
     def _worst(self, found: Solution, states: States) -> int | None:
         """Return the contact at which forces violate the law most, or None."""
