@@ -34,9 +34,9 @@ class Kind(Enum):
     stated domain. SAMPLED: random instances.
     """
 
-    PROVED = "proved"
-    EXHAUSTIVE = "exhaustive"
-    SAMPLED = "sampled"
+    PROVED = "proof"
+    EXHAUSTIVE = "all cases"
+    SAMPLED = "samples"
 
 
 @dataclass(frozen=True)
@@ -67,7 +67,7 @@ class Source:
 
 def proved(over: str, cases: Callable[[Random], Iterable[Case]]) -> tuple[Source, ...]:
     """Return the source of a claim that is proved: the cases on which parts of it are checked."""
-    return (Source(Kind.PROVED, f"any m (proof: docs, Proofs); {over}", cases),)
+    return (Source(Kind.PROVED, over, cases),)
 
 
 def exhaustive(over: str, cases: Callable[[Random], Iterable[Case]]) -> tuple[Source, ...]:

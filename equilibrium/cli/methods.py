@@ -8,9 +8,20 @@ from fractions import Fraction
 from math import gcd
 from typing import TYPE_CHECKING, Any
 
-from arrangement.exact import IntegerVector, to_text
+from arrangement import terminal
+from arrangement.exact import IntegerVector, rational
 
-from .arguments import add_command, add_count, add_number, add_wrench, grasp_of, show, vector
+from .arguments import (
+    add_applied,
+    add_command,
+    add_count,
+    add_number,
+    applied,
+    grasp_of,
+    number,
+    show,
+    vector,
+)
 
 if TYPE_CHECKING:
     from equilibrium.methods.compare import Comparison
@@ -23,19 +34,23 @@ _WORDS = {True: "yes", False: "no", None: "-"}
 def add_commands(commands: Any) -> None:
     """Add compare, wrench-space and survey."""
     text = "the verdicts of all methods (exit 0 if the complete model accepts, else 1)"
-    add_wrench(add_command(commands, "compare", _compare, text))
+    add_applied(add_command(commands, "compare", _compare, text))
 
     text = "Grasp Wrench Space: quality, slice, facets (exit 1: no force closure)"
     space = add_command(commands, "wrench-space", _wrench_space, text)
     space.add_argument("--norm", choices=("L1", "Linf"), default="L1", help="default: L1")
-    add_number(space, "--torque-scale", 1, "a length that torques are divided by", "LENGTH")
+    add_number(space, "--length", 1, "that torques are divided by, in units of the grasp", "Q")
     add_number(space, "--torque", 0, "applied torque of the slice", "TAU")
 
     text = "how often the methods disagree with the complete model on random grasps"
     survey = add_command(commands, "survey", _survey, text, grasp=False)
     add_count(survey, "--number", 60, "of questions")
     survey.add_argument(
-        "--contacts", type=int, nargs="+", default=[2, 3], help="of each grasp (default: 2 3)"
+        "--contacts",
+        type=terminal.count_argument,
+        nargs="+",
+        default=[2, 3],
+        help="of each grasp (default: 2 3)",
     )
     add_count(survey, "--seed", 0, "of the random grasps")
     text = "tries of each size to find a smallest example of each disagreement"
@@ -45,7 +60,7 @@ def add_commands(commands: Any) -> None:
 def _compare(arguments: argparse.Namespace) -> int:
     from equilibrium.methods.compare import compare
 
-    found = compare(grasp_of(arguments), arguments.wrench)
+    found = compare(grasp_of(arguments), applied(arguments))
     lines = _comparison_lines(found)
     return show(arguments, found.to_dict(), lines, found.stable, found.grasp)
 
@@ -59,11 +74,11 @@ def _comparison_lines(found: Comparison) -> Iterator[str]:
 def _wrench_space(arguments: argparse.Namespace) -> int:
     from equilibrium.methods.grasp_wrench_space import GraspWrenchSpace
 
-    space = GraspWrenchSpace(grasp_of(arguments), arguments.norm, arguments.torque_scale)
+    space = GraspWrenchSpace(grasp_of(arguments), arguments.norm, arguments.length)
     corners = space.slice(origin=(0, 0, arguments.torque))
     document = {
         "norm": space.norm,
-        "torque_scale": space.torque_scale,
+        "length": space.length,
         "force_closure": space.force_closure,
         "epsilon_squared": space.epsilon_squared,
         "volume": space.volume,
@@ -83,12 +98,14 @@ def _space_lines(space: GraspWrenchSpace, torque: Fraction) -> Iterator[str]:
         if units
         else ("",) * 4
     )
-    root = to_text(space.epsilon_squared) + square
+    root = number(space.epsilon_squared) + square
     yield f"force closure    {_WORDS[space.force_closure]}"
+    length = f"{number(space.length)} {units.length}" if units else number(space.length)
     yield f"epsilon          {space.epsilon:.6g}{force}  (its square is {root})"
-    yield f"volume           {to_text(space.volume)}{cube}"
+    yield f"torques over     {length}  (epsilon and volume depend on it; --length)"
+    yield f"volume           {number(space.volume)}{cube}"
     yield f"facets           {len(space.facets)}"
-    yield f"resisted forces at torque {torque}{turn}:"
+    yield f"resisted forces at torque {number(torque)}{turn}:"
 
 
 def _outward(row: IntegerVector) -> list[Fraction]:
@@ -114,7 +131,7 @@ def _survey_lines(found: Survey, examples: Iterable[Example]) -> Iterator[str]:
     for name, count in found.counts.items():
         agrees = count.both_accept + count.both_refuse
         numbers = (agrees, count.accepts_wrongly, count.refuses_wrongly, count.silent)
-        yield f"{name:<20}" + "".join(f"{number:>17}" for number in numbers)
+        yield f"{name:<20}" + "".join(f"{some:>17}" for some in numbers)
     for example in examples:
         verb = "accepts" if example.accepts else "refuses"
         yield f"{example.method} wrongly {verb} {vector(example.wrench)}:"
@@ -124,4 +141,4 @@ def _survey_lines(found: Survey, examples: Iterable[Example]) -> Iterator[str]:
 
 
 def _flat(value: str | list[str]) -> str:
-    return value if isinstance(value, str) else f"({', '.join(value)})"
+    return number(rational(value)) if isinstance(value, str) else vector(map(rational, value))

@@ -8,12 +8,14 @@ from itertools import chain
 from typing import TYPE_CHECKING, Any
 
 from arrangement import terminal
+from arrangement.exact import dot
 
 from . import draw, inputs, methods, wrench_sets
-from .arguments import add_command, add_wrench, grasp_of, show, vector
+from .arguments import add_applied, add_command, applied, grasp_of, show, vector
 from .proof_words import proof_lines
 
 if TYPE_CHECKING:
+    from equilibrium.model.grasp import Grasp
     from equilibrium.solver.equilibrium import Equilibrium
     from equilibrium.solver.state_equilibrium import Solution
     from equilibrium.solver.state_system import States
@@ -44,7 +46,7 @@ def _parser() -> terminal.Parser:
     solve = add_command(
         commands, "solve", _solve, "decide whether a grasp resists a wrench (exit 0 stable, 1 not)"
     )
-    add_wrench(solve)
+    add_applied(solve)
     solve.add_argument("--certificate", metavar="OUT.json", help="write the certificate here")
     solve.add_argument(
         "--time-limit", metavar="SECONDS", type=_seconds, help="give up then (exit 2)"
@@ -70,6 +72,7 @@ def _parser() -> terminal.Parser:
         _verify,
         "check a certificate without the solver (exit 0 valid, 1 not)",
         grasp=False,
+        numbers=False,
     )
     verify.add_argument("certificate", metavar="CERT.json", help="a path, or - for stdin")
     verify.add_argument(
@@ -77,11 +80,18 @@ def _parser() -> terminal.Parser:
         action="store_true",
         help="ask the checker that is proved in Coq (built by `make formal`)",
     )
+    add_command(commands, "list", _list, "list the built-in grasps", grasp=False)
     wrench_sets.add_commands(commands)
     methods.add_commands(commands)
     inputs.add_commands(commands)
     draw.add_commands(commands)
     return parser
+
+
+def _list(arguments: argparse.Namespace) -> int:
+    from arrangement.io.files import described
+
+    return terminal.print_names(described("contacts"), arguments.json)
 
 
 def _seconds(text: str) -> float:
@@ -100,43 +110,47 @@ def _solve(arguments: argparse.Namespace) -> int:
 
     if arguments.literal and arguments.certificate:
         raise GraspError("a literal reading has no certificate; omit one of the two options")
-    grasp = grasp_of(arguments)
+    grasp, wrench = grasp_of(arguments), applied(arguments)
     if arguments.literal:
-        literal = solve_literal(grasp, arguments.wrench, arguments.literal)
-        lines = _verdict_lines(literal.equilibria)
+        literal = solve_literal(grasp, wrench, arguments.literal)
+        lines = _verdict_lines(literal.equilibria, grasp)
         return show(arguments, literal.to_dict(), lines, literal.stable, grasp)
     limits = {"time_limit": arguments.time_limit, "shorten": arguments.shorten}
-    found = solve(grasp, arguments.wrench, **limits)
+    found = solve(grasp, wrench, **limits)
     if arguments.certificate:
         write_certificate(arguments.certificate, found.certificate)
     every = arguments.all or None
-    lines = _verdict_lines(found.equilibria) if found.lists_all(every) else _one_of_many(found)
+    lines = (
+        _verdict_lines(found.equilibria, grasp) if found.lists_all(every) else _one_of_many(found)
+    )
     if not found.stable:
         lines = chain(lines, proof_lines(found))
     return show(arguments, found.to_dict(every), lines, found.stable, grasp)
 
 
-def _verdict_lines(pieces: Sequence[Equilibrium]) -> Iterator[str]:
+def _verdict_lines(pieces: Sequence[Equilibrium], grasp: Grasp) -> Iterator[str]:
     if not pieces:
         yield "not stable: no contact state admits an equilibrium"
         return
     yield f"stable: {len(pieces)} " + ("equilibrium" if len(pieces) == 1 else "equilibria")
     for piece in pieces:
-        yield from _equilibrium_lines(piece, piece.states, _freedom(piece))
+        yield from _equilibrium_lines(grasp, piece, piece.states, _freedom(piece))
 
 
 def _one_of_many(found: Verdict) -> Iterator[str]:
     yield "stable: the equilibrium found is below; there may be others, and --all lists them"
     if found.solution is not None:
-        yield from _equilibrium_lines(found.solution, found.states)
+        yield from _equilibrium_lines(found.grasp, found.solution, found.states)
 
 
 def _equilibrium_lines(
-    found: Equilibrium | Solution, states: States, freedom: str = ""
+    grasp: Grasp, found: Equilibrium | Solution, states: States, freedom: str = ""
 ) -> Iterator[str]:
     yield f"  motion {vector(found.motion)}{freedom}"
-    for i, (state, force) in enumerate(zip(states, found.forces, strict=True), 1):
-        yield f"    contact {i}  {state:<8}  force {vector(force)}"
+    for i, (contact, state, force) in enumerate(zip(grasp, states, found.forces, strict=True), 1):
+        still = state.startswith("slip") and dot(contact.tangential_wrench, found.motion) == 0
+        why = "  (not slipping: at the edge of its cone)" if still else ""
+        yield f"    contact {i}  {state:<8}  force {vector(force)}{why}"
 
 
 def _freedom(piece: Equilibrium) -> str:

@@ -7,10 +7,19 @@ from collections.abc import Iterable, Iterator
 from fractions import Fraction
 from typing import TYPE_CHECKING, Any
 
-from arrangement.exact import to_text
-from arrangement.polyhedra.intervals import end_text
-
-from .arguments import add_command, add_count, add_number, add_wrench, grasp_of, show, vector
+from .arguments import (
+    add_applied,
+    add_command,
+    add_count,
+    add_number,
+    add_wrench,
+    applied,
+    bracket,
+    grasp_of,
+    number,
+    show,
+    vector,
+)
 
 if TYPE_CHECKING:
     from arrangement.polyhedra.intervals import Interval
@@ -24,7 +33,7 @@ def add_commands(commands: Any) -> None:
     """Add limit, region, polyhedra, margin, map, figure and gaps."""
     text = "magnitudes resisted along a direction (exit 1 if none)"
     limit = add_command(commands, "limit", _limit, text)
-    add_wrench(limit, "--direction", "which way; not zero")
+    add_wrench(limit, "--direction", "which way; not zero", None, required=True)
     add_wrench(limit, "--base", "a wrench that acts in any case (default: none)", _ZERO)
 
     text = "resisted wrenches of a plane (exit 1 if none)"
@@ -35,7 +44,7 @@ def add_commands(commands: Any) -> None:
 
     text = "how far a wrench may be scaled, and what would resist it (exit 1 if it is not resisted)"
     margin = add_command(commands, "margin", _margin, text)
-    add_wrench(margin)
+    add_applied(margin)
     add_number(margin, "--width", Fraction(1, 2**20), "length of the friction bracket")
 
     text = "binary search in N directions (exit 1 if it errs)"
@@ -105,8 +114,7 @@ def _polyhedra(arguments: argparse.Namespace) -> int:
 
 
 def _set_lines(whole: ResistedSet) -> Iterator[str]:
-    number = len(whole.pieces)
-    yield f"{number} polyhedra (conditions a f_x + b f_y + c tau + d >= 0 or = 0)"
+    yield f"{len(whole.pieces)} polyhedra (conditions a f_x + b f_y + c tau + d >= 0 or = 0)"
     for piece in whole.pieces:
         yield f"  {' '.join(piece.states)}"
         yield from (f"    {vector(row)} >= 0" for row in piece.polyhedron.inequalities)
@@ -117,15 +125,16 @@ def _margin(arguments: argparse.Namespace) -> int:
     from equilibrium.wrench_sets import least_friction, margin, sufficient_preloads
 
     grasp = grasp_of(arguments)
-    found = margin(grasp, arguments.wrench)
-    preloads = sufficient_preloads(grasp, arguments.wrench)
-    friction = least_friction(grasp, arguments.wrench, arguments.width)
+    wrench = applied(arguments)
+    found = margin(grasp, wrench)
+    preloads = sufficient_preloads(grasp, wrench)
+    friction = least_friction(grasp, wrench, arguments.width)
     remedies = {"preload": preloads.to_dict(), "friction": friction.to_dict()}
     lines = [
         f"resisted: {'yes' if found.resisted else 'no'}",
         f"resisted when scaled by a factor in {_intervals(found.intervals)}",
         f"resisted with a uniform preload in {_intervals(preloads.intervals)}" + _force(grasp),
-        "least uniform friction: " + _bracket(friction.low, friction.high),
+        "least uniform friction: " + _friction(arguments, friction.low, friction.high),
     ]
     return show(arguments, found.to_dict() | remedies, lines, found.resisted, grasp)
 
@@ -141,11 +150,11 @@ def _map(arguments: argparse.Namespace) -> int:
 
 def _map_lines(found: SearchMap, unit: str) -> Iterator[str]:
     yield (
-        f"{len(found.entries)} directions, tolerance {to_text(found.tolerance)}{unit}, "
-        f"limit {to_text(found.limit)}{unit}: the search errs in {len(found.disagreements)}"
+        f"{len(found.entries)} directions, tolerance {number(found.tolerance)}{unit}, "
+        f"limit {number(found.limit)}{unit}: the search errs in {len(found.disagreements)}"
     )
     for entry in found.entries:
-        answer = "without limit" if entry.found is None else f"up to {float(entry.found):.4f}{unit}"
+        answer = "without limit" if entry.found is None else f"up to {number(entry.found)}{unit}"
         shown = ", ".join(f"{float(x):+.4f}" for x in entry.direction)
         wrong = "" if entry.agrees else f"; exactly {_intervals(entry.exact)}"
         yield f"  ({shown})  {answer}{wrong}"
@@ -184,7 +193,8 @@ def _gap_lines(found: list[Gap]) -> Iterator[str]:
     for gap in found:
         yield f"direction {vector(gap.direction)}: {_intervals(gap.intervals)}"
         for c in gap.grasp:
-            yield f"  point {vector(c.point)} normal {vector(c.normal)} friction {c.friction}"
+            friction = number(c.friction)
+            yield f"  point {vector(c.point)} normal {vector(c.normal)} friction {friction}"
 
 
 def _force(grasp: Grasp) -> str:
@@ -194,18 +204,19 @@ def _force(grasp: Grasp) -> str:
 
 def _intervals(intervals: Iterable[Interval]) -> str:
     shown = [
-        f"[{end_text(low)}, " + ("no end)" if high is None else f"{end_text(high)}]")
+        ("(no end" if low is None else f"[{number(low)}")
+        + (", no end)" if high is None else f", {number(high)}]")
         for low, high in intervals
     ]
     return " or ".join(shown) if shown else "no interval"
 
 
-def _bracket(low: Fraction | None, high: Fraction | None) -> str:
+def _friction(arguments: argparse.Namespace, low: Fraction | None, high: Fraction | None) -> str:
     if low is None:
         return "none is enough"
     if high is None:
-        return f"not below {to_text(low)}; none found above"
-    return to_text(high) if low == high else f"above {to_text(low)}, at most {to_text(high)}"
+        return f"not below {number(low)}; none found above"
+    return number(high) if low == high else bracket(arguments, low, high)
 
 
 def _segment(segment: Segment) -> str:

@@ -25,6 +25,7 @@ from arrangement.exact import (
     primitive,
     rational,
     rational_vector,
+    shown,
     to_text,
 )
 from arrangement.linear import cross
@@ -67,7 +68,7 @@ class GraspWrenchSpace:
     Args:
         grasp: the contacts; only points, normals and friction count.
         norm: "L1" or "Linf" (see this module).
-        torque_scale: a length that torques are divided by, above 0. `volume` and `epsilon_squared`
+        length: a length that torques are divided by, above 0. `volume` and `epsilon_squared`
             mix forces and torques, so they depend on it, and on the origin of the frame; force
             closure and verdicts do not.
 
@@ -79,18 +80,18 @@ class GraspWrenchSpace:
 
     grasp: Grasp
     norm: Norm = "L1"
-    torque_scale: Fraction = Fraction(1)
+    length: Fraction = Fraction(1)
 
     def __post_init__(self) -> None:
-        object.__setattr__(self, "torque_scale", rational(self.torque_scale, "torque_scale"))
+        object.__setattr__(self, "length", rational(self.length, "length"))
         if self.norm not in ("L1", "Linf"):
             raise GraspError(f"norm is {self.norm!r}; it must be 'L1' or 'Linf'")
-        if self.torque_scale <= 0:
-            raise GraspError(f"torque_scale is {self.torque_scale}; it must be above 0")
+        if self.length <= 0:
+            raise GraspError(f"length is {shown(self.length)}; it must be above 0")
 
     @cached_property
     def polytope(self) -> Polyhedron:
-        """The space with torques divided by `torque_scale`; flat where the forces are."""
+        """The space with torques divided by `length`; flat where the forces are."""
         edges = [[self._scaled(edge) for edge in friction_edges(c)] for c in self.grasp]
         zero = (Fraction(0),) * 3
         if self.norm == "L1":
@@ -178,11 +179,11 @@ class GraspWrenchSpace:
     @cached_property
     def resisted(self) -> Polyhedron:
         """The wrenches that forces within the bounds balance."""
-        s = self.torque_scale
+        s = self.length
         return _hull([(-x, -y, -s * torque) for x, y, torque in self.polytope.points])
 
     def _scaled(self, wrench: RationalVector) -> RationalVector:
-        return (wrench[0], wrench[1], wrench[2] / self.torque_scale)
+        return (wrench[0], wrench[1], wrench[2] / self.length)
 
 
 def _hull(points: Iterable[RationalVector]) -> Polyhedron:

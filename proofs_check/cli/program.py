@@ -27,7 +27,7 @@ def _parser() -> terminal.Parser:
     def command(name: str, function: str, help: str) -> argparse.ArgumentParser:
         added: argparse.ArgumentParser = commands.add_parser(name, help=help)
         added.set_defaults(command=_later(function))
-        terminal.add_json_option(added)
+        terminal.add_common_options(added)
         return added
 
     command("list", "run.list_claims", "list the claims")
@@ -77,7 +77,12 @@ def _add_run(parser: argparse.ArgumentParser) -> None:
         "claims of your own (FILE.py)",
         "The file is run as a Python program, with all your rights.",
     )
-    group.add_argument("--samples", type=int, metavar="N", help="random instances of each claim")
+    group.add_argument(
+        "--samples",
+        type=terminal.count_argument,
+        metavar="N",
+        help="random instances of each claim",
+    )
     group.add_argument("--census", type=int, metavar="M", help="all types of up to M planes")
     group.add_argument(
         "--save",

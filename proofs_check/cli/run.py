@@ -72,7 +72,13 @@ def run_claims(arguments: argparse.Namespace) -> int:
     else:
         known = claims.registry()
         chosen = [known[id] for id in names] or list(known)
-    results = _evaluated(chosen, arguments.seed)
+    told = not (arguments.json or from_files)
+    widths = text.columns(map(report.claim_record, chosen))
+    results = []
+    for result in _evaluated(chosen, arguments.seed):
+        results.append(result)
+        if told:
+            print(text.entry(report.result_record(result), widths, _width()), flush=True)
     record = report.json_record(results, arguments.seed)
     saved = [_save(result, arguments.save) if from_files else "" for result in results]
     if make:
@@ -83,24 +89,24 @@ def run_claims(arguments: argparse.Namespace) -> int:
         pairs = zip(record["results"], saved, strict=True)
         print("\n\n".join(text.details(found, _width(), saved=path) for found, path in pairs))
     else:
-        print(text.overview(record, _width()))
+        print(f"\n{text.summary(record['results'])}")
     return terminal.YES if record["as_expected"] else terminal.NO
 
 
-def _evaluated(chosen: list[Claim], seed: int) -> list[Result]:
+def _evaluated(chosen: list[Claim], seed: int) -> Iterator[Result]:
+    """Yield each result as soon as it is there, with the progress taken off the terminal."""
     bar = Bar(len(chosen), "claims")
-    results: list[Result] = []
-    try:
-        for claim in chosen:
+    for done, claim in enumerate(chosen):
 
-            def tick(cases: int, claim: Claim = claim) -> None:
-                bar.update(len(results), f"{claim.id}, {cases} cases")
+        def tick(cases: int, done: int = done, claim: Claim = claim) -> None:
+            bar.update(done, f"{claim.id}, {cases} cases")
 
-            bar.update(len(results), claim.id)
-            results.append(evaluate(claim, seed, tick))
-    finally:
-        bar.close()
-    return results
+        bar.update(done, claim.id)
+        try:
+            result = evaluate(claim, seed, tick)
+        finally:
+            bar.close()
+        yield result
 
 
 def _own_claims(names: list[str], arguments: argparse.Namespace) -> Iterator[Claim]:

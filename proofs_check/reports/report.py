@@ -36,8 +36,12 @@ def evidence_text(result: Result) -> str:
 
 
 def _part_text(part: Part, seed: int) -> str:
-    text = f"{part.kind.value}: {numbered(part.checked, 'case')}, {part.over}"
-    return f"{text}, seed {seed}" if part.kind is Kind.SAMPLED else text
+    cases = numbered(part.checked, "case")
+    if part.kind is Kind.PROVED:
+        return f"proof for any m (docs, Proofs); {cases}: {part.over}"
+    if part.kind is Kind.EXHAUSTIVE:
+        return f"{'the one case' if part.checked == 1 else f'all {cases}'}: {part.over}"
+    return f"{numbered(part.checked, 'sample')}: {part.over}, seed {seed}"
 
 
 def _disagreement_text(record: Record) -> str:
@@ -51,11 +55,14 @@ def _counterexample_text(claim: Claim, evidence: Evidence, record: Record) -> st
     if claim.smaller:
         found = f"smallest counterexample found ({evidence.searched} tried)"
         return f"{found}: {instance_text(record.document)}: {record.note}"
-    where = f"holds when {claim.hypothesis.text}; " if claim.hypothesis else ""
+    condition = f"holds when {claim.hypothesis.text}; " if claim.hypothesis else ""
     if claim.hypothesis and record.covered:
-        where = f"fails even when {claim.hypothesis.text}; "
-    smallest = "smallest counterexample" if evidence.searched else "counterexample"
-    return f"{where}{smallest}: {record.label}, {instance_text(record.document)}".rstrip(", ")
+        condition = f"fails even when {claim.hypothesis.text}; "
+    shown = f"{record.label}, {instance_text(record.document)}".rstrip(", ")
+    if evidence.searched:
+        tried = f"try {evidence.searched} of a search from the smallest"
+        return f"{condition}smallest counterexample: {shown} ({tried})"
+    return f"{condition}counterexample among these cases: {shown}"
 
 
 def instance_text(document: Mapping[str, Any] | None) -> str:
@@ -70,7 +77,7 @@ def instance_text(document: Mapping[str, Any] | None) -> str:
         contacts = "; ".join(_contact_text(contact) for contact in document["contacts"])
         wrench = document.get("wrench")
         return contacts + (f"; wrench ({','.join(wrench)})" if wrench else "")
-    return json.dumps(document)
+    return ""
 
 
 def _contact_text(contact: Mapping[str, Any]) -> str:

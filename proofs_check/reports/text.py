@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import textwrap
 from collections import Counter
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from typing import Any
 
 Record = Mapping[str, Any]
@@ -52,18 +52,28 @@ def table(rows: Sequence[Sequence[str]], width: int, indent: str = "") -> list[s
 
 
 def overview(record: Record, width: int = 100) -> str:
-    """Return the tables of the paper row by row, then one verdict a claim, and a summary."""
+    """Return one verdict a claim, with the tables of the paper row by row, and a summary."""
     results = record["results"]
-    blocks = [_rows(result, width) for result in results if result["rows"]]
-    rows = [(r["id"], r["locator"], verdict(r), r["evidence"]) for r in results]
-    widest = max((sum(map(len, row[:3])) for row in rows), default=0)
-    if widest + 6 + 24 > width:
-        short = [(id, found, f"[{locator}] {evidence}") for id, locator, found, evidence in rows]
-        blocks.append("\n".join(table(short, width)))
-    else:
-        blocks.append("\n".join(table(rows, width)))
-    blocks.append(_summary(results))
-    return "\n\n".join(blocks)
+    entries = [entry(result, columns(results), width) for result in results]
+    return "\n".join([*entries, "", summary(results)])
+
+
+def columns(claims: Iterable[Record]) -> tuple[int, int]:
+    """Return how wide ids and locators are."""
+    lengths = [(len(claim["id"]), len(claim["locator"])) for claim in claims]
+    return max((n for n, _ in lengths), default=0), max((n for _, n in lengths), default=0)
+
+
+def entry(result: Record, widths: tuple[int, int], width: int = 100) -> str:
+    """Return the verdict and the evidence of one claim, and its cases where it asks for them."""
+    id, locator = (result[key].ljust(n) for key, n in zip(("id", "locator"), widths, strict=True))
+    head, evidence = f"{id}  {locator}  {verdict(result)}", result["evidence"]
+    if len(head) > width:
+        head, evidence = f"{id}  {verdict(result)}", f"[{result['locator']}] {evidence}"
+    indent = " " * 4
+    lines = textwrap.wrap(evidence, width, initial_indent=indent, subsequent_indent=indent)
+    cases = ["", *_rows(result, width), ""] if result["rows"] else []
+    return "\n".join([head, *lines, *cases])
 
 
 def details(result: Record, width: int = 100, **more: str) -> str:
@@ -78,11 +88,11 @@ def details(result: Record, width: int = 100, **more: str) -> str:
     return "\n".join([f"{result['id']} ({result['locator']})", *table(rows, width, "  ")])
 
 
-def _rows(result: Record, width: int) -> str:
+def _rows(result: Record, width: int) -> list[str]:
     """Return every case of a result as a table: label, values of the routes, remark."""
-    lines = [f"{result['id']} ({result['locator']}): {verdict(result)}"]
     names = " | ".join(f"by {name}" for name in result["routes"])
-    lines += textwrap.wrap(f"{result['quantity']}: {names}", width, initial_indent="  ")
+    text = f"{result['quantity']}: {names}"
+    lines = textwrap.wrap(text, width, initial_indent="  ", subsequent_indent="  ")
     cells = [
         (
             "ok " if case["holds"] else "no ",
@@ -92,7 +102,7 @@ def _rows(result: Record, width: int) -> str:
         )
         for case in result["records"]
     ]
-    return "\n".join([*lines, *table(cells, width, indent="  ")])
+    return [*lines, *table(cells, width, indent="  ")]
 
 
 def remark(case: Record) -> str:
@@ -100,7 +110,7 @@ def remark(case: Record) -> str:
     return "; ".join(text for text in (case["note"], case["assumption"]) if text)
 
 
-def _summary(results: Sequence[Record]) -> str:
+def summary(results: Sequence[Record]) -> str:
     """Return how many verdicts there are of each kind, and which are not the expected ones."""
     counts = Counter(result["verdict"] or "no verdict" for result in results)
     kinds = ", ".join(f"{number} {name}" for name, number in counts.items())

@@ -10,7 +10,7 @@ from typing import Any
 
 from proofs_check.evidence import verdict_from
 from proofs_check.reports.report import instance_text, record_of
-from proofs_check.statement import Verdict
+from proofs_check.statement import Kind, Verdict
 
 from .store import Store
 from .sweep import Plan, Total, read_plan, total
@@ -36,7 +36,7 @@ def record(opened: Store) -> dict[str, Any]:
     worst = next((k for k in ("broken", "fails", "excused") if k in sums.smallest), None)
     result = {
         **claim["record"],
-        "evidence_kind": "sampled",
+        "evidence_kind": Kind.SAMPLED.value,
         "over": _over(plan, claim),
         "verdict": found.value if found else None,
         "as_expected": consistent(found, expected),
@@ -69,7 +69,7 @@ def _evidence(plan: Plan, claim: dict[str, Any], sums: Total, found: Verdict | N
     done = (
         str(plan.samples) if sums.samples == plan.samples else f"{sums.samples} of {plan.samples}"
     )
-    parts = [f"sampled: {done} {_over(plan, claim)}, seed {plan.seed}: {', '.join(numbers)}"]
+    parts = [f"{done} samples: {_over(plan, claim)}, seed {plan.seed}: {', '.join(numbers)}"]
     expected = Verdict(claim["record"]["expected"])
     if found is not None and found is not expected and consistent(found, expected):
         parts.append(f"on other instances the verdict is: {expected.value}")

@@ -66,7 +66,7 @@ class TestGraspWrenchSpace:
         space = GraspWrenchSpace(squeeze)
         assert space.volume == Fraction(8, 3)
         assert space.epsilon_squared == Fraction(1, 3)
-        assert GraspWrenchSpace(squeeze, torque_scale=2).volume == Fraction(4, 3)
+        assert GraspWrenchSpace(squeeze, length=2).volume == Fraction(4, 3)
 
     def test_two_frictionless_fingers_have_no_force_closure(self):
         space = GraspWrenchSpace(read_grasp("frictionless-opposed-contacts"))
@@ -80,11 +80,9 @@ class TestGraspWrenchSpace:
         assert space.verdict((0, 0, 0)).accepts
         assert not space.verdict((0, 0, 1)).accepts
 
-    @pytest.mark.parametrize(
-        "options", [{"norm": "L2"}, {"torque_scale": 0}, {"torque_scale": 0.5}]
-    )
+    @pytest.mark.parametrize("options", [{"norm": "L2"}, {"length": 0}, {"length": 0.5}])
     def test_bad_options_are_refused(self, three, options):
-        with pytest.raises(ValueError, match=r"norm|torque_scale"):
+        with pytest.raises(ValueError, match=r"norm|length"):
             GraspWrenchSpace(three, **options)
 
     def test_a_slice_needs_a_plane(self, three):

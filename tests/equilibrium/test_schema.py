@@ -44,6 +44,7 @@ GOOD = [
     contact(stiffness="00.50", preload="0/7", friction="+1."),
     contact(point=["+.5", "-7/3"], preload="-0"),
     contact(stiffness="10/03"),
+    contact(point=["-1e3", "2.5E-3"], stiffness="1e-2", preload="-0e5"),
 ]
 
 BAD = [
@@ -67,7 +68,7 @@ BAD = [
     contact(point=["0"]),
     contact(point=["0", "0", "0"]),
     contact(point="00"),
-    contact(point=["0", "1e3"]),
+    contact(point=["0", "1e10000"]),
     contact(point=["0", "1 /2"]),
     contact(point=["0", "1/0"]),
     contact(point=["0", "."]),
