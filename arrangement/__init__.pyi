@@ -24,10 +24,11 @@ from .exact import (
     rational as rational,
     to_text as to_text,
 )
+from .faces import Face as Face
 from .io.arrangements import read_arrangement as read_arrangement
 from .io.writing import write_text_atomically as write_text_atomically
 from .library import census as census, families as families
-from .planes import Face as Face, Planes as Planes
+from .planes import Planes as Planes
 from .polyhedra.dual import (
     DualPolygon as DualPolygon,
     DualPolyhedron as DualPolyhedron,

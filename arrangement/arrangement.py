@@ -2,15 +2,24 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections import Counter
+from collections.abc import Iterable, Iterator
 from functools import cached_property
+from typing import TYPE_CHECKING, Any
 
-from . import completeness
+from . import completeness, regions
 from .enumeration.choose import enumerate_faces
 from .enumeration.great_circles import SphereArrangement, sphere_arrangement
 from .enumeration.sequence import FaceSequence
-from .planes import Face, Planes
+from .errors import InputError
+from .exact import shown, vector_text
+from .faces import Face
+from .planes import Planes
 from .plugins import display
+
+if TYPE_CHECKING:
+    import networkx as nx
+    import sympy
 
 
 class Arrangement(Planes):
@@ -59,6 +68,98 @@ class Arrangement(Planes):
     def regions(self) -> FaceSequence:
         """Return the faces of full dimension: the cells that no plane meets."""
         return self.faces(self.dimension)
+
+    def bounded_regions(self) -> FaceSequence:
+        """Return the regions that have an end in every direction.
+
+        There are none unless the normals span R^d; then ask `counts.essentialization`.
+
+        >>> lines = Arrangement([[1, 0], [0, 1], [1, 1]], [0, 0, 1])
+        >>> [region.signs for region in lines.bounded_regions()]
+        [(1, 1, -1)]
+        """
+        return regions.bounded_regions(self, self.regions())
+
+    def face_at(self, point: Iterable[Any]) -> Face:
+        """Return the face that contains a point of R^d."""
+        return Face.at(self, point)
+
+    def region_at(self, point: Iterable[Any]) -> Face:
+        """Return the region that contains a point of R^d.
+
+        Raises:
+            InputError: if a plane goes through the point; `face_at` has no such rule.
+        """
+        found = self.face_at(point)
+        if not all(found.signs):
+            where = [i for i, sign in enumerate(found.signs) if not sign]
+            raise InputError(
+                f"the point {vector_text(found.witness)} lies on the planes {shown(where)}, so in "
+                "no region; move it, or ask face_at"
+            )
+        return found
+
+    def region_graph(self) -> nx.Graph[Face]:
+        """Return the graph of regions: two are joined when they have a facet in common.
+
+        Nodes are the regions as `Face`; the attribute ``planes`` of an edge has the input planes
+        between the two. In any dimension, central or not.
+
+        >>> graph = Arrangement([[1, 0], [0, 1], [1, 1]], [0, 0, 1]).region_graph()
+        >>> sorted(degree for _, degree in graph.degree)
+        [2, 2, 2, 3, 3, 3, 3]
+        """
+        return regions.region_graph(self, self.faces())
+
+    def poset_of_regions(self, base: Face) -> nx.DiGraph[Face]:
+        """Return the poset of regions as its Hasse diagram, with the base at the bottom.
+
+        A region is below another one when all planes that separate it from the base separate the
+        other one too. Edges go upwards; the attribute ``rank`` of a node is its distance.
+
+        Source: P. Edelman, A partial order on the regions of R^n dissected by hyperplanes,
+        Trans. AMS 283 (1984).
+
+        >>> square = Arrangement([[1, 0], [0, 1]])
+        >>> poset = square.poset_of_regions(square.region_at([1, 1]))
+        >>> sorted(rank for _, rank in poset.nodes(data="rank"))
+        [0, 1, 1, 2]
+        """
+        return regions.poset_of_regions(self, self.faces(), base)
+
+    def distance_enumerator(self, base: Face) -> sympy.Poly:
+        """Return the sum of t^k over all regions, k the number of planes between it and the base.
+
+        Coincident planes count once. These are also the distances in `region_graph`.
+
+        >>> planes = Arrangement([[1, -1, 0], [1, 0, -1], [0, 1, -1]])
+        >>> planes.distance_enumerator(planes.region_at([3, 2, 1]))
+        Poly(t**3 + 2*t**2 + 2*t + 1, t, domain='ZZ')
+        """
+        return regions.distance_enumerator(self, self.regions(), base)
+
+    @property
+    def p_vector(self) -> dict[int, int]:
+        """How many regions have k facets, by k. In the projective plane there are half as many.
+
+        >>> Arrangement([[1, 0, 0], [0, 1, 0], [0, 0, 1], [1, 1, 1]]).p_vector
+        {3: 8, 4: 6}
+        """
+        sizes = Counter(map(len, regions.walls(self, self.faces())))
+        return dict(sorted(sizes.items()))
+
+    def simplicial_regions(self) -> FaceSequence:
+        """Return the regions that are simplicial cones: their facets have independent normals."""
+        return regions.simplicial_regions(self, self.faces())
+
+    @property
+    def is_simplicial(self) -> bool:
+        """Whether every region is a simplicial cone.
+
+        >>> Arrangement([[1, -1, 0], [1, 0, -1], [0, 1, -1]]).is_simplicial
+        True
+        """
+        return len(self.simplicial_regions()) == self.f_vector[-1]
 
     @property
     def f_vector(self) -> tuple[int, ...]:

@@ -12,7 +12,7 @@ from .io import files
 
 if TYPE_CHECKING:
     from .arrangement import Arrangement
-    from .planes import Face
+    from .faces import Face
 
 _SYMBOLS = {1: "+", 0: "0", -1: "-"}
 

@@ -11,8 +11,9 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 
 from .counts import f_vector
+from .faces import Face
 from .linear import rank
-from .planes import Face, Planes
+from .planes import Planes
 
 _MAX_PROBLEMS = 20
 

@@ -7,7 +7,6 @@ every dimension (a line in R^2, a hyperplane in R^5).
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
 from itertools import combinations
@@ -26,30 +25,11 @@ from .exact import (
     unoriented,
 )
 from .linear import rank
-from .symbolic import equations_of, integer_matrix, planes_of, to_sympy
+from .symbolic import equations_of, integer_matrix, planes_of
 
 if TYPE_CHECKING:
     import sympy
     from sympy.polys.matrices import DomainMatrix
-
-
-@dataclass(frozen=True, slots=True)
-class Face:
-    """A face of an arrangement: the set of all points with one sign vector.
-
-    Attributes:
-        signs: the sign of ``n_i . x - b_i`` for every input plane, in input order.
-        dimension: of the face (the whole space minus the rank of its zero planes).
-        witness: an exact point of the face.
-    """
-
-    signs: tuple[int, ...]
-    dimension: int
-    witness: RationalVector
-
-    def point(self) -> sympy.ImmutableMatrix:
-        """Return the witness as a SymPy column; see `to_sympy`."""
-        return to_sympy(self.witness)
 
 
 class Planes:

@@ -17,7 +17,8 @@ from numpy.typing import NDArray
 
 from arrangement.errors import InputError
 from arrangement.exact import RationalVector, shown
-from arrangement.planes import Face, Planes
+from arrangement.faces import Face
+from arrangement.planes import Planes
 
 Signs: TypeAlias = NDArray[np.int8]
 #: int64 where all entries fit, else Python integers.
@@ -109,6 +110,24 @@ class FaceSequence(Sequence[Face]):
             )
         return FaceSequence(self._planes, [self._levels[place]], self.engine, dimension)
 
+    def where(self, chosen: Sequence[bool] | NDArray[np.bool_]) -> FaceSequence:
+        """Return the faces that an array of truth values chooses, in their order.
+
+        Args:
+            chosen: (count), as in ``regions.where(regions.signs[:, 0] > 0)``.
+        """
+        truth = np.asarray(chosen)
+        if truth.dtype != bool or truth.shape != (len(self),):
+            raise InputError(
+                f"the choice is {shown(chosen)}; give one truth value for each of {len(self)} faces"
+            )
+        parts = np.split(truth, self._ends[:-1])
+        levels = [
+            _part(level, np.flatnonzero(part))
+            for level, part in zip(self._levels, parts, strict=True)
+        ]
+        return FaceSequence(self._planes, levels, self.engine, self._lowest)
+
     def __len__(self) -> int:
         return int(self._ends[-1])
 
@@ -152,7 +171,16 @@ class FaceSequence(Sequence[Face]):
                 points = np.column_stack([directions, np.ones_like(points[:, -1])])
             witnesses = rational_points(points)
             for signs, witness in zip(level.signs(rows).tolist(), witnesses, strict=True):
-                yield Face(tuple(signs), dimension, witness)
+                yield Face(tuple(signs), dimension, witness, self._planes)
+
+
+def _part(level: Level, chosen: NDArray[np.intp]) -> Level:
+    """Return some faces of a level."""
+    return Level(
+        len(chosen),
+        lambda rows: level.signs(chosen[rows]),
+        lambda rows: level.points(chosen[rows]),
+    )
 
 
 def primitive_rows(rows: Integers) -> Integers:

@@ -13,10 +13,10 @@ from functools import cached_property
 from math import lcm
 from typing import Any
 
+from arrangement.cones import Generators, generators
 from arrangement.exact import IntegerVector, RationalVector, dot, primitive, to_text
 from arrangement.linear import cross, reduced
 
-from .cones import Generators, generators
 from .intervals import LINE, Interval, where_positive
 
 

@@ -8,10 +8,10 @@ from dataclasses import dataclass
 from fractions import Fraction
 from typing import NamedTuple
 
+from arrangement.cones import generators
 from arrangement.draw.registry import Exact, Wrench
 from arrangement.draw.scene import Floats, area
 from arrangement.exact import IntegerVector, RationalVector, primitive, rational
-from arrangement.polyhedra.cones import generators
 from arrangement.polyhedra.polyhedron import Polyhedron, from_conditions
 from equilibrium.certificate.leaves import Part, parts
 from equilibrium.model.errors import GraspError

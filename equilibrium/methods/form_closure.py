@@ -15,10 +15,10 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 
+from arrangement.cones import generators
 from arrangement.exact import RationalVector, primitive
 from arrangement.linear import rank
 from arrangement.linprog import Infeasible, Optimal, Row, feasible_point, minimize
-from arrangement.polyhedra.cones import generators
 from equilibrium.model.grasp import Grasp
 from equilibrium.solver.contact_rows import friction_edges
 

@@ -13,7 +13,7 @@ from typing import Any
 
 from arrangement.enumeration.paper_steps import published_enumeration
 from arrangement.exact import RationalVector, to_text
-from arrangement.planes import Face
+from arrangement.faces import Face
 from arrangement.progress import watched
 from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import Grasp, read_wrench

@@ -6,6 +6,7 @@ from collections.abc import Iterable, Sequence
 from fractions import Fraction
 from typing import Any, TypeAlias
 
+from arrangement.cones import generators
 from arrangement.exact import (
     IntegerVector,
     RationalVector,
@@ -16,7 +17,6 @@ from arrangement.exact import (
     shown,
 )
 from arrangement.linprog import Infeasible, feasible_point
-from arrangement.polyhedra.cones import generators
 from arrangement.polyhedra.polyhedron import Polyhedron, from_generators
 from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import Contact, Grasp

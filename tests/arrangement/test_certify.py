@@ -59,7 +59,7 @@ def test_a_flipped_sign_is_noticed(planes: Arrangement, data: st.DataObject) -> 
 
 
 SQUARE = Arrangement([[1, 0], [0, 1]])
-CORNER = Face((1, 1), 2, (Fraction(1), Fraction(1)))
+CORNER = Face((1, 1), 2, (Fraction(1), Fraction(1)), SQUARE)
 
 
 @pytest.mark.parametrize(
@@ -82,7 +82,7 @@ def test_faces_of_huge_planes_are_checked_exactly() -> None:
     planes = Arrangement([[huge, 1, 0], [huge, 0, 1], [huge + 1, 1, 0], [1, huge, -1]])
     assert planes.certify_complete()
     # the witness misses the third plane by one in 10^30, and claims to be on it
-    line = Face((0, 0, 0, -1), 1, (Fraction(1), Fraction(-huge), Fraction(-huge)))
+    line = Face((0, 0, 0, -1), 1, (Fraction(1), Fraction(-huge), Fraction(-huge)), planes)
     wrong = [line if f.signs[:2] == (0, 0) and f.dimension == 1 else f for f in planes.faces()]
     assert any("other signs" in problem for problem in certify_complete(planes, wrong).problems)
 
@@ -90,6 +90,6 @@ def test_faces_of_huge_planes_are_checked_exactly() -> None:
 def test_a_product_that_would_wrap_around_in_64_bits_is_no_zero() -> None:
     planes = Arrangement([[2**40, 1], [0, 1]])
     # 2^40 * 2^24 is zero modulo 2^64, so this point only seems to be on the first plane
-    claimed = Face((0, 0), 0, (Fraction(2**24), Fraction(0)))
+    claimed = Face((0, 0), 0, (Fraction(2**24), Fraction(0)), planes)
     faces = [claimed if face.dimension == 0 else face for face in planes.faces()]
     assert "other signs" in certify_complete(planes, faces).problems[0]

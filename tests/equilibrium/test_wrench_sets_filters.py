@@ -6,9 +6,9 @@ import numpy as np
 import pytest
 from hypothesis import given, settings, strategies as st
 
+from arrangement.cones import generators
 from arrangement.exact import dot, primitive
 from arrangement.linear import cross
-from arrangement.polyhedra.cones import generators
 from arrangement.polyhedra.polyhedron import from_conditions
 from arrangement.polyhedra.separation import possibly_meeting, sides, surely_outside
 from equilibrium.inputs.random import random_grasp

@@ -5,8 +5,8 @@ import sympy
 from hypothesis import given, settings, strategies as st
 
 from arrangement import linprog
+from arrangement.cones import generators
 from arrangement.exact import dot
-from arrangement.polyhedra.cones import generators
 from arrangement.polyhedra.polyhedron import from_conditions, from_generators
 from equilibrium.io.files import read_grasp
 from equilibrium.model.grasp import Contact, Grasp

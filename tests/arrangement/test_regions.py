@@ -1,0 +1,263 @@
+"""Regions that can be asked: double description against the engines, counts and formulas."""
+
+from __future__ import annotations
+
+from fractions import Fraction
+from itertools import combinations
+
+import networkx as nx
+import pytest
+import sympy
+from hypothesis import given, settings, strategies as st
+from scipy.spatial import ConvexHull
+
+from arrangement import Arrangement, Face, InputError, counts, families
+from arrangement.enumeration.choose import ENGINES
+from arrangement.exact import dot
+
+from .strategies import arrangements
+
+T = sympy.Symbol("t")
+TRIANGLE = Arrangement([[1, 0], [0, 1], [1, 1]], [0, 0, 1])
+SHI = counts.essentialization(families.shi(4))
+
+
+def below(one: Face, other: Face) -> bool:
+    """Whether a face lies in the closure of another one, by their signs."""
+    return all(a in (0, b) for a, b in zip(one.signs, other.signs, strict=True))
+
+
+def is_essential(planes: Arrangement) -> bool:
+    return planes.rank == planes.dimension
+
+
+@settings(max_examples=60)
+@given(arrangements(dimensions=(1, 3), planes=(0, 5)))
+def test_the_closure_of_a_face_has_the_faces_that_the_signs_say(planes: Arrangement) -> None:
+    everything = tuple(planes.faces())
+    for face in everything:
+        within = [other for other in everything if below(other, face)]
+        assert sorted(face.faces(), key=hash) == sorted(within, key=hash)
+        dimensions = [other.dimension for other in within]
+        assert face.f_vector == tuple(dimensions.count(k) for k in range(face.dimension + 1))
+        assert set(face.facets) == {f for f in within if f.dimension == face.dimension - 1}
+        assert len(face.lines) == planes.dimension - planes.rank
+        corners = {f.witness for f in within if f.dimension == 0}
+        assert set(face.vertices) == corners
+        assert all(f.contains(f.witness) and face.contains(f.witness, closed=True) for f in within)
+        assert face.contains(face.witness)
+        assert planes.face_at(face.witness) == face
+
+
+@settings(max_examples=60)
+@given(arrangements(dimensions=(1, 3), planes=(0, 6)))
+def test_bounded_regions_are_as_many_as_zaslavsky_says(planes: Arrangement) -> None:
+    bounded = planes.bounded_regions()
+    assert len(bounded) == counts.bounded_region_count(planes)
+    assert {region for region in planes.regions() if region.is_bounded} == set(bounded)
+    for region in bounded:
+        assert not region.rays
+        assert not region.lines
+        assert sum((-1) ** k * f for k, f in enumerate(region.f_vector)) == 1
+
+
+@settings(max_examples=40)
+@given(arrangements(dimensions=(2, 4), planes=(0, 4)))
+def test_the_regions_in_a_box_fill_it(planes: Arrangement) -> None:
+    d = planes.dimension
+    axes = [tuple(int(i == j) for j in range(d)) for i in range(d)]
+    boxed = Arrangement(
+        [*axes, *axes, *planes.normals], [-1] * d + [Fraction(3, 2)] * d + list(planes.offsets)
+    )
+    inside = [r for r in boxed.bounded_regions() if r.signs[: 2 * d] == (1,) * d + (-1,) * d]
+    assert sum(region.volume for region in inside) == Fraction(5, 2) ** d
+    for region in inside:
+        hull = ConvexHull([[float(x) for x in vertex] for vertex in region.vertices])
+        assert float(region.volume) == pytest.approx(hull.volume)
+
+
+def test_the_volumes_of_simplices_and_boxes() -> None:
+    for d in range(1, 6):
+        axes = [[int(i == j) for j in range(d)] for i in range(d)]
+        [simplex] = Arrangement([*axes, [1] * d], [0] * d + [1]).bounded_regions()
+        assert simplex.volume == Fraction(1, int(sympy.factorial(d)))
+        [box] = Arrangement([*axes, *axes], [0] * d + [Fraction(1, 3)] * d).bounded_regions()
+        assert box.volume == Fraction(1, 3) ** d
+        assert box.f_vector == tuple(2 ** (d - k) * int(sympy.binomial(d, k)) for k in range(d + 1))
+
+
+@settings(max_examples=60)
+@given(arrangements(dimensions=(1, 3), planes=(1, 5)), st.data())
+def test_composition_is_that_of_sign_vectors(planes: Arrangement, data: st.DataObject) -> None:
+    faces = planes.faces()
+    one, other = (faces[data.draw(st.integers(0, len(faces) - 1))] for _ in range(2))
+    composed = one.compose(other)
+    assert composed.signs == tuple(a or b for a, b in zip(one.signs, other.signs, strict=True))
+    assert composed in faces.of_dimension(composed.dimension)
+    assert composed.signs in counts.covectors(planes)
+    assert one.separating(other) == tuple(
+        i for i, (a, b) in enumerate(zip(one.signs, other.signs, strict=True)) if {a, b} == {1, -1}
+    )
+
+
+@settings(max_examples=20)
+@given(arrangements(dimensions=(1, 3), planes=(1, 4)), st.data())
+def test_the_inequalities_hold_on_the_face_and_nowhere_else(
+    planes: Arrangement, data: st.DataObject
+) -> None:
+    symbols = sympy.symbols("u v w")[: planes.dimension]
+    faces = planes.faces()
+    face = faces[data.draw(st.integers(0, len(faces) - 1))]
+    condition = sympy.lambdify(symbols, sympy.And(*face.inequalities(symbols)), "math")
+    for other in faces:
+        assert bool(condition(*other.witness)) == (other == face)
+
+
+@given(arrangements(dimensions=(1, 4), planes=(0, 6)))
+def test_the_region_graph_is_that_of_the_sign_vectors(planes: Arrangement) -> None:
+    graph = planes.region_graph()
+    assert set(graph) == set(planes.regions())
+    edges = {frozenset(edge) for edge in graph.edges}
+    for one, other in combinations(graph, 2):
+        across = one.separating(other)
+        classes = {planes.class_of[plane] for plane in across}
+        assert (frozenset((one, other)) in edges) == (len(classes) == 1)
+        if len(classes) == 1:
+            assert graph.edges[one, other]["planes"] == across
+
+
+@settings(max_examples=40)
+@given(arrangements(dimensions=(1, 3), planes=(0, 6)), st.data())
+def test_distances_are_those_in_the_graph(planes: Arrangement, data: st.DataObject) -> None:
+    regions = planes.regions()
+    base = regions[data.draw(st.integers(0, len(regions) - 1))]
+    graph, poset = planes.region_graph(), planes.poset_of_regions(base)
+    steps = nx.single_source_shortest_path_length(graph, base)
+    assert dict(poset.nodes(data="rank")) == steps
+    sizes = list(steps.values())
+    expected = sum(sizes.count(k) * T**k for k in set(sizes))
+    assert planes.distance_enumerator(base) == sympy.Poly(expected, T, domain=sympy.ZZ)
+    separations = {region: set(base.separating(region)) for region in poset}
+    for one, other in combinations(poset, 2):
+        if nx.has_path(poset, one, other):
+            assert separations[one] < separations[other]
+
+
+@pytest.mark.parametrize(
+    ("planes", "degrees"),
+    [
+        (families.braid(4), (2, 3, 4)),
+        (families.type_b(3), (2, 4, 6)),
+        (families.type_d(4), (2, 4, 4, 6)),
+        (families.coordinate(5), (2, 2, 2, 2, 2)),
+    ],
+)
+def test_mirrors_have_the_length_polynomial_of_their_group(
+    planes: Arrangement, degrees: tuple[int, ...]
+) -> None:
+    """Solomon's product over the degrees of the group, from any base: all regions look alike."""
+    product = sympy.prod(sum(T**k for k in range(degree)) for degree in degrees)
+    for base in planes.regions()[:3]:
+        assert planes.distance_enumerator(base).as_expr() == sympy.expand(product)
+    assert planes.is_simplicial
+    assert planes.p_vector == {planes.rank: len(planes.regions())}
+
+
+def test_the_poset_of_the_braid_arrangement_is_the_weak_order() -> None:
+    braid = families.braid(4)
+    poset = braid.poset_of_regions(braid.region_at([4, 3, 2, 1]))
+    assert [n for n, k in poset.in_degree if not k] == [braid.region_at([4, 3, 2, 1])]
+    assert [n for n, k in poset.out_degree if not k] == [braid.region_at([1, 2, 3, 4])]
+    assert nx.transitive_reduction(poset).edges == poset.edges
+
+
+@settings(max_examples=60)
+@given(arrangements(dimensions=(1, 3), planes=(0, 6)))
+def test_facets_of_regions_are_counted_alike(planes: Arrangement) -> None:
+    sizes = [len(region.facets) for region in planes.regions()]
+    assert planes.p_vector == {k: sizes.count(k) for k in sorted(set(sizes))}
+    simplicial = [region for region in planes.regions() if region.is_simplicial]
+    assert set(planes.simplicial_regions()) == set(simplicial)
+    assert planes.is_simplicial == (len(simplicial) == len(sizes))
+    if planes.is_central:
+        assert planes.is_simplicial == (set(sizes) == {planes.rank})
+
+
+def test_generic_and_simplicial_arrangements() -> None:
+    assert not families.generic(4).is_simplicial
+    assert len(families.generic(4).simplicial_regions()) == 8
+    assert not TRIANGLE.is_simplicial, "the normals of a triangle are dependent"
+    for m, k in families.simplicial_entries()[:6]:
+        assert families.simplicial(m, k).is_simplicial
+
+
+def test_every_engine_gives_faces_that_answer() -> None:
+    answers: set[tuple[object, ...]] = set()
+    for engine in ENGINES:
+        regions = SHI.faces(3, engine=engine) if ENGINES[engine].ranks(SHI) else ()
+        answers.update(
+            (r.signs, r.is_bounded, r.vertices, r.rays, r.f_vector, r.inequalities())
+            for r in regions
+        )
+    assert len(answers) == 125
+    assert sum(answer[1] is True for answer in answers) == 27
+
+
+def test_faces_are_equal_as_sets_and_say_so_briefly() -> None:
+    region = TRIANGLE.region_at([2, 2])
+    assert region == TRIANGLE.region_at([3, 5])
+    assert region in set(TRIANGLE.regions())
+    assert region != Arrangement([[1, 0], [0, 1], [1, 1]]).region_at([2, 2])
+    assert repr(TRIANGLE.face_at([0, 2])) == "<Face: 0++, dimension 1>"
+    assert repr(Arrangement([], dimension=2).faces()[0]) == "<Face: dimension 2>"
+    assert len(repr(families.generic(60).regions()[0])) < 70
+
+
+def test_coincident_planes_count_once() -> None:
+    planes = Arrangement([[1, 0], [-2, 0], [0, 1], [1, 0]], [1, -2, 0, 1])
+    base = planes.region_at([2, 1])
+    assert base.walls == (0, 2)
+    assert len(base.facets) == 2
+    assert planes.distance_enumerator(base).as_expr() == T**2 + 2 * T + 1
+    assert base.separating(planes.region_at([0, 1])) == (0, 1, 3)
+    assert {planes for *_, planes in planes.region_graph().edges(data="planes")} == {
+        (0, 1, 3),
+        (2,),
+    }
+
+
+def test_a_choice_of_faces_is_a_sequence_again() -> None:
+    faces = SHI.faces()
+    some = faces.where(faces.signs[:, 0] == 0)
+    assert some[:] == tuple(face for face in faces if face.signs[0] == 0)
+    assert sum(some.f_vector) == len(some) < len(faces)
+    for wrong in ([True], faces.signs[:, 0]):
+        with pytest.raises(InputError, match="one truth value for each"):
+            faces.where(wrong)  # type: ignore[arg-type]
+
+
+def test_wrong_questions_are_explained() -> None:
+    region = TRIANGLE.region_at([2, 2])
+    other = families.coordinate(2).regions()[0]
+    edge = TRIANGLE.face_at([0, 2])
+    with pytest.raises(InputError, match=r"\(0, 1/2\) lies on the planes \[0\]"):
+        TRIANGLE.region_at([0, "1/2"])
+    with pytest.raises(InputError, match="3 coordinates; this space has 2"):
+        TRIANGLE.face_at([0, 1, 2])
+    with pytest.raises(InputError, match="float"):
+        region.contains([0.5, 1])
+    for wrong in (region, edge):
+        with pytest.raises(InputError, match="only bounded regions have a volume"):
+            _ = wrong.volume
+    with pytest.raises(InputError, match="is no face of these planes"):
+        region.compose(other)
+    for base in (other, edge, "++"):
+        with pytest.raises(InputError, match="give a region of these planes"):
+            TRIANGLE.poset_of_regions(base)  # type: ignore[arg-type]
+
+
+def test_rays_lie_on_the_walls() -> None:
+    for region in SHI.regions():
+        for ray in region.rays:
+            values = [dot(plane[:-1], ray) for plane in SHI.integer_planes]
+            assert all(v * s >= 0 for v, s in zip(values, region.signs, strict=True))
