@@ -206,12 +206,36 @@ class Planes:
         return all(plane[-1] == 0 for plane in self._integer_planes)
 
     @cached_property
+    def has_common_point(self) -> bool:
+        """Whether some point, the origin or another one, lies on every plane.
+
+        >>> Planes([[1, 0], [0, 1], [1, 1]], [1, 1, 2]).has_common_point
+        True
+        """
+        return rank(self._integer_planes) == self.rank
+
+    def has_same_planes(self, other: Planes) -> bool:
+        """Return whether both are the same set of planes, whatever their order, sides and repeats.
+
+        >>> Planes([[1, 0], [0, 1]]).has_same_planes(Planes([[0, -2], [1, 0], [0, 1]]))
+        True
+        """
+        one, two = ({unoriented(p) for p in planes._integer_planes} for planes in (self, other))
+        return self.dimension == other.dimension and one == two
+
+    @cached_property
     def is_simple(self) -> bool:
         """Whether the distinct planes are in general position.
 
         Central: any ``min(d, m)`` of the m distinct normals are independent. Affine: any
-        ``k <= d`` planes meet in dimension ``d - k``, and no ``d + 1`` of them meet at all.
+        ``k <= d`` planes meet in dimension ``d - k``, and no ``d + 1`` of them meet at all. So more
+        than d planes through a point off the origin are never simple: they are affine, and other
+        planes near them do not meet. Move the point to the origin to ask as for central planes.
         Checked by ranks of all subsets of that size: polynomial in m for fixed d.
+
+        >>> through_a_point = [[1, 0], [0, 1], [1, 1]]
+        >>> Planes(through_a_point).is_simple, Planes(through_a_point, [1, 1, 2]).is_simple
+        (True, False)
         """
         planes = [self._integer_planes[members[0]] for members in self.distinct]
         size = min(self.dimension, len(planes))
@@ -258,8 +282,10 @@ def _common_length(rows: list[RationalVector], dimension: int | None) -> int:
         if not rows:
             raise InputError("no planes are given, so d is unknown; pass dimension=d")
         dimension = len(rows[0])
-    if type(dimension) is not int or dimension < 1:
-        raise InputError(f"the dimension is {shown(dimension)}; give an integer, at least 1")
+    if type(dimension) is not int or dimension < 0:
+        raise InputError(f"the dimension is {shown(dimension)}; give an integer, at least 0")
+    if rows and not dimension:
+        raise InputError("a plane needs a dimension of at least 1, and the normals have no entries")
     for i, row in enumerate(rows):
         if len(row) != dimension:
             raise InputError(

@@ -5,8 +5,25 @@ imports nothing but errors, exact numbers and planes. So its counts can certify 
 """
 
 from .lattice import Flat, IntersectionLattice, intersection_lattice, moebius
-from .operations import cone, deletion, essentialization, localization, restriction
-from .oriented_matroid import chirotope, cocircuits, covectors, topes
+from .operations import (
+    addition,
+    cone,
+    deletion,
+    essentialization,
+    localization,
+    restriction,
+    union,
+)
+from .oriented_matroid import (
+    bases,
+    chirotope,
+    circuits,
+    cocircuits,
+    covectors,
+    dual_chirotope,
+    topes,
+)
+from .supersolvable import exponents, modular_chain
 from .whitney import (
     WhitneyNumbers,
     bounded_region_count,
@@ -22,22 +39,29 @@ __all__ = [
     "Flat",
     "IntersectionLattice",
     "WhitneyNumbers",
+    "addition",
+    "bases",
     "bounded_region_count",
     "characteristic_polynomial",
     "chirotope",
+    "circuits",
     "cocircuits",
     "cone",
     "covectors",
     "deletion",
     "doubly_indexed_whitney_numbers",
+    "dual_chirotope",
     "essentialization",
+    "exponents",
     "f_vector",
     "fukuda_bound",
     "intersection_lattice",
     "localization",
+    "modular_chain",
     "moebius",
     "region_count",
     "restriction",
     "topes",
+    "union",
     "whitney_numbers",
 ]

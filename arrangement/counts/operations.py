@@ -1,4 +1,4 @@
-"""New arrangements from old: deletion, restriction, localization, cone, essentialization."""
+"""New arrangements from old: one plane more or less, union, restriction, cone, and others."""
 
 from __future__ import annotations
 
@@ -6,10 +6,17 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from math import lcm
-from typing import TypeVar
+from typing import Any, TypeVar
 
 from arrangement.errors import InputError
-from arrangement.exact import IntegerVector, RationalVector, primitive
+from arrangement.exact import (
+    IntegerVector,
+    RationalVector,
+    primitive,
+    rational,
+    rational_vector,
+    unoriented,
+)
 from arrangement.planes import Planes
 from arrangement.symbolic import integer_matrix
 
@@ -42,6 +49,39 @@ def deletion(arrangement: AnyPlanes, planes: Indices) -> AnyPlanes:
     return _selected(arrangement, [i for i in range(len(arrangement)) if i not in gone])
 
 
+def addition(arrangement: AnyPlanes, normal: Iterable[Any], offset: Any = 0) -> AnyPlanes:
+    """Return the arrangement with the plane ``normal . x = offset`` as its last one.
+
+    >>> from arrangement import Arrangement
+    >>> addition(Arrangement([[1, 0], [0, 1]]), [1, 1], 2).integer_planes
+    ((1, 0, 0), (0, 1, 0), (1, 1, 2))
+    """
+    return _with_planes(
+        arrangement, [(*rational_vector(normal, "normal"), rational(offset, "offset"))]
+    )
+
+
+def union(arrangement: AnyPlanes, other: Planes) -> AnyPlanes:
+    """Return the planes of an arrangement, and after them those that only another one has.
+
+    Raises:
+        InputError: if the two live in different dimensions.
+
+    >>> from arrangement import Arrangement
+    >>> union(Arrangement([[1, 0]]), Arrangement([[0, 1], [-1, 0]])).integer_planes
+    ((1, 0, 0), (0, 1, 0))
+    """
+    if arrangement.dimension != other.dimension:
+        raise InputError(
+            f"planes of R^{arrangement.dimension} and of R^{other.dimension} have no union; give "
+            "planes of one space"
+        )
+    known = {unoriented(plane) for plane in arrangement.integer_planes}
+    return _with_planes(
+        arrangement, [plane for plane in other.integer_planes if unoriented(plane) not in known]
+    )
+
+
 def localization(arrangement: AnyPlanes, planes: Indices) -> AnyPlanes:
     """Return the planes that contain the common intersection of some planes, in their order.
 
@@ -63,16 +103,16 @@ def restriction(arrangement: AnyPlanes, planes: Indices) -> AnyPlanes:
     out; the others keep their order and their sides. Planes that meet the flat in the same set
     stay as coincident planes.
 
+    A restriction to a point is R^0 without planes: one region, chi = 1.
+
     Raises:
-        InputError: if the intersection is empty, or a point (nothing is left to divide).
+        InputError: if the intersection is empty.
 
     >>> from arrangement import Arrangement
     >>> restriction(Arrangement([[1, 0, 0], [0, 1, 0], [0, 0, 1], [1, 1, 1]]), 0).integer_planes
     ((1, 0, 0), (0, 1, 0), (1, 1, 0))
     """
     chart = flat_chart(arrangement, planes)
-    if not chart.basis:
-        raise InputError("these planes meet in a point; restrict to a flat of dimension 1 or more")
     rows = [row for row in _on_flat(arrangement, chart) if any(row[:-1])]
     return type(arrangement)(
         [row[:-1] for row in rows], [row[-1] for row in rows], dimension=len(chart.basis)
@@ -98,10 +138,7 @@ def essentialization(arrangement: AnyPlanes) -> AnyPlanes:
     """Return the same planes in R^rank: faces, signs and order agree, without common lines.
 
     The space is cut down to the coordinate subspace of the normals' pivot columns, which is
-    complementary to the directions that all planes share.
-
-    Raises:
-        InputError: if there are no planes (the result would live in R^0).
+    complementary to the directions that all planes share. Without planes it is R^0.
 
     >>> from arrangement import Arrangement
     >>> essentialization(Arrangement([[0, 1, 1], [0, 1, -1]])).integer_planes
@@ -109,11 +146,10 @@ def essentialization(arrangement: AnyPlanes) -> AnyPlanes:
     """
     normals = [plane[:-1] for plane in arrangement.integer_planes]
     columns = pivot_columns(normals, arrangement.dimension)
-    if not columns:
-        raise InputError("there are no planes; an essential arrangement needs at least one")
     return type(arrangement)(
         [[normal[j] for j in columns] for normal in normals],
         arrangement.offsets,
+        dimension=len(columns),
     )
 
 
@@ -158,10 +194,19 @@ def _on_flat(arrangement: Planes, chart: Chart) -> list[list[int]]:
 
 def _selected(arrangement: AnyPlanes, planes: Sequence[int]) -> AnyPlanes:
     """Return the arrangement of some of the planes."""
-    chosen = [arrangement.integer_planes[i] for i in planes]
+    return _of(arrangement, [arrangement.integer_planes[i] for i in planes])
+
+
+def _with_planes(arrangement: AnyPlanes, more: Sequence[Sequence[Any]]) -> AnyPlanes:
+    """Return the arrangement with more planes ``(n, b)`` behind its own."""
+    return _of(arrangement, [*arrangement.integer_planes, *more])
+
+
+def _of(arrangement: AnyPlanes, planes: Sequence[Sequence[Any]]) -> AnyPlanes:
+    """Return an arrangement of this class and space, of planes ``(n, b)``."""
     return type(arrangement)(
-        [plane[:-1] for plane in chosen],
-        [plane[-1] for plane in chosen],
+        [plane[:-1] for plane in planes],
+        [plane[-1] for plane in planes],
         dimension=arrangement.dimension,
     )
 

@@ -64,6 +64,66 @@ def cocircuits(arrangement: Planes) -> frozenset[SignVector]:
     return frozenset(_as_signs(masks, len(central)) for masks in _cocircuit_masks(central))
 
 
+def circuits(arrangement: Planes) -> frozenset[SignVector]:
+    """Return the circuits: the signs of the linear dependencies of least support.
+
+    Of any r + 1 normals that span a space of dimension r, the only dependency has at e the sign of
+    the determinant without e, in turn positive and negative. For an affine arrangement these are
+    the circuits of its cone. The supports are the circuits of the matroid.
+
+    Complexity: C(m, r + 1) times r, and the determinants of `chirotope`.
+
+    >>> from arrangement import Arrangement
+    >>> sorted(circuits(Arrangement([[1, 0], [0, 1], [1, 1]])))
+    [(-1, -1, 1), (1, 1, -1)]
+    """
+    central = arrangement if arrangement.is_central else cone(arrangement)
+    chi = chirotope(central)
+    found: set[SignVector] = set()
+    for chosen in combinations(range(len(central)), len(next(iter(chi))) + 1):
+        vector = [0] * len(central)
+        for k, plane in enumerate(chosen):
+            vector[plane] = (-1) ** k * chi[chosen[:k] + chosen[k + 1 :]]
+        if any(vector):
+            found |= {tuple(vector), tuple(-x for x in vector)}
+    return frozenset(found)
+
+
+def bases(arrangement: Planes) -> tuple[tuple[int, ...], ...]:
+    """Return the bases of the matroid: the sets of r planes with independent normals.
+
+    For an affine arrangement these are the bases of its cone. A basis of the dual is what a basis
+    leaves over. Minors are arrangements: `deletion`, and for contraction `restriction`.
+
+    >>> from arrangement import Arrangement
+    >>> bases(Arrangement([[1, 0], [0, 1], [2, 0]]))
+    ((0, 1), (1, 2))
+    """
+    central = arrangement if arrangement.is_central else cone(arrangement)
+    return tuple(chosen for chosen, value in chirotope(central).items() if value)
+
+
+def dual_chirotope(arrangement: Planes) -> Mapping[tuple[int, ...], int]:
+    """Return the chirotope of the dual oriented matroid, whose cocircuits are the `circuits`.
+
+    Of the planes outside a basis B it is the sign of B, times that of the permutation that puts
+    them behind B. Defined up to one common sign.
+
+    Raises:
+        InputError: if the arrangement is not central.
+
+    >>> from arrangement import Arrangement
+    >>> dual_chirotope(Arrangement([[1, 0], [0, 1], [1, 1]]))
+    {(2,): 1, (1,): -1, (0,): -1}
+    """
+    everything = set(range(len(arrangement)))
+    dual = {}
+    for chosen, value in chirotope(arrangement).items():
+        moved = sum(plane - k for k, plane in enumerate(chosen))
+        dual[tuple(sorted(everything.difference(chosen)))] = (-1) ** moved * value
+    return dual
+
+
 def covectors(arrangement: Planes) -> frozenset[SignVector]:
     """Return the sign vectors of all faces: the compositions of cocircuits.
 

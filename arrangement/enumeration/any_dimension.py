@@ -234,7 +234,7 @@ def _integers(rows: Iterable[IntegerVector], n: int) -> Integers:
     """Return an integer matrix with n columns, int64 where all entries fit."""
     listed = list(rows)
     largest = max((abs(x) for row in listed for x in row), default=0)
-    return np.array(listed, np.int64 if largest < _SAFE else object).reshape(-1, n)
+    return np.array(listed, np.int64 if largest < _SAFE else object).reshape(len(listed), n)
 
 
 def _for_products(array: Integers, factor: int) -> Integers:

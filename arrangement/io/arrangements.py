@@ -58,8 +58,8 @@ def _planes(document: Mapping[str, Any]) -> Arrangement:
 
 
 def _dimension(value: Any) -> int:
-    if type(value) is not int or not 1 <= value <= MAX_DIMENSION:
+    if type(value) is not int or not 0 <= value <= MAX_DIMENSION:
         raise InputError(
-            f"dimension is {kind_of(value)}; expected an integer from 1 to {MAX_DIMENSION}"
+            f"dimension is {kind_of(value)}; expected an integer from 0 to {MAX_DIMENSION}"
         )
     return value

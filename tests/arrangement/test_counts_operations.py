@@ -6,6 +6,7 @@ from fractions import Fraction
 from typing import Any
 
 import pytest
+import sympy
 from hypothesis import given, settings, strategies as st
 
 from arrangement import Arrangement, InputError, counts
@@ -13,6 +14,7 @@ from arrangement.counts.operations import flat_chart
 from arrangement.exact import dot
 
 from . import oracle
+from .oracle import T
 from .strategies import RATIONALS, arrangements
 
 
@@ -104,7 +106,10 @@ def test_chart_solves_the_equations_of_the_flat() -> None:
     [
         (counts.restriction, ([0, 1],), "no common point"),
         (counts.localization, ([0, 1],), "no common point"),
-        (counts.restriction, ([0, 2],), "meet in a point"),
+        (counts.union, (Arrangement([[1]]),), r"R\^2 and of R\^1 have no union"),
+        (counts.addition, ([0, 0],), r"normals\[3\] is the zero vector"),
+        (counts.addition, ([1, 2, 3],), "3 entries and the dimension is 2"),
+        (counts.addition, ([1, 2], 0.5), "offset is the float"),
         (counts.restriction, (3,), "does not exist"),
         (counts.deletion, (-1,), "does not exist"),
         (counts.deletion, (True,), "does not exist"),
@@ -118,6 +123,31 @@ def test_impossible_operations_say_why(
         operation(planes, *arguments)
 
 
-def test_nothing_to_essentialize_without_planes() -> None:
-    with pytest.raises(InputError, match="no planes"):
-        counts.essentialization(Arrangement([], dimension=2))
+def test_without_planes_the_essentialization_is_a_point() -> None:
+    assert counts.essentialization(Arrangement([], dimension=2)) == Arrangement([], dimension=0)
+
+
+@settings(max_examples=40)
+@given(arrangements(dimensions=(1, 4), planes=(0, 5)))
+def test_deletion_and_restriction_run_to_their_end(planes: Arrangement) -> None:
+    """Down to spaces without planes, R^0 among them, they give the characteristic polynomial."""
+
+    def chi(rest: Arrangement) -> sympy.Poly:
+        if not len(rest):
+            return sympy.Poly(T**rest.dimension, T, domain=sympy.ZZ)
+        last = rest.distinct[-1]
+        return chi(counts.deletion(rest, last)) - chi(counts.restriction(rest, last))
+
+    assert chi(planes) == counts.characteristic_polynomial(planes)
+
+
+@given(arrangements(dimensions=(2, 2), planes=(0, 5)), arrangements(dimensions=(2, 2)))
+def test_a_union_has_the_planes_of_both_once(one: Arrangement, other: Arrangement) -> None:
+    both = counts.union(one, other)
+    assert both.integer_planes[: len(one)] == one.integer_planes
+    assert both.has_same_planes(counts.union(other, one))
+    added = one
+    for normal, offset in zip(other.normals, other.offsets, strict=True):
+        added = counts.addition(added, normal, offset)
+    assert added.integer_planes == one.integer_planes + other.integer_planes
+    assert both.has_same_planes(added)

@@ -56,8 +56,8 @@ def test_bad_planes_are_refused_with_their_place(arguments: tuple[Any, ...], mes
         Arrangement(*arguments)
 
 
-@pytest.mark.parametrize("dimension", [0, -1, True, 2.0, "3", "x", Fraction(1, 2)])
-def test_a_dimension_that_is_no_positive_integer_is_refused(dimension: Any) -> None:
+@pytest.mark.parametrize("dimension", [-1, True, 2.0, "3", "x", Fraction(1, 2)])
+def test_a_dimension_that_is_no_natural_number_is_refused(dimension: Any) -> None:
     with pytest.raises(InputError, match="dimension"):
         Arrangement([], dimension=dimension)
 
@@ -65,6 +65,41 @@ def test_a_dimension_that_is_no_positive_integer_is_refused(dimension: Any) -> N
 def test_a_dimension_that_contradicts_the_normals_is_refused() -> None:
     with pytest.raises(InputError, match="dimension is 3"):
         Arrangement([[1, 0]], dimension=3)
+
+
+def test_a_common_point_may_be_anywhere() -> None:
+    assert Arrangement([[1, 0], [0, 1], [1, 1]], [1, 2, 3]).has_common_point
+    assert not Arrangement([[1, 0], [0, 1], [1, 1]], [1, 2, 4]).has_common_point
+    assert not Arrangement([[1, 0], [1, 0]], [0, 1]).has_common_point
+    assert Arrangement([], dimension=2).has_common_point
+
+
+def test_equality_as_sets() -> None:
+    planes = Arrangement([[1, 2], [0, 1]], [1, 0])
+    same = Arrangement([[0, -3], [2, 4], [1, 2]], [0, 2, 1])
+    assert planes.has_same_planes(same)
+    assert planes != same
+    assert not planes.has_same_planes(Arrangement([[1, 2], [0, 1]], [-1, 0]))
+    assert not planes.has_same_planes(Arrangement([[1, 2], [0, 1], [1, 1]], [1, 0, 0]))
+    none = [Arrangement([], dimension=d) for d in (1, 2)]
+    assert not none[0].has_same_planes(none[1])
+
+
+def test_a_point_has_one_region() -> None:
+    point = Arrangement([], dimension=0)
+    assert {point.faces(engine=name).f_vector for name in ("great-circles", "any-dimension")} == {
+        (1,)
+    }
+    assert point.certify_complete()
+    [region] = point.bounded_regions()
+    assert region == point.region_at([])
+    assert region.vertices == ((),)
+    assert region.volume == 1
+    assert region.f_vector == (1,)
+    assert list(point.region_graph().edges) == []
+    assert point.p_vector == {0: 1}
+    with pytest.raises(InputError, match="dimension"):
+        Arrangement([[]], dimension=0)
 
 
 def test_classes_keep_input_order_and_orientation() -> None:

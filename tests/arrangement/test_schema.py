@@ -26,7 +26,7 @@ BAD = [
     {"planes": [["1", 0.5]]},
     {"planes": [["1", False]]},
     {"planes": PLANES, "offsets": "00"},
-    {"planes": PLANES, "dimension": 0},
+    {"planes": [], "dimension": -1},
     {"planes": PLANES, "dimension": "3"},
     {"planes": PLANES, "description": 1},
     {"offsets": []},
