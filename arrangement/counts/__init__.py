@@ -4,7 +4,7 @@ Independent of every enumerator by construction: this package works by spans of 
 imports nothing but errors, exact numbers and planes. So its counts can certify an enumeration.
 """
 
-from .lattice import Flat, IntersectionLattice, intersection_lattice, moebius
+from .lattice import Flat, IntersectionLattice, intersection_lattice, moebius, t_vector
 from .operations import (
     addition,
     cone,
@@ -61,6 +61,7 @@ __all__ = [
     "moebius",
     "region_count",
     "restriction",
+    "t_vector",
     "topes",
     "union",
     "whitney_numbers",

@@ -7,6 +7,7 @@ elimination on the normals. No point or face of the arrangement is ever computed
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
@@ -171,6 +172,24 @@ def moebius(arrangement: Planes) -> Mapping[Flat, int]:
     [-1, -1, -1, 1, 2]
     """
     return intersection_lattice(arrangement).moebius
+
+
+def t_vector(arrangement: Planes) -> Mapping[int, int]:
+    """Return how many flats of codimension 2 lie on j distinct planes, by j.
+
+    Of central planes in R^3 these are the points on j lines of the projective plane, of affine
+    lines in R^2 the points on j lines.
+
+    Source: B. Gruenbaum, A catalogue of simplicial arrangements in the real projective plane, Ars
+    Mathematica Contemporanea 2 (2009).
+
+    >>> from arrangement import families
+    >>> t_vector(families.simplicial(6, 1))
+    {2: 4, 3: 3}
+    """
+    levels = intersection_lattice(arrangement).masks
+    sizes = Counter(mask.bit_count() for mask in (levels[2] if len(levels) > 2 else ()))
+    return dict(sorted(sizes.items()))
 
 
 @dataclass

@@ -8,7 +8,7 @@ from itertools import combinations
 import networkx as nx
 import pytest
 import sympy
-from hypothesis import given, settings, strategies as st
+from hypothesis import assume, given, settings, strategies as st
 from scipy.spatial import ConvexHull
 
 from arrangement import Arrangement, Face, InputError, counts, families
@@ -189,6 +189,19 @@ def test_generic_and_simplicial_arrangements() -> None:
     assert not TRIANGLE.is_simplicial, "the normals of a triangle are dependent"
     for m, k in families.simplicial_entries()[:6]:
         assert families.simplicial(m, k).is_simplicial
+
+
+@settings(max_examples=60)
+@given(arrangements(dimensions=(3, 3), planes=(3, 8), central=True))
+def test_points_and_polygons_of_the_projective_plane(planes: Arrangement) -> None:
+    """Pairs of lines meet once, points are half the rays; Melchior's identity."""
+    assume(planes.rank == 3)
+    points, polygons, m = counts.t_vector(planes), planes.p_vector, len(planes.distinct)
+    assert sum(t * j * (j - 1) for j, t in points.items()) == m * (m - 1)
+    assert 2 * sum(points.values()) == planes.f_vector[1]
+    excess = sum(t * (3 - j) for j, t in points.items()) - 3
+    assert 2 * excess == sum(p * (k - 3) for k, p in polygons.items())
+    assert planes.is_simplicial == (excess == 0)
 
 
 def test_every_engine_gives_faces_that_answer() -> None:
