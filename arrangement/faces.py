@@ -83,6 +83,10 @@ class Face:
         pairs = enumerate(zip(self.signs, other.signs, strict=True))
         return tuple(i for i, (one, two) in pairs if one * two < 0)
 
+    def distance(self, other: Face) -> int:
+        """Return how many distinct planes separate two faces: of regions, the steps between."""
+        return len({self.planes.class_of[plane] for plane in self.separating(other)})
+
     def compose(self, other: Face) -> Face:
         """Return the composition: the face that is entered on the way from this one to the other.
 

@@ -49,6 +49,24 @@ def test_the_closure_of_a_face_has_the_faces_that_the_signs_say(planes: Arrangem
         assert planes.face_at(face.witness) == face
 
 
+@pytest.mark.parametrize(
+    "planes",
+    [
+        counts.essentialization(families.linial(5)),
+        families.resonance(4),
+        families.generic(7, 5, affine=True),
+    ],
+    ids=repr,
+)
+def test_closures_beyond_space(planes: Arrangement) -> None:
+    everything = tuple(planes.faces())
+    for face in everything[:: len(everything) // 20]:
+        within = {other for other in everything if below(other, face)}
+        assert set(face.faces()) == within
+        assert set(face.facets) == {f for f in within if f.dimension == face.dimension - 1}
+        assert set(face.vertices) == {other.witness for other in within if not other.dimension}
+
+
 @settings(max_examples=60)
 @given(arrangements(dimensions=(1, 3), planes=(0, 6)))
 def test_bounded_regions_are_as_many_as_zaslavsky_says(planes: Arrangement) -> None:
@@ -137,6 +155,7 @@ def test_distances_are_those_in_the_graph(planes: Arrangement, data: st.DataObje
     sizes = list(steps.values())
     expected = sum(sizes.count(k) * T**k for k in set(sizes))
     assert planes.distance_enumerator(base) == sympy.Poly(expected, T, domain=sympy.ZZ)
+    assert {region: base.distance(region) for region in poset} == steps
     separations = {region: set(base.separating(region)) for region in poset}
     for one, other in combinations(poset, 2):
         if nx.has_path(poset, one, other):
