@@ -22,7 +22,7 @@ from arrangement.errors import InputError
 from arrangement.exact import shown
 from arrangement.io.writing import write_bytes_atomically, write_text_atomically
 
-from .output import MODELS, PAGES, PICTURES, save_figure
+from .output import MODELS, PAGES, PICTURES, save_figure, svg_text
 
 #: The kinds of options, for signatures; `command` tells how each is written on a command line.
 Vector: TypeAlias = Sequence[object]
@@ -93,6 +93,28 @@ class Drawings:
             MissingExtraError: matplotlib is absent.
         """
         kind, name = self.target(path, view, model)
+        draw = self._function(kind, name, options)
+        if kind == "view":
+            save_figure(path, lambda: draw(subject, **options))
+        elif kind == "page":
+            write_text_atomically(path, draw(subject, **options))
+        else:
+            write_bytes_atomically(path, draw(subject, Path(path).suffix.lower(), **options))
+        return {kind: name}
+
+    def svg(self, subject: Any, view: str, **options: Any) -> str | None:
+        """Return a picture as SVG text; None without matplotlib, or when `write` would refuse."""
+        return svg_text(lambda: self._function("view", view, options)(subject, **options))
+
+    def _function(self, kind: str, name: str, options: Mapping[str, Any]) -> Any:
+        """Return the function behind a name, if it has these options.
+
+        Raises:
+            InputError: an unknown name or option.
+        """
+        known = getattr(self, f"{kind}s")
+        if name not in known:
+            raise refusal(f"the {kind} is {shown(name)}", name, known)
         found = self.options(kind, name)
         for option in options:
             if option not in found:
@@ -102,15 +124,8 @@ class Drawings:
         for needed in found.values():
             if needed.required and needed.name not in options:
                 raise InputError(f"the {kind} {name} needs {needed.name}; give at least one")
-        module, _, function = getattr(self, f"{kind}s")[name].partition(":")
-        draw = getattr(importlib.import_module(f"{self.package}.{module}"), function)
-        if kind == "view":
-            save_figure(path, lambda: draw(subject, **options))
-        elif kind == "page":
-            write_text_atomically(path, draw(subject, **options))
-        else:
-            write_bytes_atomically(path, draw(subject, Path(path).suffix.lower(), **options))
-        return {kind: name}
+        module, _, function = known[name].partition(":")
+        return getattr(importlib.import_module(f"{self.package}.{module}"), function)
 
     def target(
         self, path: str | os.PathLike[str], view: str | None = None, model: str | None = None

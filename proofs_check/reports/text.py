@@ -18,7 +18,7 @@ def verdict(result: Record) -> str:
 
 def value_text(value: Any, limit: int = 0) -> str:
     """Return a value of a record as text: sequences in parentheses, errors in their words."""
-    text = str(value)
+    text = "none" if value is None else str(value)
     if isinstance(value, list):
         text = f"({', '.join(value_text(item) for item in value)})"
     elif isinstance(value, Mapping) and "error" in value:

@@ -13,13 +13,13 @@ from functools import lru_cache
 from pathlib import Path
 from typing import Any
 
+from proofs_check.claim_file import file_digest
 from proofs_check.errors import SweepError
 from proofs_check.evidence import OUTCOMES, check
 from proofs_check.instances.domains import count, size
 from proofs_check.reports.environment import environment
 from proofs_check.reports.report import plain
 from proofs_check.statement import Case, Claim
-from proofs_check.user_claim import file_digest
 
 from . import store, workers
 from .store import Chunk, Store
