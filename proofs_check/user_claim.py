@@ -188,10 +188,13 @@ def _cases(instances: Iterable[Any]) -> list[Case]:
         if isinstance(instances, Mapping)
         else ((f"instance {k}", subject) for k, subject in enumerate(instances, 1))
     )
-    return [
+    found = [
         Case(str(label), subject, subject.to_dict() if hasattr(subject, "to_dict") else None)
         for label, subject in pairs
     ]
+    if not found:
+        raise OwnClaimError("the list of instances is empty; give at least one")
+    return found
 
 
 def _told(way: Callable[[Any], Any]) -> str:

@@ -49,7 +49,7 @@ def _part_text(part: Part, seed: int) -> str:
 def _disagreement_text(record: Record) -> str:
     if len(record.values) == 1:
         return f"the function fails on {instance_text(record.document)}: {record.note}"
-    values = " and ".join(value_text(plain(value), 60) for value in record.values)
+    values = " and ".join(value_text(plain(value), 160) for value in record.values)
     case = ", ".join(filter(None, (record.label, instance_text(record.document))))
     return f"the routes disagree on {case}: {values}"
 
