@@ -8,7 +8,8 @@ from fractions import Fraction
 from math import gcd
 from typing import TYPE_CHECKING, Any
 
-from arrangement.exact import IntegerVector, to_text
+from arrangement import terminal
+from arrangement.exact import IntegerVector, rational
 
 from .arguments import (
     add_applied,
@@ -17,6 +18,7 @@ from .arguments import (
     add_number,
     applied,
     grasp_of,
+    number,
     show,
     vector,
 )
@@ -44,7 +46,11 @@ def add_commands(commands: Any) -> None:
     survey = add_command(commands, "survey", _survey, text, grasp=False)
     add_count(survey, "--number", 60, "of questions")
     survey.add_argument(
-        "--contacts", type=int, nargs="+", default=[2, 3], help="of each grasp (default: 2 3)"
+        "--contacts",
+        type=terminal.count_argument,
+        nargs="+",
+        default=[2, 3],
+        help="of each grasp (default: 2 3)",
     )
     add_count(survey, "--seed", 0, "of the random grasps")
     text = "tries of each size to find a smallest example of each disagreement"
@@ -92,14 +98,14 @@ def _space_lines(space: GraspWrenchSpace, torque: Fraction) -> Iterator[str]:
         if units
         else ("",) * 4
     )
-    root = to_text(space.epsilon_squared) + square
+    root = number(space.epsilon_squared) + square
     yield f"force closure    {_WORDS[space.force_closure]}"
-    length = f"{to_text(space.length)} {units.length}" if units else to_text(space.length)
+    length = f"{number(space.length)} {units.length}" if units else number(space.length)
     yield f"epsilon          {space.epsilon:.6g}{force}  (its square is {root})"
     yield f"torques over     {length}  (epsilon and volume depend on it; --length)"
-    yield f"volume           {to_text(space.volume)}{cube}"
+    yield f"volume           {number(space.volume)}{cube}"
     yield f"facets           {len(space.facets)}"
-    yield f"resisted forces at torque {torque}{turn}:"
+    yield f"resisted forces at torque {number(torque)}{turn}:"
 
 
 def _outward(row: IntegerVector) -> list[Fraction]:
@@ -125,7 +131,7 @@ def _survey_lines(found: Survey, examples: Iterable[Example]) -> Iterator[str]:
     for name, count in found.counts.items():
         agrees = count.both_accept + count.both_refuse
         numbers = (agrees, count.accepts_wrongly, count.refuses_wrongly, count.silent)
-        yield f"{name:<20}" + "".join(f"{number:>17}" for number in numbers)
+        yield f"{name:<20}" + "".join(f"{some:>17}" for some in numbers)
     for example in examples:
         verb = "accepts" if example.accepts else "refuses"
         yield f"{example.method} wrongly {verb} {vector(example.wrench)}:"
@@ -135,4 +141,4 @@ def _survey_lines(found: Survey, examples: Iterable[Example]) -> Iterator[str]:
 
 
 def _flat(value: str | list[str]) -> str:
-    return value if isinstance(value, str) else f"({', '.join(value)})"
+    return number(rational(value)) if isinstance(value, str) else vector(map(rational, value))

@@ -72,6 +72,7 @@ def _parser() -> terminal.Parser:
         _verify,
         "check a certificate without the solver (exit 0 valid, 1 not)",
         grasp=False,
+        numbers=False,
     )
     verify.add_argument("certificate", metavar="CERT.json", help="a path, or - for stdin")
     verify.add_argument(
@@ -79,11 +80,18 @@ def _parser() -> terminal.Parser:
         action="store_true",
         help="ask the checker that is proved in Coq (built by `make formal`)",
     )
+    add_command(commands, "list", _list, "list the built-in grasps", grasp=False)
     wrench_sets.add_commands(commands)
     methods.add_commands(commands)
     inputs.add_commands(commands)
     draw.add_commands(commands)
     return parser
+
+
+def _list(arguments: argparse.Namespace) -> int:
+    from arrangement.io.files import described
+
+    return terminal.print_names(described("contacts"), arguments.json)
 
 
 def _seconds(text: str) -> float:
