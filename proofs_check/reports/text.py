@@ -113,7 +113,7 @@ def remark(case: Record) -> str:
 def summary(results: Sequence[Record]) -> str:
     """Return how many verdicts there are of each kind, and which are not the expected ones."""
     counts = Counter(result["verdict"] or "no verdict" for result in results)
-    kinds = ", ".join(f"{number} {name}" for name, number in counts.items())
+    kinds = ", ".join(f"{counts[name]} {name}" for name in sorted(counts))
     different = [result["id"] for result in results if not result["as_expected"]]
     end = f"not as expected: {', '.join(different)}" if different else "all as expected"
     return f"{numbered(len(results), 'claim')}: {kinds}; {end}"
