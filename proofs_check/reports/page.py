@@ -23,13 +23,15 @@ from .text import numbered, remark, value_text, verdict
 
 Record = Mapping[str, Any]
 
-#: Verdict -> its class, its sign, and how a number of them is said.
+#: Verdict -> its class, its sign, and what is said of one and of several.
 KINDS = {
-    "holds": ("holds", "✓", "hold"),
-    "holds under a hypothesis": ("hypothesis", "◐", "hold under a hypothesis"),
-    "refuted": ("refuted", "✗", "are refuted"),
-    None: ("open", "?", "have no verdict"),
-}
+    "holds": ("holds", "✓", ("holds", "hold")),
+    "holds under a hypothesis": (
+        "hypothesis", "◐", ("holds under a hypothesis", "hold under a hypothesis")
+    ),
+    "refuted": ("refuted", "✗", ("is refuted", "are refuted")),
+    None: ("open", "?", ("has no verdict", "have no verdict")),
+}  # fmt: skip
 #: Cases that a page lists of one claim, and how long a value may be in its tables.
 MOST_CASES, LONGEST = 250, 90
 _STYLE: Template = ("proofs_check.reports", "report.css")
@@ -58,7 +60,10 @@ def _section(result: Record) -> str:
     return result.get("section") or ""
 
 
-def _kind(result: Record) -> tuple[str, str, str]:
+Kind = tuple[str, str, tuple[str, str]]
+
+
+def _kind(result: Record) -> Kind:
     return KINDS.get(result["verdict"], KINDS[None])
 
 
@@ -72,7 +77,7 @@ def _top(record: Record) -> str:
         for (css, _, _), number in parts
     )
     legend = "".join(
-        f'<li class="{css}"><i>{sign}</i> {number} {said}</li>'
+        f'<li class="{css}"><i>{sign}</i> {number} {said[number > 1]}</li>'
         for (css, sign, said), number in parts
     )
     title = record.get("title") or "Verdicts"
@@ -92,8 +97,8 @@ def _top(record: Record) -> str:
     )
 
 
-def _said(parts: Iterable[tuple[tuple[str, str, str], int]]) -> str:
-    return ", ".join(f"{number} {said}" for (_, _, said), number in parts)
+def _said(parts: Iterable[tuple[Kind, int]]) -> str:
+    return ", ".join(f"{number} {said[number > 1]}" for (_, _, said), number in parts)
 
 
 def _facts(record: Record) -> str:
@@ -199,9 +204,9 @@ def _routes(result: Record) -> str:
     """Return the routes side by side, with their values on what decides."""
     cases = result["records"]
     shown = [result["counterexample"]] if result.get("counterexample") else []
+    if cases and not shown and not result["rows"]:
+        shown = [cases[k] for k in sorted({0, len(cases) // 2, len(cases) - 1})]
     if not shown:
-        shown = [cases[k] for k in sorted({0, len(cases) // 2, len(cases) - 1}) if k < len(cases)]
-    if result["rows"] and not result.get("counterexample"):
         return ""
     quantity = result.get("quantity") or "value"
     names = "".join(f"<th>{_e(name)}</th>" for name in result["routes"])
@@ -229,7 +234,7 @@ def _cases(result: Record) -> str:
             f"<tr>{''.join(f'<td>{_e(value_text(cell))}</td>' for cell in row)}</tr>"
             for row in table["rows"]
         )
-        folded = _folded("Numbers", head, rows, unfold=len(table["rows"]) <= 12)
+        folded = _folded("Numbers", head, rows, unfold=not result["records"])
     cases = result["records"]
     if len(cases) > 3 or (result.get("counterexample") and cases):
         names = "".join(f"<th>{_e(name)}</th>" for name in ("case", *result["routes"], "", ""))

@@ -196,7 +196,7 @@ def test_the_bar_says_what_the_record_says(record: dict[str, Any]) -> None:
     ]
     both = copy.deepcopy(record)
     both["results"][0]["verdict"] = None
-    assert "1 have no verdict" in pages.html_page(both)
+    assert "1 has no verdict" in pages.html_page(both)
 
 
 def test_a_card_has_statement_formula_routes_picture_and_python(record: dict[str, Any]) -> None:
