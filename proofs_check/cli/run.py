@@ -74,23 +74,23 @@ def run_claims(arguments: argparse.Namespace) -> int:
     else:
         known = claims.registry()
         chosen = [known[id] for id in names] or list(known)
-    told = not (arguments.json or from_files)
     widths = text.columns(map(report.claim_record, chosen))
-    results = []
+    results: list[Result] = []
     for result in _evaluated(chosen, arguments.seed):
+        saved = _save(result, arguments.save) if from_files else ""
+        if not arguments.json:
+            found = report.result_record(result)
+            entry = text.entry(found, widths, _width())
+            if from_files:
+                entry = "\n" * bool(results) + text.details(found, _width(), saved=saved)
+            print(entry, flush=True)
         results.append(result)
-        if told:
-            print(text.entry(report.result_record(result), widths, _width()), flush=True)
     record = report.json_record(results, arguments.seed, **_about(names, arguments))
-    saved = [_save(result, arguments.save) if from_files else "" for result in results]
     if make:
         write_text_atomically(arguments.report, make(record))
     if arguments.json:
         terminal.print_json(record)
-    elif from_files:
-        pairs = zip(record["results"], saved, strict=True)
-        print("\n\n".join(text.details(found, _width(), saved=path) for found, path in pairs))
-    else:
+    elif not from_files:
         print(f"\n{text.summary(record['results'])}")
     return terminal.YES if record["as_expected"] else terminal.NO
 
@@ -107,7 +107,7 @@ def _about(names: list[str], arguments: argparse.Namespace) -> dict[str, str]:
     options = [
         word
         for option in ("seed", "samples", "census")
-        if (number := getattr(arguments, option))
+        if (number := getattr(arguments, option)) is not None and (number or option != "seed")
         for word in (f"--{option}", str(number))
     ]
     command = shlex.join(["proofs-check", "run", *names, *options])
