@@ -208,14 +208,14 @@ CLAIMS = (
         views=(
             View(
                 "slice",
-                "What the three-contact grasp with preload 1 resists at torque 0, exact: upwards "
-                "at most 1.",
+                "The three-contact grasp, forces at torque 0, exact. Upwards nothing is resisted "
+                "without preload, and at most 1 with preload 1.",
                 instance=paper_question(
                     printed.THREE_CONTACT_GRASP, [Fraction(0)] * 3, 1
                 ).to_dict(),
             ),
         ),
-        formula=r"t \le 0, \quad t \le 1, \quad t = 0, \quad |t| \le 4 \mu = 2",
+        formula=r"m = 3: \; t \le 0, \; t \le 1; \quad m = 4: \; t = 0, \; |t| \le 4 \mu = 2",
         locator="Section VI",
         statement="Under w = (0, t, 0) the three-contact grasp holds exactly t <= 0 without "
         "preload and t <= 1 with preload 1; the four-contact grasp exactly t = 0 without "

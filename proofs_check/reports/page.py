@@ -195,7 +195,7 @@ def _figures(result: Record) -> Iterator[str]:
         yield f'<p class="hint">{_e(WITHOUT)}</p>'
         return
     for svg, caption in pictures(result):
-        words = caption or f"Smallest counterexample: {result['counterexample']['label']}"
+        words = caption or f"Counterexample: {result['counterexample']['label']}"
         broad = ' class="broad"' * (float(svg.partition('width="')[2].partition("pt")[0]) > 400)
         yield f"<figure{broad}>{svg}<figcaption>{_e(words)}</figcaption></figure>"
 
