@@ -7,6 +7,7 @@ imports nothing but errors, exact numbers and planes. So its counts can certify 
 from .lattice import Flat, IntersectionLattice, intersection_lattice, moebius
 from .operations import cone, deletion, essentialization, localization, restriction
 from .oriented_matroid import chirotope, cocircuits, covectors, topes
+from .symmetric import first_whitney_numbers
 from .whitney import (
     WhitneyNumbers,
     bounded_region_count,
@@ -32,6 +33,7 @@ __all__ = [
     "doubly_indexed_whitney_numbers",
     "essentialization",
     "f_vector",
+    "first_whitney_numbers",
     "fukuda_bound",
     "intersection_lattice",
     "localization",

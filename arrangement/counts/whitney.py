@@ -6,6 +6,7 @@ Everything here is read off one table: the sums of |mu(X, Y)| over flats X <= Y 
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from typing import TYPE_CHECKING, NamedTuple
 
 from arrangement.errors import InputError
@@ -14,6 +15,7 @@ from arrangement.planes import Planes
 from .configuration import configuration
 from .lattice import intersection_lattice
 from .low_rank import MAX_RANK, WhitneyMatrix, whitney_matrix
+from .symmetric import first_whitney_numbers
 
 if TYPE_CHECKING:
     import sympy
@@ -62,10 +64,15 @@ def whitney_numbers(arrangement: Planes) -> WhitneyNumbers:
     return WhitneyNumbers(tuple((-1) ** j * value for j, value in enumerate(unsigned)), second)
 
 
-def characteristic_polynomial(arrangement: Planes) -> sympy.Poly:
+def characteristic_polynomial(
+    arrangement: Planes,
+    *,
+    symmetry: Sequence[Sequence[int]] | None = None,
+    time_limit: float | None = None,
+) -> sympy.Poly:
     """Return chi(t) = sum over flats X of mu(X) t^dim(X), an integer polynomial in ``t``.
 
-    Coincident planes count once. Complexity: see `doubly_indexed_whitney_numbers`.
+    Coincident planes count once. Options, errors, complexity: see `first_whitney_numbers`.
 
     >>> from arrangement import Arrangement
     >>> characteristic_polynomial(Arrangement([[1, 0], [0, 1], [1, 1]]))
@@ -73,7 +80,7 @@ def characteristic_polynomial(arrangement: Planes) -> sympy.Poly:
     """
     import sympy
 
-    first = whitney_numbers(arrangement).first
+    first = first_whitney_numbers(arrangement, symmetry=symmetry, time_limit=time_limit)
     padded = [*first, *(0 for _ in range(arrangement.dimension + 1 - len(first)))]
     return sympy.Poly(padded, sympy.Symbol("t"), domain=sympy.ZZ)
 
@@ -87,7 +94,7 @@ def region_count(arrangement: Planes) -> int:
     >>> region_count(Arrangement([[1, 0], [0, 1], [1, 1]], [0, 0, 1]))
     7
     """
-    return sum(map(abs, whitney_numbers(arrangement).first))
+    return sum(map(abs, first_whitney_numbers(arrangement)))
 
 
 def bounded_region_count(arrangement: Planes, *, relative: bool = False) -> int:
@@ -105,7 +112,7 @@ def bounded_region_count(arrangement: Planes, *, relative: bool = False) -> int:
     config = configuration(arrangement)
     if not relative and config.rank - (config.infinity is not None) < arrangement.dimension:
         return 0
-    return abs(sum(whitney_numbers(arrangement).first))
+    return abs(sum(first_whitney_numbers(arrangement)))
 
 
 def f_vector(arrangement: Planes) -> tuple[int, ...]:
