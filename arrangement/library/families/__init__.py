@@ -6,6 +6,7 @@ compare them with what `arrangement.counts` and the enumerators find.
 
 from .classical import braid, coordinate, generic, h3, near_pencil, pencil, type_b, type_d
 from .combinatorial import graphical, resonance, threshold, threshold_functions
+from .coxeter import coxeter
 from .deformations import catalan, linial, semiorder, shi
 from .randoms import random_degenerate, random_integer, random_sphere
 from .simplicial import simplicial, simplicial_entries
@@ -14,6 +15,7 @@ __all__ = [
     "braid",
     "catalan",
     "coordinate",
+    "coxeter",
     "generic",
     "graphical",
     "h3",
