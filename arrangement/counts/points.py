@@ -1,7 +1,7 @@
 """Characteristic polynomials by counting points over finite fields: no flat is ever computed.
 
 For a prime q of good reduction, chi(q) is the number of points of F_q^d on none of the planes, read
-modulo q [Crapo and Rota 1970; Athanasiadis 1996]. As chi has degree d and begins with t^d, d such
+modulo q [CrapoRota1970], [Athanasiadis1996]. As chi has degree d and begins with t^d, d such
 numbers determine it.
 
 Reduction is good when planes meet modulo q as they do over the rationals. With the vectors (n, b)
@@ -46,8 +46,7 @@ def by_points(arrangement: Planes, primes: Iterable[int] | None = None) -> sympy
     Complexity: C(m + 1, r) determinants for m planes of rank r (of the cone, if affine), and
     q^(d-1) m log m operations for each prime q.
 
-    Source: H. Crapo, G.-C. Rota, Combinatorial Geometries (1970), section 16; C. Athanasiadis,
-    Advances in Mathematics 122 (1996), theorem 2.2.
+    Source: [CrapoRota1970], section 16; [Athanasiadis1996], theorem 2.2.
 
     >>> from arrangement.library import families
     >>> by_points(families.shi(3), [5, 7, 11])

@@ -88,8 +88,7 @@ def first_whitney_numbers(
     Complexity: with m planes and c classes of flats of rank at most r - 2 (affine: r - 1), O(c m)
     operations modulo primes, and as many images of sets as classes have covers.
 
-    Source: L. Weisner, Trans. AMS 38 (1935); T. Brysiewicz, H. Eble, L. Kuehne, Discrete &
-    Computational Geometry 70 (2023), for the use of symmetries.
+    Source: [Weisner1935]; [BrysiewiczEbleKuehne2023] for the use of symmetries.
 
     >>> from arrangement.library import families
     >>> first_whitney_numbers(families.resonance(6))

@@ -19,6 +19,7 @@ TOPICS: tuple[str, ...] = (
     "directions",
     "methods",
     "certificates",
+    "families",
 )
 
 

@@ -1,0 +1,62 @@
+"""Claims of others: how many regions named arrangements have, as printed."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from random import Random
+
+from arrangement import counts
+from arrangement.library.families.published import PublishedCount, published_counts
+from proofs_check.statement import Case, Claim, Route, exhaustive
+
+#: More planes take longer than a few seconds; `make bench` counts them.
+_MOST_PLANES = 127
+#: More regions are not enumerated.
+_MOST_REGIONS = 2000
+
+_BY_FLATS = Route(
+    "|chi(-1)| of the characteristic polynomial",
+    lambda entry: counts.region_count(entry.planes()),
+)
+
+
+def _printed(rng: Random) -> Iterator[Case]:
+    for entry in published_counts():
+        planes = entry.planes()
+        if len(planes) <= _MOST_PLANES:
+            yield Case(f"{entry.label}: {entry.source}", entry, planes.to_dict())
+
+
+def _small(rng: Random) -> Iterator[Case]:
+    return (case for case in _printed(rng) if case.subject.regions <= _MOST_REGIONS)
+
+
+def _as_printed(entry: PublishedCount, regions: int) -> bool:
+    return regions == entry.regions
+
+
+CLAIMS = (
+    Claim(
+        id="regions-in-print",
+        locator="beside the paper: the sources of the families",
+        statement="Resonance, threshold, reflection, Shi, Catalan, Linial and semiorder "
+        "arrangements have the numbers of regions that are printed for them.",
+        quantity="number of regions",
+        routes=(_BY_FLATS, Route("the number in print", lambda entry: entry.regions)),
+        judge=_as_printed,
+        sources=exhaustive(f"the numbers in print of up to {_MOST_PLANES} planes", _printed),
+        meaning="Counts of this package agree with those of others, up to 696,729,600 regions.",
+    ),
+    Claim(
+        id="small-regions-in-print",
+        locator="beside the paper: the sources of the families",
+        statement="Those of them with up to 2,000 regions have as many regions as can be listed.",
+        quantity="number of regions",
+        routes=(
+            _BY_FLATS,
+            Route("enumeration", lambda entry: len(entry.planes().regions())),
+        ),
+        judge=_as_printed,
+        sources=exhaustive(f"the numbers in print up to {_MOST_REGIONS}", _small),
+    ),
+)
