@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import argparse
-import json
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
@@ -48,7 +47,7 @@ def _parser() -> terminal.Parser:
     )
     bounds.set_defaults(command=_bounds)
 
-    names = commands.add_parser("list", help="list the built-in documents")
+    names = commands.add_parser("list", help="list the built-in arrangements")
     names.set_defaults(command=_list)
 
     draw = commands.add_parser("draw", help="draw pictures and pages, or export models to hold")
@@ -151,17 +150,7 @@ def _draw(arguments: argparse.Namespace) -> int:
 
 
 def _list(arguments: argparse.Namespace) -> int:
-    documents = {name: json.loads(path.read_bytes()) for name, path in files.instances().items()}
-    described = {name: document.get("description", "") for name, document in documents.items()}
-    if arguments.json:
-        terminal.print_json(
-            {"names": [{"name": name, "description": text} for name, text in described.items()]}
-        )
-        return terminal.YES
-    width = max(map(len, described), default=0)
-    for name, text in described.items():
-        print(f"{name:<{width}}  {text}".rstrip())
-    return terminal.YES
+    return terminal.print_names(files.described("planes"), arguments.json)
 
 
 if __name__ == "__main__":

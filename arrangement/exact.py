@@ -110,12 +110,13 @@ def integer(text: str) -> int:
 
 
 class _Short(reprlib.Repr):
-    """A representation of bounded length and depth that never fails on huge integers."""
+    """A representation of bounded length and depth that never fails on huge numbers."""
 
     def repr_int(self, x: int, level: int) -> str:
-        if x.bit_length() > 2000:
-            return f"<integer of {x.bit_length()} bits>"
-        return super().repr_int(x, level)
+        return to_text(x)
+
+    def repr_Fraction(self, x: Fraction, level: int) -> str:
+        return to_text(x)
 
 
 _short = _Short()

@@ -15,10 +15,11 @@ import os
 import re
 import sys
 import traceback
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from difflib import get_close_matches
 from fractions import Fraction
 from itertools import pairwise
+from pathlib import Path
 from typing import Any, NoReturn
 
 from . import progress
@@ -34,6 +35,8 @@ _FAULT = 70
 _INTERRUPTED = 130
 _BROKEN_PIPE = 141
 
+#: Most things that one command does one after the other.
+MOST = 1_000_000
 _NEGATIVE_NUMBER = re.compile(r"-\.?[0-9]")
 
 
@@ -117,9 +120,21 @@ def rational_argument(text: str) -> Fraction:
         raise argparse.ArgumentTypeError(str(error)) from None
 
 
+def count_argument(text: str) -> int:
+    """Read a number of things to do, one after the other, or a seed."""
+    if re.fullmatch(r"[0-9]{1,9}", text, re.ASCII) is None or int(text) > MOST:
+        raise argparse.ArgumentTypeError(
+            f"{shown(text)} is no whole number from 0 to {MOST}; more takes days: go in parts"
+        )
+    return int(text)
+
+
 def length_argument(text: str) -> float:
     """Read a length on paper or of a model, which is no exact number."""
-    return float(rational_argument(text))
+    try:
+        return float(rational_argument(text))
+    except OverflowError:
+        raise argparse.ArgumentTypeError(f"{shown(text)} is too long for paper") from None
 
 
 def run(parser: Parser, argv: Sequence[str] | None = None) -> int:
@@ -129,6 +144,10 @@ def run(parser: Parser, argv: Sequence[str] | None = None) -> int:
     whatever is not expected, with one line and exit code 70. A reader that closes the pipe
     (``| head``) ends the command quietly.
     """
+    if sys.stderr is None:  # closed by the shell; print would write to stdout instead
+        sys.stderr = Path(os.devnull).open("w", encoding="utf-8")  # noqa: SIM115
+    if sys.stdout is None:
+        return _refuse("standard output is closed, so there is nowhere to answer; open it")
     try:
         arguments = parser.parse_args(argv)
         with progress.shown():
@@ -159,6 +178,17 @@ def run(parser: Parser, argv: Sequence[str] | None = None) -> int:
 def print_json(value: Any) -> None:
     """Print one JSON value on one line of stdout; rationals become strings such as ``"7/3"``."""
     print(json.dumps(value, default=_encode, allow_nan=False))
+
+
+def print_names(described: Mapping[str, str], as_json: bool) -> int:
+    """Print names with their descriptions, one a line."""
+    if as_json:
+        print_json({"names": [{"name": n, "description": text} for n, text in described.items()]})
+        return YES
+    width = max(map(len, described), default=0)
+    for name, text in described.items():
+        print(f"{name:<{width}}  {text}".rstrip())
+    return YES
 
 
 def printable(text: str) -> str:

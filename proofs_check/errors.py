@@ -21,3 +21,7 @@ class OwnClaimError(ClaimError, InputError):
 
 class SweepError(ClaimError, InputError):
     """A sweep that cannot be started, continued or read."""
+
+
+class DamagedStoreError(SweepError):
+    """A store of a sweep whose file has been changed by something else."""

@@ -16,7 +16,7 @@ import numpy.typing as npt
 from arrangement.arrangement import Arrangement
 from arrangement.enumeration.great_circles import sphere_arrangement
 from arrangement.errors import InputError
-from arrangement.exact import IntegerVector, primitive, rational_vector
+from arrangement.exact import IntegerVector, primitive, rational_vector, shown
 from arrangement.planes import Planes
 
 Floats = npt.NDArray[np.float64]
@@ -69,7 +69,7 @@ def view_direction(direction: Sequence[object]) -> IntegerVector:
     """Return the direction towards the viewer as a primitive integer vector, or refuse it."""
     vector = primitive(rational_vector(direction, "direction"))
     if len(vector) != 3 or not any(vector):
-        raise InputError(f"the direction is {vector}; give three numbers that are not all 0")
+        raise InputError(f"the direction is {shown(vector)}; give three numbers that are not all 0")
     return vector
 
 

@@ -16,6 +16,7 @@ import os
 import re
 import sys
 from collections.abc import Collection, Iterable, Mapping
+from difflib import get_close_matches
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, BinaryIO, TypeAlias
 
@@ -100,6 +101,12 @@ def check_list(value: Any, where: str, length: int | None = None) -> list[Any]:
     return list(value)
 
 
+def described(kind: str) -> dict[str, str]:
+    """Return the descriptions of the built-in documents of a kind by name."""
+    documents = {name: json.loads(path.read_bytes()) for name, path in instances().items()}
+    return {name: d.get("description", "") for name, d in documents.items() if kind in d}
+
+
 def instances() -> dict[str, Traversable]:
     """Return every built-in document by name, in alphabetical order."""
     found: dict[str, Traversable] = {}
@@ -126,6 +133,8 @@ def _read_bytes(source: str | os.PathLike[str], name: str, max_bytes: int) -> by
     """Return the content of stdin, a built-in document or a file, with a limit on its length."""
     try:
         if source == "-":
+            if sys.stdin is None:
+                raise InputError("standard input is closed; give a path or a built-in name")
             return _limited(sys.stdin.buffer, name, max_bytes)
         if isinstance(source, str) and _NAME.fullmatch(source):
             built_in = _built_in(source)
@@ -136,8 +145,11 @@ def _read_bytes(source: str | os.PathLike[str], name: str, max_bytes: int) -> by
     except (OSError, ValueError) as error:
         if isinstance(error, InputError):
             raise
-        names = "" if os.sep in str(source) else " (built-in names: see `arrangement list`)"
-        raise InputError(f"cannot read {name}: {reason(error)}{names}") from None
+        near = get_close_matches(str(source), instances(), 3)
+        meant = "" if os.sep in str(source) else "; `list` prints the built-in names"
+        if near:
+            meant = f"; did you mean the built-in {' or '.join(near)}?"
+        raise InputError(f"cannot read {name}: {reason(error)}{meant}") from None
 
 
 def _limited(stream: BinaryIO, name: str, max_bytes: int) -> bytes:

@@ -89,10 +89,10 @@ def add_number(
 def add_count(
     parser: argparse.ArgumentParser, name: str, default: int, text: str, metavar: str = "N"
 ) -> None:
-    """Add a whole number."""
-    parser.add_argument(
-        name, type=int, default=default, metavar=metavar, help=f"{text} (default: {default})"
-    )
+    """Add a number of things to do, or a seed."""
+    text = f"{text} (default: {default})"
+    count = terminal.count_argument
+    parser.add_argument(name, type=count, default=default, metavar=metavar, help=text)
 
 
 def grasp_of(arguments: argparse.Namespace) -> Grasp:

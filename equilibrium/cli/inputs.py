@@ -50,7 +50,7 @@ def add_commands(commands: Any) -> None:
 
     text = "contacts around an object, the same for each seed"
     randoms = add_command(kinds, "random", _random, text, grasp=False)
-    randoms.add_argument("--contacts", type=int, required=True, metavar="M")
+    randoms.add_argument("--contacts", type=terminal.count_argument, required=True, metavar="M")
     add_count(randoms, "--seed", 0, "of the random numbers", "SEED")
     _add_units(randoms)
 

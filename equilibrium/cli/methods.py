@@ -8,6 +8,7 @@ from fractions import Fraction
 from math import gcd
 from typing import TYPE_CHECKING, Any
 
+from arrangement import terminal
 from arrangement.exact import IntegerVector, to_text
 
 from .arguments import (
@@ -44,7 +45,11 @@ def add_commands(commands: Any) -> None:
     survey = add_command(commands, "survey", _survey, text, grasp=False)
     add_count(survey, "--number", 60, "of questions")
     survey.add_argument(
-        "--contacts", type=int, nargs="+", default=[2, 3], help="of each grasp (default: 2 3)"
+        "--contacts",
+        type=terminal.count_argument,
+        nargs="+",
+        default=[2, 3],
+        help="of each grasp (default: 2 3)",
     )
     add_count(survey, "--seed", 0, "of the random grasps")
     text = "tries of each size to find a smallest example of each disagreement"

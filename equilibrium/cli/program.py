@@ -79,11 +79,18 @@ def _parser() -> terminal.Parser:
         action="store_true",
         help="ask the checker that is proved in Coq (built by `make formal`)",
     )
+    add_command(commands, "list", _list, "list the built-in grasps", grasp=False)
     wrench_sets.add_commands(commands)
     methods.add_commands(commands)
     inputs.add_commands(commands)
     draw.add_commands(commands)
     return parser
+
+
+def _list(arguments: argparse.Namespace) -> int:
+    from arrangement.io.files import described
+
+    return terminal.print_names(described("contacts"), arguments.json)
 
 
 def _seconds(text: str) -> float:

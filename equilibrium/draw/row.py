@@ -6,7 +6,7 @@ from fractions import Fraction
 
 from arrangement.draw.registry import Exact, Wrench
 from arrangement.draw.scene import POINTS, Scene, checked_width
-from arrangement.exact import RationalVector, rational
+from arrangement.exact import RationalVector, rational, shown
 from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import Grasp, read_wrench
 
@@ -76,5 +76,5 @@ def read_extent(extent: Exact | None) -> Fraction | None:
     """
     half = None if extent is None else rational(extent, "extent")
     if half is not None and half <= 0:
-        raise GraspError(f"extent is {half}; it must be above 0")
+        raise GraspError(f"extent is {shown(half)}; it must be above 0")
     return half

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
 
-from arrangement.exact import RationalVector, from_floats, rational, to_text
+from arrangement.exact import RationalVector, from_floats, rational, shown, to_text
 from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import VALUES, Contact, Grasp
 from equilibrium.model.unit_normal import UnitNormal, unit_normal
@@ -54,7 +54,7 @@ def simplest_between(low: Fraction, high: Fraction) -> Fraction:
     Fraction(1, 3)
     """
     if low > high:
-        raise GraspError(f"the interval from {low} to {high} is empty")
+        raise GraspError(f"the interval from {shown(low)} to {shown(high)} is empty")
     if low <= 0 <= high:
         return Fraction(0)
     if high < 0:

@@ -6,7 +6,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from fractions import Fraction
 from typing import Any, NamedTuple
 
-from arrangement.exact import RationalVector, rational, rational_vector, sign
+from arrangement.exact import RationalVector, rational, rational_vector, shown, sign
 from arrangement.io.files import Source, check_keys, check_list, read_document
 from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import VALUES, pair
@@ -150,7 +150,7 @@ def _placed(
     if type(edge) is not int or not 0 <= edge < len(corners):
         raise GraspError(f"places[{index}].edge is {edge!r}; edges are 0 to {len(corners) - 1}")
     if not 0 <= s <= 1:
-        raise GraspError(f"places[{index}].at is {s}; it must be from 0 to 1")
+        raise GraspError(f"places[{index}].at is {shown(s)}; it must be from 0 to 1")
     start, end = corners[edge], corners[(edge + 1) % len(corners)]
     return edge, tuple(x + s * (y - x) for x, y in zip(start, end, strict=True))
 

@@ -6,7 +6,7 @@ import math
 from collections.abc import Iterable
 from typing import Any
 
-from arrangement.exact import rational, rational_vector
+from arrangement.exact import rational, rational_vector, shown
 from equilibrium.model.errors import GraspError
 
 from .conversion import DEFAULT_TOLERANCE, Conversion, assembled, contact_values, unit_normals
@@ -44,7 +44,9 @@ def on_circle(
         wanted = [float(x) for x in angles]
     size, middle = rational(radius, "radius"), rational_vector(centre, "centre")
     if size <= 0 or len(middle) != 2:
-        raise GraspError(f"radius is {size}, it must be above 0; a centre has two coordinates")
+        raise GraspError(
+            f"radius is {shown(size)}, it must be above 0; a centre has two coordinates"
+        )
     inward = unit_normals([_direction(angle) for angle in wanted], angle_tolerance)
     places = [
         (

@@ -25,6 +25,7 @@ from arrangement.exact import (
     primitive,
     rational,
     rational_vector,
+    shown,
     to_text,
 )
 from arrangement.linear import cross
@@ -86,7 +87,7 @@ class GraspWrenchSpace:
         if self.norm not in ("L1", "Linf"):
             raise GraspError(f"norm is {self.norm!r}; it must be 'L1' or 'Linf'")
         if self.length <= 0:
-            raise GraspError(f"length is {self.length}; it must be above 0")
+            raise GraspError(f"length is {shown(self.length)}; it must be above 0")
 
     @cached_property
     def polytope(self) -> Polyhedron:

@@ -13,6 +13,7 @@ from arrangement.exact import (
     primitive,
     rational,
     rational_vector,
+    shown,
 )
 from arrangement.linprog import Infeasible, feasible_point
 from arrangement.polyhedra.cones import generators
@@ -84,7 +85,7 @@ def springs_of(
             raise GraspError(f"{name} has {len(found)} values for {len(grasp)} contacts")
     for x in stiffnesses:
         if x <= 0:
-            raise GraspError(f"a tangential stiffness is {x}; it must be above 0")
+            raise GraspError(f"a tangential stiffness is {shown(x)}; it must be above 0")
     return [
         (normal_force_row(c), (*(-k * x for x in c.tangential_wrench), t))
         for c, k, t in zip(grasp, stiffnesses, forces, strict=True)

@@ -29,7 +29,7 @@ from itertools import product
 from typing import Any
 
 from arrangement.arrangement import Arrangement
-from arrangement.exact import RationalVector, primitive, rational, to_text
+from arrangement.exact import RationalVector, primitive, rational, shown, to_text
 from arrangement.linprog import Infeasible, Unbounded, feasible_point, minimize
 from arrangement.polyhedra.polyhedron import Polyhedron, from_generators
 from equilibrium.model.errors import GraspError
@@ -106,7 +106,7 @@ def mass_matrix(mass: Any, inertia: Any, centre: Iterable[Any]) -> tuple[Rationa
     """
     m, i = rational(mass, "mass"), rational(inertia, "inertia")
     if m <= 0 or i <= 0:
-        raise GraspError(f"mass is {m} and inertia {i}; both must be above 0")
+        raise GraspError(f"mass is {shown(m)} and inertia {shown(i)}; both must be above 0")
     x, y = pair(centre, "centre")
     zero = Fraction(0)
     return ((m, zero, -m * y), (zero, m, m * x), (-m * y, m * x, i + m * (x * x + y * y)))

@@ -67,9 +67,9 @@ class Contact:
             object.__setattr__(self, name, value)
         for name in ("friction", "preload"):
             if getattr(self, name) < 0:
-                raise GraspError(f"{name} is {getattr(self, name)}; it must be at least 0")
+                raise GraspError(f"{name} is {shown(getattr(self, name))}; it must be at least 0")
         if self.stiffness <= 0:
-            raise GraspError(f"stiffness is {self.stiffness}; it must be above 0")
+            raise GraspError(f"stiffness is {shown(self.stiffness)}; it must be above 0")
 
     @property
     def tangent(self) -> RationalVector:

@@ -15,7 +15,7 @@ from fractions import Fraction
 from typing import Any
 
 from arrangement import linprog
-from arrangement.exact import RationalVector, rational
+from arrangement.exact import RationalVector, rational, shown
 from arrangement.polyhedra.intervals import end_text
 from arrangement.progress import watched
 from equilibrium.inputs.conversion import simplest_between
@@ -38,6 +38,8 @@ from equilibrium.verdict import solve
 
 #: Coefficients above this are tried all at once only.
 LARGEST = 64
+#: Least width of the bracket: each halving takes one more search with longer numbers.
+_LEAST_WIDTH = Fraction(1, 2**100)
 
 
 @dataclass(frozen=True)
@@ -83,7 +85,7 @@ def least_friction(
             only on a range shorter than this, or just missed by less than this.
 
     Raises:
-        GraspError: a width that is not above 0.
+        GraspError: a width below 2^-100.
 
     Complexity: one exact linear program for each choice of contact states and each range that is
     looked at; after the first few ranges few states are left. Without any program where 0 is
@@ -95,8 +97,8 @@ def least_friction(
     True
     """
     goal = rational(width, "width")
-    if goal <= 0:
-        raise GraspError(f"width is {goal}; it must be above 0")
+    if goal < _LEAST_WIDTH:
+        raise GraspError(f"width is {shown(goal)}; it must be at least 2^-100")
     search = _Search(grasp, read_wrench(wrench), goal)
     return search.run()
 

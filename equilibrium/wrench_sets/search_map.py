@@ -13,7 +13,7 @@ from fractions import Fraction
 from math import cos, pi, sin
 from typing import Any
 
-from arrangement.exact import RationalVector, rational, to_text
+from arrangement.exact import RationalVector, rational, shown, to_text
 from arrangement.polyhedra.intervals import (
     Interval,
     end_text,
@@ -118,7 +118,8 @@ def search_map(
     step, largest = rational(tolerance, "tolerance"), rational(limit, "limit")
     if directions < 1 or step <= 0 or largest <= 0:
         raise GraspError(
-            f"directions {directions}, tolerance {step}, limit {largest}: all must be above 0"
+            f"directions {shown(directions)}, tolerance {shown(step)}, limit {shown(largest)}: "
+            "all must be above 0"
         )
     region = resisted_region(grasp, spans)
     entries = []

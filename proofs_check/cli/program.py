@@ -77,7 +77,12 @@ def _add_run(parser: argparse.ArgumentParser) -> None:
         "claims of your own (FILE.py)",
         "The file is run as a Python program, with all your rights.",
     )
-    group.add_argument("--samples", type=int, metavar="N", help="random instances of each claim")
+    group.add_argument(
+        "--samples",
+        type=terminal.count_argument,
+        metavar="N",
+        help="random instances of each claim",
+    )
     group.add_argument("--census", type=int, metavar="M", help="all types of up to M planes")
     group.add_argument(
         "--save",

@@ -10,12 +10,12 @@ from __future__ import annotations
 import json
 import sqlite3
 from collections.abc import Iterator, Mapping
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from proofs_check.errors import SweepError
+from proofs_check.errors import DamagedStoreError, SweepError
 
 #: Marks the file as a store of this kind ("SLPS"), and its layout.
 APPLICATION = 0x534C5053
@@ -30,6 +30,12 @@ _TABLES = (
 )
 
 
+_CHUNKS = (
+    "SELECT number, result, record, milliseconds FROM chunks "
+    "JOIN environments ON environments.id = chunks.environment"
+)
+
+
 @dataclass(frozen=True)
 class Chunk:
     """The result of one chunk, with what it was found and how long it took."""
@@ -38,6 +44,11 @@ class Chunk:
     result: Mapping[str, Any]
     environment: Mapping[str, Any]
     milliseconds: int
+
+
+def _chunk(row: tuple[int, str, str, int]) -> Chunk:
+    number, result, environment, milliseconds = row
+    return Chunk(number, json.loads(result), json.loads(environment), milliseconds)
 
 
 class Store:
@@ -68,22 +79,45 @@ class Store:
         return self._document("claim")
 
     def _document(self, column: str) -> dict[str, Any]:
-        (text,) = self._connection.execute(f"SELECT {column} FROM plan").fetchone()
-        found: dict[str, Any] = json.loads(text)
+        remedy = "nothing of it can be saved without its plan; begin a new store"
+        with self._undamaged(remedy):
+            (text,) = self._connection.execute(f"SELECT {column} FROM plan").fetchone()
+            found: dict[str, Any] = json.loads(text)
         return found
+
+    @contextmanager
+    def _undamaged(self, remedy: str = "") -> Iterator[None]:
+        """Say that the file is damaged, and what to do, when what is in it cannot be read."""
+        remedy = remedy or (
+            f"proofs-check merge NEW.sqlite {self.path} saves what can be read, and a sweep with "
+            "--store NEW.sqlite does the rest"
+        )
+        try:
+            yield
+        except (sqlite3.Error, ValueError, TypeError) as error:
+            raise DamagedStoreError(f"{self.path} is damaged ({error}); {remedy}") from None
 
     def numbers(self) -> set[int]:
         """Return the numbers of the chunks that are there."""
-        return {row[0] for row in self._connection.execute("SELECT number FROM chunks")}
+        with self._undamaged():
+            return {row[0] for row in self._connection.execute("SELECT number FROM chunks")}
 
     def chunks(self) -> Iterator[Chunk]:
-        """Yield every chunk in order of number, as of one moment."""
-        rows = self._connection.execute(
-            "SELECT number, result, record, milliseconds FROM chunks "
-            "JOIN environments ON environments.id = chunks.environment ORDER BY number"
-        )
-        for number, result, environment, milliseconds in rows:
-            yield Chunk(number, json.loads(result), json.loads(environment), milliseconds)
+        """Yield every chunk in order of number, as of one moment.
+
+        Raises:
+            DamagedStoreError: some cannot be read.
+        """
+        with self._undamaged():
+            for row in self._connection.execute(f"{_CHUNKS} ORDER BY number"):
+                yield _chunk(row)
+
+    def readable(self, due: int) -> Iterator[Chunk]:
+        """Yield the chunks that can be read, of the first `due` ones, each on its own."""
+        for number in range(due):
+            with suppress(sqlite3.Error, ValueError, TypeError):
+                query = self._connection.execute(f"{_CHUNKS} WHERE number = ?", (number,))
+                yield from map(_chunk, query.fetchall())
 
     def add(self, chunk: Chunk) -> bool:
         """Write a chunk, whole and safely on the disk; return whether it was new.

@@ -13,7 +13,8 @@ from functools import lru_cache
 from pathlib import Path
 from typing import Any
 
-from proofs_check.errors import SweepError
+from arrangement.exact import shown
+from proofs_check.errors import DamagedStoreError, SweepError
 from proofs_check.evidence import OUTCOMES, check
 from proofs_check.instances.domains import count, size
 from proofs_check.reports.environment import environment
@@ -27,6 +28,8 @@ from .sweepable import about, domain_of, split, target
 
 #: Instances in a chunk, unless another number is given.
 CHUNK = 200
+#: Most samples of one sweep.
+MOST = 10**9
 #: Outcomes of which the smallest instance is kept.
 _KEPT = ("fails", "excused", "broken")
 
@@ -93,9 +96,9 @@ def plan_sweep(
             f"planes is {low}..{high}; {domain.text} need at least {domain.least}, "
             "and the smaller number stands first"
         )
-    for name, value in (("samples", samples), ("chunk", chunk)):
-        if value < 1:
-            raise SweepError(f"{name} is {value}; it must be at least 1")
+    for name, value, most in (("samples", samples, MOST), ("chunk", chunk, samples)):
+        if not 1 <= value <= max(most, CHUNK):
+            raise SweepError(f"{name} is {shown(value)}; give 1 to {max(most, CHUNK)}")
     file, _ = split(source)
     digest = file_digest(file) if file else ""
     name = f"{Path(file).resolve()}:{chosen.id}" if file else chosen.id
@@ -255,11 +258,17 @@ def merge(path: str, parts: Iterable[str]) -> int:
 
     Raises:
         SweepError: the stores belong to different plans, or disagree on a chunk.
+
+    Of a damaged store, the chunks that can be read are taken.
     """
     new = 0
     for part in parts:
         with store.read(part) as source, store.create(path, source.plan, source.claim) as opened:
-            new += sum(opened.add(chunk) for chunk in source.chunks())
+            try:
+                chunks = list(source.chunks())
+            except DamagedStoreError:
+                chunks = list(source.readable(read_plan(source).chunks))
+            new += sum(map(opened.add, chunks))
     return new
 
 

@@ -144,8 +144,10 @@ def test_a_source_that_is_not_there_is_refused(source: str) -> None:
 
 
 def test_an_unknown_name_points_to_the_list_of_names() -> None:
-    with pytest.raises(InputError, match="arrangement list"):
+    with pytest.raises(InputError, match="`list` prints"):
         read_arrangement("no-such-name")
+    with pytest.raises(InputError, match="did you mean the built-in braid-a3"):
+        read_arrangement("brade-a3")
 
 
 def test_a_directory_and_an_unreadable_file_are_refused(tmp_path: Path) -> None:

@@ -134,9 +134,15 @@ def test_a_wrench_is_three_words_or_one_or_a_force_at_a_point(capsys):
 
 
 def test_contacts_at_the_edge_of_their_cones_are_not_called_slipping(capsys):
-    _, out, _ = call(capsys, "solve", THREE, "--wrench", "0", "2", "0", "--preload", "2")
-    lines = [line for line in out.splitlines() if "motion (0, 0, 0)" not in line]
-    assert all(("slip" in line) == ("not slipping" in line) for line in lines[1:])
+    edge, slipping = "paper-four-contacts-preload-1", (THREE, "--preload", "1")
+    _, out, _ = call(capsys, "solve", edge, "--wrench", "0,2,0")
+    still = [line for line in out.splitlines() if "slip" in line]
+    assert "motion (0, 0, 0)" in out
+    assert still
+    assert all("not slipping" in line for line in still)
+    _, out, _ = call(capsys, "solve", *slipping, "--wrench", "0,1,0")
+    assert "slip+" in out
+    assert "not slipping" not in out
 
 
 @pytest.mark.parametrize(

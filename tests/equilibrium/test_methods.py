@@ -80,9 +80,7 @@ class TestGraspWrenchSpace:
         assert space.verdict((0, 0, 0)).accepts
         assert not space.verdict((0, 0, 1)).accepts
 
-    @pytest.mark.parametrize(
-        "options", [{"norm": "L2"}, {"length": 0}, {"length": 0.5}]
-    )
+    @pytest.mark.parametrize("options", [{"norm": "L2"}, {"length": 0}, {"length": 0.5}])
     def test_bad_options_are_refused(self, three, options):
         with pytest.raises(ValueError, match=r"norm|length"):
             GraspWrenchSpace(three, **options)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from arrangement.errors import InputError
+from arrangement.exact import shown
 
 
 def at_least(value: int, least: int, name: str) -> int:
@@ -10,5 +11,5 @@ def at_least(value: int, least: int, name: str) -> int:
     if isinstance(value, bool) or not isinstance(value, int):
         raise InputError(f"{name} is {value!r}; give an integer")
     if value < least:
-        raise InputError(f"{name} is {value}; it must be at least {least}")
+        raise InputError(f"{name} is {shown(value)}; it must be at least {least}")
     return value

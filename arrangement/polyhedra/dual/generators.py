@@ -9,7 +9,7 @@ from fractions import Fraction
 from typing import Any
 
 from arrangement.errors import InputError
-from arrangement.exact import IntegerVector, rational_vector
+from arrangement.exact import IntegerVector, rational_vector, shown
 from arrangement.planes import Planes
 
 
@@ -46,7 +46,7 @@ def generators(arrangement: Planes, lengths: Iterable[Any] | None) -> Generators
         raise InputError(f"there are {len(factors)} lengths for {m} planes; give one for each")
     for i, factor in enumerate(factors):
         if factor <= 0:
-            raise InputError(f"lengths[{i}] is {factor}; every length must be positive")
+            raise InputError(f"lengths[{i}] is {shown(factor)}; every length must be positive")
     denominator = math.lcm(*(factor.denominator for factor in factors))
     vectors = tuple(
         tuple(int(factor * denominator) * x for x in plane[:-1])
