@@ -344,7 +344,7 @@ def test_braid_planes_are_the_complete_graph() -> None:
 def test_sides_of_the_deformations_are_those_of_their_definition(
     family: Callable[[int], Arrangement], offsets: tuple[int, ...]
 ) -> None:
-    x = [Fraction(5, 2), Fraction(3, 2), 0, Fraction(-1, 3)]
+    x = [Fraction(5, 2), Fraction(3, 2), Fraction(0), Fraction(-1, 3)]
     differences = [a - b for a, b in combinations(x, 2)]
     expected = [(d > b) - (d < b) for d in differences for b in offsets]
     assert list(family(4).signs_at(x)) == expected

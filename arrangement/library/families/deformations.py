@@ -13,7 +13,7 @@ from arrangement.arrangement import Arrangement
 
 from .checks import at_least
 from .classical import differences
-from .coxeter import positive_roots
+from .root_systems import positive_roots
 
 
 def shi(type: int | str, m: int = 1) -> Arrangement:

@@ -13,8 +13,8 @@ from arrangement.arrangement import Arrangement
 
 from .classical import braid, type_b, type_d
 from .combinatorial import resonance, threshold, threshold_functions
-from .coxeter import coxeter
 from .deformations import catalan, linial, semiorder, shi
+from .root_systems import coxeter
 
 
 @dataclass(frozen=True)
