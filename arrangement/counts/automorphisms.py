@@ -12,7 +12,6 @@ Maps that scale vectors by other factors than plus or minus one are not looked f
 
 from __future__ import annotations
 
-import time
 from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING
 
@@ -29,8 +28,8 @@ if TYPE_CHECKING:
 
 Permutations = NDArray[np.intp]
 _Integers = NDArray[np.int64]
-#: Seconds after which a count goes on with the automorphisms found.
-SEARCH_TIME = 5.0
+#: Partial images that a search may try; then a count goes on with the automorphisms found.
+SEARCH_STEPS = 50_000
 
 
 class Automorphisms:
@@ -58,17 +57,18 @@ class Automorphisms:
         self._keys = [self._key(identity[:depth]) for depth in range(config.rank + 1)]
         self._sorted = [np.sort(key) for key in self._keys]
 
-    def generators(self, deadline: float) -> Permutations:
-        """Return permutations that generate the group, or a part of it after the deadline."""
+    def generators(self, steps: int = SEARCH_STEPS) -> Permutations:
+        """Return permutations that generate the group, or a part of it when the steps are used."""
+        self._steps_left = steps
         found: list[Permutations] = []
         for level in range(len(self._base) - 1, self._fixed - 1, -1):
             tried = self._orbit(found, self._base[level])
             for plane in np.flatnonzero(self._keys[0] == self._keys[0][self._base[level]]):
                 if tried[plane]:
                     continue
-                if time.monotonic() > deadline:
+                if self._steps_left <= 0:
                     return self._stacked(found)
-                image = self._search([], level, int(plane), deadline)
+                image = self._search([], level, int(plane))
                 if image is None:
                     tried |= self._orbit(found, int(plane))
                 else:
@@ -112,19 +112,18 @@ class Automorphisms:
         key: _Integers = np.abs(sums) ^ self._kinds
         return key
 
-    def _search(
-        self, path: list[tuple[int, int]], level: int, plane: int, deadline: float
-    ) -> Permutations | None:
+    def _search(self, path: list[tuple[int, int]], level: int, plane: int) -> Permutations | None:
         """Return an automorphism that fixes the base before `level` and takes it to `plane`."""
         depth = len(path)
         key = self._key(path)
-        if not np.array_equal(np.sort(key), self._sorted[depth]) or time.monotonic() > deadline:
+        self._steps_left -= 1
+        if not np.array_equal(np.sort(key), self._sorted[depth]) or self._steps_left <= 0:
             return None
         if depth == len(self._base):
             return self._completed(path, key)
         for step in self._steps(path, level, plane, key):
             path.append(step)
-            image = self._search(path, level, plane, deadline)
+            image = self._search(path, level, plane)
             path.pop()
             if image is not None:
                 return image

@@ -22,7 +22,7 @@ from arrangement.exact import shown
 from arrangement.planes import Planes
 from arrangement.progress import watched
 
-from .automorphisms import SEARCH_TIME, Automorphisms
+from .automorphisms import Automorphisms
 from .configuration import Configuration, configuration
 from .images import Images, Words, groups, packed, unpacked
 from .low_rank import MAX_RANK, whitney_matrix
@@ -96,8 +96,7 @@ def first_whitney_numbers(
     """
     if time_limit is not None and not time_limit > 0:
         raise InputError(f"time_limit is {shown(time_limit)}; give a positive number of seconds")
-    start = time.monotonic()
-    deadline = math.inf if time_limit is None else start + time_limit
+    deadline = math.inf if time_limit is None else time.monotonic() + time_limit
     config = configuration(arrangement)
     if config.rank <= MAX_RANK and symmetry is None:
         return tuple((-1) ** k * value for k, value in enumerate(whitney_matrix(config)[0]))
@@ -105,7 +104,7 @@ def first_whitney_numbers(
         return (1,)
     automorphisms = Automorphisms(config)
     if symmetry is None:
-        generators = automorphisms.generators(min(deadline, start + SEARCH_TIME))
+        generators = automorphisms.generators()
     else:
         generators = automorphisms.verified(_of_classes(arrangement, symmetry))
     found: list[int] = []

@@ -27,7 +27,7 @@ from .strategies import arrangements
 
 def symmetries(planes: Arrangement) -> list[list[int]]:
     """Generators found by search, as permutations of the planes (all of them distinct)."""
-    found = Automorphisms(configuration(planes)).generators(math.inf)
+    found = Automorphisms(configuration(planes)).generators()
     return [image[: len(planes)].tolist() for image in found]
 
 
