@@ -1,7 +1,7 @@
 # Each target creates .venv on first use and installs again when pyproject.toml or
 # constraints.txt change. PYTHON=... picks the interpreter, ARGS=... goes to pytest.
 
-.PHONY: help verify test campaign lint types check mutants bench docs docs-check package-check formal clean
+.PHONY: help install verify test campaign lint types check mutants bench docs docs-check package-check formal clean
 .DEFAULT_GOAL := help
 .DELETE_ON_ERROR:
 
@@ -17,6 +17,7 @@ FOUND = $(shell for p in python3.13 python3.12 python3.11 python3; do \
 PYTHON ?= $(FOUND)
 
 help:
+	@echo "make install  .venv with the three commands and what pictures need"
 	@echo "make verify   check the claims of the paper; print a verdict for each, write report/verdicts.html"
 	@echo "make test     run every test, doctests included"
 	@echo "make campaign  the same laws on thousands of random cases"
@@ -48,6 +49,11 @@ $(VENV)/.stamp-run: pyproject.toml constraints.txt | $(BIN)/python
 	@$(INSTALL) .
 	@touch $@
 
+$(VENV)/.stamp-install: pyproject.toml constraints.txt | $(BIN)/python
+	@echo "installing the package with the extras for pictures and large graphs"
+	@$(INSTALL) '.[figures,igraph]'
+	@touch $@ $(VENV)/.stamp-run
+
 $(VENV)/.stamp-test: pyproject.toml constraints.txt | $(BIN)/python
 	@echo "installing the package and its test tools"
 	@$(INSTALL) '.[test]'
@@ -61,7 +67,7 @@ $(VENV)/.stamp-docs: pyproject.toml constraints.txt | $(BIN)/python
 $(VENV)/.stamp-check: pyproject.toml constraints.txt | $(BIN)/python
 	@echo "installing the package and all of its development tools"
 	@$(INSTALL) '.[test,lint,docs,figures,igraph,package]'
-	@touch $@ $(VENV)/.stamp-run $(VENV)/.stamp-test $(VENV)/.stamp-docs $(VENV)/.stamp-package
+	@touch $@ $(VENV)/.stamp-run $(VENV)/.stamp-test $(VENV)/.stamp-docs $(VENV)/.stamp-package $(VENV)/.stamp-install
 
 $(VENV)/.stamp-package: pyproject.toml constraints.txt | $(BIN)/python
 	@echo "installing the package and what builds it"
@@ -72,6 +78,9 @@ $(VENV)/.stamp-bench: pyproject.toml constraints.txt | $(BIN)/python
 	@echo "installing the package and what it is measured against"
 	@$(INSTALL) '.[bench]'
 	@touch $@ $(VENV)/.stamp-run
+
+install: $(VENV)/.stamp-install
+	@echo "installed; now type:  . $(BIN)/activate"
 
 verify: $(VENV)/.stamp-run
 	@mkdir -p report

@@ -12,6 +12,7 @@ import numbers
 import re
 import reprlib
 from collections.abc import Iterable, Sequence
+from decimal import MAX_EMAX, MIN_EMIN, Context, Decimal, Inexact
 from fractions import Fraction
 from operator import mul
 from typing import Any, TypeAlias
@@ -215,6 +216,49 @@ def to_text(value: Fraction | int) -> str:
     return (
         numerator if value.denominator == 1 else f"{numerator}/{_integer_text(value.denominator)}"
     )
+
+
+def number_text(value: Fraction | int, digits: int = 6, longest: int = 12) -> str:
+    """Return a rational of any size for people: exact if that is short, else a decimal number.
+
+    A decimal number is the nearest one of so many digits; the sign ≈ says where it is rounded.
+
+    >>> number_text(Fraction(-1, 3)), number_text(Fraction(40579, 5242880)), number_text(10**40)
+    ('-1/3', '≈0.00773983', '1e+40')
+    """
+    size = value.numerator.bit_length() + value.denominator.bit_length()
+    if size <= 4 * longest and len(text := to_text(value)) <= longest:
+        return text
+    near, rounded = _decimal(value, digits)
+    return "≈" * rounded + near
+
+
+def common_digits(low: Fraction | int, high: Fraction | int, digits: int = 6) -> str | None:
+    """Return the decimal number, of most digits, to which both ends are rounded; None if none is.
+
+    >>> common_digits(Fraction(40579, 524288), Fraction(81159, 1048576))
+    '0.0774'
+    """
+    for fewer in range(digits, 0, -1):
+        (one, _), (other, _) = _decimal(low, fewer), _decimal(high, fewer)
+        if one == other:
+            return one
+    return None
+
+
+def _decimal(value: Fraction | int, digits: int) -> tuple[str, bool]:
+    """Return the nearest decimal number of so many digits, and whether it is another number."""
+    context = Context(prec=digits, Emin=MIN_EMIN, Emax=MAX_EMAX)
+    near = context.divide(Decimal(value.numerator), Decimal(value.denominator))
+    mantissa, e, power = f"{near:g}".partition("e")
+    if "." in mantissa:
+        mantissa = mantissa.rstrip("0").rstrip(".")
+    return mantissa + e + power, bool(context.flags[Inexact])
+
+
+def vector_text(values: Iterable[Fraction | int]) -> str:
+    """Return a vector with short numbers: ``"(1, -1/2, 0)"``."""
+    return f"({', '.join(number_text(x) for x in values)})"
 
 
 def _integer_text(value: int) -> str:

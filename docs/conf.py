@@ -22,11 +22,14 @@ extensions = [
     "sphinx.ext.napoleon",
     "sphinx.ext.viewcode",
     "sphinx-mathjax-offline",
+    "sphinxarg.ext",
 ]
 exclude_patterns = ["_build", "_generated"]
 default_role = "code"
 highlight_language = "python"
 nitpicky = False
+# The parsers of the commands.
+sys.path.insert(0, str(Path(__file__).parent / "figures"))
 # The bibliography is a list to cite from; a docstring may use a word that several classes have as
 # the name of an attribute.
 suppress_warnings = ["ref.citation", "ref.python"]
@@ -72,7 +75,6 @@ def make_figures(app):
     NAME.rst beside the folder is what the script reads.
     """
     source = Path(app.srcdir)
-    sys.path.insert(0, str(source / "figures"))
     folder = source / "_generated"
     folder.mkdir(exist_ok=True)
     shared = [*source.glob("figures/_*.py"), *source.parent.glob("*/draw/**/*.py")]

@@ -15,7 +15,7 @@ from dataclasses import dataclass, field
 from functools import cached_property
 from typing import Any
 
-from arrangement.exact import RationalVector, to_text
+from arrangement.exact import RationalVector, to_text, vector_text
 from arrangement.plugins import display
 from arrangement.progress import watched
 
@@ -49,6 +49,10 @@ class Verdict:
     solution: Solution | None
     _solver: Solver = field(repr=False, compare=False)
     _proof: Node = field(default=None, repr=False, compare=False)
+
+    def __repr__(self) -> str:
+        answer = "resisted" if self.stable else "not resisted"
+        return f"<Verdict: {answer}, wrench {vector_text(self.wrench)}, {len(self.grasp)} contacts>"
 
     @property
     def stable(self) -> bool:

@@ -12,7 +12,10 @@ from types import SimpleNamespace
 
 import pytest
 
+from arrangement import cli as arrangement_cli
 from arrangement.enumeration.choose import ENGINES
+from equilibrium.cli import program as equilibrium_cli
+from proofs_check.cli import program as claims_cli
 from tests.docpages import ROOT, Page, blocks, commands, loose_literals
 
 DOCS = ROOT / "docs"
@@ -235,3 +238,42 @@ def test_a_script_that_fails_or_makes_no_figure_ends_the_build(
 ) -> None:
     with pytest.raises((ZeroDivisionError, RuntimeError)):
         draw(script)
+
+
+def test_every_command_has_an_example() -> None:
+    page = (DOCS / "commands.rst").read_text(encoding="utf-8")
+    for parser in (arrangement_cli._parser(), equilibrium_cli._parser(), claims_cli._parser()):
+        (commands,) = (a.choices for a in parser._actions if isinstance(a.choices, dict))
+        for command in commands:
+            assert f"\n   $ {parser.prog} {command}" in page
+
+
+#: The last words of a row of the table of limits: the constants that it names.
+LIMITS = {
+    "CSV file)": ("arrangement.io.files:MAX_BYTES", "equilibrium.inputs.csv_file:MAX_BYTES"),
+    "a certificate": ("equilibrium.io.files:MAX_CERTIFICATE_BYTES",),
+    "one number": ("arrangement.exact:MAX_TEXT_LENGTH",),
+    "space in a file": ("arrangement.io.arrangements:MAX_DIMENSION",),
+    "interactive page": ("arrangement.draw.globe:MAX_CIRCLES", "arrangement.draw.page:MAX_CIRCLES"),
+    "Hasse diagram": ("arrangement.draw.lattice:MAX_FLATS",),
+    "resisted forces": ("equilibrium.draw.page:MAX_CONTACTS",),
+    "is exponential": ("equilibrium.methods.frictionless_slip:MAX_CONTACTS",),
+    "combinatorial types": ("arrangement.library.census.catalogue:MOST_PLANES",),
+    "after the other": ("proofs_check.sweep.sweep:MOST", "arrangement.terminal:MOST"),
+    "of a proof": ("equilibrium.certificate.checker:MAX_DEPTH",),
+}
+
+
+def test_the_limits_on_the_page_are_those_of_the_code() -> None:
+    text = (DOCS / "accuracy.rst").read_text(encoding="utf-8").partition("\nLimits of size\n")[2]
+    rows = re.findall(r"   \* - (.+)\n     - (.+)", text.partition("There is no other")[0])[1:]
+    assert len(rows) == len(LIMITS)
+    for what, most in rows:
+        (names,) = (names for end, names in LIMITS.items() if what.endswith(end))
+        stated = [
+            int(number) * (2**20 if "MiB" in most else 1) for number in re.findall(r"[0-9]+", most)
+        ]
+        for limit in names:
+            module, _, constant = limit.partition(":")
+            value = getattr(importlib.import_module(module), constant)
+            assert value in stated, (what, most, limit, value)

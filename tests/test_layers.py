@@ -177,3 +177,11 @@ from arrangement.counts import f_vector
 assert tuple(f_vector(Planes([[1, 0, 0], [0, 1, 0], [0, 0, 1]]))) == (1, 6, 12, 8)
 """
     subprocess.run([sys.executable, "-c", program], check=True, timeout=60)
+
+
+def test_certificates_are_read_and_checked_without_numpy() -> None:
+    program = (
+        "import sys; from equilibrium import check, read_certificate, verify\n"
+        "assert not {'numpy', 'sympy', 'scipy'} & set(sys.modules)"
+    )
+    subprocess.run([sys.executable, "-c", program], cwd=ROOT, timeout=120, check=True)

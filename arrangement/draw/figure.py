@@ -36,7 +36,7 @@ def figure(scene: Scene) -> Figure:
     Raises:
         MissingExtraError: matplotlib is absent.
     """
-    require_matplotlib()
+    mpl = require_matplotlib()
     from matplotlib.figure import Figure
 
     width, height = scene.paper
@@ -44,8 +44,9 @@ def figure(scene: Scene) -> Figure:
     axes: Any = made.add_axes((0.0, 0.0, 1.0, 1.0))
     axes.set(xlim=(0, scene.width), ylim=(0, scene.height))
     axes.set_axis_off()
-    for item in scene.items:
-        _draw(axes, item)
+    with mpl.rc_context(_HATCH):
+        for item in scene.items:
+            _draw(axes, item)
     return made
 
 
@@ -63,8 +64,7 @@ def _draw(axes: Any, item: Item) -> None:
             *([x] for x in item.place), item.sign, ms=item.size, ls="none", clip_on=False, **style
         )
     elif isinstance(item, Path):
-        with require_matplotlib().rc_context(_HATCH):
-            artist = axes.add_patch(_patch(item, style))
+        artist = axes.add_artist(_patch(item, style))
     _clip(axes, artist, item)
 
 

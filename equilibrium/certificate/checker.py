@@ -52,18 +52,13 @@ class Report:
     problem: str
     leaves: int = 0
 
-    @property
-    def valid(self) -> bool:
-        """Whether the proof holds."""
-        return not self.problem
-
     def __bool__(self) -> bool:
-        return self.valid
+        return not self.problem
 
     def to_dict(self) -> dict[str, Any]:
         """Return a JSON form."""
         found = {"problem": self.problem} if self.problem else {}
-        return {"valid": self.valid, "certificate": self.kind, "leaves": self.leaves, **found}
+        return {"valid": bool(self), "certificate": self.kind, "leaves": self.leaves, **found}
 
 
 def check(

@@ -21,6 +21,9 @@ class Certificate:
 
     text: str
 
+    def __repr__(self) -> str:
+        return f"<Certificate: {self.kind}, {len(self.text)} bytes>"
+
     @property
     def kind(self) -> str:
         """Either "resisted" or "not resisted"."""

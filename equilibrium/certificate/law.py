@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from fractions import Fraction
 
-from arrangement.exact import RationalVector, to_text
+from arrangement.exact import RationalVector, number_text
 from equilibrium.model.grasp import Contact, Grasp
 
 
@@ -45,9 +45,8 @@ def law_problem(
 
 
 def short(value: Fraction | int) -> str:
-    """Return a rational as text, the middle left out where it is long."""
-    text = to_text(value)
-    return text if len(text) <= 60 else f"{text[:28]}...{text[-28:]}"
+    """Return a rational for a message."""
+    return number_text(value, digits=30, longest=60)
 
 
 def _dot(left: RationalVector, right: RationalVector) -> Fraction:

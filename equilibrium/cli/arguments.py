@@ -4,29 +4,39 @@ from __future__ import annotations
 
 import argparse
 from collections.abc import Callable, Iterable
+from contextvars import ContextVar
 from fractions import Fraction
-from typing import TYPE_CHECKING, Any
+from functools import partial
+from typing import TYPE_CHECKING, Any, TypeAlias
 
 from arrangement import terminal
-from arrangement.exact import RationalVector, to_text
+from arrangement.exact import RationalVector, common_digits, number_text, to_text
 from equilibrium.model.errors import GraspError
 
 if TYPE_CHECKING:
     from equilibrium.model.grasp import Grasp
 
 _AXES = ("F_X", "F_Y", "TAU")
+#: Significant digits of a number that is too long to be printed exactly.
+DIGITS = 6
+
+_Command: TypeAlias = Callable[[argparse.Namespace], int]
+_Form: TypeAlias = Callable[[Fraction | int], str]
+#: How the command that runs writes numbers.
+_form: ContextVar[_Form] = ContextVar("_form", default=number_text)
 
 
 def add_command(
     commands: Any,
     name: str,
-    function: Callable[[argparse.Namespace], int],
+    function: _Command,
     text: str,
     *,
     grasp: bool = True,
     preload: bool = True,
+    numbers: bool = True,
 ) -> argparse.ArgumentParser:
-    """Add a subcommand; most take a grasp, and a preload in place of its own ones."""
+    """Add a subcommand; most take a grasp, and a preload in place of its own, and print numbers."""
     parser: argparse.ArgumentParser = commands.add_parser(name, help=text)
     if grasp:
         parser.add_argument(
@@ -36,19 +46,46 @@ def add_command(
         text = "use this preload at every contact instead of the grasp's own"
         add_number(parser, "--preload", None, text, metavar="P")
     terminal.add_common_options(parser)
+    if numbers:
+        form = parser.add_mutually_exclusive_group()
+        form.add_argument("--exact", action="store_true", help="print every number exactly")
+        text = f"of numbers that are too long to be printed exactly (default: {DIGITS})"
+        form.add_argument("--digits", type=_digits, metavar="N", help=text)
+        function = _with_numbers(function)
     parser.set_defaults(command=function)
     return parser
+
+
+def _with_numbers(function: _Command) -> _Command:
+    """Return a command that writes numbers as its options --exact and --digits say."""
+
+    def command(arguments: argparse.Namespace) -> int:
+        digits = arguments.digits or DIGITS
+        form = to_text if arguments.exact else partial(number_text, digits=digits)
+        token = _form.set(form)
+        try:
+            return function(arguments)
+        finally:
+            _form.reset(token)
+
+    return command
+
+
+def _digits(text: str) -> int:
+    if not text.isascii() or not text.isdigit() or not 1 <= int(text[:5]) <= 1000:
+        raise argparse.ArgumentTypeError(f"{text[:60]!r} digits; give 1 to 1000")
+    return int(text)
 
 
 def add_applied(parser: argparse.ArgumentParser) -> None:
     """Add the applied wrench, as such, or as a force or a weight at a point; see `applied`."""
     ways: Any = parser.add_mutually_exclusive_group(required=True)
     add_wrench(ways, "--wrench", "applied force (f_x, f_y) and torque tau about the origin", None)
-    number = terminal.rational_argument
-    ways.add_argument("--force", nargs=2, metavar=_AXES[:2], type=number, help="instead: a force")
-    ways.add_argument("--weight", metavar="W", type=number, help="instead: the force (0, -W)")
+    rational = terminal.rational_argument
+    ways.add_argument("--force", nargs=2, metavar=_AXES[:2], type=rational, help="instead: a force")
+    ways.add_argument("--weight", metavar="W", type=rational, help="instead: the force (0, -W)")
     text = "where the force or weight acts (default: at the origin)"
-    parser.add_argument("--at", nargs=2, metavar=("X", "Y"), type=number, help=text)
+    parser.add_argument("--at", nargs=2, metavar=("X", "Y"), type=rational, help=text)
 
 
 def applied(arguments: argparse.Namespace) -> RationalVector:
@@ -122,6 +159,22 @@ def show(
     return terminal.YES if yes else terminal.NO
 
 
+def number(value: Fraction | int) -> str:
+    """Return a number as --exact and --digits want it."""
+    return _form.get()(value)
+
+
+def bracket(arguments: argparse.Namespace, low: Fraction, high: Fraction) -> str:
+    """Return a number of which only bounds are known: the digits that are certain, and the ends."""
+    if arguments.exact:
+        return f"between {to_text(low)} and {to_text(high)}"
+    digits = arguments.digits or DIGITS
+    start, end = (number_text(x, digits + 3, longest=24) for x in (low, high))
+    ends = f"between {start} and {end}"
+    certain = common_digits(low, high, digits)
+    return ends if certain is None else f"{certain} ({ends})"
+
+
 def vector(numbers: Iterable[Fraction | int]) -> str:
     """Return numbers in parentheses."""
-    return f"({', '.join(map(to_text, numbers))})"
+    return f"({', '.join(map(number, numbers))})"

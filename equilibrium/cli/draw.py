@@ -11,7 +11,7 @@ from .arguments import add_command
 def add_commands(commands: Any) -> None:
     """Add draw."""
     text = "a picture of a grasp, of what it resists, or of the methods side by side"
-    draw: Any = add_command(commands, "draw", _draw, text)
+    draw: Any = add_command(commands, "draw", _draw, text, numbers=False)
     draw.later = lambda: _add_options(draw)
 
 

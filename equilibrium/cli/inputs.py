@@ -49,7 +49,7 @@ def add_commands(commands: Any) -> None:
     add_number(circle, "--preload", 0, "of every contact")
 
     text = "contacts around an object, the same for each seed"
-    randoms = add_command(kinds, "random", _random, text, grasp=False)
+    randoms = add_command(kinds, "random", _random, text, grasp=False, numbers=False)
     randoms.add_argument("--contacts", type=terminal.count_argument, required=True, metavar="M")
     add_count(randoms, "--seed", 0, "of the random numbers", "SEED")
     _add_units(randoms)
@@ -69,7 +69,7 @@ def _add(
         reader: the function of `equilibrium.inputs`.
         given, options: the arguments that it takes, without and with their names.
     """
-    parser = add_command(kinds, name, _converted, text, grasp=False)
+    parser = add_command(kinds, name, _converted, text, grasp=False, numbers=False)
     parser.set_defaults(reader=reader, given=given, options=(*options, "angle_tolerance"))
     text = "largest error of a normal that has no exact unit form"
     add_number(parser, "--angle-tolerance", Fraction(1, 10**6), text, "RADIANS")

@@ -9,7 +9,7 @@ from math import gcd
 from typing import TYPE_CHECKING, Any
 
 from arrangement import terminal
-from arrangement.exact import IntegerVector, to_text
+from arrangement.exact import IntegerVector, rational
 
 from .arguments import (
     add_applied,
@@ -18,6 +18,7 @@ from .arguments import (
     add_number,
     applied,
     grasp_of,
+    number,
     show,
     vector,
 )
@@ -97,14 +98,14 @@ def _space_lines(space: GraspWrenchSpace, torque: Fraction) -> Iterator[str]:
         if units
         else ("",) * 4
     )
-    root = to_text(space.epsilon_squared) + square
+    root = number(space.epsilon_squared) + square
     yield f"force closure    {_WORDS[space.force_closure]}"
-    length = f"{to_text(space.length)} {units.length}" if units else to_text(space.length)
+    length = f"{number(space.length)} {units.length}" if units else number(space.length)
     yield f"epsilon          {space.epsilon:.6g}{force}  (its square is {root})"
     yield f"torques over     {length}  (epsilon and volume depend on it; --length)"
-    yield f"volume           {to_text(space.volume)}{cube}"
+    yield f"volume           {number(space.volume)}{cube}"
     yield f"facets           {len(space.facets)}"
-    yield f"resisted forces at torque {torque}{turn}:"
+    yield f"resisted forces at torque {number(torque)}{turn}:"
 
 
 def _outward(row: IntegerVector) -> list[Fraction]:
@@ -130,7 +131,7 @@ def _survey_lines(found: Survey, examples: Iterable[Example]) -> Iterator[str]:
     for name, count in found.counts.items():
         agrees = count.both_accept + count.both_refuse
         numbers = (agrees, count.accepts_wrongly, count.refuses_wrongly, count.silent)
-        yield f"{name:<20}" + "".join(f"{number:>17}" for number in numbers)
+        yield f"{name:<20}" + "".join(f"{some:>17}" for some in numbers)
     for example in examples:
         verb = "accepts" if example.accepts else "refuses"
         yield f"{example.method} wrongly {verb} {vector(example.wrench)}:"
@@ -140,4 +141,4 @@ def _survey_lines(found: Survey, examples: Iterable[Example]) -> Iterator[str]:
 
 
 def _flat(value: str | list[str]) -> str:
-    return value if isinstance(value, str) else f"({', '.join(value)})"
+    return number(rational(value)) if isinstance(value, str) else vector(map(rational, value))

@@ -72,6 +72,7 @@ def _parser() -> terminal.Parser:
         _verify,
         "check a certificate without the solver (exit 0 valid, 1 not)",
         grasp=False,
+        numbers=False,
     )
     verify.add_argument("certificate", metavar="CERT.json", help="a path, or - for stdin")
     verify.add_argument(

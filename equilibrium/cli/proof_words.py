@@ -5,9 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any
 
-from arrangement.exact import to_text
-
-from .arguments import vector
+from .arguments import number, vector
 
 if TYPE_CHECKING:
     from equilibrium.certificate.leaves import Part
@@ -31,12 +29,10 @@ def proof_lines(verdict: Verdict) -> Iterator[str]:
         done = works(verdict.grasp, verdict.wrench, together)
         yield (
             f"  {where}on the virtual motion {vector(together[0].leaf.motion)} the load does work "
-            f"{to_text(done.load)}, the contacts at least {to_text(done.least)}"
+            f"{number(done.load)}, the contacts at least {number(done.least)}"
         )
         for i, factor in enumerate(done.factors, 1):
-            work = (
-                "none" if factor is None else f"at least {to_text(factor)} times its normal force"
-            )
+            work = "none" if factor is None else f"at least {number(factor)} times its normal force"
             yield f"    contact {i}  {work}"
 
 

@@ -7,9 +7,6 @@ from collections.abc import Iterable, Iterator
 from fractions import Fraction
 from typing import TYPE_CHECKING, Any
 
-from arrangement.exact import to_text
-from arrangement.polyhedra.intervals import end_text
-
 from .arguments import (
     add_applied,
     add_command,
@@ -17,7 +14,9 @@ from .arguments import (
     add_number,
     add_wrench,
     applied,
+    bracket,
     grasp_of,
+    number,
     show,
     vector,
 )
@@ -115,8 +114,7 @@ def _polyhedra(arguments: argparse.Namespace) -> int:
 
 
 def _set_lines(whole: ResistedSet) -> Iterator[str]:
-    number = len(whole.pieces)
-    yield f"{number} polyhedra (conditions a f_x + b f_y + c tau + d >= 0 or = 0)"
+    yield f"{len(whole.pieces)} polyhedra (conditions a f_x + b f_y + c tau + d >= 0 or = 0)"
     for piece in whole.pieces:
         yield f"  {' '.join(piece.states)}"
         yield from (f"    {vector(row)} >= 0" for row in piece.polyhedron.inequalities)
@@ -136,7 +134,7 @@ def _margin(arguments: argparse.Namespace) -> int:
         f"resisted: {'yes' if found.resisted else 'no'}",
         f"resisted when scaled by a factor in {_intervals(found.intervals)}",
         f"resisted with a uniform preload in {_intervals(preloads.intervals)}" + _force(grasp),
-        "least uniform friction: " + _bracket(friction.low, friction.high),
+        "least uniform friction: " + _friction(arguments, friction.low, friction.high),
     ]
     return show(arguments, found.to_dict() | remedies, lines, found.resisted, grasp)
 
@@ -152,11 +150,11 @@ def _map(arguments: argparse.Namespace) -> int:
 
 def _map_lines(found: SearchMap, unit: str) -> Iterator[str]:
     yield (
-        f"{len(found.entries)} directions, tolerance {to_text(found.tolerance)}{unit}, "
-        f"limit {to_text(found.limit)}{unit}: the search errs in {len(found.disagreements)}"
+        f"{len(found.entries)} directions, tolerance {number(found.tolerance)}{unit}, "
+        f"limit {number(found.limit)}{unit}: the search errs in {len(found.disagreements)}"
     )
     for entry in found.entries:
-        answer = "without limit" if entry.found is None else f"up to {float(entry.found):.4f}{unit}"
+        answer = "without limit" if entry.found is None else f"up to {number(entry.found)}{unit}"
         shown = ", ".join(f"{float(x):+.4f}" for x in entry.direction)
         wrong = "" if entry.agrees else f"; exactly {_intervals(entry.exact)}"
         yield f"  ({shown})  {answer}{wrong}"
@@ -195,7 +193,8 @@ def _gap_lines(found: list[Gap]) -> Iterator[str]:
     for gap in found:
         yield f"direction {vector(gap.direction)}: {_intervals(gap.intervals)}"
         for c in gap.grasp:
-            yield f"  point {vector(c.point)} normal {vector(c.normal)} friction {c.friction}"
+            friction = number(c.friction)
+            yield f"  point {vector(c.point)} normal {vector(c.normal)} friction {friction}"
 
 
 def _force(grasp: Grasp) -> str:
@@ -205,18 +204,19 @@ def _force(grasp: Grasp) -> str:
 
 def _intervals(intervals: Iterable[Interval]) -> str:
     shown = [
-        f"[{end_text(low)}, " + ("no end)" if high is None else f"{end_text(high)}]")
+        ("(no end" if low is None else f"[{number(low)}")
+        + (", no end)" if high is None else f", {number(high)}]")
         for low, high in intervals
     ]
     return " or ".join(shown) if shown else "no interval"
 
 
-def _bracket(low: Fraction | None, high: Fraction | None) -> str:
+def _friction(arguments: argparse.Namespace, low: Fraction | None, high: Fraction | None) -> str:
     if low is None:
         return "none is enough"
     if high is None:
-        return f"not below {to_text(low)}; none found above"
-    return to_text(high) if low == high else f"above {to_text(low)}, at most {to_text(high)}"
+        return f"not below {number(low)}; none found above"
+    return number(high) if low == high else bracket(arguments, low, high)
 
 
 def _segment(segment: Segment) -> str:

@@ -132,7 +132,7 @@ def _arm(force: RationalVector, unit: Fraction, factor: float) -> Floats:
 
 def _step(motion: RationalVector, frame: Frame, grasp: Grasp) -> Fraction | None:
     """Return a round factor with which no contact moves further than `MOVED` on paper."""
-    shifts = [abs(x) for c in grasp for x in _shift(motion, c.point)]
+    shifts = [abs(x) for c in grasp for x in shift_at(motion, c.point)]
     largest = max(shifts, default=Fraction(0))
     if not largest:
         return None
@@ -141,7 +141,8 @@ def _step(motion: RationalVector, frame: Frame, grasp: Grasp) -> Fraction | None
     return nice(near) if near and math.isfinite(near) else wanted
 
 
-def _shift(motion: RationalVector, point: RationalVector) -> RationalVector:
+def shift_at(motion: RationalVector, point: RationalVector) -> RationalVector:
+    """Return the displacement of a point, to first order."""
     return (motion[0] - motion[2] * point[1], motion[1] + motion[2] * point[0])
 
 
@@ -149,7 +150,7 @@ def displaced(layout: Layout, places: Floats) -> Floats:
     """Return paper points after the motion, to first order."""
     assert layout.found is not None
     assert layout.step is not None
-    x, y = _shift(layout.found.motion, layout.frame.centre)
+    x, y = shift_at(layout.found.motion, layout.frame.centre)
     shift = np.array([float(layout.step * v / layout.frame.size) for v in (x, y)])
     turn = float(layout.step * layout.found.motion[2])
     moved: Floats = places + shift + turn * np.stack([-places[:, 1], places[:, 0]], axis=1)

@@ -10,7 +10,7 @@ from fractions import Fraction
 from html import escape
 
 from arrangement.draw.output import svg_text
-from arrangement.exact import to_text
+from arrangement.exact import number_text, to_text
 from equilibrium.model.grasp import Grasp
 from equilibrium.solver.equilibrium import Equilibrium
 from equilibrium.verdict import Verdict
@@ -72,9 +72,5 @@ def _number(value: Fraction) -> str:
     text = to_text(value)
     if len(text) <= LONGEST:
         return escape(text)
-    try:
-        near = f"{float(value):.6g}"
-    except OverflowError:
-        near = f"{text[:8]}…"
     exact = text if len(text) <= 400 else f"{text[:400]}…"
-    return f'<span title="{escape(exact, quote=True)}">≈{near}</span>'
+    return f'<span title="{escape(exact, quote=True)}">{number_text(value, longest=LONGEST)}</span>'

@@ -29,7 +29,7 @@ from .body import Frame, body, frame_of
 
 #: Contacts beyond which the pieces are too many for a page.
 MAX_CONTACTS = 8
-_SCRIPTS = ("rational.js", "resisted.js", "plane.js", "graspview.js", "resist.js")
+_SCRIPTS = ("rational.js", "resisted.js", "sketch.js", "plane.js", "graspview.js", "resist.js")
 
 
 def resist_page(grasp: Grasp, *, wrench: Wrench | None = None, title: str | None = None) -> str:
@@ -54,12 +54,12 @@ def resist_page(grasp: Grasp, *, wrench: Wrench | None = None, title: str | None
     heading = title if title is not None else f"Forces that {number} resist"
     shown = {grasp, *map(grasp.with_preload, (0, 1))}
     found = {loaded: resisted_set(loaded).pieces for loaded in shown}
-    sets, picture = _sets(grasp, found), _picture(grasp)
+    sets, picture = _sets(grasp, found), grasp_data(grasp)
     data = {"title": heading, "summary": _summary(grasp), **sets, **picture}
     data |= _window(grasp, applied, found[grasp])
     own = "equilibrium.draw"
     scripts: list[Template] = [(own, name) for name in (*_SCRIPTS, "resist_controls.js")]
-    styles: list[Template] = [BASE_STYLE, (own, "resist.css")]
+    styles: list[Template] = [BASE_STYLE, (own, "sketch.css"), (own, "resist.css")]
     return one_page(heading, (own, "resist.html"), styles, [BASE_SCRIPT, *scripts], data)
 
 
@@ -145,14 +145,14 @@ def _combined(forms: Sequence[RationalVector | None], row: RationalVector) -> Ra
     return tuple(total)
 
 
-def _picture(grasp: Grasp) -> dict[str, Any]:
-    """Return the contacts and an indicative outline in paper coordinates."""
+def grasp_data(grasp: Grasp) -> dict[str, Any]:
+    """Return the contacts and an indicative outline in paper coordinates, for ``sketch.js``."""
     frame = frame_of([contact.point for contact in grasp])
     curve = body(grasp, frame)
     return {
         "contacts": [
             {
-                "place": _floats(frame.paper(contact.point)),
+                "place": floats(frame.paper(contact.point)),
                 "normal": [float(x) for x in contact.normal],
                 "friction": min(float(contact.friction), 1e6),
                 "preload": float(contact.preload),
@@ -160,8 +160,8 @@ def _picture(grasp: Grasp) -> dict[str, Any]:
             }
             for contact in grasp
         ],
-        "outline": None if curve is None else [_floats(p) for p in flattened(curve, 16)],
-        "origin": _floats(np.clip(frame.paper((Fraction(0),) * 2), -1.5, 1.5)),
+        "outline": None if curve is None else [floats(p) for p in flattened(curve, 16)],
+        "origin": floats(np.clip(frame.paper((Fraction(0),) * 2), -1.5, 1.5)),
         **_frame(frame),
     }
 
@@ -216,5 +216,6 @@ def _reach(values: Iterable[Fraction], room: float, least: float) -> float:
     return float(largest * Fraction(room)) if largest else least
 
 
-def _floats(point: Any) -> list[float]:
+def floats(point: Any) -> list[float]:
+    """Return coordinates on paper, short."""
     return [round(float(x), 5) + 0.0 for x in point]

@@ -101,13 +101,17 @@ class Labels:
     def place(self, text: str, wanted: Sequence[Floats]) -> Floats:
         """Return the first wanted centre that is free, else the one that covers least."""
         half = np.array([self.scene.measure(text)[0] / 2 + 2, FONT / 2 + 1])
-        points = np.array(self._points).reshape(-1, 2)
-        best = min(wanted, key=lambda at: self._covered(at - half, at + half, points))
+        covered = self._covered(np.array(wanted), half)
+        best: Floats = wanted[int(np.argmin(covered))]
         self._boxes.append(np.array([best - half, best + half]))
         return best
 
-    def _covered(self, low: Floats, high: Floats, points: Floats) -> float:
-        """Return how much of a box is taken: the area of labels counts most, then points."""
-        shared = [np.minimum(high, b) - np.maximum(low, a) for a, b in self._boxes]
-        area = sum(float(w * h) for w, h in shared if w > 0 and h > 0)
-        return 1000 * area + float(((points > low) & (points < high)).all(axis=1).sum())
+    def _covered(self, places: Floats, half: Floats) -> Floats:
+        """Return how much of boxes is taken: the area of labels counts most, then points."""
+        low, high = (places - half)[:, None], (places + half)[:, None]
+        boxes = np.array(self._boxes).reshape(-1, 2, 2)
+        shared = np.minimum(high, boxes[:, 1]) - np.maximum(low, boxes[:, 0])
+        points = np.array(self._points).reshape(-1, 2)
+        inside = ((points > low) & (points < high)).all(axis=2)
+        taken: Floats = 1000 * np.maximum(shared, 0).prod(axis=2).sum(axis=1) + inside.sum(axis=1)
+        return taken

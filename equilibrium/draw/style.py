@@ -7,7 +7,7 @@ from collections.abc import Iterable
 from fractions import Fraction
 
 from arrangement.draw.colours import PALETTE
-from arrangement.exact import to_text
+from arrangement.exact import number_text
 
 #: Light to dark, by the number of sticking contacts: 0, 1, 2, 3 and more.
 FILLS = (*PALETTE[1:4], PALETTE[5])
@@ -33,23 +33,12 @@ def number(value: Fraction | int) -> str:
     >>> number(Fraction(-1, 2)), number(Fraction(10**20 + 1, 3))
     ('−1/2', '≈3.333e+19')
     """
-    text = to_text(value)
-    if len(text) > 7:
-        near = rounded(value)
-        short = f"{near:.4g}" if near and math.isfinite(near) else _power(value)
-        text = short if "^" not in short and Fraction(short) == value else f"≈{short}"
-    return text.replace("-", "−")
+    return number_text(value, 4, 7).replace("-", "−")
 
 
 def vector(values: Iterable[Fraction | int]) -> str:
     """Return a vector as a label."""
     return f"({', '.join(map(number, values))})"
-
-
-def _power(value: Fraction | int) -> str:
-    """Return a number far out of the range of floats as a power of ten."""
-    bits = abs(value.numerator).bit_length() - value.denominator.bit_length()
-    return f"{'-' if value < 0 else ''}10^{round(bits * math.log10(2))}"
 
 
 def nice(value: float) -> Fraction:

@@ -16,6 +16,6 @@ DRAWINGS = Drawings(
         "proof": "proof:draw_proof",
     },
     models={},
-    pages={"resist": "page:resist_page"},
+    pages={"resist": "page:resist_page", "proof": "proof_page:proof_page"},
 )
 write_drawing = DRAWINGS.write

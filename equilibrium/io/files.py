@@ -4,15 +4,17 @@ from __future__ import annotations
 
 import os
 from collections.abc import Mapping
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
-from arrangement.arrangement import Arrangement
 from arrangement.io.files import Source, read_document
 from arrangement.io.writing import write_text_atomically
 from equilibrium.certificate.checker import Report, check
 from equilibrium.certificate.document import Certificate
 from equilibrium.certificate.reading import SCHEMA_VERSION
 from equilibrium.model.grasp import Grasp
+
+if TYPE_CHECKING:
+    from arrangement import Arrangement
 
 #: Equilibria of a thousand contacts have long numbers.
 MAX_CERTIFICATE_BYTES = 64 * 2**20

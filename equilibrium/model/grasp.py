@@ -12,15 +12,19 @@ from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import MISSING, dataclass, field, fields, replace
 from fractions import Fraction
 from functools import cached_property
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
-from arrangement.arrangement import Arrangement
+# Its facade is loaded when a grasp is asked for its planes; the checker never does.
+import arrangement
 from arrangement.exact import RationalVector, rational, rational_vector, shown, to_text
 from arrangement.io.files import check_keys, check_list
 from arrangement.plugins import display
 
 from .errors import GraspError
 from .units import Units
+
+if TYPE_CHECKING:
+    from arrangement import Arrangement
 
 
 @dataclass(frozen=True)
@@ -136,12 +140,12 @@ class Grasp:
 
     def tangential_arrangement(self) -> Arrangement:
         """Return the m planes ``T . d = 0`` in the space of motions d."""
-        return Arrangement([c.tangential_wrench for c in self], dimension=3)
+        return arrangement.Arrangement([c.tangential_wrench for c in self], dimension=3)
 
     def motion_arrangement(self) -> Arrangement:
         """Return the m planes ``T . d = 0``, then the m planes ``stiffness N . d = preload``."""
         normals = [tuple(c.stiffness * x for x in c.normal_wrench) for c in self]
-        return Arrangement(
+        return arrangement.Arrangement(
             [c.tangential_wrench for c in self] + normals,
             [Fraction(0)] * len(self) + [c.preload for c in self],
             dimension=3,

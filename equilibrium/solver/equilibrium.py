@@ -8,7 +8,7 @@ from fractions import Fraction
 from typing import Any
 
 from arrangement import linprog
-from arrangement.exact import RationalVector, dot, primitive, rational_vector, to_text
+from arrangement.exact import RationalVector, dot, primitive, rational_vector, to_text, vector_text
 from arrangement.polyhedra.intervals import Interval, texts
 from equilibrium.model.errors import GraspError
 
@@ -38,6 +38,9 @@ class Equilibrium:
     motion_ranges: tuple[Interval, ...]
     force_ranges: tuple[tuple[Interval, Interval], ...]
     system: StateSystem = field(repr=False, compare=False)
+
+    def __repr__(self) -> str:
+        return f"<Equilibrium: {' '.join(self.states)}, motion {vector_text(self.motion)}>"
 
     @property
     def forces_determined(self) -> bool:

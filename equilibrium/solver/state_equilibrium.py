@@ -14,7 +14,7 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
-from arrangement.exact import RationalVector, to_text
+from arrangement.exact import RationalVector, to_text, vector_text
 from arrangement.float_filter import Floats
 from arrangement.linear import rank
 
@@ -33,6 +33,9 @@ class Solution:
 
     motion: RationalVector
     forces: tuple[tuple[Fraction, Fraction], ...]
+
+    def __repr__(self) -> str:
+        return f"<Solution: motion {vector_text(self.motion)}, {len(self.forces)} forces>"
 
     def to_dict(self) -> dict[str, Any]:
         """Return a JSON form; numbers are strings of rationals."""

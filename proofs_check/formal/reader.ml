@@ -35,7 +35,7 @@ let fraction n d =
 
 let digits text = text <> "" && String.for_all (fun c -> c >= '0' && c <= '9') text
 
-(* An integer, or a text: "12", "-7/3", "0.25"; no other form. *)
+(* An integer, or a text: "12", "-7/3", "0.25", "1e-3"; no other form. *)
 let rational where value =
   let wrong () = malformed "%s is not an exact number such as \"7/3\", \"-0.25\" or 12" where in
   let unsigned text =
@@ -51,14 +51,26 @@ let rational where value =
       if not (digits all) then wrong ();
       fraction (Z.of_string all) (Z.pow (Z.of_int 10) (String.length decimals))
     | _ -> wrong () in
+  (* A decimal may have an exponent of at most four digits. *)
+  let scaled text =
+    match String.index_opt (String.lowercase_ascii text) 'e' with
+    | None -> unsigned text
+    | Some i ->
+      let after = String.sub text (i + 1) (String.length text - i - 1) in
+      let signed = after <> "" && (after.[0] = '-' || after.[0] = '+') in
+      let power = if signed then String.sub after 1 (String.length after - 1) else after in
+      if String.contains_from text 0 '/' || not (digits power) || String.length power > 4 then wrong ();
+      let q = unsigned (String.sub text 0 i) and ten = Z.pow (Z.of_int 10) (int_of_string power) in
+      if after.[0] = '-' then fraction q.qnum (Z.mul q.qden ten)
+      else fraction (Z.mul q.qnum ten) q.qden in
   match value with
   | Integer n -> fraction n Z.one
   | Text text when String.length text > longest_number ->
     malformed "%s has more than %d characters" where longest_number
   | Text text when text <> "" && (text.[0] = '-' || text.[0] = '+') ->
-    let q = unsigned (String.sub text 1 (String.length text - 1)) in
+    let q = scaled (String.sub text 1 (String.length text - 1)) in
     if text.[0] = '-' then { q with qnum = Z.neg q.qnum } else q
-  | Text text -> unsigned text
+  | Text text -> scaled text
   | _ -> wrong ()
 
 let vector where value =

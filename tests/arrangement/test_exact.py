@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from decimal import Decimal
 from fractions import Fraction
 from typing import Any
 
@@ -13,7 +14,7 @@ import sympy
 from hypothesis import given, strategies as st
 
 from arrangement import InputError, from_floats, primitive, rational, to_text
-from arrangement.exact import MAX_TEXT_LENGTH, shown
+from arrangement.exact import MAX_TEXT_LENGTH, common_digits, number_text, shown
 
 
 @pytest.mark.ground_types
@@ -155,6 +156,35 @@ def test_integers_of_any_length_have_a_text(digits: int) -> None:
     assert to_text(number) == "7" * digits
     assert to_text(-number) == "-" + "7" * digits
     assert to_text(Fraction(1, 10**digits)) == "1/1" + "0" * digits
+
+
+@given(st.fractions() | st.integers(), st.integers(1, 30), st.integers(-5000, 5000))
+def test_a_number_for_people_is_exact_or_the_nearest_one_of_so_many_digits(
+    number: Fraction, digits: int, power: int
+) -> None:
+    number *= Fraction(10) ** power
+    text = number_text(number, digits)
+    near = Fraction(Decimal(text.removeprefix("≈"))) if "/" not in text else rational(text)
+    if not text.startswith("≈"):
+        assert near == number
+        return
+    assert len(to_text(number)) > 12
+    assert near != number
+    assert len(text) <= digits + 16
+    size = Fraction(10) ** (Decimal(text[1:]).adjusted() - digits + 1)
+    assert abs(near - number) <= size / 2
+
+
+@given(st.fractions(), st.fractions(0, Fraction(1, 10**5)))
+def test_common_digits_are_those_of_both_ends(low: Fraction, length: Fraction) -> None:
+    high = low + length
+    found = common_digits(low, high, 9)
+    nearest = [
+        [Fraction(f"{Decimal(x.numerator) / Decimal(x.denominator):.{k}e}") for x in (low, high)]
+        for k in range(8, -1, -1)
+    ]
+    wanted = next((one for one, other in nearest if one == other), None)
+    assert (None if found is None else Fraction(found)) == wanted
 
 
 @given(st.lists(st.fractions(max_denominator=50), min_size=1, max_size=5))

@@ -167,7 +167,7 @@ def test_a_wrong_proof_of_readable_form_is_a_report(tree):
         ([], "tree has 0 entries; expected 3"),
         (["0", "0"], "tree has 2 entries"),
         (["0", "0", 0.5], "float"),
-        (["0", "0", "1e3"], "not an exact number"),
+        (["0", "0", "1e30000"], "not an exact number"),
         (["0", "0", "1/0"], "divides by zero"),
         (["0", "0", True], "Boolean"),
         (["0", "0", None], r"tree\[2\]"),
@@ -319,6 +319,20 @@ def test_the_inequality_that_fails_is_named_with_its_numbers(leaf, words):
     """One contact below, spring 1 - y; the load (0, 1, 0) lifts."""
     document = refuted_certificate(ONE, (Fraction(0), Fraction(1), Fraction(0)), leaf).to_dict()
     assert check(document).problem.startswith(words)
+
+
+@pytest.mark.parametrize(
+    ("leaf", "words"),
+    [
+        (["0", "-1/2", "0"], "the work of load and contacts is -1, and"),
+        ({"virtual_motion": ["0", "1/2", "0"], "multipliers": {"0": ["2/3"]}}, "kappa = 1/2:"),
+    ],
+)
+def test_the_numbers_that_are_named_have_the_units_of_the_question(leaf, words):
+    """Stiffness and friction with denominators: the checker counts in thirtieths here."""
+    grasp = Grasp([Contact((0, 0), (0, 1), "1/5", "1/3", 1)])
+    document = refuted_certificate(grasp, (Fraction(0), Fraction(1), Fraction(0)), leaf).to_dict()
+    assert words in check(document).problem
 
 
 def test_form_is_checked_behind_a_leaf_that_fails():

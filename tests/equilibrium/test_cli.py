@@ -8,7 +8,8 @@ from pathlib import Path
 import pytest
 
 from arrangement.cli import main as arrangement_main
-from equilibrium import solve
+from arrangement.exact import number_text
+from equilibrium import read_grasp, solve
 from equilibrium.cli.program import main
 from equilibrium.inputs.random import random_grasp
 
@@ -221,3 +222,30 @@ def test_literal_reading_in_json(capsys):
     code, out, _ = call(capsys, "solve", "paper-four-contacts", *arguments)
     assert json.loads(out)["literal"] == ["detachment", "cell-check"]
     assert code == (0 if json.loads(out)["stable"] else 1)
+
+
+def test_long_numbers_are_rounded_unless_they_are_wanted_exactly(capsys) -> None:
+    asked = ("solve", THREE, "--wrench", "1/12345678901234567", "-1/2", "0")
+    (x, y, r), *_ = (piece.motion for piece in solve(read_grasp(THREE), asked[3:]).equilibria)
+    assert f"({x}, {y}, {r})" in call(capsys, *asked, "--exact")[1]
+    assert "(≈5.4e-17, ≈-0.5, ≈-5.4e-17)" in call(capsys, *asked)[1]
+    assert f"({number_text(x, 20)}, " in call(capsys, *asked, "--digits", "20")[1]
+    document = json.loads(call(capsys, *asked, "--digits", "3", "--json")[1])
+    assert document["equilibria"][0]["motion"] == [str(x), str(y), str(r)]
+    assert call(capsys, *asked)[1] == call(capsys, *asked, "--digits", "6")[1]
+
+
+@pytest.mark.parametrize("digits", ["0", "-1", "1001", "1" * 5000, "six", "²"])
+def test_digits_are_a_small_whole_number(capsys, digits: str) -> None:
+    with pytest.raises(SystemExit) as error:
+        main(["solve", THREE, "--wrench", "0", "1", "0", "--digits", digits])
+    assert error.value.code == 2
+    assert "1 to 1000" in capsys.readouterr().err
+
+
+def test_the_least_friction_is_told_by_its_certain_digits_and_its_bounds(capsys) -> None:
+    asked = ("margin", "paper-three-contacts-preload-1", "--wrench", "1/7", "1", "1/3")
+    bounds = "between 652447/1048576 and 28/45"
+    assert f"least uniform friction: 0.622222 ({bounds})" in call(capsys, *asked)[1]
+    assert f"least uniform friction: 0.622 ({bounds})" in call(capsys, *asked, "--digits", "3")[1]
+    assert f"least uniform friction: {bounds}" in call(capsys, *asked, "--exact")[1]

@@ -383,7 +383,7 @@ def test_numbers_on_labels_say_when_they_are_rounded() -> None:
     assert number(Fraction(-11, 10)) == "−11/10"
     assert number(10**30) == "1e+30"
     assert number(Fraction(1, 3 * 10**9)).startswith("≈3.333e")
-    assert number(Fraction(10) ** 5000).startswith("≈10^")
+    assert number(Fraction(10) ** 5000) == "1e+5000"
 
 
 @pytest.mark.parametrize("value", [1.0, 1.9, 2.0, 4.999, 5.0, 9.99, 0.002, 3e7])

@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 from hypothesis import given, settings, strategies as st
 
-from arrangement.draw.scene import Path, area
+from arrangement.draw.scene import Label, Path, area
 from arrangement.exact import dot
 from equilibrium import Contact, Grasp, GraspError, Solver, Verdict, check, read_grasp, solve
 from equilibrium.certificate.document import refuted_certificate
@@ -123,7 +123,7 @@ def test_a_proof_by_states_is_drawn_and_said_by_their_planes() -> None:
         proof_lines(verdict)
     )
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr("equilibrium.draw.proof.solve", lambda *_: verdict)
+        patch.setattr("equilibrium.draw.proof_maps.solve", lambda *_: verdict)
         assert_filled(verdict)
         assert {len(regions(verdict, sense)) for sense in (1, 2)} == {2}
 
@@ -165,3 +165,31 @@ def test_solve_counts_the_leaves_of_a_longer_proof(capsys: pytest.CaptureFixture
     report = solve(read_grasp("paper-four-contacts"), (0, 1, 0)).verify()
     line = f"proof: {report.leaves} leaves; --certificate OUT.json writes it\n"
     assert capsys.readouterr().out.endswith(line)
+
+
+@pytest.mark.parametrize("name", ["paper-three-contacts", "paper-four-contacts"])
+@pytest.mark.parametrize("wrench", [(0, 1, 0), (0, 2, 1), (1, 3, 1), (0, 2, -1)])
+def test_no_label_covers_an_arrow_or_another_label(name: str, wrench: tuple[int, ...]) -> None:
+    scene = unwrap(draw_proof)(read_grasp(name), wrench=wrench)
+    boxes = []
+    for label in scene.items:
+        if isinstance(label, Label) and "work-" in label.name:
+            x, y = label.place
+            half = scene.measure(label.text)[0] / 2
+            boxes.append((x - half, y - 3, x + half, y + 3))
+    assert len(boxes) >= len(read_grasp(name))
+    ways = [x.points for x in scene.items if isinstance(x, Path) and "shift-" in x.name]
+    ends = np.concatenate([np.linspace(way[3], (way[0] + way[-1]) / 2, 20) for way in ways])
+    for i, (left, low, right, high) in enumerate(boxes):
+        inside = (ends > (left, low)) & (ends < (right, high))
+        assert not inside.all(axis=1).any()
+        for a, b, c, d in boxes[:i]:
+            assert not (left < c and a < right and low < d and b < high)
+
+
+def test_beyond_eight_contacts_the_page_is_named_for_the_numbers() -> None:
+    grasp = Grasp([c for c in random_grasp(60, 7) if c.normal[1] > 0][:9])
+    scene = unwrap(draw_proof)(grasp, wrench=(0, 50, 0))
+    texts = [item for item in scene.items if isinstance(item, Label)]
+    assert not any("work-" in item.name or "number-" in item.name for item in texts)
+    assert any("a page (.html) has them" in item.text for item in texts)

@@ -187,3 +187,24 @@ def test_what_the_balance_leaves_open_of_a_motion_is_guessed(axis):
     motion = tuple(32 * (j == axis) for j in range(3))
     found = exact_equilibrium(contacts, (Fraction(0),) * 3, Guess((False,), (False,), (0,), motion))
     assert found == Solution(tuple(Fraction(x, 16) for x in motion), ((Fraction(0),) * 2,))
+
+
+def test_what_the_balance_leaves_open_of_a_force_is_none():
+    """Contact 1 sticks at the origin; contact 2 slips, and pushes along the plane of contact 1."""
+    grasp = Grasp([Contact((0, 0), (0, 1), 1, 1, 1), Contact((1, 0), ("3/5", "4/5"), "4/3", 1, 1)])
+    guess = Guess((True, True), (True, False), (0, -(2**14)), (0, 0, 8))
+    found = exact_equilibrium(IntegerContacts(grasp), tuple(map(Fraction, (-1, -1, 0))), guess)
+    assert found is not None
+    assert found.motion == (0, 0, Fraction(1, 2))
+    assert found.forces == ((1, 0), (Fraction(3, 5), Fraction(-4, 5)))
+
+
+def test_a_contact_that_pushes_all_over_a_region_needs_no_state():
+    """The spring lifts with 1 or more where y <= 0, and the load takes 1/2 of it."""
+    contacts = IntegerContacts(Grasp([Contact((0, 0), (0, 1), 0, 1, 1)]))
+    wrench = (Fraction(0), Fraction(-1, 2), Fraction(0))
+    region = [(1, 0, 0, 0), (0, 1, 0, 0), (0, 0, -1, 0), (0, 0, 0, 1)]
+    assert isinstance(StateSplits(contacts, wrench, region, 10).decide(), list)
+    found = StateSplits(contacts, wrench, HALF_SPACE, 10).decide()
+    assert isinstance(found, Solution)
+    assert found.motion == (0, Fraction(1, 2), 0)

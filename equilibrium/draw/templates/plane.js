@@ -3,7 +3,6 @@
 const SIDE = 118;
 let [WIDE, HIGH] = [150, SIDE];
 const CODES = { stick: "●", "slip+": "+", "slip-": "−", detached: "○" };
-const fixed = (x) => (Math.round(x * 100) / 100).toString();
 
 const scale = () => SIDE / state.half;
 const onPaper = ([x, y]) => [(x - state.middle[0]) * scale(), -(y - state.middle[1]) * scale()];

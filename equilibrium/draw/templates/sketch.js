@@ -1,0 +1,56 @@
+// What every drawing of a grasp has: outline, contacts with cones, numbers, origin, arrows.
+const fixed = (x) => (Math.round(x * 100) / 100).toString();
+// How far the drawing reaches; names and preloads stand outside of the contacts.
+const REACH = Math.max(1, ...[...(data.outline ?? []), data.origin].flat().map((x) => Math.abs(x) + 0.15),
+  ...data.contacts.flatMap(({ place: p, normal: n }) => [0, 1].map((k) => Math.abs(p[k] - 0.7 * n[k]))));
+const UNIT = Math.min(72, 114 / REACH);
+const spot = (p) => `${fixed(UNIT * p[0])},${fixed(-UNIT * p[1])}`;
+const along = (p, v, s) => [p[0] + s * v[0], p[1] + s * v[1]];
+
+function arrow(view, from, to, style, width = 1) {
+  const [dx, dy] = [to[0] - from[0], to[1] - from[1]];
+  const length = Math.hypot(dx, dy);
+  if (length < 1e-6) return;
+  const [ux, uy] = [dx / length, dy / length];
+  const head = Math.min(0.13 * width, 0.6 * length);
+  const side = 0.018 * width;
+  const corner = (s, t) => [to[0] - s * ux - t * uy, to[1] - s * uy + t * ux];
+  const corners = [corner(length, side), corner(head, side), corner(head, 0.42 * head), to,
+    corner(head, -0.42 * head), corner(head, -side), corner(length, -side)];
+  draw("path", { class: style, d: `M${corners.map(spot).join("L")}Z` }, view);
+}
+
+function paintBody(view) {
+  draw("path", { class: "body", d: `M${data.outline.map(spot).join("L")}Z` }, view);
+}
+
+function paintContact(view, { place, normal: n, friction }) {
+  const t = [-n[1], n[0]];
+  const half = Math.atan(friction);
+  const edge = (a) => along(along(place, n, 0.55 * Math.cos(a)), t, 0.55 * Math.sin(a));
+  const arc = [-1, -0.5, 0, 0.5, 1].map((s) => edge(s * half));
+  draw("path", { class: "cone", d: `M${spot(place)}L${arc.map(spot).join("L")}Z` }, view);
+  draw("path", { class: "middle", d: `M${spot(place)}L${spot(along(place, n, 0.55))}` }, view);
+  draw("path", { class: "pad", d: `M${spot(along(place, t, 0.08))}L${spot(along(place, t, -0.08))}` }, view);
+}
+
+function paintNames(view) {
+  data.contacts.forEach(({ place, normal }, i) => {
+    const twins = data.contacts.slice(0, i).filter((c) => c.place[0] === place[0] && c.place[1] === place[1]).length;
+    const [x, y] = along(along(place, normal, -0.6), [-normal[1], normal[0]], 0.16 * twins);
+    draw("text", { class: "name", x: fixed(UNIT * x), y: fixed(-UNIT * y) }, view, String(i + 1));
+  });
+}
+
+function paintOrigin(view) {
+  const { origin } = data;
+  draw("path", { class: "axis", d: `M${spot(along(origin, [1, 0], -0.05))}L${spot(along(origin, [1, 0], 0.05))}M${spot(along(origin, [0, 1], -0.05))}L${spot(along(origin, [0, 1], 0.05))}` }, view);
+}
+
+function paintTwist(view, origin, way) {
+  const at30 = (k) => [origin[0] + 0.26 * Math.cos((way * k * Math.PI) / 12), origin[1] + 0.26 * Math.sin((way * k * Math.PI) / 12)];
+  draw("path", { class: "twist", d: `M${Array.from({ length: 17 }, (_, k) => spot(at30(k + 2))).join("L")}` }, view);
+  const tip = at30(18);
+  const direction = [-(tip[1] - origin[1]) * way, (tip[0] - origin[0]) * way];
+  arrow(view, along(tip, direction, -0.02), along(tip, direction, 0.42), "load", 1.2);
+}
