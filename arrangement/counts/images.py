@@ -16,7 +16,7 @@ Booleans = NDArray[np.bool_]
 Words = NDArray[np.uint64]
 #: Sets whose images are compared at once, in words of 64.
 _BATCH = 1 << 9
-_FACTORS = np.random.default_rng(0).integers(0, 2**63, 1 << 10, dtype=np.uint64) * 2 + 1
+_FACTOR = 0x9E3779B97F4A7C15
 #: Permutations that a walk tries.
 _ELEMENTS = 40
 
@@ -72,7 +72,8 @@ def groups(words: Words) -> tuple[NDArray[np.intp], Booleans]:
 
     Rows are sorted by a hash. If two different rows have the same one, equal rows may end up apart.
     """
-    order = (words * _FACTORS[: words.shape[1]]).sum(axis=1).argsort()
+    factors = np.cumprod(np.full(words.shape[1], _FACTOR, dtype=np.uint64))
+    order = (words * factors).sum(axis=1).argsort()
     start = np.ones(len(order), dtype=np.bool_)
     start[1:] = (words[order[1:]] != words[order[:-1]]).any(axis=1)
     return order, start
