@@ -26,8 +26,8 @@ from arrangement.planes import Planes
 if TYPE_CHECKING:
     import sympy
 
-#: Largest number of sets of planes that are tested, and of pairs of a line and a plane.
-_MAX_SETS, _MAX_PAIRS = 10**6, 10**10
+#: Sets of planes that are tested, and pairs of a line and a plane, at most.
+MAX_SETS, MAX_PAIRS = 10**6, 10**10
 _CHUNK = 1 << 20
 
 
@@ -83,7 +83,7 @@ def points_off(arrangement: Planes, prime: int) -> int:
     """
     d = arrangement.dimension
     _check_prime(prime)
-    if prime ** (d - 1) * max(1, len(arrangement)) > _MAX_PAIRS or d * prime**2 >= 1 << 63:
+    if prime ** (d - 1) * max(1, len(arrangement)) > MAX_PAIRS or d * prime**2 >= 1 << 63:
         raise InputError(
             f"{len(arrangement)} planes modulo {prime} in dimension {d} take too many steps; "
             "use characteristic_polynomial"
@@ -113,9 +113,9 @@ def _minors(arrangement: Planes) -> Iterator[tuple[int, tuple[int, ...]]]:
     if not arrangement.is_central:
         rows.append((0,) * arrangement.dimension + (1,))
     order = rank(rows)
-    if comb(len(rows), order) > _MAX_SETS:
+    if comb(len(rows), order) > MAX_SETS:
         raise InputError(
-            f"{len(arrangement)} planes of rank {arrangement.rank} have over {_MAX_SETS} bases to "
+            f"{len(arrangement)} planes of rank {arrangement.rank} have over {MAX_SETS} bases to "
             "test; use characteristic_polynomial"
         )
     columns = [c for c in range(arrangement.dimension + 1) if any(row[c] for row in rows)]

@@ -183,7 +183,7 @@ COUNTED: dict[str, Callable[[], tuple[Any, int | None]]] = {
     label: partial(_in_print, label)
     for label in (
         *(f"resonance({n})" for n in (6, 7, 8)),
-        *(f"threshold_functions({n})" for n in (6, 7)),
+        *(f"threshold_functions({n})" for n in (6, 7, 8)),
         "coxeter('E8')",
         "shi('E6')",
         "shi('B4', 3)",
