@@ -4,8 +4,7 @@ With V the matrix whose rows are the vectors, ``G = V (V^T V)^-1 V^T`` is the pr
 columns of V. An invertible linear map takes every vector i to plus or minus vector p(i) exactly
 when ``G[p(i), p(j)] = e_i e_j G[i, j]`` for signs e: both say that the signed permutation keeps the
 space of columns. So V and every other basis have the same automorphisms, and G, an exact rational
-matrix, is all that has to be compared. G is also a table of scalar products in which such maps are
-isometries, so the images of r independent vectors determine the map.
+matrix, is all that has to be compared. The images of r independent vectors determine the map.
 
 Maps that scale vectors by other factors than plus or minus one are not looked for.
 """
@@ -148,7 +147,11 @@ class Automorphisms:
                 yield int(planes[place]), sign
 
     def _completed(self, path: list[tuple[int, int]], key: _Integers) -> Permutations | None:
-        """Return the permutation of the isometry that takes the base to the path, if it is one."""
+        """Return the permutation that takes the base to the path, if it is an automorphism.
+
+        The columns of G at the base span its columns, and those at the path lie among them. If a
+        signed permutation of rows takes the first to the second, it keeps the space of columns.
+        """
         columns = [plane for plane, _ in path]
         signs = np.array([sign for _, sign in path], dtype=np.int64)
         image = np.empty(self.size, dtype=np.intp)

@@ -38,6 +38,7 @@ POLYNOMIALS: dict[str, tuple[Callable[[int], Arrangement], Callable[[int], Any],
     "B": (families.type_b, lambda n: roots(*range(1, 2 * n, 2)), range(1, 6)),
     "D": (families.type_d, lambda n: roots(n - 1, *range(1, 2 * n - 2, 2)), range(2, 6)),
     "Shi": (families.shi, lambda n: T * (T - n) ** (n - 1), range(1, 6)),
+    "Ish": (families.ish, lambda n: T * (T - n) ** (n - 1), range(1, 6)),
     "Catalan": (families.catalan, lambda n: T * roots(*range(n + 1, 2 * n)), range(1, 6)),
     "Linial": (families.linial, linial_chi, range(1, 6)),
 }

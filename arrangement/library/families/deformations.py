@@ -71,6 +71,22 @@ def semiorder(type: int | str) -> Arrangement:
     return _deformed(type, (-1, 1))
 
 
+def ish(n: int) -> Arrangement:
+    """Return the Ish arrangement in R^n: x_i - x_j = 0 and x_1 - x_j = i, for i < j.
+
+    Known counts: those of the Shi arrangement, chi(t) = t (t - n)^(n-1) and (n+1)^(n-1) regions.
+    Source: D. Armstrong, B. Rhoades, Transactions of the American Mathematical Society 364 (2012).
+
+    >>> ish(3).f_vector[-1]
+    16
+    """
+    at_least(n, 1, "n")
+    pairs = [(i, j) for i in range(n) for j in range(i + 1, n)]
+    first = [[int(k == 0) - int(k == j) for k in range(n)] for _, j in pairs]
+    offsets = [0] * len(pairs) + [i + 1 for i, _ in pairs]
+    return Arrangement([*differences(n), *first], offsets, dimension=n)
+
+
 def _deformed(type: int | str, offsets: Iterable[int]) -> Arrangement:
     """Return the planes of every root with every offset."""
     if isinstance(type, str):

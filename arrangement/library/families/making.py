@@ -19,7 +19,13 @@ FAMILIES: Mapping[str, Callable[..., Arrangement]] = {
     for function in (
         *(classical.generic, classical.pencil, classical.near_pencil, classical.coordinate),
         *(classical.braid, classical.type_b, classical.type_d, coxeter),
-        *(deformations.shi, deformations.catalan, deformations.linial, deformations.semiorder),
+        *(
+            deformations.shi,
+            deformations.catalan,
+            deformations.ish,
+            deformations.linial,
+            deformations.semiorder,
+        ),
         *(combinatorial.resonance, combinatorial.threshold, combinatorial.threshold_functions),
         *(randoms.random_integer, randoms.random_degenerate, randoms.random_sphere),
         simplicial,

@@ -13,7 +13,7 @@ from arrangement.arrangement import Arrangement
 
 from .classical import braid, type_b, type_d
 from .combinatorial import resonance, threshold, threshold_functions
-from .deformations import catalan, linial, semiorder, shi
+from .deformations import catalan, ish, linial, semiorder, shi
 from .root_systems import coxeter
 
 
@@ -57,6 +57,7 @@ _SEQUENCES: tuple[tuple[Callable[..., Arrangement], int, str, tuple[int, ...]], 
     (type_b, 1, "OEIS A000165", (2, 8, 48, 384, 3840, 46080)),
     (type_d, 2, "OEIS A002866", (4, 24, 192, 1920, 23040)),
     (shi, 1, "OEIS A000272", (1, 3, 16, 125, 1296, 16807)),
+    (ish, 1, "Armstrong and Rhoades (2012), OEIS A000272", (1, 3, 16, 125, 1296, 16807)),
     (catalan, 1, "OEIS A001761", (1, 4, 30, 336, 5040, 95040)),
     (linial, 1, "OEIS A007889", (1, 2, 7, 36, 246, 2104)),
     (semiorder, 1, "OEIS A006531", (1, 3, 19, 183, 2371, 38703)),
