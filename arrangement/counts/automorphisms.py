@@ -75,6 +75,15 @@ class Automorphisms:
                     tried |= self._orbit(found, self._base[level])
         return self._stacked(found)
 
+    def orbits(self, generators: Permutations) -> int:
+        """Return the number of orbits of the vectors, infinity left out."""
+        left = set(range(self.size - self._fixed))
+        count = 0
+        while left:
+            left -= set(np.flatnonzero(self._orbit(list(generators), min(left))).tolist())
+            count += 1
+        return count
+
     def verified(self, permutations: Sequence[Sequence[int]]) -> Permutations:
         """Return given permutations of the vectors, or refuse one that is no automorphism."""
         checked = []

@@ -33,7 +33,7 @@ _CHUNK = 1 << 19
 
 
 @dataclass(frozen=True)
-class _Flats:
+class Flats:
     """Flats of one rank, one of each class.
 
     Attributes:
@@ -52,7 +52,7 @@ class _Flats:
         return len(self.bases)
 
     @classmethod
-    def joined(cls, parts: Sequence[_Flats]) -> _Flats:
+    def joined(cls, parts: Sequence[Flats]) -> Flats:
         """Return the flats of all parts."""
         return cls(
             np.concatenate([part.bases for part in parts]),
@@ -61,8 +61,8 @@ class _Flats:
             np.concatenate([part.values for part in parts], axis=1),
         )
 
-    def __getitem__(self, part: slice) -> _Flats:
-        return _Flats(self.bases[part], self.members[part], self.images[part], self.values[:, part])
+    def __getitem__(self, part: slice) -> Flats:
+        return Flats(self.bases[part], self.members[part], self.images[part], self.values[:, part])
 
 
 def first_whitney_numbers(
@@ -109,7 +109,9 @@ def first_whitney_numbers(
         generators = automorphisms.verified(_of_classes(arrangement, symmetry))
     found: list[int] = []
     try:
-        for number in _Engine(config, Images(generators), deadline).numbers():
+        # sizes of the numbers are at most binomial coefficients
+        moduli = moduli_above(max(comb(len(config.vectors), rank) for rank in range(config.rank)))
+        for number in Classes(config, Images(generators), deadline, moduli).numbers():
             found.append(number)
     except TimeoutError:
         known = ", ".join(map(str, found))
@@ -137,10 +139,18 @@ def _of_classes(planes: Planes, symmetry: Sequence[Sequence[int]]) -> list[list[
     return found
 
 
-class _Engine:
-    """The flats of a configuration, rank by rank."""
+class Classes:
+    """The flats of a configuration, rank by rank.
 
-    def __init__(self, config: Configuration, images: Images, deadline: float) -> None:
+    Args:
+        images: what tells flats apart.
+        deadline: of the monotonic clock.
+        moduli: primes; their product exceeds what is to be told from its residues.
+    """
+
+    def __init__(
+        self, config: Configuration, images: Images, deadline: float, moduli: Sequence[int]
+    ) -> None:
         self._planes, self._rank = len(config.vectors), config.rank
         self._central = config.infinity is None
         rows = [*config.vectors, *([] if config.infinity is None else [config.infinity])]
@@ -149,8 +159,7 @@ class _Engine:
             images,
             deadline,
         )
-        # sizes of the numbers are at most binomial coefficients
-        self._moduli = _moduli(max(comb(self._planes, rank) for rank in range(config.rank)))
+        self._moduli = moduli
         self._modulus = np.array(self._moduli)[:, None]
         self._inverses = np.array(
             [[0, *(pow(k, -1, q) for k in range(1, self._planes + 1))] for q in self._moduli]
@@ -164,19 +173,29 @@ class _Engine:
         """
         from sympy.ntheory.modular import crt
 
-        empty = packed(np.zeros((1, self._vectors.count), dtype=np.bool_))
-        flats = _Flats(np.zeros((1, 0), np.int64), empty, empty, np.ones_like(self._modulus))
-        total = 1
+        flats, total = self._bottom(), 1
         yield total
         for rank in range(1, self._rank):
-            flats, residues = self._above(flats, rank)
+            flats, residues = self._above(flats, rank, keep=rank < self._rank - 1)
             size = int(crt(self._moduli, ((-1) ** rank * residues).tolist())[0])
             total += (-1) ** rank * size
             yield (-1) ** rank * size
         if self._central:
             yield -total
 
-    def _above(self, flats: _Flats, rank: int) -> tuple[_Flats, Integers]:
+    def levels(self) -> Iterator[Flats]:
+        """Yield one flat of each class, rank by rank, but for the top of a central arrangement."""
+        flats = self._bottom()
+        yield flats
+        for rank in range(1, self._rank):
+            flats, _ = self._above(flats, rank, keep=True)
+            yield flats
+
+    def _bottom(self) -> Flats:
+        empty = packed(np.zeros((1, self._vectors.count), dtype=np.bool_))
+        return Flats(np.zeros((1, 0), np.int64), empty, empty, np.ones_like(self._modulus))
+
+    def _above(self, flats: Flats, rank: int, *, keep: bool) -> tuple[Flats, Integers]:
         """Return the flats of the next rank, one of each class, and the residues of its number."""
         parts, residues = [], np.zeros(len(self._moduli), dtype=np.int64)
         step = max(1, _CHUNK // self._vectors.count)
@@ -192,28 +211,28 @@ class _Engine:
             values = piece.values[:, covers.below] * -covers.added % self._modulus
             values = values * self._inverses[:, sizes] % self._modulus
             residues = (residues + values.sum(axis=1)) % self._modulus[:, 0]
-            if rank < self._rank - 1:
+            if keep:
                 above = members[covers.below]
                 above[covers.cover, covers.member] = True
                 bases = np.column_stack([piece.bases[covers.below], covers.plane])
                 images = self._images.small(above)
-                parts.append(self._merged(_Flats(bases, packed(above), images, values)))
-        return (self._merged(_Flats.joined(parts)) if parts else flats), residues
+                parts.append(self._merged(Flats(bases, packed(above), images, values)))
+        return (self._merged(Flats.joined(parts)) if parts else flats), residues
 
-    def _merged(self, flats: _Flats) -> _Flats:
+    def _merged(self, flats: Flats) -> Flats:
         """Return one flat of each class, with the sum of the values of all."""
         order, start = groups(flats.images)
         first = np.flatnonzero(start)
         values = np.add.reduceat(flats.values[:, order], first, axis=1) % self._modulus
         one = order[first]
-        return _Flats(flats.bases[one], flats.members[one], flats.images[one], values)
+        return Flats(flats.bases[one], flats.members[one], flats.images[one], values)
 
 
-def _moduli(bound: int) -> list[int]:
-    """Return primes below 2^31 with a product above the bound."""
+def moduli_above(bound: int, below: int = 1 << 31) -> list[int]:
+    """Return the largest primes below 2^31, or less, with a product above the bound."""
     from sympy import prevprime
 
     found: list[int] = []
     while prod(found) <= bound:
-        found.append(int(prevprime(found[-1] if found else 1 << 31)))
+        found.append(int(prevprime(found[-1] if found else below)))
     return found

@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, NamedTuple
 from arrangement.errors import InputError
 from arrangement.planes import Planes
 
+from .class_sums import flats_and_faces
 from .configuration import configuration
 from .lattice import intersection_lattice
 from .low_rank import MAX_RANK, WhitneyMatrix, whitney_matrix
@@ -48,7 +49,7 @@ def doubly_indexed_whitney_numbers(arrangement: Planes) -> WhitneyMatrix:
 
 
 def whitney_numbers(arrangement: Planes) -> WhitneyNumbers:
-    """Return the Whitney numbers of both kinds.
+    """Return the Whitney numbers of both kinds; many symmetries help, as in `f_vector`.
 
     >>> from arrangement import Arrangement
     >>> whitney_numbers(Arrangement([[1, 0], [0, 1], [1, 1]]))
@@ -59,8 +60,11 @@ def whitney_numbers(arrangement: Planes) -> WhitneyNumbers:
         table = whitney_matrix(config)
         unsigned, second = table[0], tuple(row[k] for k, row in enumerate(table))
     else:
-        lattice = intersection_lattice(arrangement)
-        unsigned, second = lattice.whitney_row(0), tuple(map(len, lattice.masks))
+        first = first_whitney_numbers(arrangement)
+        by_classes = flats_and_faces(arrangement, config, faces=False)
+        if by_classes is not None:
+            return WhitneyNumbers(first, by_classes[0])
+        return WhitneyNumbers(first, tuple(map(len, intersection_lattice(arrangement).masks)))
     return WhitneyNumbers(tuple((-1) ** j * value for j, value in enumerate(unsigned)), second)
 
 
@@ -122,13 +126,21 @@ def f_vector(arrangement: Planes) -> tuple[int, ...]:
     `Arrangement.f_vector`, which enumerates; the two share no code.
 
     Source: T. Zaslavsky, Facing up to arrangements, Memoirs AMS 154 (1975), theorem A.
-    Complexity: see `doubly_indexed_whitney_numbers`.
+    Complexity: see `doubly_indexed_whitney_numbers`. Beyond rank 4, planes with many symmetries are
+    counted by classes of flats: one restriction for each.
 
     >>> from arrangement import Arrangement
     >>> f_vector(Arrangement([[1, 0, 0], [0, 1, 0], [1, 1, 1]]))
     (1, 6, 12, 8)
     """
-    sums = [sum(row) for row in doubly_indexed_whitney_numbers(arrangement)]
+    config = configuration(arrangement)
+    by_classes = None
+    if config.rank > MAX_RANK:
+        by_classes = flats_and_faces(arrangement, config, faces=True)
+    if by_classes is None:
+        sums = [sum(row) for row in doubly_indexed_whitney_numbers(arrangement)]
+    else:
+        sums = list(by_classes[1])
     return (0,) * (arrangement.dimension + 1 - len(sums)) + tuple(reversed(sums))
 
 

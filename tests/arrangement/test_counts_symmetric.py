@@ -14,10 +14,12 @@ from hypothesis import given, settings
 from sympy.combinatorics import Permutation, PermutationGroup
 
 from arrangement import Arrangement, InputError, counts
+from arrangement.counts import class_sums
 from arrangement.counts.automorphisms import Automorphisms
 from arrangement.counts.configuration import configuration
 from arrangement.counts.images import Images, packed, unpacked
 from arrangement.counts.modular import ModularVectors
+from arrangement.counts.symmetric import moduli_above
 from arrangement.errors import TimeLimitError
 from arrangement.library import families
 
@@ -110,6 +112,45 @@ def test_classes_count_the_regions_that_enumeration_finds(planes: Arrangement) -
 )
 def test_symmetric_planes_agree_with_the_lattice(planes: Arrangement) -> None:
     agree(planes)
+
+
+def test_flats_and_faces_by_classes(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(class_sums, "_PLANES_IN_AN_ORBIT", 0)
+    named = [
+        families.resonance(4),
+        families.coxeter("D4"),
+        families.shi("A3"),
+        families.threshold(5),
+        families.graphical(nx.petersen_graph().subgraph(range(7))),
+    ]
+    for planes in (*named, *random_planes(3, 25)):
+        if not len(planes):
+            continue
+        found = class_sums.flats_and_faces(planes, configuration(planes), faces=True)
+        assert found is not None
+        lattice = counts.intersection_lattice(planes)
+        assert found[0] == tuple(map(len, lattice.masks))
+        assert found[1] == tuple(map(sum, lattice.whitney_matrix))
+
+
+def test_a_prime_that_divides_a_moebius_value_is_replaced(monkeypatch: pytest.MonkeyPatch) -> None:
+    def with_13(bound: int, below: int = 1 << 31) -> list[int]:
+        return [*moduli_above(bound), *([13] if below == 1 << 31 else [])]
+
+    # two triples of planes through a line: mu is -13 at the common line of the first seven
+    seven = [[1, 0, 0], [0, 1, 0], [1, 1, 0], [0, 0, 1], [1, 0, 1], [1, 2, 5], [1, -3, 7]]
+    planes = Arrangement([*([*row, 0] for row in seven), [0, 0, 0, 1]])
+    assert counts.first_whitney_numbers(Arrangement(seven))[-1] == -13
+    monkeypatch.setattr(class_sums, "_PLANES_IN_AN_ORBIT", 0)
+    expected = class_sums.flats_and_faces(planes, configuration(planes), faces=True)
+    monkeypatch.setattr(class_sums, "moduli_above", with_13)
+    assert class_sums.flats_and_faces(planes, configuration(planes), faces=True) == expected
+
+
+def test_few_symmetries_leave_flats_to_the_lattice() -> None:
+    planes = families.random_integer(9, 5, seed=1)
+    assert class_sums.flats_and_faces(planes, configuration(planes), faces=True) is None
+    assert counts.f_vector(planes) == planes.f_vector
 
 
 # Athanasiadis (2004): (mh + 1)^r regions, (mh - 1)^r of them bounded
