@@ -14,6 +14,7 @@ from math import comb
 import numpy as np
 
 from arrangement.planes import Planes
+from arrangement.progress import watched
 
 from .automorphisms import Automorphisms
 from .configuration import Configuration
@@ -51,7 +52,8 @@ def flats_and_faces(
     sums = []
     for rank, flats in enumerate(Classes(config, Images(generators), math.inf, moduli).levels()):
         residues = [[0] * len(moduli), [0] * len(moduli)]
-        for place, members in enumerate(unpacked(flats.members, automorphisms.size)):
+        sets = unpacked(flats.members, automorphisms.size)
+        for place, members in enumerate(watched(sets, f"classes of rank {rank}")):
             chosen = [planes.distinct[i][0] for i in np.flatnonzero(members)]
             moebius = first_whitney_numbers(localization(planes, chosen))[-1] if rank else 1
             inside = _regions(planes, chosen, rank) if faces else 1

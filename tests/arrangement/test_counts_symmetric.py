@@ -147,6 +147,16 @@ def test_a_prime_that_divides_a_moebius_value_is_replaced(monkeypatch: pytest.Mo
     assert class_sums.flats_and_faces(planes, configuration(planes), faces=True) == expected
 
 
+def test_rays_of_e7_are_cosets_of_its_maximal_parabolic_subgroups() -> None:
+    # D6, A6, A1 A5, A1 A2 A3, A4 A2, D5 A1, E6 (Humphreys, sections 1.15 and 2.11)
+    orders = (23040, 5040, 2 * 720, 2 * 6 * 24, 120 * 6, 1920 * 2, 51840)
+    faces = counts.f_vector(families.coxeter("E7"))
+    assert faces[0] == 1
+    assert faces[1] == sum(2903040 // order for order in orders)
+    assert faces[6:] == (7 * 2903040 // 2, 2903040)
+    assert sum((-1) ** k * number for k, number in enumerate(faces)) == -1
+
+
 def test_few_symmetries_leave_flats_to_the_lattice() -> None:
     planes = families.random_integer(9, 5, seed=1)
     assert class_sums.flats_and_faces(planes, configuration(planes), faces=True) is None
