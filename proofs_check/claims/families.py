@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
+from functools import cache
 from random import Random
 
 from arrangement import counts
+from arrangement.arrangement import Arrangement
 from arrangement.library.families.published import PublishedCount, published_counts
 from proofs_check.statement import Case, Claim, Route, exhaustive
 
@@ -14,47 +16,53 @@ _MOST_PLANES = 128
 #: More regions are not enumerated.
 _MOST_REGIONS = 2000
 
-_BY_FLATS = Route(
-    "|chi(-1)| of the characteristic polynomial",
-    lambda entry: counts.region_count(entry.planes()),
-)
+_BY_FLATS = Route("|chi(-1)| of the characteristic polynomial", counts.region_count)
+
+
+@cache
+def _entries() -> Mapping[Arrangement, PublishedCount]:
+    """The entries by their planes; equal planes of two families have the same number."""
+    made = ((entry.planes(), entry) for entry in published_counts())
+    return {planes: entry for planes, entry in made if len(planes) <= _MOST_PLANES}
+
+
+def _in_print(planes: Arrangement) -> int:
+    return _entries()[planes].regions
 
 
 def _printed(rng: Random) -> Iterator[Case]:
-    for entry in published_counts():
-        planes = entry.planes()
-        if len(planes) <= _MOST_PLANES:
-            yield Case(f"{entry.label}: {entry.source}", entry, planes.to_dict())
+    for planes, entry in _entries().items():
+        yield Case(f"{entry.label}: {entry.source}", planes, planes.to_dict())
 
 
 def _small(rng: Random) -> Iterator[Case]:
-    return (case for case in _printed(rng) if case.subject.regions <= _MOST_REGIONS)
+    return (case for case in _printed(rng) if _in_print(case.subject) <= _MOST_REGIONS)
 
 
-def _as_printed(entry: PublishedCount, regions: int) -> bool:
-    return regions == entry.regions
+def _as_printed(planes: Arrangement, regions: int) -> bool:
+    return regions == _in_print(planes)
 
 
 CLAIMS = (
     Claim(
         id="regions-in-print",
-        locator="beside the paper: the sources of the families",
+        locator="the sources of the families",
         statement="Resonance, threshold, reflection, Shi, Ish, Catalan, Linial and semiorder "
         "arrangements have the numbers of regions that are printed for them.",
         quantity="number of regions",
-        routes=(_BY_FLATS, Route("the number in print", lambda entry: entry.regions)),
+        routes=(_BY_FLATS, Route("the number in print", _in_print)),
         judge=_as_printed,
         sources=exhaustive(f"the numbers in print of up to {_MOST_PLANES} planes", _printed),
         meaning="Counts of this package agree with those of others, up to 8,378,070,864 regions.",
     ),
     Claim(
         id="small-regions-in-print",
-        locator="beside the paper: the sources of the families",
+        locator="the sources of the families",
         statement="Those of them with up to 2,000 regions have as many regions as can be listed.",
         quantity="number of regions",
         routes=(
             _BY_FLATS,
-            Route("enumeration", lambda entry: len(entry.planes().regions())),
+            Route("enumeration of all regions", lambda planes: len(planes.regions())),
         ),
         judge=_as_printed,
         sources=exhaustive(f"the numbers in print up to {_MOST_REGIONS}", _small),
