@@ -23,7 +23,9 @@ from .oriented_matroid import (
     dual_chirotope,
     topes,
 )
+from .points import by_points, points_off
 from .supersolvable import exponents, modular_chain
+from .symmetric import first_whitney_numbers
 from .whitney import (
     WhitneyNumbers,
     bounded_region_count,
@@ -42,6 +44,7 @@ __all__ = [
     "addition",
     "bases",
     "bounded_region_count",
+    "by_points",
     "characteristic_polynomial",
     "chirotope",
     "circuits",
@@ -54,11 +57,13 @@ __all__ = [
     "essentialization",
     "exponents",
     "f_vector",
+    "first_whitney_numbers",
     "fukuda_bound",
     "intersection_lattice",
     "localization",
     "modular_chain",
     "moebius",
+    "points_off",
     "region_count",
     "restriction",
     "t_vector",
