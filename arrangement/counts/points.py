@@ -56,14 +56,15 @@ def by_points(arrangement: Planes, primes: Iterable[int] | None = None) -> sympy
 
     t = sympy.Symbol("t")
     d = arrangement.dimension
+    needed = max(1, d)
     minors = list(_minors(arrangement))
     if primes is None:
         good = (q for q in map(int, map(sympy.prime, count(1))) if all(g % q for g, _ in minors))
-        chosen = list(islice(good, d))
+        chosen = list(islice(good, needed))
     else:
         chosen = sorted({_checked(q, minors) for q in primes})
-    if len(chosen) < d:
-        raise InputError(f"there are {len(chosen)} different primes; give at least {d}")
+    if len(chosen) < needed:
+        raise InputError(f"there are {len(chosen)} different primes; give at least {needed}")
     values = {q: points_off(arrangement, q) - q**d for q in chosen}
     rest = sympy.Poly(sympy.interpolate(list(values.items()), t), t)
     return sympy.Poly(rest + sympy.Poly(t**d, t), t, domain=sympy.ZZ)
@@ -83,6 +84,8 @@ def points_off(arrangement: Planes, prime: int) -> int:
     """
     d = arrangement.dimension
     _check_prime(prime)
+    if not d:
+        return 1
     if prime ** (d - 1) * max(1, len(arrangement)) > MAX_PAIRS or d * prime**2 >= 1 << 63:
         raise InputError(
             f"{len(arrangement)} planes modulo {prime} in dimension {d} take too many steps; "

@@ -11,7 +11,7 @@ import pytest
 import sympy
 from hypothesis import given, settings, strategies as st
 
-from arrangement import Arrangement, InputError, read_arrangement
+from arrangement import Arrangement, InputError, counts, read_arrangement
 
 from .oracle import rank
 from .strategies import NONZERO_RATIONALS, RATIONALS, arrangements
@@ -98,6 +98,7 @@ def test_a_point_has_one_region() -> None:
     assert region.f_vector == (1,)
     assert list(point.region_graph().edges) == []
     assert point.p_vector == {0: 1}
+    assert counts.by_points(point) == counts.characteristic_polynomial(point)
     with pytest.raises(InputError, match="dimension"):
         Arrangement([[]], dimension=0)
 
