@@ -12,7 +12,8 @@ import importlib
 import inspect
 import math
 import os
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from contextlib import contextmanager
 from dataclasses import dataclass
 from difflib import get_close_matches
 from functools import cache
@@ -66,6 +67,18 @@ class Option:
     text: str
 
 
+@contextmanager
+def _within_floats() -> Iterator[None]:
+    """Refuse numbers that have no place on paper."""
+    try:
+        yield
+    except OverflowError:
+        raise InputError(
+            "a number of the input is too large for a picture (about 1.8e308 at most); change the "
+            "units"
+        ) from None
+
+
 @dataclass(frozen=True)
 class Drawings:
     """What a package can draw.
@@ -83,6 +96,7 @@ class Drawings:
     models: Mapping[str, str]
     pages: Mapping[str, str]
 
+    @_within_floats()
     def write(
         self,
         subject: Any,
