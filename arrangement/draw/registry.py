@@ -46,6 +46,8 @@ Vector: TypeAlias = Sequence[object]
 Exact: TypeAlias = object
 Wrench: TypeAlias = Iterable[Any]
 Corner: TypeAlias = Iterable[Any]
+#: Names of axes, or True for those that suit.
+AxisNames: TypeAlias = str | bool
 
 
 @dataclass(frozen=True)
@@ -150,7 +152,7 @@ class Drawings:
         for length in LENGTHS & options.keys():
             options[length] = millimetres(options[length], f"the {length}")
         suffix = Path(path).suffix.lower()
-        _check_form(kind, suffix, font_size or theme, text, fragment)
+        _check_form(kind, suffix, font_size, theme, text, fragment)
         module, _, function = getattr(self, f"{kind}s")[name].partition(":")
         draw = getattr(importlib.import_module(f"{self.package}.{module}"), function)
         if kind == "view":
@@ -216,9 +218,11 @@ LENGTHS = {"width", "size"}
 LETTERS = ("outlines", "text")
 
 
-def _check_form(kind: str, suffix: str, looks: object, text: str | None, fragment: bool) -> None:
+def _check_form(
+    kind: str, suffix: str, size: object, theme: str | None, text: str | None, fragment: bool
+) -> None:
     """Refuse what does not go with a kind of file."""
-    if looks is not None and kind != "view":
+    if not (size is theme is None) and kind != "view":
         raise InputError(
             f"a font size or theme is for pictures, and the file name ends in {suffix}"
         )
@@ -228,6 +232,8 @@ def _check_form(kind: str, suffix: str, looks: object, text: str | None, fragmen
         raise InputError(
             f"text or outlines is a choice of .svg, and the file name ends in {suffix}"
         )
+    if theme not in (None, *THEMES):
+        raise refusal(f"the theme is {shown(theme)}", theme, THEMES)
     if text not in (None, *LETTERS):
         raise refusal(f"the text is {shown(text)}", text, LETTERS)
 
