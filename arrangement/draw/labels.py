@@ -71,7 +71,11 @@ def write_inside(
     if free.is_empty:
         return False
     unit = shapely.transform(free, lambda points: points / (w, h))
-    x, y = shapely.maximum_inscribed_circle(unit).coords[0]
+    circle, middle = shapely.maximum_inscribed_circle(unit), unit.centroid
+    x, y = circle.coords[0]
+    # A strip has many such circles; the middle one is taken.
+    if unit.contains(middle) and middle.distance(unit.boundary) > 0.97 * circle.length:
+        x, y = middle.coords[0]
     place = round(x * w, 2), round(y * h, 2)
     shapely.prepare(free)
     for size in sizes:
