@@ -83,7 +83,7 @@ $(VENV)/.stamp-bench: pyproject.toml constraints.txt | $(BIN)/python
 install: $(VENV)/.stamp-install
 	@echo "installed; now type:  . $(BIN)/activate"
 
-verify: $(VENV)/.stamp-run
+verify: $(VENV)/.stamp-install
 	@mkdir -p report
 	$(BIN)/proofs-check run --report report/verdicts.html
 

@@ -112,7 +112,7 @@ def _bounds(arguments: argparse.Namespace) -> int:
 
     check_largest(arguments.largest)
     table = counts_table(arguments.largest)
-    if arguments.output:
+    if arguments.output is not None:
         from .draw import draw_counts, save_figure
 
         width = {} if arguments.width is None else {"width": arguments.width}

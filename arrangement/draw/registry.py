@@ -36,6 +36,7 @@ from .output import (
     own_settings,
     picture_bytes,
     points,
+    svg_text,
 )
 from .scene import FONT, NarrowError, Scene
 from .themes import THEMES, themed
@@ -140,24 +141,14 @@ class Drawings:
             MissingExtraError: matplotlib is absent.
         """
         kind, name = self.target(path, view, model)
-        found = self.options(kind, name)
-        for option in options:
-            if option not in found:
-                raise refusal(
-                    f"the {kind} {name} has no option {shown(option)}", option, found, "it has"
-                )
-        for needed in found.values():
-            if needed.required and needed.name not in options:
-                raise InputError(f"the {kind} {name} needs {needed.name}; give at least one")
+        draw = self._function(kind, name, options)
         for length in LENGTHS & options.keys():
             options[length] = millimetres(options[length], f"the {length}")
         suffix = Path(path).suffix.lower()
         _check_form(kind, suffix, font_size, theme, text, fragment)
-        module, _, function = getattr(self, f"{kind}s")[name].partition(":")
-        draw = getattr(importlib.import_module(f"{self.package}.{module}"), function)
         if kind == "view":
             scale = 1.0 if font_size is None else points(font_size, "the font size") / FONT
-            width = options.get("width", found["width"].default)
+            width = options.get("width", self.options(kind, name)["width"].default)
             options["width"] = width / scale
 
             def scene() -> Scene:
@@ -181,6 +172,32 @@ class Drawings:
         else:
             write_bytes_atomically(path, draw(subject, suffix, **options))
         return {kind: name}
+
+    def svg(self, subject: Any, view: str, **options: Any) -> str | None:
+        """Return a picture as SVG text; None without matplotlib, or when `write` would refuse."""
+        draw = _within_floats()(lambda: self._function("view", view, options)(subject, **options))
+        return svg_text(draw)
+
+    def _function(self, kind: str, name: str, options: Mapping[str, Any]) -> Any:
+        """Return the function behind a name, if it has these options.
+
+        Raises:
+            InputError: an unknown name or option.
+        """
+        known = getattr(self, f"{kind}s")
+        if name not in known:
+            raise refusal(f"the {kind} is {shown(name)}", name, known)
+        found = self.options(kind, name)
+        for option in options:
+            if option not in found:
+                raise refusal(
+                    f"the {kind} {name} has no option {shown(option)}", option, found, "it has"
+                )
+        for needed in found.values():
+            if needed.required and needed.name not in options:
+                raise InputError(f"the {kind} {name} needs {needed.name}; give at least one")
+        module, _, function = known[name].partition(":")
+        return getattr(importlib.import_module(f"{self.package}.{module}"), function)
 
     def target(
         self, path: str | os.PathLike[str], view: str | None = None, model: str | None = None

@@ -61,6 +61,7 @@ def _cases() -> Iterator[Case]:
 CLAIMS = (
     Claim(
         id="leaves-do-not-grow",
+        formula=r"\text{leaves}(m) \le \text{leaves}(4)",
         locator="our claim, on certificates",
         statement="For two jaws with m contacts at even distances, of total stiffness 4 and total "
         "preload 4, the proof that a load is not resisted has no more leaves than for the four "
