@@ -3,6 +3,7 @@
 import contextlib
 import re
 import runpy
+import shutil
 import sys
 from pathlib import Path
 
@@ -72,7 +73,8 @@ def make_figures(app):
 
     The script NAME.py makes files whose names start with NAME. A script that fails, or makes no
     such file, ends the build. Modules that start with an underscore are what scripts share. A page
-    NAME.rst beside the folder is what the script reads.
+    NAME.rst beside the folder is what the script reads. Interactive pages are copied to the folder
+    pages of the site, where links open them.
     """
     source = Path(app.srcdir)
     folder = source / "_generated"
@@ -90,6 +92,10 @@ def make_figures(app):
         if not any(folder.glob(f"{script.stem}*.*")):
             raise RuntimeError(f"{script} made no file {script.stem}*")
         stamp.touch()
+    pages = Path(app.outdir) / "pages"
+    pages.mkdir(parents=True, exist_ok=True)
+    for page in folder.glob("*.html"):
+        shutil.copy(page, pages)
 
 
 def setup(app):

@@ -5,6 +5,7 @@ from __future__ import annotations
 import ast
 import importlib
 import inspect
+import re
 from collections.abc import Iterator
 from graphlib import CycleError, TopologicalSorter
 from pathlib import Path
@@ -13,12 +14,13 @@ from typing import Any
 import numpy as np
 import pytest
 
-from arrangement import InputError, read_arrangement
+from arrangement import Arrangement, ArrangementError, InputError, read_arrangement
 from arrangement.cli import main as draw_planes
 from arrangement.draw import DRAWINGS as OF_PLANES
 from arrangement.draw.command import _KINDS
 from arrangement.draw.registry import Drawings
 from arrangement.draw.scene import ROLES, Ball, Item, Label, Mark, Scene
+from arrangement.draw.views import drawings_of, write_drawing
 from equilibrium import read_grasp
 from equilibrium.cli.program import main as draw_grasp
 from equilibrium.draw import DRAWINGS as OF_GRASPS
@@ -105,6 +107,52 @@ def test_the_command_line_names_the_nearest_option(
     assert "did you mean --width?" in capsys.readouterr().err
 
 
+HUGE = 10**350
+LARGE = {
+    "one": [(HUGE + 7, 1, 0), (0, 1, 1), (1, 0, 2), (1, 1, 1)],
+    "all": [(1, HUGE, HUGE), (HUGE, HUGE + 1, 1), (HUGE, 1, HUGE), (1, 1, 1)],
+}
+
+
+@pytest.mark.filterwarnings("error")
+@pytest.mark.parametrize("normals", LARGE.values(), ids=LARGE)
+@pytest.mark.parametrize("kind", ["view", "page", "model"])
+def test_normals_beyond_floats_are_drawn_or_refused(
+    kind: str, normals: list[tuple[int, ...]], tmp_path: Path
+) -> None:
+    planes = Arrangement(normals)
+    drawings = drawings_of(planes)
+    suffix = {"view": "svg", "page": "html", "model": "stl"}[kind]
+    for name in getattr(drawings, f"{kind}s"):
+        path = tmp_path / f"{name}.{suffix}"
+        try:
+            drawings.write(planes, path, **{"model" if kind == "model" else "view": name})
+        except ArrangementError as refused:
+            error = str(refused)
+        else:
+            continue
+        assert re.search("about 1.8e308|floats|when rounded|shows planes of rank", error), error
+        assert not path.exists()
+
+
+def test_a_page_of_normals_of_five_thousand_digits(tmp_path: Path) -> None:
+    long = 10**5000
+    write_drawing(Arrangement([(long, 1, 0), (0, 1, 1), (1, 0, 2)]), tmp_path / "a.html")
+    assert "0" * 5000 in (tmp_path / "a.html").read_text(encoding="utf-8")
+
+
+def test_a_wrench_beyond_floats_has_no_page(
+    capsys: pytest.CaptureFixture[str], tmp_path: Path
+) -> None:
+    path = tmp_path / "a.html"
+    words = ["draw", "paper-three-contacts", "--wrench", "0", "9" * 5000, "0", "-o", str(path)]
+    assert draw_grasp(words) == 2
+    error = capsys.readouterr().err
+    assert error.startswith("error: a number of the input is too large for a picture")
+    assert error.count("\n") == 1
+    assert not path.exists()
+
+
 def test_a_slice_takes_the_preload_of_its_last_part(tmp_path: Path) -> None:
     command = ["draw", "paper-three-contacts", "--view", "slice", "--preload", "2"]
     assert draw_grasp([*command, "-o", str(tmp_path / "a.svg")]) == 0
@@ -138,3 +186,20 @@ def test_no_circle_of_imports_among_the_drawings() -> None:
              for t in (*d.views.values(), *d.models.values(), *d.pages.values())}  # fmt: skip
     for low in ("registry", "command", "scene", "figure", "output"):
         assert not graph[f"arrangement.draw.{low}"] & views - {"arrangement.draw.sphere"}
+
+
+@pytest.mark.parametrize(
+    ("planes", "names"), [("braid-a3", "xyz"), ("paper-three-contacts", "xyr")]
+)
+def test_axes_without_names_are_on(planes: str, names: str, tmp_path: Path) -> None:
+    words = ["draw", planes, "--text", "text", "--axes", "-o", str(tmp_path / "a.svg")]
+    assert draw_planes(words) == 0
+    written = re.findall(r">([xyzr])</text>", (tmp_path / "a.svg").read_text(encoding="utf-8"))
+    assert sorted(written) == sorted(names)
+
+
+def test_a_misspelt_theme_is_told_the_nearest_one(
+    capsys: pytest.CaptureFixture[str], tmp_path: Path
+) -> None:
+    assert draw_planes(["draw", "pencil", "--theme", "drak", "-o", str(tmp_path / "a.svg")]) == 2
+    assert "did you mean dark?" in capsys.readouterr().err

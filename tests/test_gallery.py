@@ -55,4 +55,24 @@ def test_every_model_is_shown(program: str, drawings: Drawings) -> None:
 
 def test_every_picture_that_a_command_makes_is_on_the_page() -> None:
     made = {option(words, "-o", "") for words in SHOWN}
-    assert made == set(re.findall(r"_generated/(gallery-[\w.-]+)", TEXT))
+    shown = set(re.findall(r"(?:_generated|<pages)/(gallery-[\w.-]+)", TEXT))
+    tikz = {path for path in shown if path.endswith(".tex")}
+    assert made == shown - tikz
+    assert {path.replace(".tex", ".svg") for path in tikz} <= made
+
+
+@pytest.mark.parametrize(("program", "drawings"), PROGRAMS)
+def test_every_view_is_shown_as_tikz_too(program: str, drawings: Drawings) -> None:
+    first = next(iter(drawings.views))
+    offered = {
+        option(words, "--view", drawn(words) or first) for words in SHOWN
+        if words[0] == program and f"{words[-1].removesuffix('.svg')}.tex>" in TEXT
+    }  # fmt: skip
+    assert offered == set(drawings.views)
+
+
+def test_pages_open_in_the_browser() -> None:
+    """A browser keeps what a link of the role `download` points to as a file."""
+    pages = [path for path in (option(words, "-o", "") for words in SHOWN) if ".html" in path]
+    assert pages
+    assert all(f"<pages/{path}>`__" in TEXT for path in pages)

@@ -13,6 +13,7 @@ from arrangement.exact import shown
 from arrangement.planes import Planes
 
 from .painting import Key, Stage
+from .registry import AxisNames
 from .scene import Floats, Place, Scene
 
 #: How far an axis reaches, in radii of the body.
@@ -21,20 +22,23 @@ INK = "#333333"
 
 
 def drawn_axes(
-    planes: Planes, axes: str | None, coordinates: str | None
+    planes: Planes, axes: AxisNames | None, coordinates: str | None
 ) -> tuple[tuple[str, ...], str | None]:
     """Return the names of the axes, or nothing, and the coordinates in which planes are drawn.
 
     Args:
         planes: whose coordinates have names where they have a meaning.
-        axes: such as ``"x,y,z"``, or "none"; if omitted, those names.
+        axes: such as ``"x,y,z"``; True for those names, or else these; or "none"; if omitted, those
+            names, if there are any.
         coordinates: see `coordinates.in_coordinates`. Axes are those of the given ones.
 
     Raises:
         InputError: not three names, or axes asked for in other coordinates.
     """
     names = planes.axes
-    if axes is not None:
+    if axes is True:
+        names = names or ("x", "y", "z")
+    elif axes is not None:
         names = tuple(name.strip() for name in axes.split(",")) if isinstance(axes, str) else ()
         if names == ("none",):
             return (), coordinates

@@ -97,6 +97,8 @@ def draw_cells(
     )  # fmt: skip
     left = 0 if names.kind == "none" else Names(sheet, names).name_cells(beside=False)
     names.write(sheet.scene, room, signs)
+    if labels is None and len(lifted) > _NAMED:
+        sheet.scene.caption(f"{len(lifted)} cells, too many for labels; --labels numbers tries")
     if left:
         sheet.scene.caption(f"{left} of {len(lifted)} cells are hidden or too narrow for a label")
     return sheet.scene

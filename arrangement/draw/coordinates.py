@@ -161,7 +161,10 @@ def _balanced(normals: Floats, weights: Floats) -> Floats | None:
             return frame
         if np.linalg.eigvalsh(squares)[0] < _FLAT:
             return None
-        frame = _normed(_inverse_root(squares) @ frame)
+        frame = _inverse_root(squares) @ frame
+        if np.linalg.cond(frame) > 1 / _FLAT:
+            return None
+        frame = _normed(frame)
     return None
 
 

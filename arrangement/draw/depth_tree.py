@@ -14,7 +14,8 @@ from dataclasses import dataclass, field, replace
 import numpy as np
 
 from arrangement.exact import IntegerVector, dot
-from arrangement.polyhedra.surface import Patch, Segment, between
+from arrangement.polyhedra.flat_polygons import Segment, between
+from arrangement.polyhedra.surface import Patch
 
 #: So many planes are tried for a split, and one patch cut counts as so many out of balance.
 _TRIED, _CUT = 12, 8

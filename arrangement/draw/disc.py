@@ -12,7 +12,8 @@ import numpy as np
 from .colours import DrawnRegion, Painter
 from .footer import Footer
 from .globe import Globe
-from .labels import Leaders, flattened, keep_off, spread, turn, write_inside
+from .labels import flattened, keep_off, spread, turn, write_inside
+from .leaders import Leaders
 from .projections import Drawn, Projection
 from .regionlabels import RegionLabels
 from .scene import Box, Floats, Scene

@@ -200,7 +200,7 @@ class _Picture:
         seen = self.places[~np.array(self.solid.vertex_hidden)]
         gaps = np.linalg.norm(seen[:, None] - seen, axis=2) + 99.0 * np.eye(len(seen))
         digits = max(len(self._text(v)) for v in range(len(self.places)))
-        inside = 2.6 + 1.3 * digits
+        inside = 2.6 + 1.6 * digits
         self.inside = self.names.kind == "numbers" and gaps.min() > 2 * inside + 1
         edges = self.places[[edge[:2] for edge in self.solid.edges]]
         lengths = np.linalg.norm(edges[:, 0] - edges[:, 1], axis=1)
@@ -250,11 +250,11 @@ class _Picture:
         for v in order[: tried(len(far))] if self.names.kind != "none" else ():
             hidden = solid.vertex_hidden[v]
             if self.inside and not hidden:
-                self.scene.write(self.places[v], self._text(v), 5.0, zorder=7)
+                self.scene.write(self.places[v], self._text(v), SIZES[1], zorder=7)
                 continue
             away = self.places[v] - centre if far[v] else (0.0, 1.0)
             write_beside(
-                self.scene, self.places[v], self.names.forms(solid.signs[v]), SIZES[1:],
+                self.scene, self.places[v], self.names.forms(solid.signs[v]), SIZES[:2],
                 segments=segments, away=away, distance=small * (0.7 if hidden else 1) + 1.0,
                 within=within, others=np.delete(self.places, v, axis=0),
                 color="0.45" if hidden else "black",

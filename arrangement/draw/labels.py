@@ -15,10 +15,6 @@ from .scene import Box, Floats, Place, Scene
 Booleans: TypeAlias = npt.NDArray[np.bool_]
 #: Sizes of sign vectors that are tried, in points.
 SIZES = (7.0, 6.0, 5.0)
-#: Lengths of leader lines that are tried, in points.
-_REACHES = (7.0, 10.0, 14.0, 19.0, 25.0, 32.0, 40.0, 50.0)
-#: Radius of the dot at the end of a leader line, in points.
-DOT = 0.6
 #: Between signs, so that minus signs do not run together.
 HAIR = "\u200a"
 
@@ -75,7 +71,11 @@ def write_inside(
     if free.is_empty:
         return False
     unit = shapely.transform(free, lambda points: points / (w, h))
-    x, y = shapely.maximum_inscribed_circle(unit).coords[0]
+    circle, middle = shapely.maximum_inscribed_circle(unit), unit.centroid
+    x, y = circle.coords[0]
+    # A strip has many such circles; the middle one is taken.
+    if unit.contains(middle) and middle.distance(unit.boundary) > 0.97 * circle.length:
+        x, y = middle.coords[0]
     place = round(x * w, 2), round(y * h, 2)
     shapely.prepare(free)
     for size in sizes:
@@ -105,67 +105,6 @@ def keep_off(lines: Sequence[Floats], areas: Sequence[Floats] = ()) -> Any:
 
     shapes = [shapely.LineString(line) for line in lines] + [shapely.Polygon(a) for a in areas]
     return shapely.STRtree([shape.buffer(0.5) for shape in shapes])
-
-
-class Leaders:
-    """Labels off all lines, each with a line to a dot in what it names.
-
-    Args:
-        scene: where to.
-        lines: (k, 2) each; no label covers one, and leader lines cross as few as can be.
-        within: a part of the scene that must not be left.
-        areas: (k, 2) each; other places are better for labels, which might be taken for theirs.
-    """
-
-    def __init__(
-        self, scene: Scene, lines: Sequence[Floats], within: Box, areas: Sequence[Floats]
-    ) -> None:
-        import shapely
-
-        self.scene = scene
-        self.segments = tree_of(segments_of(lines))
-        self.within = shapely.box(*within)
-        self.areas = shapely.STRtree([shapely.Polygon(area).buffer(0) for area in areas])
-        self.drawn: list[Any] = []
-
-    def write(self, edge: Floats, text: str, size: float = SIZES[-1]) -> bool:
-        """Name what has an outline with points `edge`, or return False where there is no room."""
-        import shapely
-
-        area = shapely.Polygon(edge).buffer(0)
-        if area.is_empty:
-            return False
-        pole, rim = shapely.maximum_inscribed_circle(area).coords
-        if math.dist(pole, rim) < DOT + 0.3:
-            return False
-        start = np.round(pole, 2)
-        half = np.array(self.scene.measure(text, size)) / 2
-        ways = np.tile(list(_around((0.0, 1.0))), (len(_REACHES), 1))
-        reach = np.repeat(_REACHES, 24)[:, None]
-        centres = start + ways * (
-            reach + (half / np.maximum(np.abs(ways), 1e-9)).min(axis=1)[:, None]
-        )
-        low, high = centres - half, centres + half
-        boxes = shapely.box(*(low - 1.0).T, *(high + 1.0).T)
-        tracks = shapely.linestrings(
-            np.stack([np.broadcast_to(start, centres.shape), start + ways * (reach - 0.6)], axis=1)
-        )
-        written = shapely.union_all(shapely.box(*np.array(self.scene.boxes).reshape(-1, 4).T))
-        leaders = shapely.union_all(self.drawn).buffer(0.6)
-        free = shapely.contains(self.within, boxes) & ~shapely.intersects(boxes, leaders)
-        free &= ~shapely.intersects(tracks, shapely.union(written, leaders))
-        free[np.unique(self.segments.query(boxes, "intersects")[0])] = False
-        crossed = np.bincount(self.segments.query(tracks, "intersects")[0], minlength=len(tracks))
-        cost = 6.0 * crossed + reach[:, 0]
-        cost[np.unique(self.areas.query(boxes, "intersects")[0])] += 15.0
-        for k in np.argsort(cost, kind="stable").tolist():
-            if free[k] and self.scene.write(centres[k], text, size):
-                self.drawn.append(tracks[k])
-                style = {"zorder": 5.5, "gid": "leader"}
-                self.scene.line(shapely.get_coordinates(tracks[k]), ec="black", lw=0.35, **style)
-                self.scene.circle(start, DOT, fc="black", ec="none", **style)
-                return True
-        return False
 
 
 def write_beside(
@@ -199,7 +138,7 @@ def write_beside(
     """
     x, y = float(point[0]), float(point[1])
     close = segments[segments_meet((x - 60, y - 60, x + 60, y + 60), segments)]
-    directions = np.array(list(_around(away)))[:turns]
+    directions = np.array(list(around(away)))[:turns]
     for size, text, beyond in product(sizes, texts, (1.0, 2.0)):
         half = np.array(scene.measure(text, size)) / 2
         reach = distance * beyond + (half / np.maximum(np.abs(directions), 1e-9)).min(axis=1)
@@ -265,7 +204,7 @@ def tried(count: int) -> int:
     return min(count, 100 if count <= 200 else 12)
 
 
-def _around(away: Place) -> Iterator[tuple[float, float]]:
+def around(away: Place) -> Iterator[tuple[float, float]]:
     """Yield directions, the given one first, then alternating farther from it."""
     start = math.atan2(away[1], away[0])
     for k in range(24):

@@ -22,8 +22,10 @@ from .scene import Floats
 
 #: The direction from which the cone is seen: the plane of the lines is at height 1 above it.
 ABOVE = (0, 0, 1)
-#: Room around the vertices as a share of the window, and its least height over its width.
-_ROOM, _FLATTEST = Fraction(1, 2), Fraction(11, 20)
+#: Room around the vertices as a share of the window.
+_ROOM = Fraction(1, 2)
+#: The least width of the window over its height, and the least height over its width.
+_LEAST = Fraction(4, 5), Fraction(11, 20)
 
 
 class LinesChart:
@@ -194,8 +196,8 @@ def _window(points: Sequence[RationalVector]) -> tuple[RationalVector, RationalV
     middle = tuple((min(column) + max(column)) / 2 for column in columns)
     sizes = [(max(column) - min(column)) / 2 for column in columns]
     room = (max(sizes) or Fraction(1)) * _ROOM
-    least = (max(sizes) + room) * _FLATTEST
-    return middle, tuple(max(size + room, least) for size in sizes)
+    largest = max(sizes) + room
+    return middle, tuple(max(s + room, largest * x) for s, x in zip(sizes, _LEAST, strict=True))
 
 
 def _unit(

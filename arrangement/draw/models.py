@@ -118,8 +118,14 @@ def _part(
 
 
 def centroid(points: Floats, faces: tuple[tuple[int, ...], ...]) -> Floats:
-    """Return the centre of mass of a closed surface of convex faces."""
+    """Return the centre of mass of a closed surface of convex faces.
+
+    Raises:
+        InputError: it is flat in floats.
+    """
     a, b, c = (points[column] for column in triangles(faces).T)
     volumes = np.einsum("ij,ij->i", a, np.cross(b, c))
+    if abs(volumes.sum()) < 1e-12 * abs(points).max() ** 3:
+        raise InputError("a cell is too thin for floats; try the coordinates even")
     middle: Floats = (volumes @ (a + b + c)) / (4 * volumes.sum())
     return middle

@@ -14,7 +14,7 @@ import numpy as np
 from arrangement.arrangement import Arrangement
 from arrangement.enumeration.great_circles import SphereArrangement
 from arrangement.errors import InputError
-from arrangement.exact import IntegerVector, primitive, shown
+from arrangement.exact import IntegerVector, primitive, shown, to_text
 from arrangement.polyhedra.dual.incidence import dual_incidence
 
 from .coordinates import CHOICES, even_map, is_narrow, symmetric_map
@@ -216,12 +216,12 @@ def equation(normal: IntegerVector, offset: int = 0) -> str:
     for entry, name in zip(normal, "xyz", strict=True):
         if entry:
             joint = ("-" if entry < 0 else "") if not text else (" - " if entry < 0 else " + ")
-            text += f"{joint}{abs(entry) if abs(entry) != 1 else ''}{name}"
-    return f"{text} = {offset}"
+            text += f"{joint}{to_text(abs(entry)) if abs(entry) != 1 else ''}{name}"
+    return f"{text} = {to_text(offset)}"
 
 
 def _exact(vector: IntegerVector) -> list[str]:
-    return [str(x) for x in vector]
+    return [to_text(x) for x in vector]
 
 
 def _longest(vector: IntegerVector) -> int:

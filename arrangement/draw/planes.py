@@ -18,7 +18,7 @@ from .painting import Stage
 from .planenames import Names
 from .planesheet import FacetPainter, PlanesSheet
 from .regionlabels import RegionLabels
-from .registry import Exact, Vector
+from .registry import AxisNames, Exact, Vector
 from .scene import POINTS, Scene, checked_width
 from .view_direction import clear_sight
 
@@ -35,7 +35,7 @@ def draw_planes(
     lift: Iterable[str] = (),
     colour: str | FacetPainter = "planes",
     labels: str | None = None,
-    axes: str | None = None,
+    axes: AxisNames | None = None,
     sides: bool = False,
     width: float = 88.0,
     coordinates: str | None = None,
@@ -59,7 +59,7 @@ def draw_planes(
         colour: "planes" (each its own colour), "shade" (grey by the angle to the light), "none",
             or a function from a `DrawnFacet` to a colour.
         labels: of lifted cells, as for `draw_sphere`.
-        axes: names of the coordinate axes such as ``x,y,z``, or "none"; if omitted, there are some
+        axes: names of the axes; True for ``x,y,z``; or "none"; if omitted, there are some
             where the coordinates have a meaning, as x, y, r of the motions of a grasp.
         sides: mark the positive side of each plane by an arrow.
         width: of the figure, in millimetres.

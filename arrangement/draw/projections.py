@@ -210,7 +210,8 @@ def _across(normal: Floats) -> Floats:
 def _points(normal: Floats, start: Floats, angle: float, most: float) -> tuple[Floats, Floats]:
     """Return points along an arc, at most `most` apart, and the unit tangents there."""
     side = np.cross(normal, start)
-    at = np.linspace(0, angle, max(1, math.ceil(angle / most - 1e-9)) + 1)[:, None]
+    steps = max(1, math.ceil(angle / max(most, 1e-3) - 1e-9))
+    at = np.linspace(0, angle, steps + 1)[:, None]
     return np.cos(at) * start + np.sin(at) * side, np.cos(at) * side - np.sin(at) * start
 
 

@@ -55,7 +55,7 @@ class RegionLabels:
         """Return the height of the notes and the table on a sheet, both in points."""
         if self.kind == "none" or not drawn:
             return 0.0
-        return _STEP * (3 + len(self._rows(width, drawn)) if self.kind == "numbers" else 1)
+        return _STEP * (2 + len(self._rows(width, drawn)) if self.kind == "numbers" else 1)
 
     def write(self, scene: Scene, y: float, drawn: Sequence[Sequence[int]]) -> None:
         """Write the notes and the table of the regions drawn, from `y` down."""

@@ -12,7 +12,8 @@ import importlib
 import inspect
 import math
 import os
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from contextlib import contextmanager
 from dataclasses import dataclass
 from difflib import get_close_matches
 from functools import cache
@@ -46,6 +47,8 @@ Vector: TypeAlias = Sequence[object]
 Exact: TypeAlias = object
 Wrench: TypeAlias = Iterable[Any]
 Corner: TypeAlias = Iterable[Any]
+#: Names of axes, or True for those that suit.
+AxisNames: TypeAlias = str | bool
 
 
 @dataclass(frozen=True)
@@ -67,6 +70,18 @@ class Option:
     text: str
 
 
+@contextmanager
+def _within_floats() -> Iterator[None]:
+    """Refuse numbers that have no place on paper."""
+    try:
+        yield
+    except OverflowError:
+        raise InputError(
+            "a number of the input is too large for a picture (about 1.8e308 at most); change the "
+            "units"
+        ) from None
+
+
 @dataclass(frozen=True)
 class Drawings:
     """What a package can draw.
@@ -84,6 +99,7 @@ class Drawings:
     models: Mapping[str, str]
     pages: Mapping[str, str]
 
+    @_within_floats()
     def write(
         self,
         subject: Any,
@@ -129,7 +145,7 @@ class Drawings:
         for length in LENGTHS & options.keys():
             options[length] = millimetres(options[length], f"the {length}")
         suffix = Path(path).suffix.lower()
-        _check_form(kind, suffix, font_size or theme, text, fragment)
+        _check_form(kind, suffix, font_size, theme, text, fragment)
         if kind == "view":
             scale = 1.0 if font_size is None else points(font_size, "the font size") / FONT
             width = options.get("width", self.options(kind, name)["width"].default)
@@ -159,7 +175,8 @@ class Drawings:
 
     def svg(self, subject: Any, view: str, **options: Any) -> str | None:
         """Return a picture as SVG text; None without matplotlib, or when `write` would refuse."""
-        return svg_text(lambda: self._function("view", view, options)(subject, **options))
+        draw = _within_floats()(lambda: self._function("view", view, options)(subject, **options))
+        return svg_text(draw)
 
     def _function(self, kind: str, name: str, options: Mapping[str, Any]) -> Any:
         """Return the function behind a name, if it has these options.
@@ -218,9 +235,11 @@ LENGTHS = {"width", "size"}
 LETTERS = ("outlines", "text")
 
 
-def _check_form(kind: str, suffix: str, looks: object, text: str | None, fragment: bool) -> None:
+def _check_form(
+    kind: str, suffix: str, size: object, theme: str | None, text: str | None, fragment: bool
+) -> None:
     """Refuse what does not go with a kind of file."""
-    if looks is not None and kind != "view":
+    if not (size is theme is None) and kind != "view":
         raise InputError(
             f"a font size or theme is for pictures, and the file name ends in {suffix}"
         )
@@ -230,6 +249,8 @@ def _check_form(kind: str, suffix: str, looks: object, text: str | None, fragmen
         raise InputError(
             f"text or outlines is a choice of .svg, and the file name ends in {suffix}"
         )
+    if theme not in (None, *THEMES):
+        raise refusal(f"the theme is {shown(theme)}", theme, THEMES)
     if text not in (None, *LETTERS):
         raise refusal(f"the text is {shown(text)}", text, LETTERS)
 

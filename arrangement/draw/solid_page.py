@@ -103,7 +103,7 @@ def _face(face: Face) -> dict[str, Any]:
         "at": _floats(face.corners), "fill": face.fill, "edges": _floats(face.edges),
         "piece": face.piece if face.piece >= 0 else None,
     }  # fmt: skip
-    if face.normal is not None:
+    if face.normal is not None and face.normal.any():
         found["normal"] = _floats(face.normal / np.linalg.norm(face.normal))
     if face.middle is not None:
         found["middle"] = _floats(face.middle)

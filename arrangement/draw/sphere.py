@@ -20,7 +20,7 @@ from .globe import Globe, unit_vectors
 from .labels import segments_of, write_beside
 from .projections import orthographic
 from .regionlabels import RegionLabels
-from .registry import Vector
+from .registry import AxisNames, Vector
 from .scene import Floats, Scene, checked_width
 
 
@@ -33,7 +33,7 @@ def draw_sphere(
     colour: str | Painter | None = None,
     antipodes: str | None = None,
     labels: str | None = None,
-    axes: str | None = None,
+    axes: AxisNames | None = None,
     sides: bool = False,
     width: float = 88.0,
     coordinates: str | None = None,
@@ -56,7 +56,7 @@ def draw_sphere(
             omitted, whatever two colours give.
         labels: of regions: "signs"; "numbers" in the order of `Arrangement.regions`, with a table
             of sign vectors below; "none". If omitted, signs of up to four planes, else numbers.
-        axes: names of the coordinate axes such as ``x,y,z``, or "none"; if omitted, there are some
+        axes: names of the axes; True for ``x,y,z``; or "none"; if omitted, there are some
             where the coordinates have a meaning, as x, y, r of the motions of a grasp.
         sides: mark the positive side of each plane by an arrow.
         width: of the figure, in millimetres.

@@ -19,8 +19,9 @@ from typing import Any, TypeAlias
 import numpy as np
 
 from .hatching import WIDTH, hatching
-from .scene import SHADES, Ball, Box, Floats, Item, Label, Mark, Path, Place, Scene
+from .scene import SHADES, Ball, Floats, Item, Label, Mark, Path, Scene
 from .tex_text import tex_text
+from .tikz_paths import clip_path, cut, disc, number, outline, point
 
 #: Keys of TikZ and their values; an empty value for keys that stand alone.
 Options: TypeAlias = dict[str, str]
@@ -61,7 +62,7 @@ def tikz(scene: Scene, *, fragment: bool = False) -> str:
         needs.append(r"\usepackage{amssymb}")
     if fragment:
         return "% The preamble needs: " + " ".join(needs) + "\n" + picture
-    paper = f"paperwidth={_number(scene.width)}bp,paperheight={_number(scene.height)}bp"
+    paper = f"paperwidth={number(scene.width)}bp,paperheight={number(scene.height)}bp"
     return "\n".join(
         [
             r"\RequirePackage{fix-cm}", r"\documentclass{article}",
@@ -86,7 +87,7 @@ class _Writer:
     def picture(self) -> str:
         """Return the environment."""
         scopes = list(self._scopes())
-        width, height = _number(self.scene.width), _number(self.scene.height)
+        width, height = number(self.scene.width), number(self.scene.height)
         layers = "/slipstates/layer/.style={every path/.style={/slipstates/#1}}"
         labels = "/slipstates/labels/.style={every node/.style={/slipstates/label}}"
         styles = [
@@ -137,17 +138,17 @@ class _Writer:
         if isinstance(item, Label):
             yield _Written(item, *self._label(item))
             return
-        cuts = () if item.clip is None else (_cut(_clip_path(item.clip)),)
+        cuts = () if item.clip is None else (cut(clip_path(item.clip)),)
         if isinstance(item, Mark):
             yield _Written(item, *self._mark(item), cuts)
         elif isinstance(item, Ball):
             yield self._ball(item)
         elif isinstance(item, Path):
-            body = _outline(item)
+            body = outline(item)
             yield _Written(item, self._path_options(item.style, item.kind != "line"), body, cuts)
             if hatch := item.style.get("hatch"):
                 options, lines = self._hatching(item, hatch)
-                yield _Written(item, options, lines, (*cuts, _cut(body)))
+                yield _Written(item, options, lines, (*cuts, cut(body)))
 
     def _hatching(self, item: Path, hatch: str) -> tuple[Options, str]:
         """Return lines across the box of a shape, in the colour of its edge."""
@@ -155,8 +156,8 @@ class _Writer:
         corners = np.atleast_2d(item.points)
         low, high = corners.min(axis=0) - extent, corners.max(axis=0) + extent
         lines, circles = hatching(hatch, low, high, self.scene.height)
-        found = [f"{_point(start)} -- {_point(end)}" for start, end in lines]
-        found += [_disc(*circle) for circle in circles]
+        found = [f"{point(start)} -- {point(end)}" for start, end in lines]
+        found += [disc(*circle) for circle in circles]
         line = {"ec": item.style.get("ec", "black"), "lw": WIDTH}
         line |= {"fc": line["ec"]} if hatch[0] == "." else {}
         return self._path_options(line, filled=hatch[0] == "."), " ".join(found)
@@ -176,9 +177,9 @@ class _Writer:
         return options
 
     def _line(self, options: Options, style: Mapping[str, Any], width: float) -> None:
-        options["line width"] = f"{_number(width)}bp"
+        options["line width"] = f"{number(width)}bp"
         if isinstance(dashes := style.get("ls"), tuple):
-            lengths = [_number(x * width) for x in dashes[1]]
+            lengths = [number(x * width) for x in dashes[1]]
             options["dash pattern"] = " ".join(
                 f"{'off' if k % 2 else 'on'} {x}bp" for k, x in enumerate(lengths)
             )
@@ -195,10 +196,10 @@ class _Writer:
         line = {"ec": edge, "lw": style.get("mew", 1.0), "alpha": style.get("alpha")}
         if item.sign == "o":
             line["fc"] = style["color"]
-            return self._path_options(line, filled=True), _disc(item.place, half)
+            return self._path_options(line, filled=True), disc(item.place, half)
         strokes = {"x": [(-1, -1, 1, 1), (-1, 1, 1, -1)], "_": [(-1, 0, 1, 0)]}[item.sign]
         body = " ".join(
-            f"{_point((x + half * a, y + half * b))} -- {_point((x + half * c, y + half * d))}"
+            f"{point((x + half * a, y + half * b))} -- {point((x + half * c, y + half * d))}"
             for a, b, c, d in strokes
         )
         return self._path_options(line, filled=False), body
@@ -207,16 +208,16 @@ class _Writer:
         """Declare a shading a little larger than the ball, which cuts it smoothly."""
         near, far = (np.array(_rgba(colour)) for colour in (item.near, item.far))
         name = self._shading(item, near[:3], far[:3])
-        cuts, options = [_cut(_disc(item.centre, item.radius))], {"inner sep": "0pt"}
+        cuts, options = [cut(disc(item.centre, item.radius))], {"inner sep": "0pt"}
         if near[3] != far[3]:
             fading = self._shading(item, near[[3, 3, 3]], far[[3, 3, 3]])
             self.shadings.append(rf"\pgfdeclarefading{{{fading}}}{{\pgfuseshading{{{fading}}}}}")
-            x, y = map(_number, item.centre)
+            x, y = map(number, item.centre)
             shift = rf"\pgftransformshift{{\pgfpointxy{{{x}}}{{{y}}}}}"
             cuts.append(rf"\pgfsetfading{{{fading}}}{{{shift}}}")
         elif near[3] < 1:
-            options["opacity"] = _number(near[3], 3)
-        body = rf"at {_point(item.centre)} {{\pgfuseshading{{{name}}}}}"
+            options["opacity"] = number(near[3], 3)
+        body = rf"at {point(item.centre)} {{\pgfuseshading{{{name}}}}}"
         return _Written(item, options, body, tuple(cuts))
 
     def _shading(self, item: Ball, near: Floats, far: Floats) -> str:
@@ -224,9 +225,9 @@ class _Writer:
         name, r = f"slipstates-ball-{len(self.shadings)}", item.radius
         stops = []
         for size, share in (*SHADES, (1.02, 1.0)):
-            colour = ",".join(_number(x, 3) for x in near + share * (far - near))
-            stops.append(f"rgb({_number(size * r)}bp)=({colour})")
-        focus = "".join(f"{{{_number(x * r)}bp}}" for x in item.focus)
+            colour = ",".join(number(x, 3) for x in near + share * (far - near))
+            stops.append(f"rgb({number(size * r)}bp)=({colour})")
+        focus = "".join(f"{{{number(x * r)}bp}}" for x in item.focus)
         self.shadings.append(
             rf"\pgfdeclareradialshading{{{name}}}{{\pgfpoint{focus}}}{{{'; '.join(stops)}}}"
         )
@@ -237,7 +238,7 @@ class _Writer:
         text, rows = tex_text(item.text), item.text.count("\n")
         # Small signs of Computer Modern are wider than ours.
         letters = size * min(1.0, 0.55 + 0.065 * size) if "}{-}" in text or "}{+}" in text else size
-        font = rf"\fontsize{{{_number(letters)}}}{{{_number(size)}}}\selectfont"
+        font = rf"\fontsize{{{number(letters)}}}{{{number(size)}}}\selectfont"
         font += r"\bfseries\boldmath" if style.get("weight") == "bold" else ""
         font += r"\itshape" if style.get("style") == "italic" else ""
         options: Options = {"font": font}
@@ -255,7 +256,7 @@ class _Writer:
         options["anchor"] = side or "center" if rows else f"base {side}".strip()
         options["inner sep"] = "0pt"
         if item.rotation:
-            options["rotate"] = _number(item.rotation)
+            options["rotate"] = number(item.rotation)
         self._plate(options, style.get("plate"), size)
         place = np.array(item.place) + drop * np.array([math.sin(turned), -math.cos(turned)])
         if style.get("halo"):
@@ -263,11 +264,11 @@ class _Writer:
             shade: Options = {}
             self._colour(shade, "halo", colour, None)
             rows_of = [
-                rf"\slipstateshalo{{{_number(width)}}}{{{shade['halo']}}}{{{row}}}"
+                rf"\slipstateshalo{{{number(width)}}}{{{shade['halo']}}}{{{row}}}"
                 for row in text.split(r" \\ ")
             ]
             text = r" \\ ".join(rows_of)
-        return options, f"at {_point(place)} {{{text}}}"
+        return options, f"at {point(place)} {{{text}}}"
 
     def _plate(self, options: Options, plate: Mapping[str, Any] | None, size: float) -> None:
         """Add a box behind the text, as the keys of matplotlib describe it."""
@@ -276,10 +277,10 @@ class _Writer:
         shape, *details = plate.get("boxstyle", "square").split(",")
         sizes = dict(detail.split("=") for detail in details)
         pad = float(sizes["pad"]) * size if "pad" in sizes else plate.get("pad", 0.3 * size)
-        options["inner sep"] = f"{_number(pad)}bp"
+        options["inner sep"] = f"{number(pad)}bp"
         self._colour(options, "fill", plate.get("fc"), plate.get("alpha"))
         if shape == "round":
-            options["rounded corners"] = f"{_number(float(sizes['rounding_size']) * size)}bp"
+            options["rounded corners"] = f"{number(float(sizes['rounding_size']) * size)}bp"
 
     def _colour(self, options: Options, key: str, colour: Any, alpha: float | None) -> None:
         """Add a colour under a key, and how much it covers; nothing for no colour."""
@@ -290,7 +291,7 @@ class _Writer:
         options[key] = self.colours.setdefault(code, f"slipstates{len(self.colours) - 1}")
         cover = own if alpha is None else alpha
         if cover < 1:
-            options[f"{key} opacity" if alpha is None else "opacity"] = _number(cover, 3)
+            options[f"{key} opacity" if alpha is None else "opacity"] = number(cover, 3)
 
 
 _NUMBER = re.compile(r"\$([0-9{},]+)\$")
@@ -314,41 +315,3 @@ def _joined(options: Options, known: Options | None = None) -> str:
     said = [f"{key}={value}" for key, value in options.items() if known.get(key) != value]
     unsaid = [_NEUTRAL[key] for key in known if key in _NEUTRAL and key not in options]
     return ", ".join([*unsaid, *said])
-
-
-def _disc(centre: Place, radius: float) -> str:
-    return f"{_point(centre)} circle[radius={_number(radius)}]"
-
-
-def _cut(shape: str) -> str:
-    return rf"\clip {shape};"
-
-
-def _clip_path(clip: Box | tuple[Place, float]) -> str:
-    if len(clip) == 2:
-        return _disc(*clip)
-    left, low, right, high = clip
-    return f"{_point((left, low))} rectangle {_point((right, high))}"
-
-
-def _outline(item: Path) -> str:
-    if item.kind == "circle":
-        return _disc(item.points, item.radius)
-    if item.kind == "curve":
-        start, *rest = map(_point, item.points)
-        pieces = [start]
-        for p, q, end in zip(rest[::3], rest[1::3], rest[2::3], strict=True):
-            straight = {p, q} <= {start, end}
-            pieces.append(f"-- {end}" if straight else f".. controls {p} and {q} .. {end}")
-            start = end
-        return " ".join(pieces)
-    return " -- ".join([*map(_point, item.points), *["cycle"] * (item.kind == "polygon")])
-
-
-def _point(place: Place) -> str:
-    return f"({_number(place[0])},{_number(place[1])})"
-
-
-def _number(value: float, digits: int = 2) -> str:
-    """Return a number with few digits, and no negative zero."""
-    return f"{round(float(value), digits) + 0.0:.{digits}f}".rstrip("0").rstrip(".")

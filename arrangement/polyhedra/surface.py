@@ -16,18 +16,16 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
-from arrangement.exact import IntegerVector, dot, primitive, sign, unoriented
-from arrangement.linear import cross, determinant, reduced, triple_product
+from arrangement.exact import IntegerVector, dot, primitive, unoriented
+from arrangement.linear import determinant
 from arrangement.progress import watched
 
-from .intervals import Interval, remainder
+from .flat_polygons import Loop, Segment, between, creases_of, flattened, lifted, minus, ordered
+from .intervals import remainder
 from .polyhedron import Polyhedron
 
 #: Of rounded coordinates, over the largest of them: far above any error of rounding.
 _APART = 1e-9
-
-Loop = list[IntegerVector]
-Segment = tuple[IntegerVector, IntegerVector]
 
 
 @dataclass(frozen=True)
@@ -71,7 +69,7 @@ def surface(shapes: Iterable[Polyhedron]) -> tuple[Patch, ...]:
     sheets: dict[IntegerVector, list[Loop]] = {}
     for shape in flat:
         row = unoriented(shape.equalities[0])
-        sheets.setdefault(row, []).append(_ordered(row, _homogeneous(shape)))
+        sheets.setdefault(row, []).append(ordered(row, _homogeneous(shape)))
     return (
         *(
             p
@@ -108,7 +106,7 @@ class _Solid:
         self.facets = []
         for inward in shape.inequalities:
             row = tuple(-x for x in inward)
-            self.facets.append((row, _ordered(row, [p for p in self.points if not dot(row, p)])))
+            self.facets.append((row, ordered(row, [p for p in self.points if not dot(row, p)])))
 
     @cached_property
     def edges(self) -> set[Segment]:
@@ -128,7 +126,7 @@ class _Solid:
         for p, q in self.edges:
             if values[p] * values[q] < 0:
                 found.add(between(p, q, values[p], values[q]))
-        return _ordered(row, found) if len(found) > 2 else []
+        return ordered(row, found) if len(found) > 2 else []
 
 
 class _Solids:
@@ -167,43 +165,8 @@ def rounded(points: Iterable[IntegerVector]) -> NDArray[np.float64]:
     return np.array([[x / p[3] for x in p[:3]] for p in points]).reshape(-1, 3)
 
 
-def between(p: IntegerVector, q: IntegerVector, at_p: int, at_q: int) -> IntegerVector:
-    """Return where a linear form vanishes between two points; its values there differ in sign."""
-    s, t = abs(at_q), abs(at_p)
-    return reduced([s * x + t * y for x, y in zip(p, q, strict=True)])
-
-
 def _homogeneous(shape: Polyhedron) -> Loop:
     return [primitive((*point, Fraction(1))) for point in shape.points]
-
-
-def _dropped(row: IntegerVector) -> int:
-    """Return the coordinate that is left out of points in a plane."""
-    return max(range(3), key=lambda k: abs(row[k]))
-
-
-def _flat(row: IntegerVector, points: Iterable[IntegerVector]) -> Loop:
-    gone = _dropped(row)
-    return [reduced([x for k, x in enumerate(p) if k != gone]) for p in points]
-
-
-def _ordered(row: IntegerVector, points: Iterable[IntegerVector]) -> Loop:
-    """Return the corners of the hull of points in a plane, in cyclic order (A. Andrew, 1979)."""
-    gone = _dropped(row)
-    keys = [k for k in range(3) if k != gone]
-    listed = sorted(points, key=lambda p: [Fraction(p[k], p[3]) for k in keys])
-    if len(listed) < 3:
-        return listed
-
-    def half(along: Iterable[IntegerVector]) -> Loop:
-        chain: Loop = []
-        for p in along:
-            while len(chain) > 1 and triple_product(*_flat(row, [*chain[-2:], p])) <= 0:
-                chain.pop()
-            chain.append(p)
-        return chain[:-1]
-
-    return half(listed) + half(reversed(listed))
 
 
 def _patches(
@@ -212,94 +175,20 @@ def _patches(
     """Yield what is seen of polygons in a plane, as convex polygons without overlaps."""
     kept: list[Loop] = []
     for loop in loops:
-        left = [_flat(row, loop)]
+        left = [flattened(row, loop)]
         for cover in kept:
-            left = [rest for part in left for rest in _minus(part, cover)]
+            left = [rest for part in left for rest in minus(part, cover)]
         kept += left
     for solid in solids.near(row, [p for loop in loops for p in loop]):
         if not kept:
             break
         if section := solid.section(row, sheet=sheet):
-            cover = _flat(row, section)
-            kept = [piece for part in kept for piece in _minus(part, cover)]
-    edges = _edges(kept)
+            cover = flattened(row, section)
+            kept = [piece for part in kept for piece in minus(part, cover)]
+    edges = creases_of(kept)
     for loop, creases in zip(kept, edges, strict=True):
-        ends = tuple((_lifted(row, p), _lifted(row, q)) for p, q in creases)
-        yield Patch(row, tuple(_lifted(row, p) for p in loop), ends, sheet)
-
-
-def _lifted(row: IntegerVector, point: IntegerVector) -> IntegerVector:
-    """Return the point of a plane with one coordinate left out."""
-    gone = _dropped(row)
-    rest = [x for k, x in enumerate(row) if k != gone]
-    scale = abs(row[gone])
-    found = [scale * x for x in point]
-    found.insert(gone, -sign(row[gone]) * dot(rest, point))
-    return reduced(found)
-
-
-def _clipped(loop: Loop, line: IntegerVector) -> Loop:
-    """Return the part of a polygon where a form is >= 0; nothing if that has no area."""
-    values = [dot(line, p) for p in loop]
-    if max(values) <= 0:
-        return []
-    if min(values) >= 0:
-        return loop
-    kept = []
-    for k, (p, at) in enumerate(zip(loop, values, strict=True)):
-        if at * values[k - 1] < 0:
-            kept.append(between(loop[k - 1], p, values[k - 1], at))
-        if at >= 0:
-            kept.append(p)
-    return kept
-
-
-def _minus(loop: Loop, cover: Loop) -> list[Loop]:
-    """Return convex pieces of a polygon outside another; both run counter-clockwise."""
-    lines = [cross(p, q) for p, q in zip(cover, [*cover[1:], cover[0]], strict=True)]
-    common = loop
-    for line in lines:
-        common = _clipped(common, line)
-        if not common:
-            return [loop]
-    pieces, rest = [], loop
-    for line in lines:
-        if outside := _clipped(rest, tuple(-x for x in line)):
-            pieces.append(outside)
-        rest = _clipped(rest, line)
-    return pieces
-
-
-def _edges(loops: Sequence[Loop]) -> list[list[Segment]]:
-    """Return for each polygon the parts of its edges with no other polygon across."""
-    sides: dict[IntegerVector, list[Interval]] = {}
-    listed = []
-    for loop in loops:
-        own = []
-        for p, q in zip(loop, [*loop[1:], loop[0]], strict=True):
-            line = reduced(cross(p, q))
-            k = 0 if line[1] else 1
-            ends = Fraction(p[k], p[2]), Fraction(q[k], q[2])
-            part = (min(ends), max(ends))
-            sides.setdefault(line, []).append(part)
-            own.append((line, k, part))
-        listed.append(own)
-    found = []
-    for own in listed:
-        creases = []
-        for line, k, part in own:
-            across = sides.get(tuple(-x for x in line), ())
-            rest = remainder(part, across)
-            creases += [(_at(line, k, low), _at(line, k, high)) for low, high in rest]
-        found.append(creases)
-    return found
-
-
-def _at(line: IntegerVector, k: int, value: Fraction | None) -> IntegerVector:
-    """Return the point of a line of the plane with this coordinate k."""
-    assert value is not None
-    other = Fraction(-(line[k] * value + line[2]), line[1 - k])
-    return primitive((value, other, Fraction(1)) if k == 0 else (other, value, Fraction(1)))
+        ends = tuple((lifted(row, p), lifted(row, q)) for p, q in creases)
+        yield Patch(row, tuple(lifted(row, p) for p in loop), ends, sheet)
 
 
 def _thin(shapes: Sequence[Polyhedron]) -> Iterator[Patch]:

@@ -1,0 +1,78 @@
+"""Labels outside of what they name, joined to it by leader lines."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+
+from .labels import SIZES, around, segments_of, tree_of
+from .scene import Box, Floats, Scene
+
+#: Lengths of leader lines that are tried, in points.
+_REACHES = (7.0, 10.0, 14.0, 19.0, 25.0, 32.0, 40.0, 50.0)
+#: Radius of the dot at the end of a leader line, in points.
+DOT = 0.6
+
+
+class Leaders:
+    """Labels off all lines, each with a line to a dot in what it names.
+
+    Args:
+        scene: where to.
+        lines: (k, 2) each; no label covers one, and leader lines cross as few as can be.
+        within: a part of the scene that must not be left.
+        areas: (k, 2) each; other places are better for labels, which might be taken for theirs.
+    """
+
+    def __init__(
+        self, scene: Scene, lines: Sequence[Floats], within: Box, areas: Sequence[Floats]
+    ) -> None:
+        import shapely
+
+        self.scene = scene
+        self.segments = tree_of(segments_of(lines))
+        self.within = shapely.box(*within)
+        self.areas = shapely.STRtree([shapely.Polygon(area).buffer(0) for area in areas])
+        self.drawn: list[Any] = []
+
+    def write(self, edge: Floats, text: str, size: float = SIZES[-1]) -> bool:
+        """Name what has an outline with points `edge`, or return False where there is no room."""
+        import shapely
+
+        area = shapely.Polygon(edge).buffer(0)
+        if area.is_empty:
+            return False
+        pole, rim = shapely.maximum_inscribed_circle(area).coords
+        if math.dist(pole, rim) < DOT + 0.3:
+            return False
+        start = np.round(pole, 2)
+        half = np.array(self.scene.measure(text, size)) / 2
+        ways = np.tile(list(around((0.0, 1.0))), (len(_REACHES), 1))
+        reach = np.repeat(_REACHES, 24)[:, None]
+        centres = start + ways * (
+            reach + (half / np.maximum(np.abs(ways), 1e-9)).min(axis=1)[:, None]
+        )
+        low, high = centres - half, centres + half
+        boxes = shapely.box(*(low - 1.0).T, *(high + 1.0).T)
+        tracks = shapely.linestrings(
+            np.stack([np.broadcast_to(start, centres.shape), start + ways * (reach - 0.6)], axis=1)
+        )
+        written = shapely.union_all(shapely.box(*np.array(self.scene.boxes).reshape(-1, 4).T))
+        leaders = shapely.union_all(self.drawn).buffer(0.6)
+        free = shapely.contains(self.within, boxes) & ~shapely.intersects(boxes, leaders)
+        free &= ~shapely.intersects(tracks, shapely.union(written, leaders))
+        free[np.unique(self.segments.query(boxes, "intersects")[0])] = False
+        crossed = np.bincount(self.segments.query(tracks, "intersects")[0], minlength=len(tracks))
+        cost = 6.0 * crossed + reach[:, 0]
+        cost[np.unique(self.areas.query(boxes, "intersects")[0])] += 15.0
+        for k in np.argsort(cost, kind="stable").tolist():
+            if free[k] and self.scene.write(centres[k], text, size):
+                self.drawn.append(tracks[k])
+                style = {"zorder": 5.5, "gid": "leader"}
+                self.scene.line(shapely.get_coordinates(tracks[k]), ec="black", lw=0.35, **style)
+                self.scene.circle(start, DOT, fc="black", ec="none", **style)
+                return True
+        return False
