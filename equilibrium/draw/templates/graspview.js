@@ -38,18 +38,6 @@ function paintMotion(view, [x, y, r]) {
   draw("path", { class: "moved", d: `M${places.map(spot).join("L")}Z` }, view);
 }
 
-function mark(view, what, place, t) {
-  const way = what === "slip-" ? -1 : 1;
-  if (what === "stick" || what === "detached") {
-    draw("circle", { class: `state ${what}`, cx: fixed(UNIT * place[0]), cy: fixed(-UNIT * place[1]), r: 4 }, view);
-    return;
-  }
-  const n = [t[1], -t[0]];
-  const corners = [along(place, t, 0.11 * way), along(along(place, t, -0.06 * way), n, 0.075),
-    along(along(place, t, -0.06 * way), n, -0.075)];
-  draw("path", { class: "state slip", d: `M${corners.map(spot).join("L")}Z` }, view);
-}
-
 function paintLoads(view, forces) {
   const force = shownForce();
   const load = force ? force.map(near) : [0, 0];

@@ -16,7 +16,7 @@ function* treeOf(grasp, wrench) {
     yield nodes;
     const i = nextContact(grasp, states, system, found.point());
     if (i < 0) {
-      equilibria.push(pieceOf(grasp, wrench, states, system, found));
+      equilibria.push(pieceOf(grasp, states, system, found));
       return null;
     }
     const [kind, names] = SPLITS[states[i]];
@@ -95,42 +95,57 @@ function shortened(grasp, motion, pairs, wrench) {
 }
 
 // All solutions with one choice of states: a point, or a polyhedron with the range of each component.
-function pieceOf(grasp, wrench, states, system, found) {
+// Of a polyhedron a middle one is shown: component by component, half way between its ends.
+function pieceOf(grasp, states, system, found) {
   const at = (z) => (row) => dotted(row, [...z, ONE]);
+  const shape = (z) => ({ motion: z.slice(0, 3), forces: system.forces.map((pair) => pair.map(at(z))) });
   let z = found.point();
-  let [ranges, points] = [null, [z]];
-  if (!found.single) {
-    const unit = (k) => Array.from({ length: system.n + 1 }, (_, j) => (j === k ? ONE : ZERO));
-    const watched = [unit(0), unit(1), unit(2), ...system.forces.flat()];
-    const rows = (list) => list.map(({ row }) => row);
-    const wide = new Dictionary(system.n, [...system.balance, ...rows(system.equal)], rows(system.atLeast), watched);
-    wide.feasible();
-    points = [];
-    ranges = watched.map((_, k) => [-1n, 1n].map((way) => {
-      const end = wide.extreme(k, way);
-      points.push(wide.point());
-      return end;
-    }));
-    const share = ratio(1n, BigInt(points.length));
-    z = scaledBy(points.reduce(added), share);
-    if (ranges.every(([low, high]) => low && high && same(low, high))) ranges = null;
+  if (found.single) {
+    const { motion, forces } = shape(z);
+    return { states: grasp.map((contact) => contactAt(contact, motion).state), motion, forces, ranges: null, points: [{ motion, forces }] };
   }
-  const shapes = (point) => ({ motion: point.slice(0, 3), forces: system.forces.map((pair) => pair.map(at(point))) });
-  const { motion, forces } = shapes(z);
-  const shown = ranges ? states : grasp.map((contact) => contactAt(contact, motion).state);
-  return { states: shown, closed: states, motion, forces, ranges, points: points.map(shapes) };
+  const units = [0, 1, 2].map((k) => Array.from({ length: system.n + 1 }, (_, j) => (j === k ? ONE : ZERO)));
+  const watched = [...units, ...system.forces.flat()];
+  const rows = (list) => list.map(({ row }) => row);
+  const within = (fixed) => {
+    const all = new Dictionary(system.n, [...system.balance, ...rows(system.equal), ...fixed], rows(system.atLeast), watched);
+    all.feasible();
+    return all;
+  };
+  const points = [];
+  const all = within([]);
+  const ranges = watched.map((_, k) => [-1n, 1n].map((way) => {
+    const end = all.extreme(k, way);
+    points.push(shape(all.point()));
+    return end;
+  }));
+  const fixed = [];
+  watched.forEach((row, k) => {
+    const left = within(fixed);
+    const value = middleOf(left.extreme(k, -1n), left.extreme(k, 1n));
+    fixed.push(row.with(-1, less(row.at(-1), value)));
+    z = left.point();
+  });
+  z = within(fixed).point();
+  const decided = ranges.every(([low, high]) => low && high && same(low, high));
+  const { motion, forces } = shape(z);
+  return { states: decided ? grasp.map((contact) => contactAt(contact, motion).state) : states, closed: states, motion, forces,
+    ranges: decided ? null : ranges, points };
+}
+
+function middleOf(low, high) {
+  if (low && high) return times(plus(low, high), ratio(1n, 2n));
+  if (low) return low.n > 0n ? low : ZERO;
+  return high && high.n < 0n ? high : ZERO;
 }
 
 // The pieces that lie in no other one (closed conditions let one equilibrium appear in several states).
 function distinct(grasp, pieces) {
-  const kept = [];
-  const loose = (piece) => (piece.ranges ? piece.ranges.filter(([low, high]) => !(low && high && same(low, high))).length : 0);
-  for (const piece of pieces.toSorted((one, other) => loose(other) - loose(one))) {
-    const within = (other) => piece.points.every(({ motion, forces }) => holds(grasp, other, motion, forces));
-    const unbounded = piece.ranges?.some((range) => range.some((end) => end === null));
-    if (!kept.some((other) => within(other) && (!unbounded || other.ranges?.some((range) => range.includes(null))))) kept.push(piece);
-  }
-  return kept;
+  const endless = (piece) => piece.ranges?.some((range) => range.includes(null));
+  const within = (one, other) => (!endless(one) || endless(other))
+    && one.points.every(({ motion, forces }) => holds(grasp, other, motion, forces));
+  return pieces.reduce((kept, piece) => (kept.some((other) => within(piece, other)) ? kept
+    : [...kept.filter((other) => !within(other, piece)), piece]), []);
 }
 
 // Whether an equilibrium (motion, forces) is one of those of a piece, by its closed conditions.
