@@ -24,7 +24,11 @@ _EXAMPLES = (
     ("Three contacts, pushed away", "paper-three-contacts", (0, 1, 0)),
     ("Four contacts", "paper-four-contacts", (0, -1, 0)),
     ("Four contacts, preload 1, torque 3", "paper-four-contacts-preload-1", (0, 0, 3)),
-    ("Just too much: 1 + 10⁻³⁰", "paper-three-contacts-preload-1", (0, f"{10**30 + 1}/{10**30}", 0)),
+    (
+        "Just too much: 1 + 10⁻³⁰",
+        "paper-three-contacts-preload-1",
+        (0, f"{10**30 + 1}/{10**30}", 0),
+    ),
     ("Several equilibria", "several-equilibria", None),
     ("A push that works, fails, works", "interrupted-push", ("-3/2", 0, 0)),
     ("All contacts stick", "all-contacts-stick", None),
@@ -64,9 +68,14 @@ def lab_page(
             {"name": name, **_question(read_grasp(source), load or (0, -1, 0))}
             for name, source, load in _EXAMPLES
         ],
-        "axes": [f"{name} ({first.units.force})" if first.units else name for name in ("f_x", "f_y")],
+        "axes": [
+            f"{name} ({first.units.force})" if first.units else name for name in ("f_x", "f_y")
+        ],
         # What the shared scripts find when they start; the page fills it in.
-        **{"sets": [], "contacts": [], "outline": None, "origin": [0, 0]},
+        "sets": [],
+        "contacts": [],
+        "outline": None,
+        "origin": [0, 0],
     }
     own = "equilibrium.draw"
     styles: list[Template] = [BASE_STYLE, (own, "sketch.css"), (own, "lab.css")]

@@ -37,6 +37,8 @@ function dragGrasp() {
     const p = place(view, event).map((c, k) => (c / UNIT) * data.size + data.centre[k]);
     chooseMotion(rotationAbout(p, state.turn.n < 0n ? -1 : 1));
   });
+  // A finger on a grip moves it; elsewhere it scrolls the page.
+  view.addEventListener("touchstart", (event) => { if (event.target.closest("[data-grip]")) event.preventDefault(); }, { passive: false });
   view.addEventListener("keydown", keyOnGrip);
 }
 

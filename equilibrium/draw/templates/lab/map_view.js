@@ -12,7 +12,7 @@ function paintMap() {
   const kept = { found: state.found, choice: state.choice };
   const own = state.shownPiece();
   const first = Math.max(0, hits.findIndex((piece) => own && String(piece.states) === String(own.states)));
-  Object.assign(state, { found: stale && kept.found.stable ? [null] : hits, choice: first });
+  Object.assign(state, { found: stale && kept.found?.stable ? [null] : hits, choice: first });
   paintHere();
   Object.assign(state, kept);
   at("plane-title").textContent = `Forces that are resisted at torque ${shortText(state.torque)}`;
