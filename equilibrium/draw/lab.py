@@ -19,21 +19,23 @@ from equilibrium.model.grasp import Grasp, read_wrench
 #: Contacts beyond which the answers of the page take more than about a second.
 MAX_CONTACTS = 8
 #: Names, built-in grasps and wrenches that the page offers.
-_EXAMPLES = (
+_EXAMPLES: tuple[tuple[str, str, tuple[int | str, ...]], ...] = (
     ("Three contacts, preload 1", "paper-three-contacts-preload-1", (0, 1, 0)),
-    ("Three contacts, pushed away", "paper-three-contacts", (0, 1, 0)),
-    ("Four contacts", "paper-four-contacts", (0, -1, 0)),
-    ("Four contacts, preload 1, torque 3", "paper-four-contacts-preload-1", (0, 0, 3)),
+    ("Three contacts, no preload", "paper-three-contacts", (0, 1, 0)),
     (
         "Just too much: 1 + 10⁻³⁰",
         "paper-three-contacts-preload-1",
         (0, f"{10**30 + 1}/{10**30}", 0),
     ),
-    ("Several equilibria", "several-equilibria", None),
+    ("Four contacts", "paper-four-contacts", (0, -1, 0)),
+    ("Four contacts, preload 1, torque 3", "paper-four-contacts-preload-1", (0, 0, 3)),
+    ("All contacts stick", "all-contacts-stick", (0, 0, 0)),
+    ("Several equilibria", "several-equilibria", (-1, 0, 0)),
+    ("One contact lets go", "one-contact-lets-go", (-1, 0, 0)),
     ("A push that works, fails, works", "interrupted-push", ("-3/2", 0, 0)),
-    ("All contacts stick", "all-contacts-stick", None),
-    ("Contacts at one place", "coincident-contacts", None),
-    ("Opposed contacts without friction", "frictionless-opposed-contacts", None),
+    ("A solution in the wrong cell", "unchecked-cell", (2, 0, 2)),
+    ("Contacts at one place", "coincident-contacts", (0, -1, 0)),
+    ("Opposed contacts without friction", "frictionless-opposed-contacts", (0, -1, 0)),
 )
 _SCRIPTS = (
     *("rational.js", "resisted.js", "sketch.js", "plane.js"),
@@ -65,7 +67,7 @@ def lab_page(
         "most": MAX_CONTACTS,
         **_question(first, _EXAMPLES[0][2] if wrench is None else wrench),
         "examples": [
-            {"name": name, **_question(read_grasp(source), load or (0, -1, 0))}
+            {"name": name, **_question(read_grasp(source), load)}
             for name, source, load in _EXAMPLES
         ],
         "axes": [

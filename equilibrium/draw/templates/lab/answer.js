@@ -2,7 +2,11 @@
 const SIGNS = { detached: "○ detached", "slip+": "+ slips", "slip-": "− slips", stick: "● sticks", attached: "in touch" };
 const shortText = (x) => {
   const text = textOf(x);
-  return text.length <= 14 ? text : `≈ ${near(x).toPrecision(6)}`;
+  if (text.length <= 14) return text;
+  const whole = ratio((2n * x.n + x.d) / (2n * x.d) - (2n * x.n + x.d < 0n ? 1n : 0n));
+  const rest = near(less(x, whole));
+  if (whole.n && Math.abs(rest) < 1e-5) return `≈ ${textOf(whole)} ${rest < 0 ? "−" : "+"} ${Math.abs(rest).toPrecision(2)}`;
+  return `≈ ${near(x).toPrecision(6)}`;
 };
 const vectorText = (v) => tuple(v.map(shortText));
 
@@ -17,7 +21,7 @@ function describe() {
   const n = found.equilibria.length;
   verdict.textContent = found.stable ? "Resisted " : "Not resisted ";
   make("small", {}, verdict, found.stable ? `${count(n, "equilibrium", "equilibria")}, exact`
-    : `proved by ${count(leavesOf(found.tree).length, "virtual motion", "virtual motions")}`);
+    : `${count(leavesOf(found.tree).length, "virtual motion proves it", "virtual motions prove it")}`);
   verdict.classList.toggle("stale", Boolean(state.searching));
   at("choices").replaceChildren();
   const box = at("answer");
@@ -143,5 +147,5 @@ function describeMotion() {
 function sayVerdict() {
   const { found } = state;
   return found.stable ? `Resisted: ${found.equilibria[0].states.map((s, i) => `contact ${i + 1} ${s}`).join(", ")}.`
-    : `Not resisted: ${count(leavesOf(found.tree).length, "virtual motion proves", "virtual motions prove")} it.`;
+    : `Not resisted: ${count(leavesOf(found.tree).length, "virtual motion proves it", "virtual motions prove it")}.`;
 }

@@ -3,19 +3,40 @@ const world = (x, y) => [(x - data.centre[0]) / data.size, (y - data.centre[1]) 
 const atPaper = (point) => world(...point.map(near));
 const floatsOf = (pair) => pair.map(near);
 
-// The frame in which the contacts fill [-1, 1], and what `sketch.js` draws in it.
+// The frame in which contacts and outline fill the picture, and what `sketch.js` draws in it. While
+// something is dragged the frame stays.
 function frameGrasp() {
   if (!state.dragging) {
-    const points = state.grasp.map(({ point }) => floatsOf(point));
-    const span = [0, 1].map((k) => points.map((p) => p[k])).map((v) => (v.length ? [Math.min(...v), Math.max(...v)] : [-1, 1]));
-    data.centre = span.map(([low, high]) => (low + high) / 2);
-    data.size = Math.max(...span.map(([low, high]) => (high - low) / 2)) || 1;
+    Object.assign(data, { centre: [0, 0], size: 1 });
+    for (const places of [state.grasp.map(({ point }) => floatsOf(point)), null]) {
+      const points = places ?? [...data.contacts.map((c) => c.place), ...(data.outline ?? [])].map((p) => p.map((x, k) => x * data.size + data.centre[k]));
+      const span = [0, 1].map((k) => points.map((p) => p[k])).map((v) => (v.length ? [Math.min(...v), Math.max(...v)] : [-1, 1]));
+      data.centre = span.map(([low, high]) => (low + high) / 2);
+      data.size = Math.max(...span.map(([low, high], k) => (high - low) / [2, 2.3][k])) || 1;
+      placeGrasp();
+    }
   }
+  placeGrasp();
+}
+
+function placeGrasp() {
   data.contacts = state.grasp.map((contact) => ({
     place: atPaper(contact.point), normal: floatsOf(contact.normal), friction: Math.min(near(contact.friction), 1e6),
   }));
   data.origin = world(0, 0).map((x) => Math.min(1.5, Math.max(-1.5, x)));
-  data.outline = outlineOf(data.contacts);
+  const outline = outlineOf(data.contacts);
+  data.outline = outline && !crosses(outline) ? outline : null;
+}
+
+// Whether a closed polygon crosses itself or runs clockwise.
+function crosses(points) {
+  const next = (i) => points[(i + 1) % points.length];
+  const side = (a, b, c) => (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
+  if (points.reduce((sum, p, i) => sum + p[0] * next(i)[1] - p[1] * next(i)[0], 0) <= 0) return true;
+  return points.some((a, i) => points.slice(0, i).some((c, j) => {
+    const [b, d] = [next(i), next(j)];
+    return side(a, b, c) * side(a, b, d) < -1e-15 && side(c, d, a) * side(c, d, b) < -1e-15;
+  }));
 }
 
 // An indicative outline: a smooth closed curve through the contacts, along their tangents.
@@ -77,7 +98,7 @@ function paintGrasp() {
   if (held) view.querySelector(`[data-grip="${held}"]`)?.focus();
   at("grasp-caption").textContent = shown ? shown.words : data.outline
     ? "Dashed: an outline that fits the contacts, only indicative. Orange: friction cones and the load."
-    : "No contact yet: add one below.";
+    : state.grasp.length ? "Orange: friction cones and the load." : "No contact yet: add one below.";
 }
 
 function paintOne(view, contact, i, shown, piece) {

@@ -53,7 +53,8 @@ class Dictionary {
       const row = t[i];
       const a = row[c];
       for (let j = 0; j <= n; j += 1) {
-        if (j !== c) row[j] = (sign * (p * row[j] - a * own[j])) / this.det;
+        if (j === c || !(row[j] || (a && own[j]))) continue;
+        row[j] = (sign * (a ? p * row[j] - a * own[j] : p * row[j])) / this.det;
       }
       row[c] = sign * a;
     }
