@@ -24,6 +24,7 @@ class Arrangement(Planes):
         normals: m vectors of length d, exact numbers (see `arrangement.rational`).
         offsets: m exact numbers; if omitted, all planes pass through the origin.
         dimension: d; needed only when there are no planes.
+        axes: names of the coordinates where these mean something; see `Planes`.
 
     Raises:
         InputError: a float, a zero normal (named by its index), or lengths that differ.

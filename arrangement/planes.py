@@ -62,6 +62,8 @@ class Planes:
             matrix or an array of them, m x d.
         offsets: m exact numbers; if omitted, all planes pass through the origin.
         dimension: d; needed only when there are no planes.
+        axes: names of the coordinates where these mean something, as motions x, y, r do. A label:
+            no comparison looks at it, but pictures keep such coordinates.
 
     Raises:
         InputError: a float, a zero normal (named by its index), or lengths that differ.
@@ -71,6 +73,7 @@ class Planes:
     """
 
     dimension: int
+    axes: tuple[str, ...]
     _integer_planes: tuple[IntegerVector, ...]
 
     def __init__(
@@ -79,6 +82,7 @@ class Planes:
         offsets: Iterable[Any] | None = None,
         *,
         dimension: int | None = None,
+        axes: Iterable[str] = (),
     ) -> None:
         rows = [rational_vector(row, f"normals[{i}]") for i, row in enumerate(_listed(normals))]
         if offsets is None:
@@ -97,7 +101,7 @@ class Planes:
                     f"normals[{i}] is the zero vector, which defines no plane; remove plane {i}"
                 )
         planes = tuple(primitive((*row, b)) for row, b in zip(rows, constants, strict=True))
-        self.__dict__.update(dimension=d, _integer_planes=planes)
+        self.__dict__.update(dimension=d, axes=tuple(axes), _integer_planes=planes)
 
     @classmethod
     def from_equations(
@@ -142,7 +146,8 @@ class Planes:
 
     def __getstate__(self) -> dict[str, Any]:
         """Copies and pickles carry the planes, not what was computed from them."""
-        return {"dimension": self.dimension, "_integer_planes": self._integer_planes}
+        stored = ("dimension", "axes", "_integer_planes")
+        return {name: self.__dict__[name] for name in stored}
 
     @property
     def integer_planes(self) -> tuple[IntegerVector, ...]:

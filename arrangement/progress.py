@@ -1,7 +1,7 @@
 """A line on stderr with what is done, the rate and the remaining time; only on a terminal.
 
 Long loops of the packages run over `watched` items. They show nothing by themselves; a command
-turns their line on with `shown`.
+turns their line on with `shown`, and `note` too.
 """
 
 from __future__ import annotations
@@ -37,6 +37,12 @@ def shown() -> Iterator[None]:
         yield
     finally:
         _wanted.reset(token)
+
+
+def note(text: str) -> None:
+    """Say on stderr, inside `shown`, what was left out or replaced."""
+    if _wanted.get():
+        print(text, file=sys.stderr)
 
 
 def watched(items: Iterable[Item], unit: str, total: int | None = None) -> Iterable[Item]:

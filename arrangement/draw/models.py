@@ -13,22 +13,31 @@ from arrangement.polyhedra.dual import dual_polyhedron
 from arrangement.polyhedra.dual.mesh import content
 
 from .colours import SKIN, DrawnRegion, Painter, fill_colour, painter, pale, side_colour
+from .coordinates import in_coordinates
+from .essential import brought
 from .output import millimetres
 from .painting import unit_points
 from .registry import Exact, Vector
+from .solids import unit_lengths
 
 
-def dual_model(arrangement: Arrangement, suffix: str, *, size: float = 60.0) -> bytes:
+def dual_model(
+    arrangement: Arrangement, suffix: str, *, size: float = 60.0, coordinates: str = "given"
+) -> bytes:
     """Return the dual polyhedron as a file; see `DualPolyhedron.export`.
 
     In GLB a face is coloured by its number of corners.
 
     Args:
-        arrangement: central, in R^3, of rank 3.
+        arrangement: central, of rank 3; in another space than R^3 its essentialisation.
         suffix: ``.stl``, ``.glb`` or ``.obj``.
         size: the largest side of the bounding box, in millimetres.
+        coordinates: "given"; or "symmetric" or "even" as for `draw_dual`, with generators of
+            length 1.
     """
-    dual = dual_polyhedron(arrangement)
+    arrangement, _ = in_coordinates(coordinates, brought(arrangement, "dual"))
+    lengths = None if coordinates == "given" else unit_lengths(arrangement)
+    dual = dual_polyhedron(arrangement, lengths)
     colours = tuple(side_colour(len(face)) for face in dual.faces)
     return content(dual, suffix, millimetres(size, "size"), colours)
 
@@ -43,6 +52,7 @@ def cells_model(
     explode: float = 1.3,
     size: float = 60.0,
     colour: str | Painter = "planes",
+    coordinates: str = "given",
 ) -> bytes:
     """Return all cells of an arrangement in a ball or a cube as separate closed parts.
 
@@ -55,7 +65,8 @@ def cells_model(
     named by the sign vector.
 
     Args:
-        arrangement: in R^3; central or not, of any rank, coincident planes allowed.
+        arrangement: of rank at most 3, central or not, coincident planes allowed; in another space
+            than R^3 its essentialisation.
         suffix: ``.stl``, ``.glb`` or ``.obj``.
         body: "ball" or "cube".
         centre, radius: exact, of the body; see `body_around`.
@@ -65,6 +76,7 @@ def cells_model(
         colour: in GLB. "planes" (a wall has the colour of its plane), "sides" (a cell by its
             number of walls), "signs" (by its number of minus signs), "none", or a function of a
             `DrawnRegion`.
+        coordinates: of central planes: "given", "symmetric" or "even", as for `draw_planes`.
 
     Raises:
         InputError: another space, too many planes, a bad option.
@@ -75,6 +87,7 @@ def cells_model(
         raise InputError(f"explode is {shown(explode)}; give a factor from 1 to 10")
     paint = None if colour == "planes" else painter(colour)
     half = millimetres(size, "size") / 2
+    arrangement, _ = in_coordinates(coordinates, brought(arrangement, "cells"))
     cells = cut_cells(arrangement, body, centre, radius)
     points = unit_points(cells) * half
     parts = [_part(cells, cell, points, explode - 1, paint) for cell in cells.cells]

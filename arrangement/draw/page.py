@@ -17,7 +17,8 @@ from arrangement.errors import InputError
 from arrangement.exact import IntegerVector, primitive, shown
 from arrangement.polyhedra.dual.incidence import dual_incidence
 
-from .equalize import evening_map, is_narrow
+from .coordinates import CHOICES, even_map, is_narrow, symmetric_map
+from .essential import brought, caption
 from .globe import Globe, clear_direction, picture_axes, unit_vectors
 from .html_page import BASE_SCRIPT, BASE_STYLE, one_page, own
 from .registry import Vector, refusal
@@ -34,6 +35,7 @@ def arrangement_page(
     title: str | None = None,
     colour: str | None = None,
     direction: Vector | None = None,
+    coordinates: str | None = None,
 ) -> str:
     """Return one HTML page, complete in itself, for central planes in R^3.
 
@@ -42,29 +44,36 @@ def arrangement_page(
     point. Planes can be taken away and put back.
 
     Args:
-        arrangement: central, in R^3, any rank, up to `MAX_CIRCLES` distinct planes.
+        arrangement: central, of rank at most 3, up to `MAX_CIRCLES` distinct planes.
         title: a heading; if omitted, the number of planes.
         colour: of the regions at first: "sides" (by number of sides), "signs" (by number of minus
             signs), "parity" (two colours), "none"; if omitted, sides if they differ, else parity.
         direction: the exact first direction towards the viewer; if omitted, a clear one.
+        coordinates: at first: "given"; "symmetric", after a linear map that shows the symmetry of
+            the planes; "even", after one that spreads the normals evenly. If omitted, symmetric
+            where that differs, but for planes of motions, and even where the planes are narrow.
 
     Raises:
         InputError: another space, planes off the origin, too many planes, unknown colouring.
     """
     if colour is not None and colour not in COLOURINGS:
         raise refusal(f"the colouring is {shown(colour)}", colour, COLOURINGS)
-    if arrangement.is_central and len(arrangement.distinct) > MAX_CIRCLES:
+    summary = _summary(arrangement)
+    arrangement = brought(arrangement, "arrangement")
+    if len(arrangement.distinct) > MAX_CIRCLES:
         raise InputError(
             f"{len(arrangement.distinct)} distinct planes; a page shows at most {MAX_CIRCLES}"
         )
+    if coordinates is not None and coordinates not in CHOICES:
+        raise refusal(f"the coordinates are {shown(coordinates)}", coordinates, CHOICES)
     globe = Globe(arrangement, direction if direction is not None else _slanting(arrangement))
     heading = title if title is not None else _heading(arrangement)
     data = {
         "title": heading,
-        "summary": _summary(arrangement),
+        "summary": summary,
         "colour": colour,
         "axes": _floats(globe.axes),
-        "even": _evened(globe.whole),
+        "even": _shaped(globe, arrangement, coordinates, direction),
         **_cells(globe.whole),
     }
     scripts = ("model.js", "globe.js", "arrangement.js", "controls.js")
@@ -95,23 +104,40 @@ def _slanting(arrangement: Arrangement) -> IntegerVector | None:
     return views[int(np.argmin(np.round(slant, 6)))]
 
 
-def _evened(sphere: SphereArrangement) -> dict[str, Any] | None:
-    """Return what the page needs to even the regions out; None below rank 3."""
+def _shaped(
+    globe: Globe, arrangement: Arrangement, coordinates: str | None, direction: Vector | None
+) -> dict[str, Any] | None:
+    """Return what the page needs to show the planes symmetric, else evened out; None below rank 3.
+
+    Args:
+        coordinates: those at first; None: the symmetric ones, or narrow planes evened out.
+    """
+    sphere = globe.whole
     if sphere.rank < 3:
         return None
     units = np.array([_unit(normal) for normal in sphere.circle_normals])
-    for_normals = evening_map(units)
+    symmetric = None if coordinates == "even" else symmetric_map(arrangement)
+    for_normals = even_map(units) if symmetric is None else symmetric
     for_points = np.linalg.inv(for_normals).T
     rays = np.array([_unit(sphere.ray(v)) for v in range(sphere.vertex_count)]) @ for_points.T
-    moved = np.concatenate([units @ for_normals.T, rays])
-    moved /= np.linalg.norm(moved, axis=1, keepdims=True)
-    near = [tuple(row) for row in np.rint(moved * 10**6).astype(int).tolist()]
+    lines = _integers(np.concatenate([units @ for_normals.T, rays]))
+    towards = _integers(np.array([_unit(globe.direction)]) @ for_points.T)[0]
+    at_first = coordinates in ("symmetric", "even")
+    if coordinates is None and not arrangement.axes:
+        at_first = is_narrow(units) or symmetric is not None
     return {
         "normals": _floats(for_normals),
         "points": _floats(for_points),
-        "axes": _floats(picture_axes(clear_direction(near))),
-        "at_first": is_narrow(units),
+        "axes": _floats(picture_axes(clear_direction(lines) if direction is None else towards)),
+        "name": "evened out" if symmetric is None else "symmetric",
+        "at_first": at_first,
     }
+
+
+def _integers(vectors: Any) -> list[IntegerVector]:
+    """Return vectors near multiples of some floats."""
+    units = vectors / np.linalg.norm(vectors, axis=1, keepdims=True)
+    return [tuple(row) for row in np.rint(units * 10**6).astype(int).tolist()]
 
 
 def _heading(arrangement: Arrangement) -> str:
@@ -123,7 +149,9 @@ def _summary(arrangement: Arrangement) -> str:
     number, distinct = len(arrangement), len(arrangement.distinct)
     planes = f"{number} plane{'' if number == 1 else 's'} through the origin"
     same = f", {distinct} of them distinct" if distinct < number else ""
-    return f"{planes}{same}; rank {arrangement.rank}"
+    return "; ".join(
+        filter(None, (f"{planes}{same}", f"rank {arrangement.rank}", caption(arrangement, 3)))
+    )
 
 
 def _cells(sphere: SphereArrangement) -> dict[str, Any]:
@@ -136,7 +164,7 @@ def _cells(sphere: SphereArrangement) -> dict[str, Any]:
             "normal": _exact(normal),
             "unit": _unit(normal),
             "length": _longest(normal) / longest * _norm(normal),
-            "equation": _equation(normal),
+            "equation": equation(normal),
             "circle": int(circle),
         }
         for normal, circle in zip(normals, sphere.plane_circle.tolist(), strict=True)
@@ -182,14 +210,14 @@ def _region(sphere: SphereArrangement, region: int) -> dict[str, Any]:
     }
 
 
-def _equation(normal: IntegerVector) -> str:
+def equation(normal: IntegerVector, offset: int = 0) -> str:
     """Return the equation of a plane, such as ``x - 2y + z = 0``."""
     text = ""
     for entry, name in zip(normal, "xyz", strict=True):
         if entry:
             joint = ("-" if entry < 0 else "") if not text else (" - " if entry < 0 else " + ")
             text += f"{joint}{abs(entry) if abs(entry) != 1 else ''}{name}"
-    return f"{text} = 0"
+    return f"{text} = {offset}"
 
 
 def _exact(vector: IntegerVector) -> list[str]:

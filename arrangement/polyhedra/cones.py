@@ -8,9 +8,10 @@ one only when adjacent: no third ray is tight in all conditions in which both ar
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
+from operator import mul
 from typing import TypeAlias
 
-from arrangement.exact import IntegerVector, dot
+from arrangement.exact import IntegerVector
 from arrangement.linear import reduced, unit_vectors
 
 #: (extreme rays, a basis of the lines)
@@ -36,19 +37,19 @@ def generators(
     >>> generators([(1, 0), (1, 1), (1, 2)], [], 2)
     (((0, 1), (2, -1)), ())
     """
-    cone = _Cone(dimension)
+    cone = Cone(dimension)
     for row in equalities:
         cone.cut(row, keep_positive=False)
     if finite:
         cone.cut(unit_vectors(dimension)[-1], keep_positive=True)
     for row in dict.fromkeys(reduced(row) for row in inequalities):
-        if finite and not any(ray[-1] for ray, _ in cone.rays):
+        if finite and not cone.has_points:
             return (), ()
         cone.cut(row, keep_positive=True)
-    return tuple(sorted(ray for ray, _ in cone.rays)), tuple(cone.lines)
+    return cone.generators
 
 
-class _Cone:
+class Cone:
     """A cone under construction; the mask of a ray says in which conditions it is tight."""
 
     def __init__(self, dimension: int) -> None:
@@ -56,11 +57,27 @@ class _Cone:
         self.rays: list[tuple[IntegerVector, int]] = []
         self.conditions = 0
 
+    def copy(self) -> Cone:
+        """Return the same cone, to be cut in another way."""
+        twin = Cone(0)
+        twin.lines, twin.rays, twin.conditions = self.lines, self.rays, self.conditions
+        return twin
+
+    @property
+    def has_points(self) -> bool:
+        """Whether the last entry of a ray is not 0."""
+        return any(ray[-1] for ray, _ in self.rays)
+
+    @property
+    def generators(self) -> Generators:
+        """The extreme rays in order, and a basis of the lines."""
+        return tuple(sorted(ray for ray, _ in self.rays)), tuple(self.lines)
+
     def cut(self, row: Sequence[int], *, keep_positive: bool) -> None:
         """Keep the part with ``row . x >= 0``, or only ``= 0``."""
         bit = 1 << self.conditions
         self.conditions += 1
-        leaving = next((line for line in self.lines if dot(row, line)), None)
+        leaving = next((line for line in self.lines if _value(row, line)), None)
         if leaving is not None:
             self._cut_lines(row, leaving, bit, keep_positive)
         else:
@@ -70,12 +87,12 @@ class _Cone:
         self, row: Sequence[int], leaving: IntegerVector, bit: int, keep_positive: bool
     ) -> None:
         """Move everything into the plane along one line; its positive half becomes a ray."""
-        if dot(row, leaving) < 0:
+        if _value(row, leaving) < 0:
             leaving = tuple(-x for x in leaving)
-        top = dot(row, leaving)
+        top = _value(row, leaving)
 
         def moved(vector: IntegerVector) -> IntegerVector:
-            value = dot(row, vector)
+            value = _value(row, vector)
             return reduced([top * a - value * b for a, b in zip(vector, leaving, strict=True)])
 
         others = [line for line in self.lines if tuple(-x for x in line) != leaving]
@@ -86,7 +103,7 @@ class _Cone:
 
     def _cut_rays(self, row: Sequence[int], bit: int, keep_positive: bool) -> None:
         """Keep the rays on the right side, and join adjacent rays of the two sides."""
-        valued = [(dot(row, ray), ray, mask) for ray, mask in self.rays]
+        valued = [(sum(map(mul, row, ray)), ray, mask) for ray, mask in self.rays]
         below = [entry for entry in valued if entry[0] < 0]
         above = [entry for entry in valued if entry[0] > 0]
         kept = [(ray, mask | bit) for value, ray, mask in valued if value == 0]
@@ -102,6 +119,10 @@ class _Cone:
         if keep_positive:
             kept += [(ray, mask) for _, ray, mask in above]
         self.rays = kept
+
+
+def _value(row: Sequence[int], vector: IntegerVector) -> int:
+    return sum(map(mul, row, vector))
 
 
 def _only_two(masks: Iterable[int], common: int) -> bool:

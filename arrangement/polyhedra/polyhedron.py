@@ -10,12 +10,13 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
+from math import lcm
 from typing import Any
 
 from arrangement.exact import IntegerVector, RationalVector, dot, primitive, to_text
-from arrangement.linear import cross
+from arrangement.linear import cross, reduced
 
-from .cones import generators
+from .cones import Generators, generators
 from .intervals import LINE, Interval, where_positive
 
 
@@ -94,9 +95,12 @@ class Polyhedron:
         """
         if self._misses(origin, spans):
             return None
-        frame = [*((*span, 0) for span in spans), (*origin, 1)]
+        zero, one = Fraction(0), Fraction(1)
+        frame = [*((*span, zero) for span in spans), (*origin, one)]
+        scale = lcm(*(x.denominator for column in frame for x in column))
+        whole = [[int(x * scale) for x in column] for column in frame]
         pulled = [
-            [primitive([Fraction(dot(row, column)) for column in frame]) for row in rows]
+            [reduced([dot(row, column) for column in whole]) for row in rows]
             for rows in (self.inequalities, self.equalities)
         ]
         return from_conditions(pulled[0], pulled[1], len(spans))
@@ -125,27 +129,35 @@ def from_conditions(
 ) -> Polyhedron | None:
     """Return the polyhedron of conditions ``(a, b)``; None when they have no solution."""
     rays, lines = generators(inequalities, equalities, dimension + 1, finite=True)
-    return from_generators(rays, lines, dimension)
+    return from_generators(rays, lines, dimension, extreme=not lines)
 
 
 def from_generators(
-    rays: Iterable[Sequence[int]], lines: Iterable[Sequence[int]], dimension: int
+    rays: Iterable[IntegerVector],
+    lines: Iterable[IntegerVector],
+    dimension: int,
+    *,
+    extreme: bool = False,
 ) -> Polyhedron | None:
     """Return the polyhedron that homogeneous generators span; None when none is a point.
 
-    Generators may be redundant. The last entry of each is at least 0, and 0 for lines.
+    Args:
+        rays, lines: may be redundant. The last entry of each is at least 0, and 0 for lines.
+        extreme: the rays come from `generators`, and there are no lines.
     """
     listed = list(rays)
     if not any(ray[-1] for ray in listed):
         return None
     facets, equalities = generators(listed, lines, dimension + 1)
-    extreme, straight = generators(facets, equalities, dimension + 1)
-    finite = [ray for ray in extreme if ray[-1]]
+    kept: Generators = (tuple(listed), ())
+    if not extreme:
+        kept = generators(facets, equalities, dimension + 1)
+    finite = [ray for ray in kept[0] if ray[-1]]
     return Polyhedron(
         # A facet without a point is the one at infinity, which says nothing about points.
         tuple(facet for facet in facets if any(dot(facet, ray) == 0 for ray in finite)),
         equalities,
         tuple(tuple(Fraction(x, ray[-1]) for x in ray[:-1]) for ray in finite),
-        tuple(ray[:-1] for ray in extreme if not ray[-1]),
-        tuple(line[:-1] for line in straight),
+        tuple(ray[:-1] for ray in kept[0] if not ray[-1]),
+        tuple(line[:-1] for line in kept[1]),
     )

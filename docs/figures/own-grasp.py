@@ -9,10 +9,7 @@ from equilibrium import Grasp
 from equilibrium.draw import write_drawing
 
 PAGE = Path(__file__).parents[1] / "howto" / "own-grasp.rst"
-OUTLINE = [(-4, -3), (4, -3), (4, 5), (-4, 5)]
 
 block = re.search(r":caption: box\.json\n\n((?:   .*\n)+)", PAGE.read_text(encoding="utf-8"))
 document = json.loads(textwrap.dedent(block[1]))
-write_drawing(
-    Grasp.from_dict(document), "own-grasp.svg", "grasp", wrench=(0, 3, 0), outline=OUTLINE
-)
+write_drawing(Grasp.from_dict(document), "own-grasp.svg", "grasp", wrench=(0, 3, 0))

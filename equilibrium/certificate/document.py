@@ -60,7 +60,7 @@ def refuted_certificate(grasp: Grasp, wrench: RationalVector, tree: Any) -> Cert
 
 
 def _certificate(kind: str, grasp: Grasp, wrench: RationalVector, **proof: Any) -> Certificate:
-    question = {"grasp": grasp.to_dict(), "wrench": _texts(wrench)}
+    question = {"grasp": grasp.with_outline(None).to_dict(), "wrench": _texts(wrench)}
     document = {"schema_version": SCHEMA_VERSION, "certificate": kind, **question, **proof}
     return Certificate(json.dumps(document, separators=(",", ":")))
 

@@ -75,6 +75,8 @@ def read_question(document: Any) -> tuple[str, Grasp, RationalVector]:
     common = ("schema_version", "certificate", "grasp", "wrench")
     check_keys(document, (*common, *_KEYS[kind]), (), "the certificate")
     wrench = read_wrench(check_list(document["wrench"], "wrench", 3))
+    if isinstance(document["grasp"], Mapping) and "outline" in document["grasp"]:
+        raise CertificateError("the grasp of a certificate has no outline; leave it out")
     return kind, Grasp.from_dict(document["grasp"]), wrench
 
 

@@ -8,14 +8,13 @@ from __future__ import annotations
 
 import argparse
 import json
-import sys
 from collections.abc import Sequence
 from fractions import Fraction
 from typing import TYPE_CHECKING, Any
 
 from arrangement import terminal
 
-from .arguments import add_command, add_count, add_number, show
+from .arguments import add_command, add_count, add_number, show, tell_rounding
 
 if TYPE_CHECKING:
     from equilibrium.inputs import Conversion
@@ -28,13 +27,18 @@ def add_commands(commands: Any) -> None:
     kinds = make.add_subparsers(required=True, metavar="KIND")
 
     text = "one contact a line; columns x, y, normal_x, ..."
-    _add(kinds, "csv", text, "read_csv").add_argument("file", metavar="FILE.csv")
+    lines = _add(kinds, "csv", text, "read_csv")
+    lines.add_argument("file", metavar="FILE.csv")
 
     text = "measured or simulated data in floats, snapped"
     floats = _add(kinds, "floats", text, "read_float_data", options=("tolerance",))
     floats.add_argument("file", metavar="DATA", help="a JSON or .csv file, or - for stdin (JSON)")
     text = "largest change of a coordinate or value"
     add_number(floats, "--tolerance", Fraction(1, 10**6), text)
+    for parser in (lines, floats):
+        parser.add_argument(
+            "--outline", nargs="+", metavar="X,Y", help="corners of the object, for pictures"
+        )
 
     text = "places on the boundary of a polygon (JSON)"
     polygon = _add(kinds, "polygon", text, "read_polygon")
@@ -84,13 +88,18 @@ def _add_units(parser: argparse.ArgumentParser) -> None:
 
 
 def _random(arguments: argparse.Namespace) -> int:
-    from equilibrium.inputs import random_grasp
+    from equilibrium.inputs import random_grasp, star_outline
 
-    document = _labelled(random_grasp(arguments.contacts, arguments.seed), arguments).to_dict()
+    grasp = random_grasp(arguments.contacts, arguments.seed)
+    document = _labelled(grasp.with_outline(star_outline(grasp)), arguments).to_dict()
     return show(arguments, {"grasp": document}, [json.dumps(document, indent=2)])
 
 
 def _labelled(grasp: Grasp, arguments: argparse.Namespace) -> Grasp:
+    if corners := getattr(arguments, "outline", None):
+        from equilibrium.model.outline import Polygon
+
+        grasp = grasp.with_outline(Polygon(corner.split(",") for corner in corners))
     return grasp.with_units(*arguments.units) if arguments.units else grasp
 
 
@@ -101,12 +110,6 @@ def _converted(arguments: argparse.Namespace) -> int:
     read = getattr(inputs, arguments.reader)
     found: Conversion = read(*(getattr(arguments, name) for name in arguments.given), **options)
     document = {**found.to_dict(), "grasp": _labelled(found.grasp, arguments).to_dict()}
-    if not found.exact and not arguments.json:
-        point = float(max(map(abs, found.point_errors), default=0))
-        angle = float(max(map(abs, found.angle_errors), default=0))
-        value = f", values by {float(found.value_error):.2g}" if found.value_error else ""
-        print(
-            f"rounded: points by {point:.2g}, normals by {angle:.2g} radians{value}",
-            file=sys.stderr,
-        )
+    if not arguments.json:
+        tell_rounding(found)
     return show(arguments, document, [json.dumps(document["grasp"], indent=2)])

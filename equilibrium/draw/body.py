@@ -1,27 +1,28 @@
-"""The outline of the object, as a closed smooth curve through the contacts.
+"""The outline of the object: the one that is stated, else a smooth curve through the contacts.
 
-A grasp knows points and normals, no shape. Unless a polygon is given, the outline is only
-indicative: a curve that passes through every contact point with the tangent that the normal asks
-for. Where the contacts can belong to a convex object, the curve is convex or nearly so; otherwise
-it goes round the contacts in angular order. If that curve crosses itself, there is none.
+Unless the grasp or the caller states an outline, it is only indicative: a curve that passes through
+every contact point with the tangent that the normal asks for. Where the contacts can belong to a
+convex object, the curve is convex or nearly so; otherwise it goes round the contacts in angular
+order. If that curve crosses itself, there is none.
 """
 
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from itertools import pairwise
-from typing import Any
 
 import numpy as np
 
 from arrangement.draw.labels import flattened
 from arrangement.draw.scene import Floats
-from arrangement.exact import RationalVector, rational_vector
-from equilibrium.model.errors import GraspError
+from arrangement.exact import RationalVector
 from equilibrium.model.grasp import Grasp
+from equilibrium.model.outline import Outline, Polygon
+
+from .shapes import arc
 
 
 @dataclass(frozen=True)
@@ -40,8 +41,11 @@ class Frame:
         return np.array([float((x - c) / self.size) for x, c in pairs])
 
 
-def frame_of(places: Sequence[RationalVector]) -> Frame:
-    """Return the frame in which points fill [-1, 1] in the longer direction."""
+def frame_of(grasp: Grasp, outline: Outline | None = None) -> Frame:
+    """Return the frame in which contacts and outline fill [-1, 1] in the longer direction."""
+    places = [contact.point for contact in grasp]
+    if outline is not None:
+        places += outline.extremes
     if not places:
         return Frame((Fraction(0), Fraction(0)), Fraction(1))
     lows = [min(p[k] for p in places) for k in (0, 1)]
@@ -51,21 +55,12 @@ def frame_of(places: Sequence[RationalVector]) -> Frame:
     return Frame(centre, spread or Fraction(1))
 
 
-def read_outline(corners: Iterable[Iterable[Any]]) -> tuple[RationalVector, ...]:
-    """Return the corners of a given polygon.
-
-    Raises:
-        GraspError: fewer than three corners, or one without two coordinates.
-    """
-    found = tuple(rational_vector(corner, f"outline[{i}]") for i, corner in enumerate(corners))
-    if len(found) < 3 or any(len(corner) != 2 for corner in found):
-        raise GraspError("an outline has at least three corners of two coordinates each")
-    return found
-
-
-def polygon(frame: Frame, corners: Sequence[RationalVector]) -> Floats:
-    """Return a closed polygon as cubic control points (3k + 1, 2)."""
-    places = [frame.paper(corner) for corner in corners]
+def stated_body(outline: Outline, frame: Frame) -> Floats:
+    """Return a stated outline as cubic control points (3k + 1, 2)."""
+    if not isinstance(outline, Polygon):
+        radius = float(outline.radius / frame.size)
+        return arc(frame.paper(outline.centre), radius, 0.0, 2 * math.pi)
+    places = [frame.paper(corner) for corner in outline.corners]
     return _joined([(p, p, q, q) for p, q in zip(places, [*places[1:], places[0]], strict=True)])
 
 
@@ -167,6 +162,29 @@ def _crosses(points: Floats) -> bool:
 
     apart = sides(points, ends, points) * sides(points, ends, ends) < -1e-18
     return bool((apart & apart.T).any())
+
+
+def free_lengths(outline: Floats, start: Floats, angles: Floats) -> Floats:
+    """Return how far one can go inside a closed polygon from a point of it, in some directions.
+
+    0 where the outside begins at once.
+    """
+    ends, near = np.roll(outline, -1, axis=0), 1e-3
+    ways = np.stack([np.cos(angles), np.sin(angles)], axis=1)[:, None]
+    along, away = ends - outline, outline - start
+    across = ways[..., 0] * along[:, 1] - ways[..., 1] * along[:, 0]
+    across = np.where(np.abs(across) < 1e-12, 1e-12, across)
+    length = (away[:, 0] * along[:, 1] - away[:, 1] * along[:, 0]) / across
+    at = (away[:, 0] * ways[..., 1] - away[:, 1] * ways[..., 0]) / across
+    hits = (length > 2 * near) & (at >= 0) & (at <= 1)
+    free = np.where(hits, length, np.inf).min(axis=1)
+    # Whether a point just ahead is inside: by the edges above and below it.
+    x, y = np.moveaxis(start + near * ways, -1, 0)
+    crossed = (outline[:, 1] > y) != (ends[:, 1] > y)
+    slope = along[:, 0] / np.where(along[:, 1] == 0, 1, along[:, 1])
+    right = crossed & (x < outline[:, 0] + (y - outline[:, 1]) * slope)
+    found: Floats = np.where(right.sum(axis=1) % 2 == 1, free, 0.0)
+    return found
 
 
 def _joined(pieces: Sequence[_Piece]) -> Floats:

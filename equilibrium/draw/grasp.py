@@ -15,13 +15,14 @@ from arrangement.draw.registry import Corner, Wrench
 from arrangement.draw.scene import POINTS, Floats, Scene
 from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import Grasp, read_wrench
+from equilibrium.solver.state_equilibrium import Solution
 from equilibrium.verdict import solve
 
 from .layout import ARC, CONE, FORCE, Layout, displaced, layout_of
 from .legend import Legend
 from .row import new_legend
 from .shapes import Labels, arrow, mark, turning_arrow, wedge
-from .style import CONE_EDGE, CONE_FILL, nice, number, rounded, vector
+from .style import CONE_EDGE, CONE_FILL, nice, number, rounded, vector, wrench_text
 
 
 @picture
@@ -38,15 +39,16 @@ def draw_grasp(
     Forces are those on the object; all arrows of forces have one scale, which the bar states. The
     mark of a contact tells by shape its state at the motion drawn. The virtual motion is drawn as
     the displaced outline (of a grasp without outline, as arrows at the contacts), to first order,
-    by a factor that is stated. The outline is dashed and only indicative (see `body`) unless a
-    polygon is given; where no simple curve passes through the contacts, dashed lines join them.
+    by a factor that is stated. The outline is that of the grasp; where none is stated, it is dashed
+    and only indicative (see `body`), and where no simple curve passes through the contacts, dashed
+    lines join them.
     Where the origin of the frame is far from the contacts, the wrench is carried to their middle.
 
     Args:
         grasp: contacts; none, coincident ones and coordinates of any size are possible.
         wrench: applied (f_x, f_y, tau), the torque about the origin; if omitted, none acts and
             nothing is solved.
-        outline: corners of the object, exact; if omitted, an indicative curve.
+        outline: corners of the object, exact, instead of the outline of the grasp.
         piece: which of the equilibria found (see `solve`), from 1.
         width: of the figure, in millimetres.
 
@@ -88,10 +90,9 @@ def _drawn(layout: Layout, width: float) -> Scene:
     held = _content(layout)
     low, high = held.min(axis=0), held.max(axis=0)
     legend = new_legend(width)
-    legend.scaled = bool(layout.reference)
-    _describe(layout, legend)
     wide, margin = legend.width, 6.0 * POINTS
     scale = min((wide - 2 * margin) / (high[0] - low[0]), 0.95 * wide / (high[1] - low[1]))
+    _describe(layout, legend, scale)
     height = scale * (high[1] - low[1]) + 2 * margin
     scene = Scene(width, (height + legend.height) / POINTS)
     middle = np.array([wide / 2, legend.height + height / 2])
@@ -100,7 +101,7 @@ def _drawn(layout: Layout, width: float) -> Scene:
     picture.contacts()
     picture.wrench()
     picture.numbers()
-    legend.draw(scene, scale=_bar(layout, scale))
+    legend.draw(scene)
     return scene
 
 
@@ -152,11 +153,15 @@ class Picture:
             zip(layout.grasp, self.places, layout.normals, strict=True)
         ):
             t = np.array([-n[1], n[0]])
-            half, reach = math.atan(rounded(contact.friction)), CONE * self.scale
-            wedge(scene, p, n, half, reach, fc=CONE_FILL, ec=CONE_EDGE, lw=0.5,
-                  gid=f"cone-{i + 1}", zorder=1)  # fmt: skip
-            scene.line([p, p + reach * n], ec=CONE_EDGE, lw=0.5, ls=(0, (6, 2, 1, 2)),
-                       gid=f"normal-{i + 1}", zorder=1.1)  # fmt: skip
+            angles, reaches = layout.cones[i][0], layout.cones[i][1] * self.scale
+            style = {"fc": CONE_FILL, "ec": CONE_EDGE, "lw": 0.5, "gid": f"cone-{i + 1}"}
+            if np.ptp(reaches) < 1e-9:
+                wedge(scene, p, n, np.ptp(angles) / 2, reaches[0], zorder=1, **style)
+            else:
+                ways = np.stack([np.cos(angles), np.sin(angles)], axis=1)
+                scene.polygon([p, *(p + reaches[:, None] * ways)], zorder=1, **style)
+            scene.line([p, p + reaches[len(reaches) // 2] * n], ec=CONE_EDGE, lw=0.5,
+                       ls=(0, (6, 2, 1, 2)), gid=f"normal-{i + 1}", zorder=1.1)  # fmt: skip
             pad = 0.07 * self.scale * t
             scene.line([p - pad, p + pad], ec=BLACK, lw=1.6, gid=f"pad-{i + 1}", zorder=3,
                        capstyle="butt")  # fmt: skip
@@ -198,10 +203,13 @@ class Picture:
             turning_arrow(scene, o, reach, turn, color=VERMILION, gid="wrench-torque", zorder=5)
             angles = np.linspace(0, 2 * math.pi, 24)
             labels.avoid(o + reach * np.array([math.cos(a), math.sin(a)]) for a in angles)
-            around.append(o + reach * np.array([0, 1]))
+            around += [o + reach * np.array(way) for way in ((0, 1), (0, -1), (1, 0), (-1, 0))]
         if layout.load is not None or torque:
             ways = [k * math.pi / 4 + 0.4 for k in range(8)]
             wanted = [a + 9 * np.array([math.cos(k), math.sin(k)]) for a in around for k in ways]
+            # Never inside the arc of the torque.
+            clear = reach + 7 if torque else 0.0
+            wanted = [at for at in wanted if np.linalg.norm(at - o) > clear]
             scene.text(labels.place("w", wanted), "w", color=VERMILION, style="italic",
                        weight="bold", zorder=7)  # fmt: skip
 
@@ -229,35 +237,38 @@ def _bar(layout: Layout, scale: float) -> tuple[float, str] | None:
     return share * FORCE * scale, f"force {number(force)}{unit}"
 
 
-def _describe(layout: Layout, legend: Legend) -> None:
-    """Say in words and keys what is drawn."""
+def _describe(layout: Layout, legend: Legend, scale: float) -> None:
+    """Say in words and keys what is drawn, and at what scale forces are."""
     for line, emphasis in _lines(layout):
         legend.line(line, emphasis)
     for kind, text, shown in _keys(layout):
         if shown:
             legend.key(kind, text)
+    legend.bar = _bar(layout, scale)
 
 
 def _lines(layout: Layout) -> Iterator[tuple[str, bool]]:
     verdict, found = layout.verdict, layout.found
     if verdict is None:
         return
-    yield f"w = {vector(verdict.wrench)}", False
     if layout.moved:
         assert layout.applied is not None
         torque = number(layout.applied[2])
-        yield f"drawn about the middle of the contacts, torque {torque}", False
+        yield f"w drawn about the middle of the contacts, torque {torque}", False
     if found is None:
         yield "no equilibrium", True
-        return
-    factor = "" if layout.step is None else f", drawn × {number(layout.step)}"
-    yield f"motion (x, y, r) = {vector(found.motion)}{factor}", False
-    pieces = verdict.equilibria
-    if len(pieces) > 1:
-        yield f"equilibrium {pieces.index(found) + 1} of {len(pieces)}", False
-    if not found.unique:
-        what = "the motion is" if found.forces_determined else "motion and forces are"
-        yield f"{what} not determined: least norm shown", False
+    elif isinstance(found, Solution):
+        yield "the equilibrium found; there may be others", False
+    else:
+        notes = []
+        if len(verdict.equilibria) > 1:
+            place = verdict.equilibria.index(found) + 1
+            notes.append(f"equilibrium {place} of {len(verdict.equilibria)}")
+        if not found.unique:
+            what = "motion" if found.forces_determined else "motion and forces"
+            notes.append(f"{what} not determined: least norm shown")
+        if notes:
+            yield "; ".join(notes), False
 
 
 def _keys(layout: Layout) -> Iterator[tuple[str, str, bool]]:
@@ -265,9 +276,13 @@ def _keys(layout: Layout) -> Iterator[tuple[str, str, bool]]:
     states = {state.rstrip("+-") for state in layout.states}
     yield "cone", "friction cone", bool(layout.places)
     yield "preload", "preload", any(layout.preloads)
-    yield "wrench", "applied wrench w", layout.verdict is not None and any(layout.verdict.wrench)
+    verdict = layout.verdict
+    applied = "" if verdict is None else wrench_text(verdict.wrench, layout.grasp.units)
+    yield "wrench", applied, verdict is not None and any(verdict.wrench)
     yield "force", "contact force", any(arm is not None for arm in layout.arms)
     for name in ("stick", "slip", "detached"):
         yield name, name, name in states
-    kind = "shift" if layout.curve is None else "motion"
-    yield kind, "virtual motion", layout.step is not None
+    if layout.found is not None:
+        factor = "" if layout.step is None else f" × {number(layout.step)}"
+        text = f"motion (x, y, r) = {vector(layout.found.motion)}{factor}"
+        yield "shift" if layout.curve is None else "motion", text, True

@@ -10,16 +10,19 @@ from typing import Any
 
 import numpy as np
 
+from arrangement.draw.labels import flattened
 from arrangement.draw.scene import Floats
 from arrangement.exact import RationalVector
 from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import Grasp
+from equilibrium.model.outline import Polygon
 from equilibrium.solver.contact_states import states_at
 from equilibrium.solver.equilibrium import Equilibrium
+from equilibrium.solver.state_equilibrium import Solution
 from equilibrium.solver.state_system import States
 from equilibrium.verdict import Verdict
 
-from .body import Frame, body, frame_of, polygon, read_outline
+from .body import Frame, body, frame_of, free_lengths, stated_body
 from .style import nice, rounded
 
 #: Lengths on paper, where the contacts fill [-1, 1]: cones, the largest force, its torque arc.
@@ -37,6 +40,8 @@ class Layout:
     Attributes:
         reference: the largest force component; arrows of forces are `FORCE` for `longest` of it.
         arms: for each contact the contact force on paper, or None.
+        found: the equilibrium that is drawn, if there is one.
+        cones: the angles and lengths of each friction cone (see `cone_rim`).
         states: at the motion that is drawn, often on the boundary of the set of solutions, where
             a contact that may slip does not.
         step: the exact factor that the motion is drawn with, or None when nothing moves.
@@ -44,7 +49,7 @@ class Layout:
 
     grasp: Grasp
     verdict: Verdict | None
-    found: Equilibrium | None
+    found: Equilibrium | Solution | None
     frame: Frame
     curve: Floats | None
     given: bool
@@ -57,6 +62,7 @@ class Layout:
     normals: list[Floats] = field(default_factory=list)
     arms: list[Floats | None] = field(default_factory=list)
     preloads: list[float] = field(default_factory=list)
+    cones: list[tuple[Floats, Floats]] = field(default_factory=list)
     load: Floats | None = None
     step: Fraction | None = None
     states: States = ()
@@ -66,9 +72,9 @@ def layout_of(
     grasp: Grasp, verdict: Verdict | None, outline: Iterable[Iterable[Any]] | None, piece: int
 ) -> Layout:
     """Return all that a picture of a grasp shows (see `draw_grasp` for the arguments)."""
-    corners = None if outline is None else read_outline(outline)
-    frame = frame_of([*(c.point for c in grasp), *(corners or ())])
-    curve = body(grasp, frame) if corners is None else polygon(frame, corners)
+    shape = grasp.outline if outline is None else Polygon(outline)
+    frame = frame_of(grasp, shape)
+    curve = body(grasp, frame) if shape is None else stated_body(shape, frame)
     applied = None if verdict is None else verdict.wrench
     far = any(abs(x) > Fraction(3, 2) * frame.size for x in frame.centre)
     place: RationalVector = (Fraction(0), Fraction(0))
@@ -78,11 +84,15 @@ def layout_of(
             x, y, torque = applied
             applied = (x, y, torque - (place[0] * y - place[1] * x))
     layout = Layout(
-        grasp, verdict, _chosen(verdict, piece), frame, curve, corners is not None,
+        grasp, verdict, _chosen(verdict, piece), frame, curve, shape is not None,
         frame.paper(place), applied, far,
     )  # fmt: skip
     layout.places = [frame.paper(c.point) for c in grasp]
     layout.normals = [np.array([float(x) for x in c.normal]) for c in grasp]
+    layout.cones = [
+        cone_rim(curve, place, normal, contact.friction, CONE)
+        for contact, place, normal in zip(grasp, layout.places, layout.normals, strict=True)
+    ]
     _scale_forces(layout)
     if layout.found is not None:
         layout.states = states_at(grasp, layout.found.motion)
@@ -90,12 +100,28 @@ def layout_of(
     return layout
 
 
-def _chosen(verdict: Verdict | None, piece: int) -> Equilibrium | None:
-    if verdict is None or (not verdict.stable and piece == 1):
-        return None
+def _chosen(verdict: Verdict | None, piece: int) -> Equilibrium | Solution | None:
+    """Return an equilibrium by its number; of many contacts the one that was found is the first."""
+    if verdict is None or (piece == 1 and not (verdict.stable and verdict.lists_all())):
+        return None if verdict is None else verdict.solution
     if not 1 <= piece <= len(verdict.equilibria):
         raise GraspError(f"piece is {piece}; there are {len(verdict.equilibria)} equilibria")
     return verdict.equilibria[piece - 1]
+
+
+def cone_rim(
+    curve: Floats | None, place: Floats, normal: Floats, friction: Fraction, longest: float
+) -> tuple[Floats, Floats]:
+    """Return nine angles from edge to edge of a friction cone, and how far it is drawn at each.
+
+    It stays inside the outline, if there is one, and is shorter on all sides where that helps.
+    """
+    half = math.atan(rounded(friction))
+    angles: Floats = math.atan2(normal[1], normal[0]) + np.linspace(-half, half, 9)
+    if curve is None:
+        return angles, np.full(len(angles), longest)
+    free = free_lengths(flattened(curve), place, angles)
+    return angles, np.minimum(free, max(min(longest, 0.92 * float(free.min())), longest / 2))
 
 
 def _scale_forces(layout: Layout) -> None:

@@ -13,6 +13,8 @@ from arrangement.draw.output import svg_text
 from arrangement.exact import number_text, to_text
 from equilibrium.model.grasp import Grasp
 from equilibrium.solver.equilibrium import Equilibrium
+from equilibrium.solver.state_equilibrium import Solution
+from equilibrium.solver.state_system import States
 from equilibrium.verdict import Verdict
 
 from .grasp import draw_grasp
@@ -24,19 +26,28 @@ MOST_PIECES, LONGEST = 8, 24
 def verdict_html(verdict: Verdict) -> str:
     """Return the answer as HTML: state, normal and tangential force of each contact.
 
-    Contacts are numbered from 1, as in pictures. A number too long for a cell is rounded, with a
+    Contacts are numbered from 1, as in pictures. Of many contacts only the equilibrium that was
+    found is shown. A number too long for a cell is rounded, with a
     sign that says so; its exact value is in the title of the cell.
     """
-    stated, equilibria = verdict.grasp.units, verdict.equilibria
+    stated = verdict.grasp.units
     units = f"<p>{escape(str(stated))}</p>" if stated else ""
     applied = f"w = {_vector(verdict.wrench)}"
-    if not equilibria:
+    if not verdict.stable:
         return f"<div>{units}<p><b>no equilibrium</b> under {applied}</p></div>"
+    if not verdict.lists_all():
+        assert verdict.solution is not None
+        table = _table(verdict.states, verdict.solution)
+        note = "one equilibrium, and there may be others"
+        return f"<div>{units}<p><b>stable</b> under {applied}: {note}</p>{table}</div>"
+    equilibria = verdict.equilibria
     number = len(equilibria)
     heading = f"<b>stable</b> under {applied}: {number} " + (
         "equilibrium" if number == 1 else "equilibria"
     )
-    tables = "".join(_table(piece) for piece in equilibria[:MOST_PIECES])
+    tables = "".join(
+        _table(piece.states, piece, _freedom(piece)) for piece in equilibria[:MOST_PIECES]
+    )
     more = f"<p>and {number - MOST_PIECES} more</p>" if number > MOST_PIECES else ""
     return f"<div>{units}<p>{heading}</p>{tables}{more}</div>"
 
@@ -46,13 +57,13 @@ def grasp_svg(grasp: Grasp) -> str | None:
     return svg_text(lambda: draw_grasp(grasp))
 
 
-def _table(piece: Equilibrium) -> str:
+def _table(states: States, found: Equilibrium | Solution, freedom: str = "") -> str:
     head = "<tr><th>contact</th><th>state</th><th>c<sub>n</sub></th><th>c<sub>t</sub></th></tr>"
     rows = "".join(
         f"<tr><td>{i}</td><td>{escape(state)}</td><td>{_number(c_n)}</td><td>{_number(c_t)}</td></tr>"
-        for i, (state, (c_n, c_t)) in enumerate(zip(piece.states, piece.forces, strict=True), 1)
+        for i, (state, (c_n, c_t)) in enumerate(zip(states, found.forces, strict=True), 1)
     )
-    caption = f"d = {_vector(piece.motion)}{_freedom(piece)}"
+    caption = f"d = {_vector(found.motion)}{freedom}"
     return f"<table><caption>{caption}</caption><thead>{head}</thead><tbody>{rows}</tbody></table>"
 
 

@@ -7,7 +7,6 @@ with exact numbers; floats place things on the screen.
 
 from __future__ import annotations
 
-import math
 from collections.abc import Iterable, Mapping, Sequence
 from fractions import Fraction
 from typing import Any
@@ -17,18 +16,24 @@ import numpy as np
 from arrangement.draw.html_page import BASE_SCRIPT, BASE_STYLE, Template, one_page
 from arrangement.draw.labels import flattened
 from arrangement.draw.registry import Wrench
+from arrangement.draw.scene import Floats
 from arrangement.errors import InputError
-from arrangement.exact import RationalVector, to_text
+from arrangement.exact import IntegerVector, RationalVector, primitive, to_text
+from arrangement.linear import reduced
 from equilibrium.model.grasp import Contact, Grasp, read_wrench
-from equilibrium.solver.contact_rows import unit_row
+from equilibrium.solver.contact_rows import DIRECTION
 from equilibrium.solver.elimination import gauss_jordan
+from equilibrium.solver.integer_contacts import IntegerContacts
 from equilibrium.solver.state_system import States, each_force, state_system
 from equilibrium.wrench_sets import Piece, resisted_set
 
-from .body import Frame, body, frame_of
+from .body import Frame, body, frame_of, stated_body
+from .layout import cone_rim
 
 #: Contacts beyond which the pieces are too many for a page.
 MAX_CONTACTS = 8
+#: The length of friction cones, where the contacts fill [-1, 1].
+_CONE = 0.55
 _SCRIPTS = ("rational.js", "resisted.js", "sketch.js", "plane.js", "graspview.js", "resist.js")
 
 
@@ -80,7 +85,7 @@ def _sets(grasp: Grasp, found: Mapping[Grasp, Sequence[Piece]]) -> dict[str, Any
     uniform = next(iter(preloads))
     return {
         "sets": [
-            {"name": name, "pieces": [_piece(loaded, x) for x in found[loaded]]}
+            {"name": name, "pieces": list(map(_Motions(loaded).piece, found[loaded]))}
             for name, loaded in chosen.items()
         ],
         "kind": "own" if "own" in chosen else "uniform",
@@ -89,81 +94,105 @@ def _sets(grasp: Grasp, found: Mapping[Grasp, Sequence[Piece]]) -> dict[str, Any
     }
 
 
-def _piece(grasp: Grasp, piece: Piece) -> dict[str, Any]:
-    """Return one piece; where the motion is fixed, the page computes all but friction at rest."""
-    shape = piece.polyhedron
-    motion, forces = _solution(grasp, piece.states)
-    resting = [forces[2 * i + 1] for i, state in enumerate(piece.states) if state == "stick"]
-    return {
-        "states": list(piece.states),
-        "inequalities": [[str(x) for x in row] for row in shape.inequalities],
-        "equalities": [[str(x) for x in row] for row in shape.equalities],
-        "motion": list(map(_form, motion)),
-        "resting": list(map(_form, resting)),
-        "forces": list(map(_form, forces)) if None in motion else None,
-    }
+class _Motions:
+    """What the states of the contacts of one grasp fix, as linear forms in the wrench and the load.
 
-
-def _form(form: RationalVector | None) -> list[str] | None:
-    """Return a linear form as integers over a common denominator, which comes last."""
-    if form is None:
-        return None
-    scale = math.lcm(*(x.denominator for x in form))
-    return [*(str(x.numerator * (scale // x.denominator)) for x in form), str(scale)]
-
-
-def _solution(
-    grasp: Grasp, states: States
-) -> tuple[list[RationalVector | None], list[RationalVector | None]]:
-    """Return motion and force components as linear forms in wrench and preload factor.
-
-    None stands for each component that the states do not fix.
+    A form has the numerators for f_x, f_y, tau and the preload factor, and their denominator.
     """
-    system = state_system(grasp, states, (Fraction(0),) * 3)
-    n = system.size
-    unit = [[Fraction(int(i == j)) for j in range(3)] for i in range(n)]
-    # Unknowns, then the columns of the wrench and of the preload: E z + w + f p = 0.
-    matrix = [[*row[:-1], *unit[i], row[-1]] for i, row in enumerate(map(list, system.equalities))]
-    rows, pivots, scale = gauss_jordan(matrix)
-    forms: list[RationalVector | None] = [None] * n
-    for row, pivot in zip(rows, pivots, strict=False):
-        if pivot < n and not any(row[j] for j in range(n) if j != pivot):
-            forms[pivot] = tuple(Fraction(-x, scale) for x in row[n:])
-    motion = [_combined(forms, unit_row(j, n)) for j in range(3)]
-    forces = [_combined(forms, row) for row in each_force(system)]
-    return motion, forces
+
+    def __init__(self, grasp: Grasp) -> None:
+        contacts = IntegerContacts(grasp)
+        normal, friction = contacts.balance
+        pulls = {"stick": 0, **DIRECTION}
+        self.grasp, self.unit, self.slips = grasp, contacts.common_unit, contacts.tangent
+        self.columns = contacts.tangent * (self.unit // contacts.wrench_unit)[:, None]
+        self.parts = {
+            state: (normal + pull * friction)[:, :, None] * contacts.spring[:, None]
+            for state, pull in pulls.items()
+        }
+
+    def piece(self, piece: Piece) -> dict[str, Any]:
+        """Return a piece; where the motion is fixed, the page computes all but friction at rest."""
+        shape, states = piece.polyhedron, piece.states
+        known = self._unknowns(states)
+        fixed, forces = None not in known[:3], []
+        if not fixed:
+            system = state_system(self.grasp, states, (Fraction(0),) * 3)
+            forces = [_combined(known, row) for row in each_force(system)]
+        return {
+            "states": list(states),
+            "inequalities": [[str(x) for x in row] for row in shape.inequalities],
+            "equalities": [[str(x) for x in row] for row in shape.equalities],
+            "motion": list(map(_texts, known[:3])),
+            "resting": list(map(_texts, known[3:])),
+            "forces": None if fixed else list(map(_texts, forces)),
+        }
+
+    def _unknowns(self, states: States) -> list[IntegerVector | None]:
+        """Return the motion and the friction of sticking contacts; None what is not fixed."""
+        sticking = [i for i, state in enumerate(states) if state == "stick"]
+        n = 3 + len(sticking)
+        total = np.zeros((3, 4), dtype=object)
+        for i, state in enumerate(states):
+            if state != "detached":
+                total = total + self.parts[state][i]
+        load = self.unit * np.eye(3, dtype=object)
+        # Unknowns, then the columns of the wrench and of the preload: E z + w + f p = 0.
+        matrix = [[*total[j, 1:], *self.columns[sticking, j], *load[j], total[j, 0]]
+                  for j in range(3)]  # fmt: skip
+        matrix += [[*self.slips[i], *[0] * (n - 3 + 4)] for i in sticking]
+        rows, pivots, scale = gauss_jordan(matrix)
+        forms: list[IntegerVector | None] = [None] * n
+        side = -1 if scale > 0 else 1
+        for row, pivot in zip(rows, pivots, strict=False):
+            if pivot < n and not any(row[j] for j in range(n) if j != pivot):
+                forms[pivot] = reduced((*(side * x for x in row[n:]), abs(scale)))
+        return forms
 
 
-def _combined(forms: Sequence[RationalVector | None], row: RationalVector) -> RationalVector | None:
+def _texts(form: IntegerVector | None) -> list[str] | None:
+    return None if form is None else [str(x) for x in form]
+
+
+def _combined(forms: Sequence[IntegerVector | None], row: RationalVector) -> IntegerVector | None:
     """Return a row in the unknowns as a form in wrench and preload; None if it is not fixed."""
     total = [Fraction(0), Fraction(0), Fraction(0), row[-1]]
     for factor, form in zip(row[:-1], forms, strict=True):
         if factor:
             if form is None:
                 return None
-            total = [a + factor * b for a, b in zip(total, form, strict=True)]
-    return tuple(total)
+            total = [a + factor * b / form[-1] for a, b in zip(total, form, strict=False)]
+    return primitive((*total, Fraction(1)))
 
 
 def grasp_data(grasp: Grasp) -> dict[str, Any]:
-    """Return the contacts and an indicative outline in paper coordinates, for ``sketch.js``."""
-    frame = frame_of([contact.point for contact in grasp])
-    curve = body(grasp, frame)
+    """Return the contacts and the outline in paper coordinates, for ``sketch.js``."""
+    frame = frame_of(grasp, grasp.outline)
+    curve = body(grasp, frame) if grasp.outline is None else stated_body(grasp.outline, frame)
     return {
         "contacts": [
             {
                 "place": floats(frame.paper(contact.point)),
                 "normal": [float(x) for x in contact.normal],
-                "friction": min(float(contact.friction), 1e6),
+                "cone": _cone(curve, contact, frame),
                 "preload": float(contact.preload),
                 "exact": _exact(contact),
             }
             for contact in grasp
         ],
+        "stated": grasp.outline is not None,
         "outline": None if curve is None else [floats(p) for p in flattened(curve, 16)],
         "origin": floats(np.clip(frame.paper((Fraction(0),) * 2), -1.5, 1.5)),
         **_frame(frame),
     }
+
+
+def _cone(curve: Floats | None, contact: Contact, frame: Frame) -> list[list[float]]:
+    """Return points of the rim of a friction cone, the fifth of nine in the middle."""
+    place, normal = frame.paper(contact.point), np.array([float(x) for x in contact.normal])
+    angles, lengths = cone_rim(curve, place, normal, contact.friction, _CONE)
+    rim = place + lengths[:, None] * np.stack([np.cos(angles), np.sin(angles)], axis=1)
+    return [floats(point) for point in rim]
 
 
 def _exact(contact: Contact) -> dict[str, Any]:

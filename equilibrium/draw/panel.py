@@ -143,11 +143,15 @@ class Panel:
             text = code(states)
             wide = self.scene.measure(text)[0]
             half = ((wide / 2 + 1.5) * unit, (FONT / 2 + 0.5) * unit)
+            if not text or (np.ptp(shape, axis=0) < 2 * np.array(half)).any():
+                continue
             place, room = roomiest(shape, half, 1 - _FADE)
+            if room <= 1:
+                continue
             box = [place + np.array([a * half[0], b * half[1]])
                    for a in (-1, 0, 1) for b in (-1, 0, 1)]  # fmt: skip
             covered = any(path.contains_points(box).any() for path in paths[i + 1 :])
-            if text and room > 1 and not covered:
+            if not covered:
                 plate = {"boxstyle": "square,pad=0.12", "fc": fill_of(states), "ec": "none"}
                 self.scene.text(self.at(place), text, va="center_baseline", zorder=1.6,
                                 plate=plate, gid=self.gid("code", i))  # fmt: skip

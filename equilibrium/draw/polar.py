@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterable
 from fractions import Fraction
 from typing import Any
@@ -22,7 +23,7 @@ from .legend import Legend
 from .panel import Panel
 from .row import new_legend, read_extent, row_of_panels
 from .style import RIM, SHADE
-from .window import Window, joint_window
+from .window import ROOM, Window, ends
 
 MAX_DIRECTIONS = 720
 
@@ -47,8 +48,8 @@ def draw_polar(
         grasp: contacts.
         directions: how many, evenly spaced from f_x, counter-clockwise.
         tolerance: of the search; if omitted, a thousandth of the radius of the picture.
-        extent: that radius; if omitted, the whole border is shown. The search tries magnitudes up
-            to 1000 times as much.
+        extent: that radius; if omitted, it holds the largest preload and the ends of the border.
+            The search tries magnitudes up to 1000 times as much.
         width: of the figure, in millimetres.
 
     Raises:
@@ -58,7 +59,7 @@ def draw_polar(
     if not 1 <= directions <= MAX_DIRECTIONS:
         raise GraspError(f"directions is {directions}; a picture shows 1 to {MAX_DIRECTIONS}")
     region = resisted_region(grasp)
-    radius = read_extent(extent) or _radius(region)
+    radius = read_extent(extent) or _radius(grasp, region)
     step = radius / 1000 if tolerance is None else rational(tolerance, "tolerance")
     found = search_map(grasp, directions, step, 1000 * radius)
     window = Window((Fraction(0), Fraction(0)), radius)
@@ -74,10 +75,14 @@ def draw_polar(
     return scene
 
 
-def _radius(region: Region) -> Fraction:
-    """Return a radius that holds the border: of the window that does, about the origin."""
-    window = joint_window([region])
-    return window.half + max(map(abs, window.centre))
+def _radius(grasp: Grasp, region: Region) -> Fraction:
+    """Return a radius that holds the ends of the border, with room; if 0 is all, the preloads."""
+    needed = [*ends(region), (max((c.preload for c in grasp), default=Fraction(0)), Fraction(0))]
+    largest = max(max(map(abs, point)) for point in needed)
+    if not largest:
+        return Fraction(1)
+    norms = (math.hypot(*(float(x / largest) for x in point)) for point in needed)
+    return largest * Fraction(math.ceil(20 * max(norms) * (1 + ROOM)), 20)
 
 
 def _mark(panel: Panel, index: int, entry: Entry) -> None:
@@ -90,8 +95,8 @@ def _mark(panel: Panel, index: int, entry: Entry) -> None:
         ("missed", entry.missed, "solid"),
     )
     for kind, parts, dashes in kinds if not entry.agrees else ():
-        for k, ends in enumerate(parts):
-            line = [_at(panel, entry.direction, end) for end in ends]
+        for k, part in enumerate(parts):
+            line = [_at(panel, entry.direction, end) for end in part]
             scene.line(line, ec=VERMILION, lw=1.1, ls=dashes, zorder=5,
                        gid=f"{panel.gid(kind, index)}-{k}")  # fmt: skip
 

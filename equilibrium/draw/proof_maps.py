@@ -65,7 +65,7 @@ def proof_maps(grasp: Grasp, wrench: Wrench, turn: Exact | None) -> ProofMaps:
         raise GraspError(
             "the wrench is resisted, so no proof refutes it; the view grasp shows what balances it"
         )
-    frame = frame_of([contact.point for contact in grasp])
+    frame = frame_of(grasp, grasp.outline)
     found = list(parts(verdict.certificate.to_dict()))
     angle = _angle(grasp, frame, found, turn)
     window = Window(frame.centre, MAP * frame.size)

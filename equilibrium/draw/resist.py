@@ -12,7 +12,7 @@ from equilibrium.wrench_sets import Region, resisted_region
 from .legend import Legend
 from .panel import fill_of
 from .row import Question, new_legend, row_of_panels
-from .style import FILLS, SYMBOLS, number, vector
+from .style import FILLS, SYMBOLS, number, wrench_text
 from .window import joint_window
 
 
@@ -68,7 +68,7 @@ def _describe(
         legend.line("nothing in this plane is resisted")
     if applied is not None:
         held = region.contains(applied[:2])
-        legend.key("resisted" if held else "refused", f"w = {vector(applied)}")
+        legend.key("resisted" if held else "refused", wrench_text(applied, grasp.units))
     counts = sorted({min(s.count("stick"), len(FILLS) - 1) for s in states})
     for count in counts:
         example = next(s for s in states if min(s.count("stick"), len(FILLS) - 1) == count)

@@ -14,7 +14,7 @@ from equilibrium.model.grasp import Grasp
 from equilibrium.wrench_sets import Region, resisted_region
 
 from .row import Question, new_legend, row_of_panels
-from .style import SHADE, number, vector
+from .style import SHADE, number, wrench_text
 from .window import joint_window
 
 
@@ -23,21 +23,22 @@ def draw_slice(
     grasp: Grasp,
     *,
     wrench: Wrench | None = None,
-    preload: Exact = 1,
+    preload: Exact | None = None,
     extent: Exact | None = None,
     width: float = 180.0,
 ) -> Scene:
     """Draw the resisted forces three times in the same plane, with the same axes.
 
     (a) The slice of the Grasp Wrench Space with normal forces that sum to at most 1: it knows
-    neither springs nor preload. (b) The exact set without preload. (c) The same with a preload at
-    every contact. The preloads of the grasp itself do not count. The border is drawn only where
-    resistance ends; what reaches the edge has no end, and fades.
+    neither springs nor preload. (b) The exact set without preload. (c) The same with the grasp's
+    own preloads or, where it has none or one is given, with one preload at every contact. The
+    border is drawn only where resistance ends; what reaches the edge has no end, and fades.
 
     Args:
         grasp: contacts.
         wrench: marked in every part; the plane has its torque.
-        preload: of part (c); 1 in the paper.
+        preload: at every contact of part (c); if omitted, the grasp's own preloads, or 1 where it
+            has none.
         extent: half the side of each part, about the origin; if omitted, all borders are shown.
         width: of the figure, in millimetres.
 
@@ -46,7 +47,8 @@ def draw_slice(
         MissingExtraError: matplotlib is absent.
     """
     question = Question(wrench, extent)
-    parts = slices(grasp, question.torque, rational(preload, "preload"))
+    given = None if preload is None else rational(preload, "preload")
+    parts = slices(grasp, question.torque, given)
     return draw_parts(grasp, parts, question, width)
 
 
@@ -66,7 +68,7 @@ def draw_parts(
     if fades:
         legend.key("fade", "without end")
     if question.wrench is not None:
-        legend.key("wrench-points", f"w = {vector(question.wrench)}: yes, no")
+        legend.key("wrench-points", f"{wrench_text(question.wrench, grasp.units)}: yes, no")
     scene, panels = row_of_panels(len(parts), window, legend, grasp, columns)
     for panel, (title, region) in zip(panels, parts, strict=True):
         panel.title(title)
@@ -78,12 +80,17 @@ def draw_parts(
     return scene
 
 
-def slices(grasp: Grasp, torque: Fraction, preload: Fraction) -> list[tuple[str, Region]]:
+def slices(grasp: Grasp, torque: Fraction, preload: Fraction | None) -> list[tuple[str, Region]]:
     """Return title and region of the three parts."""
     origin = (0, 0, torque)
-    loaded = resisted_region(grasp.with_preload(preload), origin=origin)
+    own = {contact.preload for contact in grasp}
+    if preload is None and len(own) > 1:
+        title, loaded = "(c) the preloads of the grasp", grasp
+    else:
+        chosen = (max(own, default=0) or 1) if preload is None else preload
+        title, loaded = f"(c) preload {number(chosen)}", grasp.with_preload(chosen)
     return [
         ("(a) Grasp Wrench Space, L1", METHODS["wrench-space-L1"].region(grasp, origin=origin)),
         ("(b) no preload", resisted_region(grasp.with_preload(0), origin=origin)),
-        (f"(c) preload {number(preload)}", loaded),
+        (title, resisted_region(loaded, origin=origin)),
     ]

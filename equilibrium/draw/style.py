@@ -7,7 +7,8 @@ from collections.abc import Iterable
 from fractions import Fraction
 
 from arrangement.draw.colours import PALETTE
-from arrangement.exact import number_text
+from arrangement.exact import RationalVector, number_text
+from equilibrium.model.units import Units
 
 #: Light to dark, by the number of sticking contacts: 0, 1, 2, 3 and more.
 FILLS = (*PALETTE[1:4], PALETTE[5])
@@ -39,6 +40,17 @@ def number(value: Fraction | int) -> str:
 def vector(values: Iterable[Fraction | int]) -> str:
     """Return a vector as a label."""
     return f"({', '.join(map(number, values))})"
+
+
+def wrench_text(wrench: RationalVector, units: Units | None) -> str:
+    """Return a wrench as a label, with its units where they are stated.
+
+    >>> wrench_text((Fraction(0), Fraction(3), Fraction(1, 2)), Units("cm", "N"))
+    'w = (0, 3) N, 1/2 N cm'
+    """
+    if units is None:
+        return f"w = {vector(wrench)}"
+    return f"w = {vector(wrench[:2])} {units.force}, {number(wrench[2])} {units.torque}"
 
 
 def nice(value: float) -> Fraction:

@@ -53,7 +53,9 @@ class Window:
 
     def inside(self, polyhedron: Polyhedron) -> Floats | None:
         """Return the corners of the part of a polygon inside, counter-clockwise, on paper."""
-        cut = self._cut(polyhedron.inequalities, polyhedron.equalities)
+        cut: Polyhedron | None = polyhedron
+        if not (polyhedron.bounded and all(map(self._holds, polyhedron.points))):
+            cut = self._cut(polyhedron.inequalities, polyhedron.equalities)
         return None if cut is None else np.array([self.paper(p) for p in polygon_cycle(cut)])
 
     def stretch(self, segment: Segment) -> Floats | None:
@@ -68,6 +70,9 @@ class Window:
             return None
         ends = sorted(cut.points, key=lambda p: Fraction(dot(segment.direction, p)))
         return np.array([self.paper(end) for end in ends])
+
+    def _holds(self, point: RationalVector) -> bool:
+        return all(abs(x - c) <= self.half for x, c in zip(point, self.centre, strict=True))
 
     def _cut(
         self, inequalities: Iterable[IntegerVector], equalities: Iterable[IntegerVector]
@@ -93,7 +98,7 @@ def joint_window(
     """
     if half is not None:
         return Window(ZERO, half)
-    needed = [ZERO, *extra, *(end for region in regions for end in _ends(region))]
+    needed = [ZERO, *extra, *(end for region in regions for end in ends(region))]
     shapes = [piece.polyhedron for region in regions for piece in region.polygons]
     inner = [p for shape in shapes for p in shape.points]
     reach = 3 * max(_size(p) for p in needed)
@@ -116,7 +121,7 @@ def joint_window(
     return Window(centre, spread * (1 + ROOM) or Fraction(1))
 
 
-def _ends(region: Region) -> Iterator[RationalVector]:
+def ends(region: Region) -> Iterator[RationalVector]:
     """Yield the ends of border and whiskers, and the isolated points."""
     for segment in (*region.outline.border, *region.outline.whiskers):
         yield from (end for end in (segment.start, segment.end) if end is not None)

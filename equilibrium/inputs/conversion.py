@@ -10,6 +10,7 @@ from typing import Any
 from arrangement.exact import RationalVector, from_floats, rational, shown, to_text
 from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import VALUES, Contact, Grasp
+from equilibrium.model.outline import Outline
 from equilibrium.model.unit_normal import UnitNormal, unit_normal
 
 DEFAULT_TOLERANCE = Fraction(1, 10**6)
@@ -89,6 +90,7 @@ def assembled(
     normals: Sequence[UnitNormal],
     values: Sequence[dict[str, Fraction]],
     value_error: Fraction = Fraction(0),
+    outline: Outline | None = None,
 ) -> Conversion:
     """Put contacts together from points with errors, unit normals with errors, and values."""
     contacts = [
@@ -96,7 +98,7 @@ def assembled(
         for (point, _), normal, value in zip(places, normals, values, strict=True)
     ]
     return Conversion(
-        Grasp(contacts),
+        Grasp(contacts, outline=outline),
         tuple(error for _, error in places),
         tuple(normal.angle_error for normal in normals),
         value_error,

@@ -9,7 +9,8 @@ from typing import Any, NamedTuple
 from arrangement.exact import RationalVector, rational, rational_vector, shown, sign
 from arrangement.io.files import Source, check_keys, check_list, read_document
 from equilibrium.model.errors import GraspError
-from equilibrium.model.grasp import VALUES, pair
+from equilibrium.model.grasp import VALUES
+from equilibrium.model.outline import Polygon, pair
 
 from .conversion import DEFAULT_TOLERANCE, Conversion, assembled, contact_values, unit_normals
 
@@ -35,7 +36,7 @@ def from_polygon(
     preload: Any = 0,
     angle_tolerance: Any = DEFAULT_TOLERANCE,
 ) -> Conversion:
-    """Return contacts on a simple polygon; the object is its inside.
+    """Return contacts on a simple polygon, which is the outline; the object is its inside.
 
     Args:
         vertices: at least three corners in either orientation, exact (see `from_floats`).
@@ -67,6 +68,7 @@ def from_polygon(
         [(point, Fraction(0)) for _, point in found],
         unit_normals(directions, angle_tolerance),
         contact_values(len(found), friction, stiffness, preload),
+        outline=Polygon(corners),
     )
 
 

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import math
 from fractions import Fraction
 from random import Random
 
 from arrangement.exact import RationalVector
 from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import Contact, Grasp
+from equilibrium.model.outline import Polygon
 
 #: Denominator of the half-angle tangents, and of all other numbers.
 _FINE = 64
@@ -58,6 +60,25 @@ def _contact(source: Random, loaded: bool) -> Contact:
         Fraction(source.randint(4, 16), 8),
         Fraction(source.randint(1, 2 * _FINE), _FINE) if loaded else 0,
     )
+
+
+def star_outline(grasp: Grasp) -> Polygon | None:
+    """Return a polygon that is star-shaped about the origin, with an edge at each contact.
+
+    All these edges have one length, at most 1/2. None where there is no such polygon: two contacts
+    lie in one direction, or none on one side of the origin.
+    """
+    order = sorted(grasp, key=lambda c: math.atan2(c.point[1], c.point[0]))
+    for half in (Fraction(1, 2**k) for k in range(2, 8)):
+        corners = [
+            tuple(x + side * half * t for x, t in zip(c.point, c.tangent, strict=True))
+            for c in order
+            for side in (1, -1)
+        ]
+        turns = zip(corners, [*corners[1:], *corners[:1]], strict=True)
+        if corners and all(a[0] * b[1] > a[1] * b[0] for a, b in turns):
+            return Polygon(corners)
+    return None
 
 
 def _unit(source: Random) -> tuple[Fraction, Fraction]:

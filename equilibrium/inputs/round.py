@@ -8,6 +8,7 @@ from typing import Any
 
 from arrangement.exact import rational, rational_vector, shown
 from equilibrium.model.errors import GraspError
+from equilibrium.model.outline import Circle
 
 from .conversion import DEFAULT_TOLERANCE, Conversion, assembled, contact_values, unit_normals
 
@@ -22,7 +23,7 @@ def on_circle(
     preload: Any = 0,
     angle_tolerance: Any = DEFAULT_TOLERANCE,
 ) -> Conversion:
-    """Return contacts on a circle with normals to its centre.
+    """Return contacts on a circle, which is the outline, with normals to its centre.
 
     Each contact is a rational point of the circle near the wanted angle, and lies on the circle
     exactly. `point_errors` bound how far it is from the wanted place, up to the rounding of the
@@ -56,7 +57,7 @@ def on_circle(
         for normal in inward
     ]
     values = contact_values(len(places), friction, stiffness, preload)
-    return assembled(places, inward, values)
+    return assembled(places, inward, values, outline=Circle(middle, size))
 
 
 def _direction(degrees: float) -> tuple[float, float]:

@@ -33,7 +33,8 @@ from arrangement.exact import RationalVector, primitive, rational, shown, to_tex
 from arrangement.linprog import Infeasible, Unbounded, feasible_point, minimize
 from arrangement.polyhedra.polyhedron import Polyhedron, from_generators
 from equilibrium.model.errors import GraspError
-from equilibrium.model.grasp import Grasp, pair, read_wrench
+from equilibrium.model.grasp import Grasp, read_wrench
+from equilibrium.model.outline import pair
 from equilibrium.solver.contact_rows import (
     balance_rows,
     cone_rows,

@@ -2,15 +2,18 @@
 
 from .errors import CertificateError, EquilibriumError, GraspError
 from .grasp import Contact, Grasp, read_wrench
+from .outline import Circle, Polygon
 from .unit_normal import UnitNormal, unit_normal
 from .units import Units
 
 __all__ = [
     "CertificateError",
+    "Circle",
     "Contact",
     "EquilibriumError",
     "Grasp",
     "GraspError",
+    "Polygon",
     "UnitNormal",
     "Units",
     "read_wrench",

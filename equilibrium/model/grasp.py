@@ -16,11 +16,20 @@ from typing import TYPE_CHECKING, Any
 
 # Its facade is loaded when a grasp is asked for its planes; the checker never does.
 import arrangement
-from arrangement.exact import RationalVector, rational, rational_vector, shown, to_text
+from arrangement.exact import (
+    RationalVector,
+    number_text,
+    rational,
+    rational_vector,
+    shown,
+    to_text,
+    vector_text,
+)
 from arrangement.io.files import check_keys, check_list
 from arrangement.plugins import display
 
 from .errors import GraspError
+from .outline import Circle, Outline, Polygon, pair, read_outline
 from .units import Units
 
 if TYPE_CHECKING:
@@ -75,6 +84,12 @@ class Contact:
         if self.stiffness <= 0:
             raise GraspError(f"stiffness is {shown(self.stiffness)}; it must be above 0")
 
+    def __repr__(self) -> str:
+        values = ", ".join(f"{name} {number_text(getattr(self, name))}" for name in VALUES)
+        return (
+            f"<Contact: at {vector_text(self.point)}, normal {vector_text(self.normal)}, {values}>"
+        )
+
     @property
     def tangent(self) -> RationalVector:
         """The normal turned by +90 degrees."""
@@ -102,6 +117,10 @@ _OPTIONAL = tuple(f.name for f in fields(Contact) if f.default is not MISSING)
 VALUES = (*_REQUIRED[2:], *_OPTIONAL)
 
 
+#: The coordinates of the space of motions.
+MOTIONS = ("x", "y", "r")
+
+
 @dataclass(frozen=True)
 class Grasp:
     """Finitely many contacts on one rigid planar object; none is allowed too.
@@ -109,20 +128,31 @@ class Grasp:
     Attributes:
         contacts: in the order given.
         units: what the numbers are measured in, if stated; a label that no comparison looks at.
+        outline: the shape of the object, if stated; pictures show it as it is given, and no
+            comparison or decision looks at it.
     """
 
     contacts: tuple[Contact, ...]
     units: Units | None = field(default=None, compare=False)
+    outline: Outline | None = field(default=None, compare=False)
 
-    def __init__(self, contacts: Iterable[Contact] = (), units: Units | None = None) -> None:
+    def __init__(
+        self,
+        contacts: Iterable[Contact] = (),
+        units: Units | None = None,
+        outline: Outline | None = None,
+    ) -> None:
         listed = tuple(contacts)
         for i, contact in enumerate(listed):
             if not isinstance(contact, Contact):
                 raise GraspError(f"contacts[{i}] is {contact!r}; give Contact values")
         if units is not None and not isinstance(units, Units):
             raise GraspError(f"units is {shown(units)}; give a Units value or omit it")
+        if outline is not None and not isinstance(outline, (Polygon, Circle)):
+            raise GraspError(f"outline is {shown(outline)}; give a Polygon, a Circle or omit it")
         object.__setattr__(self, "contacts", listed)
         object.__setattr__(self, "units", units)
+        object.__setattr__(self, "outline", outline)
 
     @cached_property
     def _hash(self) -> int:
@@ -132,6 +162,10 @@ class Grasp:
         """Return the hash of the contacts, computed once: results are kept by grasp."""
         return self._hash
 
+    def __repr__(self) -> str:
+        number = f"{len(self)} contact" if len(self) == 1 else f"{len(self)} contacts"
+        return f"<Grasp: {number}>"
+
     def __len__(self) -> int:
         return len(self.contacts)
 
@@ -140,7 +174,9 @@ class Grasp:
 
     def tangential_arrangement(self) -> Arrangement:
         """Return the m planes ``T . d = 0`` in the space of motions d."""
-        return arrangement.Arrangement([c.tangential_wrench for c in self], dimension=3)
+        return arrangement.Arrangement(
+            [c.tangential_wrench for c in self], dimension=3, axes=MOTIONS
+        )
 
     def motion_arrangement(self) -> Arrangement:
         """Return the m planes ``T . d = 0``, then the m planes ``stiffness N . d = preload``."""
@@ -149,6 +185,7 @@ class Grasp:
             [c.tangential_wrench for c in self] + normals,
             [Fraction(0)] * len(self) + [c.preload for c in self],
             dimension=3,
+            axes=MOTIONS,
         )
 
     def with_preload(self, preload: Any) -> Grasp:
@@ -166,32 +203,39 @@ class Grasp:
         """Return the same grasp with its units stated; no number changes."""
         return replace(self, units=Units(length, force))
 
+    def with_outline(self, outline: Outline | None) -> Grasp:
+        """Return the same grasp with the shape of its object stated, or with none."""
+        return replace(self, outline=outline)
+
     def _repr_svg_(self) -> str | None:
         """Return what a notebook shows: the picture, where matplotlib is installed."""
         return display("grasp-svg", self)
 
     def to_dict(self) -> dict[str, Any]:
         """Return the file form (see `read_grasp`)."""
-        stated = {} if self.units is None else {"units": self.units.to_dict()}
+        labels = {"units": self.units, "outline": self.outline}
+        stated = {name: label.to_dict() for name, label in labels.items() if label is not None}
         return {"schema_version": 1, **stated, "contacts": [c.to_dict() for c in self]}
 
     @classmethod
     def from_dict(cls, document: Mapping[str, Any]) -> Grasp:
         """Return the grasp of a document with exactly the keys of `to_dict`.
 
-        In a contact, stiffness (1) and preload (0) may be omitted; in the grasp, the units.
+        In a contact, stiffness (1) and preload (0) may be omitted; in the grasp, units and
+        outline.
 
         Raises:
             InputError: unknown or missing keys, an unknown schema version, wrong types.
         """
-        optional = ("description", "units")
+        optional = ("description", "units", "outline")
         check_keys(document, ("schema_version", "contacts"), optional, "the grasp")
         version = document["schema_version"]
         if type(version) is not int or version != 1:
             raise GraspError(f"schema_version is {version!r}; this version reads 1")
         contacts = check_list(document["contacts"], "contacts")
         units = Units.from_dict(document["units"]) if "units" in document else None
-        return cls([_contact(entry, i) for i, entry in enumerate(contacts)], units)
+        outline = read_outline(document["outline"]) if "outline" in document else None
+        return cls([_contact(entry, i) for i, entry in enumerate(contacts)], units, outline)
 
 
 def read_wrench(values: Iterable[Any]) -> RationalVector:
@@ -214,14 +258,6 @@ def _contact(entry: Any, index: int) -> Contact:
         raise GraspError(f"{name}: {error}") from None
 
 
-def pair(values: Iterable[Any], name: str) -> RationalVector:
-    """Return two rationals."""
-    found = rational_vector(values, name)
-    if len(found) != 2:
-        raise GraspError(f"{name} has {len(found)} coordinates; give two")
-    return found
-
-
 def _unit(values: Iterable[Any]) -> RationalVector:
     """Return an exactly unit normal, or say how to get one."""
     normal = pair(values, "normal")
@@ -230,7 +266,8 @@ def _unit(values: Iterable[Any]) -> RationalVector:
         written = ", ".join(to_text(x)[:40] for x in normal)
         raise GraspError(
             f"normal is ({written}), whose squared length is not exactly 1; "
-            "unit_normal(direction, tolerance) returns an exactly unit rational vector"
+            "unit_normal(direction, tolerance) returns an exactly unit rational vector, and the "
+            "commands take --round-normals"
         )
     return normal
 

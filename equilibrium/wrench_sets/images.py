@@ -16,7 +16,7 @@ from typing import NamedTuple
 
 from arrangement.exact import IntegerVector, dot, primitive
 from arrangement.linear import reduced
-from arrangement.polyhedra.cones import generators
+from arrangement.polyhedra.cones import Cone, generators
 from arrangement.polyhedra.polyhedron import Polyhedron, from_generators
 from equilibrium.model.grasp import Grasp
 from equilibrium.solver.contact_rows import friction_edges, negated, normal_force_row, slip_edge
@@ -61,6 +61,10 @@ class StateImages:
             )
             for contact, spring, e in zip(grasp, springs, edges, strict=True)
         ]
+        self._whole = Cone(4)
+        self._whole.cut((0, 0, 0, 1), keep_positive=True)
+        self._path: list[tuple[str, Cone]] = []
+        self._plane: IntegerVector | None = None
 
     def resisted_with(
         self, states: Sequence[str], plane: IntegerVector | None = None
@@ -73,20 +77,42 @@ class StateImages:
             plane: ``(a, b)``: leave out motions at which none of the wrenches has
                 ``a . w + b = 0``. All wrenches of this plane remain, of others only some.
         """
-        inequalities, equalities = self._reaching(states, plane) if plane else ([], [])
-        for contact, state in zip(self._contacts, states, strict=True):
-            if state == "detached":
-                inequalities.append(negated(contact.spring))
-                continue
-            inequalities.append(contact.spring)
-            if state == "stick":
-                equalities.append(contact.slip)
-            elif state != "attached":
-                inequalities.append(contact.slip if state == "slip+" else negated(contact.slip))
+        cell = self._cell(tuple(states))
+        if plane is not None and cell.has_points:
+            inequalities, equalities = self._reaching(states, plane)
+            cell = cell.copy()
+            for row in (*equalities, *inequalities):
+                cell.cut(reduced(row), keep_positive=not equalities)
+        if not cell.has_points:
+            return None
         # Along a line of the cell no touching spring may change, so the wrench does not either.
-        rays, _ = generators(inequalities, equalities, 4, finite=True)
+        rays, _ = cell.generators
         images = {image for ray in rays for image in self._images(states, ray)}
         return from_generators(images, (), 3)
+
+    def _cell(self, states: tuple[str, ...]) -> Cone:
+        """Return the homogeneous motions with these states; those of the first contacts are kept.
+
+        So states in lexicographic order share most of their work.
+        """
+        shared = 0
+        while self._path[shared : shared + 1] and self._path[shared][0] == states[shared]:
+            shared += 1
+        del self._path[shared:]
+        cone = self._path[-1][1] if self._path else self._whole
+        for contact, state in zip(self._contacts[shared:], states[shared:], strict=True):
+            cone = cone.copy()
+            if cone.has_points:
+                detached = state == "detached"
+                spring = negated(contact.spring) if detached else contact.spring
+                cone.cut(reduced(spring), keep_positive=True)
+                if state == "stick":
+                    cone.cut(contact.slip, keep_positive=False)
+                elif state not in ("detached", "attached"):
+                    slip = contact.slip if state == "slip+" else negated(contact.slip)
+                    cone.cut(slip, keep_positive=True)
+            self._path.append((state, cone))
+        return cone
 
     def _reaching(
         self, states: Sequence[str], plane: IntegerVector
@@ -96,17 +122,27 @@ class StateImages:
         At one motion ``a . w + b`` lies between two bounds, each linear: every sticking contact
         pulls one way or the other.
         """
+        if plane != self._plane:
+            self._plane, self._bounds = plane, self._bounds_on(plane)
         constant = self._scale * plane[3]
         lowest, highest = [0, 0, 0, constant], [0, 0, 0, constant]
-        for contact, state in zip(self._contacts, states, strict=True):
+        for contact, bounds, state in zip(self._contacts, self._bounds, states, strict=True):
             if state != "detached":
-                values = [dot(plane[:3], balance) for balance in contact.balances[state]]
+                least, most = bounds[state]
                 for j, x in enumerate(contact.spring):
-                    lowest[j] += min(values) * x
-                    highest[j] += max(values) * x
+                    lowest[j] += least * x
+                    highest[j] += most * x
         if lowest == highest:
             return [], [tuple(lowest)] if any(lowest) else []
         return [negated(tuple(lowest)), tuple(highest)], []
+
+    def _bounds_on(self, plane: IntegerVector) -> list[dict[str, tuple[int, int]]]:
+        """Return the bounds of ``a . w`` for a normal force of 1, by contact and state."""
+        found = []
+        for contact in self._contacts:
+            values = {s: [dot(plane[:3], b) for b in contact.balances[s]] for s in contact.balances}
+            found.append({state: (min(v), max(v)) for state, v in values.items()})
+        return found
 
     def _images(self, states: Sequence[str], motion: IntegerVector) -> Iterator[IntegerVector]:
         """Yield the homogeneous wrenches that balance the extreme forces at a motion."""

@@ -84,9 +84,10 @@ def images_of(
     solver: Solver, plane: IntegerVector | None = None
 ) -> Iterator[tuple[States, Polyhedron | None]]:
     """Yield all contact states with `StateImages.resisted_with`."""
-    images = StateImages(solver.grasp)
-    for states in watched(solver.states, "contact states"):
-        yield states, images.resisted_with(states, plane)
+    images, found = StateImages(solver.grasp), {}
+    for states in watched(sorted(solver.states), "contact states"):
+        found[states] = images.resisted_with(states, plane)
+    yield from ((states, found[states]) for states in solver.states)
 
 
 def states_with(pieces: Sequence[Piece], point: RationalVector) -> tuple[States, ...]:

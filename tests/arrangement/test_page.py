@@ -8,13 +8,11 @@ from fractions import Fraction
 from pathlib import Path
 from typing import Any
 
-import numpy as np
 import pytest
 
 from arrangement import Arrangement, InputError
 from arrangement.cli import main
 from arrangement.draw import arrangement_page
-from arrangement.draw.equalize import evening_map
 from arrangement.draw.page import MAX_CIRCLES
 from arrangement.io.arrangements import read_arrangement
 from arrangement.polyhedra.dual import dual_polyhedron
@@ -327,7 +325,7 @@ def test_unusual_planes_are_shown(planes: Arrangement, browser: Browser, opened:
 
 
 def test_what_cannot_be_shown_is_refused(tmp_path: Path) -> None:
-    for name in ("parallel-planes-affine", "generic-lines-affine", "braid-a3-in-r4"):
+    for name in ("parallel-planes-affine", "generic-lines-affine"):
         with pytest.raises(InputError):
             arrangement_page(read_arrangement(name))
     many = Arrangement([[1, k, k * k] for k in range(MAX_CIRCLES + 1)])
@@ -350,7 +348,9 @@ def test_the_command_writes_the_same_small_page_each_time(tmp_path: Path) -> Non
     assert len(first) < 300_000
 
 
-def test_evening_out_changes_places_and_nothing_else(browser: Browser, opened: Opened) -> None:
+def test_symmetric_coordinates_change_places_and_nothing_else(
+    browser: Browser, opened: Opened
+) -> None:
     planes = read_arrangement("braid-a3")
     opened(planes)
     before, known = shapes(browser), counts(browser)
@@ -371,29 +371,3 @@ def test_evening_out_changes_places_and_nothing_else(browser: Browser, opened: O
     browser.run("document.getElementById('even').click()")
     browser.settled()
     assert shapes(browser) == before
-
-
-def spread(normals: np.ndarray[Any, np.dtype[np.float64]]) -> float:
-    """Return the least mean square of unit normals in any direction; 1/3 at most."""
-    units = normals / np.linalg.norm(normals, axis=1, keepdims=True)
-    return float(np.linalg.eigvalsh(units.T @ units / len(units))[0])
-
-
-@pytest.mark.parametrize("name", ["braid-a3", "nine-generic-planes", "coordinate-planes"])
-def test_the_evening_map_spreads_the_normals(name: str) -> None:
-    rows = np.array(read_arrangement(name).normals, float)
-    rows /= np.linalg.norm(rows, axis=1, keepdims=True)
-    even = evening_map(rows)
-    assert np.linalg.det(even) == pytest.approx(1)
-    assert spread(rows @ even.T) > 0.3
-    assert spread(rows @ even.T) >= spread(rows) - 1e-12
-
-
-def test_the_evening_map_gives_a3_its_symmetry() -> None:
-    """The six mirrors of A3 meet at 60 and 90 degrees only."""
-    rows = np.array(read_arrangement("braid-a3").normals, float)
-    rows /= np.linalg.norm(rows, axis=1, keepdims=True)
-    moved = rows @ evening_map(rows).T
-    moved /= np.linalg.norm(moved, axis=1, keepdims=True)
-    cosines = np.abs(moved @ moved.T)[np.triu_indices(6, 1)]
-    assert sorted(set(np.round(cosines, 2))) == [0.0, 0.5]

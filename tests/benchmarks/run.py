@@ -8,6 +8,7 @@ work on the machine still moves the times; the ratios within one run are what to
     run.py --install   first create .bench-venv with the peers that pip can install
     run.py --only grasps [--contacts 10,20]        verdicts alone; see grasps.py
     run.py --only planes                          arrangements alone
+    run.py --only pictures                        pictures and pages alone
 """
 
 from __future__ import annotations
@@ -20,6 +21,7 @@ from collections.abc import Iterable
 from grasps import LIMIT, grasp_tables
 from job import random_normals
 from peers import Measured, cgal, install_peers, ours, peer, polymake
+from pictures import picture_table
 
 SIZES = (9, 50, 100, 200, 500, 1000, 2000)
 B3 = (
@@ -32,17 +34,21 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--peers", action="store_true", help="run the slow peers too")
     parser.add_argument("--install", action="store_true", help="create .bench-venv first")
-    parser.add_argument("--only", choices=("planes", "grasps"), help="one half of the tables")
+    parser.add_argument(
+        "--only", choices=("planes", "grasps", "pictures"), help="some of the tables"
+    )
     parser.add_argument(
         "--contacts", default="10,20,50,100,1000", help="sizes of the random grasps"
     )
     parser.add_argument("--grasps", type=int, default=0, help="grasps of each size")
     parser.add_argument("--limit", type=float, default=LIMIT, help="seconds for grasps of one size")
     options = parser.parse_args()
-    if options.only != "planes":
+    if options.only in (None, "pictures"):
+        picture_table()
+    if options.only in (None, "grasps"):
         sizes = [int(m) for m in options.contacts.split(",")]
         grasp_tables(sizes, options.limit, options.grasps)
-    if options.only == "grasps":
+    if options.only in ("grasps", "pictures"):
         return
     if options.install and (reason := install_peers()):
         print(f"peers not installed: {reason}")

@@ -4,12 +4,14 @@ from __future__ import annotations
 
 import sys
 from collections.abc import Iterable
+from dataclasses import replace
 from fractions import Fraction
 from inspect import unwrap
 from itertools import combinations
 from pathlib import Path
 from typing import Any
 
+import matplotlib.path
 import numpy as np
 import pytest
 from hypothesis import example, given, settings
@@ -31,11 +33,15 @@ from equilibrium.draw import (
     write_drawing,
 )
 from equilibrium.draw.body import body, frame_of
+from equilibrium.draw.layout import layout_of
+from equilibrium.draw.page import resist_page
+from equilibrium.draw.slices import slices
 from equilibrium.draw.style import nice, number
-from equilibrium.inputs import random_grasp
+from equilibrium.inputs import random_grasp, star_outline
 from equilibrium.methods import METHODS, resistance_figure
 from equilibrium.methods.compare import compare
 from equilibrium.methods.registry import WITH_REGION
+from equilibrium.model.outline import Circle, Polygon
 from equilibrium.wrench_sets import gaps, resisted_region, search_map
 
 from .strategies import grasps, wrenches
@@ -147,9 +153,114 @@ def test_a_given_outline_is_drawn_through_its_corners() -> None:
         assert min(gaps) < 1e-9
 
 
+def test_the_outline_of_a_grasp_is_drawn_without_dashes() -> None:
+    corners = ((-1, -1), (1, -1), (1, 2), (-1, 2))
+    for outline, same_as in ((Polygon(corners), corners), (Circle((0, 0), 1), None)):
+        own = unwrap(draw_grasp)(THREE.with_outline(outline))
+        drawn = next(item for item in own.items if item.name == "outline")
+        assert drawn.style["ls"] == "solid"
+        if same_as is not None:
+            same = unwrap(draw_grasp)(THREE, outline=same_as)
+            other = next(item for item in same.items if item.name == "outline")
+            np.testing.assert_array_equal(drawn.points, other.points)
+        data = resist_page(THREE.with_outline(outline))
+        assert '"stated": true' in data or '"stated":true' in data
+
+
+@pytest.mark.parametrize("seed", range(8))
+def test_cones_stay_inside_the_outline(seed: int) -> None:
+    grasp = random_grasp(5, seed)
+    grasp = grasp.with_friction(2).with_outline(star_outline(grasp))
+    scene = unwrap(draw_grasp)(grasp)
+    items = {item.name: item for item in scene.items}
+    if "outline" not in items:
+        return
+    inside = matplotlib.path.Path(flattened(items["outline"].points))
+    for i in range(len(grasp)):
+        cone = items[f"cone-{i + 1}"]
+        points = cone.points if cone.kind == "polygon" else flattened(cone.points)
+        # A point of the edge itself may be rounded to the other side.
+        points = 0.99 * points[1:] + 0.01 * points.mean(axis=0)
+        assert inside.contains_points(points).all()
+
+
+def test_the_name_of_a_wrench_is_never_inside_the_arc_of_its_torque() -> None:
+    for grasp, wrench in QUESTIONS:
+        scene = unwrap(draw_grasp)(grasp, wrench=wrench)
+        arcs = [item for item in scene.items if item.name == "wrench-torque"]
+        for arc in arcs:
+            ends = flattened(arc.points)
+            radius = np.ptp(ends[:, 1]) / 2
+            middle = (ends.min(axis=0) + ends.max(axis=0)) / 2
+            name = next(item for item in scene.items if getattr(item, "text", "") == "w")
+            assert np.linalg.norm(name.place - middle) > 0.95 * radius
+
+
+def test_units_stand_with_the_wrench_and_legends_are_short() -> None:
+    scene = unwrap(draw_grasp)(THREE.with_units("cm", "N").with_preload(1), wrench=(0, "1/2", 0))
+    texts = [item.text for item in scene.items if hasattr(item, "text")]
+    assert "w = (0, 1/2) N, 0 N cm" in texts
+    for grasp in (THREE, FOUR):
+        for loaded in (grasp, grasp.with_preload(1)):
+            scene = unwrap(draw_grasp)(loaded, wrench=(0, 0, "1/2"))
+            keys = [item.place[1] for item in scene.items if hasattr(item, "text")]
+            lowest = [y for y in keys if y < scene.height / 6]
+            body = min(
+                flattened(item.points)[:, 1].min() for item in scene.items if item.name == "body"
+            )
+            assert lowest
+            assert body > max(lowest)
+
+
+def test_a_slice_keeps_the_preloads_of_the_grasp() -> None:
+    first, *others = THREE
+    own = replace(THREE, contacts=(replace(first, preload=2), *others))
+    for grasp, options, title in (
+        (THREE, {}, "(c) preload 1"),
+        (THREE.with_preload(3), {}, "(c) preload 3"),
+        (own, {}, "(c) the preloads of the grasp"),
+        (own, {"preload": 1}, "(c) preload 1"),
+    ):
+        scene = unwrap(draw_slice)(grasp, **options)
+        assert title in [item.text for item in scene.items if hasattr(item, "text")]
+    (*_, (_, region)) = slices(own, Fraction(0), None)
+    assert region.polygons == resisted_region(own).polygons
+
+
+@pytest.mark.parametrize("factor", [1, 1000, "1/1000"])
+def test_polar_maps_grow_with_preloads(factor: Any) -> None:
+    """Ten times the preloads, ten times all forces: the same picture but for its numbers."""
+    scenes = [
+        unwrap(draw_polar)(THREE.with_preload(load), directions=12)
+        for load in (1, Fraction(factor))
+    ]
+    ends = [
+        np.array([item.place for item in scene.items if (item.name or "").startswith("direction")])
+        for scene in scenes
+    ]
+    np.testing.assert_allclose(ends[0], ends[1], atol=0.2)
+
+
+def test_a_polar_map_without_border_is_as_wide_as_the_preloads() -> None:
+    scene = unwrap(draw_polar)(COINCIDENT.with_preload(1000), directions=4)
+    assert "1000" in [item.text for item in scene.items if hasattr(item, "text")]
+
+
+def test_of_many_contacts_the_one_equilibrium_found_is_shown_and_said() -> None:
+    grasp = random_grasp(24, 4)
+    verdict = solve(grasp, (0, "-1/2", 0))
+    assert verdict.solution is not None
+    layout = layout_of(grasp, verdict, None, 1)
+    assert layout.found is verdict.solution
+    texts = [item.text for item in unwrap(draw_grasp)(grasp, wrench=(0, "-1/2", 0)).items
+             if hasattr(item, "text")]  # fmt: skip
+    assert "the equilibrium found; there may be others" in texts
+    assert "there may be others" in verdict._repr_html_()
+
+
 @pytest.mark.parametrize("grasp", [THREE, FOUR, COINCIDENT, HUGE, random_grasp(5, 2)])
 def test_indicative_outlines_touch_every_contact_along_its_tangent(grasp: Grasp) -> None:
-    frame = frame_of([c.point for c in grasp])
+    frame = frame_of(grasp)
     curve = body(grasp, frame)
     assert curve is not None
     fine = flattened(curve, 400)
@@ -166,7 +277,7 @@ def test_indicative_outlines_touch_every_contact_along_its_tangent(grasp: Grasp)
 def test_indicative_outlines_have_the_object_on_the_inner_side(seed: int) -> None:
     """A curve run counter-clockwise has its inside on the left, where the normals point."""
     grasp = random_grasp(6, seed)
-    curve = body(grasp, frame_of([c.point for c in grasp]))
+    curve = body(grasp, frame_of(grasp))
     if curve is not None:
         fine = flattened(curve)
         after = np.roll(fine, -1, axis=0)
@@ -355,7 +466,7 @@ def test_bad_requests_write_nothing_and_exit_with_2(
 
 def test_unknown_suffix_is_refused(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["draw", "paper-three-contacts", "-o", str(tmp_path / "a.gif")]) == 2
-    assert "known are .html, .pdf, .png, .svg" in capsys.readouterr().err
+    assert "known are .glb, .html, .obj, .pdf, .png, .stl, .svg" in capsys.readouterr().err
     assert main(["draw", "paper-three-contacts", "-o", str(tmp_path / "none" / "a.svg")]) == 2
     assert list(tmp_path.iterdir()) == []
 

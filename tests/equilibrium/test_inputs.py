@@ -22,10 +22,13 @@ from equilibrium.inputs import (
     read_polygon,
     simplest_between,
     snapped,
+    star_outline,
 )
 from equilibrium.inputs.csv_file import parse_csv
+from equilibrium.io.files import read_grasp
 from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import Grasp
+from equilibrium.model.outline import Circle, Polygon
 
 TRIANGLE = [(0, 0), (4, 0), (0, 3)]
 HEADER = "x,y,normal_x,normal_y,friction"
@@ -350,6 +353,13 @@ class TestCsv:
         assert second.normal == (Fraction(12, 13), Fraction(5, 13))
         assert found.exact
 
+    @pytest.mark.parametrize("separator", [",", ";", "\t"])
+    def test_short_names_other_separators_and_remarks(self, separator):
+        rows = ["# measured on Monday", "x,y,nx,ny,mu,q,k", "", "0,1/2,0,-1,0.5,1,2e1", "  # end"]
+        found = parse_csv("\n".join(rows).replace(",", separator))
+        plain = "x,y,normal_x,normal_y,friction,preload,stiffness\n0,1/2,0,-1,1/2,1,20\n"
+        assert found.grasp == parse_csv(plain).grasp
+
     def test_irrational_normals_report_their_angle(self):
         found = parse_csv(f"{HEADER}\n0,0,1,1,1\n")
         assert 0 < abs(found.angle_errors[0]) <= Fraction(1, 10**6)
@@ -362,8 +372,9 @@ class TestCsv:
             (f"{HEADER},colour\n", "colour"),
             (f"{HEADER},x\n", "twice"),
             (f"{HEADER}\n0,0,1,0\n", "line 2 has 4 entries"),
-            (f"{HEADER}\n0,0,1,0,1\n\n", "line 3 has 0 entries"),
-            (f"{HEADER}\n0,0,1,0,1e3\n", "line 2: .*1e3"),
+            (f"{HEADER}\n0,0,1,0,1e99999\n", "line 2: .*1e99999"),
+            (f"# remark\n\n{HEADER}\n0,0,1,0\n", "line 4 has 4 entries"),
+            ("x,y,nx,ny,mu,friction\n", "friction appears twice"),
             (f"{HEADER}\n0,0,1,0,nan\n", "line 2: .*nan"),
             (f"{HEADER}\n0,0,1,0,-1\n", "line 2: friction"),
             (f"{HEADER}\n0,0,0,0,1\n", "line 2: direction"),
@@ -385,3 +396,60 @@ class TestCsv:
         (tmp_path / "large.csv").write_bytes(b"0" * (4 * 2**20 + 1))
         with pytest.raises(InputError, match="longer"):
             read_csv(tmp_path / "large.csv")
+
+
+class TestOutlines:
+    def test_polygons_and_circles_are_the_outlines(self):
+        corners = ((0, 0), (4, 0), (0, 3))
+        assert from_polygon(corners, [OnEdge(0, "1/2")], 1).grasp.outline == Polygon(corners)
+        assert on_circle(3, 1, radius=2, centre=(1, 0)).grasp.outline == Circle((1, 0), 2)
+
+    @given(st.integers(1, 12), st.integers(0, 10**6))
+    def test_a_star_outline_has_every_contact_on_an_edge_with_its_normal(self, number, seed):
+        grasp = random_grasp(number, seed)
+        outline = star_outline(grasp)
+        if outline is None:
+            return
+        corners = outline.corners
+        turns = zip(corners, [*corners[1:], corners[0]], strict=True)
+        assert all(a[0] * b[1] > a[1] * b[0] for a, b in turns)
+        edges = set(zip(corners[::2], corners[1::2], strict=True))
+        assert len(edges) == len(grasp)
+        for contact in grasp:
+            assert any(
+                tuple((x + y) / 2 for x, y in zip(a, b, strict=True)) == contact.point
+                and sum((y - x) * n for x, y, n in zip(a, b, contact.normal, strict=True)) == 0
+                for a, b in edges
+            )
+
+    def test_most_random_objects_have_one(self):
+        assert sum(star_outline(random_grasp(5, seed)) is not None for seed in range(40)) > 20
+
+    def test_the_command_takes_one_for_csv_files(self, tmp_path, capsys):
+        path = tmp_path / "a.csv"
+        path.write_text("x,y,normal_x,normal_y,friction\n-1,0,1,0,0.5\n", encoding="utf-8")
+        corners = ["-1,-1", "1,-1", "0,3/2"]
+        assert main(["make", "csv", str(path), "--outline", *corners]) == 0
+        found = json.loads(capsys.readouterr().out)
+        assert found["outline"] == [["-1", "-1"], ["1", "-1"], ["0", "3/2"]]
+        assert main(["make", "csv", str(path), "--outline", "0,0", "1,1"]) == 2
+        capsys.readouterr()
+        assert main(["make", "random", "--contacts", "4", "--seed", "3"]) == 0
+        outline = json.loads(capsys.readouterr().out)["outline"]
+        assert outline == star_outline(random_grasp(4, 3)).to_dict()
+
+
+def test_commands_take_tables_and_round_normals_on_demand(capsys, tmp_path):
+    table, slanted = tmp_path / "grasp.csv", tmp_path / "grasp.json"
+    table.write_text("x;y;nx;ny;mu;q\n-1;0;2;0;1/2;1\n0;-1;0;1;1/2;1\n1;0;-1;0;1/2;1\n")
+    document = read_grasp("paper-three-contacts-preload-1").to_dict()
+    document["contacts"][0]["normal"] = ["3", "1e-9"]
+    slanted.write_text(json.dumps(document))
+    assert main(["solve", str(table), "--wrench", "0,1,0", "--json"]) == 0
+    out = json.loads(capsys.readouterr().out)
+    assert main(["solve", "paper-three-contacts-preload-1", "--wrench", "0,1,0", "--json"]) == 0
+    assert out == json.loads(capsys.readouterr().out)
+    assert main(["solve", str(slanted), "--wrench", "0,0,0"]) == 2
+    assert "--round-normals" in capsys.readouterr().err
+    assert main(["solve", str(slanted), "--wrench", "0,0,0", "--round-normals"]) in (0, 1)
+    assert "rounded: points by 0, normals by 3.3e-10 radians" in capsys.readouterr().err

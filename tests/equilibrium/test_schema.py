@@ -14,9 +14,10 @@ from equilibrium.cli.program import main
 from equilibrium.inputs import random_grasp
 from equilibrium.instances import paths
 from equilibrium.io.files import read_grasp
-from equilibrium.io.schemas import grasp_schema
-from equilibrium.model.errors import GraspError
+from equilibrium.io.schemas import certificate_schema, grasp_schema
+from equilibrium.model.errors import CertificateError, GraspError
 from equilibrium.model.grasp import Contact, Grasp
+from equilibrium.model.outline import Circle, Polygon
 from equilibrium.model.units import Units
 from equilibrium.verdict import solve
 
@@ -40,6 +41,8 @@ GOOD = [
     grasp(contacts=[]),
     grasp(description="two words"),
     grasp(units={"length": "mm", "force": "N"}),
+    grasp(outline=[["0", 0], ["4", "0"], ["0", "3"]]),
+    grasp(outline={"centre": ["0", "1/2"], "radius": "1"}),
     contact(stiffness="2", preload=0),
     contact(stiffness="00.50", preload="0/7", friction="+1."),
     contact(point=["+.5", "-7/3"], preload="-0"),
@@ -62,6 +65,14 @@ BAD = [
     grasp(units={"length": "mm", "force": " N"}),
     grasp(units={"length": "mm", "force": "N" * 21}),
     grasp(units={"length": "mm", "force": "N", "time": "s"}),
+    grasp(outline=[["0", 0], ["4", "0"]]),
+    grasp(outline=[["0", 0], ["4", "0"], ["0", 0.5]]),
+    grasp(outline=[["0", 0], ["4", "0"], ["0", "1", "2"]]),
+    grasp(outline={"centre": ["0", "0"]}),
+    grasp(outline={"centre": ["0", "0"], "radius": "0"}),
+    grasp(outline={"centre": ["0", "0"], "radius": "1", "corners": []}),
+    grasp(outline="round"),
+    grasp(outline=None),
     contact(point=MISSING),
     contact(normal=MISSING),
     contact(friction=MISSING),
@@ -194,3 +205,47 @@ class TestUnits:
             assert "lengths in mm, forces in N" in capsys.readouterr().out
         assert main(["make", "random", "--contacts", "1", "--units", "cm", "lbf"]) == 0
         assert json.loads(capsys.readouterr().out)["units"] == {"length": "cm", "force": "lbf"}
+
+
+class TestOutline:
+    triangle = Polygon([(0, 0), (4, 0), (0, 3)])
+    grasp = Grasp([Contact((2, 0), (0, 1), "1/2")], outline=triangle)
+
+    @pytest.mark.parametrize("outline", [triangle, Circle((0, "1/3"), "7/2")])
+    def test_outlines_survive_files_and_changed_copies(self, outline):
+        grasp = self.grasp.with_outline(outline)
+        assert read_grasp(json.loads(json.dumps(grasp.to_dict()))).outline == outline
+        for copy in (grasp.with_preload(1), grasp.with_friction(1), grasp.with_units("cm", "N")):
+            assert copy.outline == outline
+
+    def test_outlines_change_no_verdict_no_comparison_and_no_certificate(self):
+        bare = self.grasp.with_outline(None)
+        assert (bare, hash(bare)) == (self.grasp, hash(self.grasp))
+        assert "outline" not in bare.to_dict()
+        for wrench in ((0, -1, 0), (0, 1, 0)):
+            texts = {solve(grasp, wrench).certificate.text for grasp in (bare, self.grasp)}
+            assert len(texts) == 1
+            assert "outline" not in texts.pop()
+
+    def test_a_certificate_with_an_outline_is_refused(self):
+        document = solve(self.grasp, (0, -1, 0)).certificate.to_dict()
+        document["grasp"]["outline"] = self.triangle.to_dict()
+        schema = jsonschema.Draft202012Validator(certificate_schema())
+        with pytest.raises(CertificateError, match="no outline"):
+            check(document)
+        assert not schema.is_valid(document)
+        del document["grasp"]["outline"]
+        assert schema.is_valid(document)
+
+    @pytest.mark.parametrize(
+        ("make", "words"),
+        [
+            (lambda: Polygon([(0, 0), (1, 0)]), "2 corners"),
+            (lambda: Polygon([(0, 0), (1, 0), (1,)]), r"outline\[2\]"),
+            (lambda: Circle((0, 0), 0), "radius of the outline is 0"),
+            (lambda: Grasp([], outline=[(0, 0), (1, 0), (0, 1)]), "Polygon, a Circle"),
+        ],
+    )
+    def test_bad_outlines_are_refused(self, make, words):
+        with pytest.raises(GraspError, match=words):
+            make()

@@ -135,6 +135,7 @@ at("title").textContent = data.title;
 at("summary").textContent = data.summary;
 listPlanes();
 at("even").checked = state.even;
+if (data.even) at("shape").textContent = data.even.name;
 at("even").parentElement.hidden = !data.even;
 at("even").addEventListener("change", (event) => {
   state.even = event.target.checked;

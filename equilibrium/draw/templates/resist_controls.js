@@ -134,7 +134,8 @@ function fit() {
 function begin() {
   at("title").textContent = data.title;
   at("summary").textContent = data.summary;
-  at("grasp-caption").textContent = data.outline ? "dashed: an outline that fits the contacts, only indicative" : "the contacts";
+  at("grasp-caption").textContent = data.stated ? "the object and its contacts"
+    : data.outline ? "dashed: an outline that fits the contacts, only indicative" : "the contacts";
   const setTorque = (value) => { state.torque = value; refresh(); };
   const setFactor = (value) => {
     if (value.n < 0n) return false;

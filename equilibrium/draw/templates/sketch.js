@@ -21,16 +21,13 @@ function arrow(view, from, to, style, width = 1) {
 }
 
 function paintBody(view) {
-  draw("path", { class: "body", d: `M${data.outline.map(spot).join("L")}Z` }, view);
+  draw("path", { class: data.stated ? "body stated" : "body", d: `M${data.outline.map(spot).join("L")}Z` }, view);
 }
 
-function paintContact(view, { place, normal: n, friction }) {
+function paintContact(view, { place, normal: n, cone }) {
   const t = [-n[1], n[0]];
-  const half = Math.atan(friction);
-  const edge = (a) => along(along(place, n, 0.55 * Math.cos(a)), t, 0.55 * Math.sin(a));
-  const arc = [-1, -0.5, 0, 0.5, 1].map((s) => edge(s * half));
-  draw("path", { class: "cone", d: `M${spot(place)}L${arc.map(spot).join("L")}Z` }, view);
-  draw("path", { class: "middle", d: `M${spot(place)}L${spot(along(place, n, 0.55))}` }, view);
+  draw("path", { class: "cone", d: `M${spot(place)}L${cone.map(spot).join("L")}Z` }, view);
+  draw("path", { class: "middle", d: `M${spot(place)}L${spot(cone[4])}` }, view);
   draw("path", { class: "pad", d: `M${spot(along(place, t, 0.08))}L${spot(along(place, t, -0.08))}` }, view);
 }
 

@@ -1,0 +1,54 @@
+"""Times of pictures and pages as a user waits for them: whole commands, start to file."""
+
+from __future__ import annotations
+
+import json
+import os
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+from arrangement.library.families import random_integer
+from equilibrium.inputs import random_grasp
+
+#: The command has to end within so many seconds of processor time.
+AIM = 3.0
+
+
+def picture_table() -> None:
+    """Print the processor time of each command, over three random inputs."""
+    print(f"\nPictures and pages: whole commands, aim {AIM:g} s")
+    print(f"  {'':<42} median slowest")
+    grasp = ("equilibrium", "contacts", lambda m, seed: random_grasp(m, seed).to_dict())
+    planes = ("arrangement", "planes", lambda m, seed: random_integer(m, 3, seed=seed).to_dict())
+    for (program, things, make), size, options in (
+        (grasp, 30, ["--wrench", "0", "-1", "0", "-o", "a.svg"]),
+        (grasp, 12, ["--view", "resist", "-o", "a.svg"]),
+        (grasp, 8, ["-o", "a.html"]),
+        (planes, 30, ["--view", "dual", "-o", "a.svg"]),
+    ):
+        times = sorted(
+            seconds(program, options, json.dumps(make(size, seed))) for seed in range(1, 4)
+        )
+        view = "page" if options[-1] == "a.html" else "grasp"
+        if "--view" in options:
+            view = options[1]
+        what = f"{program} draw, {view}, {size} {things}"
+        print(f"  {what:<42} {times[1]:.2f} s {times[-1]:.2f} s", flush=True)
+
+
+def seconds(program: str, options: list[str], document: str) -> float:
+    """Return the processor time of a command on a document."""
+    with tempfile.TemporaryDirectory() as folder:
+        (Path(folder) / "given.json").write_text(document, encoding="utf-8")
+        command = [sys.executable, "-m", program, "draw", "given.json", *options]
+        before = os.times()
+        subprocess.run(command, cwd=folder, check=True)
+        after = os.times()
+    passed = zip(before[2:4], after[2:4], strict=True)
+    return sum(end - start for start, end in passed)
+
+
+if __name__ == "__main__":
+    picture_table()
