@@ -73,7 +73,7 @@ def verdict(browser: Browser) -> str:
 
 def question(browser: Browser) -> Question:
     """Return grasp and wrench of the address."""
-    _, contacts, wrench = browser.run("return location.hash.slice(1)").split("|")
+    _, contacts, wrench, *_ = browser.run("return location.hash.slice(1)").split("|")
     rows = [one.split(",") for one in contacts.split(";") if one]
     return Grasp(Contact(r[:2], r[2:4], *r[4:]) for r in rows), [
         Fraction(x) for x in wrench.split(",")
@@ -177,6 +177,41 @@ def test_dragging_by_mouse_and_finger_snaps_to_exact_numbers(name: str, opened: 
     assert_right(opened)
     assert question(opened) not in (moved, before)
     assert opened.messages() == []
+
+
+@pytest.mark.parametrize(
+    ("outline", "touches"),
+    [
+        ([["-1", "-2"], ["1", "-2"], ["1", "3/2"], ["0", "9/4"], ["-1", "3/2"]], "roof"),
+        ({"centre": ["0", "1/4"], "radius": "5/3"}, "circle"),
+    ],
+)
+def test_a_contact_slides_along_a_stated_outline(
+    outline: Any, touches: str, browser: Browser, tmp_path: Path
+) -> None:
+    """Its normal follows, and both stay exact."""
+    form = {**read_grasp("paper-four-contacts-preload-1").to_dict(), "outline": outline}
+    path = tmp_path / "lab.html"
+    path.write_text(lab_page(Grasp.from_dict(form), wrench=[0, -1, 0]), encoding="utf-8")
+    browser.open(path, 1280, 1000)
+    x, y = grip(browser, "move-0")
+    browser.drag((x, y), (x + 40, y - 20))
+    grasp, _ = question(browser)
+    (px, py), (nx, ny) = grasp.contacts[0].point, grasp.contacts[0].normal
+    if touches == "roof":
+        assert py == Fraction(9, 4) + Fraction(3, 4) * px
+        assert (nx, ny) == (Fraction(3, 5), Fraction(-4, 5))
+    else:
+        assert px**2 + (py - Fraction(1, 4)) ** 2 == Fraction(25, 9)
+        assert (nx, ny) == (-px * 3 / 5, (Fraction(1, 4) - py) * 3 / 5)
+    assert_right(browser)
+    browser.run("document.getElementById('undo').click()")
+    assert question(browser)[0] == Grasp.from_dict(form)
+    browser.run("document.getElementById('redo').click()")
+    address = browser.run("return location.href")
+    browser.open(address)
+    assert question(browser)[0] == grasp
+    assert browser.run("return document.querySelectorAll('#grasp .body.stated').length") == 1
 
 
 def test_all_can_be_done_with_keys(opened: Browser) -> None:

@@ -20,7 +20,7 @@ function paintGrasp() {
     if (state.factor.n > 0n && preload > 0) {
       arrow(view, along(place, n, -0.22 - 0.2 * preload), along(place, n, -0.19), "preload", 1.6);
     }
-    if (piece) mark(view, piece.states[i], along(place, n, -0.085), t);
+    if (piece) paintState(view, piece.states[i], along(place, n, -0.085), t);
   });
   paintLoads(view, forces);
   paintNames(view);

@@ -53,7 +53,7 @@ function paintTwist(view, origin, way) {
 }
 
 // The state of a contact: a disc (stick), a ring (detached), or an arrow head along the slip.
-function mark(view, what, place, t) {
+function paintState(view, what, place, t) {
   const way = what === "slip-" ? -1 : 1;
   if (what === "stick" || what === "detached") {
     draw("circle", { class: `state ${what}`, cx: fixed(UNIT * place[0]), cy: fixed(-UNIT * place[1]), r: 4 }, view);

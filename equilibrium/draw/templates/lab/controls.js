@@ -47,7 +47,9 @@ function dragTo({ kind, name }, p) {
   const i = Number(name.split("-")[1]);
   const w = p.map((c, k) => c * data.size + data.centre[k]);
   if (kind === "move") {
-    state.grasp = state.grasp.with(i, { ...state.grasp[i], point: w.map((c) => onGrid(c, steps())) });
+    const place2 = state.outline && at("along").checked ? onOutline(state.outline, w, steps()) : null;
+    const { point, normal } = place2 ?? { point: w.map((c) => onGrid(c, steps())), normal: state.grasp[i].normal };
+    state.grasp = state.grasp.with(i, { ...state.grasp[i], point, normal });
   } else if (kind === "turn") {
     const from = data.contacts[i].place;
     state.grasp = state.grasp.with(i, { ...state.grasp[i], normal: nearestDirection(p[0] - from[0], p[1] - from[1]) });

@@ -5,6 +5,7 @@ const NAMES = { friction: "friction μ", stiffness: "stiffness k", preload: "pre
 
 function writeFields() {
   const tabs = at("tabs");
+  at("along-row").hidden = !state.outline;
   const list = [...state.grasp.keys()];
   const wanted = `${list.length}/${state.chosen}`;
   if (tabs.dataset.shown !== wanted) {

@@ -9,7 +9,7 @@ function frameGrasp() {
   if (!state.dragging) {
     Object.assign(data, { centre: [0, 0], size: 1 });
     for (const places of [state.grasp.map(({ point }) => floatsOf(point)), null]) {
-      const points = places ?? [...data.contacts.map((c) => c.place), ...(data.outline ?? [])].map((p) => p.map((x, k) => x * data.size + data.centre[k]));
+      const points = places ? [...places, ...statedOutline()] : [...data.contacts.map((c) => c.place), ...(data.outline ?? [])].map((p) => p.map((x, k) => x * data.size + data.centre[k]));
       const span = [0, 1].map((k) => points.map((p) => p[k])).map((v) => (v.length ? [Math.min(...v), Math.max(...v)] : [-1, 1]));
       data.centre = span.map(([low, high]) => (low + high) / 2);
       data.size = Math.max(...span.map(([low, high], k) => (high - low) / [2, 2.3][k])) || 1;
@@ -20,12 +20,23 @@ function frameGrasp() {
 }
 
 function placeGrasp() {
-  data.contacts = state.grasp.map((contact) => ({
-    place: atPaper(contact.point), normal: floatsOf(contact.normal), friction: Math.min(near(contact.friction), 1e6),
-  }));
+  data.contacts = state.grasp.map((contact) => {
+    const [p, n] = [atPaper(contact.point), floatsOf(contact.normal)];
+    const half = Math.atan(near(contact.friction));
+    const edge = (a) => along(along(p, n, 0.55 * Math.cos(a)), [-n[1], n[0]], 0.55 * Math.sin(a));
+    return { place: p, normal: n, cone: Array.from({ length: 9 }, (_, k) => edge((k / 4 - 1) * half)) };
+  });
   data.origin = world(0, 0).map((x) => Math.min(1.5, Math.max(-1.5, x)));
-  const outline = outlineOf(data.contacts);
-  data.outline = outline && !crosses(outline) ? outline : null;
+  const outline = state.outline ? statedOutline().map((p) => world(...p)) : outlineOf(data.contacts);
+  data.outline = outline && (state.outline || !crosses(outline)) ? outline : null;
+  data.stated = Boolean(state.outline);
+}
+
+// Points of the outline that the grasp states.
+function statedOutline() {
+  const { corners, centre, radius } = state.outline ?? { corners: [] };
+  return corners ? corners.map(floatsOf)
+    : Array.from({ length: 72 }, (_, k) => [near(centre[0]) + near(radius) * Math.cos((k * Math.PI) / 36), near(centre[1]) + near(radius) * Math.sin((k * Math.PI) / 36)]);
 }
 
 // Whether a closed polygon crosses itself or runs clockwise.
@@ -96,7 +107,7 @@ function paintGrasp() {
   paintLoad(view, factor);
   paintNames(view);
   if (held) view.querySelector(`[data-grip="${held}"]`)?.focus();
-  at("grasp-caption").textContent = shown ? shown.words : data.outline
+  at("grasp-caption").textContent = shown ? shown.words : data.stated ? "The object as the grasp states it. Orange: friction cones and the load." : data.outline
     ? "Dashed: an outline that fits the contacts, only indicative. Orange: friction cones and the load."
     : state.grasp.length ? "Orange: friction cones and the load." : "No contact yet: add one below.";
 }
@@ -110,7 +121,7 @@ function paintOne(view, contact, i, shown, piece) {
   draw("path", { class: `spring${loaded ? " loaded" : ""}`, d: `M${[along(p, n, -0.2), ...zigzag, along(p, n, -0.48)].map(spot).join("L")}` }, group);
   paintContact(group, data.contacts[i]);
   const states = shown && !shown.virtual ? shown.states : piece?.states;
-  if (states) mark(group, states[i], along(p, n, -0.15), t);
+  if (states) paintState(group, states[i], along(p, n, -0.15), t);
   const words = `contact ${i + 1} at ${tuple(contact.point.map(textOf))}, normal ${tuple(contact.normal.map(textOf))}`;
   grip(group, `move-${i}`, p, `${words}; arrows move it`, state.chosen === i ? "chosen" : "", 3.2);
   grip(group, `turn-${i}`, along(p, n, 0.6), `normal of ${words}; arrows turn it`, "turn-grip", 2.4);

@@ -12,7 +12,7 @@ function copy(text) {
   navigator.clipboard?.writeText(text).then(() => say("copied"), () => getSelection().selectAllChildren(at("kept")));
 }
 
-const commandOf = () => `echo '${JSON.stringify(documentOf(state.grasp))}' | equilibrium solve - --wrench ${state.wrench.map(textOf).join(" ")}`;
+const commandOf = () => `echo '${JSON.stringify(documentOf(state.grasp, state.outline))}' | equilibrium solve - --wrench ${state.wrench.map(textOf).join(" ")}`;
 
 // A picture with its colours written into it, so that it needs no style sheet.
 function svgText(id) {
@@ -35,7 +35,7 @@ function svgText(id) {
 function keepButtons() {
   at("copy-link").addEventListener("click", () => copy(`${location.href.split("#")[0]}#${snapshot()}`));
   at("copy-command").addEventListener("click", () => copy(commandOf()));
-  at("save-grasp").addEventListener("click", () => download("grasp.json", "application/json", `${JSON.stringify(documentOf(state.grasp), null, 2)}\n`));
+  at("save-grasp").addEventListener("click", () => download("grasp.json", "application/json", `${JSON.stringify(documentOf(state.grasp, state.outline), null, 2)}\n`));
   at("save-certificate").addEventListener("click", () => download("certificate.json", "application/json",
     `${JSON.stringify(certificateOf(state.grasp, state.wrench, solve(state.grasp, state.wrench)))}\n`));
   document.querySelectorAll("[data-svg]").forEach((button) => button.addEventListener("click", () => {
@@ -50,9 +50,10 @@ function keepButtons() {
 }
 
 function openText(text) {
-  const grasp = readGrasp(JSON.parse(text));
+  const document = JSON.parse(text);
+  const grasp = readGrasp(document);
   if (grasp.length > data.most) throw new Error(`${grasp.length} contacts; this page takes ${data.most}`);
-  load({ grasp, wrench: state.wrench });
+  load({ grasp, wrench: state.wrench, outline: readOutline(document.outline) });
 }
 
 // Runs what may fail on input from outside: then the last valid state stays.
@@ -67,10 +68,11 @@ async function attempt(action) {
 
 function examples() {
   const box = at("example");
+  make("option", { value: "", disabled: "", selected: "" }, box, "examples …");
   data.examples.forEach(({ name }, k) => make("option", { value: k }, box, name));
   box.addEventListener("change", () => {
     const { grasp, wrench } = data.examples[Number(box.value)];
-    load({ grasp: readGrasp(grasp), wrench: readWrench(wrench) });
+    load({ grasp: readGrasp(grasp), wrench: readWrench(wrench), outline: readOutline(grasp.outline) });
   });
 }
 
@@ -124,7 +126,7 @@ function begin() {
   at("step").addEventListener("click", () => advance(1));
   at("play").addEventListener("click", playSteps);
   at("where").addEventListener("input", () => advance(Number(at("where").value) - state.place));
-  const first = { grasp: readGrasp(data.grasp), wrench: readWrench(data.wrench) };
+  const first = { grasp: readGrasp(data.grasp), wrench: readWrench(data.wrench), outline: readOutline(data.grasp.outline) };
   Object.assign(state, first, { chosen: first.grasp.length ? 0 : null });
   const fromHash = () => attempt(() => { if (location.hash.length > 1 && location.hash !== `#${snapshot()}`) Object.assign(state, readHash(location.hash.slice(1)), { chosen: null }); });
   fromHash();

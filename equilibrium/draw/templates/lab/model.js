@@ -24,10 +24,47 @@ function contactProblem({ normal, friction, stiffness, preload }) {
 }
 
 // The document of the command line.
-function documentOf(grasp) {
-  return { schema_version: 1, contacts: grasp.map((contact) => ({
+function documentOf(grasp, outline = null) {
+  const shape = outline ? { outline: outline.corners ? outline.corners.map((p) => p.map(textOf))
+    : { centre: outline.centre.map(textOf), radius: textOf(outline.radius) } } : {};
+  return { schema_version: 1, ...shape, contacts: grasp.map((contact) => ({
     point: contact.point.map(textOf), normal: contact.normal.map(textOf),
     ...Object.fromEntries(FIELDS.map((name) => [name, textOf(contact[name])])) })) };
+}
+
+// The stated shape of the object: { corners } or { centre, radius }; null if none is stated.
+function readOutline(form) {
+  if (form === undefined) return null;
+  const circle = !Array.isArray(form);
+  const pairs = (circle ? [form?.centre] : form).map((p) => (Array.isArray(p) && p.length === 2 ? p.map((x) => readNumber(String(x))) : [null]));
+  const radius = circle ? readNumber(String(form?.radius)) : ONE;
+  if (pairs.flat().includes(null) || !radius || radius.n <= 0n || (!circle && pairs.length < 3)) {
+    throw new Error("the outline must be three corners or more, or an object with centre and radius");
+  }
+  return circle ? { centre: pairs[0], radius } : { corners: pairs };
+}
+
+// The place on a stated outline nearest to a point, with the normal there; null if no side of it has
+// an exactly unit normal.
+function onOutline({ corners, centre, radius }, [x, y], steps) {
+  if (centre) {
+    const normal = nearestDirection(near(centre[0]) - x, near(centre[1]) - y);
+    return { point: centre.map((c, k) => less(c, times(radius, normal[k]))), normal };
+  }
+  const turn = corners.reduce((sum, [a, b], i) => {
+    const [c, d] = corners[(i + 1) % corners.length];
+    return plus(sum, less(times(a, d), times(b, c)));
+  }, ZERO).n > 0n ? ONE : minus(ONE);
+  const sides = corners.map((from, i) => {
+    const way = corners[(i + 1) % corners.length].map((c, k) => less(c, from[k]));
+    const normal = unitOf([times(turn, minus(way[1])), times(turn, way[0])]);
+    const [u, v] = way.map(near);
+    const share = ((x - near(from[0])) * u + (y - near(from[1])) * v) / (u * u + v * v || 1);
+    const parts = Math.max(1, Math.round(Math.hypot(u, v) * steps));
+    const point = added(from, scaledBy(way, onGrid(Math.min(1, Math.max(0, share)), parts)));
+    return { point, normal, away: Math.hypot(near(point[0]) - x, near(point[1]) - y) };
+  }).filter(({ normal }) => normal);
+  return sides.length ? sides.reduce((best, side) => (side.away < best.away ? side : best)) : null;
 }
 
 // Throws an Error that says what is wrong.
@@ -60,14 +97,16 @@ function readWrench(values) {
   return read;
 }
 
-// The state in the address: "1|x,y,nx,ny,friction,stiffness,preload;...|fx,fy,torque".
-function hashOf(grasp, wrench) {
+// The state in the address: "1|x,y,nx,ny,friction,stiffness,preload;...|fx,fy,torque", and the outline,
+// if it is stated: "|x,y;x,y;...", or "|x,y,radius" of a circle.
+function hashOf(grasp, wrench, outline = null) {
   const contacts = grasp.map((c) => [...c.point, ...c.normal, ...FIELDS.map((name) => c[name])].map(textOf).join(","));
-  return [VERSION, contacts.join(";"), wrench.map(textOf).join(",")].join("|");
+  const shape = outline ? [(outline.corners ?? [[...outline.centre, outline.radius]]).map((p) => p.map(textOf).join(",")).join(";")] : [];
+  return [VERSION, contacts.join(";"), wrench.map(textOf).join(","), ...shape].join("|");
 }
 
 function readHash(text) {
-  const [version, contacts, wrench, ...rest] = decodeURIComponent(text).split("|");
+  const [version, contacts, wrench, shape, ...rest] = decodeURIComponent(text).split("|");
   if (version !== VERSION) throw new Error(`the link is of version ${version.slice(0, 9)}; this page reads ${VERSION}`);
   if (wrench === undefined || rest.length) throw new Error("the link is not whole");
   const list = contacts ? contacts.split(";").map((one) => {
@@ -75,7 +114,9 @@ function readHash(text) {
     return { point: [x, y], normal: [nx, ny], friction, stiffness, preload };
   }) : [];
   if (list.length > data.most) throw new Error(`${list.length} contacts; this page takes ${data.most}`);
-  return { grasp: readGrasp({ schema_version: 1, contacts: list }), wrench: readWrench(wrench.split(",")) };
+  const places = shape?.split(";").map((one) => one.split(","));
+  const outline = places?.length === 1 ? { centre: places[0].slice(0, 2), radius: places[0][2] } : places;
+  return { grasp: readGrasp({ schema_version: 1, contacts: list }), wrench: readWrench(wrench.split(",")), outline: readOutline(outline) };
 }
 
 // Exactly unit vectors, about 200 of them: (1 - t^2, 2 t) / (1 + t^2) for rational t, all quarters.
@@ -110,9 +151,17 @@ function turned(normal, way) {
 // A direction as text: exact where its length is rational; else null.
 function readNormal(text) {
   const parts = text.replace(/[()]/g, "").split(/[,\s]+/).filter(Boolean).map(readNumber);
-  if (parts.length !== 2 || parts.includes(null)) return null;
+  return parts.length !== 2 || parts.includes(null) ? null : unitOf(parts);
+}
+
+// A direction made exactly unit; null if its length is not rational.
+function unitOf(parts) {
   const square = plus(times(parts[0], parts[0]), times(parts[1], parts[1]));
-  const root = (x) => { const near = BigInt(Math.round(Math.sqrt(Number(x)))); return near * near === x ? near : null; };
+  const root = (x) => {
+    let r = BigInt(Math.floor(Math.sqrt(Number(x))));
+    for (let k = 0; k < 9 && r > 0n; k += 1) r = (r + x / r) / 2n;
+    return r * r === x ? r : null;
+  };
   const [n, d] = [root(square.n), root(square.d)];
   return n && d ? parts.map((x) => over(x, ratio(n, d))) : null;
 }

@@ -1,7 +1,7 @@
 // What is chosen, and how a change leads to new answers. Long searches run in slices of a few
 // milliseconds, so that dragging never stutters; until they end, older answers are shown pale.
 const state = {
-  grasp: [], wrench: [ZERO, ZERO, ZERO], chosen: null, turn: ONE, turnChosen: false,
+  grasp: [], wrench: [ZERO, ZERO, ZERO], outline: null, chosen: null, turn: ONE, turnChosen: false,
   found: null, choice: 0, leaf: null, motion: null, open: new Map(), searching: null,
   states: [], pieces: [], mapped: "", mapping: null,
   past: [], future: [], dragging: false, lit: null, step: null, place: 0, playing: null,
@@ -106,7 +106,7 @@ function findPieces() {
 }
 
 // Undo keeps texts: each is a whole state.
-const snapshot = () => hashOf(state.grasp, state.wrench);
+const snapshot = () => hashOf(state.grasp, state.wrench, state.outline);
 
 function edit(action) {
   const before = snapshot();
@@ -135,8 +135,8 @@ function restore(from, to) {
   changed();
 }
 
-function load({ grasp, wrench }) {
-  edit(() => Object.assign(state, { grasp, wrench, chosen: grasp.length ? 0 : null }));
+function load({ grasp, wrench, outline }) {
+  edit(() => Object.assign(state, { grasp, wrench, outline, chosen: grasp.length ? 0 : null }));
   fitPlane();
 }
 
