@@ -308,6 +308,34 @@ def test_a_wrong_address_is_explained_and_the_page_still_works(
     assert opened.messages() == []
 
 
+@pytest.mark.parametrize(
+    ("text", "why"),
+    [
+        ("{", "JSON"),
+        ('{"planes": []}', "no grasp"),
+        ('{"schema_version": 1, "contacts": [{"point": [0.5, 0]}]}', "point"),
+        ('{"schema_version": 1, "contacts": [], "outline": [["0", "0"]]}', "outline"),
+    ],
+)
+def test_a_file_that_is_no_grasp_is_explained(text: str, why: str, opened: Browser) -> None:
+    choose = (
+        "const files = new DataTransfer(); files.items.add(new File([arguments[0]], 'a.json'));"
+        "const box = document.getElementById('file'); box.files = files.files;"
+        "box.dispatchEvent(new Event('change'))"
+    )
+    before = question(opened)
+    opened.run(choose, text)
+    opened.settled()
+    assert why in opened.run("return document.getElementById('problem').textContent")
+    assert question(opened) == before
+    grasp = read_grasp("several-equilibria")
+    opened.run(choose, json.dumps(grasp.to_dict()))
+    opened.settled()
+    assert question(opened)[0] == grasp
+    assert not opened.run("return document.getElementById('problem').textContent")
+    assert_right(opened)
+
+
 def test_a_cell_of_motions_is_shown_on_the_grasp(opened: Browser) -> None:
     x, y = opened.run(
         "const r = document.getElementById('discs').getBoundingClientRect();"

@@ -11,6 +11,15 @@ function directionOf([x, y, h], way) {
 }
 
 const onDisc = (v, way) => [DISC[way][0] + RADIUS * v[0], DISC[way][1] - RADIUS * v[1]];
+// The ray of a slice at a place of its disc; null outside.
+function rayAt([px, py], way) {
+  const [u, v] = [(px - DISC[way][0]) / RADIUS, (DISC[way][1] - py) / RADIUS];
+  const w = Math.sqrt(1 - u * u - v * v);
+  if (!(w > 0)) return null;
+  const h = w / (1.2 * data.size);
+  return [way * (v + data.centre[1] * h), -way * (u + data.centre[0] * h), h];
+}
+
 const pathOf = (points) => `M${points.map((p) => p.map(fixed).join(",")).join("L")}`;
 
 // Points of the great arc between two directions.
@@ -83,7 +92,7 @@ function regionsOf({ planes, count: number }) {
   return [1, -1].flatMap((way) => {
     const rows = sliceRows(contacts, ONE, way).map(({ slip }) => slip);
     const regions = Map.groupBy(partsOf(rows), (part) => rows.map((row) => (dotOf(row, inside(part)) > 0n ? "slip+" : "slip-")).join());
-    return [...regions].map(([states, parts]) => ({ way, states: states.split(","), outlines: parts.map((part) => outlineOfPart(part, way)) }));
+    return [...regions].map(([states, parts]) => ({ way, rows, states: states.split(","), outlines: parts.map((part) => outlineOfPart(part, way)) }));
   });
 }
 
@@ -92,12 +101,16 @@ function paintCell(view, cell) {
   group.style.fill = colourOf(cell.states);
   group.style.stroke = colourOf(cell.states);
   for (const outline of cell.outlines) draw("path", { d: `${pathOf(outline)}Z` }, group);
-  const largest = cell.outlines.map((points) => ({ points, area: areaOf(points) }))
-    .reduce((best, one) => (one.area > best.area ? one : best));
-  const middle = [0, 1].map((k) => largest.points.reduce((sum, p) => sum + p[k], 0) / largest.points.length);
+  const areas = cell.outlines.map(areaOf);
+  const whole = areas.reduce((sum, area) => sum + area, 0);
+  const middle = [0, 1].map((k) => cell.outlines.reduce((sum, points, i) => sum
+    + (areas[i] / whole) * (points.reduce((all, p) => all + p[k], 0) / points.length), 0));
   const [w, h] = [3 * cell.states.length + 1, 5];
   const frame = [[-w, -h], [w, -h], [w, h], [-w, h]].map(([x, y]) => [middle[0] + x, middle[1] + y]);
-  if (frame.every((p) => within(largest.points, p))) {
+  const floats = cell.rows.map((row) => floatRay(row));
+  const signs = (p) => { const ray = rayAt(p, cell.way); return ray && floats.map((row) => Math.sign(row.reduce((sum, x, k) => sum + x * ray[k], 0))).join(); };
+  const here = signs(middle);
+  if (here && frame.every((p) => signs(p) === here)) {
     draw("text", { class: "code", x: fixed(middle[0]), y: fixed(middle[1]) }, view, codeOf(cell.states));
   }
 }

@@ -61,7 +61,7 @@ function cellsOf(grasp, turn, way) {
   const cells = new Map();
   for (const part of partsOf(rows.flatMap(({ slip, spring }) => [slip, spring]).filter((row) => row.some((x) => x)))) {
     const states = rows.map((row) => stateAt(row, inside(part)));
-    const cell = cells.get(String(states)) ?? { way, states, parts: [] };
+    const cell = cells.get(String(states)) ?? { way, states, parts: [], rows: rows.flatMap(({ slip, spring }, i) => (states[i] === "detached" ? [spring] : [slip, spring])) };
     cell.parts.push(part);
     cells.set(String(states), cell);
   }
