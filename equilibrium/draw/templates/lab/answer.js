@@ -74,12 +74,6 @@ function motionWords([x, y, r]) {
   return `a ${r.n > 0n ? "counter-clockwise" : "clockwise"} rotation about ${vectorText(centre)}`;
 }
 
-function leavesOf(node) {
-  if (!node) return [];
-  if (node.motion) return [node];
-  return Object.values(node.attachment ?? node.slip).flatMap(leavesOf);
-}
-
 // The proof: a folded tree; each leaf is a virtual motion.
 function describeProof(box) {
   const leaves = leavesOf(state.found.tree);

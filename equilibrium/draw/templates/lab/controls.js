@@ -47,8 +47,8 @@ function dragTo({ kind, name }, p) {
   const i = Number(name.split("-")[1]);
   const w = p.map((c, k) => c * data.size + data.centre[k]);
   if (kind === "move") {
-    const place2 = state.outline && at("along").checked ? onOutline(state.outline, w, steps()) : null;
-    const { point, normal } = place2 ?? { point: w.map((c) => onGrid(c, steps())), normal: state.grasp[i].normal };
+    const side = state.outline && at("along").checked ? onOutline(state.outline, w, steps()) : null;
+    const { point, normal } = side ?? { point: w.map((c) => onGrid(c, steps())), normal: state.grasp[i].normal };
     state.grasp = state.grasp.with(i, { ...state.grasp[i], point, normal });
   } else if (kind === "turn") {
     const from = data.contacts[i].place;
@@ -137,9 +137,9 @@ function dragPlane() {
 // Whatever is under the pointer, or has the focus, is marked in all views.
 function link() {
   const show = (event) => {
-    const near2 = event.target.closest?.("[data-contact], [data-states], [data-circle]");
-    const i = near2?.dataset.contact ?? near2?.dataset.circle;
-    const [lit, cell] = [i === undefined ? null : Number(i), near2?.dataset.states ?? null];
+    const marked = event.target.closest?.("[data-contact], [data-states], [data-circle]");
+    const i = marked?.dataset.contact ?? marked?.dataset.circle;
+    const [lit, cell] = [i === undefined ? null : Number(i), marked?.dataset.states ?? null];
     if (lit === state.lit && cell === state.litStates) return;
     Object.assign(state, { lit, litStates: cell });
     highlight();

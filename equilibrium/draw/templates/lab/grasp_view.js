@@ -129,9 +129,9 @@ function paintOne(view, contact, i, shown, piece) {
 
 function grip(parent, name, p, label, style, radius) {
   const group = draw("g", { class: `grip ${style}`, tabindex: 0, role: "button", "data-grip": name, "aria-label": label }, parent);
-  const at2 = { cx: fixed(UNIT * p[0]), cy: fixed(-UNIT * p[1]) };
-  draw("circle", { class: "target", ...at2, r: 11 }, group);
-  draw("circle", { class: "knob", ...at2, r: radius }, group);
+  const middle = { cx: fixed(UNIT * p[0]), cy: fixed(-UNIT * p[1]) };
+  draw("circle", { class: "target", ...middle, r: 11 }, group);
+  draw("circle", { class: "knob", ...middle, r: radius }, group);
 }
 
 function paintLoad(view, factor) {

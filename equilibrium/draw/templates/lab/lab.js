@@ -1,8 +1,8 @@
 // The page: what is kept and shared, and how it begins.
 function download(name, type, text) {
-  const link2 = make("a", { href: URL.createObjectURL(new Blob([text], { type })), download: name });
-  link2.click();
-  setTimeout(() => URL.revokeObjectURL(link2.href), 1000);
+  const anchor = make("a", { href: URL.createObjectURL(new Blob([text], { type })), download: name });
+  anchor.click();
+  setTimeout(() => URL.revokeObjectURL(anchor.href), 1000);
   at("kept").textContent = `saved: ${name}`;
 }
 
@@ -140,11 +140,11 @@ function begin() {
 // For lecturers and tests: questions as documents of the command line.
 window.lab = {
   solve(grasp, wrench) {
-    const [contacts, load2] = [readGrasp(grasp), readWrench(wrench)];
-    const found = solve(contacts, load2);
+    const [contacts, applied] = [readGrasp(grasp), readWrench(wrench)];
+    const found = solve(contacts, applied);
     const texts = (row) => row.map(textOf);
     return {
-      stable: found.stable, certificate: certificateOf(contacts, load2, found),
+      stable: found.stable, certificate: certificateOf(contacts, applied, found),
       equilibria: found.equilibria.map(({ states, motion, forces, ranges }) => ({ states, motion: texts(motion), forces: forces.map(texts), unique: !ranges })),
     };
   },

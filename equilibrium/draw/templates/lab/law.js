@@ -112,3 +112,24 @@ function lawProblem(grasp, wrench, motion, forces) {
   }
   return total.some((x) => x.n) ? "the forces do not balance" : "";
 }
+
+// What is wrong with a leaf of a proof; empty if no motion in its states balances the wrench: the sum of
+// load . motion and of alpha e + h s over the contacts is a number above 0, whatever the motion d is,
+// and no contact can work less than its term.
+function leafProblem(grasp, wrench, { states, motion, multipliers }) {
+  let total = [ZERO, ZERO, ZERO, dotted(motion, wrench)];
+  for (const [i, contact] of grasp.entries()) {
+    const { N, T } = wrenchesOf(contact);
+    const [alpha, h] = multipliers[i];
+    const rub = times(contact.friction, dotted(motion, T));
+    const way = { "slip+": minus(rub), "slip-": rub }[states[i]] ?? minus(size(rub));
+    const kappa = plus(dotted(motion, N), way);
+    if (["undecided", "detached"].includes(states[i]) && alpha.n < 0n) return `contact ${i + 1}: alpha is below 0`;
+    if (states[i] !== "detached" && order(alpha, kappa) > 0) return `contact ${i + 1}: alpha is above kappa`;
+    const free = states[i] === "stick" || !h.n || (states[i] === "slip-" ? h.n > 0n : states[i] === "slip+" && h.n < 0n);
+    if (!free) return `contact ${i + 1}: h has the wrong sign`;
+    const spring = [...scaledBy(N, minus(contact.stiffness)), contact.preload];
+    total = added(total, added(scaledBy(spring, alpha), [...scaledBy(T, h), ZERO]));
+  }
+  return total.slice(0, 3).some((x) => x.n) || total[3].n <= 0n ? "the sum is no number above 0" : "";
+}

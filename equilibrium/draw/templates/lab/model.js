@@ -1,7 +1,6 @@
 // Grasps and wrenches as texts: fields, files, the address of the page.
 const VERSION = "1";
 const FIELDS = ["friction", "stiffness", "preload"];
-const LONGEST = 40;
 
 // Reads "3", "-7/3", "0.25" and "-1e-3"; anything else is null.
 function readNumber(text) {

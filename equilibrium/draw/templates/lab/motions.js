@@ -86,10 +86,6 @@ function clipped(corners, row) {
   });
 }
 
-// The motion in the slice on a ray (x, y, h), h > 0.
-const motionOn = (ray, turn, way) => [ratio(ray[0], ray[2]), ratio(ray[1], ray[2]), ratio(BigInt(way))]
-  .map((x) => times(turn, x));
-
 // The distinct central planes T . d = 0 with the contacts of each, in order of appearance.
 function slipPlanes(grasp) {
   const found = new Map();

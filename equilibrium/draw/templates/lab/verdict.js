@@ -29,6 +29,10 @@ function* treeOf(grasp, wrench) {
     return open ? null : { contact: i, [kind]: children };
   }
   const tree = yield* node(grasp.map(() => "undecided"));
+  // Nothing is shown that the law, evaluated anew, does not confirm.
+  const problem = [...equilibria.map(({ motion, forces }) => lawProblem(grasp, wrench, motion, forces)),
+    ...leavesOf(equilibria.length ? null : tree).map((leaf) => leafProblem(grasp, wrench, leaf))].find(Boolean);
+  if (problem) throw new Error(`fault of this page: ${problem}`);
   return { stable: equilibria.length > 0, equilibria: distinct(grasp, equilibria), tree, nodes };
 }
 
@@ -183,4 +187,11 @@ function certificateOf(grasp, wrench, found) {
     return { contact: node.contact, [kind]: Object.fromEntries(children) };
   };
   return { ...base, tree: written(found.tree) };
+}
+
+// The leaves of a proof, from left to right.
+function leavesOf(node) {
+  if (!node) return [];
+  if (node.motion) return [node];
+  return Object.values(node.attachment ?? node.slip).flatMap(leavesOf);
 }
