@@ -7,6 +7,8 @@ nothing with the solver here but the form of files. Its proofs are certificates 
 
 from __future__ import annotations
 
+import json
+import re
 from typing import Any
 
 from arrangement.draw.html_page import BASE_SCRIPT, BASE_STYLE, Template, one_page
@@ -18,6 +20,8 @@ from equilibrium.model.grasp import Grasp, read_wrench
 
 #: Contacts beyond which the answers of the page take more than about a second.
 MAX_CONTACTS = 8
+#: Longest numbers that the page reads.
+MAX_DIGITS = 1000
 #: Names, built-in grasps and wrenches that the page offers.
 _EXAMPLES: tuple[tuple[str, str, tuple[int | str, ...]], ...] = (
     ("Three contacts, preload 1", "paper-three-contacts-preload-1", (0, 1, 0)),
@@ -56,7 +60,7 @@ def lab_page(
         title: a heading.
 
     Raises:
-        InputError: too many contacts, or no wrench.
+        InputError: too many contacts or digits, or no wrench.
     """
     first = read_grasp(_EXAMPLES[0][1]) if grasp is None else grasp
     if len(first) > MAX_CONTACTS:
@@ -86,4 +90,8 @@ def lab_page(
 
 
 def _question(grasp: Grasp, wrench: Any) -> dict[str, Any]:
-    return {"grasp": grasp.to_dict(), "wrench": [to_text(x) for x in read_wrench(wrench)]}
+    document = {"grasp": grasp.to_dict(), "wrench": [to_text(x) for x in read_wrench(wrench)]}
+    longest = max(map(len, re.findall(r"[0-9]+", json.dumps(document))))
+    if longest > MAX_DIGITS:
+        raise InputError(f"a number has {longest} digits; the lab takes at most {MAX_DIGITS}")
+    return document

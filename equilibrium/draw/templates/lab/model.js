@@ -4,11 +4,14 @@ const FIELDS = ["friction", "stiffness", "preload"];
 
 // Reads "3", "-7/3", "0.25" and "-1e-3"; anything else is null.
 function readNumber(text) {
-  const match = /^(.*\d)[eE]([+-]?\d{1,2})$/.exec(text.trim());
-  if (!match) return readRatio(text);
-  const [base, power] = [readRatio(match[1]), Number(match[2])];
-  if (!base || match[1].includes("/")) return null;
-  return times(base, power < 0 ? ratio(1n, 10n ** BigInt(-power)) : ratio(10n ** BigInt(power)));
+  const match = /^\s*([+-]?)(\d{0,1000})(?:\.(\d{0,1000}))?(?:[eE]([+-]?\d{1,3})|\/(\d{1,1000}))?\s*$/.exec(text.replace("\u2212", "-"));
+  if (!match) return null;
+  const [, sign, whole, decimals = "", power = "0", below = "1"] = match;
+  if (!whole && !decimals) return null;
+  if ((decimals && match[5] !== undefined) || BigInt(below) === 0n) return null;
+  const shift = Number(power) - decimals.length;
+  const n = BigInt(`${sign === "-" ? "-" : ""}${whole}${decimals}`) * 10n ** BigInt(Math.max(0, shift));
+  return ratio(n, BigInt(below) * 10n ** BigInt(Math.max(0, -shift)));
 }
 
 const NUMBER_RULE = "a number such as 3/4, 0.75 or -1e-3";
