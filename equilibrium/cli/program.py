@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 from arrangement import terminal
 from arrangement.exact import dot
 
-from . import draw, inputs, methods, wrench_sets
+from . import draw, inputs, lab, methods, wrench_sets
 from .arguments import add_applied, add_command, applied, grasp_of, show, vector
 from .proof_words import proof_lines
 
@@ -85,6 +85,7 @@ def _parser() -> terminal.Parser:
     methods.add_commands(commands)
     inputs.add_commands(commands)
     draw.add_commands(commands)
+    lab.add_commands(commands)
     return parser
 
 

@@ -20,7 +20,7 @@ function paintGrasp() {
     if (state.factor.n > 0n && preload > 0) {
       arrow(view, along(place, n, -0.22 - 0.2 * preload), along(place, n, -0.19), "preload", 1.6);
     }
-    if (piece) mark(view, piece.states[i], along(place, n, -0.085), t);
+    if (piece) paintState(view, piece.states[i], along(place, n, -0.085), t);
   });
   paintLoads(view, forces);
   paintNames(view);
@@ -36,18 +36,6 @@ function paintMotion(view, [x, y, r]) {
   if (most < 1e-12) return;
   const places = data.outline.map((p, i) => along(p, moved[i], 0.22 / most));
   draw("path", { class: "moved", d: `M${places.map(spot).join("L")}Z` }, view);
-}
-
-function mark(view, what, place, t) {
-  const way = what === "slip-" ? -1 : 1;
-  if (what === "stick" || what === "detached") {
-    draw("circle", { class: `state ${what}`, cx: fixed(UNIT * place[0]), cy: fixed(-UNIT * place[1]), r: 4 }, view);
-    return;
-  }
-  const n = [t[1], -t[0]];
-  const corners = [along(place, t, 0.11 * way), along(along(place, t, -0.06 * way), n, 0.075),
-    along(along(place, t, -0.06 * way), n, -0.075)];
-  draw("path", { class: "state slip", d: `M${corners.map(spot).join("L")}Z` }, view);
 }
 
 function paintLoads(view, forces) {

@@ -51,3 +51,16 @@ function paintTwist(view, origin, way) {
   const direction = [-(tip[1] - origin[1]) * way, (tip[0] - origin[0]) * way];
   arrow(view, along(tip, direction, -0.02), along(tip, direction, 0.42), "load", 1.2);
 }
+
+// The state of a contact: a disc (stick), a ring (detached), or an arrow head along the slip.
+function paintState(view, what, place, t) {
+  const way = what === "slip-" ? -1 : 1;
+  if (what === "stick" || what === "detached") {
+    draw("circle", { class: `state ${what}`, cx: fixed(UNIT * place[0]), cy: fixed(-UNIT * place[1]), r: 4 }, view);
+    return;
+  }
+  const n = [t[1], -t[0]];
+  const corners = [along(place, t, 0.11 * way), along(along(place, t, -0.06 * way), n, 0.075),
+    along(along(place, t, -0.06 * way), n, -0.075)];
+  draw("path", { class: "state slip", d: `M${corners.map(spot).join("L")}Z` }, view);
+}

@@ -1,0 +1,38 @@
+"""The subcommand ``equilibrium lab``; `equilibrium.cli` adds it."""
+
+from __future__ import annotations
+
+import argparse
+from typing import Any
+
+from arrangement import terminal
+
+from .arguments import add_command, add_wrench
+
+
+def add_commands(commands: Any) -> None:
+    """Add lab."""
+    text = "a page in which contacts and load are dragged, with exact answers"
+    lab = add_command(commands, "lab", _lab, text, grasp=False, numbers=False)
+    lab.add_argument(
+        "grasp",
+        metavar="GRASP",
+        nargs="?",
+        help="at first: a path, - for stdin, or a built-in name",
+    )
+    lab.add_argument("-o", "--output", metavar="PATH", required=True, help="the page (.html)")
+    add_wrench(lab, "--wrench", "at first: applied force (f_x, f_y) and torque tau", None)
+    lab.add_argument("--title", metavar="TEXT", help="a heading")
+
+
+def _lab(arguments: argparse.Namespace) -> int:
+    from arrangement.io.writing import write_text_atomically
+    from equilibrium.draw.lab import lab_page
+    from equilibrium.io.files import read_grasp
+
+    grasp = None if arguments.grasp is None else read_grasp(arguments.grasp)
+    page = lab_page(grasp, wrench=arguments.wrench, title=arguments.title)
+    write_text_atomically(arguments.output, page)
+    if arguments.json:
+        terminal.print_json({"output": arguments.output})
+    return terminal.YES

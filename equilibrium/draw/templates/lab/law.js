@@ -1,0 +1,135 @@
+// The law of contacts, and the closed linear system of a choice of contact states.
+// A contact: { point, normal, friction, stiffness, preload }, exact; a motion d = (x, y, r).
+const STATES = ["detached", "slip+", "slip-", "stick"];
+const scaledBy = (row, x) => row.map((y) => times(x, y));
+const added = (a, b) => a.map((x, i) => plus(x, b[i]));
+const dotted = (a, b) => a.reduce((sum, x, i) => plus(sum, times(x, b[i])), ZERO);
+
+// N and T, the wrenches of unit forces; the same vectors give displacements from motions.
+function wrenchesOf({ point: [x, y], normal: [nx, ny] }) {
+  return {
+    N: [nx, ny, less(times(x, ny), times(y, nx))],
+    T: [minus(ny), nx, plus(times(x, nx), times(y, ny))],
+  };
+}
+
+// What the law says of one contact at a motion, without friction forces at rest.
+function contactAt(contact, motion) {
+  const { N, T } = wrenchesOf(contact);
+  const spring = less(contact.preload, times(contact.stiffness, dotted(N, motion)));
+  const slip = dotted(T, motion);
+  const state = spring.n <= 0n ? "detached" : slip.n > 0n ? "slip+" : slip.n < 0n ? "slip-" : "stick";
+  return { spring, slip, state };
+}
+
+// The conditions of one contact in (d, own unknowns, 1): equal rows = 0, atLeast rows >= 0, and the
+// normal and tangential force. The names of the rows say which condition each one is.
+function partOf(contact, state) {
+  const { N, T } = wrenchesOf(contact);
+  const own = { undecided: 2, attached: 1, stick: 1 }[state] ?? 0;
+  const unit = (k) => [...N.map(() => ZERO), ...Array.from({ length: own }, (_, i) => (i === k ? ONE : ZERO)), ZERO];
+  const none = unit(-1);
+  const padded = (row, constant) => [...row, ...Array.from({ length: own }, () => ZERO), constant];
+  const spring = padded(scaledBy(N, minus(contact.stiffness)), contact.preload);
+  const slip = padded(T, ZERO);
+  const mu = contact.friction;
+  const part = { own, equal: [], atLeast: [], normal: none, tangential: none };
+  const put = (name, row) => part.atLeast.push({ name, row });
+  const cone = () => {
+    put("cone", added(scaledBy(part.normal, mu), minusRow(part.tangential)));
+    put("cone", added(scaledBy(part.normal, mu), part.tangential));
+  };
+  if (state === "detached") put("spring", minusRow(spring));
+  else if (state === "undecided") {
+    [part.normal, part.tangential] = [unit(0), unit(1)];
+    put("least", added(part.normal, minusRow(spring)));
+    put("normal", part.normal);
+    cone();
+  } else {
+    part.normal = spring;
+    put("normal", spring);
+    if (own) {
+      part.tangential = unit(0);
+      cone();
+      if (state === "stick") part.equal.push({ name: "stick", row: slip });
+    } else {
+      const way = state === "slip+" ? ONE : minus(ONE);
+      part.tangential = scaledBy(spring, times(mu, minus(way)));
+      put("direction", scaledBy(slip, way));
+    }
+  }
+  return part;
+}
+
+const minusRow = (row) => row.map(minus);
+
+// The rows of all contacts in common unknowns: d, `free` further ones, then those of each contact.
+// The balance, sum of forces + w = 0, has w from `load`: rows in the free unknowns and 1.
+function systemOf(grasp, states, load, free = 0) {
+  const parts = grasp.map((contact, i) => partOf(contact, states[i]));
+  const starts = [];
+  let n = 3 + free;
+  for (const part of parts) { starts.push(n); n += part.own; }
+  const spread = (row, i) => {
+    const wide = Array.from({ length: n + 1 }, () => ZERO);
+    row.slice(0, 3).forEach((x, j) => { wide[j] = x; });
+    row.slice(3, -1).forEach((x, j) => { wide[starts[i] + j] = x; });
+    wide[n] = row.at(-1);
+    return wide;
+  };
+  const balance = load.map((row) => {
+    const wide = Array.from({ length: n + 1 }, () => ZERO);
+    row.slice(0, -1).forEach((x, j) => { wide[3 + j] = x; });
+    wide[n] = row.at(-1);
+    return wide;
+  });
+  const forces = parts.map((part, i) => [spread(part.normal, i), spread(part.tangential, i)]);
+  grasp.forEach((contact, i) => {
+    const { N, T } = wrenchesOf(contact);
+    forces[i].forEach((force, k) => force.forEach((x, c) => {
+      if (x.n) balance.forEach((row, j) => { row[c] = plus(row[c], times((k ? T : N)[j], x)); });
+    }));
+  });
+  const [equal, atLeast] = ["equal", "atLeast"].map((kind) => parts.flatMap((part, i) => part[kind]
+    .map(({ name, row }) => ({ name, contact: i, row: spread(row, i) }))));
+  return { n, balance, equal, atLeast, forces };
+}
+
+const loadOf = (wrench) => wrench.map((x) => [x]);
+
+// What is wrong with a motion and forces [[c_n, c_t], ...] under a wrench; empty if they obey the law.
+function lawProblem(grasp, wrench, motion, forces) {
+  let total = wrench;
+  for (const [i, contact] of grasp.entries()) {
+    const { N, T } = wrenchesOf(contact);
+    const [normal, tangential] = forces[i];
+    const { spring, slip } = contactAt(contact, motion);
+    const limit = times(contact.friction, normal);
+    if (!same(normal, spring.n > 0n ? spring : ZERO)) return `contact ${i + 1}: the spring gives another normal force`;
+    if (order(size(tangential), limit) > 0) return `contact ${i + 1}: outside the friction cone`;
+    if (slip.n && !same(tangential, slip.n > 0n ? minus(limit) : limit)) return `contact ${i + 1}: friction does not oppose slip fully`;
+    total = added(total, added(scaledBy(N, normal), scaledBy(T, tangential)));
+  }
+  return total.some((x) => x.n) ? "the forces do not balance" : "";
+}
+
+// What is wrong with a leaf of a proof; empty if no motion in its states balances the wrench: the sum of
+// load . motion and of alpha e + h s over the contacts is a number above 0, whatever the motion d is,
+// and no contact can work less than its term.
+function leafProblem(grasp, wrench, { states, motion, multipliers }) {
+  let total = [ZERO, ZERO, ZERO, dotted(motion, wrench)];
+  for (const [i, contact] of grasp.entries()) {
+    const { N, T } = wrenchesOf(contact);
+    const [alpha, h] = multipliers[i];
+    const rub = times(contact.friction, dotted(motion, T));
+    const way = { "slip+": minus(rub), "slip-": rub }[states[i]] ?? minus(size(rub));
+    const kappa = plus(dotted(motion, N), way);
+    if (["undecided", "detached"].includes(states[i]) && alpha.n < 0n) return `contact ${i + 1}: alpha is below 0`;
+    if (states[i] !== "detached" && order(alpha, kappa) > 0) return `contact ${i + 1}: alpha is above kappa`;
+    const free = states[i] === "stick" || !h.n || (states[i] === "slip-" ? h.n > 0n : states[i] === "slip+" && h.n < 0n);
+    if (!free) return `contact ${i + 1}: h has the wrong sign`;
+    const spring = [...scaledBy(N, minus(contact.stiffness)), contact.preload];
+    total = added(total, added(scaledBy(spring, alpha), [...scaledBy(T, h), ZERO]));
+  }
+  return total.slice(0, 3).some((x) => x.n) || total[3].n <= 0n ? "the sum is no number above 0" : "";
+}

@@ -1,0 +1,149 @@
+// What is chosen, and how a change leads to new answers. Long searches run in slices of a few
+// milliseconds, so that dragging never stutters; until they end, older answers are shown pale.
+const state = {
+  grasp: [], wrench: [ZERO, ZERO, ZERO], outline: null, chosen: null, turn: ONE, turnChosen: false,
+  found: null, choice: 0, leaf: null, motion: null, open: new Map(), searching: null,
+  states: [], pieces: [], mapped: "", mapping: null,
+  past: [], future: [], dragging: false, lit: null, step: null, place: 0, playing: null,
+  // The plane of forces, as `plane.js` reads it.
+  middle: [0, 0], half: 2, torque: ZERO, factor: ONE, slices: [], overlay: null,
+  turnSize() { return this.turn.n ? size(this.turn) : ONE; },
+  // Older answers are of use while contacts are as many.
+  get fits() { return this.found?.grasp.length === this.grasp.length; },
+  shownPiece() { return this.fits && this.found.stable ? this.found.equilibria[this.choice] : null; },
+  shownMotion() {
+    const told = (motion, words, virtual = false) => ({ motion, virtual, words,
+      states: this.grasp.map((contact) => contactAt(contact, motion).state) });
+    if (this.motion) return told(this.motion, `Blue: the chosen motion, ${motionWords(this.motion)} (enlarged).`);
+    const leaf = this.fits && !this.found.stable ? this.leaf ?? leavesOf(this.found.tree)[0] : null;
+    if (leaf) return told(leaf.motion, `Blue: the virtual motion of the proof, ${motionWords(leaf.motion)} (enlarged).`, true);
+    const piece = this.shownPiece();
+    return piece?.motion.some((x) => x.n) ? told(piece.motion, `Blue: the motion of this equilibrium (enlarged). Dark arrows: forces on the object.`) : null;
+  },
+};
+const pieces = () => state.pieces;
+const shownForce = () => state.wrench.slice(0, 2);
+const graspKey = () => hashOf(state.grasp, state.wrench).split("|")[1];
+
+// Runs a generator a few milliseconds at a time; the answer to `done`. Returns what stops it.
+function inSlices(search, done, first = 12) {
+  let stopped = false;
+  const run = (budget) => {
+    if (stopped) return;
+    const end = performance.now() + budget;
+    for (;;) {
+      const step = search.next();
+      if (step.done) { done(step.value); return; }
+      if (performance.now() > end) break;
+    }
+    setTimeout(() => run(8), 0);
+  };
+  run(first);
+  return () => { stopped = true; };
+}
+
+const refresh = oncePerFrame(() => {
+  paintGrasp();
+  paintDiscs();
+  paintMap();
+  describe();
+  writeFields();
+  highlight();
+});
+
+// After the grasp or the wrench has changed.
+function changed() {
+  Object.assign(state, { torque: state.wrench[2], leaf: null });
+  state.searching?.();
+  const { grasp } = state;
+  let ended = false;
+  const stop = inSlices(treeOf(grasp, state.wrench), (found) => {
+    ended = true;
+    Object.assign(state, { found: { ...found, grasp }, searching: null, choice: 0, leaf: null, open: new Map() });
+    chooseTurn();
+    findPieces();
+    refresh();
+    if (!state.dragging) say(sayVerdict());
+  }, state.dragging ? 10 : 80);
+  state.searching = ended ? null : stop;
+  if (!ended) refresh();
+  if (!state.dragging) writeHash();
+}
+
+// Unless an angle was chosen: that of the equilibrium, else one at which springs begin to let go.
+function chooseTurn() {
+  const r = state.shownPiece()?.motion[2];
+  if (state.turnChosen) return;
+  if (r?.n) { state.turn = r; return; }
+  const reach = state.grasp.map((c) => near(c.preload) / near(c.stiffness)).filter((x) => x > 0);
+  state.turn = reach.length ? ratio(BigInt(Math.max(1, Math.round((64 * Math.min(...reach)) / (data.size || 1) / 2))), 64n) : ONE;
+}
+
+// The states that occur, then the pieces of the plane of forces: when nothing has moved for a while.
+function findPieces() {
+  const key = `${graspKey()}@${textOf(state.torque)}`;
+  if (state.mapped === key) return;
+  const sameGrasp = state.mapped.split("@")[0] === graspKey();
+  state.mapping?.();
+  const wait = setTimeout(() => {
+    const found = [];
+    const search = (function* all() {
+      if (!sameGrasp) {
+        const list = [];
+        for (const one of statesOf(state.grasp)) { if (one) list.push(one); yield null; }
+        state.states = list;
+      }
+      for (const piece of piecesOf(state.grasp, state.torque, state.states.map(({ states }) => states))) { found.push(piece); yield null; }
+    })();
+    state.mapping = inSlices(search, () => {
+      Object.assign(state, { pieces: found, mapped: key, mapping: null });
+      if (!sameGrasp && !state.dragging) fitPlane();
+      showStep();
+      refresh();
+    });
+  }, state.dragging ? 90 : 0);
+  state.mapping = () => clearTimeout(wait);
+}
+
+// Undo keeps texts: each is a whole state.
+const snapshot = () => hashOf(state.grasp, state.wrench, state.outline);
+
+function edit(action) {
+  const before = snapshot();
+  action();
+  if (snapshot() === before) return;
+  if (!state.dragging) remember(before);
+  Object.assign(state, { motion: null, turnChosen: false });
+  changed();
+}
+
+function remember(before) {
+  if (before === snapshot()) return;
+  state.past.push(before);
+  state.future = [];
+  at("undo").disabled = false;
+  at("redo").disabled = true;
+}
+
+function restore(from, to) {
+  if (!from.length) return;
+  to.push(snapshot());
+  Object.assign(state, readHash(from.pop()), { motion: null, turnChosen: false });
+  state.chosen = state.chosen !== null && state.chosen < state.grasp.length ? state.chosen : null;
+  at("undo").disabled = !state.past.length;
+  at("redo").disabled = !state.future.length;
+  changed();
+}
+
+function load({ grasp, wrench, outline }) {
+  edit(() => Object.assign(state, { grasp, wrench, outline, chosen: grasp.length ? 0 : null }));
+  fitPlane();
+}
+
+function writeHash() {
+  try { history.replaceState(null, "", `#${snapshot()}`); } catch { /* a frame may have no address */ }
+}
+
+function say(text) {
+  if (at("said").textContent !== text) at("said").textContent = text;
+}

@@ -1,0 +1,471 @@
+"""The slip lab, opened in headless Chromium: its answers against the solver and the checker."""
+
+from __future__ import annotations
+
+import json
+import random
+import time
+from fractions import Fraction
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from arrangement import InputError
+from equilibrium import Contact, Grasp, solve
+from equilibrium.certificate.checker import check
+from equilibrium.certificate.law import law_problem
+from equilibrium.cli.program import main
+from equilibrium.draw import lab_page
+from equilibrium.instances import paths
+from equilibrium.io.files import read_grasp
+from equilibrium.solver.contact_states import contact_states
+from tests.browser import Browser
+
+NORMALS = [(1, 0), (0, 1), (-1, 0), (0, -1), ("3/5", "4/5"), ("-5/13", "12/13"), ("-3/5", "-4/5")]
+Question = tuple[Grasp, list[Fraction]]
+
+
+def questions(number: int, seed: int, most: int = 4) -> list[Question]:
+    """Return grasps on a coarse grid, with twins, planes that coincide, and boundary wrenches."""
+    rng = random.Random(seed)
+
+    def contact() -> Contact:
+        point = [Fraction(rng.randint(-4, 4), 2) for _ in range(2)]
+        friction = rng.choice(["0", "1/2", "1", "1/3"])
+        stiffness, preload = rng.choice([1, 2, "1/2"]), rng.choice([0, 0, 1, 2])
+        return Contact(point, rng.choice(NORMALS), friction, stiffness, preload)
+
+    found = []
+    for _ in range(number):
+        contacts = [contact() for _ in range(rng.randint(0, most))]
+        if contacts and rng.random() < 0.2:
+            contacts.append(contacts[0])
+        wrench = [Fraction(rng.randint(-4, 4), rng.choice([1, 2])) for _ in range(3)]
+        found.append((Grasp(contacts), wrench if rng.random() < 0.9 else [Fraction(0)] * 3))
+    return found
+
+
+@pytest.fixture
+def opened(browser: Browser, tmp_path: Path) -> Browser:
+    """Return the browser with the lab of the three contacts with preload, under (0, 1, 0)."""
+    path = tmp_path / "lab.html"
+    path.write_text(lab_page(), encoding="utf-8")
+    browser.open(path, 1280, 1000)
+    browser.settled()
+    return browser
+
+
+def texts(wrench: list[Fraction]) -> list[str]:
+    return list(map(str, wrench))
+
+
+def verdict(browser: Browser) -> str:
+    """Return what the page says, once it has looked."""
+    browser.settled()
+    for _ in range(100):
+        if not browser.run("return document.querySelector('#verdict.stale')"):
+            break
+        time.sleep(0.05)
+    said: str = browser.run("return document.getElementById('verdict').textContent")
+    return said
+
+
+def question(browser: Browser) -> Question:
+    """Return grasp and wrench of the address."""
+    _, contacts, wrench, *_ = browser.run("return location.hash.slice(1)").split("|")
+    rows = [one.split(",") for one in contacts.split(";") if one]
+    return Grasp(Contact(r[:2], r[2:4], *r[4:]) for r in rows), [
+        Fraction(x) for x in wrench.split(",")
+    ]
+
+
+def assert_right(browser: Browser) -> None:
+    """Check what the page says about its question by the solver."""
+    grasp, wrench = question(browser)
+    found = solve(grasp, wrench)
+    assert verdict(browser).startswith("Resisted" if found.stable else "Not resisted")
+
+
+def grip(browser: Browser, name: str) -> tuple[float, float]:
+    x, y = browser.run(
+        "const r = document.querySelector(`[data-grip='${arguments[0]}'] .knob`)"
+        ".getBoundingClientRect(); return [r.x + r.width / 2, r.y + r.height / 2]",
+        name,
+    )
+    return x, y
+
+
+def enter(browser: Browser, name: str, text: str) -> None:
+    browser.run(
+        "const box = document.getElementById(arguments[0]); box.focus(); box.value = arguments[1];"
+        "box.dispatchEvent(new Event('input'));",
+        name,
+        text,
+    )
+    browser.settled()
+
+
+def test_its_answers_are_those_of_the_solver_and_its_proofs_are_accepted(opened: Browser) -> None:
+    """A third route to the verdict: it shares nothing with the solver but the form of files."""
+    seen = set()
+    named = [(read_grasp(name), [Fraction(x) for x in w]) for name in paths() for w in WRENCHES]
+    for grasp, wrench in [*questions(240, seed=7), *questions(8, 3, most=6), *named]:
+        answer: dict[str, Any] = opened.run(
+            "return lab.solve(arguments[0], arguments[1])", grasp.to_dict(), texts(wrench)
+        )
+        found = solve(grasp, wrench)
+        assert answer["stable"] == found.stable, (grasp, wrench)
+        report = check(answer["certificate"], question=(grasp, tuple(wrench)))
+        assert report, (report.problem, json.dumps(answer["certificate"]))
+        for piece in answer["equilibria"]:
+            motion = tuple(map(Fraction, piece["motion"]))
+            forces = [tuple(map(Fraction, pair)) for pair in piece["forces"]]
+            assert not law_problem(grasp, tuple(wrench), motion, forces)
+        if all(piece.unique for piece in found.equilibria):
+            assert {tuple(map(Fraction, p["motion"])) for p in answer["equilibria"]} == {
+                piece.motion for piece in found.equilibria
+            }
+        seen.add((found.stable, len(found.equilibria) > 1))
+    assert {(True, False), (True, True), (False, False)} <= seen
+
+
+WRENCHES = [
+    ("0", "1", "0"),
+    ("0", "-1", "0"),
+    ("0", "0", "3"),
+    ("-3/2", "0", "0"),
+    ("0", "1000001/1000000", "0"),
+]
+
+
+def test_it_finds_the_contact_states_that_occur(opened: Browser) -> None:
+    for grasp, _ in questions(40, seed=11, most=3):
+        states = opened.run("return lab.states(arguments[0])", grasp.to_dict())
+        assert sorted(map(tuple, states)) == sorted(contact_states(grasp))
+
+
+def test_its_map_of_forces_is_that_of_the_solver(opened: Browser) -> None:
+    for grasp, (*_, torque) in questions(25, seed=13):
+        forces = [[Fraction(x, 2), Fraction(y, 2)] for x in (-3, 0, 1) for y in (-2, 0, 1)]
+        resisted = opened.run(
+            "return lab.resists(arguments[0], arguments[1], arguments[2])",
+            grasp.to_dict(),
+            str(torque),
+            [list(map(str, force)) for force in forces],
+        )
+        assert resisted == [solve(grasp, [*force, torque]).stable for force in forces]
+
+
+def test_the_border_is_met_exactly(opened: Browser) -> None:
+    enter(opened, "w-y", "1")
+    assert verdict(opened).startswith("Resisted")
+    enter(opened, "w-y", f"{10**30 + 1}/{10**30}")
+    assert verdict(opened).startswith("Not resisted")
+
+
+@pytest.mark.parametrize("name", ["load", "torque", "move-1", "turn-0"])
+def test_dragging_by_mouse_and_finger_snaps_to_exact_numbers(name: str, opened: Browser) -> None:
+    before = question(opened)
+    x, y = grip(opened, name)
+    opened.drag((x, y), (x + 24, y + 31))
+    assert_right(opened)
+    moved = question(opened)
+    assert moved != before
+    x, y = grip(opened, name)
+    opened.fingers([(x, y)], [(x + 10, y - 12)], [(x + 40, y - 44)])
+    assert_right(opened)
+    assert question(opened) not in (moved, before)
+    assert opened.messages() == []
+
+
+@pytest.mark.parametrize(
+    ("outline", "touches"),
+    [
+        ([["-1", "-2"], ["1", "-2"], ["1", "3/2"], ["0", "9/4"], ["-1", "3/2"]], "roof"),
+        ({"centre": ["0", "1/4"], "radius": "5/3"}, "circle"),
+    ],
+)
+def test_a_contact_slides_along_a_stated_outline(
+    outline: Any, touches: str, browser: Browser, tmp_path: Path
+) -> None:
+    """Its normal follows, and both stay exact."""
+    form = {**read_grasp("paper-four-contacts-preload-1").to_dict(), "outline": outline}
+    path = tmp_path / "lab.html"
+    path.write_text(lab_page(Grasp.from_dict(form), wrench=[0, -1, 0]), encoding="utf-8")
+    browser.open(path, 1280, 1000)
+    x, y = grip(browser, "move-0")
+    browser.drag((x, y), (x + 40, y - 20))
+    grasp, _ = question(browser)
+    (px, py), (nx, ny) = grasp.contacts[0].point, grasp.contacts[0].normal
+    if touches == "roof":
+        assert py == Fraction(9, 4) + Fraction(3, 4) * px
+        assert (nx, ny) == (Fraction(3, 5), Fraction(-4, 5))
+    else:
+        assert px**2 + (py - Fraction(1, 4)) ** 2 == Fraction(25, 9)
+        assert (nx, ny) == (-px * 3 / 5, (Fraction(1, 4) - py) * 3 / 5)
+    assert_right(browser)
+    browser.run("document.getElementById('undo').click()")
+    assert question(browser)[0] == Grasp.from_dict(form)
+    browser.run("document.getElementById('redo').click()")
+    address = browser.run("return location.href")
+    browser.open(address)
+    assert question(browser)[0] == grasp
+    assert browser.run("return document.querySelectorAll('#grasp .body.stated').length") == 1
+
+
+def test_all_can_be_done_with_keys(opened: Browser) -> None:
+    opened.run("document.querySelector('[data-grip=\"move-0\"]').focus()")
+    for name, change in [("ArrowUp", "point"), ("[", "normal")]:
+        before = question(opened)[0].contacts[0]
+        opened.key(name)
+        after = question(opened)[0].contacts[0]
+        assert getattr(after, change) != getattr(before, change)
+        assert_right(opened)
+    opened.key("Delete")
+    assert len(question(opened)[0]) == 2
+    assert_right(opened)
+    opened.run("document.getElementById('plane').focus()")
+    opened.key("ArrowDown")
+    assert question(opened)[1] == [0, Fraction(3, 4), 0]
+    opened.run("document.querySelector('[data-grip=\"torque\"]').focus()")
+    opened.key("ArrowUp")
+    assert question(opened)[1][2] == Fraction(1, 4)
+    assert_right(opened)
+    assert opened.run("return document.getElementById('said').textContent")
+
+
+def test_undo_and_redo_lead_through_all_states(opened: Browser) -> None:
+    seen = [question(opened)]
+    for name, text in [("c-friction", "3/4"), ("c-x", "-1e0"), ("c-y", ".25"), ("w-t", "-1/3")]:
+        enter(opened, name, text)
+        if question(opened) != seen[-1]:
+            seen.append(question(opened))
+    assert len(seen) == 4
+    for expected in reversed(seen[:-1]):
+        opened.run("document.getElementById('undo').click()")
+        assert question(opened) == expected
+        assert_right(opened)
+    for expected in seen[1:]:
+        opened.run("document.getElementById('redo').click()")
+        assert question(opened) == expected
+
+
+@pytest.mark.parametrize("text", ["1/0", "abc", "", "0x1", "1e", "--1", ".", "1.5/2", "-"])
+def test_what_is_no_number_is_marked_and_changes_nothing(text: str, opened: Browser) -> None:
+    before = question(opened)
+    enter(opened, "c-x", text)
+    invalid = "return document.querySelectorAll('[aria-invalid=\"true\"]').length"
+    assert opened.run(invalid) == 1
+    assert "3/4" in opened.run("return document.getElementById('problem').textContent")
+    assert question(opened) == before
+    enter(opened, "c-x", "-3/4")
+    assert opened.run(invalid) == 0
+    assert question(opened)[0].contacts[0].point[0] == Fraction(-3, 4)
+
+
+@pytest.mark.parametrize(
+    ("name", "text", "why"),
+    [("c-friction", "-1", "friction"), ("c-stiffness", "0", "stiffness"), ("c-n", "1, 1", "3/5")],
+)
+def test_numbers_out_of_range_are_refused(name: str, text: str, why: str, opened: Browser) -> None:
+    before = question(opened)
+    enter(opened, name, text)
+    assert why in opened.run("return document.getElementById('problem').textContent")
+    assert question(opened) == before
+
+
+def test_the_address_holds_the_state(opened: Browser, tmp_path: Path) -> None:
+    url = (tmp_path / "lab.html").as_uri()
+    opened.open(f"{url}#1|0,0,3/5,4/5,1/3,2,1;0,1,0,-1,0,1,0|-1/2,1,1e-3")
+    opened.settled()
+    grasp, wrench = question(opened)
+    assert grasp == Grasp(
+        [Contact([0, 0], ["3/5", "4/5"], "1/3", 2, 1), Contact([0, 1], [0, -1], 0)]
+    )
+    assert wrench == [Fraction(-1, 2), 1, Fraction(1, 1000)]
+    assert_right(opened)
+
+
+@pytest.mark.parametrize(
+    ("address", "why"),
+    [
+        ("2|0,0,1,0,1,1,0|0,0,0", "version 2"),
+        ("1|0,0,1,1,1,1,0|0,0,0", "length 1"),
+        ("1|<b>,0,1,0,1,1,0|0,0,0", "point"),
+        ("1|0,0,1,0,1,1,0", "whole"),
+        ("1||0,0", "three numbers"),
+        ("1|" + ";".join(["0,0,1,0,1,1,0"] * 9) + "|0,0,0", "9 contacts"),
+    ],
+)
+def test_a_wrong_address_is_explained_and_the_page_still_works(
+    address: str, why: str, opened: Browser, tmp_path: Path
+) -> None:
+    opened.open(f"{(tmp_path / 'lab.html').as_uri()}#{address}")
+    opened.settled()
+    assert why in opened.run("return document.getElementById('problem').textContent")
+    assert verdict(opened).startswith("Resisted")
+    assert opened.messages() == []
+
+
+@pytest.mark.parametrize(
+    ("text", "why"),
+    [
+        ("{", "JSON"),
+        ('{"planes": []}', "no grasp"),
+        ('{"schema_version": 1, "contacts": [{"point": [0.5, 0]}]}', "point"),
+        ('{"schema_version": 1, "contacts": [], "outline": [["0", "0"]]}', "outline"),
+    ],
+)
+def test_a_file_that_is_no_grasp_is_explained(text: str, why: str, opened: Browser) -> None:
+    choose = (
+        "const files = new DataTransfer(); files.items.add(new File([arguments[0]], 'a.json'));"
+        "const box = document.getElementById('file'); box.files = files.files;"
+        "box.dispatchEvent(new Event('change'))"
+    )
+    before = question(opened)
+    opened.run(choose, text)
+    opened.settled()
+    assert why in opened.run("return document.getElementById('problem').textContent")
+    assert question(opened) == before
+    grasp = read_grasp("several-equilibria")
+    opened.run(choose, json.dumps(grasp.to_dict()))
+    opened.settled()
+    assert question(opened)[0] == grasp
+    assert not opened.run("return document.getElementById('problem').textContent")
+    assert_right(opened)
+
+
+def test_a_cell_of_motions_is_shown_on_the_grasp(opened: Browser) -> None:
+    x, y = opened.run(
+        "const r = document.getElementById('discs').getBoundingClientRect();"
+        "return [r.x + r.width * 0.3, r.y + r.height * 0.35]"
+    )
+    opened.click_at(x, y)
+    said = opened.run("return document.getElementById('motion-words').textContent")
+    motion = [Fraction(v) for v in said.partition("(")[2].partition(")")[0].split(", ")]
+    grasp, _ = question(opened)
+    assert motion[2] > 0
+    for i, contact in enumerate(grasp, 1):
+        slip = sum(a * b for a, b in zip(contact.tangential_wrench, motion, strict=True))
+        gap = contact.stiffness * sum(
+            a * b for a, b in zip(contact.normal_wrench, motion, strict=True)
+        )
+        state = "detached" if gap >= contact.preload else f"slip{'+' if slip > 0 else '-'}"
+        assert f"{i} {state if slip or state == 'detached' else 'stick'}" in said
+    assert opened.run("return document.querySelectorAll('#grasp .ghost .moved').length") == 1
+    under = opened.run(
+        "return document.elementFromPoint(arguments[0], arguments[1])"
+        ".closest('[data-states]').dataset.states",
+        x,
+        y,
+    )
+    assert all(f"{i} {state}" in said for i, state in enumerate(under.split(","), 1))
+    lit = opened.run("return document.querySelectorAll('#discs .lit-cell').length")
+    assert lit >= 1
+    opened.key("Escape")
+    assert "Click" in opened.run("return document.getElementById('motion-words').textContent")
+
+
+def test_the_algorithms_can_be_stepped(opened: Browser) -> None:
+    time.sleep(0.5)
+    choose = (
+        "const box = document.getElementById('algorithm'); box.value = arguments[0];"
+        "box.dispatchEvent(new Event('change'))"
+    )
+    told = "return document.getElementById('told').textContent"
+    opened.run(choose, "planes")
+    for expected in ("2", "4", "8"):
+        assert opened.run("return document.querySelector('#told b').textContent") == expected
+        opened.run("document.getElementById('step').click()")
+    opened.run(choose, "states")
+    grasp, wrench = question(opened)
+    accepted = []
+    for _ in contact_states(grasp):
+        said = opened.run(told)
+        if "✓" in said:
+            accepted.append(said)
+        else:
+            assert "refused" in said or "contradict" in said or "none obeys" in said
+        opened.run("document.getElementById('step').click()")
+    assert bool(accepted) == solve(grasp, wrench).stable
+
+
+def test_a_refuted_load_shows_its_proof(opened: Browser) -> None:
+    enter(opened, "w-y", "5/4")
+    assert verdict(opened).startswith("Not resisted")
+    said = opened.run("return document.querySelector('.work').textContent")
+    assert "Virtual motion" in said
+    assert opened.run("return document.querySelectorAll('#grasp .ghost').length") == 1
+
+
+def test_its_command_line_repeats_the_answer(
+    opened: Browser, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    opened.run("document.getElementById('copy-command').click()")
+    command = opened.run("return document.getElementById('kept').textContent")
+    grasp, _, rest = command.removeprefix("echo '").partition("' | equilibrium ")
+    path = tmp_path / "grasp.json"
+    path.write_text(grasp)
+    words = rest.replace(" - ", f" {path} ").split()
+    assert main([*words, "--json"]) == 0
+    assert json.loads(capsys.readouterr().out)["stable"]
+
+
+@pytest.mark.parametrize("width", [390, 1280])
+def test_it_fits_and_needs_nothing_from_outside(
+    width: int, opened: Browser, tmp_path: Path
+) -> None:
+    opened.open(tmp_path / "lab.html", width, 900)
+    verdict(opened)
+    assert opened.run("return document.documentElement.scrollWidth") <= width
+    assert opened.messages() == []
+    assert opened.outside() == []
+    assert (tmp_path / "lab.html").stat().st_size < 400_000
+
+
+@pytest.mark.parametrize(
+    "grasp",
+    [
+        Grasp(),
+        Grasp([Contact([0, 0], [0, 1], 0)]),
+        Grasp([Contact([10**30, 0], [-1, 0], "1/3", 1, 1), Contact([-(10**30), 0], [1, 0], 1)]),
+        Grasp([Contact([1, 0], [-1, 0], "1/2", 1, 1), Contact([1, 0], [-1, 0], "1/2", 1, 1)]),
+        Grasp([Contact([Fraction(1, 10**90 + 7), 0], [0, 1], 10**60, 1, Fraction(1, 3))]),
+    ],
+    ids=["none", "frictionless", "far", "twice", "long"],
+)
+def test_unusual_grasps_are_shown(grasp: Grasp, browser: Browser, tmp_path: Path) -> None:
+    path = tmp_path / "lab.html"
+    path.write_text(lab_page(grasp, wrench=[0, -1, 0]), encoding="utf-8")
+    browser.open(path)
+    assert_right(browser)
+    browser.run("document.getElementById('add').click()")
+    assert len(question(browser)[0]) == len(grasp) + 1
+    assert_right(browser)
+    assert browser.messages() == []
+
+
+def test_text_of_a_title_stays_text(browser: Browser, tmp_path: Path) -> None:
+    title = "</script><script>document.title = 'gone'</script>"
+    path = tmp_path / "lab.html"
+    path.write_text(lab_page(title=title), encoding="utf-8")
+    browser.open(path)
+    assert browser.run("return document.title") == title
+
+
+def test_the_command_writes_it(tmp_path: Path) -> None:
+    path = tmp_path / "lab.html"
+    assert main(["lab", "-o", str(path)]) == 0
+    assert path.read_text(encoding="utf-8") == lab_page()
+    command = ["lab", "several-equilibria", "-o", str(path), "--wrench", "0,-1,0", "--title", "A"]
+    assert main(command) == 0
+    grasp = read_grasp("several-equilibria")
+    assert path.read_text(encoding="utf-8") == lab_page(grasp, wrench=[0, -1, 0], title="A")
+
+
+def test_too_many_contacts_or_digits_are_refused() -> None:
+    with pytest.raises(InputError, match="9 contacts; the lab takes at most 8"):
+        lab_page(Grasp([Contact([0, 0], [0, 1], 0)] * 9))
+    with pytest.raises(InputError, match="1001 digits; the lab takes at most 1000"):
+        lab_page(wrench=[10**1000, 0, 0])
