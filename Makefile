@@ -33,6 +33,7 @@ help:
 	@echo "make clean    remove what the targets made"
 	@echo "PYTHON=python3.12 picks the interpreter, ARGS='-k faces' goes to pytest."
 	@echo "Pages are tested where Chromium is; BROWSER_TESTS=1 demands it, BROWSER_TESTS=0 leaves it out."
+	@echo "TikZ files are compiled where pdflatex is; TEX_TESTS=1 and TEX_TESTS=0 likewise."
 
 $(BIN)/python:
 	@python="$(PYTHON)"; \
@@ -83,7 +84,7 @@ $(VENV)/.stamp-bench: pyproject.toml constraints.txt | $(BIN)/python
 install: $(VENV)/.stamp-install
 	@echo "installed; now type:  . $(BIN)/activate"
 
-verify: $(VENV)/.stamp-run
+verify: $(VENV)/.stamp-install
 	@mkdir -p report
 	$(BIN)/proofs-check run --report report/verdicts.html
 

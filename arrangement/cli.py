@@ -42,9 +42,7 @@ def _parser() -> terminal.Parser:
     )
     bounds.add_argument("--largest", type=int, default=12, metavar="M", help="4 to 30 (default 12)")
     bounds.add_argument("-o", "--output", metavar="PATH", help="a picture: .svg, .pdf, .png")
-    bounds.add_argument(
-        "--width", type=terminal.length_argument, metavar="MM", help="of the picture (default 180)"
-    )
+    bounds.add_argument("--width", metavar="LENGTH", help="of the picture (default 180mm)")
     bounds.set_defaults(command=_bounds)
 
     names = commands.add_parser("list", help="list the built-in arrangements")
@@ -114,7 +112,7 @@ def _bounds(arguments: argparse.Namespace) -> int:
 
     check_largest(arguments.largest)
     table = counts_table(arguments.largest)
-    if arguments.output:
+    if arguments.output is not None:
         from .draw import draw_counts, save_figure
 
         width = {} if arguments.width is None else {"width": arguments.width}
@@ -143,10 +141,11 @@ def _add_draw_options(draw: argparse.ArgumentParser) -> None:
 
 def _draw(arguments: argparse.Namespace) -> int:
     from .draw.command import given_options, write
-    from .draw.views import DRAWINGS
+    from .draw.views import drawings_of
 
     arrangement = _read(arguments)
-    return write(arguments, DRAWINGS, arrangement, given_options(arguments, DRAWINGS))
+    drawings = drawings_of(arrangement)
+    return write(arguments, drawings, arrangement, given_options(arguments, drawings))
 
 
 def _list(arguments: argparse.Namespace) -> int:

@@ -35,8 +35,10 @@ _PAGE = re.compile(r"\]\(\.\./([\w/-]+)\.md")
 _new = nbformat.v4
 
 
-def keep_captions(app, tree, name):
+def prepare(app, tree, name):
     """Make a paragraph of the caption of a figure; name a file beside its language."""
+    for entry in list(tree.findall(nodes.citation)):  # of the bibliography, which is no notebook
+        entry.parent.remove(entry)
     for caption in list(tree.findall(nodes.caption)):
         if isinstance(caption.parent, nodes.figure):
             caption.replace_self(nodes.paragraph("", "", *caption.children))
@@ -59,7 +61,7 @@ def write_markdown():
             status=None,
             warningiserror=True,
         )
-        app.connect("doctree-resolved", keep_captions)
+        app.connect("doctree-resolved", prepare)
         app.build()
         if app.statuscode:
             raise SystemExit("the warnings above must go; pictures are made by: make docs")

@@ -26,9 +26,9 @@ from .solver.contact_states import Codes, state_codes, states_at, states_of_code
 from .solver.equilibrium import Equilibrium, equilibrium_of, maximal
 from .solver.integer_contacts import IntegerContacts
 from .solver.interval_filter import Screen
+from .solver.part_program import Node
 from .solver.resistance import resistance
 from .solver.state_equilibrium import Solution
-from .solver.state_splits import Node
 from .solver.state_system import States, state_system
 
 #: With more contacts all equilibria are listed only when asked for: their search takes long.

@@ -1,3 +1,4 @@
+from .claim_file import load as load
 from .claims import registry as registry
 from .errors import (
     ClaimError as ClaimError,
@@ -23,7 +24,8 @@ from .statement import (
     Route as Route,
     Source as Source,
     Verdict as Verdict,
+    View as View,
 )
-from .user_claim import claim as claim, load as load
+from .user_claim import claim as claim
 
 __version__: str

@@ -172,7 +172,8 @@ def _value(route: Route, subject: Any) -> Any:
     except OwnClaimError:
         raise
     except Exception as error:
-        return Failure(f"{type(error).__name__}: {error}")
+        where = "".join(f" ({note})" for note in getattr(error, "__notes__", ()) if note)
+        return Failure(f"{type(error).__name__}: {error}{where}")
 
 
 def _agree(values: tuple[Any, ...]) -> bool:

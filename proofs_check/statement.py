@@ -9,7 +9,7 @@ same thing: the first has two routes, the second may have one.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from difflib import get_close_matches
 from enum import Enum
 from itertools import chain
@@ -117,6 +117,23 @@ class Hypothesis:
     covers: Callable[[Any], bool]
 
 
+@dataclass(frozen=True)
+class View:
+    """A picture for the report of a claim, by one of the registered drawings.
+
+    Attributes:
+        name: a view of `arrangement.draw`, or of `equilibrium.draw` for grasps.
+        caption: what it shows.
+        options: of the view.
+        instance: what is drawn, in file form; if None, the counterexample.
+    """
+
+    name: str
+    caption: str = ""
+    options: Mapping[str, Any] = field(default_factory=dict)
+    instance: Mapping[str, Any] | None = None
+
+
 Smaller = Callable[[list[Case], Callable[[Any], bool]], tuple[Case, int]]
 
 
@@ -145,6 +162,11 @@ class Claim:
         explain: a remark on one checked subject and its value.
         meaning: what the verdict means for the conclusions of the paper.
         rows: whether a report shows every case.
+        formula: the statement in mathematics, in the part of TeX that `reports.formula` reads.
+        section: heading of the paper under which a report lists the claim.
+        file: of a user, from which the claim was loaded.
+        proof: where its proof is: a section of the page on proofs and the words it begins with.
+        views: pictures that show why; if none, a report draws the counterexample.
     """
 
     id: str
@@ -166,6 +188,11 @@ class Claim:
     explain: Callable[[Any, Any], str] | None = None
     meaning: str = ""
     rows: bool = False
+    formula: str = ""
+    section: str = ""
+    file: str = ""
+    proof: tuple[str, str] | None = None
+    views: tuple[View, ...] = ()
 
     def __call__(self, subject: Any) -> Any:
         """Return the value of the first route on an instance."""

@@ -9,6 +9,7 @@ from pathlib import Path
 import pytest
 from hypothesis import HealthCheck, settings
 
+from tests import latex as tex
 from tests.browser import MISSING, Browser, left_out, programs, running
 
 ROOT = Path(__file__).resolve().parent.parent
@@ -34,8 +35,8 @@ def _uses_sympy(path: Path) -> bool:
 def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
     """Mark what meets SymPy, so that it can run with each of SymPy's ground types.
 
-    What opens pages is taken out where it is not wanted or cannot run, and a campaign where it is
-    not asked for by its name.
+    What opens pages or compiles TikZ is taken out where it is not wanted or cannot run, and a
+    campaign where it is not asked for by its name.
     """
     for item in items:
         if _uses_sympy(item.path):
@@ -43,6 +44,8 @@ def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item
     unwanted = set()
     if left_out():
         unwanted |= {item for item in items if "browser" in getattr(item, "fixturenames", ())}
+    if tex.not_compiled():
+        unwanted |= {item for item in items if "latex" in getattr(item, "fixturenames", ())}
     if "campaign" not in config.option.markexpr:
         unwanted |= {item for item in items if item.get_closest_marker("campaign")}
     config.hook.pytest_deselected(items=[item for item in items if item in unwanted])
@@ -51,8 +54,7 @@ def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item
 
 def pytest_terminal_summary(terminalreporter: pytest.TerminalReporter) -> None:
     """Say at the end of a run what it could not look at."""
-    reason = left_out()
-    if reason:
+    for reason in filter(None, (left_out(), tex.not_compiled())):
         terminalreporter.write_line(reason, yellow=True)
 
 
@@ -63,3 +65,10 @@ def browser() -> Iterator[Browser]:
         pytest.fail(MISSING, pytrace=False)
     with running() as found:
         yield found
+
+
+@pytest.fixture(scope="session")
+def latex() -> None:
+    """Demand pdflatex; see `tests.latex` for where it must come from."""
+    if not tex.is_there():
+        pytest.fail(tex.MISSING, pytrace=False)

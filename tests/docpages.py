@@ -43,6 +43,14 @@ _DIRECTIVE = re.compile(r"( *)\.\. (code-block|code|sourcecode|literalinclude)::
 _OPTION = re.compile(r" +:([\w-]+):(?: +(.*?))? *$")
 
 
+_FENCED = re.compile(r"^```console\n(.*?)^```$", re.MULTILINE | re.DOTALL)
+
+
+def _directive(fenced: re.Match[str]) -> str:
+    """Return a console block of Markdown as one of reStructuredText, on the same lines."""
+    return ".. code-block:: console\n" + textwrap.indent(fenced[1], "   ")
+
+
 @dataclass(frozen=True)
 class Block:
     """A block of code: its directive and argument, its first line, options and body."""
@@ -59,8 +67,8 @@ class Block:
 
 
 def blocks(text: str) -> Iterator[Block]:
-    """Yield the code blocks of a page, in order."""
-    lines = text.splitlines()
+    """Yield the code blocks of a page, in order; of Markdown, the console blocks."""
+    lines = _FENCED.sub(_directive, text).splitlines()
     for number, line in enumerate(lines):
         if not (found := _DIRECTIVE.match(line)):
             continue
@@ -169,6 +177,8 @@ class Page:
                 # The suite cannot run itself; what is shown is a target that can be made.
                 dry = ["make", "--dry-run", *targets]
                 subprocess.run(dry, cwd=ROOT, check=True, capture_output=True)
+            case [".", ".venv/bin/activate"]:
+                pass  # the suite runs in it
             case ["pip", "install", what]:
                 name, _, extras = what.rstrip("]").partition("[")
                 known = metadata("slipstates").get_all("Provides-Extra") or []

@@ -63,6 +63,7 @@ TARGETS = {
     "leaves": Target("equilibrium.solver.leaf_test", SEARCH, 12),
     "guess": Target("equilibrium.solver.state_equilibrium", SEARCH, 12),
     "splits": Target("equilibrium.solver.state_splits", SEARCH, 12),
+    "program": Target("equilibrium.solver.part_program", SEARCH, 12),
     "oracle": Target("proofs_check.routes.oracle", ("tests/proofs_check/test_oracle.py",), 12),
 }
 

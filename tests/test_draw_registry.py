@@ -18,7 +18,7 @@ from arrangement.cli import main as draw_planes
 from arrangement.draw import DRAWINGS as OF_PLANES
 from arrangement.draw.command import _KINDS
 from arrangement.draw.registry import Drawings
-from arrangement.draw.scene import Item, Label, Mark, Scene
+from arrangement.draw.scene import ROLES, Ball, Item, Label, Mark, Scene
 from equilibrium import read_grasp
 from equilibrium.cli.program import main as draw_grasp
 from equilibrium.draw import DRAWINGS as OF_GRASPS
@@ -56,13 +56,18 @@ def test_options_are_the_keyword_only_parameters(drawings: Drawings, kind: str, 
 def test_a_view_makes_a_scene_that_knows_no_format(drawings: Drawings, name: str) -> None:
     needed = [o.name for o in drawings.options("view", name).values() if o.required]
     options = {key: [(0, 2, 0)] if key == "wrenches" else (0, 2, 0) for key in needed}
-    scene = inspect.unwrap(function(drawings, "view", name))(SUBJECTS[drawings.package], **options)
+    subject = read_arrangement("pencil") if name == "lines" else SUBJECTS[drawings.package]
+    scene = inspect.unwrap(function(drawings, "view", name))(subject, **options)
     assert isinstance(scene, Scene)
     assert scene.items
     assert len({item.name.partition("-")[0] for item in scene.items}) > 1
     for item in scene.items:
         assert isinstance(item, Item)
-        points = item.place if isinstance(item, Label | Mark) else item.points
+        assert item.role in ROLES
+        points = (
+            item.place if isinstance(item, Label | Mark)
+            else item.centre if isinstance(item, Ball) else item.points
+        )  # fmt: skip
         assert np.isfinite(np.asarray(points)).all()
 
 

@@ -2,11 +2,13 @@
 
 import re
 import shlex
-from collections.abc import Mapping
 
 import pytest
 
+from arrangement import read_arrangement
 from arrangement.draw import DRAWINGS as OF_PLANES
+from arrangement.draw.registry import Drawings
+from arrangement.draw.views import drawings_of
 from equilibrium.draw import DRAWINGS as OF_GRASPS
 from tests.docpages import ROOT, blocks, commands
 
@@ -23,17 +25,32 @@ def option(words: list[str], name: str, default: str) -> str:
     return words[words.index(name) + 1] if name in words else default
 
 
-@pytest.mark.parametrize(
-    ("program", "views"), [("arrangement", OF_PLANES.views), ("equilibrium", OF_GRASPS.views)]
-)
-def test_every_view_is_shown(program: str, views: Mapping[str, str]) -> None:
-    first = next(iter(views))
-    assert {option(words, "--view", first) for words in SHOWN if words[0] == program} == set(views)
+PROGRAMS = [("arrangement", OF_PLANES), ("equilibrium", OF_GRASPS)]
+MODELS = (".stl", ".glb", ".obj")
 
 
-def test_every_model_is_shown() -> None:
-    models = [words for words in SHOWN if words[-1].endswith((".stl", ".glb", ".obj"))]
-    assert {option(words, "--model", "dual") for words in models} == set(OF_PLANES.models)
+def drawn(words: list[str]) -> str:
+    """Return the view that a command of `arrangement` draws if it names none."""
+    if words[0] == "equilibrium" or not words[-1].endswith((".svg", ".pdf", ".png", ".tex")):
+        return ""
+    return next(iter(drawings_of(read_arrangement(words[2])).views))
+
+
+@pytest.mark.parametrize(("program", "drawings"), PROGRAMS)
+def test_every_view_is_shown(program: str, drawings: Drawings) -> None:
+    first = next(iter(drawings.views))
+    found = {
+        option(words, "--view", drawn(words) or first) for words in SHOWN
+        if words[0] == program and not words[-1].endswith(MODELS)
+    }  # fmt: skip
+    assert found == set(drawings.views)
+
+
+@pytest.mark.parametrize(("program", "drawings"), PROGRAMS)
+def test_every_model_is_shown(program: str, drawings: Drawings) -> None:
+    first = next(iter(drawings.models))
+    models = [words for words in SHOWN if words[0] == program and words[-1].endswith(MODELS)]
+    assert {option(words, "--model", first) for words in models} == set(drawings.models)
 
 
 def test_every_picture_that_a_command_makes_is_on_the_page() -> None:

@@ -2,16 +2,22 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
-from typing import TypeAlias, TypeVar
+from typing import Any, TypeAlias, TypeVar
 
+from arrangement.errors import InputError
 from arrangement.exact import shown
 
 from .registry import refusal
 
 #: Light to dark, so that the order stays in grey: numbers of sides 2, 3, 4, 5, 6, and more.
 PALETTE = ("#ffffff", "#fdf0c0", "#b9dfd3", "#7fb9d8", "#6a96c8", "#8a7fb5")
+
+#: Regions with a common side, never of one colour; the second row for opposite regions.
+CHECKERS = (PALETTE[1], PALETTE[3], "#d8a640", "#3f7fae")
+
+COLOURINGS = ("sides", "parity", "signs", "none")
 
 #: Inks; the colours are those of Okabe and Ito.
 BLACK, GREY, PALE, BLUE, VERMILION = "#000000", "#767676", "#f2f2f2", "#0072b2", "#d55e00"
@@ -37,6 +43,110 @@ class DrawnRegion:
 
 Paint = TypeVar("Paint", bound=Callable[..., str])
 Painter: TypeAlias = Callable[[DrawnRegion], str]
+
+
+@dataclass(frozen=True)
+class Colouring:
+    """A colour for each region, and what a legend says of it.
+
+    Attributes:
+        paint: the colour of a region.
+        name: of the colouring; None for a function of one's own.
+    """
+
+    paint: Painter
+    name: str | None
+
+    def keys(self, drawn: Sequence[DrawnRegion]) -> list[tuple[str, dict[str, Any]]]:
+        """Return the legend for the regions that are drawn, for `Scene.keys`."""
+        if self.name == "sides":
+            numbers = sorted({region.sides for region in drawn} - {0})
+            return [(f"{k} sides" if k > 1 else "1 side", {"fc": side_colour(k)}) for k in numbers]
+        if self.name == "parity":
+            even, odd = ({"fc": fill} for fill in CHECKERS[:2])
+            return [("even", even), ("odd number of minus signs", odd)]
+        if self.name == "opposite":
+            pairs = zip(("even", "odd"), CHECKERS[:2], CHECKERS[2:], strict=True)
+            return [
+                (f"{text}{more}", {"fc": fill})
+                for text, light, dark in pairs
+                for more, fill in ((", + on plane 1", light), (", \u2212 on plane 1", dark))
+            ]
+        groups: dict[str, set[int]] = {}
+        for region in drawn if self.name == "signs" else ():
+            groups.setdefault(self.paint(region), set()).add(region.signs.count(-1))
+        entries: list[tuple[str, dict[str, Any]]] = []
+        for fill, counts in sorted(groups.items(), key=lambda item: min(item[1])):
+            low, high = min(counts), max(counts)
+            entries.append((f"{low}" if low == high else f"{low}\u2013{high}", {"fc": fill}))
+        if entries:
+            entries[-1] = (f"{entries[-1][0]} minus signs", entries[-1][1])
+        return entries
+
+
+def colouring(
+    colour: str | Painter | None,
+    antipodes: str | None,
+    regions: Sequence[DrawnRegion],
+    pairs: Sequence[tuple[int, int]],
+    classes: Sequence[Sequence[int]],
+) -> Colouring:
+    """Return the colouring of a name, or the one that suits an arrangement best.
+
+    Args:
+        colour: "sides", "signs", "parity", "none", or a function. If omitted: the number of
+            sides where it tells neighbours apart, else the parity of minus signs, which always
+            does. So two colours are enough for distinct planes.
+        antipodes: "same" or "opposite" colours for opposite regions of central planes. With
+            c distinct planes parity gives the same ones if c is even, else the two opposite ones.
+            Otherwise more colours are needed. Same and c odd: at least four if the planes are in
+            general position [Youngs1996]; as many as the rule of saturation (DSATUR) takes.
+            Opposite and c even: four, by parity and the side of plane 1.
+        regions: all of them.
+        pairs: the numbers of regions with a common side.
+        classes: of coincident planes, each counted once.
+
+    Raises:
+        InputError: an unknown name, or antipodes with another colouring than parity.
+    """
+    if antipodes not in (None, "same", "opposite"):
+        raise refusal(f"antipodes is {shown(antipodes)}", antipodes, ("same", "opposite"))
+    if isinstance(colour, str) and colour not in COLOURINGS:
+        raise refusal(f"the colouring is {shown(colour)}", colour, COLOURINGS)
+    if antipodes is not None and colour not in (None, "parity"):
+        raise InputError("antipodes goes with the colouring parity; leave out the other colouring")
+    if colour is None:
+        apart = all(regions[a].sides != regions[b].sides for a, b in pairs)
+        colour = "sides" if apart and pairs and antipodes is None else "parity"
+    if colour != "parity":
+        return Colouring(painter(colour), colour if isinstance(colour, str) else None)
+    firsts = [members[0] for members in classes]
+
+    def parity(region: DrawnRegion) -> int:
+        return sum(region.signs[k] < 0 for k in firsts) % 2
+
+    if antipodes == "opposite" and firsts and len(firsts) % 2 == 0:
+        return Colouring(
+            lambda region: CHECKERS[parity(region) + 2 * (region.signs[0] < 0)], "opposite"
+        )
+    if antipodes == "same" and len(firsts) % 2:
+        return Colouring(_projective(regions, pairs), "same")
+    return Colouring(lambda region: CHECKERS[parity(region)], "parity")
+
+
+def _projective(regions: Sequence[DrawnRegion], pairs: Sequence[tuple[int, int]]) -> Painter:
+    """Return colours that opposite regions share and neighbours do not."""
+    import networkx as nx
+
+    names = [max(r.signs, tuple(-s for s in r.signs)) for r in regions]
+    graph = nx.Graph((names[a], names[b]) for a, b in pairs)
+    found = nx.greedy_color(graph, "DSATUR")
+
+    def paint(region: DrawnRegion) -> str:
+        name = max(region.signs, tuple(-s for s in region.signs))
+        return (*CHECKERS, *PALETTE[4:])[found.get(name, 0) % 6]
+
+    return paint
 
 
 def painter(colour: str | Painter) -> Painter:

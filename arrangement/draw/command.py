@@ -9,12 +9,14 @@ from typing import Any
 from arrangement import terminal
 from arrangement.errors import InputError
 
-from .registry import Drawings, Option
+from .registry import LENGTHS, LETTERS, Drawings, Option
+from .themes import THEMES
 
 _KINDS: dict[str, dict[str, Any]] = {
     "str": {"metavar": "NAME"},
     "int": {"type": int, "metavar": "K"},
     "float": {"type": terminal.length_argument, "metavar": "N"},
+    "length": {"metavar": "LENGTH"},
     "Exact": {"type": terminal.rational_argument, "metavar": "Q"},
     "Vector": {"type": terminal.rational_argument, "nargs": 3, "metavar": ("X", "Y", "Z")},
     "Wrench": {"type": terminal.rational_argument, "nargs": 3, "metavar": ("FX", "FY", "TAU")},
@@ -31,19 +33,32 @@ def add_options(
     """Add the options of all that can be drawn, but for those that the command has itself."""
     parser.add_argument(
         "-o", "--output", required=True, metavar="PATH",
-        help=".svg, .pdf, .png: a picture; .html: an interactive page"
+        help=".svg, .pdf, .png, .tex (TikZ): a picture; .html: an interactive page"
         + "; .stl, .glb, .obj: a model" * bool(drawings.models),
     )  # fmt: skip
     for kind, suffix in (("view", "picture"), ("model", "model")):
         if known := getattr(drawings, f"{kind}s"):
             text = f"of a {suffix}: {', '.join(known)} (default: the first)"
             parser.add_argument(f"--{kind}", metavar=kind.upper(), help=text)
+    parser.add_argument(
+        "--font-size", metavar="LENGTH",
+        help="of a picture, of its larger letters, such as 8pt; lines follow (default: 7pt)",
+    )  # fmt: skip
+    parser.add_argument(
+        "--text", metavar="KIND", help=f"in .svg: {' or '.join(LETTERS)} (default: the first)"
+    )
+    parser.add_argument(
+        "--fragment", action="store_true", default=None, help="in .tex: no document, for \\input"
+    )
+    parser.add_argument(
+        "--theme", metavar="NAME", help=f"of a picture: {', '.join(THEMES)} (default: the first)"
+    )
     found: dict[str, list[tuple[str, Option]]] = {}
     for name, option in _every(drawings):
         found.setdefault(_flag(option), []).append((name, option))
     for flag, uses in found.items():
         if flag not in own:
-            style = dict(_KINDS[uses[0][1].kind])
+            style = dict(_KINDS["length" if flag in LENGTHS else uses[0][1].kind])
             if any(option.many for _, option in uses):
                 style |= {"action": "append"} if "nargs" in style else _EXTEND
             parser.add_argument(f"--{flag}", **style, help=_help(uses))
@@ -78,7 +93,8 @@ def given_options(arguments: argparse.Namespace, drawings: Drawings) -> dict[str
     """Return the options that were given, as the view, model or page takes them."""
     kind, name = drawings.target(arguments.output, arguments.view, _model(arguments))
     takes = {_flag(option): option for option in drawings.options(kind, name).values()}
-    options = {}
+    printing = {key: getattr(arguments, key) for key in ("font_size", "text", "fragment", "theme")}
+    options: dict[str, Any] = {key: x for key, x in printing.items() if x is not None}
     for flag in dict.fromkeys(_flag(option) for _, option in _every(drawings)):
         value = getattr(arguments, flag)
         if value is None:

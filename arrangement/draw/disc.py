@@ -1,4 +1,4 @@
-"""The front half of the sphere as a disc: regions, arcs, names at the rim, sign vectors."""
+"""The front half of the sphere as a disc: regions, arcs, names at the rim, labels."""
 
 from __future__ import annotations
 
@@ -9,14 +9,22 @@ from typing import Any
 
 import numpy as np
 
-from .colours import DrawnRegion, Painter, side_colour
+from .colours import DrawnRegion, Painter
+from .footer import Footer
 from .globe import Globe
-from .labels import flattened, spread, turn, write_inside
+from .labels import Leaders, flattened, keep_off, spread, turn, write_inside
 from .projections import Drawn, Projection
-from .scene import Floats, Scene, checked_width
+from .regionlabels import RegionLabels
+from .scene import Box, Floats, Scene
 
 #: Room for the numbers of the planes between the rim and the border, at least; in points.
 RIM = 13.0
+#: What is hidden: thinner, lighter, dashed. One rule for spheres and polyhedra.
+HIDDEN: dict[str, Any] = {
+    "lw": 0.5, "ls": (0, (3, 3)), "alpha": 0.5, "zorder": 2, "role": "hidden"
+}  # fmt: skip
+#: More regions than this get no leader lines.
+_MOST_LEADERS = 150
 
 
 @dataclass(frozen=True)
@@ -28,7 +36,9 @@ class Disc:
         centre, radius: of the limb, in points.
         globe: what is seen.
         drawn: its arcs and regions, cut at the limb, as curves.
+        names: of the regions.
         ink: the colour of each class of planes; if omitted, black.
+        solid: whether it is a ball, shaded, with the arcs on its far side dashed.
     """
 
     scene: Scene
@@ -36,44 +46,60 @@ class Disc:
     radius: float
     globe: Globe
     drawn: Drawn
+    names: RegionLabels
     ink: Callable[[int], str] | None = None
+    solid: bool = False
 
     def on_paper(self, points: Floats) -> Floats:
         """Return points of the disc in points of the scene."""
         return np.array(self.centre) + self.radius * points
 
     def draw(
-        self, paint: Painter, *, both_ends: bool = False, avoid: Floats | None = None
-    ) -> list[DrawnRegion]:
-        """Draw everything, sign vectors off the points `avoid`; return the regions seen."""
-        outlines = self.draw_curves(paint, both_ends=both_ends)
-        for region, outline in outlines:
-            write_inside(self.scene, outline, region.signs, other=avoid)
-        return [region for region, _ in outlines]
+        self,
+        paint: Painter,
+        *,
+        both_ends: bool = False,
+        avoid: Sequence[Floats] = (),
+        within: Box | None = None,
+    ) -> list[Floats]:
+        """Draw everything, labels of regions off the lines `avoid`; return all lines, (k, 2)."""
+        outlines, arcs, hidden = self.curves(paint, both_ends=both_ends)
+        inner = [*hidden, *avoid]
+        box = within or (0.0, self.scene.height - self.scene.width, *_corner(self.scene))
+        lines = [*arcs, *inner]
+        label_regions(self.scene, self.names, outlines, lines, inner, box)
+        return lines
 
-    def draw_curves(
+    def curves(
         self, paint: Painter, *, both_ends: bool = False
-    ) -> list[tuple[DrawnRegion, Floats]]:
-        """Draw everything but sign vectors; return the regions seen with their outlines."""
-        outlines = self._fill(paint)
-        self._arcs()
+    ) -> tuple[list[tuple[DrawnRegion, Floats]], list[Floats], list[Floats]]:
+        """Draw everything but labels of regions; return outlines, near arcs and far arcs."""
+        outlines = []
+        for piece, region in self.globe.front.items():
+            outline = self.on_paper(self.drawn.outline(piece))
+            self.scene.curve(outline, fc=paint(region), ec="none", gid=f"region-{piece}")
+            outlines.append((region, flattened(outline)))
+        if self.solid:
+            self.scene.ball(self.centre, self.radius, "#ffffff55", "#0000003c", zorder=1.5)
+        hidden = self._hidden()
         self._names(both_ends)
-        return [(region, flattened(outline)) for region, outline in outlines]
+        return outlines, self._arcs(), hidden
 
-    def _fill(self, paint: Painter) -> list[tuple[DrawnRegion, Floats]]:
-        drawn, sides = self.drawn, region_sides(self.globe)
-        found = []
-        for piece in range(drawn.sphere.region_count):
-            *signs, front = drawn.sphere.region_signs(piece)
-            if front > 0:
-                region = DrawnRegion(tuple(signs), sides[tuple(signs)])
-                outline = self.on_paper(drawn.outline(piece))
-                self.scene.curve(outline, fc=paint(region), ec="none", gid=f"region-{piece}")
-                found.append((region, outline))
+    def _hidden(self) -> list[Floats]:
+        """Draw the half of each circle on the far side, dashed; return points along them."""
+        globe, found = self.globe, []
+        for circle, normal in enumerate(globe.normals if self.solid else ()):
+            if circle != globe.limb:
+                start = np.array([normal[1], -normal[0], 0.0]) / math.hypot(normal[0], normal[1])
+                curve = self.on_paper(self.drawn.projection(normal, start, math.pi))
+                ink = self.ink(circle) if self.ink is not None else "black"
+                self.scene.curve(curve, fill=False, ec=ink, gid=f"back-{circle}", **HIDDEN)
+                found.append(_closed(flattened(curve, 8), curve))
         return found
 
-    def _arcs(self) -> None:
-        globe, drawn = self.globe, self.drawn
+    def _arcs(self) -> list[Floats]:
+        """Draw the arcs on the near side and the limb; return points along them."""
+        globe, drawn, found = self.globe, self.drawn, []
         is_plane = len(globe.cut.arrangement.distinct[globe.limb]) > 1
         for arc, circle in enumerate(drawn.sphere.incidence.arc_circle.tolist()):
             colour = self.ink(circle) if self.ink is not None else "black"
@@ -86,7 +112,10 @@ class Disc:
                 style |= {"ec": colour, "lw": thick, "gid": f"front-{arc}"}
             else:
                 continue
-            self.scene.curve(self.on_paper(drawn.arc(arc)), **style)
+            curve = self.on_paper(drawn.arc(arc))
+            self.scene.curve(curve, **style)
+            found.append(_closed(flattened(curve, 8), curve))
+        return found
 
     def _names(self, both_ends: bool) -> None:
         """Write the numbers of the planes outside the rim, pushed apart along it."""
@@ -104,7 +133,7 @@ class Disc:
         placed = spread([angle for angle, _, _ in wanted], 9.0 / (self.radius + RIM / 2))
         for (angle, text, circle), at in zip(wanted, placed, strict=True):
             ends_at = np.array([[math.cos(angle), math.sin(angle)], [math.cos(at), math.sin(at)]])
-            leader = self.on_paper(ends_at * [[1.0], [1 + 3.2 / self.radius]])
+            leader = self.on_paper(ends_at * [[1.0], [1 + 2.6 / self.radius]])
             colour = self.ink(circle) if self.ink is not None else "black"
             self.scene.line(leader, ec=colour, lw=0.4, zorder=2)
             self._name(ends_at[1], text, colour)
@@ -112,21 +141,61 @@ class Disc:
     def _name(self, outward: Floats, text: str, colour: str) -> None:
         for size in (7.0, 6.0, 5.0):
             w, h = self.scene.measure(text, size)
-            beyond = 3.6 + (abs(outward[0]) * w + abs(outward[1]) * h * 0.75) / 2
+            beyond = 3.4 + (abs(outward[0]) * w + abs(outward[1]) * h) / 2
             for extra in (0.0, 2.0, 4.0):
                 place = np.array(self.centre) + (self.radius + beyond + extra) * outward
-                if self.scene.write(place, text, size, color=colour):
+                if self.scene.write(place, text, size, color=colour, style="italic"):
                     return
 
 
-def alone(
-    globe: Globe, drawn: Drawn, colour: str | Painter, width: float, below: float = 0.0
-) -> Disc:
-    """Return a disc as wide as its scene, with room for a legend and more below, all in mm."""
-    width = checked_width(width)
-    scene = Scene(width, width + below + 5.0 * has_key(colour))
+def _corner(scene: Scene) -> tuple[float, float]:
+    return scene.width, scene.height
+
+
+def _closed(points: Floats, curve: Floats) -> Floats:
+    return np.vstack([points, curve[-1:]])
+
+
+def label_regions(
+    scene: Scene,
+    names: RegionLabels,
+    outlines: Sequence[tuple[DrawnRegion, Floats]],
+    lines: Sequence[Floats],
+    inner: Sequence[Floats],
+    within: Box,
+) -> None:
+    """Write the names of regions, first inside, then those that do not fit on leader lines.
+
+    Args:
+        scene: where to.
+        names: counts those that are left out.
+        outlines: of the regions.
+        lines: all lines drawn, each (k, 2); no label covers one.
+        inner: those among them that are no borders of regions.
+        within: a part of the scene that leader lines must not leave.
+    """
+    off = keep_off(inner)
+    small = [
+        (region, outline)
+        for region, outline in outlines
+        if names.forms(region.signs)
+        and not any(
+            write_inside(scene, outline, text, off=off) for text in names.forms(region.signs)
+        )
+    ]
+    leaders = Leaders(scene, lines, within, [outline for _, outline in outlines])
+    for region, outline in small:
+        names.left_out += len(outlines) > _MOST_LEADERS or not leaders.write(
+            outline, names.forms(region.signs)[0]
+        )
+
+
+def alone(globe: Globe, drawn: Drawn, footer: Footer, width: float, *, solid: bool = False) -> Disc:
+    """Return a disc as wide as its scene, with room for a footer below; `width` in mm."""
+    scene = Scene(width, width + footer.height(width))
     centre = (scene.width / 2, scene.height - scene.width / 2)
-    return Disc(scene, centre, scene.width / 2 - rim_width(scene, globe), globe, drawn)
+    radius = scene.width / 2 - rim_width(scene, globe)
+    return Disc(scene, centre, radius, globe, drawn, footer.names, solid=solid)
 
 
 def rim_width(scene: Scene, globe: Globe) -> float:
@@ -138,12 +207,6 @@ def rim_width(scene: Scene, globe: Globe) -> float:
 def front(globe: Globe, projection: Projection) -> Drawn:
     """Return the arrangement with the limb as one more circle, in a projection."""
     return Drawn(globe.cut, globe.points, globe.normals, projection)
-
-
-def region_sides(globe: Globe) -> dict[tuple[int, ...], int]:
-    """Return the number of sides of every region of the whole arrangement, by sign vector."""
-    degrees = globe.whole.incidence.region_degree.tolist()
-    return {globe.whole.region_signs(r): degrees[r] for r in range(globe.whole.region_count)}
 
 
 def plane_names(members: Sequence[int], count: int | None = None) -> str:
@@ -160,27 +223,3 @@ def plane_names(members: Sequence[int], count: int | None = None) -> str:
             parts += map(str, numbers[:run])
         numbers = numbers[run:]
     return ",".join(parts)
-
-
-def has_key(colour: str | Painter) -> bool:
-    """Return whether a colouring has a legend."""
-    return colour in ("sides", "signs")
-
-
-def key_entries(
-    colour: str | Painter, drawn: Sequence[DrawnRegion], paint: Painter
-) -> list[tuple[str, dict[str, Any]]]:
-    """Return the legend of a colouring for the regions that are drawn, for `Scene.keys`."""
-    if colour == "sides":
-        numbers = sorted({region.sides for region in drawn} - {0})
-        return [(f"{k} sides" if k > 1 else "1 side", {"fc": side_colour(k)}) for k in numbers]
-    groups: dict[str, set[int]] = {}
-    for region in drawn if colour == "signs" else ():
-        groups.setdefault(paint(region), set()).add(region.signs.count(-1))
-    entries: list[tuple[str, dict[str, Any]]] = []
-    for fill, counts in sorted(groups.items(), key=lambda item: min(item[1])):
-        low, high = min(counts), max(counts)
-        entries.append((f"{low}" if low == high else f"{low}\u2013{high}", {"fc": fill}))
-    if entries:
-        entries[-1] = (f"{entries[-1][0]} minus signs", entries[-1][1])
-    return entries

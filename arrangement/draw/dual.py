@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
@@ -11,13 +12,16 @@ from arrangement.exact import IntegerVector
 from arrangement.polyhedra.dual import dual_polyhedron
 from arrangement.polyhedra.inscribed import representative_hull
 
-from .colours import BLUE, VERMILION, DrawnRegion, Painter, painter, plane_colour
+from .colours import BLUE, VERMILION, DrawnRegion, Painter, plane_colour
 from .coordinates import in_coordinates
-from .disc import Disc, front, has_key, key_entries, plane_names, region_sides, rim_width
+from .disc import HIDDEN, Disc, front, plane_names, rim_width
+from .essential import shown_as
 from .figure import picture
-from .globe import Globe, clear_direction
-from .labels import SIZES, crosses, sign_forms, tried, write_beside
+from .footer import Footer
+from .globe import TO_LIGHT, Globe, clear_direction
+from .labels import SIZES, crosses, segments_of, tree_of, tried, write_along, write_beside
 from .projections import orthographic
+from .regionlabels import RegionLabels
 from .registry import Vector
 from .scene import Box, Floats, Scene, checked_width
 from .solids import Solid, dual_solid, hull_solid
@@ -27,11 +31,14 @@ SIDE_BY_SIDE = 120.0
 
 
 @picture
+@shown_as("dual")
 def draw_dual(
     arrangement: Arrangement,
     *,
     direction: Vector | None = None,
-    colour: str | Painter = "sides",
+    colour: str | Painter | None = None,
+    antipodes: str | None = None,
+    labels: str | None = None,
     width: float = 180.0,
     hull: bool = False,
     coordinates: str | None = None,
@@ -40,7 +47,8 @@ def draw_dual(
 
     Both are seen from the same direction. A region of the sphere and its vertex of the dual have
     the same colour and sign vector; a circle and its zone of parallel edges have the same colour
-    and number. Hidden edges are dashed; which are hidden is decided exactly. The generators of
+    and number. Both are lit from the upper left, from in
+    front. Hidden edges are dashed; which are hidden is decided exactly. The generators of
     the dual have length 1. In rank 2 the dual is a polygon, in rank 1 a segment.
 
     With `hull` the second panel has instead the convex hull of one point of the unit sphere for
@@ -55,7 +63,7 @@ def draw_dual(
         arrangement: central, in R^3, of rank 1 to 3; rank 3 for the hull.
         direction: the exact direction towards the viewer; if omitted, one from above in which no
             circle is edge-on and no vertex hides its opposite.
-        colour: as for `draw_sphere`.
+        colour, antipodes, labels: as for `draw_sphere`.
         width: of the figure, in millimetres; below 120 the panels stand one above the other.
         hull: draw the hull of representatives.
         coordinates: "symmetric": after a linear map that shows the symmetry of the planes and
@@ -67,40 +75,43 @@ def draw_dual(
             colouring.
         MissingExtraError: matplotlib is absent.
     """
-    paint, width = painter(colour), checked_width(width)
+    width, names = checked_width(width), RegionLabels(arrangement, labels)
     if coordinates is None and hull:
         coordinates = "given"
     arrangement, direction = in_coordinates(coordinates, arrangement, direction)
     globe = Globe(arrangement, direction)
     if direction is None and not hull:
         globe = Globe(arrangement, _oblique_direction(globe))
+    colours = globe.colouring(colour, antipodes)
     if hull:
         found = representative_hull(dual_polyhedron(arrangement))
         solid = hull_solid(found, globe.direction, globe.axes)
         points = np.array([[float(x) for x in p] for p in found.hull.points]) @ globe.axes.T
+        footer = Footer(colours, names, globe.regions, keys=_hull_entries(solid))
     else:
         solid, points = dual_solid(arrangement, globe.direction, globe.axes), None
+        note = "vertex = region, zone of parallel edges = circle; what is hidden is dashed"
+        footer = Footer(colours, names, globe.regions, [note])
     beside = width >= SIDE_BY_SIDE
     panel = width / 2 if beside else width
-    legend = 6.0 * has_key(colour) + (6.0 if hull else 5.0) + 2.0
-    scene = Scene(width, panel * (1 if beside else 2) + legend)
+    scene = Scene(width, panel * (1 if beside else 2) + footer.height(width))
     size = scene.width / 2 if beside else scene.width
     first = (size / 2, scene.height - size / 2)
     second = (size * 1.5, first[1]) if beside else (size / 2, first[1] - size)
     radius = size / 2 - rim_width(scene, globe)
-    drawn = _sphere(Disc(scene, first, radius, globe, front(globe, orthographic), _ink(hull)),
-                    paint, points)  # fmt: skip
-    picture = _Picture(scene, globe, solid, paint, hull)
+    disc = Disc(scene, first, radius, globe, front(globe, orthographic), names, _ink(hull), True)
+    _sphere(disc, colours.paint, points, (0.0, first[1] - size / 2, size, scene.height))
+    picture = _Picture(scene, globe, solid, [colours.paint(r) for r in _regions(globe, solid)],
+                       names, hull)  # fmt: skip
     picture.draw(second, radius if hull else size / 2 - 19.0, size / 2)
-    y = legend * 72 / 25.4 - 2
-    if has_key(colour):
-        y -= scene.keys(y, key_entries(colour, drawn, paint)) + 3
-    if hull:
-        scene.keys(y, picture.hull_entries())
-    else:
-        note = "vertex = region, zone of parallel edges = circle; hidden edges dashed"
-        scene.write((scene.width / 2, y - 7), note, 6.0)
+    footer.write(scene, second[1] - size / 2)
     return scene
+
+
+def _regions(globe: Globe, solid: Solid) -> list[DrawnRegion]:
+    """Return the regions in the order of the vertices."""
+    by_signs = {region.signs: region for region in globe.regions}
+    return [by_signs[signs] for signs in solid.signs]
 
 
 def _oblique_direction(globe: Globe) -> IntegerVector:
@@ -124,115 +135,140 @@ def _ink(hull: bool) -> Any:
     return None if hull else plane_colour
 
 
-def _sphere(disc: Disc, paint: Painter, points: Floats | None) -> list[DrawnRegion]:
+def _sphere(disc: Disc, paint: Painter, points: Floats | None, within: Box) -> None:
     """Draw the first panel, with the representatives in front as dots."""
-    places = None
+    dots: list[Floats] = []
     if points is not None:
         places = disc.on_paper(points[points[:, 2] > 0][:, :2])
+        dots = list(crosses(places, 1.1))
         for place in places:
-            disc.scene.circle(place, 1.1, fc="black", ec="none", zorder=4)
-    return disc.draw(paint, avoid=places)
+            disc.scene.circle(place, 1.1, fc="black", ec="none", zorder=4, role="point")
+    disc.draw(paint, avoid=dots, within=within)
 
 
 class _Picture:
     """The second panel."""
 
     def __init__(
-        self, scene: Scene, globe: Globe, solid: Solid, paint: Painter, hull: bool
+        self,
+        scene: Scene,
+        globe: Globe,
+        solid: Solid,
+        fills: Sequence[str],
+        names: RegionLabels,
+        hull: bool,
     ) -> None:
         self.scene, self.globe, self.solid, self.hull = scene, globe, solid, hull
-        sides = region_sides(globe)
-        self.fills = [paint(DrawnRegion(signs, sides[signs])) for signs in solid.signs]
+        self.fills, self.names = fills, names
 
     def draw(self, centre: tuple[float, float], radius: float, half: float) -> None:
         """Draw into the square around `centre` with sides of twice `half`."""
         solid, scene = self.solid, self.scene
         largest = 1.0 if self.hull else float(np.linalg.norm(solid.places, axis=1).max())
         self.places = np.array(centre) + solid.places * (radius / max(largest, 1e-9))
+        self.limb = np.empty((0, 2, 2))
         if self.hull:
             scene.circle(centre, radius, fill=False, ec="0.6", lw=0.4, zorder=1, gid="limb")
-        for k, (cycle, tilt) in enumerate(solid.faces):
-            grey = str(round(0.9 + 0.09 * tilt, 3))
+            at = np.linspace(0, 2 * np.pi, 181)
+            rim = np.array(centre) + radius * np.stack([np.cos(at), np.sin(at)], axis=1)
+            self.limb = segments_of([rim])
+        for k, (cycle, normal) in enumerate(solid.faces):
+            grey = str(round(0.8 + 0.19 * max(0.0, float(TO_LIGHT @ normal)), 3))
             scene.polygon(self.places[list(cycle)], fc=grey, ec="none", zorder=1, gid=f"face-{k}")
+        small = self._inscribe(radius)
         for e, (u, v, c) in enumerate(solid.edges):
-            scene.line(self.places[[u, v]], gid=f"edge-{e}", **self._style(c, solid.edge_hidden[e]))
-        small = min(2.6, radius / 14)
+            style = self._style(c, solid.edge_hidden[e])
+            style["lw"] *= min(1.0, small / 1.6)
+            scene.line(self.places[[u, v]], gid=f"edge-{e}", **style)
         for v, place in enumerate(self.places):
             hidden = solid.vertex_hidden[v]
-            style = {"lw": 0.35, "zorder": 2.5} if hidden else {"lw": 0.7, "zorder": 5}
+            style = (
+                {"lw": 0.35, "zorder": 2.5} if hidden else {"lw": min(0.7, small / 2), "zorder": 5}
+            )
             r = small * (0.7 if hidden else 1.0)
             scene.circle(place, r, fc=self.fills[v], ec="black", gid=f"vertex-{v}", **style)
         if not self.hull:
-            self._zones()
+            self._zones(small)
         self._labels(
             np.array(centre),
             small,
             (centre[0] - half, centre[1] - half, centre[0] + half, centre[1] + half),
         )
 
+    def _inscribe(self, radius: float) -> float:
+        """Return the radius of the vertices: for a number inside, if they are far enough apart."""
+        seen = self.places[~np.array(self.solid.vertex_hidden)]
+        gaps = np.linalg.norm(seen[:, None] - seen, axis=2) + 99.0 * np.eye(len(seen))
+        digits = max(len(self._text(v)) for v in range(len(self.places)))
+        inside = 2.6 + 1.3 * digits
+        self.inside = self.names.kind == "numbers" and gaps.min() > 2 * inside + 1
+        edges = self.places[[edge[:2] for edge in self.solid.edges]]
+        lengths = np.linalg.norm(edges[:, 0] - edges[:, 1], axis=1)
+        crowded = max(0.5, 0.28 * float(np.quantile(lengths, 0.1)))
+        return inside if self.inside else min(2.6, radius / 14, crowded)
+
+    def _text(self, v: int) -> str:
+        return next(iter(self.names.forms(self.solid.signs[v])), "")
+
     def _style(self, label: int, hidden: bool) -> dict[str, Any]:
         style: dict[str, Any] = {"capstyle": "round"}
         if self.hull:
             style |= _HULL_STYLES[min(label, 0)]
-            if hidden:
-                style |= {"alpha": 0.45, "lw": style["lw"] * 0.6, "zorder": 2}
-                style |= {} if label < 0 else {"ls": (0, (3, 3))}
-            return style
+            return style | HIDDEN if hidden else style
         style["ec"] = plane_colour(label)
         if hidden:
-            return style | {"lw": 0.6, "ls": (0, (3, 3)), "zorder": 2, "alpha": 0.7}
+            return style | HIDDEN
         return style | {"lw": 1.5, "zorder": 4}
 
-    def _zones(self) -> None:
-        """Write the number of each circle on an edge of its zone, the longest that is free."""
+    def _zones(self, small: float) -> None:
+        """Write the number of each circle beside an edge of its zone, the longest that is free."""
         solid, classes = self.solid, self.globe.whole.arrangement.distinct
         by_class: dict[int, list[tuple[float, int]]] = {}
         for e, (u, v, c) in enumerate(solid.edges):
             if not solid.edge_hidden[e]:
                 length = float(np.linalg.norm(self.places[u] - self.places[v]))
                 by_class.setdefault(c, []).append((-round(length, 3), e))
-        style: dict[str, Any] = {"plate": {"fc": "white", "ec": "none", "pad": 0.5}}
+        blocked = tree_of(self._segments(small + 0.5))
         for c, edges in sorted(by_class.items()):
             text = plane_names(classes[c])
             for _, e in sorted(edges):
-                u, v, _ = solid.edges[e]
-                middle = (self.places[u] + self.places[v]) / 2
-                gaps = np.linalg.norm(self.places - middle, axis=1)
-                if gaps.min() > 5.5 and self.scene.write(
-                    middle, text, 6.0, color=plane_colour(c), **style
-                ):
+                ends = self.places[list(solid.edges[e][:2])]
+                ink = {"color": plane_colour(c), "style": "italic"}
+                if write_along(self.scene, ends, text, 6.0, blocked, **ink):
                     break
 
-    def _labels(self, centre: Floats, small: float, within: Box) -> None:
-        """Write the sign vectors of the vertices, outer ones first, where they fit."""
-        solid, halo = self.solid, (1.2, "white")
-        few = len(solid.edges) <= 12
-        shown = [
-            self.places[[u, v]]
-            for (u, v, _), hidden in zip(solid.edges, solid.edge_hidden, strict=True)
-            if few or not hidden
-        ]
-        segments = np.concatenate([shown, crosses(self.places, small)])
-        far = np.round(np.linalg.norm(self.places - centre, axis=1), 4)
-        order = sorted(range(len(far)), key=lambda v: (solid.vertex_hidden[v], -far[v]))
-        for v in order[: tried(len(far))]:
-            if few or not solid.vertex_hidden[v]:
-                away = self.places[v] - centre if far[v] else (0.0, 1.0)
-                ink = {"color": "0.35" if solid.vertex_hidden[v] else "black"}
-                write_beside(
-                    self.scene, self.places[v], sign_forms(solid.signs[v]), SIZES,
-                    segments=segments, away=away, distance=small + 1.0, within=within,
-                    halo=halo, **ink,
-                )  # fmt: skip
+    def _segments(self, small: float) -> Floats:
+        """Return what no label may cover: edges, vertices, and the limb of a hull."""
+        edges = self.places[[edge[:2] for edge in self.solid.edges]]
+        return np.concatenate([edges, crosses(self.places, small), self.limb])
 
-    def hull_entries(self) -> list[tuple[str, dict[str, Any]]]:
-        """Return the legend of the kinds of edges, with their numbers."""
-        labels = [min(c, 0) for _, _, c in self.solid.edges]
-        names = {0: "hull and adjacency", -1: "hull only", -2: "adjacency only"}
-        return [
-            (f"{text}: {labels.count(kind)}", {"line": _HULL_STYLES[kind]})
-            for kind, text in names.items()
-        ]
+    def _labels(self, centre: Floats, small: float, within: Box) -> None:
+        """Write the names of the vertices: inside, or beside, where no other vertex is as near."""
+        solid, far = self.solid, np.round(np.linalg.norm(self.places - centre, axis=1), 4)
+        segments = self._segments(small)
+        order = sorted(range(len(far)), key=lambda v: (solid.vertex_hidden[v], -far[v]))
+        for v in order[: tried(len(far))] if self.names.kind != "none" else ():
+            hidden = solid.vertex_hidden[v]
+            if self.inside and not hidden:
+                self.scene.write(self.places[v], self._text(v), 5.0, zorder=7)
+                continue
+            away = self.places[v] - centre if far[v] else (0.0, 1.0)
+            write_beside(
+                self.scene, self.places[v], self.names.forms(solid.signs[v]), SIZES[1:],
+                segments=segments, away=away, distance=small * (0.7 if hidden else 1) + 1.0,
+                within=within, others=np.delete(self.places, v, axis=0),
+                color="0.45" if hidden else "black",
+            )  # fmt: skip
+
+
+def _hull_entries(solid: Solid) -> list[tuple[str, dict[str, Any]]]:
+    """Return the legend of the kinds of edges, with their numbers."""
+    labels = [min(c, 0) for _, _, c in solid.edges]
+    names = {0: "hull and adjacency", -1: "hull only", -2: "adjacency only"}
+    return [
+        (f"{text}: {labels.count(kind)}", {"line": _HULL_STYLES[kind]})
+        for kind, text in names.items()
+    ]
 
 
 _HULL_STYLES: dict[int, dict[str, Any]] = {

@@ -6,13 +6,17 @@ import functools
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Any, ParamSpec
 
+import numpy as np
+
 from .output import require_matplotlib
-from .scene import DPI, Item, Label, Mark, Path, Scene
+from .scene import DPI, SHADES, Ball, Box, Item, Label, Mark, Path, Place, Scene
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 P = ParamSpec("P")
+#: Size of the image of a ball.
+_PIXELS = 256
 _HATCH = {"hatch.linewidth": 0.35}
 
 
@@ -63,6 +67,8 @@ def _draw(axes: Any, item: Item) -> None:
         (artist,) = axes.plot(
             *([x] for x in item.place), item.sign, ms=item.size, ls="none", clip_on=False, **style
         )
+    elif isinstance(item, Ball):
+        artist = _shade(axes, item, style)
     elif isinstance(item, Path):
         artist = axes.add_artist(_patch(item, style))
     _clip(axes, artist, item)
@@ -71,6 +77,7 @@ def _draw(axes: Any, item: Item) -> None:
 def _patch(item: Path, style: dict[str, Any]) -> Any:
     from matplotlib import patches, path
 
+    style.setdefault("fc", "none")
     if item.kind == "circle":
         x, y = item.points.tolist()
         return patches.Circle((x, y), item.radius, **style)
@@ -82,29 +89,58 @@ def _patch(item: Path, style: dict[str, Any]) -> Any:
     return patches.PathPatch(path.Path(item.points, codes), **style)
 
 
+def _shade(axes: Any, item: Ball, style: dict[str, Any]) -> Any:
+    """Add a ball as a small image under its disc; neighbouring pixels differ by one shade."""
+    from matplotlib.colors import to_rgba
+
+    middle = (np.arange(_PIXELS) + 0.5) / _PIXELS * 2 - 1
+    x, y = np.meshgrid(middle, middle)
+    fx, fy = item.focus
+    # The circle of size t has its centre at (1 - t) focus: |p - (1 - t) f| = t.
+    px, py, rest = x - fx, y - fy, 1 - fx * fx - fy * fy
+    along = px * fx + py * fy
+    size = (along + np.sqrt(along**2 + rest * (px**2 + py**2))) / rest
+    sizes, shares = np.array(SHADES).T
+    share = np.interp(size, sizes, shares)[..., None]
+    near, far = (np.array(to_rgba(colour)) for colour in (item.near, item.far))
+    (cx, cy), r = item.centre, item.radius
+    image = axes.imshow(
+        near + share * (far - near), extent=(cx - r, cx + r, cy - r, cy + r), origin="lower",
+        aspect="auto", interpolation="none", **{"zorder": 1, **style},
+    )  # fmt: skip
+    _cut(axes, image, (item.centre, r))
+    return image
+
+
 def _write(axes: Any, item: Label, style: dict[str, Any]) -> None:
-    from matplotlib.patheffects import withStroke
+    from matplotlib.patheffects import Normal, Stroke
 
     halo, plate = style.pop("halo", None), style.pop("plate", None)
-    if halo is not None:
-        style["path_effects"] = [withStroke(linewidth=halo[0], foreground=halo[1])]
     if plate is not None:
         style["bbox"] = plate
-    axes.text(
-        *item.place, item.text, size=item.size, ha=item.ha, va=item.va, rotation=item.rotation,
-        linespacing=1.0, **style,
-    )  # fmt: skip
+    place = {"size": item.size, "ha": item.ha, "va": item.va, "rotation": item.rotation}
+    effects: list[Any] = [] if halo is None else [Stroke(linewidth=halo[0], foreground=halo[1])]
+    if effects and require_matplotlib().rcParams["svg.fonttype"] == "none":
+        # What has an effect becomes outlines; the letters on it stay letters.
+        axes.text(*item.place, item.text, **place, linespacing=1.0, path_effects=effects, **style)
+        effects = []
+    effects = [*effects, Normal()] if effects else effects
+    axes.text(*item.place, item.text, **place, linespacing=1.0, path_effects=effects, **style)
 
 
 def _clip(axes: Any, artist: Any, item: Item) -> None:
+    """Cut what is drawn; a ball is cut to its own disc alone."""
+    if item.clip is not None and not isinstance(item, Ball):
+        _cut(axes, artist, item.clip)
+
+
+def _cut(axes: Any, artist: Any, clip: Box | tuple[Place, float]) -> None:
     from matplotlib.patches import Circle, Rectangle
 
-    if item.clip is None:
-        return
-    if len(item.clip) == 2:
-        (x, y), radius = item.clip
+    if len(clip) == 2:
+        (x, y), radius = clip
         shape: Any = Circle((x, y), radius, transform=axes.transData)
     else:
-        left, low, right, high = item.clip
+        left, low, right, high = clip
         shape = Rectangle((left, low), right - left, high - low, transform=axes.transData)
     artist.set_clip_path(shape)

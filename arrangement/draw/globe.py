@@ -19,9 +19,14 @@ from arrangement.errors import InputError
 from arrangement.exact import IntegerVector, primitive, rational_vector, shown
 from arrangement.planes import Planes
 
+from .colours import Colouring, DrawnRegion, Painter, colouring
+from .scene import LIGHT
+
 Floats = npt.NDArray[np.float64]
 #: Circles beyond which a picture of one column shows nothing.
 MAX_CIRCLES = 60
+#: The unit vector towards the light, in the axes of a picture: the same for balls and solids.
+TO_LIGHT = np.array([*LIGHT, (1 - LIGHT[0] ** 2 - LIGHT[1] ** 2) ** 0.5])
 
 
 class Globe:
@@ -58,6 +63,29 @@ class Globe:
     def normals(self) -> Floats:
         """(c, 3); the unit normals of the circles of `cut`, in the axes of the picture."""
         return unit_vectors(self.cut.circle_normals) @ self.axes.T
+
+    @cached_property
+    def regions(self) -> tuple[DrawnRegion, ...]:
+        """All regions of `whole`, in its order."""
+        degrees = self.whole.incidence.region_degree.tolist()
+        return tuple(
+            DrawnRegion(self.whole.region_signs(r), degrees[r])
+            for r in range(self.whole.region_count)
+        )
+
+    @cached_property
+    def front(self) -> dict[int, DrawnRegion]:
+        """The regions of `cut` on the near side, each with the region of which it is a part."""
+        sides = {region.signs: region for region in self.regions}
+        cut = ((piece, self.cut.region_signs(piece)) for piece in range(self.cut.region_count))
+        return {piece: sides[signs[:-1]] for piece, signs in cut if signs[-1] > 0}
+
+    def colouring(self, colour: str | Painter | None, antipodes: str | None) -> Colouring:
+        """Return how the regions are coloured; see `colours.colouring`."""
+        beside = self.whole.incidence.region[: 2 * self.whole.arc_count].tolist()
+        pairs = list(zip(beside[::2], beside[1::2], strict=True))
+        classes = self.whole.arrangement.distinct
+        return colouring(colour, antipodes, self.regions, pairs, classes)
 
     @cached_property
     def limb(self) -> int:

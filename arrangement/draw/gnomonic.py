@@ -9,24 +9,30 @@ import numpy as np
 from arrangement.arrangement import Arrangement
 from arrangement.exact import IntegerVector
 
-from .colours import Painter, painter
+from .colours import Painter
 from .coordinates import in_coordinates
-from .disc import alone, front, key_entries, plane_names
+from .disc import alone, front, plane_names
+from .essential import shown_as
 from .figure import picture
+from .footer import Footer
 from .globe import Globe, best_direction, unit_vectors
 from .projections import Chart, Drawn, StraightChart, orthographic
+from .regionlabels import RegionLabels
 from .registry import Vector
-from .scene import Floats, Scene
+from .scene import Floats, Scene, checked_width
 
 _BOTH_ENDS = 16
 
 
 @picture
+@shown_as("gnomonic")
 def draw_gnomonic(
     arrangement: Arrangement,
     *,
     direction: Vector | None = None,
-    colour: str | Painter = "sides",
+    colour: str | Painter | None = None,
+    antipodes: str | None = None,
+    labels: str | None = None,
     width: float = 88.0,
     coordinates: str | None = None,
 ) -> Scene:
@@ -48,10 +54,10 @@ def draw_gnomonic(
     says so.
 
     Args:
-        arrangement: central, in R^3, any rank.
+        arrangement: central, of rank at most 3; in another space than R^3 its essentialisation.
         direction: the exact direction of the middle; if omitted, one in which all rays stay far
             from infinity.
-        colour: as for `draw_sphere`.
+        colour, antipodes, labels: as for `draw_sphere`.
         width: of the figure, in millimetres.
         coordinates: "symmetric": after a linear map that shows the symmetry of the planes and
             changes no sign vector; "even": after one that spreads the normals evenly; "given". If
@@ -61,25 +67,25 @@ def draw_gnomonic(
         InputError: another space, planes off the origin, too many circles, unknown colouring.
         MissingExtraError: matplotlib is absent.
     """
-    paint = painter(colour)
+    width = checked_width(width)
+    names = RegionLabels(arrangement, labels)
     arrangement, direction = in_coordinates(coordinates, arrangement, direction)
     globe = Globe(arrangement, direction)
     if direction is None:
         globe = Globe(arrangement, _central_direction(globe))
-    drawn = _chart(globe)
-    disc = alone(globe, drawn, colour, width, below=7.0)
-    scene, dots = disc.scene, None
-    if isinstance(drawn.projection, Chart):
-        inner = drawn.projection.inner
-        dotted = {"lw": 0.5, "ls": (0, (1, 2)), "zorder": 2, "gid": "to-scale"}
-        scene.circle(disc.centre, disc.radius * inner, fill=False, ec="black", **dotted)
+    colours = globe.colouring(colour, antipodes)
+    footer = Footer(colours, names, list(globe.front.values()), [_note(globe)])
+    disc = alone(globe, _chart(globe), footer, width)
+    dotted = []
+    if isinstance(disc.drawn.projection, Chart):
+        inner = disc.drawn.projection.inner
+        style = {"lw": 0.5, "ls": (0, (1, 2)), "zorder": 2, "gid": "to-scale", "role": "line"}
+        disc.scene.circle(disc.centre, disc.radius * inner, fill=False, ec="black", **style)
         at = np.linspace(0, 2 * math.pi, 200)
-        dots = disc.on_paper(inner * np.stack([np.cos(at), np.sin(at)], axis=1))
-    few = globe.whole.circle_count <= _BOTH_ENDS
-    regions = disc.draw(paint, both_ends=few, avoid=dots)
-    scene.write((scene.width / 2, 3.0), _note(globe), 6.0, anchor=(0.5, 0.0))
-    scene.keys(25.0, key_entries(colour, regions, paint))
-    return scene
+        dotted = [disc.on_paper(inner * np.stack([np.cos(at), np.sin(at)], axis=1))]
+    disc.draw(colours.paint, both_ends=globe.whole.circle_count <= _BOTH_ENDS, avoid=dotted)
+    footer.write(disc.scene, disc.scene.height - disc.scene.width)
+    return disc.scene
 
 
 def _note(globe: Globe) -> str:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -12,17 +13,18 @@ from arrangement.arrangement import Arrangement
 from arrangement.errors import InputError
 from arrangement.polyhedra.dual import dual_polygon, dual_polyhedron, dual_segment
 
-from .colours import DrawnRegion, Painter, painter, plane_colour
+from .colours import CHECKERS, Colouring, DrawnRegion, Painter, colouring, plane_colour
 from .coordinates import symmetry
-from .disc import has_key, key_entries, plane_names
+from .disc import plane_names
+from .essential import shown_as
 from .figure import picture
+from .footer import Footer
 from .globe import MAX_CIRCLES, unit_vectors
-from .labels import SIZES, crosses, segments_meet, sign_forms, tried, write_beside
-from .scene import POINTS, Floats, Scene, checked_width
+from .labels import SIZES, crosses, tree_of, tried, write_along, write_beside
+from .regionlabels import RegionLabels
+from .scene import Floats, Scene, checked_width
 from .solids import edges_of, flat_edges
 from .tutte import tutte_places
-
-_PAD: dict[str, Any] = {"plate": {"fc": "white", "ec": "none", "pad": 0.4}}
 
 
 @dataclass(frozen=True)
@@ -43,10 +45,13 @@ class PlanarGraph:
 
 
 @picture
+@shown_as("graph")
 def draw_graph(
     arrangement: Arrangement,
     *,
-    colour: str | Painter = "sides",
+    colour: str | Painter | None = None,
+    antipodes: str | None = None,
+    labels: str | None = None,
     width: float = 88.0,
 ) -> Scene:
     """Draw the graph of the dual (regions, and which of them share a facet) without crossings.
@@ -61,7 +66,7 @@ def draw_graph(
 
     Args:
         arrangement: central; rank 3 in R^3, or rank 1 or 2 in any space.
-        colour: of vertices, as for `draw_sphere`.
+        colour, antipodes, labels: of vertices, as for `draw_sphere`.
         width: of the figure, in millimetres.
 
     Raises:
@@ -69,31 +74,32 @@ def draw_graph(
             colouring.
         MissingExtraError: matplotlib is absent.
     """
-    paint, width = painter(colour), checked_width(width)
-    graph = planar_graph(arrangement)
-    bottom = 12.0 + 5.0 * has_key(colour)
-    scene = Scene(width, width + bottom)
-    picture = _Picture(arrangement, graph, scene, paint)
-    picture.draw()
-    y = (bottom - 1) * POINTS
-    if has_key(colour):
-        y -= scene.keys(y, key_entries(colour, picture.regions, paint)) + 2
-    marker = {"fc": "white", "lw": 0.7}
+    width = checked_width(width)
+    graph, names = planar_graph(arrangement), RegionLabels(arrangement, labels)
+    degrees = np.bincount(np.array([edge[:2] for edge in graph.edges]).ravel()).tolist()
+    regions = [DrawnRegion(s, d) for s, d in zip(graph.signs, degrees, strict=True)]
+    pairs = [(u, v) for u, v, _ in graph.edges]
+    colours = colouring(colour, antipodes, regions, pairs, arrangement.distinct)
+    fills = CHECKERS if colours.name == "parity" else ("white", "white")
     even = "even number of minus signs"
     if len(arrangement.distinct) < len(arrangement):
         even += ", coincident planes counted once"
-    y -= scene.keys(
-        y,
-        [
-            (even, {"marker": "round", **marker}),
-            ("odd", {"marker": "square", **marker}),
-        ],
-        6.0,
-    )
+    shapes = (("round", even), ("square", "odd"))
+    keys: list[tuple[str, dict[str, Any]]] = [
+        (text, {"marker": shape, "fc": fill, "lw": 0.7})
+        for (shape, text), fill in zip(shapes, fills, strict=False)
+    ]
+    if colours.name == "parity":
+        colours = Colouring(colours.paint, None)
+    notes = []
     if arrangement.rank == 3:
         crossed = sorted({c for u, v, c in graph.edges if u in graph.outer and v in graph.outer})
-        names = plane_names(sorted(k for c in crossed for k in arrangement.distinct[c]))
-        scene.write((scene.width / 2, y - 6), f"outer polygon: a ray on the planes {names}", 6.0)
+        planes = plane_names(sorted(k for c in crossed for k in arrangement.distinct[c]))
+        notes = [f"outer polygon: a ray on the planes {planes}"]
+    footer = Footer(colours, names, regions, notes, keys)
+    scene = Scene(width, width + footer.height(width))
+    _Picture(arrangement, graph, scene, [colours.paint(region) for region in regions], names).draw()
+    footer.write(scene, scene.height - scene.width)
     return scene
 
 
@@ -137,11 +143,20 @@ def _cycle(arrangement: Arrangement) -> PlanarGraph:
 
 class _Picture:
     def __init__(
-        self, arrangement: Arrangement, graph: PlanarGraph, scene: Scene, paint: Painter
+        self,
+        arrangement: Arrangement,
+        graph: PlanarGraph,
+        scene: Scene,
+        fills: Sequence[str],
+        names: RegionLabels,
     ) -> None:
         self.arrangement, self.graph, self.scene = arrangement, graph, scene
+        self.fills, self.names = fills, names
         half = scene.width / 2
-        margin = min(max(scene.measure(sign_forms(graph.signs[0])[-1], 6.0)) + 6, 26.0)
+        widest = max(
+            (form for s in graph.signs for form in names.forms(s)[:1]), key=len, default=""
+        )
+        margin = min(max(scene.measure(widest, 6.0)) + 6, 26.0)
         self.centre = np.array([half, scene.height - half])
         low, high = graph.places.min(axis=0), graph.places.max(axis=0)
         self.places = self.centre + (graph.places - (low + high) / 2) * (
@@ -149,9 +164,6 @@ class _Picture:
         )
         ends = np.array([edge[:2] for edge in graph.edges])
         self.segments = self.places[ends]
-        degrees = np.bincount(ends.ravel(), minlength=len(graph.signs)).tolist()
-        self.regions = [DrawnRegion(s, d) for s, d in zip(graph.signs, degrees, strict=True)]
-        self.fills = [paint(region) for region in self.regions]
         lengths = np.linalg.norm(self.segments[:, 0] - self.segments[:, 1], axis=1)
         self.lengths = np.round(lengths, 4)
         self.size = float(min(3.0, max(0.4, 0.28 * np.quantile(lengths, 0.1))))
@@ -173,7 +185,7 @@ class _Picture:
 
     def _zones(self) -> None:
         """Number the edges: the outer polygon outside, then one long edge of each class."""
-        dots = np.concatenate([self.segments, crosses(self.places, self.size + 0.5)])
+        dots = tree_of(np.concatenate([self.segments, crosses(self.places, self.size + 0.5)]))
         named: set[int] = set()
         for e in np.argsort(-self.lengths, kind="stable").tolist():
             c = self.graph.edges[e][2]
@@ -182,25 +194,20 @@ class _Picture:
             if self.lengths[e] < 2 * self.size + 10:
                 break
             text = plane_names(self.arrangement.distinct[c])
-            w, h = self.scene.measure(text, 6.0)
-            if self.lengths[e] < 2 * self.size + max(w, h) + 6:
-                continue
-            middle = self.segments[e].mean(axis=0)
-            others = np.delete(dots, e, axis=0)
-            box = self.scene.box(middle, text, 6.0)
-            if not segments_meet(box, others).any() and self.scene.write(
-                middle, text, 6.0, color=plane_colour(c), **_PAD
-            ):
+            ink = {"color": plane_colour(c), "style": "italic"}
+            if write_along(self.scene, self.segments[e], text, 6.0, dots, **ink):
                 named.add(c)
 
     def _labels(self) -> None:
         """Write the sign vectors where they fit, the outer polygon first."""
         segments = np.concatenate([self.segments, crosses(self.places, self.size)])
         far = np.round(np.linalg.norm(self.places - self.centre, axis=1), 3)
-        for v in np.argsort(-far, kind="stable").tolist()[: tried(len(far))]:
+        order = np.argsort(-far, kind="stable").tolist()
+        for v in order[: tried(len(far))] if self.names.kind != "none" else ():
             write_beside(
-                self.scene, self.places[v], sign_forms(self.graph.signs[v]), SIZES,
+                self.scene, self.places[v], self.names.forms(self.graph.signs[v]), SIZES,
                 segments=segments, away=self._gap(v), distance=self.size + 1.0,
+                others=np.delete(self.places, v, axis=0),
                 within=(0.0, self.centre[1] - self.scene.width / 2, self.scene.width,
                         self.scene.height),
             )  # fmt: skip

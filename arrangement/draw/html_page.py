@@ -40,11 +40,32 @@ def one_page(
         body, styles, scripts: templates; the scripts run as one, in strict mode.
         data: what the script finds, as JSON, in the element ``data``.
     """
+    return framed(
+        title,
+        f"{_text(body)}\n"
+        "<noscript><p>This page needs JavaScript; all of it is in this file.</p></noscript>\n"
+        f'<script type="application/json" id="data">{embedded(data)}</script>',
+        styles,
+        scripts,
+    )
+
+
+def framed(
+    title: str, body: str, styles: Iterable[Template], scripts: Iterable[Template], policy: str = ""
+) -> str:
+    """Return a complete HTML page with a body that is HTML already.
+
+    Args:
+        title: of the window.
+        body: in which every text is escaped.
+        styles, scripts: templates; the scripts run as one, in strict mode, after the body.
+        policy: what the page may do besides.
+    """
     style = "".join(map(_text, styles))
     script = '"use strict";\n(() => {\n' + "".join(map(_text, scripts)) + "})();\n"
     policy = (
         f"default-src 'none'; img-src data:; style-src '{_hash(style)}'; "
-        f"script-src '{_hash(script)}'; base-uri 'none'; form-action 'none'"
+        f"script-src '{_hash(script)}'; base-uri 'none'; form-action 'none'{policy}"
     )
     return "\n".join(
         [
@@ -53,9 +74,7 @@ def one_page(
             '<meta name="viewport" content="width=device-width, initial-scale=1">',
             '<link rel="icon" href="data:,">',
             f"<title>{html.escape(title)}</title>",
-            f"<style>{style}</style>\n</head>\n<body>\n{_text(body)}",
-            "<noscript><p>This page needs JavaScript; all of it is in this file.</p></noscript>",
-            f'<script type="application/json" id="data">{embedded(data)}</script>',
+            f"<style>{style}</style>\n</head>\n<body>\n{body}",
             f"<script>{script}</script>\n</body>\n</html>\n",
         ]
     )

@@ -15,6 +15,10 @@ from .scene import Box, Floats, Place, Scene
 Booleans: TypeAlias = npt.NDArray[np.bool_]
 #: Sizes of sign vectors that are tried, in points.
 SIZES = (7.0, 6.0, 5.0)
+#: Lengths of leader lines that are tried, in points.
+_REACHES = (7.0, 10.0, 14.0, 19.0, 25.0, 32.0, 40.0, 50.0)
+#: Radius of the dot at the end of a leader line, in points.
+DOT = 0.6
 #: Between signs, so that minus signs do not run together.
 HAIR = "\u200a"
 
@@ -22,12 +26,6 @@ HAIR = "\u200a"
 def sign_text(signs: Sequence[int]) -> str:
     """Return a sign vector as text: true minus signs, a hair apart."""
     return HAIR.join("+" if sign > 0 else "\u2212" if sign < 0 else "0" for sign in signs)
-
-
-def sign_rows(signs: Sequence[int], rows: int) -> str:
-    """Return a sign vector broken into rows of equal length."""
-    length = math.ceil(len(signs) / rows)
-    return "\n".join(sign_text(signs[k : k + length]) for k in range(0, len(signs), length))
 
 
 def flattened(curve: Floats, steps: int = 24) -> Floats:
@@ -42,70 +40,132 @@ def flattened(curve: Floats, steps: int = 24) -> Floats:
 def write_inside(
     scene: Scene,
     edge: Floats,
-    signs: Sequence[int],
+    text: str,
     sizes: Sequence[float] = SIZES,
     *,
-    other: Floats | None = None,
-    hiders: Sequence[Floats] = (),
+    off: Any = None,
     **style: Any,
 ) -> bool:
-    """Write a sign vector inside a closed outline, in the largest size that fits, or not at all.
+    """Write a text inside a closed outline, in the largest size that fits, or not at all.
+
+    It stands at the pole of inaccessibility, in units of the width and height of the text: at the
+    centre of the largest such ellipse in what is free.
 
     Args:
         scene: where to.
-        edge: points along the outline, denser than a label is wide.
-        signs: the sign vector.
+        edge: points along the outline.
+        text: one line.
         sizes: those tried, in points.
-        other: more points that must not be covered.
-        hiders: polygons that cover a part of it.
+        off: shapes that must not be touched, as a tree (see `keep_off`).
         style: goes to matplotlib.
     """
-    from matplotlib.path import Path
+    import shapely
 
-    if not signs:
+    free = shapely.Polygon(edge).buffer(0)
+    w, h = scene.measure(text, sizes[-1])
+    left, low, right, high = free.bounds if not free.is_empty else (0.0,) * 4
+    if not text or right - left < w or high - low < h:
         return False
-    low, high = edge.min(axis=0), edge.max(axis=0)
-    fitting = []
-    for size, rows in product(sizes, (1, 2, 3)):
-        text = sign_rows(signs, rows)
-        box = np.array(scene.measure(text, size)) * (1.0, 0.92) + 1.8
-        if rows <= len(signs) and (box < high - low).all():
-            fitting.append((size, text, box))
-    if not fitting:
+    boxes = [
+        shapely.box(*box) for box in scene.boxes
+        if box[0] < right and box[2] > left and box[1] < high and box[3] > low
+    ]  # fmt: skip
+    near = [] if off is None else off.geometries.take(off.query(free))
+    free = shapely.difference(free, shapely.union_all([*boxes, *near]))
+    if free.is_empty:
         return False
-    grid = np.stack(np.meshgrid(*np.linspace(low, high, 29).T), axis=-1).reshape(-1, 2)
-    near = [h for h in hiders if (h.max(axis=0) > low).all() and (h.min(axis=0) < high).all()]
-    free = Path(edge).contains_points(grid)
-    for hider in near:
-        free &= ~Path(hider).contains_points(grid)
-    grid = grid[free]
-    obstacles = np.vstack([_thinned(edge), *map(dense, near)])
-    if other is not None:
-        inside = ((other > low) & (other < high)).all(axis=1)
-        obstacles = np.vstack([obstacles, other[inside]])
-    apart = np.abs(grid[:, None] - obstacles)
-    for size, text, box in fitting:
-        room = (apart / box).max(axis=2).min(axis=1, initial=9.0)
-        order = np.argsort(-np.round(room, 4), kind="stable")[:40]
-        for place in grid[order][room[order] > 0.5]:
-            if scene.write(place, text, size, **style):
-                return True
+    unit = shapely.transform(free, lambda points: points / (w, h))
+    x, y = shapely.maximum_inscribed_circle(unit).coords[0]
+    place = round(x * w, 2), round(y * h, 2)
+    shapely.prepare(free)
+    for size in sizes:
+        left, low, right, high = scene.box(place, text, size)
+        room = shapely.box(left - 1.2, low - 0.4, right + 1.2, high + 0.4)
+        if free.contains(room) and scene.write(place, text, size, **style):
+            return True
     return False
 
 
-def dense(outline: Floats) -> Floats:
-    """Return a polygon with at most 2 points of paper between neighbouring corners."""
-    pieces = []
-    for p, q in zip(outline, np.roll(outline, -1, axis=0), strict=True):
-        steps = max(1, math.ceil(float(np.linalg.norm(q - p)) / 2))
-        pieces.append(p + (q - p) * np.arange(steps)[:, None] / steps)
-    return np.concatenate(pieces)
+def segments_of(lines: Sequence[Floats]) -> Floats:
+    """Return the segments (n, 2, 2) of lines, each (k, 2)."""
+    pieces = [np.stack([line[:-1], line[1:]], axis=1) for line in lines]
+    return np.concatenate([np.empty((0, 2, 2)), *pieces])
 
 
-def _thinned(points: Floats, spacing: float = 1.0) -> Floats:
-    """Return some of the points along a line, not much closer than `spacing`."""
-    along = np.cumsum(np.linalg.norm(np.diff(points, axis=0, prepend=points[:1]), axis=1))
-    return points[np.unique(np.floor(along / spacing), return_index=True)[1]]
+def tree_of(segments: Floats) -> Any:
+    """Return segments (n, 2, 2) as a tree of shapely."""
+    import shapely
+
+    return shapely.STRtree(shapely.linestrings(segments))
+
+
+def keep_off(lines: Sequence[Floats], areas: Sequence[Floats] = ()) -> Any:
+    """Return lines and polygons, each (k, 2), as a tree for `write_inside`."""
+    import shapely
+
+    shapes = [shapely.LineString(line) for line in lines] + [shapely.Polygon(a) for a in areas]
+    return shapely.STRtree([shape.buffer(0.5) for shape in shapes])
+
+
+class Leaders:
+    """Labels off all lines, each with a line to a dot in what it names.
+
+    Args:
+        scene: where to.
+        lines: (k, 2) each; no label covers one, and leader lines cross as few as can be.
+        within: a part of the scene that must not be left.
+        areas: (k, 2) each; other places are better for labels, which might be taken for theirs.
+    """
+
+    def __init__(
+        self, scene: Scene, lines: Sequence[Floats], within: Box, areas: Sequence[Floats]
+    ) -> None:
+        import shapely
+
+        self.scene = scene
+        self.segments = tree_of(segments_of(lines))
+        self.within = shapely.box(*within)
+        self.areas = shapely.STRtree([shapely.Polygon(area).buffer(0) for area in areas])
+        self.drawn: list[Any] = []
+
+    def write(self, edge: Floats, text: str, size: float = SIZES[-1]) -> bool:
+        """Name what has an outline with points `edge`, or return False where there is no room."""
+        import shapely
+
+        area = shapely.Polygon(edge).buffer(0)
+        if area.is_empty:
+            return False
+        pole, rim = shapely.maximum_inscribed_circle(area).coords
+        if math.dist(pole, rim) < DOT + 0.3:
+            return False
+        start = np.round(pole, 2)
+        half = np.array(self.scene.measure(text, size)) / 2
+        ways = np.tile(list(_around((0.0, 1.0))), (len(_REACHES), 1))
+        reach = np.repeat(_REACHES, 24)[:, None]
+        centres = start + ways * (
+            reach + (half / np.maximum(np.abs(ways), 1e-9)).min(axis=1)[:, None]
+        )
+        low, high = centres - half, centres + half
+        boxes = shapely.box(*(low - 1.0).T, *(high + 1.0).T)
+        tracks = shapely.linestrings(
+            np.stack([np.broadcast_to(start, centres.shape), start + ways * (reach - 0.6)], axis=1)
+        )
+        written = shapely.union_all(shapely.box(*np.array(self.scene.boxes).reshape(-1, 4).T))
+        leaders = shapely.union_all(self.drawn).buffer(0.6)
+        free = shapely.contains(self.within, boxes) & ~shapely.intersects(boxes, leaders)
+        free &= ~shapely.intersects(tracks, shapely.union(written, leaders))
+        free[np.unique(self.segments.query(boxes, "intersects")[0])] = False
+        crossed = np.bincount(self.segments.query(tracks, "intersects")[0], minlength=len(tracks))
+        cost = 6.0 * crossed + reach[:, 0]
+        cost[np.unique(self.areas.query(boxes, "intersects")[0])] += 15.0
+        for k in np.argsort(cost, kind="stable").tolist():
+            if free[k] and self.scene.write(centres[k], text, size):
+                self.drawn.append(tracks[k])
+                style = {"zorder": 5.5, "gid": "leader"}
+                self.scene.line(shapely.get_coordinates(tracks[k]), ec="black", lw=0.35, **style)
+                self.scene.circle(start, DOT, fc="black", ec="none", **style)
+                return True
+        return False
 
 
 def write_beside(
@@ -118,6 +178,8 @@ def write_beside(
     away: Place = (0.0, 1.0),
     distance: float = 3.0,
     within: Box | None = None,
+    others: Floats | None = None,
+    turns: int = 24,
     **style: Any,
 ) -> bool:
     """Write a label beside a point, off all segments, or not at all.
@@ -131,11 +193,13 @@ def write_beside(
         away: the direction tried first.
         distance: from the point to the nearest part of the label; up to twice as much is tried.
         within: a part of the scene that must not be left.
+        others: points (k, 2) that must be farther from the label, by a half, than this one.
+        turns: how many directions are tried, of 24.
         style: goes to matplotlib.
     """
     x, y = float(point[0]), float(point[1])
     close = segments[segments_meet((x - 60, y - 60, x + 60, y + 60), segments)]
-    directions = np.array(list(_around(away)))
+    directions = np.array(list(_around(away)))[:turns]
     for size, text, beyond in product(sizes, texts, (1.0, 2.0)):
         half = np.array(scene.measure(text, size)) / 2
         reach = distance * beyond + (half / np.maximum(np.abs(directions), 1e-9)).min(axis=1)
@@ -145,26 +209,60 @@ def write_beside(
             left, low, right, high = within or boxes[k]
             x0, y0, x1, y1 = boxes[k]
             inside = left <= x0 and low <= y0 and x1 <= right and y1 <= high
+            own = _apart(boxes[k], np.array([[x, y]])).min()
+            if others is not None and _apart(boxes[k], others).min(initial=99.0) < 1.5 * own:
+                continue
             if inside and scene.write(centres[k], text, size, **style):
                 return True
     return False
 
 
+def write_along(
+    scene: Scene, ends: Floats, text: str, size: float, blocked: Any, **style: Any
+) -> bool:
+    """Write a text beside the middle of a segment, close to it and off all segments, or not at all.
+
+    Args:
+        scene: where to.
+        ends: (2, 2); of the segment.
+        text: one line.
+        size: in points.
+        blocked: a tree of segments that must not be covered, see `tree_of`.
+        style: goes to matplotlib.
+    """
+    import shapely
+
+    step = ends[1] - ends[0]
+    across = np.array([-step[1], step[0]]) / max(float(np.linalg.norm(step)), 1e-9)
+    beyond = float(np.abs(across) @ np.array(scene.measure(text, size))) / 2 + 1.6
+    for at in (ends.mean(axis=0) + beyond * across, ends.mean(axis=0) - beyond * across):
+        left, low, right, high = scene.box(at, text, size)
+        room = shapely.box(left - 0.6, low - 0.6, right + 0.6, high + 0.6)
+        if not len(blocked.query(room, "intersects")) and scene.write(at, text, size, **style):
+            return True
+    return False
+
+
+def _apart(box: Floats, points: Floats) -> Floats:
+    """Return the distances of points from a box."""
+    gaps = np.maximum(np.maximum(box[:2] - points, points - box[2:]), 0.0)
+    found: Floats = np.linalg.norm(gaps, axis=1)
+    return found
+
+
 def crosses(points: Floats, radius: float) -> Floats:
-    """Return segments (2k, 2, 2) that cover small dots, for `write_beside`."""
-    arms = radius * np.array([[1.0, 0.0], [0.0, 1.0]])
-    return np.concatenate([np.stack([points - arm, points + arm], axis=1) for arm in arms])
+    """Return segments (10k, 2, 2) that cover small discs, for `write_beside`."""
+    arms = radius * np.array([[[-1.0, 0.0], [1.0, 0.0]], [[0.0, -1.0], [0.0, 1.0]]])
+    at = np.arange(9) * math.pi / 4
+    ring = radius * np.stack([np.cos(at), np.sin(at)], axis=1)
+    shape = np.concatenate([arms, np.stack([ring[:-1], ring[1:]], axis=1)])
+    discs: Floats = (points[:, None, None] + shape).reshape(-1, 2, 2)
+    return discs
 
 
 def tried(count: int) -> int:
     """Return how many of so many points are to be labelled, outer ones first; few in a crowd."""
     return min(count, 100 if count <= 200 else 12)
-
-
-def sign_forms(signs: Sequence[int]) -> list[str]:
-    """Return a sign vector in one row and, when it is long, in several."""
-    rows = [1] if len(signs) <= 4 else [1, 2] if len(signs) <= 6 else [1, 2, 3]
-    return [sign_rows(signs, k) for k in rows]
 
 
 def _around(away: Place) -> Iterator[tuple[float, float]]:

@@ -33,11 +33,12 @@ def draw_lattice(
 ) -> Scene:
     """Draw the intersections of planes, ordered by reverse inclusion, as a Hasse diagram.
 
-    One row for each rank, the whole space at the bottom. A flat is named by the planes that
-    contain it, counted from 1; runs of four and more are shortened. Where the names of a row do
-    not fit they are turned, and where they still do not fit the row has dots. At the left stand
-    the number of flats of the rank and, with `moebius`, the sum of their Moebius values: the
-    Whitney numbers. The order within the rows keeps crossings few.
+    One row for each rank, the whole space at the bottom; the planes stand in input order, and the
+    order of the rows above keeps crossings few. A flat is named by the planes that contain it,
+    counted from 1; runs of four and more are shortened. Where the names of a row do not fit even
+    in small letters they are turned, and where they still do not fit the row has dots, and a note
+    says so. At the left stand the number of flats of the rank and, with `moebius`, the sum of
+    their Moebius values: the Whitney numbers.
 
     Elements: ``flat-2-5`` (rank, position in `IntersectionLattice.flats`) and ``cover-7``.
 
@@ -60,13 +61,17 @@ def draw_lattice(
 
 @dataclass(frozen=True)
 class _Row:
-    """How the flats of one rank are written: in which size, turned or not, or as dots (size 0)."""
+    """How the flats of one rank are written: in which size, turned or not, or as dots (size 0).
+
+    `widths` are the shares of the flats in the width of the row.
+    """
 
     names: list[str]
     values: list[str]
     size: float
     turned: bool
     heights: tuple[float, float]
+    widths: list[float]
 
     @property
     def height(self) -> float:
@@ -83,7 +88,11 @@ class _Picture:
         self.rows = [self._row(trial, flats) for flats in lattice.flats]
         edges = sum(len(above) for level in lattice.covers for above in level)
         self.gap = min(70.0, max(26.0, 20.0 + 0.5 * edges))
-        self.note = 12.0 if moebius else 2.0
+        dots = [str(rank) for rank, row in enumerate(self.rows) if not row.size]
+        self.notes = [f"dots at rank {', '.join(dots)}: no room for names"] if dots else []
+        if moebius:
+            self.notes.append("under each name: the M\u00f6bius value \u03bc(whole space, flat)")
+        self.note = 2.0 + 9.0 * len(self.notes)
         height = sum(row.height for row in self.rows) + self.gap * (len(self.rows) - 1)
         self.scene = Scene(width, (height + self.note + 12.0) / POINTS)
         self.margins = margins
@@ -99,18 +108,24 @@ class _Picture:
     def _row(self, scene: Scene, flats: tuple[Flat, ...]) -> _Row:
         names = [self._name(flat) for flat in flats]
         values = [_signed(self.lattice.moebius[flat]) for flat in flats] if self.moebius else []
-        room = (self.right - self.left) / len(flats)
+        room = self.right - self.left
         for turned in (False, True):
             angle = 90.0 if turned else 0.0
             for size in (7.0, 6.0, 5.0):
                 boxes = [scene.measure(name, size, angle) for name in names]
                 small = [scene.measure(value, size - 0.5, angle) for value in values]
-                if max(w for w, _ in boxes + small) + (2.4 if turned else 5.0) <= room:
-                    heights = (max(h for _, h in boxes), max((h for _, h in small), default=0.0))
-                    if turned and small:
-                        heights = (heights[0], heights[1] + 2.0)
-                    return _Row(names, values, size, turned, heights)
-        return _Row(names, [], 0.0, False, (4.0, 0.0))
+                widths = [max(w, v) for (w, _), (v, _) in zip(boxes, small or boxes, strict=True)]
+                gap, most = (2.4 if turned else 5.0), max(widths)
+                if (most + gap) * len(flats) <= room:
+                    widths = [most] * len(flats)
+                elif sum(widths) + gap * len(flats) > room:
+                    continue
+                heights = (max(h for _, h in boxes), max((h for _, h in small), default=0.0))
+                if turned and small:
+                    heights = (heights[0], heights[1] + 2.0)
+                free = (room - sum(widths)) / len(flats)
+                return _Row(names, values, size, turned, heights, [w + free for w in widths])
+        return _Row(names, [], 0.0, False, (4.0, 0.0), [room / len(flats)] * len(flats))
 
     def _name(self, flat: Flat) -> str:
         if not flat.rank:
@@ -119,13 +134,12 @@ class _Picture:
 
     def draw(self) -> Scene:
         lattice, scene = self.lattice, self.scene
-        orders = layered_orders([len(flats) for flats in lattice.flats], lattice.covers)
+        orders = layered_orders([len(flats) for flats in lattice.flats], lattice.covers, fixed=2)
         bottom, spans = self.note + 6.0, []
         for rank, row in enumerate(self.rows):
-            count = len(orders[rank])
-            x = np.empty(count)
-            x[orders[rank]] = np.arange(count) + 0.5
-            x = self.left + x * (self.right - self.left) / count
+            widths = np.array(row.widths)[orders[rank]]
+            x = np.empty(len(widths))
+            x[orders[rank]] = self.left + np.cumsum(widths) - widths / 2
             scene.write(
                 (4.0, bottom + row.height / 2), self.margins[rank], 6.0, anchor=(0.0, 0.5),
                 color="0.25", multialignment="left",
@@ -133,9 +147,8 @@ class _Picture:
             spans.append(self._write_row(rank, x, bottom))
             bottom += row.height + self.gap
         self._covers(spans)
-        if self.moebius:
-            note = "under each name: the M\u00f6bius value \u03bc(whole space, flat)"
-            scene.write((scene.width / 2, 3.0), note, 6.0, anchor=(0.5, 0.0))
+        for k, note in enumerate(self.notes):
+            scene.write((scene.width / 2, 3.0 + 9.0 * k), note, 6.0, anchor=(0.5, 0.0))
         return scene
 
     def _write_row(self, rank: int, x: Floats, bottom: float) -> Floats:
@@ -143,13 +156,14 @@ class _Picture:
         row, spans = self.rows[rank], []
         lower = row.heights[1]
         angle = 90.0 if row.turned else 0.0
+        dot = min(1.3, 0.4 * row.widths[0])
         for k, at in enumerate(x.tolist()):
             gid = f"flat-{rank}-{k}"
             foot = (at, bottom + lower)
             if not row.size or not self.scene.write(
                 foot, row.names[k], row.size, anchor=(0.5, 0.0), rotation=angle, gid=gid
             ):
-                self.scene.circle((at, bottom + 2.0), 1.3, fc="black", zorder=4, gid=gid)
+                self.scene.circle((at, bottom + 2.0), dot, fc="black", zorder=4, gid=gid)
                 spans.append((at, bottom + 2.0, bottom + 2.0))
                 continue
             if row.values:

@@ -13,12 +13,15 @@ Covers: TypeAlias = Sequence[Sequence[Sequence[int]]]
 _COUNTED = 2500
 
 
-def layered_orders(sizes: Sequence[int], covers: Covers, sweeps: int = 16) -> list[list[int]]:
+def layered_orders(
+    sizes: Sequence[int], covers: Covers, fixed: int = 0, sweeps: int = 16
+) -> list[list[int]]:
     """Return an order of the nodes of every layer.
 
     Args:
         sizes: the number of nodes of each layer.
         covers: for each layer and each node, its neighbours in the next layer.
+        fixed: so many layers, the first ones, keep their order.
         sweeps: how often layers are sorted by the means of their neighbours, up and down in turn;
             the order with the fewest crossings is kept (K. Sugiyama, S. Tagawa, M. Toda, IEEE
             Trans. SMC 11 (1981)).
@@ -29,10 +32,10 @@ def layered_orders(sizes: Sequence[int], covers: Covers, sweeps: int = 16) -> li
     for sweep in range(sweeps):
         orders = [list(order) for order in orders]
         if sweep % 2:
-            for k in range(len(sizes) - 2, -1, -1):
+            for k in range(len(sizes) - 2, fixed - 1, -1):
                 orders[k] = _sorted(orders[k], orders[k + 1], covers[k])
         else:
-            for k in range(1, len(sizes)):
+            for k in range(max(1, fixed), len(sizes)):
                 orders[k] = _sorted(orders[k], orders[k - 1], below[k - 1])
         count = _crossings(orders, covers)
         if count < fewest:

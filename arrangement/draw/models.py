@@ -14,6 +14,7 @@ from arrangement.polyhedra.dual.mesh import content
 
 from .colours import SKIN, DrawnRegion, Painter, fill_colour, painter, pale, side_colour
 from .coordinates import in_coordinates
+from .essential import brought
 from .output import millimetres
 from .painting import unit_points
 from .registry import Exact, Vector
@@ -28,13 +29,13 @@ def dual_model(
     In GLB a face is coloured by its number of corners.
 
     Args:
-        arrangement: central, in R^3, of rank 3.
+        arrangement: central, of rank 3; in another space than R^3 its essentialisation.
         suffix: ``.stl``, ``.glb`` or ``.obj``.
         size: the largest side of the bounding box, in millimetres.
         coordinates: "given"; or "symmetric" or "even" as for `draw_dual`, with generators of
             length 1.
     """
-    arrangement, _ = in_coordinates(coordinates, arrangement)
+    arrangement, _ = in_coordinates(coordinates, brought(arrangement, "dual"))
     lengths = None if coordinates == "given" else unit_lengths(arrangement)
     dual = dual_polyhedron(arrangement, lengths)
     colours = tuple(side_colour(len(face)) for face in dual.faces)
@@ -64,7 +65,8 @@ def cells_model(
     named by the sign vector.
 
     Args:
-        arrangement: in R^3; central or not, of any rank, coincident planes allowed.
+        arrangement: of rank at most 3, central or not, coincident planes allowed; in another space
+            than R^3 its essentialisation.
         suffix: ``.stl``, ``.glb`` or ``.obj``.
         body: "ball" or "cube".
         centre, radius: exact, of the body; see `body_around`.
@@ -85,7 +87,7 @@ def cells_model(
         raise InputError(f"explode is {shown(explode)}; give a factor from 1 to 10")
     paint = None if colour == "planes" else painter(colour)
     half = millimetres(size, "size") / 2
-    arrangement, _ = in_coordinates(coordinates, arrangement)
+    arrangement, _ = in_coordinates(coordinates, brought(arrangement, "cells"))
     cells = cut_cells(arrangement, body, centre, radius)
     points = unit_points(cells) * half
     parts = [_part(cells, cell, points, explode - 1, paint) for cell in cells.cells]

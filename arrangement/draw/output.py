@@ -3,21 +3,22 @@
 from __future__ import annotations
 
 import io
-import math
 import os
-from collections.abc import Callable
+from collections.abc import Callable, Iterable, Mapping
+from contextlib import AbstractContextManager, suppress
 from fractions import Fraction
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from arrangement.errors import InputError, MissingExtraError
-from arrangement.exact import shown
+from arrangement.exact import rational, shown
 from arrangement.io.writing import write_bytes_atomically
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 PICTURES = (".pdf", ".png", ".svg")
+TIKZ = (".tex",)
 MODELS = (".glb", ".obj", ".stl")
 PAGES = (".html",)
 
@@ -31,22 +32,68 @@ _METADATA: dict[str, dict[str, Any]] = {
 
 
 def require_matplotlib() -> Any:
-    """Return matplotlib, or say which extra installs it."""
+    """Return matplotlib, or say which extra installs it and what places labels."""
     try:
         import matplotlib as mpl
+        import shapely  # noqa: F401
     except ImportError:
         raise MissingExtraError(
-            "pictures need matplotlib: install the extra with pip install 'slipstates[figures]'"
+            "pictures need matplotlib and shapely: install the extra with "
+            "pip install 'slipstates[figures]'"
         ) from None
     return mpl
 
 
-def millimetres(value: object, name: str) -> float:
-    """Return a length for paper or print as a float, or refuse what is not positive and finite."""
-    length = float(value) if isinstance(value, (int, float, Fraction)) else math.nan
-    if not 0 < length < 10_000:
-        raise InputError(f"{name} is {shown(value)}; give millimetres, more than 0, below 10000")
-    return length
+#: In millimetres; a point is that of TeX, as in ``\\the\\columnwidth``.
+_UNITS = {"mm": 1.0, "cm": 10.0, "in": 25.4, "pt": 25.4 / 72.27}
+
+
+def millimetres(value: object, name: str, unit: str = "mm") -> float:
+    """Return a length for paper or print as a float, or refuse what is not positive and finite.
+
+    Args:
+        value: a number, or a text such as ``84``, ``8.4cm``, ``3.3in``, ``252pt``.
+        name: of the length, for the error.
+        unit: of a number without one.
+    """
+    number: object = value
+    if isinstance(value, str):
+        given = value.strip()
+        unit = next((end for end in _UNITS if given.endswith(end)), unit)
+        with suppress(InputError):
+            number = rational(given.removesuffix(unit).strip())
+    if isinstance(number, (int, float, Fraction)) and 0 < number < 100_000:
+        length = float(number) * _UNITS[unit]
+        if length < 10_000:
+            return length
+    raise InputError(
+        f"{name} is {shown(value)}; give a number above 0 in {unit}, or one with mm, cm, in or pt "
+        "after it, below ten metres"
+    )
+
+
+def points(value: object, name: str) -> float:
+    """Return a length such as ``8``, ``8pt`` or ``3mm`` in points, or refuse it."""
+    return millimetres(value, name, "pt") / _UNITS["pt"]
+
+
+def ending(path: str | os.PathLike[str], known: Iterable[str]) -> str:
+    """Return the suffix of a file that can be written, in lower case.
+
+    Raises:
+        InputError: it is none of those known, or there is no such folder.
+    """
+    place, ends = Path(path), ", ".join(known)
+    suffix = place.suffix.lower()
+    if place.is_dir():
+        raise InputError(f"{shown(str(path))} is a folder; name a file")
+    if not suffix:
+        raise InputError(f"the file name {shown(str(path))} has no ending; known are {ends}")
+    if suffix not in ends.split(", "):
+        raise InputError(f"the file name ends in {shown(suffix)}; known are {ends}")
+    if not place.parent.is_dir():
+        raise InputError(f"there is no folder {shown(str(place.parent))}; make it first")
+    return suffix
 
 
 def save_figure(path: str | os.PathLike[str], make: Callable[[], Figure]) -> None:
@@ -56,27 +103,30 @@ def save_figure(path: str | os.PathLike[str], make: Callable[[], Figure]) -> Non
         InputError: the suffix is not one of a picture, or there is no place to write.
         MissingExtraError: matplotlib is absent.
     """
-    suffix, buffer = Path(path).suffix.lower(), io.BytesIO()
-    if suffix not in PICTURES:
-        raise InputError(f"the file name ends in {shown(suffix)}; known are {', '.join(PICTURES)}")
-    save_picture(buffer, suffix, make)
-    write_bytes_atomically(path, buffer.getvalue())
+    suffix = ending(path, PICTURES)
+    write_bytes_atomically(path, picture_bytes(suffix, make))
 
 
-def save_picture(stream: io.BytesIO, suffix: str, make: Callable[[], Figure]) -> None:
-    """Write the figure that `make` returns to a stream, as `save_figure` does."""
+def picture_bytes(suffix: str, make: Callable[[], Figure], letters: bool = False) -> bytes:
+    """Return the figure that `make` returns as a file; in SVG with letters instead of outlines."""
+    stream = io.BytesIO()
+    with own_settings({"svg.fonttype": "none"} if letters else {}):
+        make().savefig(stream, format=suffix[1:], dpi=300, metadata=_METADATA[suffix])
+    return stream.getvalue()
+
+
+def own_settings(more: Mapping[str, Any] | None = None) -> AbstractContextManager[None]:
+    """Return a context in which matplotlib has the settings of our pictures, not the user's."""
     mpl = require_matplotlib()
     # Whoever asks for the backend loads all of pyplot; figures of their own need none.
     plain = {key: value for key, value in mpl.rcParamsDefault.items() if key != "backend"}
-    with mpl.rc_context({**plain, **_STYLE}):
-        make().savefig(stream, format=suffix[1:], dpi=300, metadata=_METADATA[suffix])
+    settings: AbstractContextManager[None] = mpl.rc_context({**plain, **_STYLE, **(more or {})})
+    return settings
 
 
 def svg_text(make: Callable[[], Figure]) -> str | None:
     """Return a figure as SVG text; None without matplotlib, or when `make` refuses."""
-    stream = io.BytesIO()
     try:
-        save_picture(stream, ".svg", make)
+        return picture_bytes(".svg", make).decode("utf-8")
     except (InputError, MissingExtraError):
         return None
-    return stream.getvalue().decode("utf-8")

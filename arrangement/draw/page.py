@@ -18,6 +18,7 @@ from arrangement.exact import IntegerVector, primitive, shown
 from arrangement.polyhedra.dual.incidence import dual_incidence
 
 from .coordinates import CHOICES, even_map, is_narrow, symmetric_map
+from .essential import brought, caption
 from .globe import Globe, clear_direction, picture_axes, unit_vectors
 from .html_page import BASE_SCRIPT, BASE_STYLE, one_page, own
 from .registry import Vector, refusal
@@ -43,7 +44,7 @@ def arrangement_page(
     point. Planes can be taken away and put back.
 
     Args:
-        arrangement: central, in R^3, any rank, up to `MAX_CIRCLES` distinct planes.
+        arrangement: central, of rank at most 3, up to `MAX_CIRCLES` distinct planes.
         title: a heading; if omitted, the number of planes.
         colour: of the regions at first: "sides" (by number of sides), "signs" (by number of minus
             signs), "parity" (two colours), "none"; if omitted, sides if they differ, else parity.
@@ -57,7 +58,9 @@ def arrangement_page(
     """
     if colour is not None and colour not in COLOURINGS:
         raise refusal(f"the colouring is {shown(colour)}", colour, COLOURINGS)
-    if arrangement.is_central and len(arrangement.distinct) > MAX_CIRCLES:
+    summary = _summary(arrangement)
+    arrangement = brought(arrangement, "arrangement")
+    if len(arrangement.distinct) > MAX_CIRCLES:
         raise InputError(
             f"{len(arrangement.distinct)} distinct planes; a page shows at most {MAX_CIRCLES}"
         )
@@ -67,7 +70,7 @@ def arrangement_page(
     heading = title if title is not None else _heading(arrangement)
     data = {
         "title": heading,
-        "summary": _summary(arrangement),
+        "summary": summary,
         "colour": colour,
         "axes": _floats(globe.axes),
         "even": _shaped(globe, arrangement, coordinates, direction),
@@ -146,7 +149,9 @@ def _summary(arrangement: Arrangement) -> str:
     number, distinct = len(arrangement), len(arrangement.distinct)
     planes = f"{number} plane{'' if number == 1 else 's'} through the origin"
     same = f", {distinct} of them distinct" if distinct < number else ""
-    return f"{planes}{same}; rank {arrangement.rank}"
+    return "; ".join(
+        filter(None, (f"{planes}{same}", f"rank {arrangement.rank}", caption(arrangement, 3)))
+    )
 
 
 def _cells(sphere: SphereArrangement) -> dict[str, Any]:
@@ -159,7 +164,7 @@ def _cells(sphere: SphereArrangement) -> dict[str, Any]:
             "normal": _exact(normal),
             "unit": _unit(normal),
             "length": _longest(normal) / longest * _norm(normal),
-            "equation": _equation(normal),
+            "equation": equation(normal),
             "circle": int(circle),
         }
         for normal, circle in zip(normals, sphere.plane_circle.tolist(), strict=True)
@@ -205,14 +210,14 @@ def _region(sphere: SphereArrangement, region: int) -> dict[str, Any]:
     }
 
 
-def _equation(normal: IntegerVector) -> str:
+def equation(normal: IntegerVector, offset: int = 0) -> str:
     """Return the equation of a plane, such as ``x - 2y + z = 0``."""
     text = ""
     for entry, name in zip(normal, "xyz", strict=True):
         if entry:
             joint = ("-" if entry < 0 else "") if not text else (" - " if entry < 0 else " + ")
             text += f"{joint}{abs(entry) if abs(entry) != 1 else ''}{name}"
-    return f"{text} = 0"
+    return f"{text} = {offset}"
 
 
 def _exact(vector: IntegerVector) -> list[str]:

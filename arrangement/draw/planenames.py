@@ -3,21 +3,25 @@
 from __future__ import annotations
 
 import math
+from typing import Any
 
 import numpy as np
 
+from .axes import arrow
+from .disc import plane_names
 from .exploded_cells import Lifted
 from .globe import Floats
-from .labels import dense, sign_rows, spread, turn, write_beside, write_inside
+from .labels import keep_off, segments_of, spread, turn, write_beside, write_inside
 from .planesheet import Colour, PlanesSheet
+from .regionlabels import RegionLabels
 from .scene import area
 
 
 class Names:
     """Writes on a finished picture; numbers first."""
 
-    def __init__(self, picture: PlanesSheet) -> None:
-        self.picture = picture
+    def __init__(self, picture: PlanesSheet, names: RegionLabels) -> None:
+        self.picture, self.names = picture, names
         self.stage, self.lifted = picture.stage, picture.lifted
         self.scene, self.place = picture.scene, picture.place
         self.outline = picture.outline
@@ -38,16 +42,19 @@ class Names:
             best = int(np.argmax(np.round(score, 6)))
             if self._covered(points[best : best + 1])[0]:
                 continue
-            text = ",".join(str(k + 1) for k in members)
+            text = plane_names(members)
             wanted.append((float(angles[best]), points[best], text, self.picture.colour(label)))
         placed = spread([angle for angle, *_ in wanted], 0.13)
         for (_, point, text, colour), angle in zip(wanted, placed, strict=True):
             way = np.array([math.cos(angle), math.sin(angle)])
             edge = way / max(1e-9, self._gauge(way))
-            start, stop = self.place(point), self.place(edge) + 4 * way
-            self.scene.line([start, stop], ec="black", lw=0.4, zorder=4)
+            rim = self.place(edge)
+            half = np.array(self.scene.measure(text, 7.0)) / 2 + 1.6
+            beyond = float((half / np.maximum(np.abs(way), 1e-9)).min())
+            self.scene.line([self.place(point), rim + 4 * way], ec="black", lw=0.4, zorder=4)
             box = {"boxstyle": "round,pad=0.22,rounding_size=0.5", "fc": colour, "ec": "none"}
-            self.scene.write(self.place(edge) + 8.5 * way, text, 7.0, plate=box)
+            style: dict[str, Any] = {"plate": box, "style": "italic"}
+            self.scene.write(rim + (4 + beyond) * way, text, 7.0, **style)
 
     def _covered(self, points: Floats) -> Floats:
         """Return 1 for points whose number would stand on or at a lifted cell, else 0."""
@@ -89,24 +96,55 @@ class Names:
         out = np.column_stack([step[:, 1], -step[:, 0]])
         return float(((out @ point) / (out * self.outline).sum(axis=1)).max())
 
-    def name_cells(self) -> None:
-        """Write the sign vector of each lifted cell on its largest free face, or beside it."""
+    def mark_sides(self) -> None:
+        """Draw an arrow to the positive side of each plane, at the nearest point of its rim."""
+        for label in range(len(self.stage.arrangement.distinct)):
+            points = self._rim(label)
+            if len(points):
+                foot = points[int(np.argmax(np.round(points[:, 2], 6)))]
+                normal = self.stage.planes[label][0]
+                ends = self.place(np.array([foot, foot + 0.11 * normal]))
+                style: dict[str, Any] = {"zorder": 4.5, "gid": f"side-{label}", "role": "arrow"}
+                arrow(self.scene, *ends, ec="black", lw=0.8, **style)
+
+    def name_axes(self) -> None:
+        """Write the names of the axes beyond their tips."""
+        closed = [np.vstack([area, area[:1]]) for _, area in self.picture.areas]
+        for name, tip in zip(self.picture.axes.names, self.picture.axes.tips, strict=True):
+            tip, origin = self.place(tip), self.place(self.picture.axes.origin)
+            lines = segments_of([*closed, np.array([origin, tip])])
+            write_beside(
+                self.scene, tip, [name], (7.0, 6.0), segments=lines,
+                away=tip - origin, distance=2.0, style="italic",
+            )  # fmt: skip
+
+    def name_cells(self, *, beside: bool = True) -> int:
+        """Write the name of each lifted cell on its largest free face, or `beside` it.
+
+        Return how many found no room on their faces.
+        """
+        left = 0
         segments = self._segments()
         for item in self.lifted:
-            hiders = self._hiders(item)
+            off = keep_off([], self._hiders(item))
             outlines = [self.place(loop) for loop in item.visible_outlines(self.picture.round)]
             outlines.sort(key=lambda outline: round(area(outline), 3), reverse=True)
+            forms = self.names.forms(item.cell.signs)
             if not any(
-                write_inside(self.scene, dense(outline), item.cell.signs, (7, 6), hiders=hiders)
+                write_inside(self.scene, outline, text, (7, 6), off=off)
                 for outline in outlines
+                for text in forms
             ):
+                left += 1
+                if not beside:
+                    continue
                 way = item.shift[:2] + 1e-12
                 corners = self.place(item.corners)
                 write_beside(
-                    self.scene, corners[int(np.argmax(corners @ way))],
-                    [sign_rows(item.cell.signs, rows) for rows in (1, 2)], (7.0, 6.0), away=way,
-                    segments=segments,
+                    self.scene, corners[int(np.argmax(corners @ way))], forms, (7.0, 6.0),
+                    away=way, segments=segments,
                 )  # fmt: skip
+        return left
 
     def _segments(self) -> Floats:
         """Return what names beside cells must not cross: outlines of the body and of the cells."""

@@ -7,20 +7,24 @@ from collections.abc import Iterable
 from arrangement.arrangement import Arrangement
 from arrangement.polyhedra.cells import cut_cells, read_signs
 
+from .axes import StagedAxes, drawn_axes
 from .colours import chosen, fill_colour
 from .coordinates import in_coordinates
+from .essential import shown_as
 from .exploded_cells import lifted_cells
 from .figure import picture
-from .globe import view_direction
+from .globe import TO_LIGHT, view_direction
 from .painting import Stage
 from .planenames import Names
-from .planesheet import LIGHT, FacetPainter, PlanesSheet
+from .planesheet import FacetPainter, PlanesSheet
+from .regionlabels import RegionLabels
 from .registry import Exact, Vector
-from .scene import Scene, checked_width
+from .scene import POINTS, Scene, checked_width
 from .view_direction import clear_sight
 
 
 @picture
+@shown_as("planes")
 def draw_planes(
     arrangement: Arrangement,
     *,
@@ -30,6 +34,9 @@ def draw_planes(
     direction: Vector | None = None,
     lift: Iterable[str] = (),
     colour: str | FacetPainter = "planes",
+    labels: str | None = None,
+    axes: str | None = None,
+    sides: bool = False,
     width: float = 88.0,
     coordinates: str | None = None,
 ) -> Scene:
@@ -41,7 +48,8 @@ def draw_planes(
     from 1. For planes that are not central, the body contains all vertices (see `body_around`).
 
     Args:
-        arrangement: in R^3; central or not, of any rank, coincident planes allowed.
+        arrangement: of rank at most 3, central or not, coincident planes allowed; in another space
+            than R^3 its essentialisation.
         body: "ball" or "cube".
         centre, radius: exact, of the body, instead of one that contains all vertices. For planes
             whose vertices are far apart; what is outside is left out.
@@ -50,11 +58,15 @@ def draw_planes(
             drawn as solids, moved outward.
         colour: "planes" (each its own colour), "shade" (grey by the angle to the light), "none",
             or a function from a `DrawnFacet` to a colour.
+        labels: of lifted cells, as for `draw_sphere`.
+        axes: names of the coordinate axes such as ``x,y,z``, or "none"; if omitted, there are some
+            where the coordinates have a meaning, as x, y, r of the motions of a grasp.
+        sides: mark the positive side of each plane by an arrow.
         width: of the figure, in millimetres.
         coordinates: "symmetric": after a linear map that shows the symmetry of the planes and
             changes no sign vector; "even": after one that spreads the normals evenly; "given". If
-            omitted, symmetric, but for planes of motions
-            and where the body has a given place.
+            omitted, symmetric, but for planes of motions, with axes, and where the body has a
+            given place.
 
     Raises:
         InputError: another space, too many planes, no such cell, lifted cells that hide each
@@ -64,26 +76,34 @@ def draw_planes(
     paint = _painter(colour)
     paper = checked_width(width)
     texts = [lift] if isinstance(lift, str) else list(lift)
-    chosen = [read_signs(arrangement, text) for text in texts]
+    raised = [read_signs(arrangement, text) for text in texts]
+    names = RegionLabels(arrangement, labels)
     if coordinates is None and not (centre is None and radius is None):
         coordinates = "given"
+    shown, coordinates = drawn_axes(arrangement, axes, coordinates)
     arrangement, direction = in_coordinates(coordinates, arrangement, direction)
     toward = None if direction is None else view_direction(direction)
     cells = cut_cells(arrangement, body, centre, radius)
     if toward is None:
-        toward = clear_sight(cells, chosen)
+        toward = clear_sight(cells, raised)
     stage = Stage(cells, toward)
-    picture = PlanesSheet(stage, lifted_cells(stage, chosen), paint, paper)
-    names = Names(picture)
-    names.number_planes()
-    names.name_cells()
+    room = names.height(paper * POINTS, raised)
+    lifted = lifted_cells(stage, raised)
+    picture = PlanesSheet(stage, lifted, paint, paper, room, StagedAxes(stage, shown))
+    writer = Names(picture, names)
+    if sides:
+        writer.mark_sides()
+    writer.number_planes()
+    writer.name_axes()
+    writer.name_cells()
+    names.write(picture.scene, room, raised)
     return picture.scene
 
 
 def _painter(colour: str | FacetPainter) -> FacetPainter:
     painters: dict[str, FacetPainter] = {
         "planes": lambda facet: fill_colour(facet.label),
-        "shade": lambda facet: _grey(abs(float(LIGHT @ facet.normal))),
+        "shade": lambda facet: _grey(abs(float(TO_LIGHT @ facet.normal))),
         "none": lambda facet: "#ffffff",
     }
     return chosen(colour, painters)

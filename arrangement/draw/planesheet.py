@@ -11,19 +11,19 @@ from typing import Any, TypeAlias
 
 import numpy as np
 
+from .axes import INK, StagedAxes, arrow
 from .colours import SKIN
+from .disc import plane_names
 from .exploded_cells import Lifted
-from .globe import Floats
+from .globe import TO_LIGHT, Floats
 from .painting import Facet, Key, Stage
-from .scene import POINTS, Scene
+from .scene import POINTS, Scene, measure
 
 #: Opacity of the facets; what lies behind them shows through.
 OPACITY = 0.82
 #: The share of white in the colour of a plane.
 WHITE = 0.42
-#: Towards the light, in the axes of the picture.
-LIGHT = np.array([-0.35, 0.65, 0.68]) / np.linalg.norm([-0.35, 0.65, 0.68])
-#: Room for the numbers around the body, in points.
+#: Room for the numbers around the body, at least; in points.
 MARGIN = 15.0
 
 
@@ -51,24 +51,40 @@ class PlanesSheet:
     """The picture; see `planes.draw_planes`."""
 
     def __init__(
-        self, stage: Stage, lifted: Sequence[Lifted], paint: FacetPainter, width: float
+        self,
+        stage: Stage,
+        lifted: Sequence[Lifted],
+        paint: FacetPainter,
+        width: float,
+        room: float,
+        axes: StagedAxes,
+        *,
+        apart: bool = False,
     ) -> None:
+        """Take the width in millimetres, and the room to be left below in points.
+
+        `apart` says that all cells are lifted, each inside its cone, and nothing else is drawn.
+        """
+        self.axes, self.apart = axes, apart
         self.stage, self.lifted, self.paint = stage, lifted, paint
         self.round = stage.cells.body.kind == "ball"
         self.outline = self._outline()
-        low, high = self.outline.min(axis=0), self.outline.max(axis=0)
+        bounds = np.vstack([self.outline, axes.tips[:, :2]])
+        low, high = bounds.min(axis=0), bounds.max(axis=0)
         loose = [item.corners[:, :2] for item in lifted] or [np.zeros((1, 2))]
         corner = np.concatenate(loose)
         least, most = corner.min(axis=0), corner.max(axis=0)
         paper = width * POINTS
+        numbers = map(plane_names, stage.arrangement.distinct)
+        margin = max(MARGIN, 10.0 + max((measure(text, 7.0)[0] for text in numbers), default=0.0))
         self.scale = min(
             (paper - a - b) / (right - left)
-            for left, a in ((low[0], MARGIN), (least[0], 3.0))
-            for right, b in ((high[0], MARGIN), (most[0], 3.0))
+            for left, a in ((low[0], margin), (least[0], 3.0))
+            for right, b in ((high[0], margin), (most[0], 3.0))
             if right - left > 0.5
         )
-        left = min(low[0] * self.scale - MARGIN, least[0] * self.scale - 3)
-        bottom = min(low[1] * self.scale - MARGIN, least[1] * self.scale - 10)
+        left = min(low[0] * self.scale - margin, least[0] * self.scale - 3)
+        bottom = min(low[1] * self.scale - MARGIN, least[1] * self.scale - 10) - room
         top = max(high[1] * self.scale + MARGIN, most[1] * self.scale + 10)
         self.shift = np.array([-left, -bottom])
         self.scene = Scene(width, (top - bottom) / POINTS)
@@ -96,19 +112,22 @@ class PlanesSheet:
 
     def _paint_all(self) -> None:
         """Paint everything in the order of its keys."""
-        self.scene.polygon(self.place(self.outline), fc="#f7f7f5", ec="none", zorder=0)
-        gone = {item.cell.signs for item in self.lifted}
         stage = self.stage
         todo: list[tuple[int, Key, Callable[[], None]]] = []
-        for number, facet in enumerate(stage.facets):
-            todo.append((0, stage.key(facet.sides), partial(self._facet, facet, number)))
+        if not self.apart:
+            self.scene.polygon(self.place(self.outline), fc="#f7f7f5", ec="none", zorder=0)
+            for number, facet in enumerate(stage.facets):
+                todo.append((0, stage.key(facet.sides), partial(self._facet, facet, number)))
         for item in self.lifted:
             key = stage.key(item.cell.sides) if item.place == 0 else ()
             todo.append((item.place, key, partial(self._solid, item)))
-        for key, signs, ends in self._frame_pieces():
+        gone = {item.cell.signs for item in self.lifted}
+        for key, signs, ends in () if self.apart else self._frame_pieces():
             if signs not in gone:
                 style = {"lw": 0.5, "ec": "#555555"}
                 todo.append((0, key, partial(self._line, self.place(ends), style)))
+        for place, key, ends in self.axes.pieces():
+            todo.append((place, key, partial(self._axis, self.place(ends), place != 0)))
         todo.sort(key=lambda item: item[:2])
         for step, (_, _, paint) in enumerate(todo):
             self.z = 1 + step / (len(todo) + 1)
@@ -143,6 +162,13 @@ class PlanesSheet:
     def _line(self, points: Any, style: dict[str, Any]) -> None:
         base = {"ec": "black", "capstyle": "round", "joinstyle": "round", "zorder": self.z}
         self.scene.line(points, **{**base, **style})
+
+    def _axis(self, ends: Floats, last: bool) -> None:
+        style: dict[str, Any] = {"gid": "axis", "zorder": self.z}
+        if last:
+            arrow(self.scene, *ends, **style)
+        else:
+            self.scene.line(ends, ec=INK, lw=0.8, **style)
 
     def _frame_pieces(self) -> list[tuple[Key, tuple[int, ...], Floats]]:
         """Return the edges of the cube, or the outline of the ball, cut at the planes."""
@@ -209,6 +235,6 @@ def _shaded(colour: str | Colour, normal: Floats) -> Colour:
     """Return a colour as it looks on a face with this normal."""
     from matplotlib.colors import to_rgb
 
-    light = 0.76 + 0.24 * max(0.0, float(LIGHT @ normal))
+    light = 0.76 + 0.24 * max(0.0, float(TO_LIGHT @ normal))
     red, green, blue = to_rgb(colour)
     return red * light, green * light, blue * light

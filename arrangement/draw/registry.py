@@ -9,6 +9,8 @@ from __future__ import annotations
 
 import ast
 import importlib
+import inspect
+import math
 import os
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
@@ -22,7 +24,22 @@ from arrangement.errors import InputError
 from arrangement.exact import shown
 from arrangement.io.writing import write_bytes_atomically, write_text_atomically
 
-from .output import MODELS, PAGES, PICTURES, save_figure
+from .figure import figure
+from .output import (
+    MODELS,
+    PAGES,
+    PICTURES,
+    TIKZ,
+    ending,
+    millimetres,
+    own_settings,
+    picture_bytes,
+    points,
+    svg_text,
+)
+from .scene import FONT, NarrowError, Scene
+from .themes import THEMES, themed
+from .tikz import tikz
 
 #: The kinds of options, for signatures; `command` tells how each is written on a command line.
 Vector: TypeAlias = Sequence[object]
@@ -38,6 +55,7 @@ class Option:
     Attributes:
         kind: the annotation without ``| None`` and without `Iterable`.
         many: whether it takes several values.
+        default: if it is a number.
         text: from the section ``Args`` of the docstring.
     """
 
@@ -45,6 +63,7 @@ class Option:
     kind: str
     many: bool
     required: bool
+    default: float
     text: str
 
 
@@ -71,18 +90,31 @@ class Drawings:
         path: str | os.PathLike[str],
         view: str | None = None,
         model: str | None = None,
+        *,
+        font_size: object = None,
+        text: str | None = None,
+        fragment: bool = False,
+        theme: str | None = None,
         **options: Any,
     ) -> dict[str, str]:
         """Draw into a file, whole or not at all.
 
         Args:
             subject: an arrangement, or a grasp, that the view can show; see its function.
-            path: ``.svg``, ``.pdf`` or ``.png`` for a picture; ``.stl``, ``.glb`` or ``.obj`` for a
-                model. STL and OBJ are in millimetres, GLB is in metres as its standard demands;
-                ``.html`` for an interactive page.
+            path: ``.svg``, ``.pdf``, ``.png`` or ``.tex`` (TikZ) for a picture; ``.stl``, ``.glb``
+                or ``.obj`` for a model. STL and OBJ are in millimetres, GLB is in metres as its
+                standard demands; ``.html`` for an interactive page.
             view: of a picture or a page; if omitted, the first one.
             model: if omitted, the first one.
-            options: those of the function of the view, model or page.
+            font_size: of the larger letters of a picture, in points; if omitted, 7. All other
+                letters and the lines keep their proportions to it; the width stays.
+            text: in SVG "outlines", which look the same everywhere, or "text", which can be found
+                and edited, in the fonts that the reader has.
+            fragment: TikZ for ``\\input`` instead of a document.
+            theme: of a picture: "light", if omitted; "dark"; or "mono", black on white with
+                hatchings.
+            options: those of the function of the view, model or page. The width of a view and the
+                size of a model are in millimetres, or texts with a unit: ``"8.4cm"``, ``"252pt"``.
 
         Returns:
             What was written: ``{"view": name}``, ``{"model": name}`` or ``{"page": name}``.
@@ -93,6 +125,51 @@ class Drawings:
             MissingExtraError: matplotlib is absent.
         """
         kind, name = self.target(path, view, model)
+        draw = self._function(kind, name, options)
+        for length in LENGTHS & options.keys():
+            options[length] = millimetres(options[length], f"the {length}")
+        suffix = Path(path).suffix.lower()
+        _check_form(kind, suffix, font_size or theme, text, fragment)
+        if kind == "view":
+            scale = 1.0 if font_size is None else points(font_size, "the font size") / FONT
+            width = options.get("width", self.options(kind, name)["width"].default)
+            options["width"] = width / scale
+
+            def scene() -> Scene:
+                try:
+                    made: Scene = inspect.unwrap(draw)(subject, **options)
+                except NarrowError as error:
+                    if scale == 1:
+                        raise
+                    counted = f"{width:.4g}, counted as 1/{scale:.3g} of it for the font size"
+                    raise InputError(f"{error} (the width given is {counted})") from None
+                return themed(made.scaled(scale), theme or THEMES[0])
+
+            if suffix in TIKZ:
+                with own_settings():
+                    write_text_atomically(path, tikz(scene(), fragment=fragment))
+            else:
+                content = picture_bytes(suffix, lambda: figure(scene()), letters=text == "text")
+                write_bytes_atomically(path, content)
+        elif kind == "page":
+            write_text_atomically(path, draw(subject, **options))
+        else:
+            write_bytes_atomically(path, draw(subject, suffix, **options))
+        return {kind: name}
+
+    def svg(self, subject: Any, view: str, **options: Any) -> str | None:
+        """Return a picture as SVG text; None without matplotlib, or when `write` would refuse."""
+        return svg_text(lambda: self._function("view", view, options)(subject, **options))
+
+    def _function(self, kind: str, name: str, options: Mapping[str, Any]) -> Any:
+        """Return the function behind a name, if it has these options.
+
+        Raises:
+            InputError: an unknown name or option.
+        """
+        known = getattr(self, f"{kind}s")
+        if name not in known:
+            raise refusal(f"the {kind} is {shown(name)}", name, known)
         found = self.options(kind, name)
         for option in options:
             if option not in found:
@@ -102,15 +179,8 @@ class Drawings:
         for needed in found.values():
             if needed.required and needed.name not in options:
                 raise InputError(f"the {kind} {name} needs {needed.name}; give at least one")
-        module, _, function = getattr(self, f"{kind}s")[name].partition(":")
-        draw = getattr(importlib.import_module(f"{self.package}.{module}"), function)
-        if kind == "view":
-            save_figure(path, lambda: draw(subject, **options))
-        elif kind == "page":
-            write_text_atomically(path, draw(subject, **options))
-        else:
-            write_bytes_atomically(path, draw(subject, Path(path).suffix.lower(), **options))
-        return {kind: name}
+        module, _, function = known[name].partition(":")
+        return getattr(importlib.import_module(f"{self.package}.{module}"), function)
 
     def target(
         self, path: str | os.PathLike[str], view: str | None = None, model: str | None = None
@@ -118,14 +188,13 @@ class Drawings:
         """Return what a path asks for: "view", "model" or "page", and the name of it.
 
         Raises:
-            InputError: unknown suffix or name, or a name that does not go with the suffix.
+            InputError: unknown suffix or name, no such folder, or a name that does not go with the
+                suffix.
         """
-        suffix = Path(path).suffix.lower()
-        kinds = {"view": PICTURES, "model": MODELS if self.models else (), "page": PAGES}
-        kind = next((kind for kind, suffixes in kinds.items() if suffix in suffixes), None)
-        if kind is None:
-            ends = sorted(end for suffixes in kinds.values() for end in suffixes)
-            raise InputError(f"the file name ends in {shown(suffix)}; known are {', '.join(ends)}")
+        models = MODELS if self.models else ()
+        kinds = {"view": (*PICTURES, *TIKZ), "model": models, "page": PAGES}
+        suffix = ending(path, sorted(end for suffixes in kinds.values() for end in suffixes))
+        kind = next(kind for kind, suffixes in kinds.items() if suffix in suffixes)
         name, other = (model, view) if kind == "model" else (view, model)
         if other is not None:
             wrong = "view" if kind == "model" else "model"
@@ -144,6 +213,27 @@ class Drawings:
         return _options(self.package, *getattr(self, f"{kind}s")[name].split(":"))
 
 
+#: Options that are lengths, in millimetres.
+LENGTHS = {"width", "size"}
+LETTERS = ("outlines", "text")
+
+
+def _check_form(kind: str, suffix: str, looks: object, text: str | None, fragment: bool) -> None:
+    """Refuse what does not go with a kind of file."""
+    if looks is not None and kind != "view":
+        raise InputError(
+            f"a font size or theme is for pictures, and the file name ends in {suffix}"
+        )
+    if fragment and suffix not in TIKZ:
+        raise InputError(f"a fragment is TikZ, .tex, and the file name ends in {suffix}")
+    if text is not None and suffix != ".svg":
+        raise InputError(
+            f"text or outlines is a choice of .svg, and the file name ends in {suffix}"
+        )
+    if text not in (None, *LETTERS):
+        raise refusal(f"the text is {shown(text)}", text, LETTERS)
+
+
 @cache
 def _options(package: str, module: str, name: str) -> dict[str, Option]:
     tree = ast.parse(files(package).joinpath(f"{module}.py").read_text(encoding="utf-8"))
@@ -156,7 +246,11 @@ def _options(package: str, module: str, name: str) -> dict[str, Option]:
         if many := kind.startswith("Iterable["):
             kind = kind.removeprefix("Iterable[").removesuffix("]")
         text = texts.get(argument.arg, "")
-        options[argument.arg] = Option(argument.arg, kind, many, default is None, text)
+        number = default.value if isinstance(default, ast.Constant) else None
+        options[argument.arg] = Option(
+            argument.arg, kind, many, default is None,
+            number if isinstance(number, float) else math.nan, text,
+        )  # fmt: skip
     return options
 
 

@@ -1,19 +1,22 @@
 """What a picture shows, before any file format: paths, marks and labels on a sheet of paper.
 
-A view adds items to a `Scene`; a writer (`figure`) reads them and knows no view. Every item has a
-name such as ``region-3``, whose first word says what it is. Coordinates are printer's points
-(1/72 inch) from the lower left corner.
+A view adds items to a `Scene`; a writer (`figure`, `tikz`) reads them and knows no view. Every item
+has a role, one of `ROLES`, which writers make styles and layers of. It may have a name such as
+``region-3``. Coordinates are printer's points (1/72 inch) from the lower left corner.
 
 Styles: ``fc`` colour inside, ``ec`` of the line, ``lw`` its width in points, ``ls`` its dashes
 (offset, lengths in line widths), ``alpha``, ``capstyle``, ``joinstyle``, ``hatch``; of labels and
 marks ``color``, ``weight``, ``style``, ``halo`` (width, colour), ``plate`` (a box behind the text).
+Besides, of all items: ``gid`` the name, ``role``, ``zorder`` (see `Item.order`).
 """
 
 from __future__ import annotations
 
+import math
+import textwrap
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import lru_cache
 from typing import Any, TypeAlias
 
@@ -39,6 +42,35 @@ DPI = 300
 FONT = 7.0
 #: Least distance between two labels, and of a label from the border; in points.
 GAP = 0.8
+#: What an item can be, and what it then is.
+ROLES: Mapping[str, str] = {
+    "region": "an area: a region, a facet, a face, a cell, a set of wrenches",
+    "ball": "a shaded ball",
+    "circle": "the visible part of a plane or line of the arrangement",
+    "hidden": "what lies behind something",
+    "edge": "an edge of a polyhedron, a graph or a diagram",
+    "border": "where a set, a body or the picture ends",
+    "point": "a vertex, a mark, the sign of a state",
+    "axis": "axes, rulers, ticks, the origin",
+    "arrow": "a force, a wrench, a motion",
+    "line": "any other line",
+    "label": "a text",
+}
+#: The role that goes with the first word of a name, unless the view gives another.
+_ROLES = {
+    word: role
+    for role, words in {
+        "region": "body cell code cone differs face facet flat polygon region",
+        "circle": "arc front",
+        "hidden": "back",
+        "edge": "cover edge link",
+        "border": "border limb outline rim whisker",
+        "point": "direction mark pad point vertex wrench",
+        "axis": "axis origin scale",
+        "arrow": "centre force motion preload shift",
+    }.items()
+    for word in words.split()
+}
 _CORNERS = ((-1, -1), (1, -1), (1, 1), (-1, 1))
 
 
@@ -48,12 +80,14 @@ class Item:
 
     Attributes:
         name: of the element, such as ``region-3``; may be empty.
+        role: one of `ROLES`.
         order: what is higher is painted later; if None, lines over fills over nothing.
         clip: the box, or the disc (centre and radius), outside which it is not seen.
         style: see the module.
     """
 
     name: str = ""
+    role: str
     order: float | None = None
     clip: Box | tuple[Place, float] | None = None
     style: Mapping[str, Any] = field(default_factory=dict)
@@ -72,6 +106,32 @@ class Path(Item):
     points: Floats
     kind: str
     radius: float = 0.0
+
+
+@dataclass(frozen=True, kw_only=True)
+class Ball(Item):
+    """A ball lit from one side: a radial gradient in a disc.
+
+    Attributes:
+        centre, radius: of the disc, in points.
+        focus: the brightest place, from the centre, in radii.
+        near, far: colours ``#rrggbb`` or ``#rrggbbaa`` there and at the rim. Between them, on a
+            circle with its centre on the way from the centre to the focus, stands the colour of
+            `SHADES`.
+    """
+
+    centre: tuple[float, float]
+    radius: float
+    focus: tuple[float, float]
+    near: str
+    far: str
+
+
+#: Size of a circle between focus (0) and rim (1) of a ball, and the share of the far colour there:
+#: 1 - cos of an angle over its sine, as on a matt ball.
+SHADES = tuple((math.sin(a), 1 - math.cos(a)) for a in (k * math.pi / 16 for k in range(9)))
+#: From where all balls are lit: from the upper left.
+LIGHT = (-0.35, 0.4)
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -121,6 +181,12 @@ class Scene:
         yield
         self._clip = None
 
+    def scaled(self, factor: float) -> Scene:
+        """Return the same sheet enlarged: paper, letters and lines."""
+        grown = Scene(*(factor * length for length in self.paper))
+        grown.items = [_scaled(item, factor) for item in self.items]
+        return grown
+
     def measure(self, text: str, size: float = FONT, rotation: float = 0.0) -> tuple[float, float]:
         """Return the width and height of a text, in points."""
         return measure(text, size, rotation)
@@ -167,7 +233,9 @@ class Scene:
         if not self.is_free(box):
             return False
         self.boxes.append(box)
-        self.text((x, y), text, size, rotation=rotation, **style)
+        ha = "left" if anchor[0] == 0 else "right" if anchor[0] == 1 else "center"
+        place = {"left": box[0], "right": box[2], "center": x}[ha], y
+        self.text(place, text, size, ha=ha, rotation=rotation, **style)
         return True
 
     def text(
@@ -196,6 +264,17 @@ class Scene:
         """Draw a circle."""
         self._add(Path, style, points=np.asarray(centre), kind="circle", radius=radius)
 
+    def ball(
+        self, centre: Place, radius: float, near: str = "#ffffff", far: str = "#c0c4cc",
+        focus: tuple[float, float] = LIGHT, **style: Any,
+    ) -> None:  # fmt: skip
+        """Draw a shaded ball; with colours that let through, such as ``#00000040``, a shadow."""
+        place = float(centre[0]), float(centre[1])
+        self._add(
+            Ball, {"role": "ball", **style}, centre=place, radius=radius, focus=focus, near=near,
+            far=far,
+        )  # fmt: skip
+
     def marker(self, at: Place, size: float, shape: str, **style: Any) -> None:
         """Draw a small disc ("round") or square ("square") of about the same area."""
         if shape == "round":
@@ -218,9 +297,31 @@ class Scene:
         self._add(Mark, style, place=(float(at[0]), float(at[1])), sign=sign, size=size)
 
     def _add(self, sort: type[Item], style: dict[str, Any], **what: Any) -> None:
-        rest = {key: value for key, value in style.items() if key not in ("gid", "zorder")}
+        rest = {key: x for key, x in style.items() if key not in ("gid", "zorder", "role")}
         name, order = style.get("gid", ""), style.get("zorder")
-        self.items.append(sort(name=name, order=order, clip=self._clip, style=rest, **what))
+        role = style.get("role") or _role(sort, name, rest)
+        self.items.append(
+            sort(name=name, role=role, order=order, clip=self._clip, style=rest, **what)
+        )
+
+    def caption(self, text: str, size: float = 6.0) -> None:
+        """Write a text in a strip of its own below all that is there, in lines that fit."""
+        lines = textwrap.wrap(text, 120)
+        for width in range(len(text), 8, -1):
+            if max(self.measure(line, size)[0] for line in lines) < self.width - 2 * GAP:
+                break
+            lines = textwrap.wrap(text, width)
+        strip = (size + 1.5) * len(lines) + 2.0
+        self.items = [_moved(item, 0.0, strip) for item in self.items]
+        self.boxes = [(left, a + strip, right, b + strip) for left, a, right, b in self.boxes]
+        self.height += strip
+        self.paper = self.paper[0], self.height / POINTS
+        self.write((self.width / 2, 2.0), "\n".join(lines), size, anchor=(0.5, 0.0))
+
+    def place(self, other: Scene, x: float, y: float) -> None:
+        """Add all that another scene shows, its lower left corner at (x, y)."""
+        self.items += [_moved(item, x, y) for item in other.items]
+        self.boxes += [(l + x, b + y, r + x, t + y) for l, b, r, t in other.boxes]  # noqa: E741
 
     def keys(
         self, y: float, keys: Iterable[tuple[str, dict[str, Any]]], size: float = FONT
@@ -257,6 +358,31 @@ class Scene:
             self.polygon(corners, **{"ec": "black", "lw": 0.5, **style})
 
 
+def _moved(item: Any, right: float, up: float) -> Any:
+    """Return an item, with what it is cut to, at another place."""
+    by, clip = np.array([right, up]), item.clip
+    if clip is not None and len(clip) == 2:
+        clip = np.asarray(clip[0]) + by, clip[1]
+    elif clip is not None:
+        clip = clip[0] + right, clip[1] + up, clip[2] + right, clip[3] + up
+    if isinstance(item, Path):
+        return replace(item, clip=clip, points=item.points + by)
+    if isinstance(item, Ball):
+        return replace(item, clip=clip, centre=(item.centre[0] + right, item.centre[1] + up))
+    return replace(item, clip=clip, place=(item.place[0] + right, item.place[1] + up))
+
+
+def _role(sort: type[Item], name: str, style: Mapping[str, Any]) -> str:
+    """Return the role of an item without one: by its name, else by its kind."""
+    if sort is Label:
+        return "label"
+    word = next((part for part in name.split("-") if part.isalpha()), "")
+    if sort is Mark:
+        return "point"
+    filled = style.get("fc", "none") != "none"
+    return _ROLES.get(word, "region" if filled else "line")
+
+
 def measure(text: str, size: float = FONT, rotation: float = 0.0) -> tuple[float, float]:
     """Return the width and height of a text in the fonts that are set now, in points."""
     settings = require_matplotlib().rcParams
@@ -285,6 +411,31 @@ def _measuring() -> Any:
     return renderer(10, 10, DPI), Figure(dpi=DPI)
 
 
+#: What of an item is a length or a point, or several.
+_LENGTHS = ("points", "radius", "place", "centre", "size")
+
+
+def _scaled(item: Item, factor: float) -> Item:
+    found: dict[str, Any] = {
+        key: _grown(getattr(item, key), factor) for key in _LENGTHS if hasattr(item, key)
+    }
+    style = dict(item.style)
+    for key in {"lw", "mew"} & style.keys():
+        style[key] *= factor
+    if style.get("halo"):
+        style["halo"] = (factor * style["halo"][0], style["halo"][1])
+    if "pad" in (style.get("plate") or {}):
+        style["plate"] = {**style["plate"], "pad": factor * style["plate"]["pad"]}
+    clip = None if item.clip is None else _grown(item.clip, factor)
+    return replace(item, style=style, clip=clip, **found)
+
+
+def _grown(value: Any, factor: float) -> Any:
+    if isinstance(value, (tuple, list)):
+        return tuple(_grown(x, factor) for x in value)
+    return factor * value
+
+
 def area(corners: Floats) -> float:
     """Return the area of a polygon; of fewer than three corners, 0."""
     if len(corners) < 3:
@@ -293,9 +444,13 @@ def area(corners: Floats) -> float:
     return abs(float(x @ np.roll(y, -1) - y @ np.roll(x, -1))) / 2
 
 
+class NarrowError(InputError):
+    """The sheet is too narrow for what it shows."""
+
+
 def checked_width(width: object, least: float = 40.0) -> float:
     """Return a width in millimetres, or refuse it."""
     length = millimetres(width, "the width")
     if length < least:
-        raise InputError(f"the width is {shown(width)}; give at least {least:g} millimetres")
+        raise NarrowError(f"the width is {shown(width)}; give at least {least:g} millimetres")
     return length

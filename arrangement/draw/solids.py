@@ -32,7 +32,7 @@ class Solid:
         edges: vertex, vertex, and the class of planes of the edge, or -1.
         edge_hidden: for each edge.
         vertex_hidden: for each vertex.
-        faces: the visible faces, as cycles of vertices, each with the cosine of its tilt.
+        faces: the visible faces, as cycles of vertices, each with its outer unit normal.
     """
 
     corners: Floats
@@ -40,7 +40,7 @@ class Solid:
     edges: tuple[tuple[int, int, int], ...]
     edge_hidden: tuple[bool, ...]
     vertex_hidden: tuple[bool, ...]
-    faces: tuple[tuple[tuple[int, ...], float], ...]
+    faces: tuple[tuple[tuple[int, ...], Floats], ...]
 
     @property
     def places(self) -> Floats:
@@ -61,7 +61,7 @@ def dual_solid(arrangement: Planes, direction: IntegerVector, axes: Floats) -> S
     edges = flat_edges(arrangement, flat.signs)
     seen = np.array([[float(x) for x in corner] for corner in flat.vertices]) @ axes.T
     shown = (False,) * len(flat.signs)
-    faces = ((tuple(range(len(shown))), 1.0),) if len(shown) > 2 else ()
+    faces = ((tuple(range(len(shown))), np.array([0.0, 0.0, 1.0])),) if len(shown) > 2 else ()
     return Solid(seen, tuple(flat.signs), edges, shown[: len(edges)], shown, faces)
 
 
@@ -97,10 +97,10 @@ def _polyhedron(dual: DualPolyhedron, direction: IntegerVector, axes: Floats) ->
     edge_hidden, vertex_hidden = _hidden(pairs, dual.faces, towards, len(dual.signs))
     points = np.array([[float(x) for x in vertex] for vertex in dual.vertices])
     normals = np.array(dual.face_normals, dtype=float) @ axes.T
-    tilts = (normals[:, 2] / np.linalg.norm(normals, axis=1)).tolist()
+    normals /= np.linalg.norm(normals, axis=1, keepdims=True)
     visible = tuple(
-        (cycle, tilt)
-        for cycle, tilt, ahead in zip(dual.faces, tilts, towards, strict=True)
+        (cycle, normal)
+        for cycle, normal, ahead in zip(dual.faces, normals, towards, strict=True)
         if ahead > 0
     )
     signs = tuple(map(tuple, dual.signs.tolist()))
@@ -124,14 +124,21 @@ def hull_solid(hull: RepresentativeHull, direction: IntegerVector, axes: Floats)
     heights = [dot(point, direction) for point in points]
     edges = [(u, v, shared.get((u, v), -1)) for u, v in true] + [(u, v, -2) for u, v in missing]
     edge_hidden += tuple(heights[u] + heights[v] < 0 for u, v in missing)
+    seen = np.array([[float(x) for x in point] for point in points]) @ axes.T
     faces = tuple(
-        (triangle, 1.0)
+        (triangle, _normal(*seen[list(triangle)]))
         for triangle, ahead in zip(hull.hull.triangles, towards, strict=True)
         if ahead > 0
     )
-    seen = np.array([[float(x) for x in point] for point in points]) @ axes.T
     signs = tuple(map(tuple, hull.dual.signs.tolist()))
     return Solid(seen, signs, tuple(edges), edge_hidden, vertex_hidden, faces)
+
+
+def _normal(p: Floats, q: Floats, r: Floats) -> Floats:
+    """Return the unit normal of a triangle."""
+    normal = np.cross(q - p, r - p)
+    unit: Floats = normal / np.linalg.norm(normal)
+    return unit
 
 
 def _hidden(

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from itertools import product
 from typing import Any
 
@@ -12,13 +13,16 @@ from arrangement.arrangement import Arrangement
 from arrangement.errors import InputError
 from arrangement.exact import IntegerVector
 
-from .colours import DrawnRegion, Painter, painter
+from .colours import DrawnRegion, Painter
 from .coordinates import in_coordinates
-from .disc import alone, front, has_key, key_entries, plane_names, region_sides, rim_width
+from .disc import HIDDEN, alone, front, label_regions, plane_names, rim_width
+from .essential import shown_as
 from .figure import picture
+from .footer import Footer
 from .globe import Globe, best_direction, unit_vectors
-from .labels import flattened, sign_text, write_inside
+from .labels import flattened, segments_of, write_beside
 from .projections import Drawn, stereographic
+from .regionlabels import RegionLabels
 from .registry import Vector
 from .scene import Floats, Scene, checked_width
 
@@ -27,11 +31,14 @@ FARTHEST = 3.3
 
 
 @picture
+@shown_as("stereographic")
 def draw_stereographic(
     arrangement: Arrangement,
     *,
     direction: Vector | None = None,
-    colour: str | Painter = "sides",
+    colour: str | Painter | None = None,
+    antipodes: str | None = None,
+    labels: str | None = None,
     width: float = 88.0,
     whole: bool | None = None,
     coordinates: str | None = None,
@@ -50,9 +57,9 @@ def draw_stereographic(
     ``front-7``, ``limb-2``).
 
     Args:
-        arrangement: central, in R^3, any rank.
+        arrangement: central, of rank at most 3; in another space than R^3 its essentialisation.
         direction: the exact direction of the middle; if omitted, one is chosen.
-        colour: as for `draw_sphere`.
+        colour, antipodes, labels: as for `draw_sphere`.
         width: of the figure, in millimetres.
         whole: both halves, or the front half; if omitted, both where all circles stay within
             3.3 radii, as for few circles.
@@ -65,7 +72,8 @@ def draw_stereographic(
             the whole is asked for and the direction lies on a plane.
         MissingExtraError: matplotlib is absent.
     """
-    paint = painter(colour)
+    width = checked_width(width)
+    names = RegionLabels(arrangement, labels)
     arrangement, direction = in_coordinates(coordinates, arrangement, direction)
     globe = Globe(arrangement, direction)
     if direction is None and whole is not False:
@@ -74,9 +82,12 @@ def draw_stereographic(
             globe, whole = central, True
     if whole is None:
         whole = 0 < _farthest(globe) <= FARTHEST
+    colours = globe.colouring(colour, antipodes)
     if not whole:
-        disc = alone(globe, front(globe, stereographic), colour, width)
-        disc.scene.keys(14.0, key_entries(colour, disc.draw(paint), paint))
+        footer = Footer(colours, names, list(globe.front.values()))
+        disc = alone(globe, front(globe, stereographic), footer, width)
+        disc.draw(colours.paint)
+        footer.write(disc.scene, disc.scene.height - disc.scene.width)
         return disc.scene
     if math.isinf(_farthest(globe)):
         k = next(i for i, s in enumerate(arrangement.signs_at(globe.direction)) if s == 0)
@@ -84,17 +95,18 @@ def draw_stereographic(
             f"the direction lies on plane {k + 1}, whose circle would pass through infinity; "
             "choose another direction, or the front half alone (whole=False)"
         )
-    width = checked_width(width)
-    scene = Scene(width, width + (5.0 if has_key(colour) else 0.0))
-    scene.keys(14.0, key_entries(colour, _Whole(globe, scene, paint).draw(), paint))
+    footer = Footer(colours, names, globe.regions)
+    scene = Scene(width, width + footer.height(width))
+    _Whole(globe, scene, colours.paint, names).draw()
+    footer.write(scene, scene.height - scene.width)
     return scene
 
 
 class _Whole:
     """The picture of both halves: a frame, the outer region, and all others on top of it."""
 
-    def __init__(self, globe: Globe, scene: Scene, paint: Painter) -> None:
-        self.scene, self.globe, self.paint = scene, globe, paint
+    def __init__(self, globe: Globe, scene: Scene, paint: Painter, names: RegionLabels) -> None:
+        self.scene, self.globe, self.paint, self.names = scene, globe, paint, names
         self.centre = np.array([scene.width / 2, scene.height - scene.width / 2])
         self.half = scene.width / 2 - 1.5
         self.normals = unit_vectors(globe.whole.circle_normals).reshape(-1, 3) @ globe.axes.T
@@ -116,80 +128,67 @@ class _Whole:
     def on_paper(self, points: Floats) -> Floats:
         return self.centre + self.scale * (points - self.middle)
 
-    def draw(self) -> list[DrawnRegion]:
+    def draw(self) -> None:
         outlines = self._fill()
+        lines = []
         for arc in range(self.globe.whole.arc_count):
             curve = self.on_paper(self.drawn.arc(arc))
             self.scene.curve(curve, fill=False, ec="black", lw=0.9, zorder=3, gid=f"arc-{arc}")
+            lines.append(np.vstack([flattened(curve, 8), curve[-1:]]))
         limb = self.on_paper(np.zeros((1, 2)))[0]
-        self.scene.circle(
-            limb, self.scale, fill=False, ec="black", lw=0.6, ls=(0, (3, 2)), alpha=0.7,
-            zorder=2, gid="limb",
-        )  # fmt: skip
-        self._frame()
-        self._names()
+        self.scene.circle(limb, self.scale, fill=False, ec="black", gid="limb", **HIDDEN)
+        corners = self._corners()
+        self.scene.polygon(corners, fill=False, ec="black", lw=0.4, ls=(0, (1, 2)), role="border")
+        self._names(lines)
         at = np.linspace(0, 2 * math.pi, 200)[:, None]
         dashes = self.on_paper(np.hstack([np.cos(at), np.sin(at)]))
-        for region, outline in outlines:
-            if outline is None:
-                self._outer_signs(region)
-            else:
-                write_inside(self.scene, flattened(outline), region.signs, other=dashes)
-        return [region for region, _ in outlines]
+        label_regions(
+            self.scene, self.names, outlines, [*lines, dashes], [dashes],
+            (*(corners[0] + 2), *(corners[2] - 2)),
+        )  # fmt: skip
 
-    def _fill(self) -> list[tuple[DrawnRegion, Floats | None]]:
-        """Fill the outer region first, then all others; return them with their outlines."""
+    def _fill(self) -> list[tuple[DrawnRegion, Floats]]:
+        """Fill the outer region first, then all others; return all but it with outlines."""
         globe = self.globe
-        found: list[tuple[DrawnRegion, Floats | None]] = []
+        found: list[tuple[DrawnRegion, Floats]] = []
         outside = globe.whole.arrangement.signs_at([-x for x in globe.direction])
-        sides = region_sides(globe)
-        numbers = {globe.whole.region_signs(r): r for r in range(globe.whole.region_count)}
-        for signs, r in sorted(numbers.items(), key=lambda item: (item[0] != outside, item[1])):
-            region = DrawnRegion(signs, sides[signs])
+        numbers = sorted(enumerate(globe.regions), key=lambda item: item[1].signs != outside)
+        for r, region in numbers:
             style: dict[str, Any] = {"fc": self.paint(region), "ec": "none", "gid": f"region-{r}"}
-            if signs == outside:
+            if region.signs == outside:
                 self.scene.polygon(self._corners(), **style)
-                found.append((region, None))
+                self._outer_label(region)
             else:
                 outline = self.on_paper(self.drawn.outline(r))
                 self.scene.curve(outline, **style)
-                found.append((region, outline))
+                found.append((region, flattened(outline)))
         return found
 
     def _corners(self) -> Floats:
         signs = np.array([[-1, -1], [1, -1], [1, 1], [-1, 1]])
         return self.centre + self.half * signs
 
-    def _frame(self) -> None:
-        self.scene.polygon(self._corners(), fill=False, ec="black", lw=0.4, ls=(0, (1, 2)))
+    def _names(self, lines: Sequence[Floats]) -> None:
+        """Write each circle's number outside its farthest point, or else close to its line."""
+        classes, segments = self.globe.whole.arrangement.distinct, segments_of(lines)
+        for k in sorted(range(len(classes)), key=lambda k: abs(self.normals[k, 2])):
+            text = plane_names(classes[k])
+            for step in range(84):
+                if self._name(k, text, step, segments):
+                    break
 
-    def _names(self) -> None:
-        """Write each circle's number outside its farthest point; inner ones go on their line."""
-        classes = self.globe.whole.arrangement.distinct
-        texts = [plane_names(members) for members in classes]
-        order = sorted(range(len(texts)), key=lambda k: abs(self.normals[k, 2]))
-        for k in order:
-            if not self._name(k, texts[k], outside=True):
-                self._name(k, texts[k], outside=False)
-
-    def _name(self, k: int, text: str, *, outside: bool) -> bool:
+    def _name(self, k: int, text: str, step: int, segments: Floats) -> bool:
+        """Try a place, farther and farther from the farthest point of a circle."""
         a, b, c = self.normals[k].tolist()
         centre, radius = np.array([a / c, b / c]), 1 / abs(c)
-        w, h = self.scene.measure(text, 7.0)
-        style: dict[str, Any] = (
-            {} if outside else {"plate": {"fc": "white", "ec": "none", "pad": 0.6}}
-        )
-        for step in range(84):
-            angle = math.atan2(b * c, a * c) + (step + 1) // 2 * 0.075 * (1 if step % 2 else -1)
-            outward = np.array([math.cos(angle), math.sin(angle)])
-            beyond = 2.2 + (abs(outward[0]) * w + abs(outward[1]) * h * 0.7) / 2
-            rim = self.on_paper((centre + radius * outward)[None])[0]
-            place = rim + (beyond if outside else 0.0) * outward
-            if self._clearance(place, None if outside else k) < (4.5 if outside else 5.5):
-                continue
-            if self.scene.write(place, text, 7.0, **style):
-                return True
-        return False
+        angle = math.atan2(b * c, a * c) + (step + 1) // 2 * 0.075 * (1 if step % 2 else -1)
+        outward = np.array([math.cos(angle), math.sin(angle)])
+        rim = self.on_paper((centre + radius * outward)[None])[0]
+        return write_beside(
+            self.scene, rim, [text], (7.0, 6.0), segments=segments, away=outward, distance=1.2,
+            within=tuple(np.concatenate([self._corners()[0] + 4, self._corners()[2] - 4])),
+            turns=2, style="italic",
+        )  # fmt: skip
 
     def _clearance(self, place: Floats, own: int | None) -> float:
         """Return how far a place is from all circles but its own; outside all if it has none."""
@@ -200,9 +199,9 @@ class _Whole:
         gaps = np.linalg.norm(place - centres, axis=1) - self.scale / np.abs(c)
         return float((gaps if own is None else np.abs(gaps)).min(initial=99.0))
 
-    def _outer_signs(self, region: DrawnRegion) -> None:
-        """Write the sign vector of the outer region into a corner of the frame."""
-        text = sign_text(region.signs)
+    def _outer_label(self, region: DrawnRegion) -> None:
+        """Write the name of the outer region into a corner of the frame."""
+        text = next(iter(self.names.forms(region.signs)), "")
         for x, y in product((1, 0), (1, 0)):
             corner = self._corners()[{(0, 0): 0, (1, 0): 1, (1, 1): 2, (0, 1): 3}[x, y]]
             inside = corner + np.array([4.0 - 8 * x, 4.0 - 8 * y])

@@ -34,11 +34,11 @@ def write_bytes_atomically(path: str | os.PathLike[str], content: bytes) -> None
             target.write_bytes(content)
         else:
             _replace(target, content)
-    except (OSError, ValueError) as error:
+    except (OSError, ValueError, RuntimeError) as error:  # RuntimeError: a loop of links
         raise InputError(f"cannot write {shown(str(path))}: {reason(error)}") from None
 
 
-def reason(error: OSError | ValueError) -> str:
+def reason(error: Exception) -> str:
     """Return what went wrong with a file, in the words of the system."""
     if isinstance(error, OSError) and error.strerror:
         return error.strerror

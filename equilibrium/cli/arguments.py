@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import argparse
+import sys
 from collections.abc import Callable, Iterable
 from contextvars import ContextVar
 from fractions import Fraction
@@ -14,6 +15,7 @@ from arrangement.exact import RationalVector, common_digits, number_text, to_tex
 from equilibrium.model.errors import GraspError
 
 if TYPE_CHECKING:
+    from equilibrium.inputs import Conversion
     from equilibrium.model.grasp import Grasp
 
 _AXES = ("F_X", "F_Y", "TAU")
@@ -39,9 +41,10 @@ def add_command(
     """Add a subcommand; most take a grasp, and a preload in place of its own, and print numbers."""
     parser: argparse.ArgumentParser = commands.add_parser(name, help=text)
     if grasp:
-        parser.add_argument(
-            "grasp", metavar="GRASP", help="a path, - for stdin, or a built-in name"
-        )
+        text = "a path (JSON, or .csv with one contact a line), - for stdin, or a built-in name"
+        parser.add_argument("grasp", metavar="GRASP", help=text)
+        text = "take normals of any length: the nearest exact unit vector, with the change reported"
+        parser.add_argument("--round-normals", action="store_true", help=text)
     if grasp and preload:
         text = "use this preload at every contact instead of the grasp's own"
         add_number(parser, "--preload", None, text, metavar="P")
@@ -132,11 +135,30 @@ def add_count(
     parser.add_argument(name, type=count, default=default, metavar=metavar, help=text)
 
 
+def read(arguments: argparse.Namespace) -> Grasp:
+    """Return the grasp as its source has it; on stderr say what had to be rounded."""
+    from equilibrium.inputs import read_any
+
+    found = read_any(arguments.grasp, round_normals=arguments.round_normals)
+    tell_rounding(found)
+    return found.grasp
+
+
+def tell_rounding(found: Conversion) -> None:
+    """Say on stderr by how much numbers had to be changed, if any."""
+    if not found.exact:
+        point, angle = (
+            float(max(map(abs, errors), default=0))
+            for errors in (found.point_errors, found.angle_errors)
+        )
+        value = f", values by {float(found.value_error):.2g}" if found.value_error else ""
+        text = f"rounded: points by {point:.2g}, normals by {angle:.2g} radians{value}"
+        print(text, file=sys.stderr)
+
+
 def grasp_of(arguments: argparse.Namespace) -> Grasp:
     """Return the grasp that the arguments name."""
-    from equilibrium.io.files import read_grasp
-
-    grasp = read_grasp(arguments.grasp)
+    grasp = read(arguments)
     preload = getattr(arguments, "preload", None)
     return grasp if preload is None else grasp.with_preload(preload)
 

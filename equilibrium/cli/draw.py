@@ -5,7 +5,7 @@ from __future__ import annotations
 import argparse
 from typing import Any
 
-from .arguments import add_command
+from .arguments import add_command, read
 
 
 def add_commands(commands: Any) -> None:
@@ -25,9 +25,8 @@ def _add_options(draw: argparse.ArgumentParser) -> None:
 def _draw(arguments: argparse.Namespace) -> int:
     from arrangement.draw.command import given_options, write
     from equilibrium.draw.views import DRAWINGS
-    from equilibrium.io.files import read_grasp
 
-    grasp = read_grasp(arguments.grasp)
+    grasp = read(arguments)
     options = given_options(arguments, DRAWINGS)
     kind, name = DRAWINGS.target(arguments.output, arguments.view)
     if "preload" in options and "preload" not in DRAWINGS.options(kind, name):

@@ -8,14 +8,13 @@ from __future__ import annotations
 
 import argparse
 import json
-import sys
 from collections.abc import Sequence
 from fractions import Fraction
 from typing import TYPE_CHECKING, Any
 
 from arrangement import terminal
 
-from .arguments import add_command, add_count, add_number, show
+from .arguments import add_command, add_count, add_number, show, tell_rounding
 
 if TYPE_CHECKING:
     from equilibrium.inputs import Conversion
@@ -111,12 +110,6 @@ def _converted(arguments: argparse.Namespace) -> int:
     read = getattr(inputs, arguments.reader)
     found: Conversion = read(*(getattr(arguments, name) for name in arguments.given), **options)
     document = {**found.to_dict(), "grasp": _labelled(found.grasp, arguments).to_dict()}
-    if not found.exact and not arguments.json:
-        point = float(max(map(abs, found.point_errors), default=0))
-        angle = float(max(map(abs, found.angle_errors), default=0))
-        value = f", values by {float(found.value_error):.2g}" if found.value_error else ""
-        print(
-            f"rounded: points by {point:.2g}, normals by {angle:.2g} radians{value}",
-            file=sys.stderr,
-        )
+    if not arguments.json:
+        tell_rounding(found)
     return show(arguments, document, [json.dumps(document["grasp"], indent=2)])

@@ -108,7 +108,7 @@ def _solve(arguments: argparse.Namespace) -> int:
     from equilibrium.model.errors import GraspError
     from equilibrium.verdict import solve
 
-    if arguments.literal and arguments.certificate:
+    if arguments.literal and arguments.certificate is not None:
         raise GraspError("a literal reading has no certificate; omit one of the two options")
     grasp, wrench = grasp_of(arguments), applied(arguments)
     if arguments.literal:
@@ -117,7 +117,7 @@ def _solve(arguments: argparse.Namespace) -> int:
         return show(arguments, literal.to_dict(), lines, literal.stable, grasp)
     limits = {"time_limit": arguments.time_limit, "shorten": arguments.shorten}
     found = solve(grasp, wrench, **limits)
-    if arguments.certificate:
+    if arguments.certificate is not None:
         write_certificate(arguments.certificate, found.certificate)
     every = arguments.all or None
     lines = (

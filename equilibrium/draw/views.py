@@ -14,8 +14,13 @@ DRAWINGS = Drawings(
         "compare": "compare:draw_compare",
         "methods": "methods:draw_methods",
         "proof": "proof:draw_proof",
+        "wrench-set": "wrench_set:draw_wrench_set",
     },
-    models={},
-    pages={"resist": "page:resist_page", "proof": "proof_page:proof_page"},
+    models={"wrench-set": "wrench_page:wrench_set_model"},
+    pages={
+        "resist": "page:resist_page",
+        "proof": "proof_page:proof_page",
+        "wrench-set": "wrench_page:wrench_set_page",
+    },
 )
 write_drawing = DRAWINGS.write

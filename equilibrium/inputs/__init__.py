@@ -6,6 +6,7 @@ exactly; the grasp that comes out is exact.
 
 from .conversion import Conversion, simplest_between, snapped
 from .csv_file import read_csv
+from .documents import read_any
 from .floats import from_float_data, read_float_data
 from .polygon import OnEdge, from_polygon, read_polygon
 from .random import random_grasp, random_wrench, star_outline
@@ -19,6 +20,7 @@ __all__ = [
     "on_circle",
     "random_grasp",
     "random_wrench",
+    "read_any",
     "read_csv",
     "read_float_data",
     "read_polygon",

@@ -1,9 +1,10 @@
 """Grasps from CSV files: one contact a line, strictly read.
 
 The first line names the columns: ``x``, ``y``, ``normal_x``, ``normal_y``, ``friction`` and, if
-wanted, ``stiffness`` and ``preload``, in any order, separated by commas. Numbers are exact
-decimals or ratios, as ``-0.25`` and ``7/3``. A normal may have any length; one of irrational length
-is replaced by a near unit vector and the error reported.
+wanted, ``stiffness`` and ``preload``, in any order, separated by commas, semicolons or tabs; short
+names are ``nx``, ``ny``, ``mu``, ``k`` and ``q``. Empty lines and lines that begin with ``#`` say
+nothing. Numbers are exact decimals or ratios, as ``-0.25`` and ``7/3``. A normal may have any
+length; one of irrational length is replaced by a near unit vector and the error reported.
 """
 
 from __future__ import annotations
@@ -25,6 +26,8 @@ from .conversion import DEFAULT_TOLERANCE, Conversion, assembled
 
 _REQUIRED = ("x", "y", "normal_x", "normal_y", VALUES[0])
 _OPTIONAL = VALUES[1:]
+_SHORT = {"nx": "normal_x", "ny": "normal_y", "mu": "friction", "k": "stiffness", "q": "preload"}
+_SEPARATORS = (",", ";", "\t")
 MAX_BYTES = 4 * 2**20
 
 
@@ -75,11 +78,14 @@ def each_line(text: str, contact: Callable[[dict[str, str]], Conversion]) -> Con
 
 def _rows(text: str) -> Iterator[tuple[int, dict[str, str]]]:
     """Yield line numbers and entries by column."""
-    reader = csv.reader(io.StringIO(text), strict=True)
+    lines = ["" if line.lstrip().startswith("#") else line for line in io.StringIO(text)]
+    first = next(filter(str.strip, lines), "")
+    reader = csv.reader(lines, delimiter=max(_SEPARATORS, key=first.count), strict=True)
     try:
-        header = [name.strip() for name in next(reader, [])]
+        rows = (row for row in reader if any(map(str.strip, row)))
+        header = [_SHORT.get(name.strip(), name.strip()) for name in next(rows, [])]
         _check_header(header)
-        for row in reader:
+        for row in rows:
             if len(row) != len(header):
                 raise GraspError(
                     f"line {reader.line_num} has {len(row)} entries; the header has {len(header)}"

@@ -16,7 +16,15 @@ from typing import TYPE_CHECKING, Any
 
 # Its facade is loaded when a grasp is asked for its planes; the checker never does.
 import arrangement
-from arrangement.exact import RationalVector, rational, rational_vector, shown, to_text
+from arrangement.exact import (
+    RationalVector,
+    number_text,
+    rational,
+    rational_vector,
+    shown,
+    to_text,
+    vector_text,
+)
 from arrangement.io.files import check_keys, check_list
 from arrangement.plugins import display
 
@@ -75,6 +83,12 @@ class Contact:
                 raise GraspError(f"{name} is {shown(getattr(self, name))}; it must be at least 0")
         if self.stiffness <= 0:
             raise GraspError(f"stiffness is {shown(self.stiffness)}; it must be above 0")
+
+    def __repr__(self) -> str:
+        values = ", ".join(f"{name} {number_text(getattr(self, name))}" for name in VALUES)
+        return (
+            f"<Contact: at {vector_text(self.point)}, normal {vector_text(self.normal)}, {values}>"
+        )
 
     @property
     def tangent(self) -> RationalVector:
@@ -147,6 +161,10 @@ class Grasp:
     def __hash__(self) -> int:
         """Return the hash of the contacts, computed once: results are kept by grasp."""
         return self._hash
+
+    def __repr__(self) -> str:
+        number = f"{len(self)} contact" if len(self) == 1 else f"{len(self)} contacts"
+        return f"<Grasp: {number}>"
 
     def __len__(self) -> int:
         return len(self.contacts)
@@ -248,7 +266,8 @@ def _unit(values: Iterable[Any]) -> RationalVector:
         written = ", ".join(to_text(x)[:40] for x in normal)
         raise GraspError(
             f"normal is ({written}), whose squared length is not exactly 1; "
-            "unit_normal(direction, tolerance) returns an exactly unit rational vector"
+            "unit_normal(direction, tolerance) returns an exactly unit rational vector, and the "
+            "commands take --round-normals"
         )
     return normal
 

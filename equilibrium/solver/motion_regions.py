@@ -24,8 +24,9 @@ from equilibrium.model.errors import TimeLimitError
 from .continuation import find_equilibrium, motion_scale
 from .integer_contacts import IntegerContacts
 from .leaf_test import closed
+from .part_program import Node
 from .state_equilibrium import Solution
-from .state_splits import Node, StateSplits, TooManyParts
+from .state_splits import StateSplits, TooManyParts
 from .virtual_motions import Regions, VirtualMotions
 
 EDGES = tuple(itertools.combinations(range(4), 2))
@@ -182,7 +183,8 @@ class MotionRegions:
             return []
         generators, _ = self._scaled([r.generators for r in regions])
         motions, values = self.virtual.best(self._floats(generators), self.rounds)
-        hopeful = np.flatnonzero(values > 0).tolist()
+        # Near the border floats cannot tell 0 from what is enough.
+        hopeful = np.flatnonzero(values > -_TINY).tolist()
         exact = [self.virtual.integers(motions[n]) for n in hopeful]
         tested = (
             closed(self.contacts, self.wrench, [regions[n].generators for n in hopeful], exact)

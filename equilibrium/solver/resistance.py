@@ -12,8 +12,9 @@ from equilibrium.model.errors import TimeLimitError
 from .continuation import find_equilibrium
 from .integer_contacts import IntegerContacts
 from .motion_regions import HALF_SPACE, MotionRegions
+from .part_program import Node
 from .state_equilibrium import Solution
-from .state_splits import Node, StateSplits, TooManyParts
+from .state_splits import StateSplits, TooManyParts
 
 #: Other searches that may find a smaller proof: rounds and turn, see `MotionRegions`.
 _SEARCHES = ((3, 1.0), (10, 1.0), (8, 0.5), (8, 2.0))

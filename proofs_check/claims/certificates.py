@@ -14,9 +14,10 @@ from proofs_check.routes.leaves import leaf_count
 from proofs_check.routes.oracle import Question
 from proofs_check.statement import Case, Claim, Route, sampled
 
-#: Loads beyond what two jaws hold, whatever the number of their contacts.
-_LOADS = tuple(
-    tuple(map(Fraction, load)) for load in (("0", "3", "0"), ("1/2", "3", "1"), ("1", "-5/2", "1"))
+#: Loads beyond what two jaws hold, whatever the number of their contacts: 2 along the jaws.
+_LOADS = (
+    *(tuple(map(Fraction, x)) for x in (("0", "3", "0"), ("1/2", "3", "1"), ("1", "-5/2", "1"))),
+    *((Fraction(0), 2 + Fraction(1, 10**power), Fraction(0)) for power in (3, 30)),
 )
 _COUNTS = (4, 6, 10, 20, 40, 80)
 
@@ -60,18 +61,19 @@ def _cases() -> Iterator[Case]:
 CLAIMS = (
     Claim(
         id="leaves-do-not-grow",
+        formula=r"\text{leaves}(m) \le \text{leaves}(4)",
         locator="our claim, on certificates",
         statement="For two jaws with m contacts at even distances, of total stiffness 4 and total "
         "preload 4, the proof that a load is not resisted has no more leaves than for the four "
         "contacts of the paper.",
-        hypotheses=("friction 1/2", "the load is not near the border of what is resisted"),
+        hypotheses=("friction 1/2", "the load is along the jaws or not near the border"),
         quantity="leaves of a valid proof",
         routes=(
             Route("the checker of certificates", _checked),
             Route("every leaf evaluated at the generators of its region", _evaluated),
         ),
         judge=lambda question, leaves: leaves <= _checked(_jaws(4, question.wrench)),
-        sources=sampled("three loads for m = 4, 6, 10, 20, 40, 80", lambda _: _cases()),
+        sources=sampled("five loads for m = 4, 6, 10, 20, 40, 80", lambda _: _cases()),
         explain=lambda question, leaves: f"{leaves} leaves for {len(question.contacts)} contacts",
         meaning="A proof cuts the space of motions, three dimensions whatever the number of "
         "contacts. How many regions it needs depends on the load.",

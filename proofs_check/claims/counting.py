@@ -28,6 +28,7 @@ from proofs_check.statement import (
     Hypothesis,
     Route,
     Verdict,
+    View,
     exhaustive,
     proved,
     sampled,
@@ -127,6 +128,15 @@ _on_f_vectors = partial(
 CLAIMS = (
     Claim(
         id="great-circle-regions",
+        views=(
+            View(
+                "sphere",
+                "Four great circles in general position: 14 regions, half of them in front.",
+                instance=Arrangement([(1, 1, 1), (1, 1, -1), (1, -1, 1), (-1, 1, 1)]).to_dict(),
+            ),
+        ),
+        formula=r"f_3 \le m^2 - m + 2",
+        proof=("Great circles", "Regions"),
         domain=domain("central"),
         locator="Section IV-A",
         statement="m great circles cut the sphere into at most m^2 - m + 2 regions, with equality "
@@ -145,6 +155,7 @@ CLAIMS = (
     ),
     Claim(
         id="slip-state-counts",
+        formula=r"\text{listed}(m) = 4m^2 - 4m + 2, \quad m = 2, \ldots, 9",
         locator="Table II",
         statement="For m = 2, ..., 9 contacts in general position the published Steps 1 to 3 list "
         "10, 26, 50, 82, 122, 170, 226, 290 slip states.",
@@ -165,6 +176,7 @@ CLAIMS = (
     ),
     Claim(
         id="different-slip-states",
+        formula=r"f_0 + f_1 + f_2 + f_3 = 4m^2 - 4m + 2",
         locator="Table II; Section IV-A",
         statement="The printed numbers are the numbers of different slip states that rigid motion "
         "allows for m = 2, ..., 9 contacts in general position.",
@@ -182,6 +194,8 @@ CLAIMS = (
     ),
     _on_f_vectors(
         id="state-formula",
+        formula=r"(f_0, f_1, f_2, f_3) = (1, m(m-1), 2m(m-1), m^2 - m + 2)",
+        proof=("Great circles", "All faces"),
         domain=domain("simple"),
         locator="Section IV-A",
         statement="m >= 3 planes through the origin of R^3 in general position have "
@@ -197,6 +211,8 @@ CLAIMS = (
     ),
     _on_f_vectors(
         id="fukuda-bound",
+        formula=r"f_k \le \binom{n}{d-k} \sum_{i=0}^{k} \binom{n-d+k}{i}",
+        proof=("Hyperplanes in any dimension", "Faces"),
         domain=domain("affine"),
         locator="Eq. 11",
         statement="n planes in R^d have at most C(n, d-k) * sum_{i<=k} C(n-d+k, i) faces of "
@@ -209,6 +225,7 @@ CLAIMS = (
     ),
     _on_f_vectors(
         id="fukuda-bound-attained",
+        formula=r"f_k = \binom{n}{d-k} \sum_{i=0}^{k} \binom{n-d+k}{i}",
         domain=domain("simple-affine"),
         locator="Eq. 11",
         statement="Affine arrangements in general position attain the bound for every k.",
@@ -221,6 +238,8 @@ CLAIMS = (
     ),
     _on_f_vectors(
         id="bound-not-attained",
+        formula=r"\sum_k f_k \lt \sum_{k=0}^{3} \binom{m}{3-k} \sum_{i=0}^{k} \binom{m-3+k}{i}",
+        proof=("Great circles", "All faces"),
         domain=domain("central"),
         locator="Section IV-A, after Eq. 11",
         statement="The upper bound is not attained by the tangential planes of m contacts.",
@@ -234,6 +253,8 @@ CLAIMS = (
     ),
     Claim(
         id="step-1-square-bound",
+        formula=r"f_3 \le m^2",
+        proof=("Great circles", "Regions"),
         domain=domain("central"),
         locator="Section IV-B, running time of Step 1",
         statement="After Step 1 there are at most m^2 states.",

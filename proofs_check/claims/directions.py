@@ -11,7 +11,7 @@ from proofs_check.instances import paper_tables as printed
 from proofs_check.instances.grasps import grasp_case, grasp_of, paper_question, smallest_questions
 from proofs_check.routes import oracle
 from proofs_check.routes.oracle import Interval, Question
-from proofs_check.statement import Case, Claim, Route, Verdict, exhaustive
+from proofs_check.statement import Case, Claim, Route, Verdict, View, exhaustive
 
 AXES = ((1, 0, 0), (0, 1, 0), (0, 0, 1))
 
@@ -41,6 +41,14 @@ def _paper_cases(_rng: random.Random) -> Iterator[Case]:
 CLAIMS = (
     Claim(
         id="binary-search",
+        views=(
+            View(
+                "polar",
+                "The search in 72 directions, on the exact set of resisted forces. In the notch it "
+                "claims what is not resisted.",
+            ),
+        ),
+        formula=r"\{t \ge 0 : t w \text{ is resisted}\} = [0, t_1]",
         locator="Section VI, Fig. 7",
         statement="Along any direction the held magnitudes are one interval that starts at 0, so "
         "that a binary search finds the largest one.",

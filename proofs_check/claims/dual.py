@@ -30,7 +30,7 @@ from proofs_check.routes.dual_graph import (
     is_three_connected,
     minimum_cycle_lengths,
 )
-from proofs_check.statement import Case, Claim, Hypothesis, Route, Verdict, proved
+from proofs_check.statement import Case, Claim, Hypothesis, Route, Verdict, View, proved
 
 FACES = "enumerated faces"
 COVECTORS = "covectors composed from the chirotope"
@@ -124,6 +124,8 @@ _saved = partial(
 CLAIMS = (
     _saved(
         id="euler",
+        formula=r"V - E + F = 2",
+        proof=("Great circles", "Euler"),
         domain=domain("central"),
         locator="Section IV-B, Step 3",
         statement="V - E + F = 2 for the regions, facets and lines of the planes.",
@@ -137,6 +139,8 @@ CLAIMS = (
     ),
     _saved(
         id="dual-edge-and-face-bounds",
+        formula=r"E \le 3V - 6, \quad F \le 2V - 4",
+        proof=("The dual graph", "Bounds"),
         domain=domain("central"),
         locator="Section IV-A",
         statement="The dual has at most 3V - 6 edges and at most 2V - 4 faces.",
@@ -149,6 +153,16 @@ CLAIMS = (
     ),
     Claim(
         id="dual-bipartite-bounds",
+        views=(
+            View(
+                "graph",
+                "The dual graph of four planes in general position, the rhombic dodecahedron: "
+                "14 vertices of two kinds, 24 edges, 12 faces.",
+                instance=Arrangement([(1, 1, 1), (1, 1, -1), (1, -1, 1), (-1, 1, 1)]).to_dict(),
+            ),
+        ),
+        formula=r"E \le 2V - 4, \quad F \le V - 2",
+        proof=("The dual graph", "Bounds"),
         domain=domain("rank-3"),
         locator="Section IV-A, sharper",
         statement="In rank 3 the dual has at most 2V - 4 edges and at most V - 2 faces, with "
@@ -171,6 +185,7 @@ CLAIMS = (
     ),
     _saved(
         id="dual-planar-3-connected",
+        proof=("The dual graph", "Convexity"),
         domain=domain("central"),
         locator="Section IV-A",
         statement="The graph of regions and facets is planar and 3-connected.",
@@ -186,6 +201,16 @@ CLAIMS = (
     ),
     _saved(
         id="hamming-edges",
+        views=(
+            View(
+                "sphere",
+                "The tangential planes of the paper's four-contact grasp. Each circle is two "
+                "planes, so neighbours differ in two signs.",
+                instance=Arrangement([(0, 1, -1), (0, 1, -1), (0, 1, 1), (0, 1, 1)]).to_dict(),
+            ),
+        ),
+        formula=r"\text{dist}(R, S) = |\{i : R_i \ne S_i\}|",
+        proof=("The dual graph", "Partial cube"),
         domain=domain("central"),
         locator="Section IV-B, Step 2",
         statement="Two regions share a facet exactly when they differ in a single sign, and the "
@@ -205,6 +230,8 @@ CLAIMS = (
     ),
     _saved(
         id="cycle-basis-faces",
+        formula=r"C_1 + C_2 + \cdots + C_{F-1} = C_F \quad (\text{mod 2})",
+        proof=("Minimum cycle basis", "The basis"),
         domain=domain("central"),
         locator="Section IV-B, Step 3",
         statement="A minimum cycle basis of the graph consists of F - 1 face boundaries, and the "

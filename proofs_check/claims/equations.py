@@ -25,7 +25,7 @@ from proofs_check.instances.grasps import (
 )
 from proofs_check.routes import oracle
 from proofs_check.routes.oracle import Interval, Question, Reading
-from proofs_check.statement import Case, Claim, Route, Verdict, exhaustive
+from proofs_check.statement import Case, Claim, Route, Verdict, View, exhaustive
 
 #: The deviations of the printed equations, by the names of `equilibrium.methods.printed_model`.
 DEVIATIONS = ("detachment", "preload", "signs")
@@ -93,10 +93,11 @@ def _search(contacts: range, **options: Any) -> Callable[[], Iterator[Case]]:
     return lambda: smallest_questions(contacts, WRENCHES, **options)
 
 
-def _deviation_claim(name: str, locator: str, what: str, meaning: str) -> Claim:
+def _deviation_claim(name: str, locator: str, what: str, formula: str, meaning: str) -> Claim:
     """One deviation alone: it should change no verdict of the model."""
     return _on_tables(
         id=f"printed-{name}",
+        formula=formula,
         locator=locator,
         statement=f"{what}, every verdict is that of the model which the result tables follow.",
         quantity="(verdict with the deviation, verdict of the model)",
@@ -188,6 +189,7 @@ def _constraint_cases(largest: int, _rng: Any = None) -> Iterator[Case]:
 CLAIMS = (
     _on_tables(
         id="printed-equations",
+        formula=r"c_n = -k N \cdot d \ge 0, \quad T \cdot d \gt 0 \Rightarrow c_t = \mu c_n",
         locator="Eqs. 1-7",
         statement="With the equations as printed (no detachment, no preload term, printed signs), "
         "the verdicts of both result tables come out.",
@@ -205,6 +207,7 @@ CLAIMS = (
         "detachment",
         "Eqs. 2 and 4",
         "With the spring equation as an equality, so that no contact can let go",
+        r"c_n = q - k N \cdot d \ge 0",
         "The four-contact grasp turns under (0, 0, +-3) and two contacts let go; the printed "
         "equations forbid that.",
     ),
@@ -212,17 +215,20 @@ CLAIMS = (
         "preload",
         "Eq. 4",
         "With no preload term in the spring equation",
+        r"c_n = \max(0, -k N \cdot d)",
         "Both tables use a preload that no printed equation has.",
     ),
     _deviation_claim(
         "signs",
         "Eqs. 1, 4 and 6",
         "With the signs of balance, springs and friction taken together in one frame",
+        r"T \cdot d \gt 0 \; \Rightarrow \; c_t = \mu c_n",
         "Eqs. 1 and 4 agree when normals point outwards; then Eq. 6 has friction act along the "
         "motion of the table's rows.",
     ),
     Claim(
         id="constraint-count",
+        formula=r"3 + m + (m - l)",
         locator="Section V-A",
         statement="The system of a slip state with l slipping contacts has 3 + m + (m - l) "
         "equations from balance, springs and slip, and m - l more from sticking.",
@@ -240,6 +246,7 @@ CLAIMS = (
     ),
     _algorithm_2("cell-check", "detachment")(
         id="algorithm-2-sound",
+        formula=r"\text{Algorithm 2 says stable} \; \Rightarrow \; \exists (d, c)",
         domain=domain("question"),
         locator="Algorithm 2",
         statement="A grasp that Algorithm 2 calls stable has an equilibrium.",
@@ -249,6 +256,7 @@ CLAIMS = (
     ),
     _algorithm_2("cell-check", "detachment")(
         id="algorithm-2-complete",
+        formula=r"\text{Algorithm 2 says unstable} \; \Rightarrow \; \neg \exists (d, c)",
         locator="Algorithm 2; Section V-B",
         statement="If Algorithm 2 finds no solution, the grasp has no equilibrium.",
         judge=lambda question, pair: pair != ("No", "Yes"),
@@ -257,6 +265,7 @@ CLAIMS = (
     ),
     _algorithm_2("all-stick")(
         id="all-stick-listed",
+        formula=r"\exists (d, c) \; \Rightarrow \; \exists (d, c) \text{ in a listed state}",
         domain=domain("question"),
         locator="Algorithm 2; Section IV-B",
         statement="The states that Steps 1 to 3 list are enough: if a grasp has an equilibrium, "
@@ -270,6 +279,11 @@ CLAIMS = (
     ),
     _on_tables(
         id="single-solution",
+        views=tuple(
+            View("grasp", f"Equilibrium {k} of the two.", {"wrench": (-1, 0, 0), "piece": k})
+            for k in (1, 2)
+        ),
+        formula=r"|\{c_n : (d, c) \text{ is an equilibrium under } w\}| \le 1",
         domain=domain("question"),
         locator="Section II",
         statement="Compliance reduces the solutions to at most a single one: the normal forces "

@@ -16,7 +16,16 @@ from proofs_check.instances.grasps import grasp_of, paper_question
 from proofs_check.routes import oracle
 from proofs_check.routes.fourier_motzkin import Row, project
 from proofs_check.routes.oracle import Question, Touch
-from proofs_check.statement import Case, Claim, Hypothesis, Route, Verdict, exhaustive, sampled
+from proofs_check.statement import (
+    Case,
+    Claim,
+    Hypothesis,
+    Route,
+    Verdict,
+    View,
+    exhaustive,
+    sampled,
+)
 
 System = tuple[list[Row], list[Row]]
 #: At rest with preload 1 the contacts 1 and 3 carry friction (Table I, second row).
@@ -164,6 +173,15 @@ _method = partial(
 CLAIMS = (
     _method(
         id="method-grasp-wrench-space",
+        views=(
+            View(
+                "methods",
+                "The three-contact grasp without preload: what each method says of a push down and "
+                "a pull up.",
+                {"wrenches": [(0, -1, 0), (0, 1, 0)]},
+                paper_question(_THREE, [Fraction(0)] * 3, 0).to_dict(),
+            ),
+        ),
         locator="Section VI, Fig. 7",
         statement="The Grasp Wrench Space of the three-contact grasp holds forces up and down "
         "alike; without preload those up are not resisted.",

@@ -220,6 +220,8 @@ _on_faces = partial(
 CLAIMS = (
     _on_faces(
         id="model-faces-without-preload",
+        formula=r"f_0 + f_1 + f_2 + f_3 \le 16m^2 - 8m + 3",
+        proof=("The corrected model", "Theorem"),
         statement="Without preload the m tangential and m normal planes have at most "
         "16m^2 - 8m + 3 faces: 1 origin, 2m(2m-1) rays, 4m(2m-1) facets, 4m^2 - 2m + 2 regions; "
         "these numbers are reached in general position for m >= 2.",
@@ -230,6 +232,8 @@ CLAIMS = (
     ),
     _on_faces(
         id="model-faces-with-preload",
+        formula=r"f_3 \le m^2 - m + 2 + \sum_{j=m}^{2m-1} (1 + j + \binom{j}{2})",
+        proof=("The corrected model", "Theorem"),
         statement="With preload the m tangential and m normal planes, m >= 3, have at most "
         "C(2m,3) - C(m,3) + 1 points, C(m,2)(m+2) + (C(2m,2) - C(m,2))(2m-1) lines, "
         "m(2m-2 + sum_{j=m-1}^{2m-2} (1+j)) + m(2m + C(2m-1,2)) facets and "
@@ -243,6 +247,8 @@ CLAIMS = (
     ),
     _on_faces(
         id="model-linear-by-regions",
+        formula=r"f_k \le \binom{3}{k} f_3, \quad k = 0, 1, 2",
+        proof=("The corrected model", "Linear in the regions"),
         statement="With V regions of the motion there are at most V points, 3V lines and 3V facets "
         "of the 2m planes, with or without preload.",
         hypotheses=("the corrected model",),
@@ -252,6 +258,8 @@ CLAIMS = (
     ),
     _on_faces(
         id="model-states",
+        formula=r"\text{states} \le \max f_0 + \max f_1 + \max f_2 + \max f_3",
+        proof=("The corrected model", "Theorem"),
         statement="The contacts have at most as many states (detached, slip+, slip-, stick for "
         "each) under rigid motions as the maximal numbers of faces add up to.",
         hypotheses=("the corrected model",),
@@ -269,6 +277,8 @@ CLAIMS = (
     ),
     _state_tree(closed=False)(
         id="state-tree",
+        formula=r"\text{nodes} \le 2m (f_0 + f_1 + f_2 + f_3)",
+        proof=("The corrected model", "Trees of states"),
         statement="Attachment and slip of one contact after the other, without the choices that no "
         "motion has, make a tree with at most depth times faces nodes: depth 2m, faces of the 2m "
         "planes.",
@@ -278,6 +288,7 @@ CLAIMS = (
     ),
     _state_tree(closed=True)(
         id="state-tree-closed",
+        formula=r"\text{nodes} \le 2m (f_0 + f_1 + f_2 + f_3)",
         statement="The same bound holds when the conditions of the states are closed, as those of "
         "certificates are.",
         hypotheses=("m >= 1",),

@@ -21,7 +21,7 @@ from arrangement.polyhedra.inscribed import (
 from proofs_check.instances.arrangements import census_cases, smallest_arrangements
 from proofs_check.routes import rivin
 from proofs_check.routes.dual_graph import from_covectors
-from proofs_check.statement import Case, Claim, Route, Verdict, exhaustive
+from proofs_check.statement import Case, Claim, Route, Verdict, View, exhaustive
 
 _answer = lru_cache(maxsize=64)(inscribability)
 
@@ -136,6 +136,8 @@ def _middle_points(_rng: random.Random) -> Iterator[Case]:
 CLAIMS = (
     Claim(
         id="sphere-dual-convex",
+        formula=r"\exists x_R \in R, \; |x_R| = 1 : \; "
+        r"\text{edges of conv}\{x_R\} = \text{adjacent pairs}",
         locator="Section IV-A",
         statement="Points of the unit sphere can be chosen, one in each region, so that the dual "
         "is convex: a polyhedron inscribed in a sphere with the regions as vertices and the "
@@ -153,6 +155,18 @@ CLAIMS = (
             _types,
         ),
         expected=Verdict.REFUTED,
+        views=(
+            View(
+                "dual",
+                "Left, the four great circles; right, their dual, which is convex but in no "
+                "sphere.",
+            ),
+            View(
+                "graph",
+                "The same graph, flat. Every edge joins one of 8 vertices with one of 6; "
+                "in an inscribed polyhedron both classes would be equal.",
+            ),
+        ),
         search=lambda: smallest_arrangements(range(3, 5), 1, distinct=True, rank=3),
         explain=_explain,
         meaning="No choice of points at all works for four planes in general position: the classes "
@@ -161,6 +175,8 @@ CLAIMS = (
     ),
     Claim(
         id="sphere-hull-edges",
+        formula=r"\forall x_R \in R, \; |x_R| = 1 : \; "
+        r"\text{edges of conv}\{x_R\} = \text{adjacent pairs}",
         locator="Section IV-A",
         statement="Whatever points of the unit sphere are taken, one in each region, the edges of "
         "their convex hull are exactly the pairs of regions that share a facet.",
@@ -177,6 +193,15 @@ CLAIMS = (
             _middle_points,
         ),
         expected=Verdict.REFUTED,
+        views=(
+            View(
+                "dual",
+                "One point in each region of the planes normal to the diagonals of a cube. Orange "
+                "edges of the hull join regions that share no facet.",
+                {"hull": True},
+                Arrangement([(1, 1, 1), (1, 1, -1), (1, -1, 1), (-1, 1, 1)]).to_dict(),
+            ),
+        ),
         search=_cube_choices,
         meaning="The hull is convex, but it is not the dual: most choices of points give a hull "
         "with other edges, for three planes already.",

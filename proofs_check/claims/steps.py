@@ -99,6 +99,8 @@ _step = partial(
 CLAIMS = (
     _step(
         id="step-1-time",
+        formula=r"\sum_{i=0}^{m-1} f_3(H_1, \ldots, H_i) \le m^3",
+        proof=("Great circles", "Steps 1 to 3"),
         locator="Section IV-B, running time of Step 1",
         statement="Step 1 tests at most m^3 pairs of a state and a plane.",
         hypotheses=("one test counts as one operation",),
@@ -114,6 +116,8 @@ CLAIMS = (
     ),
     _step(
         id="step-2-time",
+        formula=r"\binom{V}{2} \le m^4",
+        proof=("Great circles", "Steps 1 to 3"),
         locator="Section IV-B, running time of Step 2",
         statement="Step 2 compares at most m^4 pairs of states.",
         hypotheses=("one comparison counts as one operation",),
@@ -128,6 +132,8 @@ CLAIMS = (
     ),
     _step(
         id="step-3-time",
+        formula=r"V \le m^2 - m + 2, \quad E \le 2m^2",
+        proof=("Great circles", "Steps 1 to 3"),
         locator="Section IV-B, running time of Step 3",
         statement="The graph of Step 3 has V <= m^2 - m + 2 and E <= 2 m^2, so that "
         "E^3 + V E^2 log V is polynomial in m, of order m^6 log m.",

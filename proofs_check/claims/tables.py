@@ -14,7 +14,7 @@ from proofs_check.instances.grasps import grasp_of, paper_question
 from proofs_check.routes import oracle
 from proofs_check.routes.fourier_motzkin import Row
 from proofs_check.routes.oracle import Question
-from proofs_check.statement import Case, Claim, Route, Verdict, exhaustive, sampled
+from proofs_check.statement import Case, Claim, Route, Verdict, View, exhaustive, sampled
 
 BRUTE_FORCE = "substitution into the model, and brute force over 4^m states by elimination"
 SOLVER = "the solver with its certificate, and its pieces of solutions"
@@ -127,6 +127,13 @@ def _held_solved(probes: Probes) -> tuple[bool, ...]:
     )
 
 
+def _shown(
+    contacts: Sequence[Sequence[int]], wrench: Sequence[int], preload: int, caption: str
+) -> tuple[View, ...]:
+    question = paper_question(contacts, list(map(Fraction, wrench)), preload)
+    return (View("grasp", caption, {"wrench": wrench}, question.to_dict()),)
+
+
 def _downward(_rng: random.Random) -> Iterator[Case]:
     zero = Fraction(0)
     for force in map(Fraction, ("0", "-1/3", "-1", "-2", "-17", "-1000000")):
@@ -145,11 +152,19 @@ _table = partial(
     judge=_as_printed,
     explain=_explain_row,
     rows=True,
+    formula=r"\sum_i (c_n N_i + c_t T_i) + w = 0, \quad c_n = \max(0, q - k N_i \cdot d), \quad "
+    r"|c_t| \le \mu c_n",
 )
 
 CLAIMS = (
     _table(
         id="table-three-contacts",
+        views=_shown(
+            printed.THREE_CONTACT_GRASP,
+            (0, 1, 0),
+            1,
+            "The row w = (0, 1, 0), P = 1, with the printed forces and motion.",
+        ),
         locator="Table I",
         statement="The three-contact grasp is stable or not as printed, and the printed forces and "
         "motion of each stable row are an equilibrium.",
@@ -160,6 +175,12 @@ CLAIMS = (
     ),
     _table(
         id="table-four-contacts",
+        views=_shown(
+            printed.FOUR_CONTACT_GRASP,
+            (0, 0, 3),
+            0,
+            "The row w = (0, 0, 3), P = 0: two contacts carry the torque, two have let go.",
+        ),
         locator="Table III",
         statement="The four-contact grasp is stable or not as printed, and the printed forces and "
         "motion of each stable row are an equilibrium.",
@@ -172,6 +193,7 @@ CLAIMS = (
     ),
     Claim(
         id="downward-forces",
+        formula=r"w = (0, w_y, 0), \; w_y \le 0 \Rightarrow c_2 = (-w_y, 0), \; c_1 = c_3 = 0",
         locator="Section VI",
         statement="For any w = (0, w_y, 0) with w_y <= 0 and no preload the three-contact grasp "
         "has the equilibrium with force (-w_y, 0) at contact 2 and none at contacts 1 and 3.",
@@ -183,6 +205,17 @@ CLAIMS = (
     ),
     Claim(
         id="vertical-limits",
+        views=(
+            View(
+                "slice",
+                "The three-contact grasp, forces at torque 0, exact. Upwards nothing is resisted "
+                "without preload, and at most 1 with preload 1.",
+                instance=paper_question(
+                    printed.THREE_CONTACT_GRASP, [Fraction(0)] * 3, 1
+                ).to_dict(),
+            ),
+        ),
+        formula=r"m = 3: \; t \le 0, \; t \le 1; \quad m = 4: \; t = 0, \; |t| \le 4 \mu = 2",
         locator="Section VI",
         statement="Under w = (0, t, 0) the three-contact grasp holds exactly t <= 0 without "
         "preload and t <= 1 with preload 1; the four-contact grasp exactly t = 0 without "

@@ -111,6 +111,7 @@ def _walk(near: list[list[int]], start: int) -> tuple[int, ...]:
 CLAIMS = (
     Claim(
         id="census-types",
+        formula=r"(t(3), t(4), \ldots, t(7)) = (1, 2, 4, 17, 143)",
         locator="the list of types that other claims run over",
         statement="Up to relabelling and reorientation m distinct planes of rank 3 have 1, 2, 4, "
         "17, 143 types for m = 3, ..., 7 (1, 1, 1, 4, 11 in general position), and the list has "

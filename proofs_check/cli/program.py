@@ -49,10 +49,21 @@ def _parser() -> terminal.Parser:
     merge.add_argument("store", metavar="STORE", help="where to; made when missing")
     merge.add_argument("parts", nargs="+", metavar="PART", help="stores to read")
     report = command(
-        "report", "sweep.run_report", "make a report from a store or from a JSON record"
+        "report", "sweep.run_report", "make a report of your claims, of a store or of a JSON record"
     )
-    report.add_argument("source", metavar="SOURCE", help="a store of a sweep, or FILE.json of run")
-    _add_report(report, "--output", "(default: Markdown on stdout)")
+    report.add_argument(
+        "source", metavar="SOURCE", help="FILE.py, a store of a sweep, or FILE.json of run"
+    )
+    _add_report(report, "-o", "--output", remark="(default: Markdown on stdout)")
+    report.add_argument(
+        "--format",
+        choices=("html", "json", "md", "tex", "txt"),
+        help="(default: what the ending of the output says)",
+    )
+    _add_seed(report)
+    _add_own(report)
+    new = command("new", "run.new_file", "write a file with claims of your own to begin with")
+    new.add_argument("name", metavar="NAME", help="of the file; .py is added")
     return parser
 
 
@@ -72,7 +83,17 @@ def _add_run(parser: argparse.ArgumentParser) -> None:
         "ids", nargs="*", metavar="ID", help="claims to check (default: all), or FILE.py"
     )
     _add_seed(parser)
-    _add_report(parser, "--report", "to write as well")
+    _add_report(parser, "--report", remark="to write as well")
+    group = _add_own(parser)
+    group.add_argument(
+        "--save",
+        metavar="FOLDER",
+        default="counterexamples",
+        help="for the instances that refute a claim (default: counterexamples)",
+    )
+
+
+def _add_own(parser: argparse.ArgumentParser) -> argparse._ArgumentGroup:
     group = parser.add_argument_group(
         "claims of your own (FILE.py)",
         "The file is run as a Python program, with all your rights.",
@@ -84,12 +105,7 @@ def _add_run(parser: argparse.ArgumentParser) -> None:
         help="random instances of each claim",
     )
     group.add_argument("--census", type=int, metavar="M", help="all types of up to M planes")
-    group.add_argument(
-        "--save",
-        metavar="FOLDER",
-        default="counterexamples",
-        help="for the instances that refute a claim (default: counterexamples)",
-    )
+    return group
 
 
 def _add_sweep(parser: argparse.ArgumentParser) -> None:
@@ -124,9 +140,9 @@ def _add_seed(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--seed", type=int, default=0, help="of the random instances (default: 0)")
 
 
-def _add_report(parser: argparse.ArgumentParser, name: str, remark: str) -> None:
+def _add_report(parser: argparse.ArgumentParser, *names: str, remark: str) -> None:
     endings = "FILE.json, FILE.md, FILE.html, FILE.tex or FILE.txt"
-    parser.add_argument(name, metavar="FILE", help=f"{endings} {remark}")
+    parser.add_argument(*names, metavar="FILE", help=f"{endings} {remark}")
 
 
 def _range(text: str) -> tuple[int, int]:

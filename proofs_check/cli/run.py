@@ -4,17 +4,19 @@ from __future__ import annotations
 
 import argparse
 import json
+import shlex
 import shutil
 import textwrap
 from collections.abc import Iterator
 from dataclasses import replace
+from importlib.resources import files
 from pathlib import Path
 from typing import Any
 
 from arrangement import terminal
 from arrangement.io.writing import write_text_atomically
 from arrangement.progress import Bar
-from proofs_check import claims, user_claim
+from proofs_check import claim_file, claims, user_claim
 from proofs_check.errors import OwnClaimError
 from proofs_check.evidence import Result, evaluate
 from proofs_check.reports import forms, report, text
@@ -72,25 +74,64 @@ def run_claims(arguments: argparse.Namespace) -> int:
     else:
         known = claims.registry()
         chosen = [known[id] for id in names] or list(known)
-    told = not (arguments.json or from_files)
     widths = text.columns(map(report.claim_record, chosen))
-    results = []
+    results: list[Result] = []
     for result in _evaluated(chosen, arguments.seed):
+        saved = _save(result, arguments.save) if from_files else ""
+        if not arguments.json:
+            found = report.result_record(result)
+            entry = text.entry(found, widths, _width())
+            if from_files:
+                entry = "\n" * bool(results) + text.details(found, _width(), saved=saved)
+            print(entry, flush=True)
         results.append(result)
-        if told:
-            print(text.entry(report.result_record(result), widths, _width()), flush=True)
-    record = report.json_record(results, arguments.seed)
-    saved = [_save(result, arguments.save) if from_files else "" for result in results]
+    record = report.json_record(results, arguments.seed, **_about(names, arguments))
     if make:
         write_text_atomically(arguments.report, make(record))
     if arguments.json:
         terminal.print_json(record)
-    elif from_files:
-        pairs = zip(record["results"], saved, strict=True)
-        print("\n\n".join(text.details(found, _width(), saved=path) for found, path in pairs))
-    else:
+    elif not from_files:
         print(f"\n{text.summary(record['results'])}")
     return terminal.YES if record["as_expected"] else terminal.NO
+
+
+def file_record(name: str, arguments: argparse.Namespace) -> dict[str, Any]:
+    """Check the claims of one file and return the record."""
+    chosen = list(_own_claims([name], arguments))
+    results = list(_evaluated(chosen, arguments.seed))
+    return report.json_record(results, arguments.seed, **_about([name], arguments))
+
+
+def _about(names: list[str], arguments: argparse.Namespace) -> dict[str, str]:
+    """Return what a record says of its claims: title, source, and the command for the same run."""
+    options = [
+        word
+        for option in ("seed", "samples", "census")
+        if (number := getattr(arguments, option)) is not None and (number or option != "seed")
+        for word in (f"--{option}", str(number))
+    ]
+    command = shlex.join(["proofs-check", "run", *names, *options])
+    if names and names[0].endswith(".py"):
+        title = claim_file.heading(names[0]).rstrip(".") or Path(names[0]).name
+        return {"title": title, "about": ", ".join(names), "command": command}
+    return {"title": claims.TITLE, "about": claims.SOURCE, "command": command}
+
+
+def new_file(arguments: argparse.Namespace) -> int:
+    """Write a file with two claims to begin with; one that is there is left alone."""
+    path = Path(arguments.name)
+    path = path if path.suffix == ".py" else path.with_name(f"{path.name}.py")
+    if path.exists():
+        raise OwnClaimError(f"{path} is there already; choose another name")
+    begun = files("proofs_check.examples").joinpath("template.py").read_text(encoding="utf-8")
+    write_text_atomically(path, begun.replace("FILE.py", str(path)))
+    if arguments.json:
+        terminal.print_json({"output": str(path)})
+    else:
+        print(
+            f"{path} is written; check its claims with: proofs-check run {shlex.quote(str(path))}"
+        )
+    return terminal.YES
 
 
 def _evaluated(chosen: list[Claim], seed: int) -> Iterator[Result]:
@@ -118,8 +159,9 @@ def _own_claims(names: list[str], arguments: argparse.Namespace) -> Iterator[Cla
         raise OwnClaimError(f"--samples is {samples}; it must be at least 0")
     if census is not None and census not in (0, *range(3, 9)):
         raise OwnClaimError(f"--census is {census}; give 3 to 8 planes, or 0")
-    for claim in (claim for name in names for claim in user_claim.load(name)):
-        changed = claim if samples is None else replace(claim, samples=samples)
+    for claim in (claim for name in names for claim in claim_file.load(name)):
+        sampled = samples is not None and claim.domain
+        changed = replace(claim, samples=samples) if sampled else claim
         if census is not None and claim.domain and claim.domain.unit == "planes":
             others = [source for source in claim.sources if source.kind is not Kind.EXHAUSTIVE]
             types = user_claim.census_sources(census)

@@ -1,4 +1,4 @@
-"""The commands of sweeps: sweep, status, merge, and report (of stores and of records)."""
+"""The commands of sweeps: sweep, status, merge, and report (of files, stores and records)."""
 
 from __future__ import annotations
 
@@ -15,6 +15,8 @@ from proofs_check.reports import forms
 from proofs_check.reports.text import verdict
 from proofs_check.sweep import report as sweepreport, store
 from proofs_check.sweep.sweep import merge, plan_sweep, sweep
+
+from .run import file_record
 
 #: A record of all claims with every case is large; a limit there is nevertheless.
 MAX_RECORD_BYTES = 256 * 2**20
@@ -88,9 +90,11 @@ def run_merge(arguments: argparse.Namespace) -> int:
 
 
 def run_report(arguments: argparse.Namespace) -> int:
-    """Make a report from the store of a sweep or from a JSON record of a run."""
-    make = forms.form(Path(arguments.output).suffix if arguments.output else ".md")
-    record = _read(arguments.source)
+    """Make a report of a file of claims, of the store of a sweep, or of the record of a run."""
+    ending = Path(arguments.output).suffix if arguments.output else ".md"
+    make = forms.form(f".{arguments.format}" if arguments.format else ending)
+    own = arguments.source.endswith(".py")
+    record = file_record(arguments.source, arguments) if own else _read(arguments.source)
     text = _made(make, record, arguments.source)
     if arguments.output:
         write_text_atomically(arguments.output, text)

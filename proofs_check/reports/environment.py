@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+import os
 import platform
 import subprocess
+import time
+from datetime import UTC, datetime
 from functools import lru_cache
 from importlib.metadata import PackageNotFoundError, version
 from pathlib import Path
@@ -20,6 +23,13 @@ def environment() -> dict[str, Any]:
         "versions": {name: _version(name) for name in LIBRARIES},
         "commit": commit(Path(__file__).resolve().parents[2]),
     }
+
+
+def date() -> str:
+    """Return the time in UTC, or that of SOURCE_DATE_EPOCH, for builds that repeat."""
+    given = os.environ.get("SOURCE_DATE_EPOCH", "")
+    seconds = int(given) if given.isdecimal() and len(given) < 12 else time.time()
+    return datetime.fromtimestamp(seconds, UTC).strftime("%Y-%m-%dT%H:%M:%SZ")
 
 
 def commit(folder: Path) -> str | None:

@@ -1,43 +1,46 @@
-"""Markdown, an HTML page and a LaTeX table, each made from the JSON record of a run and only that.
+"""Markdown and a LaTeX table, each made from the JSON record of a run and only that.
 
 A record may come from a file that someone else wrote: every text in it is escaped for the form
-that it goes into. The HTML page asks for nothing from outside and runs no script.
+that it goes into. `page` makes the HTML page.
 """
 
 from __future__ import annotations
 
-import html
 import json
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from typing import Any
 
 from arrangement.errors import InputError
 
-from .pictures import picture
+from .formula import mathml
+from .page import html_page
 from .text import overview, remark, verdict
 
 Record = Mapping[str, Any]
 
-_STYLE = """
-body{font:15px/1.45 system-ui,sans-serif;max-width:70em;margin:2em auto;padding:0 1em;color:#222}
-table{border-collapse:collapse;margin:1em 0}td,th{border:1px solid #ccc;padding:.3em .6em;
-text-align:left;vertical-align:top}th{background:#f4f4f4}section{border-top:1px solid #ccc}
-.holds{color:#1b6e34}.refuted{color:#b3261e}.unexpected{background:#fff3cd}
-code{overflow-wrap:anywhere}figure{margin:1em 0}
-"""
-
 
 def markdown(record: Record) -> str:
     """Return the verdict table, then each claim with its tables, as Markdown."""
-    lines = ["# Verdicts", "", *_markdown_table(*_overview(record))]
+    title = _markdown_text(record.get("title") or "Verdicts")
+    lines = [f"# {title}", "", *_markdown_table(*_overview(record))]
     for result in record["results"]:
         lines += ["", f"## {_markdown_text(result['id'])}", ""]
+        if _is_formula(formula := result.get("formula") or ""):
+            lines += [f"${formula}$", ""]
         for name, text in _facts(result):
             lines.append(f"- {name}: {_markdown_text(text)}")
         for columns, rows in _tables(result):
             lines += ["", *_markdown_table(columns, rows)]
         lines += _markdown_instance(result)
     return "\n".join([*lines, "", *map(_markdown_text, _footer(record)), ""])
+
+
+def _is_formula(text: str) -> bool:
+    """Whether a text is a formula that can do nothing but print."""
+    try:
+        return bool(text and mathml(text))
+    except InputError:
+        return False
 
 
 def _markdown_instance(result: Record) -> list[str]:
@@ -55,54 +58,6 @@ def _markdown_text(text: str) -> str:
     """Return text for one line of Markdown: no line breaks, no column ends, no raw HTML."""
     escaped = " ".join(text.split()).replace("\\", "\\\\").replace("|", "\\|")
     return escaped.replace("<", "&lt;").replace("*", "\\*").replace("_", "\\_").replace("`", "\\`")
-
-
-def html_page(record: Record) -> str:
-    """Return one complete HTML page, with small pictures of the counterexamples."""
-    parts = [
-        '<!DOCTYPE html><html lang="en"><head><meta charset="utf-8">',
-        '<meta name="viewport" content="width=device-width,initial-scale=1">',
-        "<title>Verdicts</title>",
-        f"<style>{_STYLE}</style></head><body><h1>Verdicts</h1>",
-        _html_table(*_overview(record), [_css(result) for result in record["results"]]),
-    ]
-    for result in record["results"]:
-        parts.append(f'<section id="{html.escape(result["id"])}"><h2>{_e(result["id"])}</h2><ul>')
-        parts += [f"<li>{_e(name)}: {_e(text)}</li>" for name, text in _facts(result)]
-        parts.append("</ul>")
-        parts += [_html_table(columns, rows) for columns, rows in _tables(result)]
-        parts.append(_figure(result))
-        parts.append("</section>")
-    parts += [f"<p>{_e(line)}</p>" for line in _footer(record) if line]
-    return "\n".join([*parts, "</body></html>", ""])
-
-
-def _figure(result: Record) -> str:
-    instance = (result.get("counterexample") or {}).get("instance")
-    if not instance:
-        return ""
-    code = f"<figcaption><code>{_e(json.dumps(instance))}</code></figcaption>"
-    return f"<figure>{picture(instance)}{code}</figure>"
-
-
-def _css(result: Record) -> str:
-    name = "refuted" if result["verdict"] == "refuted" else "holds" if result["verdict"] else ""
-    return name if result["as_expected"] else f"{name} unexpected"
-
-
-def _html_table(
-    columns: Sequence[str], rows: Iterable[Sequence[str]], classes: Sequence[str] = ()
-) -> str:
-    head = "".join(f"<th>{_e(name)}</th>" for name in columns)
-    lines = [f"<table><thead><tr>{head}</tr></thead><tbody>"]
-    for k, row in enumerate(rows):
-        kind = f' class="{classes[k]}"' if classes else ""
-        lines.append(f"<tr{kind}>{''.join(f'<td>{_e(cell)}</td>' for cell in row)}</tr>")
-    return "\n".join([*lines, "</tbody></table>"])
-
-
-def _e(text: str) -> str:
-    return html.escape(text)
 
 
 _LATEX = {c: f"\\{c}" for c in "{}$&#%_"} | {
@@ -186,7 +141,10 @@ def _footer(record: Record) -> list[str]:
         versions = ", ".join(f"{name} {number}" for name, number in entry["versions"].items())
         lines.append(f"Python {entry['python']}, {versions}, commit {entry['commit'] or 'unknown'}")
     good = "every verdict is as expected" if record["as_expected"] else "some verdict differs"
-    return [f"Seed {record['seed']}; {good}.", "", *lines]
+    again = [
+        f"{name} {record[name.lower()]}" for name in ("Date", "Command") if record.get(name.lower())
+    ]
+    return [f"Seed {record['seed']}; {good}.", "", *lines, *again]
 
 
 FORMS: dict[str, Callable[[Record], str]] = {

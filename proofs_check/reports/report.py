@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Iterable, Mapping
+from dataclasses import asdict
 from fractions import Fraction
 from typing import Any
 
@@ -15,7 +16,7 @@ from proofs_check.errors import ClaimError
 from proofs_check.evidence import Evidence, Failure, Part, Record, Result
 from proofs_check.statement import Claim, Kind
 
-from .environment import environment
+from .environment import date, environment
 from .text import numbered, value_text
 
 SCHEMA_VERSION = 1
@@ -36,19 +37,21 @@ def evidence_text(result: Result) -> str:
 
 
 def _part_text(part: Part, seed: int) -> str:
-    cases = numbered(part.checked, "case")
+    beyond = f" ({part.passed_over} more outside the hypotheses)" if part.passed_over else ""
+    cases = f"{numbered(part.checked, 'case')}{beyond}"
     if part.kind is Kind.PROVED:
         return f"proof for any m (docs, Proofs); {cases}: {part.over}"
     if part.kind is Kind.EXHAUSTIVE:
         return f"{'the one case' if part.checked == 1 else f'all {cases}'}: {part.over}"
-    return f"{numbered(part.checked, 'sample')}: {part.over}, seed {seed}"
+    return f"{numbered(part.checked, 'sample')}{beyond}: {part.over}, seed {seed}"
 
 
 def _disagreement_text(record: Record) -> str:
     if len(record.values) == 1:
         return f"the function fails on {instance_text(record.document)}: {record.note}"
-    values = " and ".join(value_text(plain(value), 60) for value in record.values)
-    return f"the routes disagree on {record.label}: {values}"
+    values = " and ".join(value_text(plain(value), 160) for value in record.values)
+    case = ", ".join(filter(None, (record.label, instance_text(record.document))))
+    return f"the routes disagree on {case}: {values}"
 
 
 def _counterexample_text(claim: Claim, evidence: Evidence, record: Record) -> str:
@@ -62,7 +65,8 @@ def _counterexample_text(claim: Claim, evidence: Evidence, record: Record) -> st
     if evidence.searched:
         tried = f"try {evidence.searched} of a search from the smallest"
         return f"{condition}smallest counterexample: {shown} ({tried})"
-    return f"{condition}counterexample among these cases: {shown}"
+    remark = f": {record.note}" if record.note and claim.file else ""
+    return f"{condition}counterexample among these cases: {shown}{remark}"
 
 
 def instance_text(document: Mapping[str, Any] | None) -> str:
@@ -74,9 +78,9 @@ def instance_text(document: Mapping[str, Any] | None) -> str:
         offsets = document.get("offsets")
         return f"planes {rows}" + (f" offsets ({','.join(offsets)})" if offsets else "")
     if "contacts" in document:
-        contacts = "; ".join(_contact_text(contact) for contact in document["contacts"])
+        contacts = ", ".join(_contact_text(contact) for contact in document["contacts"])
         wrench = document.get("wrench")
-        return contacts + (f"; wrench ({','.join(wrench)})" if wrench else "")
+        return contacts + (f", wrench ({','.join(wrench)})" if wrench else "")
     return ""
 
 
@@ -104,6 +108,11 @@ def claim_record(claim: Claim) -> dict[str, Any]:
         "over": claim.over,
         "expected": claim.expected.value,
         "meaning": claim.meaning,
+        "formula": claim.formula,
+        "section": claim.section,
+        "proof": list(claim.proof) if claim.proof else None,
+        "file": claim.file,
+        "views": [plain(asdict(view)) for view in claim.views],
     }
 
 
@@ -164,9 +173,19 @@ def plain(value: Any) -> Any:
     raise ClaimError(f"a route gave a {type(value).__name__}, which has no form in a report")
 
 
-def json_record(results: Iterable[Result], seed: int) -> dict[str, Any]:
-    """Return the complete record of a run."""
-    return record_of([result_record(result) for result in results], seed, [environment()])
+def json_record(
+    results: Iterable[Result], seed: int, title: str = "", about: str = "", command: str = ""
+) -> dict[str, Any]:
+    """Return the complete record of a run.
+
+    Args:
+        results: in order.
+        seed: of the random instances.
+        title, about: what was checked, and where it stands.
+        command: that repeats the run.
+    """
+    record = record_of([result_record(result) for result in results], seed, [environment()])
+    return {**record, "title": title, "about": about, "command": command, "date": date()}
 
 
 def record_of(

@@ -18,7 +18,7 @@ def verdict(result: Record) -> str:
 
 def value_text(value: Any, limit: int = 0) -> str:
     """Return a value of a record as text: sequences in parentheses, errors in their words."""
-    text = str(value)
+    text = "none" if value is None else str(value)
     if isinstance(value, list):
         text = f"({', '.join(value_text(item) for item in value)})"
     elif isinstance(value, Mapping) and "error" in value:
@@ -113,7 +113,7 @@ def remark(case: Record) -> str:
 def summary(results: Sequence[Record]) -> str:
     """Return how many verdicts there are of each kind, and which are not the expected ones."""
     counts = Counter(result["verdict"] or "no verdict" for result in results)
-    kinds = ", ".join(f"{number} {name}" for name, number in counts.items())
+    kinds = ", ".join(f"{counts[name]} {name}" for name in sorted(counts))
     different = [result["id"] for result in results if not result["as_expected"]]
     end = f"not as expected: {', '.join(different)}" if different else "all as expected"
     return f"{numbered(len(results), 'claim')}: {kinds}; {end}"

@@ -164,6 +164,8 @@ def create(path: str, plan: Mapping[str, Any], claim: Mapping[str, Any]) -> Stor
     Raises:
         SweepError: the file is no store, belongs to another plan, or cannot be written.
     """
+    if path in ("", ":memory:"):
+        raise SweepError(f"the store is {path!r}, which is no file; name one")
     with _opened(path, path) as connection:
         if connection.execute("SELECT count(*) FROM sqlite_master").fetchone()[0]:
             _checked(path, connection)

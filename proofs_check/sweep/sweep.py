@@ -14,13 +14,13 @@ from pathlib import Path
 from typing import Any
 
 from arrangement.exact import shown
+from proofs_check.claim_file import file_digest
 from proofs_check.errors import DamagedStoreError, SweepError
 from proofs_check.evidence import OUTCOMES, check
 from proofs_check.instances.domains import count, size
 from proofs_check.reports.environment import environment
 from proofs_check.reports.report import plain
 from proofs_check.statement import Case, Claim
-from proofs_check.user_claim import file_digest
 
 from . import store, workers
 from .store import Chunk, Store

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from proofs_check import user_claim
+from proofs_check.claim_file import load
 from proofs_check.claims import registry
 from proofs_check.errors import SweepError
 from proofs_check.reports.report import claim_record
@@ -39,11 +39,13 @@ def target(name: str) -> Claim:
                 f"{id} speaks of {claim.over}, not of random instances; these can be swept: {known}"
             )
         return claim
-    claims = {claim.id: claim for claim in user_claim.load(file)}
+    claims = {claim.id: claim for claim in load(file)}
     if not id and len(claims) == 1:
         (id,) = claims
     if id not in claims:
         raise SweepError(f"{file} has the claims {', '.join(claims)}; name one as {file}:ID")
+    if claims[id].domain is None:
+        raise SweepError(f"{id} is about a list of instances; a sweep draws random ones")
     return claims[id]
 
 

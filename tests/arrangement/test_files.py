@@ -235,6 +235,15 @@ def test_writing_through_a_link_keeps_the_link(tmp_path: Path) -> None:
     assert target.read_text(encoding="utf-8") == "new"
 
 
+def test_loops_of_links_and_empty_names_are_refused(tmp_path: Path) -> None:
+    one, other = tmp_path / "one", tmp_path / "other"
+    one.symlink_to(other)
+    other.symlink_to(one)
+    for path in (one, ""):
+        with pytest.raises(InputError, match="cannot write"):
+            write_text_atomically(path, "text")
+
+
 def test_a_failed_write_keeps_the_old_file(tmp_path: Path) -> None:
     path = tmp_path / "out"
     path.write_text("old", encoding="utf-8")

@@ -325,7 +325,7 @@ def test_unusual_planes_are_shown(planes: Arrangement, browser: Browser, opened:
 
 
 def test_what_cannot_be_shown_is_refused(tmp_path: Path) -> None:
-    for name in ("parallel-planes-affine", "generic-lines-affine", "braid-a3-in-r4"):
+    for name in ("parallel-planes-affine", "generic-lines-affine"):
         with pytest.raises(InputError):
             arrangement_page(read_arrangement(name))
     many = Arrangement([[1, k, k * k] for k in range(MAX_CIRCLES + 1)])

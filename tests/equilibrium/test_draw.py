@@ -466,7 +466,7 @@ def test_bad_requests_write_nothing_and_exit_with_2(
 
 def test_unknown_suffix_is_refused(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["draw", "paper-three-contacts", "-o", str(tmp_path / "a.gif")]) == 2
-    assert "known are .html, .pdf, .png, .svg" in capsys.readouterr().err
+    assert "known are .glb, .html, .obj, .pdf, .png, .stl, .svg" in capsys.readouterr().err
     assert main(["draw", "paper-three-contacts", "-o", str(tmp_path / "none" / "a.svg")]) == 2
     assert list(tmp_path.iterdir()) == []
 

@@ -9,7 +9,7 @@ import sympy
 from hypothesis import given, settings, strategies as st
 
 from arrangement.errors import InputError
-from equilibrium import Contact, Grasp, GraspError, read_grasp, unit_normal
+from equilibrium import Contact, Grasp, GraspError, read_grasp, solve, unit_normal
 
 from .strategies import contacts, grasps
 
@@ -142,3 +142,14 @@ def test_unit_normal_is_unit_and_within_the_tolerance(direction, tolerance):
 def test_unit_normal_refuses(direction, tolerance):
     with pytest.raises(InputError):
         unit_normal(direction, tolerance)
+
+
+def test_public_objects_are_one_line_of_at_most_a_hundred_characters():
+    grasp = read_grasp("paper-three-contacts-preload-1")
+    held, lost = (solve(grasp, [0, pull, 0]) for pull in (1, 5))
+    shown = (grasp, grasp.contacts[0], held, lost, held.solution, *held.equilibria)
+    for text in map(repr, (*shown, held.certificate, lost.certificate, lost.verify())):
+        assert len(text) <= 100
+        assert "\n" not in text
+        assert "Fraction" not in text
+    assert "not resisted" in repr(lost)

@@ -25,6 +25,7 @@ from equilibrium.inputs import (
     star_outline,
 )
 from equilibrium.inputs.csv_file import parse_csv
+from equilibrium.io.files import read_grasp
 from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import Grasp
 from equilibrium.model.outline import Circle, Polygon
@@ -352,6 +353,13 @@ class TestCsv:
         assert second.normal == (Fraction(12, 13), Fraction(5, 13))
         assert found.exact
 
+    @pytest.mark.parametrize("separator", [",", ";", "\t"])
+    def test_short_names_other_separators_and_remarks(self, separator):
+        rows = ["# measured on Monday", "x,y,nx,ny,mu,q,k", "", "0,1/2,0,-1,0.5,1,2e1", "  # end"]
+        found = parse_csv("\n".join(rows).replace(",", separator))
+        plain = "x,y,normal_x,normal_y,friction,preload,stiffness\n0,1/2,0,-1,1/2,1,20\n"
+        assert found.grasp == parse_csv(plain).grasp
+
     def test_irrational_normals_report_their_angle(self):
         found = parse_csv(f"{HEADER}\n0,0,1,1,1\n")
         assert 0 < abs(found.angle_errors[0]) <= Fraction(1, 10**6)
@@ -364,8 +372,9 @@ class TestCsv:
             (f"{HEADER},colour\n", "colour"),
             (f"{HEADER},x\n", "twice"),
             (f"{HEADER}\n0,0,1,0\n", "line 2 has 4 entries"),
-            (f"{HEADER}\n0,0,1,0,1\n\n", "line 3 has 0 entries"),
-            (f"{HEADER}\n0,0,1,0,1e3\n", "line 2: .*1e3"),
+            (f"{HEADER}\n0,0,1,0,1e99999\n", "line 2: .*1e99999"),
+            (f"# remark\n\n{HEADER}\n0,0,1,0\n", "line 4 has 4 entries"),
+            ("x,y,nx,ny,mu,friction\n", "friction appears twice"),
             (f"{HEADER}\n0,0,1,0,nan\n", "line 2: .*nan"),
             (f"{HEADER}\n0,0,1,0,-1\n", "line 2: friction"),
             (f"{HEADER}\n0,0,0,0,1\n", "line 2: direction"),
@@ -428,3 +437,19 @@ class TestOutlines:
         assert main(["make", "random", "--contacts", "4", "--seed", "3"]) == 0
         outline = json.loads(capsys.readouterr().out)["outline"]
         assert outline == star_outline(random_grasp(4, 3)).to_dict()
+
+
+def test_commands_take_tables_and_round_normals_on_demand(capsys, tmp_path):
+    table, slanted = tmp_path / "grasp.csv", tmp_path / "grasp.json"
+    table.write_text("x;y;nx;ny;mu;q\n-1;0;2;0;1/2;1\n0;-1;0;1;1/2;1\n1;0;-1;0;1/2;1\n")
+    document = read_grasp("paper-three-contacts-preload-1").to_dict()
+    document["contacts"][0]["normal"] = ["3", "1e-9"]
+    slanted.write_text(json.dumps(document))
+    assert main(["solve", str(table), "--wrench", "0,1,0", "--json"]) == 0
+    out = json.loads(capsys.readouterr().out)
+    assert main(["solve", "paper-three-contacts-preload-1", "--wrench", "0,1,0", "--json"]) == 0
+    assert out == json.loads(capsys.readouterr().out)
+    assert main(["solve", str(slanted), "--wrench", "0,0,0"]) == 2
+    assert "--round-normals" in capsys.readouterr().err
+    assert main(["solve", str(slanted), "--wrench", "0,0,0", "--round-normals"]) in (0, 1)
+    assert "rounded: points by 0, normals by 3.3e-10 radians" in capsys.readouterr().err

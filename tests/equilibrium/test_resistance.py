@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import json
+import re
 from collections.abc import Iterator
 from fractions import Fraction
 from typing import Any
@@ -136,6 +138,20 @@ def test_beyond_the_border_of_ten_contacts_no_distance_is_too_small(seed):
         assert not verdict.stable
         assert verdict.verify()
         assert verdict.verify().leaves < 400
+        if power == 3:
+            text = json.dumps(verdict.certificate.to_dict()["tree"])
+            assert max(map(len, re.findall(r"\d+", text))) <= 12
+
+
+@pytest.mark.parametrize("power", [3, 30, 300])
+def test_beyond_the_border_of_two_jaws_no_contact_adds_a_leaf(power):
+    heights = [Fraction(2 * k - 49, 49) for k in range(50)]
+    rows = [((-side, y), (side, 0)) for side in (1, -1) for y in heights]
+    share = Fraction(4, 100)
+    grasp = Grasp([Contact(*row, Fraction(1, 2), share, share) for row in rows])
+    verdict = solve(grasp, (Fraction(0), 2 + Fraction(1, 10**power), Fraction(0)))
+    assert not verdict.stable
+    assert verdict.verify().leaves == 8
 
 
 @pytest.mark.parametrize("kind", ["none", "frictionless", "one point", "coincident", "parallel"])

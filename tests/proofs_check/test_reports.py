@@ -2,8 +2,13 @@
 
 from __future__ import annotations
 
+import contextlib
+import copy
+import html
+import io
 import json
 import re
+import runpy
 import sys
 from html.parser import HTMLParser
 from pathlib import Path
@@ -12,13 +17,20 @@ from typing import Any
 import pytest
 
 from arrangement import Arrangement
+from arrangement.errors import InputError
 from proofs_check.claims import registry
 from proofs_check.cli.program import main
 from proofs_check.evidence import evaluate
 from proofs_check.reports import forms as pages, report
+from proofs_check.reports.formula import mathml
+from proofs_check.reports.page import python_lines
+from proofs_check.reports.pictures import pictures
+from proofs_check.reports.text import value_text
+from proofs_check.statement import Kind
 
+ROOT = Path(__file__).parents[2]
 IDS = ("different-slip-states", "step-1-square-bound")
-VOID = {"meta", "br", "circle", "polyline", "line", "path"}
+VOID = {"meta", "link", "br", "input"}
 
 
 @pytest.fixture(scope="module")
@@ -32,6 +44,9 @@ def hostile(text: str) -> dict[str, Any]:
     case |= {"note": text, "assumption": text, "instance": {"planes": [["1", "0"]], text: text}}
     result = {
         **dict.fromkeys(("id", "locator", "statement", "evidence", "meaning", "verdict"), text),
+        **dict.fromkeys(("formula", "section", "file", "quantity"), text),
+        "proof": [text, text],
+        "views": [{"name": text, "caption": text, "options": {text: text}, "instance": None}],
         "expected": text,
         "as_expected": False,
         "hypotheses": [text],
@@ -45,6 +60,7 @@ def hostile(text: str) -> dict[str, Any]:
     }
     environment = {"python": text, "versions": {text: text}, "commit": text}
     return {
+        **dict.fromkeys(("title", "about", "command", "date"), text),
         "schema_version": 1,
         "seed": 0,
         "as_expected": False,
@@ -137,16 +153,28 @@ def test_run_writes_each_form(
     assert "step-1-square-bound" in capsys.readouterr().out
 
 
-def test_the_page_asks_for_nothing_from_outside_and_runs_nothing(record: dict[str, Any]) -> None:
+def test_the_page_asks_for_nothing_from_outside(record: dict[str, Any]) -> None:
     page = pages.html_page(record)
     found = Tags(page)
     assert found.open == []
-    names = {name for name, _ in found.tags}
-    assert not names & {"script", "link", "img", "iframe", "object", "embed", "base", "form", "a"}
-    attributes = {key for _, attrs in found.tags for key in attrs}
-    assert not {a for a in attributes if a in ("src", "href", "srcset") or a.startswith("on")}
-    assert not re.search(r"https?:|url\(|@import", page)
+    names = [name for name, _ in found.tags]
+    assert not {*names} & {"img", "iframe", "object", "embed", "base", "form", "image"}
+    assert names.count("script") == 1
+    assert [attrs for name, attrs in found.tags if name == "link"] == [
+        {"rel": "icon", "href": "data:,"}
+    ]
+    for name, attrs in found.tags:
+        assert not {key for key in attrs if key in ("src", "srcset") or key.startswith("on")}
+        if name == "a":
+            link = attrs["href"] or ""
+            inside = link.startswith("#") and f'id="{link[1:]}"' in page
+            # Lessons and proofs, seen from the folder `report` of a checkout.
+            assert inside or (ROOT / "report" / link).resolve().is_file(), link
+    assert not re.search(r"https?:|url\((?!#)|@import", page)
     assert "svg" in names
+    assert re.search(r"default-src 'none'.*script-src 'sha256-", page)
+    names_of = [attrs["id"] for _, attrs in found.tags if "id" in attrs]
+    assert len(names_of) == len(set(names_of))
 
 
 @pytest.mark.parametrize(
@@ -156,14 +184,135 @@ def test_texts_of_a_record_stay_texts_in_the_page(text: str) -> None:
     page = pages.html_page(hostile(text))
     found = Tags(page)
     assert found.open == []
-    assert not {name for name, _ in found.tags} & {"script", "img"}
+    assert [name for name, _ in found.tags].count("script") == 1
+    assert "img" not in {name for name, _ in found.tags}
     assert text in "".join(found.texts)
+
+
+def test_the_bar_says_what_the_record_says(record: dict[str, Any]) -> None:
+    page = pages.html_page(record)
+    found = re.findall(r'<span class="(\w+)" style="flex-grow:(\d+)"><b>(\d+)</b>', page)
+    verdicts = [result["verdict"] for result in record["results"]]
+    shown = {"hypothesis": "holds under a hypothesis", "refuted": "refuted"}
+    assert [(shown[css], int(grow), int(number)) for css, grow, number in found] == [
+        (verdict, verdicts.count(verdict), verdicts.count(verdict))
+        for verdict in ("holds under a hypothesis", "refuted")
+    ]
+    both = copy.deepcopy(record)
+    both["results"][0]["verdict"] = None
+    assert "1 has no verdict" in pages.html_page(both)
+
+
+def test_a_card_has_statement_formula_routes_picture_and_python(record: dict[str, Any]) -> None:
+    page = pages.html_page(record)
+    for result in record["results"]:
+        card = page.partition(f'id="{result["id"]}"')[2].partition("</article>")[0]
+        assert html.escape(result["statement"]) in card
+        assert mathml(result["formula"]) in card
+        assert "<svg" in card
+        assert all(html.escape(route) in card for route in result["routes"])
+        assert value_text(result["counterexample"]["values"][1]) in card
+        assert html.escape(python_lines(result)) in card
+
+
+def test_the_python_of_a_card_gives_its_verdict(
+    record: dict[str, Any], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    assert main(["new", "mine"]) == 0
+    assert main(["report", "mine.py", "-o", "mine.json", "--seed", "2"]) == 0
+    own = json.loads((tmp_path / "mine.json").read_text(encoding="utf-8"))
+    for result in (*record["results"], *own["results"]):
+        lines = python_lines(result)
+        assert lines.count("\n") == 2
+        (tmp_path / "again.py").write_text(lines, encoding="utf-8")
+        with contextlib.redirect_stdout(io.StringIO()) as said:
+            runpy.run_path("again.py")
+        verdict, _, counterexample = said.getvalue().partition("\n")
+        assert verdict == result["verdict"]
+        assert (counterexample.strip() == "None") == (result["counterexample"] is None)
+
+
+def test_without_matplotlib_the_page_says_what_is_missing(
+    record: dict[str, Any], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setitem(sys.modules, "matplotlib", None)
+    page = pages.html_page(record)
+    assert "<svg" not in page
+    assert page.count("pip install") == len(record["results"])
+
+
+def test_a_run_repeats_its_page_but_for_times(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    made = []
+    for epoch in ("0", "0", "86400"):
+        monkeypatch.setenv("SOURCE_DATE_EPOCH", epoch)
+        path = tmp_path / "r.html"
+        assert main(["run", *IDS, "--report", str(path)]) == 0
+        text = path.read_text(encoding="utf-8")
+        made.append(re.sub(r'<span class="time">\d+ ms</span>', "", text))
+    assert made[0] == made[1]
+    assert "1970-01-01T00:00:00Z" in made[0]
+    assert made[2] == made[0].replace("1970-01-01", "1970-01-02")
+
+
+def test_every_formula_and_every_proof_of_the_registry_is_there() -> None:
+    proofs = (ROOT / "docs" / "proofs.rst").read_text(encoding="utf-8")
+    for claim in registry():
+        assert not claim.formula or mathml(claim.formula).startswith("<math")
+        assert (claim.kind is Kind.PROVED) == (claim.proof is not None), claim.id
+        if claim.proof:
+            section, words = claim.proof
+            text = re.split(rf"^{section}\n-+\n", proofs, flags=re.MULTILINE)[1]
+            assert f"**{words}" in re.split(r"^-+$", text, flags=re.MULTILINE)[0], claim.id
+
+
+def test_every_view_of_the_registry_gives_a_picture() -> None:
+    for claim in registry():
+        if claim.views and claim.views[0].instance:
+            shown = {"id": claim.id, "views": report.claim_record(claim)["views"]}
+            assert len(list(pictures(shown))) == len(claim.views), claim.id
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "a^",
+        "}",
+        "{",
+        "^2",
+        r"\input{x}",
+        "a<b",
+        r"\frac{1}",
+        "x$",
+        r"\text{$}",
+        "{" * 500,
+        "a\\\\b",
+    ],
+)
+def test_what_is_no_formula_is_refused_and_stays_text(text: str) -> None:
+    with pytest.raises(InputError):
+        mathml(text)
+    changed = hostile("x")
+    changed["results"][0]["formula"] = text
+    assert f"<code>{html.escape(text)}</code>" in pages.html_page(changed)
+    assert f"${text}$" not in pages.markdown(changed)
+
+
+def test_a_formula_is_mathml() -> None:
+    assert mathml(r"f_k \le \sum_{i=0}^{k} \binom{n}{i}") == (
+        '<math display="block"><mrow><msub><mi>f</mi><mi>k</mi></msub><mo>≤</mo><munderover>'
+        "<mo>∑</mo><mrow><mi>i</mi><mo>=</mo><mn>0</mn></mrow><mrow><mi>k</mi></mrow></munderover>"
+        '<mrow><mo>(</mo><mfrac linethickness="0"><mrow><mi>n</mi></mrow><mrow><mi>i</mi></mrow>'
+        "</mfrac><mo>)</mo></mrow></mrow></math>"
+    )
 
 
 @pytest.mark.parametrize("text", ["a|b", "a\n| b |\n\n# c", "a\\|b", "`x` <b>"])
 def test_texts_of_a_record_do_not_break_a_markdown_table(text: str) -> None:
     lines = pages.markdown(hostile(text)).splitlines()
-    assert [line for line in lines if line.startswith("# ")] == ["# Verdicts"]
+    assert [k for k, line in enumerate(lines) if line.startswith("# ")] == [0]
     tables = [line for line in lines if line.startswith("|")]
     # Ends of cells are bars that an even number of backslashes (so none of its own) goes before.
     widths = [len(re.findall(r"(?<!\\)(?:\\\\)*\|", line)) for line in tables]

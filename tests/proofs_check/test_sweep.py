@@ -226,6 +226,12 @@ def test_bad_input_ends_with_exit_code_2(
     assert "Traceback" not in captured.err
 
 
+@pytest.mark.parametrize("path", ["", ":memory:"])
+def test_a_store_is_a_file(path: str) -> None:
+    with pytest.raises(SweepError, match="no file"):
+        sweep(small_plan(), path)
+
+
 def test_files_that_are_no_stores_are_refused(tmp_path: Path) -> None:
     text, other = tmp_path / "a.txt", tmp_path / "other.sqlite"
     text.write_text("something else " * 100, encoding="utf-8")

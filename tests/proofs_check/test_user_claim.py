@@ -119,8 +119,14 @@ def test_a_failure_that_only_many_planes_show_does_not_shrink_below_them(
     ("body", "message"),
     [
         ("x = 1\n", "has no claims"),
-        ("def f(:\n", "SyntaxError"),
-        ("1 / 0\n", "ZeroDivisionError"),
+        ("x = 1\ndef f(:\n", "mine.py, line 3: SyntaxError: invalid syntax: def f(:"),
+        ("\n1 / 0\n", "ZeroDivisionError: division by zero (mine.py, line 3: 1 / 0)"),
+        ('@claim("s", formula="a^")\ndef f(p): return True\n', "the formula 'a^'"),
+        ('@claim("s", of=[])\ndef f(p): return True\n', "the list of instances is empty"),
+        (
+            '@claim("s", of=[[1]], routes=[len])\ndef f(p, n): return n / 0\n',
+            "f raised ZeroDivisionError: division by zero (mine.py, line 3",
+        ),
         ('@claim("")\ndef f(p): return True\n', "in words"),
         ('@claim("s", of="cubes")\ndef f(p): return True\n', "no domain is called 'cubes'"),
         ('@claim("s", census=9)\ndef f(p): return True\n', "census is 9"),
@@ -299,3 +305,124 @@ def test_errors_name_the_remedy() -> None:
         domain("nothing")
     with pytest.raises(OwnClaimError, match="smallest and a largest"):
         claim("s", planes=[3])
+
+
+def test_a_new_file_runs_and_is_never_written_over(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    assert main(["new", "my paper"]) == 0
+    assert "proofs-check run 'my paper.py'" in capsys.readouterr().out
+    text = Path("my paper.py").read_text(encoding="utf-8")
+    assert "proofs-check run my paper.py" in text
+    assert main(["run", "my paper.py", "--json"]) == 0
+    found = json.loads(capsys.readouterr().out)
+    assert [r["verdict"] for r in found["results"]] == ["holds", "holds", "refuted"]
+    assert found["title"] == "Claims of my own"
+    assert found["command"] == "proofs-check run 'my paper.py'"
+    Path("my paper.py").write_text("mine\n", encoding="utf-8")
+    assert main(["new", "my paper.py"]) == 2
+    assert "is there already" in capsys.readouterr().err
+    assert Path("my paper.py").read_text(encoding="utf-8") == "mine\n"
+    assert main(["new", "nowhere/mine"]) == 2
+
+
+@pytest.mark.parametrize(
+    ("name", "verdicts"),
+    [
+        ("most_triangles", ["holds", "refuted"]),
+        ("regions_of_families", ["holds", "holds"]),
+        ("two_fingers", ["holds", "refuted"]),
+    ],
+)
+def test_claims_of_other_papers_have_their_verdicts_by_two_routes(
+    name: str, verdicts: list[str], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    example = files("proofs_check.examples") / f"{name}.py"
+    assert main(["report", str(example), "-o", "r.json"]) == 0
+    found = json.loads(Path("r.json").read_text(encoding="utf-8"))
+    assert [r["verdict"] for r in found["results"]] == verdicts
+    assert len(found["results"][0]["routes"]) == 2
+    for case in (case for r in found["results"] for case in r["records"] if len(r["routes"]) > 1):
+        assert case["values"][0] == case["values"][1]
+        assert case["values"][0] is not None
+
+
+def test_routes_that_disagree_or_raise_give_no_verdict_and_show_the_case(
+    write: Callable[[str], str], capsys: pytest.CaptureFixture[str]
+) -> None:
+    path = write(
+        "from arrangement.library.families import generic\n"
+        "listed = {'three': generic(3), 'four': generic(4)}\n"
+        "def other(p):\n"
+        "    return 3 + len(p) // 4 * 2\n"
+        '@claim("differ", of=listed, routes=[len, other])\n'
+        "def differ(p, m): return m < 9\n"
+        "def fails(p):\n"
+        "    return len(p) // (len(p) % 2)\n"
+        '@claim("raises", of=listed, routes=[len, fails])\n'
+        "def raises(p, m): return m < 9\n"
+    )
+    assert main(["run", path]) == 1
+    out = " ".join(capsys.readouterr().out.split())
+    assert out.count("no verdict (expected: holds)") == 2
+    assert "the routes disagree on four, planes (1,1,1)" in out
+    assert ": 4 and 5" in out
+    assert "ZeroDivisionError: integer division or modulo by zero (mine.py, line 9: return" in out
+
+
+@pytest.mark.parametrize(
+    ("returned", "text"),
+    [
+        ("len(p) + 0 == 5", "len(p) + 0 == 5 is false: 3 and 5"),
+        ("p.rank == 3 and len(p) > 3", "len(p) > 3 is false: 3 and 3"),
+        ("len(p) in (1, 2)", "len(p) in (1, 2) is false: 3 and (1, 2)"),
+        ("not p", "the function returned False"),
+        ("all(x > 3 for x in (1, 2))", "the function returned False"),
+        ("len(p) == 4 or 'a reason'", "a reason"),
+    ],
+)
+def test_a_false_comparison_shows_both_sides(
+    write: Callable[[str], str], capsys: pytest.CaptureFixture[str], returned: str, text: str
+) -> None:
+    path = write(f'@claim("s", census=3, samples=0)\ndef f(p):\n    return {returned}\n')
+    assert main(["run", path, "--json"]) == 1
+    (result,) = json.loads(capsys.readouterr().out)["results"]
+    assert result["verdict"] == "refuted"
+    assert result["counterexample"]["note"] == text
+
+
+def test_comparisons_outside_of_claims_stay_what_they_are(
+    write: Callable[[str], str], capsys: pytest.CaptureFixture[str]
+) -> None:
+    path = write(
+        "def small(p):\n    return len(p) < 3\n"
+        '@claim("s", census=3, samples=0, families=False)\n'
+        "def f(p):\n"
+        "    def inner():\n        return len(p) < 3\n"
+        "    return small(p) is False and type(inner()) is bool\n"
+    )
+    assert main(["run", path]) == 0
+
+
+def test_integers_of_libraries_are_integers(write: Callable[[str], str]) -> None:
+    path = write(
+        "import numpy, sympy\n"
+        "def a(p): return numpy.int64(len(p))\n"
+        "def b(p): return sympy.Integer(len(p))\n"
+        '@claim("s", routes=[a, b], census=3, samples=0, families=False)\n'
+        "def f(p, m): return type(m) is int\n"
+    )
+    assert main(["run", path]) == 0
+
+
+def test_a_list_of_instances_is_no_domain_of_a_sweep(
+    write: Callable[[str], str], capsys: pytest.CaptureFixture[str]
+) -> None:
+    path = write('@claim("s", of=[1, 2])\ndef f(k): return k < 3\n')
+    assert main(["run", path, "--samples", "9"]) == 0
+    assert "all 2 cases: the 2 given instances" in capsys.readouterr().out
+    arguments = ["--planes", "3", "--samples", "5", "--store", "s.sqlite"]
+    assert main(["sweep", path, *arguments]) == 2
+    assert "is about a list of instances" in capsys.readouterr().err

@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+import re
 import shutil
 import subprocess
 import xml.etree.ElementTree as ET
 from pathlib import Path
+from typing import Any
 
 import pytest
 
@@ -13,31 +15,45 @@ from arrangement import Arrangement
 from arrangement.library.families import generic
 from equilibrium.io.files import read_grasp
 from proofs_check.reports.environment import commit
-from proofs_check.reports.pictures import picture
+from proofs_check.reports.pictures import pictures
 
 
-def test_planes_are_drawn_as_curves_inside_the_disk() -> None:
+def drawn(instance: dict[str, Any] | None) -> list[str]:
+    """Return the names of the elements of each picture of a counterexample."""
+    counterexample = {"instance": instance} if instance else None
+    result = {"id": "some-id", "counterexample": counterexample}
+    names = []
+    for svg, _ in pictures(result):
+        ET.fromstring(svg.replace("xlink:", ""))
+        found = re.findall(r' id="([^"]*)"', svg)
+        assert all(name.startswith("some-id-0-") for name in found)
+        names.append(" ".join(name.removeprefix("some-id-0-") for name in found))
+    return names
+
+
+def test_planes_are_drawn_with_their_dual() -> None:
     for planes in (generic(5), Arrangement([[3, -4, 6], [10**40, 1, 0], [0, 0, -1]])):
-        tree = ET.fromstring(picture(planes.to_dict()))
-        lines = [entry for entry in tree if entry.tag == "polyline"]
-        assert len(lines) == len(planes)
-        for line in lines:
-            points = [tuple(map(float, p.split(","))) for p in line.attrib["points"].split()]
-            distances = [(x - 100) ** 2 + (y - 100) ** 2 for x, y in points]
-            assert max(distances) < 90.2**2
-            # A half great circle begins and ends on the rim, at opposite points.
-            assert min(distances[0], distances[-1]) > 89.8**2
-            assert abs(points[0][0] + points[-1][0] - 200) < 0.3
+        (names,) = drawn(dict(planes.to_dict()))
+        edges = re.findall(r"edge-\d+", names)
+        assert len(edges) == planes.f_vector[2]
 
 
-def test_a_grasp_is_drawn_with_every_contact_and_other_things_are_not_drawn() -> None:
-    grasp = read_grasp("paper-four-contacts")
-    tree = ET.fromstring(picture(grasp.to_dict()))
-    assert len([entry for entry in tree if entry.tag == "circle"]) == 4
-    assert picture(None) == ""
-    assert picture(generic(3, affine=True).to_dict()) == ""
-    assert picture(generic(3, 4).to_dict()) == ""
-    assert picture({"something": 1}) == ""
+def test_a_grasp_is_drawn_with_its_equilibrium_or_the_proof_that_there_is_none() -> None:
+    document = dict(read_grasp("paper-three-contacts").to_dict())
+    (alone,) = drawn(document)
+    assert "cone-3" in alone
+    assert "force-" not in alone
+    (held,) = drawn({**document, "wrench": ["0", "-1", "0"]})
+    assert "force-2" in held
+    (refused,) = drawn({**document, "wrench": ["0", "1", "0"]})
+    assert "1-region-0" in refused
+    assert "force-2" not in refused
+
+
+def test_other_things_are_not_drawn() -> None:
+    others = (generic(3, affine=True).to_dict(), generic(3, 4).to_dict(), {"something": 1}, None)
+    for instance in others:
+        assert drawn(dict(instance) if instance else None) == []
 
 
 @pytest.mark.skipif(shutil.which("git") is None, reason="needs git")

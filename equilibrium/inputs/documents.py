@@ -1,0 +1,49 @@
+"""Grasps from whatever names one: a document, a CSV file, a built-in name."""
+
+from __future__ import annotations
+
+import os
+from fractions import Fraction
+from typing import Any
+
+from arrangement.exact import to_text
+from arrangement.io.files import Source, check_keys, check_list, read_document
+from equilibrium.model.grasp import Grasp
+
+from .conversion import DEFAULT_TOLERANCE, Conversion, unit_normals
+from .csv_file import read_csv
+
+
+def read_any(
+    source: Source, *, round_normals: bool = False, angle_tolerance: Any = DEFAULT_TOLERANCE
+) -> Conversion:
+    """Read a grasp from a path, ``"-"`` (stdin), a built-in name or a mapping.
+
+    Args:
+        source: a path that ends with ``.csv`` is a table (see `csv_file`), others are documents.
+        round_normals: replace normals of a document by near unit vectors; those of tables always
+            are.
+        angle_tolerance: largest tangent of the change of a normal's direction.
+
+    Raises:
+        InputError: for anything that is no grasp.
+
+    >>> read_any("paper-three-contacts").exact
+    True
+    """
+    if isinstance(source, (str, os.PathLike)) and str(source).lower().endswith(".csv"):
+        return read_csv(source, angle_tolerance=angle_tolerance)
+    document = read_document(source, ("contacts",))
+    errors: tuple[Fraction, ...] = ()
+    if round_normals:
+        contacts = check_list(document["contacts"], "contacts")
+        for i, contact in enumerate(contacts):
+            check_keys(contact, ("normal",), contact, f"contacts[{i}]")
+        normals = unit_normals([contact["normal"] for contact in contacts], angle_tolerance)
+        rounded = [
+            {**contact, "normal": [to_text(x) for x in normal.normal]}
+            for contact, normal in zip(contacts, normals, strict=True)
+        ]
+        document = {**document, "contacts": rounded}
+        errors = tuple(normal.angle_error for normal in normals)
+    return Conversion(Grasp.from_dict(document), (), errors)

@@ -1,0 +1,163 @@
+"""Lines of the plane: what is drawn is what is counted, and every region lies where it is drawn."""
+
+from __future__ import annotations
+
+import inspect
+from fractions import Fraction
+from typing import Any
+
+import numpy as np
+import pytest
+from hypothesis import given, settings, strategies as st
+
+from arrangement import Arrangement, InputError
+from arrangement.counts import bounded_region_count, f_vector
+from arrangement.draw import draw_lines
+from arrangement.draw.labels import HAIR
+from arrangement.draw.line_charts import LinesChart
+from arrangement.draw.scene import Label, Scene, area
+from arrangement.io.arrangements import read_arrangement
+
+LESSON = Arrangement([[0, 1], [-4, -3], [4, -3]], [0, -12, -12])
+LINES = {
+    "generic": read_arrangement("generic-lines-affine"),
+    "shi": read_arrangement("shi-a2-affine"),
+    "lesson": LESSON,
+    "none": Arrangement([], dimension=2),
+    "one": Arrangement([[1, 2]], [3]),
+    "coincident": Arrangement([[1, 2], [2, 4], [-1, -2], [1, 0]], [3, 6, -3, 0]),
+    "parallel": Arrangement([[1, 2]] * 4, [0, 1, 5, 6]),
+    "two parallel": Arrangement([[1, 0], [1, 0], [0, 1]], [0, 1, 0]),
+    "central": Arrangement([[1, 0], [0, 1], [1, 1], [1, -1], [2, 1]]),
+    "one point": Arrangement([[1, 0], [0, 1], [1, 1]], [1, 1, 2]),
+    "nearly parallel": Arrangement([[1, 0], [0, 1], [1, 1], [1000, 1001]], [0, 0, 1, 7]),
+    "huge": Arrangement([[1, 0], [0, 1], [10**30, 1]], [0, 10**40, 1]),
+}
+ARRANGEMENTS = st.lists(
+    st.tuples(*[st.integers(-3, 3)] * 3).filter(lambda line: any(line[:2])), max_size=6
+).map(lambda rows: Arrangement([r[:2] for r in rows], [r[2] for r in rows], dimension=2))
+
+
+def scene_of(planes: Arrangement, **options: Any) -> Scene:
+    found: Scene = inspect.unwrap(draw_lines)(planes, **options)
+    return found
+
+
+def written(scene: Scene) -> list[str]:
+    return [item.text.replace(HAIR, "") for item in scene.items if isinstance(item, Label)]
+
+
+def elements(scene: Scene) -> dict[str, int]:
+    names = [item.name.partition("-")[0] for item in scene.items]
+    return {name: names.count(name) for name in names}
+
+
+@pytest.mark.parametrize("name", LINES)
+@pytest.mark.parametrize("projective", [False, True])
+def test_regions_and_lines_are_those_that_are_counted(name: str, projective: bool) -> None:
+    planes = LINES[name]
+    found = elements(scene_of(planes, projective=projective, faces="all", sides=True))
+    vertices, edges, regions = f_vector(planes)
+    assert found["region"] == regions
+    assert found.get("vertex", 0) == vertices
+    assert found.get("front" if projective else "line", 0) == (
+        edges if projective else len(planes.distinct)
+    )
+
+
+def bounded(planes: Arrangement) -> int:
+    """Count the bounded regions by Zaslavsky's second theorem; below rank 2 all have no end."""
+    return bounded_region_count(planes) if planes.rank == 2 else 0
+
+
+@settings(max_examples=40, deadline=None)
+@given(ARRANGEMENTS)
+def test_bounded_regions_are_as_many_as_the_theorem_says(planes: Arrangement) -> None:
+    chart = LinesChart(planes)
+    assert len(chart.bounded) == bounded(planes)
+    assert (len(chart.vertices), len(chart.edges), len(chart.regions)) == f_vector(planes)
+
+
+@settings(max_examples=40, deadline=None)
+@given(ARRANGEMENTS)
+def test_regions_fill_the_window_and_have_the_signs_of_their_middles(planes: Arrangement) -> None:
+    chart = LinesChart(planes)
+    cone = chart.globe.whole.arrangement
+    total = 0.0
+    for region, signs in chart.regions.items():
+        outline = chart.outline(region)
+        total += area(outline)
+        middle = [Fraction(float(x)) for x in outline.mean(axis=0)]
+        assert cone.signs_at([*middle, 1]) == signs
+    width, height = chart.half
+    assert total == pytest.approx(float(4 * width * height))
+    for vertex in chart.vertices:
+        assert (np.abs(chart.vertex(vertex)) < [float(x) for x in chart.half]).all()
+
+
+def test_all_nineteen_faces_of_three_lines_have_their_labels() -> None:
+    for projective in (False, True):
+        found = written(scene_of(LESSON, faces="all", projective=projective))
+        signs = ["".join("−0+"[s + 1] for s in face.signs) for face in LESSON.faces()]
+        assert len(signs) == 19
+        assert sorted(text for text in found if text in signs) == sorted(signs)
+
+
+def test_a_line_has_one_name_in_the_window_and_two_in_the_projective_plane() -> None:
+    assert [written(scene_of(LESSON)).count(str(k)) for k in (1, 2, 3)] == [1, 1, 1]
+    whole = written(scene_of(LESSON, projective=True))
+    assert [whole.count(str(k)) for k in (1, 2, 3)] == [2, 2, 2]
+
+
+def test_parallel_classes_have_dots_at_infinity() -> None:
+    found = elements(scene_of(LINES["shi"], projective=True))
+    assert found["infinity"] == 6
+    assert "infinity" not in elements(scene_of(LESSON, projective=True))
+
+
+@pytest.mark.parametrize("projective", [False, True])
+def test_arrows_point_to_the_positive_sides(projective: bool) -> None:
+    """The tip of an arrow is where its line alone has the sign +."""
+    for k in range(3):
+        normal, offset = LESSON.normals[k], LESSON.offsets[k]
+        one, turned = (
+            scene_of(Arrangement([[s * x for x in normal]], [s * offset]), sides=True,
+                     projective=projective)
+            for s in (1, -1)
+        )  # fmt: skip
+        for scene in (one, turned):
+            arrow = [i for i in scene.items if i.name == "side-0"][-1]
+            plus = next(i for i in scene.items if isinstance(i, Label) and i.text == "+")
+            minus = next(i for i in scene.items if isinstance(i, Label) and i.text == "−")
+            line = next(i for i in scene.items if i.name.startswith(("line", "front")))
+            way = np.array(plus.place) - np.array(minus.place)
+            tip = arrow.points.mean(axis=0)  # type: ignore[attr-defined]
+            start = line.points[0]  # type: ignore[attr-defined]
+            ends = line.points[-1] - start  # type: ignore[attr-defined]
+            normal_on_paper = np.array([-ends[1], ends[0]])
+            assert ((tip - start) @ normal_on_paper) * (way @ normal_on_paper) > 0
+
+
+def test_the_legend_counts_bounded_and_unbounded_regions() -> None:
+    found = written(scene_of(LINES["shi"]))
+    assert {"4 bounded regions", "12 unbounded"} <= set(found)
+
+
+def test_what_has_no_room_is_counted() -> None:
+    found = written(scene_of(LINES["shi"], faces="all", width=40))
+    assert any(text.startswith("no room for some labels: ") for text in found)
+
+
+@pytest.mark.parametrize(
+    ("options", "match"),
+    [
+        ({"faces": "edges"}, "known are regions, all"),
+        ({"labels": "sign"}, "did you mean signs"),
+        ({"faces": "all", "labels": "numbers"}, "numbers are for regions"),
+        ({"colour": "mood"}, "colouring"),
+        ({"width": 10}, "width"),
+    ],
+)
+def test_bad_options_are_refused(options: dict[str, Any], match: str) -> None:
+    with pytest.raises(InputError, match=match):
+        draw_lines(LESSON, **options)

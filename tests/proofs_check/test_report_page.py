@@ -1,0 +1,70 @@
+"""The report of verdicts in a browser: it fits, asks for nothing, can be searched and filtered."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from proofs_check.claims import registry
+from proofs_check.evidence import evaluate
+from proofs_check.reports import report
+from proofs_check.reports.page import html_page
+from tests.browser import Browser
+
+IDS = ("single-solution", "step-1-square-bound", "fukuda-bound", "method-linear-compliance")
+VISIBLE = "return [...document.querySelectorAll('article')].filter(c => !c.hidden).map(c => c.id)"
+
+
+@pytest.fixture(scope="module")
+def page(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    path = tmp_path_factory.mktemp("report") / "verdicts.html"
+    results = [evaluate(registry()[id]) for id in IDS]
+    path.write_text(html_page(report.json_record(results, 0, "A paper")), encoding="utf-8")
+    return path
+
+
+@pytest.mark.parametrize("width", [390, 1280])
+@pytest.mark.parametrize("theme", ["light", "dark"])
+def test_the_page_fits_its_window_and_asks_for_nothing(
+    browser: Browser, page: Path, width: int, theme: str
+) -> None:
+    browser.open(page, width, 900)
+    browser.run("document.documentElement.dataset.theme = arguments[0]", theme)
+    assert browser.run("return document.documentElement.scrollWidth") == width
+    paper = browser.run("return getComputedStyle(document.body).backgroundColor")
+    assert (paper == "rgb(255, 255, 255)") == (theme == "light")
+    assert browser.run("return document.querySelectorAll('svg path').length") > 50
+    assert browser.run("return document.querySelector('math msub') !== null")
+    assert browser.messages() == []
+    assert browser.outside() == []
+
+
+def test_search_and_filters_leave_what_was_asked_for(browser: Browser, page: Path) -> None:
+    browser.open(page)
+    assert browser.run(VISIBLE) == [*IDS]
+    browser.run(
+        "const box = document.getElementById('search'); box.value = 'PLANES in R^d';"
+        "box.dispatchEvent(new Event('input'))"
+    )
+    assert browser.run(VISIBLE) == ["fukuda-bound"]
+    browser.run(
+        "const box = document.getElementById('search'); box.value = '';"
+        "box.dispatchEvent(new Event('input'));"
+        "document.querySelector('.controls [data-verdict=\"holds\"]').click()"
+    )
+    assert browser.run(VISIBLE) == ["single-solution", "step-1-square-bound"]
+    shown = "return [...document.querySelectorAll('h2.section')].filter(h => !h.hidden).length"
+    assert browser.run(shown) == 2
+    assert browser.run("return document.getElementById('shown').textContent") == "2 of 4"
+
+
+def test_the_page_is_complete_without_its_script(browser: Browser, page: Path) -> None:
+    bare = page.with_name("bare.html")
+    text = page.read_text(encoding="utf-8")
+    head, _, rest = text.rpartition("<script>")
+    bare.write_text(head + rest.partition("</script>")[2], encoding="utf-8")
+    browser.open(bare)
+    assert browser.run(VISIBLE) == [*IDS]
+    hidden = "return document.querySelector('.controls').getBoundingClientRect().height"
+    assert browser.run(hidden) == 0
