@@ -2,8 +2,8 @@
 
 Sphinx writes the lessons as Markdown, and their code becomes cells: a Python session ends a cell
 where it shows a result, a terminal session becomes commands of the shell, a file is written by its
-cell. An answer is a heading of its own that starts folded. A cell that fails ends the program,
-unless the lesson shows its error.
+cell. An answer is a heading of its own that starts folded. A cell that fails, or whose output is
+not what the lesson shows, ends the program.
 """
 
 import doctest
@@ -16,6 +16,7 @@ from pathlib import Path
 
 import nbformat
 from docutils import nodes
+from jupyter_client import AsyncKernelManager
 from nbclient import NotebookClient
 from sphinx.application import Sphinx
 
@@ -32,6 +33,7 @@ _ANSWER = re.compile(r"(?m)^\*\*(\d+)\.\*\* ?")
 _IMAGE = re.compile(r"\]\(_generated/([\w.-]+)\)")
 _LESSON = re.compile(r"\]\((\d\d-[\w-]+)\.md")
 _PAGE = re.compile(r"\]\(\.\./([\w/-]+)\.md")
+_CHECKER, _FLAGS = doctest.OutputChecker(), doctest.ELLIPSIS | doctest.NORMALIZE_WHITESPACE
 _new = nbformat.v4
 
 
@@ -68,26 +70,52 @@ def write_markdown():
         return {page.stem: page.read_text("utf-8") for page in sorted(Path(work).glob("lessons/*"))}
 
 
+def code_cell(source, shown="", tags=()):
+    """Return a cell; what the lesson shows of its output stays with it until it has run."""
+    metadata = {"shown": shown, **({"tags": list(tags)} if tags else {})}
+    return _new.new_code_cell(source.rstrip("\n"), metadata=metadata)
+
+
 def code_cells(kind, body):
     """Yield the cells of one block."""
     if kind == "console":
-        commands = re.findall(r"(?m)^\$ ((?:.*\\\n)*.*)", body)
-        lines = [f"!{command}" for command in commands if command != "echo $?"]
-        yield _new.new_code_cell("\n".join(lines))
+        pairs = re.findall(r"(?ms)^\$ ((?:[^\n]*\\\n)*[^\n]*)\n(.*?)(?=^\$ |\Z)", body)
+        lines = "\n".join(["%%bash --no-raise-error", *(command for command, _ in pairs)])
+        yield code_cell(lines, "".join(shown for _, shown in pairs))
     elif kind == "pycon":
         source = ""
         for example in doctest.DocTestParser().get_examples(body):
             source += example.source
-            if example.want:
-                cell = _new.new_code_cell(source.rstrip("\n"))
-                cell.metadata.tags = ["raises-exception"] if example.exc_msg else []
-                yield cell
-                source = ""
+            if example.exc_msg:
+                shown = re.sub(r"^[\w.]*\.(?=\w+:)", "", example.exc_msg)
+                yield code_cell(source, shown, ["raises-exception"])
+            elif example.want:
+                yield code_cell(source, example.want)
+            source = "" if example.want else source
         if source:
-            yield _new.new_code_cell(source.rstrip("\n"))
+            yield code_cell(source)
     else:
         name = kind.removeprefix("python file=")
-        yield _new.new_code_cell(f"%%writefile {name}\n{body.rstrip()}")
+        yield code_cell(f"%%writefile {name}\n{body}", f"Writing {name}\n")
+
+
+def output(cell):
+    """Return what a cell printed, its result, or its error."""
+    texts = []
+    for out in cell.outputs:
+        if out.output_type == "error":
+            texts.append(f"{out.ename}: {out.evalue}\n")
+        else:
+            texts.append(out.text if "text" in out else out.data["text/plain"] + "\n")
+    return "".join(texts)
+
+
+def compare(name, made):
+    """Compare the outputs of a notebook that has run with those of the lesson."""
+    for cell in made.cells:
+        shown = cell.metadata.pop("shown", None)
+        if shown is not None and not _CHECKER.check_output(shown, output(cell), _FLAGS):
+            raise SystemExit(f"{name}:\n{cell.source}\nshown:\n{shown}\noutput:\n{output(cell)}")
 
 
 def text_cells(text):
@@ -127,7 +155,10 @@ def main(folder):
             shutil.copy(DOCS / "_generated" / image, folder / "images")
         made = notebook(text)
         with tempfile.TemporaryDirectory() as desk:
-            NotebookClient(made, timeout=600, resources={"metadata": {"path": desk}}).execute()
+            kernel = AsyncKernelManager(kernel_name="python3", transport="ipc", ip=f"{desk}/kernel")
+            place = {"metadata": {"path": desk}}
+            NotebookClient(made, km=kernel, timeout=600, resources=place).execute()
+        compare(name, made)
         nbformat.write(made, folder / f"{name}.ipynb")
         print(f"{name}: {len(made.cells)} cells")
 
