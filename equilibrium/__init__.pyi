@@ -22,5 +22,12 @@ from .solver.contact_states import contact_states as contact_states
 from .solver.equilibrium import Equilibrium as Equilibrium
 from .solver.state_equilibrium import Solution as Solution
 from .verdict import Solver as Solver, Verdict as Verdict, solve as solve
+from .wrench_sets import (
+    least_friction as least_friction,
+    margin as margin,
+    resisted_magnitudes as resisted_magnitudes,
+    resisted_region as resisted_region,
+    resisted_set as resisted_set,
+)
 
 __version__: str

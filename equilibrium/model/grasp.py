@@ -8,6 +8,8 @@ the contact point by ``N . d`` along the normal and ``T . d`` along the tangent.
 
 from __future__ import annotations
 
+import json
+import os
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import MISSING, dataclass, field, fields, replace
 from fractions import Fraction
@@ -26,6 +28,7 @@ from arrangement.exact import (
     vector_text,
 )
 from arrangement.io.files import check_keys, check_list
+from arrangement.io.writing import write_text_atomically
 from arrangement.plugins import display
 
 from .errors import GraspError
@@ -216,6 +219,14 @@ class Grasp:
         labels = {"units": self.units, "outline": self.outline}
         stated = {name: label.to_dict() for name, label in labels.items() if label is not None}
         return {"schema_version": 1, **stated, "contacts": [c.to_dict() for c in self]}
+
+    def save(self, path: str | os.PathLike[str]) -> None:
+        """Write the grasp as a JSON file, whole or not at all; `read_grasp` reads it back.
+
+        Raises:
+            InputError: the place cannot be written.
+        """
+        write_text_atomically(path, json.dumps(self.to_dict(), indent=1) + "\n")
 
     @classmethod
     def from_dict(cls, document: Mapping[str, Any]) -> Grasp:

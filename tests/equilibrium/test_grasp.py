@@ -153,3 +153,11 @@ def test_public_objects_are_one_line_of_at_most_a_hundred_characters():
         assert "\n" not in text
         assert "Fraction" not in text
     assert "not resisted" in repr(lost)
+
+
+def test_a_saved_grasp_is_read_back(tmp_path):
+    grasp = read_grasp("paper-three-contacts-preload-1").with_units("mm", "N")
+    grasp.save(tmp_path / "grasp.json")
+    found = read_grasp(tmp_path / "grasp.json")
+    assert found == grasp
+    assert found.units == grasp.units
