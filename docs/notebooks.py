@@ -156,8 +156,14 @@ def main(folder):
         made = notebook(text)
         with tempfile.TemporaryDirectory() as desk:
             kernel = AsyncKernelManager(kernel_name="python3", transport="ipc", ip=f"{desk}/kernel")
-            place = {"metadata": {"path": desk}}
-            NotebookClient(made, km=kernel, timeout=600, resources=place).execute()
+            NotebookClient(
+                made,
+                km=kernel,
+                timeout=600,
+                resources={"metadata": {"path": desk}},
+                record_timing=False,
+                coalesce_streams=True,
+            ).execute()
         compare(name, made)
         nbformat.write(made, folder / f"{name}.ipynb")
         print(f"{name}: {len(made.cells)} cells")
