@@ -16,9 +16,9 @@ from pathlib import Path
 
 import nbformat
 from docutils import nodes
-from jupyter_client import AsyncKernelManager
 from nbclient import NotebookClient
 from sphinx.application import Sphinx
+from traitlets.config import Config
 
 DOCS = Path(__file__).resolve().parent
 SETTINGS = {
@@ -155,10 +155,12 @@ def main(folder):
             shutil.copy(DOCS / "_generated" / image, folder / "images")
         made = notebook(text)
         with tempfile.TemporaryDirectory() as desk:
-            kernel = AsyncKernelManager(kernel_name="python3", transport="ipc", ip=f"{desk}/kernel")
+            # Sockets that are files, which nobody else can read.
+            sockets = {"transport": "ipc", "ip": f"{desk}/kernel"}
             NotebookClient(
                 made,
-                km=kernel,
+                config=Config({"KernelManager": sockets}),
+                kernel_name="python3",
                 timeout=600,
                 resources={"metadata": {"path": desk}},
                 record_timing=False,
