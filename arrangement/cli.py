@@ -1,4 +1,4 @@
-"""The command ``arrangement``: count faces, list faces, draw them, list the built-in documents."""
+"""The command ``arrangement``: count, list and draw faces, make and list arrangements."""
 
 from __future__ import annotations
 
@@ -32,6 +32,18 @@ def _parser() -> terminal.Parser:
     _add_file(count)
     count.set_defaults(command=_count)
 
+    polynomial = commands.add_parser(
+        "polynomial", help="characteristic polynomial and numbers of regions, without listing any"
+    )
+    _add_file(polynomial)
+    polynomial.add_argument(
+        "--time-limit",
+        type=terminal.length_argument,
+        metavar="SECONDS",
+        help="then stop, with the coefficients that are final",
+    )
+    polynomial.set_defaults(command=_polynomial)
+
     faces = commands.add_parser("faces", help="list sign vectors with dimension and witness")
     _add_file(faces)
     faces.add_argument("--dimension", type=int, metavar="K", help="only faces of dimension K")
@@ -46,14 +58,19 @@ def _parser() -> terminal.Parser:
     bounds.set_defaults(command=_bounds)
 
     names = commands.add_parser("list", help="list the built-in arrangements")
+    names.add_argument("--families", action="store_true", help="list what `make` can make")
     names.set_defaults(command=_list)
+
+    make = commands.add_parser("make", help="make a member of a family, such as shi --type E6")
+    make.later = lambda: _add_families(make)
+    make.set_defaults(command=_make)
 
     draw = commands.add_parser("draw", help="draw pictures and pages, or export models to hold")
     _add_file(draw)
     draw.later = lambda: _add_draw_options(draw)
     draw.set_defaults(command=_draw)
 
-    for command in (count, faces, bounds, names, draw):
+    for command in (count, polynomial, faces, bounds, names, make, draw):
         terminal.add_common_options(command)
     return parser
 
@@ -92,6 +109,28 @@ def _count(arguments: argparse.Namespace) -> int:
     for dimension, number in enumerate(faces.f_vector):
         print(f"faces of dim {dimension}   {number}")
     print(f"states           {counts['states']}")
+    return terminal.YES
+
+
+def _polynomial(arguments: argparse.Namespace) -> int:
+    from .counts import first_whitney_numbers
+
+    arrangement = _read(arguments)
+    numbers = first_whitney_numbers(arrangement, time_limit=arguments.time_limit)
+    bounded = abs(sum(numbers)) if arrangement.rank == arrangement.dimension else 0
+    regions = sum(map(abs, numbers))
+    if arguments.json:
+        found = {"first_whitney_numbers": numbers, "regions": regions, "bounded_regions": bounded}
+        terminal.print_json(found)
+        return terminal.YES
+    from sympy import Poly, Symbol
+
+    zeros = [0] * (arrangement.dimension + 1 - len(numbers))
+    chi = Poly([*numbers, *zeros], Symbol("t"))
+    print(f"chi(t)           {chi.as_expr()}")
+    print(f"factors          {chi.as_expr().factor()}")
+    print(f"regions          {regions}")
+    print(f"bounded regions  {bounded}")
     return terminal.YES
 
 
@@ -148,7 +187,29 @@ def _draw(arguments: argparse.Namespace) -> int:
     return write(arguments, drawings, arrangement, given_options(arguments, drawings))
 
 
+def _add_families(make: argparse.ArgumentParser) -> None:
+    from .library.families.making import add_families
+
+    add_families(make)
+
+
+def _make(arguments: argparse.Namespace) -> int:
+    from .io.writing import write_text_atomically
+    from .library.families.making import document
+
+    text = document(arguments)
+    if arguments.output:
+        write_text_atomically(arguments.output, text)
+    else:
+        print(text, end="")
+    return terminal.YES
+
+
 def _list(arguments: argparse.Namespace) -> int:
+    if arguments.families:
+        from .library.families.making import described
+
+        return terminal.print_names(described(), arguments.json)
     return terminal.print_names(files.described("planes"), arguments.json)
 
 

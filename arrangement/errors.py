@@ -11,3 +11,15 @@ class InputError(ArrangementError):
 
 class MissingExtraError(ArrangementError, ImportError):
     """An optional library is absent; the message names the extra that installs it."""
+
+
+class TimeLimitError(InputError):
+    """The time that was given is over.
+
+    Attributes:
+        known: the first Whitney numbers of the first kind, which are final.
+    """
+
+    def __init__(self, message: str, known: tuple[int, ...]) -> None:
+        super().__init__(message)
+        self.known = known

@@ -9,6 +9,9 @@ INPUTS = {
     "fingers.csv": "x,y,normal_x,normal_y,friction\n-1,0,1,0,0.5\n1,0,-1,0,0.5\n",
     "wedge.json": '{"schema_version": 1, "polygon": [["0", "0"], ["4", "0"], ["0", "3"]], '
     '"places": [{"edge": 0, "at": "1/2", "friction": "1/4"}]}',
+    "lecture.py": "from proofs_check import exercise\n"
+    "@exercise('Twice 7?')\ndef twice(answer):\n    return answer == 14\n",
+    "answers.json": '{"schema_version": 1, "answers": {"twice": 14}}',
 }
 
 
@@ -34,6 +37,9 @@ COMMANDS = (
     Command("arrangement count braid-a3", 0, "states           75"),
     Command(f"arrangement count {_G}", 0, "states           27"),
     Command("arrangement faces coordinate-planes --json", 0, '"witness"'),
+    Command("arrangement make shi --type D4 -o d4.json", 0, writes="d4.json"),
+    Command("arrangement polynomial d4.json", 0, "(t - 6)**4"),
+    Command("arrangement list --families", 0, "threshold-functions"),
     Command("arrangement bounds --largest 4", 0, "m 4  rays 12  facets 24  regions 14  states 51"),
     _needs("figures", "arrangement bounds -o no.pdf"),
     Command("arrangement draw braid-a3 -o braid.html", 0, writes="braid.html"),
@@ -72,6 +78,8 @@ COMMANDS = (
     Command("proofs-check show euler", 0, "statement"),
     Command("proofs-check run euler --report euler.html", 0, "as expected", "euler.html"),
     Command("proofs-check run table-three-contacts --json", 0, '"verdict"'),
+    Command("proofs-check new mine", 0, writes="mine.py"),
+    Command("proofs-check grade lecture.py answers.json", 0, "1 of 1"),
     Command("proofs-check sweep euler --planes 3..4 --samples 9 --store s.sqlite", 0, "euler"),
     Command("proofs-check status s.sqlite", 0, "euler"),
     Command("proofs-check report s.sqlite --output s.html", 0, writes="s.html"),

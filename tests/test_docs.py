@@ -258,6 +258,7 @@ LIMITS = {
     "Hasse diagram": ("arrangement.draw.lattice:MAX_FLATS",),
     "resisted forces": ("equilibrium.draw.page:MAX_CONTACTS",),
     "is exponential": ("equilibrium.methods.frictionless_slip:MAX_CONTACTS",),
+    "by points": ("arrangement.counts.points:MAX_SETS", "arrangement.counts.points:MAX_PAIRS"),
     "combinatorial types": ("arrangement.library.census.catalogue:MOST_PLANES",),
     "after the other": ("proofs_check.sweep.sweep:MOST", "arrangement.terminal:MOST"),
     "of a proof": ("equilibrium.certificate.checker:MAX_DEPTH",),

@@ -7,6 +7,8 @@ imports nothing but errors, exact numbers and planes. So its counts can certify 
 from .lattice import Flat, IntersectionLattice, intersection_lattice, moebius
 from .operations import cone, deletion, essentialization, localization, restriction
 from .oriented_matroid import chirotope, cocircuits, covectors, topes
+from .points import by_points, points_off
+from .symmetric import first_whitney_numbers
 from .whitney import (
     WhitneyNumbers,
     bounded_region_count,
@@ -23,6 +25,7 @@ __all__ = [
     "IntersectionLattice",
     "WhitneyNumbers",
     "bounded_region_count",
+    "by_points",
     "characteristic_polynomial",
     "chirotope",
     "cocircuits",
@@ -32,10 +35,12 @@ __all__ = [
     "doubly_indexed_whitney_numbers",
     "essentialization",
     "f_vector",
+    "first_whitney_numbers",
     "fukuda_bound",
     "intersection_lattice",
     "localization",
     "moebius",
+    "points_off",
     "region_count",
     "restriction",
     "topes",

@@ -6,14 +6,17 @@ Everything here is read off one table: the sums of |mu(X, Y)| over flats X <= Y 
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from typing import TYPE_CHECKING, NamedTuple
 
 from arrangement.errors import InputError
 from arrangement.planes import Planes
 
+from .class_sums import flats_and_faces
 from .configuration import configuration
 from .lattice import intersection_lattice
 from .low_rank import MAX_RANK, WhitneyMatrix, whitney_matrix
+from .symmetric import first_whitney_numbers
 
 if TYPE_CHECKING:
     import sympy
@@ -46,7 +49,7 @@ def doubly_indexed_whitney_numbers(arrangement: Planes) -> WhitneyMatrix:
 
 
 def whitney_numbers(arrangement: Planes) -> WhitneyNumbers:
-    """Return the Whitney numbers of both kinds.
+    """Return the Whitney numbers of both kinds; many symmetries help, as in `f_vector`.
 
     >>> from arrangement import Arrangement
     >>> whitney_numbers(Arrangement([[1, 0], [0, 1], [1, 1]]))
@@ -57,15 +60,23 @@ def whitney_numbers(arrangement: Planes) -> WhitneyNumbers:
         table = whitney_matrix(config)
         unsigned, second = table[0], tuple(row[k] for k, row in enumerate(table))
     else:
-        lattice = intersection_lattice(arrangement)
-        unsigned, second = lattice.whitney_row(0), tuple(map(len, lattice.masks))
+        first = first_whitney_numbers(arrangement)
+        by_classes = flats_and_faces(arrangement, config, faces=False)
+        if by_classes is not None:
+            return WhitneyNumbers(first, by_classes[0])
+        return WhitneyNumbers(first, tuple(map(len, intersection_lattice(arrangement).masks)))
     return WhitneyNumbers(tuple((-1) ** j * value for j, value in enumerate(unsigned)), second)
 
 
-def characteristic_polynomial(arrangement: Planes) -> sympy.Poly:
+def characteristic_polynomial(
+    arrangement: Planes,
+    *,
+    symmetry: Sequence[Sequence[int]] | None = None,
+    time_limit: float | None = None,
+) -> sympy.Poly:
     """Return chi(t) = sum over flats X of mu(X) t^dim(X), an integer polynomial in ``t``.
 
-    Coincident planes count once. Complexity: see `doubly_indexed_whitney_numbers`.
+    Coincident planes count once. Options, errors, complexity: see `first_whitney_numbers`.
 
     >>> from arrangement import Arrangement
     >>> characteristic_polynomial(Arrangement([[1, 0], [0, 1], [1, 1]]))
@@ -73,7 +84,7 @@ def characteristic_polynomial(arrangement: Planes) -> sympy.Poly:
     """
     import sympy
 
-    first = whitney_numbers(arrangement).first
+    first = first_whitney_numbers(arrangement, symmetry=symmetry, time_limit=time_limit)
     padded = [*first, *(0 for _ in range(arrangement.dimension + 1 - len(first)))]
     return sympy.Poly(padded, sympy.Symbol("t"), domain=sympy.ZZ)
 
@@ -87,7 +98,7 @@ def region_count(arrangement: Planes) -> int:
     >>> region_count(Arrangement([[1, 0], [0, 1], [1, 1]], [0, 0, 1]))
     7
     """
-    return sum(map(abs, whitney_numbers(arrangement).first))
+    return sum(map(abs, first_whitney_numbers(arrangement)))
 
 
 def bounded_region_count(arrangement: Planes, *, relative: bool = False) -> int:
@@ -105,7 +116,7 @@ def bounded_region_count(arrangement: Planes, *, relative: bool = False) -> int:
     config = configuration(arrangement)
     if not relative and config.rank - (config.infinity is not None) < arrangement.dimension:
         return 0
-    return abs(sum(whitney_numbers(arrangement).first))
+    return abs(sum(first_whitney_numbers(arrangement)))
 
 
 def f_vector(arrangement: Planes) -> tuple[int, ...]:
@@ -115,13 +126,21 @@ def f_vector(arrangement: Planes) -> tuple[int, ...]:
     `Arrangement.f_vector`, which enumerates; the two share no code.
 
     Source: T. Zaslavsky, Facing up to arrangements, Memoirs AMS 154 (1975), theorem A.
-    Complexity: see `doubly_indexed_whitney_numbers`.
+    Complexity: see `doubly_indexed_whitney_numbers`. Beyond rank 4, planes with many symmetries are
+    counted by classes of flats: one restriction for each.
 
     >>> from arrangement import Arrangement
     >>> f_vector(Arrangement([[1, 0, 0], [0, 1, 0], [1, 1, 1]]))
     (1, 6, 12, 8)
     """
-    sums = [sum(row) for row in doubly_indexed_whitney_numbers(arrangement)]
+    config = configuration(arrangement)
+    by_classes = None
+    if config.rank > MAX_RANK:
+        by_classes = flats_and_faces(arrangement, config, faces=True)
+    if by_classes is None:
+        sums = [sum(row) for row in doubly_indexed_whitney_numbers(arrangement)]
+    else:
+        sums = list(by_classes[1])
     return (0,) * (arrangement.dimension + 1 - len(sums)) + tuple(reversed(sums))
 
 

@@ -2,7 +2,7 @@
 
 * `sign_vectors`: tried one by one, by Fourier-Motzkin elimination; any dimension, few planes.
 * `covectors`: central planes in R^3, all compositions of cocircuits, with no incidence at all.
-* `by_subsets`, `points_off_all_planes`: the characteristic polynomial, by subset sums and by
+* `by_subsets`, `points_by_hand`: the characteristic polynomial by subset sums, and its values by
   points over a finite field.
 """
 
@@ -157,23 +157,8 @@ def by_subsets(planes: Arrangement) -> sympy.Poly:
     return terms
 
 
-def points_off_all_planes(planes: Arrangement, prime: int) -> int:
-    """Return the number of points of F_p^d on none of the planes.
-
-    Equal to chi(p) when p is larger than every minor of the planes. Source: C. Athanasiadis,
-    Characteristic polynomials of subspace arrangements and finite fields, Advances in
-    Mathematics 122 (1996), theorem 2.2.
-    """
-    axes = [np.arange(prime, dtype=np.int64)] * planes.dimension
-    points = np.stack(np.meshgrid(*axes, indexing="ij"), axis=-1).reshape(-1, planes.dimension)
-    free = np.ones(len(points), dtype=bool)
-    for plane in planes.integer_planes:
-        free &= (points @ np.array(plane[:-1]) - plane[-1]) % prime != 0
-    return int(free.sum())
-
-
 def points_by_hand(planes: Arrangement, prime: int) -> int:
-    """Return the same number without numpy, for the check of the oracle itself."""
+    """Return the number of points of F_p^d on none of the planes, one by one."""
     return sum(
         all(
             (sum(a * x for a, x in zip(plane, point, strict=False)) - plane[-1]) % prime

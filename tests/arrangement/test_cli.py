@@ -11,7 +11,7 @@ from typing import Any
 
 import pytest
 
-from arrangement import Arrangement, __version__
+from arrangement import Arrangement, __version__, read_arrangement
 from arrangement.cli import main
 
 Capture = pytest.CaptureFixture[str]
@@ -258,3 +258,55 @@ def test_bounds_out_of_range_are_refused(
     printed = capsys.readouterr()
     assert (printed.out, printed.err.count("\n")) == ("", 1)
     assert not list(tmp_path.iterdir())
+
+
+def test_polynomial_of_a_family_member(capsys: Capture, tmp_path: Path) -> None:
+    path = str(tmp_path / "shi.json")
+    assert call(capsys, "make", "shi", "--type", "D4", "-o", path) == (0, "", "")
+    code, out, err = call(capsys, "polynomial", path)
+    assert (code, err) == (0, "")
+    assert "factors          (t - 6)**4\nregions          2401\nbounded regions  625\n" in out
+    code, out, _ = call(capsys, "polynomial", path, "--json")
+    assert json.loads(out) == {
+        "first_whitney_numbers": [1, -24, 216, -864, 1296],
+        "regions": 2401,
+        "bounded_regions": 625,
+    }
+
+
+def test_a_time_limit_is_an_error_with_what_is_known(capsys: Capture, tmp_path: Path) -> None:
+    path = str(tmp_path / "resonance.json")
+    call(capsys, "make", "resonance", "--n", "7", "-o", path)
+    code, out, err = call(capsys, "polynomial", path, "--time-limit", "1e-6")
+    assert (code, out) == (2, "")
+    assert "first Whitney numbers 1 are final; give more time" in err
+
+
+def test_members_of_all_families_can_be_made_and_read(capsys: Capture) -> None:
+    _, out, _ = call(capsys, "list", "--families", "--json")
+    described = {entry["name"]: entry["description"] for entry in json.loads(out)["names"]}
+    values = {"n": "3", "m": "4", "d": "3", "type": "B3", "planes": "9", "number": "1"}
+    for name, text in described.items():
+        usage = text.split(":")[0].replace("[", "").replace("]", "").split()
+        options = [word for word in usage if word.startswith("--")]
+        given = [word for o in options if o[2:] in values for word in (o, values[o[2:]])]
+        code, out, err = call(capsys, "make", name, *given)
+        assert (code, err) == (0, "")
+        planes = read_arrangement(json.loads(out))
+        assert len(planes) > 0
+        assert json.loads(out)["description"].startswith(name)
+
+
+@pytest.mark.parametrize(
+    ("words", "message"),
+    [
+        (("shi", "--type", "E9"), "the type is 'E9'; there are A1"),
+        (("coxeter", "--type", "H4"), "irrational"),
+        (("shi", "--type", "A2", "--m", "0"), "m is 0; it must be at least 1"),
+        (("resonance", "--n", "0"), "n is 0; it must be at least 1"),
+    ],
+)
+def test_members_that_do_not_exist(capsys: Capture, words: list[str], message: str) -> None:
+    code, out, err = call(capsys, "make", *words)
+    assert (code, out) == (2, "")
+    assert message in err

@@ -15,6 +15,7 @@ import sympy
 
 from arrangement import Arrangement, InputError, counts
 from arrangement.library import families
+from arrangement.library.families.published import PublishedCount, published_counts
 
 T = sympy.Symbol("t")
 
@@ -37,6 +38,7 @@ POLYNOMIALS: dict[str, tuple[Callable[[int], Arrangement], Callable[[int], Any],
     "B": (families.type_b, lambda n: roots(*range(1, 2 * n, 2)), range(1, 6)),
     "D": (families.type_d, lambda n: roots(n - 1, *range(1, 2 * n - 2, 2)), range(2, 6)),
     "Shi": (families.shi, lambda n: T * (T - n) ** (n - 1), range(1, 6)),
+    "Ish": (families.ish, lambda n: T * (T - n) ** (n - 1), range(1, 6)),
     "Catalan": (families.catalan, lambda n: T * roots(*range(n + 1, 2 * n)), range(1, 6)),
     "Linial": (families.linial, linial_chi, range(1, 6)),
 }
@@ -50,19 +52,9 @@ def test_characteristic_polynomials(name: str, n: int) -> None:
     assert counts.characteristic_polynomial(family(n)) == sympy.Poly(chi(n), T, domain=sympy.ZZ)
 
 
-# region counts for n = first, first + 1, ...; sequences of the OEIS where a number is given
+# region counts for n = first, first + 1, ...; more are in families.published
 REGIONS: dict[str, tuple[Callable[[int], Arrangement], int, list[int]]] = {
     "coordinate": (families.coordinate, 1, [2**n for n in range(1, 6)]),
-    "braid": (families.braid, 1, [math.factorial(n) for n in range(1, 7)]),
-    "B": (families.type_b, 1, [2**n * math.factorial(n) for n in range(1, 6)]),
-    "D": (families.type_d, 2, [2 ** (n - 1) * math.factorial(n) for n in range(2, 6)]),
-    "Shi, A000272": (families.shi, 1, [1, 3, 16, 125, 1296]),
-    "Catalan, A001761": (families.catalan, 1, [1, 4, 30, 336, 5040]),
-    "Linial, A007889": (families.linial, 1, [1, 2, 7, 36, 246, 2104]),
-    "semiorder, A006531": (families.semiorder, 1, [1, 3, 19, 183, 2371]),
-    "threshold, A005840": (families.threshold, 1, [1, 2, 8, 46, 332, 2874]),
-    "threshold functions, A000609": (families.threshold_functions, 0, [2, 4, 14, 104, 1882]),
-    "resonance, A034997": (families.resonance, 1, [2, 6, 32, 370, 11292]),
     "pencil": (families.pencil, 1, [2 * m for m in range(1, 8)]),
     "near-pencil": (families.near_pencil, 3, [4 * (m - 1) for m in range(3, 9)]),
     "great circles": (families.generic, 3, [m * m - m + 2 for m in range(3, 12)]),
@@ -73,6 +65,49 @@ REGIONS: dict[str, tuple[Callable[[int], Arrangement], int, list[int]]] = {
 def test_region_counts(name: str) -> None:
     family, first, known = REGIONS[name]
     assert [counts.region_count(family(first + i)) for i in range(len(known))] == known
+
+
+@pytest.mark.parametrize(
+    "entry",
+    [entry for entry in published_counts() if entry.regions < 10**9],
+    ids=lambda entry: entry.label,
+)
+def test_region_counts_in_print(entry: PublishedCount) -> None:
+    assert counts.region_count(entry.planes()) == entry.regions
+
+
+EXPONENTS = {"A4": (1, 2, 3, 4), "B3": (1, 3, 5), "C4": (1, 3, 5, 7), "D5": (1, 3, 4, 5, 7)}
+EXPONENTS |= {"E6": (1, 4, 5, 7, 8, 11), "F4": (1, 5, 7, 11), "G2": (1, 5)}
+
+
+# Orlik and Solomon (1980) for mirrors; Athanasiadis (2004) for Shi and Catalan planes
+@pytest.mark.parametrize("type", EXPONENTS)
+def test_polynomials_of_types(type: str) -> None:
+    chi = counts.characteristic_polynomial
+    exponents = EXPONENTS[type]
+    assert chi(families.coxeter(type)).as_expr().equals(roots(*exponents))
+    for m in (1, 2):
+        h = m * (max(exponents) + 1)
+        if len(exponents) < 5:
+            assert chi(families.shi(type, m)).as_expr().equals(roots(*[h] * len(exponents)))
+            assert (
+                chi(families.catalan(type, m)).as_expr().equals(roots(*(h + e for e in exponents)))
+            )
+
+
+@pytest.mark.parametrize(("type", "n"), [("A2", 3), ("A3", 4)])
+def test_types_and_numbers_are_the_same_planes(type: str, n: int) -> None:
+    for family in (families.shi, families.catalan, families.linial, families.semiorder):
+        assert counts.whitney_numbers(family(type)) == counts.whitney_numbers(family(n))
+    assert counts.whitney_numbers(families.coxeter(type)) == counts.whitney_numbers(
+        families.braid(n)
+    )
+
+
+@pytest.mark.parametrize("type", ["E9", "A0", "B1", "F5", "e6", "", "H3", "I2"])
+def test_types_that_do_not_exist_are_refused(type: str) -> None:
+    with pytest.raises(InputError, match="there are A1, A2"):
+        families.coxeter(type)
 
 
 @pytest.mark.parametrize(("n", "bounded"), [(n, (n - 1) ** (n - 1)) for n in range(2, 6)])
@@ -310,7 +345,7 @@ def test_braid_planes_are_the_complete_graph() -> None:
 def test_sides_of_the_deformations_are_those_of_their_definition(
     family: Callable[[int], Arrangement], offsets: tuple[int, ...]
 ) -> None:
-    x = [Fraction(5, 2), Fraction(3, 2), 0, Fraction(-1, 3)]
+    x = [Fraction(5, 2), Fraction(3, 2), Fraction(0), Fraction(-1, 3)]
     differences = [a - b for a, b in combinations(x, 2)]
     expected = [(d > b) - (d < b) for d in differences for b in offsets]
     assert list(family(4).signs_at(x)) == expected

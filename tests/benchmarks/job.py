@@ -20,6 +20,8 @@ import sys
 import tempfile
 import time
 from collections.abc import Callable
+from copy import copy
+from functools import partial
 from typing import Any
 
 Normals = list[list[int]]
@@ -163,6 +165,49 @@ def polynomial(planes: int) -> Work:
     return lambda: abs(int(characteristic_polynomial(Arrangement(normals)).eval(-1)))
 
 
+def _in_print(label: str) -> tuple[Any, int | None]:
+    from arrangement.library.families.published import published_counts
+
+    entry = next(entry for entry in published_counts() if entry.label == label)
+    return entry.planes(), entry.regions
+
+
+def _random_planes() -> tuple[Any, int | None]:
+    from arrangement import Arrangement
+
+    return Arrangement(random_normals(24, dimension=6)), None
+
+
+#: What `counted` counts: planes in rank 5 to 8, and the regions in print.
+COUNTED: dict[str, Callable[[], tuple[Any, int | None]]] = {
+    label: partial(_in_print, label)
+    for label in (
+        *(f"resonance({n})" for n in (6, 7, 8)),
+        *(f"threshold_functions({n})" for n in (6, 7, 8)),
+        "coxeter('E8')",
+        "shi('E6')",
+        "shi('B4', 3)",
+    )
+} | {"24 random planes in R^6": _random_planes}
+
+
+def counted(place: int) -> Work:
+    """Ours: regions by classes of flats, of the entry of `COUNTED` at a place; from the planes."""
+    import sympy  # noqa: F401
+
+    from arrangement.counts import region_count
+
+    planes, printed = list(COUNTED.values())[place]()
+
+    def work() -> int:
+        found = region_count(copy(planes))
+        if printed is not None and found != printed:
+            raise AssertionError(f"{found} regions; {printed} are printed")
+        return found
+
+    return work
+
+
 def published(planes: int) -> Work:
     """The published Steps 1 to 3; the number of regions."""
     from arrangement import Arrangement
@@ -268,6 +313,7 @@ JOBS: dict[str, Callable[[int], Work]] = {
         six_dimensions,
         affine_faces,
         affine_faces_any_dimension,
+        counted,
         counting,
         polynomial,
         published,

@@ -19,7 +19,7 @@ import sys
 from collections.abc import Iterable
 
 from grasps import LIMIT, grasp_tables
-from job import random_normals
+from job import COUNTED, random_normals
 from peers import Measured, cgal, install_peers, ours, peer, polymake
 from pictures import picture_table
 
@@ -52,11 +52,26 @@ def main() -> None:
         return
     if options.install and (reason := install_peers()):
         print(f"peers not installed: {reason}")
+    counting_table()
     own = own_table()
     against_cgal(own, (200, 1000, 2000) if options.peers else (200,))
     against_published(options.peers)
     against_sage(options.peers)
     against_polymake(options.peers)
+
+
+def counting_table() -> None:
+    """Numbers of regions by classes of flats, each against the number in print."""
+    head(
+        "Regions counted by classes of flats, symmetries found by itself: first run, median, memory"
+    )
+    for place, label in enumerate(COUNTED):
+        found = ours("counted", place)
+        print(
+            f"  {label:<28} {shown(found.first):>10} {shown(found.seconds):>10}"
+            f" {megabytes(found):>8}  [{found.count}]",
+            flush=True,
+        )
 
 
 def own_table() -> dict[tuple[str, int], Measured]:

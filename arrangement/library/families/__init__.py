@@ -6,17 +6,20 @@ compare them with what `arrangement.counts` and the enumerators find.
 
 from .classical import braid, coordinate, generic, h3, near_pencil, pencil, type_b, type_d
 from .combinatorial import graphical, resonance, threshold, threshold_functions
-from .deformations import catalan, linial, semiorder, shi
+from .deformations import catalan, ish, linial, semiorder, shi
 from .randoms import random_degenerate, random_integer, random_sphere
+from .root_systems import coxeter
 from .simplicial import simplicial, simplicial_entries
 
 __all__ = [
     "braid",
     "catalan",
     "coordinate",
+    "coxeter",
     "generic",
     "graphical",
     "h3",
+    "ish",
     "linial",
     "near_pencil",
     "pencil",

@@ -1,75 +1,101 @@
-"""Affine relatives of the braid arrangement: Shi, Catalan, Linial, semiorder.
+"""Affine relatives of reflection arrangements: Shi, Catalan, Linial, semiorder.
 
-All live in R^n and have rank n - 1 (every plane contains the direction (1, ..., 1)). Their
-bounded regions are those of the essentialization.
+A number n stands for planes x_i - x_j = k in R^n, of rank n - 1: every plane contains the direction
+(1, ..., 1), and bounded regions are those of the essentialization. A type such as "E6" stands for
+planes in R^6, a root each with its offsets (see `coxeter`).
 """
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable
 
 from arrangement.arrangement import Arrangement
 
 from .checks import at_least
 from .classical import differences
+from .root_systems import positive_roots
 
 
-def shi(n: int) -> Arrangement:
-    """Return the Shi arrangement x_i - x_j = 0, 1 for i < j.
+def shi(type: int | str, m: int = 1) -> Arrangement:
+    """Return the Shi arrangement: a root = 1 - m, ..., m for every positive root; m = 1: 0 and 1.
 
-    Known counts: (n+1)^(n-1) regions, (n-1)^(n-1) of them bounded; chi(t) = t (t - n)^(n-1).
-    Source: J.-Y. Shi, Lecture Notes in Mathematics 1179 (1986); R. Stanley, An Introduction to
-    Hyperplane Arrangements (2007), lecture 5; OEIS A000272.
+    Known counts: chi(t) = (t - mh)^r for a type of rank r with Coxeter number h, so (mh + 1)^r
+    regions, (mh - 1)^r of them bounded; for a number n and m = 1 it is t (t - n)^(n-1).
+    Source: J.-Y. Shi, Lecture Notes in Mathematics 1179 (1986); C. Athanasiadis, Bulletin of the
+    London Mathematical Society 36 (2004); OEIS A000272.
 
     >>> shi(3).f_vector
     (0, 6, 21, 16)
     """
-    return _deformed(n, (0, 1))
+    return _deformed(type, range(1 - at_least(m, 1, "m"), m + 1))
 
 
-def catalan(n: int) -> Arrangement:
-    """Return the Catalan arrangement x_i - x_j = -1, 0, 1 for i < j.
+def catalan(type: int | str, m: int = 1) -> Arrangement:
+    """Return the Catalan arrangement: a root = -m, ..., m for every positive root.
 
-    Known counts: n! C_n regions, C_n the Catalan number;
+    Known counts: chi(t) is the product of t - mh - e over the exponents e of a type with Coxeter
+    number h; for a number n and m = 1, n! C_n regions, C_n the Catalan number, and
     chi(t) = t (t - n - 1)(t - n - 2) ... (t - 2n + 1).
-    Source: R. Stanley, An Introduction to Hyperplane Arrangements (2007), lecture 5.
+    Source: C. Athanasiadis, Bulletin of the London Mathematical Society 36 (2004); R. Stanley, An
+    Introduction to Hyperplane Arrangements (2007), lecture 5.
 
     >>> catalan(3).f_vector[-1]
     30
     """
-    return _deformed(n, (-1, 0, 1))
+    return _deformed(type, range(-at_least(m, 0, "m"), m + 1))
 
 
-def linial(n: int) -> Arrangement:
-    """Return the Linial arrangement x_i - x_j = 1 for i < j.
+def linial(type: int | str) -> Arrangement:
+    """Return the Linial arrangement: a root = 1 for every positive root.
 
-    Known counts: as many regions as labelled alternating trees on n + 1 vertices, 1, 2, 7, 36,
-    246, ...; chi(t) = t 2^-n sum_k C(n, k) (t - k)^(n-1).
+    Known counts, for a number n: as many regions as labelled alternating trees on n + 1 vertices,
+    1, 2, 7, 36, 246, ...; chi(t) = t 2^-n sum_k C(n, k) (t - k)^(n-1).
     Source: A. Postnikov, R. Stanley, Journal of Combinatorial Theory A 91 (2000); OEIS A007889.
 
     >>> linial(3).f_vector[-1]
     7
     """
-    return _deformed(n, (1,))
+    return _deformed(type, (1,))
 
 
-def semiorder(n: int) -> Arrangement:
-    """Return the semiorder arrangement x_i - x_j = -1, 1 for i < j.
+def semiorder(type: int | str) -> Arrangement:
+    """Return the semiorder arrangement: a root = -1, 1 for every positive root.
 
-    Known counts: as many regions as labelled semiorders, 1, 3, 19, 183, 2371, ...
+    Known counts, for a number n: as many regions as labelled semiorders, 1, 3, 19, 183, 2371, ...
     Source: R. Stanley, Proceedings of the National Academy of Sciences 93 (1996);
     OEIS A006531.
 
     >>> semiorder(3).f_vector[-1]
     19
     """
-    return _deformed(n, (-1, 1))
+    return _deformed(type, (-1, 1))
 
 
-def _deformed(n: int, offsets: Sequence[int]) -> Arrangement:
-    """Return the planes x_i - x_j = b for i < j and every offset b."""
+def ish(n: int) -> Arrangement:
+    """Return the Ish arrangement in R^n: x_i - x_j = 0 and x_1 - x_j = i, for i < j.
+
+    Known counts: those of the Shi arrangement, chi(t) = t (t - n)^(n-1) and (n+1)^(n-1) regions.
+    Source: D. Armstrong, B. Rhoades, Transactions of the American Mathematical Society 364 (2012).
+
+    >>> ish(3).f_vector[-1]
+    16
+    """
     at_least(n, 1, "n")
-    rows = differences(n)
+    pairs = [(i, j) for i in range(n) for j in range(i + 1, n)]
+    first = [[int(k == 0) - int(k == j) for k in range(n)] for _, j in pairs]
+    offsets = [0] * len(pairs) + [i + 1 for i, _ in pairs]
+    return Arrangement([*differences(n), *first], offsets, dimension=n)
+
+
+def _deformed(type: int | str, offsets: Iterable[int]) -> Arrangement:
+    """Return the planes of every root with every offset."""
+    if isinstance(type, str):
+        rows = [list(root) for root in positive_roots(type)]
+        dimension = len(rows[0])
+    else:
+        dimension = at_least(type, 1, "type")
+        rows = differences(dimension)
+    planes = [(row, offset) for row in rows for offset in offsets]
     return Arrangement(
-        [row for row in rows for _ in offsets], [b for _ in rows for b in offsets], dimension=n
+        [row for row, _ in planes], [offset for _, offset in planes], dimension=dimension
     )

@@ -1,0 +1,207 @@
+"""Parallel planes in quotients, exactly, by arithmetic modulo primes.
+
+Every minor of the vectors is at most H in size, by Hadamard's inequality. Take primes whose product
+exceeds H. An integer of size at most H is 0 exactly when it is 0 modulo each of them. Let B be k
+vectors that are independent modulo each prime, hence independent, and a and c vectors outside their
+span modulo each prime. Then a and c are parallel in the quotient by B exactly when all minors of
+order k + 2 of B, a, c vanish, so exactly when a and c are parallel modulo each prime.
+
+A single prime above H is always good enough: ranks modulo it are ranks. Of several primes one may
+divide a minor that is not 0; then a dependency shows that the planes do not have, and other primes
+are taken for the flats in question.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from math import isqrt, prod
+
+import numpy as np
+from numpy.typing import NDArray
+
+from arrangement.exact import IntegerVector
+
+Integers = NDArray[np.int64]
+#: Sums of so many bits are exact in int64, and in doubles.
+_INT64_BITS, _DOUBLE_BITS = 63, 53
+
+
+class _BadPrimeError(Exception):
+    """A minor that is not 0 vanishes modulo this prime."""
+
+
+@dataclass(frozen=True)
+class Covers:
+    """The flats that cover some flats, each as the planes that it has more.
+
+    Attributes:
+        below: for each cover, which flat it covers.
+        plane: for each cover, one of the new planes.
+        added: for each cover, how many new planes there are.
+        cover, member: the new planes one by one, as pairs.
+    """
+
+    below: Integers
+    plane: Integers
+    added: Integers
+    cover: Integers
+    member: Integers
+
+    def without(self, vector: int) -> Covers:
+        """Return the covers that do not have one of the vectors."""
+        keep = np.ones(len(self.below), dtype=np.bool_)
+        keep[self.cover[self.member == vector]] = False
+        stays = keep[self.cover]
+        number = np.cumsum(keep) - 1
+        return Covers(
+            self.below[keep],
+            self.plane[keep],
+            self.added[keep],
+            number[self.cover[stays]],
+            self.member[stays],
+        )
+
+
+class ModularVectors:
+    """Integer vectors of full rank, pairwise independent, seen modulo primes."""
+
+    def __init__(self, vectors: Sequence[IntegerVector], rank: int) -> None:
+        self._vectors = vectors
+        self.count, self.rank = len(vectors), rank
+        self.index_bits = max(1, self.count.bit_length())
+
+    def covers(self, bases: Integers, members: NDArray[np.bool_]) -> Covers:
+        """Return the covers of flats of one rank k.
+
+        Args:
+            bases: k independent vectors of each flat.
+            members: for each flat, which vectors it has.
+        """
+        for primes in self._prime_sets():
+            try:
+                labels = self._labels(bases, members, primes)
+            except _BadPrimeError:
+                continue
+            return self._grouped(labels, members)
+        raise AssertionError("there are infinitely many primes")
+
+    @cached_property
+    def hadamard_bound(self) -> int:
+        """A bound of the size of every minor: the product of the largest lengths of rows."""
+        squares = sorted((sum(x * x for x in row) for row in self._vectors), reverse=True)
+        return isqrt(prod(squares[: self.rank])) + 1
+
+    def _prime_sets(self) -> Iterator[list[int]]:
+        """Yield sets of primes whose product exceeds the bound, each set new."""
+        from sympy import nextprime, prevprime
+
+        largest = isqrt((1 << _INT64_BITS) // max(1, self.rank)) - 1
+        if self.hadamard_bound < largest // 2:
+            yield [nextprime(self.hadamard_bound)]
+        prime = largest
+        while True:
+            primes: list[int] = []
+            while prod(primes) <= self.hadamard_bound:
+                prime = prevprime(prime)
+                primes.append(prime)
+            yield primes
+
+    def _labels(self, bases: Integers, members: NDArray[np.bool_], primes: list[int]) -> Integers:
+        """Return labels below 2^(63 - index bits), equal for parallel vectors beside a flat."""
+        labels = np.zeros(members.shape, dtype=np.int64)
+        radix = 1
+        for prime in primes:
+            images = self._quotients(bases, prime)
+            for place, coordinate in enumerate(_normalised(images, members, prime)):
+                size = prime if place else 2
+                if radix * size >= 1 << (_INT64_BITS - self.index_bits):
+                    labels, radix = _ranked(labels), self.count
+                labels = labels * size + coordinate
+                radix *= size
+        return labels
+
+    def _quotients(self, bases: Integers, prime: int) -> Integers:
+        """Return every vector in coordinates of the quotient by each basis."""
+        vectors = self._reduced(prime)
+        count, rank = len(bases), self.rank
+        forms = np.broadcast_to(np.eye(rank, dtype=np.int64), (count, rank, rank))
+        rows = np.arange(count)
+        for base in bases.T:
+            values = (vectors[base][:, None, :] @ forms)[:, 0, :] % prime
+            pivot = (values != 0).argmax(axis=1)
+            top = values[rows, pivot]
+            if not top.all():
+                raise _BadPrimeError
+            others = np.arange(forms.shape[2] - 1)
+            others = others + (others >= pivot[:, None])
+            at_pivot = forms[rows, :, pivot][:, :, None]
+            rest = np.take_along_axis(forms, others[:, None, :], axis=2)
+            factors = np.take_along_axis(values, others, axis=1)[:, None, :]
+            forms = (rest * top[:, None, None] - at_pivot * factors) % prime
+        columns = forms.transpose(1, 0, 2).reshape(rank, -1)
+        if rank * prime**2 < 1 << _DOUBLE_BITS:  # then sums of doubles are exact
+            images = (vectors.astype(np.float64) @ columns.astype(np.float64)).astype(np.int64)
+        else:
+            images = vectors @ columns
+        images %= prime
+        return np.ascontiguousarray(
+            images.reshape(self.count, count, rank - bases.shape[1]).transpose(1, 0, 2)
+        )
+
+    def _reduced(self, prime: int) -> Integers:
+        return np.array([[x % prime for x in row] for row in self._vectors], dtype=np.int64)
+
+    def _grouped(self, labels: Integers, members: NDArray[np.bool_]) -> Covers:
+        """Group the vectors beside each flat by equal labels."""
+        keys = labels << self.index_bits | np.arange(self.count)
+        keys[members] = np.iinfo(np.int64).max
+        keys.sort(axis=1)
+        row, column = np.nonzero(keys != np.iinfo(np.int64).max)
+        keys = keys[row, column]
+        member = keys & ((1 << self.index_bits) - 1)
+        keys >>= self.index_bits
+        start = np.ones(len(keys), dtype=np.bool_)
+        start[1:] = (keys[1:] != keys[:-1]) | (row[1:] != row[:-1])
+        first = np.flatnonzero(start)
+        added = np.diff(np.append(first, len(keys)))
+        return Covers(row[first], member[first], added, np.cumsum(start) - 1, member)
+
+
+def _normalised(images: Integers, members: NDArray[np.bool_], prime: int) -> Iterator[Integers]:
+    """Yield the coordinates of each vector scaled to begin with 1; the first one is 0 or 1."""
+    pivot = (images != 0).argmax(axis=2)
+    lead = np.take_along_axis(images, pivot[:, :, None], axis=2)[:, :, 0]
+    if not (lead != 0)[~members].all():
+        raise _BadPrimeError
+    lead[members] = 1
+    factors = _inverses(lead.ravel(), prime).reshape(lead.shape)
+    for k in range(images.shape[2]):
+        yield images[:, :, k] * factors % prime
+
+
+def _inverses(values: Integers, prime: int) -> Integers:
+    """Return inverses modulo a prime, by three products for each (Montgomery's trick)."""
+    if len(values) < 32:
+        return np.array([pow(int(x), -1, prime) for x in values], dtype=np.int64)
+    if len(values) % 2:
+        values = np.append(values, 1)
+        return _inverses(values, prime)[:-1]
+    even, odd = values[0::2], values[1::2]
+    product = _inverses(even * odd % prime, prime)
+    found = np.empty_like(values)
+    found[0::2] = product * odd % prime
+    found[1::2] = product * even % prime
+    return found
+
+
+def _ranked(labels: Integers) -> Integers:
+    """Return the place of each label among the different ones of its row."""
+    order = labels.argsort(axis=1)
+    ordered = np.take_along_axis(labels, order, axis=1)
+    places = np.zeros_like(labels)
+    np.cumsum(ordered[:, 1:] != ordered[:, :-1], axis=1, out=places[:, 1:])
+    found = np.empty_like(labels)
+    np.put_along_axis(found, order, places, axis=1)
+    return found

@@ -1,0 +1,96 @@
+"""Families by name: one line on each, and the options of the command that makes their members."""
+
+from __future__ import annotations
+
+import argparse
+import inspect
+import json
+from collections.abc import Callable, Mapping
+
+from arrangement.arrangement import Arrangement
+
+from . import classical, combinatorial, deformations, randoms
+from .root_systems import coxeter
+from .simplicial import simplicial
+
+#: Name on the command line -> function. Graphs and irrational mirrors have no options there.
+FAMILIES: Mapping[str, Callable[..., Arrangement]] = {
+    function.__name__.replace("_", "-"): function
+    for function in (
+        *(classical.generic, classical.pencil, classical.near_pencil, classical.coordinate),
+        *(classical.braid, classical.type_b, classical.type_d, coxeter),
+        *(
+            deformations.shi,
+            deformations.catalan,
+            deformations.ish,
+            deformations.linial,
+            deformations.semiorder,
+        ),
+        *(combinatorial.resonance, combinatorial.threshold, combinatorial.threshold_functions),
+        *(randoms.random_integer, randoms.random_degenerate, randoms.random_sphere),
+        simplicial,
+    )
+}
+
+
+def described() -> dict[str, str]:
+    """Return a line on each family: its options, and what it is."""
+    return {
+        name: f"{' '.join(_usage(p) for p in _parameters(name))}: {_summary(name)}"
+        for name in FAMILIES
+    }
+
+
+def add_families(parser: argparse.ArgumentParser) -> None:
+    """Add a subcommand for each family, with its parameters as options."""
+    families = parser.add_subparsers(required=True, metavar="FAMILY", dest="family")
+    for name in FAMILIES:
+        family = families.add_parser(name, help=_summary(name), description=_summary(name))
+        for parameter in _parameters(name):
+            if parameter.annotation == "bool":
+                family.add_argument(f"--{parameter.name}", action="store_true")
+                continue
+            needed = parameter.default is parameter.empty
+            family.add_argument(
+                f"--{parameter.name}",
+                type=_value if "str" in parameter.annotation else int,
+                required=needed,
+                default=None if needed else parameter.default,
+                metavar=parameter.name.upper(),
+                help="" if needed else f"(default {parameter.default})",
+            )
+        family.add_argument("-o", "--output", metavar="PATH", help="a file (default: print it)")
+
+
+def document(arguments: argparse.Namespace) -> str:
+    """Return the member that the options ask for, in file form with one plane a line."""
+    values = {p.name: getattr(arguments, p.name) for p in _parameters(arguments.family)}
+    given = ", ".join(f"{key} = {value}" for key, value in values.items())
+    made = FAMILIES[arguments.family](**values).to_dict()
+    made["description"] = f"{arguments.family}, {given}"
+    rows = [f"    {json.dumps(row)}" for row in made.pop("planes")]
+    rest = [f"  {json.dumps(key)}: {json.dumps(value)}" for key, value in made.items()]
+    planes = ",\n".join(rows)
+    return "{\n" + ",\n".join([*rest, f'  "planes": [\n{planes}\n  ]']) + "\n}\n"
+
+
+def _parameters(name: str) -> list[inspect.Parameter]:
+    return list(inspect.signature(FAMILIES[name]).parameters.values())
+
+
+def _usage(parameter: inspect.Parameter) -> str:
+    text = f"--{parameter.name}"
+    if parameter.annotation != "bool":
+        text += f" {parameter.name.upper()}"
+    return text if parameter.default is parameter.empty else f"[{text}]"
+
+
+def _summary(name: str) -> str:
+    """Return the first sentence of the docstring, without its verb."""
+    first = (inspect.getdoc(FAMILIES[name]) or "").split("\n\n")[0].replace("\n", " ")
+    return first.removeprefix("Return ").rstrip(".")
+
+
+def _value(text: str) -> int | str:
+    """Read a number n, or the name of a type."""
+    return int(text) if text.isascii() and text.isdigit() else text

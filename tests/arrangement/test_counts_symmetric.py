@@ -1,0 +1,271 @@
+"""Whitney numbers by classes of flats against the lattice, enumeration, subsets, points, print."""
+
+from __future__ import annotations
+
+import itertools
+import math
+import random
+from collections.abc import Iterator
+
+import networkx as nx
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from sympy.combinatorics import Permutation, PermutationGroup
+
+from arrangement import Arrangement, InputError, counts
+from arrangement.counts import class_sums
+from arrangement.counts.automorphisms import Automorphisms
+from arrangement.counts.configuration import configuration
+from arrangement.counts.images import Images, packed, unpacked
+from arrangement.counts.modular import ModularVectors
+from arrangement.counts.symmetric import moduli_above
+from arrangement.errors import TimeLimitError
+from arrangement.library import families
+
+from . import oracle
+from .strategies import arrangements
+
+
+def symmetries(planes: Arrangement) -> list[list[int]]:
+    """Generators found by search, as permutations of the planes (all of them distinct)."""
+    found = Automorphisms(configuration(planes)).generators()
+    return [image[: len(planes)].tolist() for image in found]
+
+
+def group(planes: Arrangement) -> PermutationGroup:
+    """The group of the symmetries found."""
+    return PermutationGroup(
+        [Permutation(range(len(planes))), *map(Permutation, symmetries(planes))]
+    )
+
+
+def by_lattice(planes: Arrangement) -> tuple[int, ...]:
+    unsigned = counts.intersection_lattice(planes).whitney_row(0)
+    return tuple((-1) ** k * value for k, value in enumerate(unsigned))
+
+
+def random_planes(seed: int, number: int) -> Iterator[Arrangement]:
+    """Planes of every dimension to 6: tiny and huge entries, central and affine, some repeated."""
+    source = random.Random(seed)
+    for _ in range(number):
+        d, bound = source.randint(1, 6), source.choice((1, 1, 1, 2, 9, 10**4, 10**20))
+        m, affine = source.randint(0, 10), source.random() < 0.5
+        planes = families.random_integer(m, d, bound=bound, seed=source.getrandbits(30))
+        if affine:
+            offsets = [source.randint(-bound, bound) for _ in range(m)]
+            planes = Arrangement(planes.normals, offsets, dimension=d)
+        if m and source.random() < 0.3:
+            again = [source.randrange(m) for _ in range(2)]
+            rows = [*planes.integer_planes, *(planes.integer_planes[i] for i in again)]
+            planes = Arrangement([row[:-1] for row in rows], [row[-1] for row in rows])
+        yield planes
+
+
+def agree(planes: Arrangement) -> None:
+    numbers = by_lattice(planes)
+    assert counts.first_whitney_numbers(planes) == numbers
+    assert counts.first_whitney_numbers(planes, symmetry=[]) == numbers
+    if 0 < len(planes.distinct) == len(planes):
+        found = symmetries(planes)
+        assert counts.first_whitney_numbers(planes, symmetry=found) == numbers
+
+
+def test_classes_agree_with_the_lattice_on_random_planes() -> None:
+    for planes in random_planes(0, 300):
+        agree(planes)
+
+
+@pytest.mark.campaign
+def test_classes_agree_with_all_other_routes() -> None:
+    for planes in random_planes(1, 2000):
+        agree(planes)
+        chi = counts.characteristic_polynomial(planes, symmetry=[])
+        assert abs(chi.eval(-1)) == planes.f_vector[-1]
+        if len(planes) <= 7:
+            assert chi == oracle.by_subsets(planes)
+
+
+@settings(max_examples=60, deadline=None)
+@given(arrangements(dimensions=(1, 5), planes=(0, 6)))
+def test_classes_count_the_regions_that_enumeration_finds(planes: Arrangement) -> None:
+    chi = counts.characteristic_polynomial(planes, symmetry=[])
+    assert abs(chi.eval(-1)) == planes.f_vector[-1]
+    assert chi == oracle.by_subsets(planes)
+
+
+@pytest.mark.parametrize(
+    "planes",
+    [
+        families.resonance(4),
+        families.threshold_functions(3),
+        families.coxeter("F4"),
+        families.coxeter("D5"),
+        families.shi("B3", 2),
+        families.catalan("G2"),
+        families.semiorder(5),
+        families.linial("B3"),
+        families.graphical(nx.petersen_graph().subgraph(range(8))),
+        families.generic(9, 6),
+    ],
+    ids=str,
+)
+def test_symmetric_planes_agree_with_the_lattice(planes: Arrangement) -> None:
+    agree(planes)
+
+
+def test_flats_and_faces_by_classes(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(class_sums, "_PLANES_IN_AN_ORBIT", 0)
+    named = [
+        families.resonance(4),
+        families.coxeter("D4"),
+        families.shi("A3"),
+        families.threshold(5),
+        families.graphical(nx.petersen_graph().subgraph(range(7))),
+    ]
+    for planes in (*named, *random_planes(3, 25)):
+        if not len(planes):
+            continue
+        found = class_sums.flats_and_faces(planes, configuration(planes), faces=True)
+        assert found is not None
+        lattice = counts.intersection_lattice(planes)
+        assert found[0] == tuple(map(len, lattice.masks))
+        assert found[1] == tuple(map(sum, lattice.whitney_matrix))
+
+
+def test_a_prime_that_divides_a_moebius_value_is_replaced(monkeypatch: pytest.MonkeyPatch) -> None:
+    def with_13(bound: int, below: int = 1 << 31) -> list[int]:
+        return [*moduli_above(bound), *([13] if below == 1 << 31 else [])]
+
+    # two triples of planes through a line: mu is -13 at the common line of the first seven
+    seven = [[1, 0, 0], [0, 1, 0], [1, 1, 0], [0, 0, 1], [1, 0, 1], [1, 2, 5], [1, -3, 7]]
+    planes = Arrangement([*([*row, 0] for row in seven), [0, 0, 0, 1]])
+    assert counts.first_whitney_numbers(Arrangement(seven))[-1] == -13
+    monkeypatch.setattr(class_sums, "_PLANES_IN_AN_ORBIT", 0)
+    expected = class_sums.flats_and_faces(planes, configuration(planes), faces=True)
+    monkeypatch.setattr(class_sums, "moduli_above", with_13)
+    assert class_sums.flats_and_faces(planes, configuration(planes), faces=True) == expected
+
+
+def test_rays_of_e7_are_cosets_of_its_maximal_parabolic_subgroups() -> None:
+    # D6, A6, A1 A5, A1 A2 A3, A4 A2, D5 A1, E6 (Humphreys, sections 1.15 and 2.11)
+    orders = (23040, 5040, 2 * 720, 2 * 6 * 24, 120 * 6, 1920 * 2, 51840)
+    faces = counts.f_vector(families.coxeter("E7"))
+    assert faces[0] == 1
+    assert faces[1] == sum(2903040 // order for order in orders)
+    assert faces[6:] == (7 * 2903040 // 2, 2903040)
+    assert sum((-1) ** k * number for k, number in enumerate(faces)) == -1
+
+
+def test_few_symmetries_leave_flats_to_the_lattice() -> None:
+    planes = families.random_integer(9, 5, seed=1)
+    assert class_sums.flats_and_faces(planes, configuration(planes), faces=True) is None
+    assert counts.f_vector(planes) == planes.f_vector
+
+
+# Athanasiadis (2004): (mh + 1)^r regions, (mh - 1)^r of them bounded
+@pytest.mark.parametrize(
+    ("planes", "h", "rank"),
+    [
+        (families.shi("D5"), 8, 5),
+        (families.shi("E6"), 12, 6),
+        (families.shi("B4", 3), 24, 4),
+    ],
+    ids=str,
+)
+def test_affine_counts_in_print(planes: Arrangement, h: int, rank: int) -> None:
+    assert counts.region_count(planes) == (h + 1) ** rank
+    assert counts.bounded_region_count(planes) == (h - 1) ** rank
+
+
+# of lines, so without -1; B_n: signed permutations; E8: half the order of the Weyl group
+@pytest.mark.parametrize(
+    ("planes", "order"),
+    [
+        (families.resonance(4), math.factorial(5)),
+        (families.braid(5), math.factorial(5)),
+        (families.type_b(4), 2**3 * math.factorial(4)),
+        (families.threshold_functions(4), 2**4 * math.factorial(5)),
+        (families.coxeter("E6"), 51840),
+        (families.coxeter("E8"), 696729600 // 2),
+        (families.coordinate(4), 24),
+        (families.shi("A2"), 6),
+        (families.random_integer(9, 5, seed=1), 1),
+    ],
+    ids=str,
+)
+def test_the_whole_group_is_found(planes: Arrangement, order: int) -> None:
+    assert group(planes).order() == order
+
+
+def test_found_automorphisms_permute_the_flats() -> None:
+    planes = families.shi("B3")
+    flats = {flat.planes for level in counts.intersection_lattice(planes).flats for flat in level}
+    found = symmetries(planes)
+    assert found
+    for image in found:
+        assert {tuple(sorted(image[i] for i in flat)) for flat in flats} == flats
+
+
+def test_given_symmetries_are_checked() -> None:
+    planes = families.braid(4)
+    swapped = [planes.integer_planes.index((*e, 0)) for e in _swapped_coordinates(planes)]
+    assert counts.first_whitney_numbers(planes, symmetry=[swapped]) == (1, -6, 11, -6)
+    with pytest.raises(InputError, match=r"symmetry\[0\] is no automorphism"):
+        counts.first_whitney_numbers(planes, symmetry=[[1, 0, 2, 3, 4, 5]])
+    with pytest.raises(InputError, match="each once"):
+        counts.first_whitney_numbers(planes, symmetry=[[0, 0, 2, 3, 4, 5]])
+    twice = Arrangement([[1, 0], [2, 0], [0, 1], [0, 1]])
+    with pytest.raises(InputError, match="keeps them together"):
+        counts.first_whitney_numbers(twice, symmetry=[[0, 2, 1, 3]])
+    assert counts.first_whitney_numbers(twice, symmetry=[[2, 3, 1, 0]]) == (1, -2, 1)
+
+
+def _swapped_coordinates(planes: Arrangement) -> list[tuple[int, ...]]:
+    """The normals of a braid arrangement with the first and the last coordinate exchanged."""
+    rows = [(row[3], row[1], row[2], row[0]) for row in planes.integer_planes]
+    return [row if next(x for x in row if x) > 0 else tuple(-x for x in row) for row in rows]
+
+
+def test_an_affine_symmetry_must_keep_infinity() -> None:
+    # three lines of a triangle and infinity: four planes of the cone in general position
+    triangle = Arrangement([[1, 0], [0, 1], [1, 1]], [0, 0, 1])
+    assert group(triangle).order() == 6
+    line_and_parallels = Arrangement([[1, 0], [1, 0], [0, 1]], [0, 1, 0])
+    with pytest.raises(InputError, match="no automorphism"):
+        counts.first_whitney_numbers(line_and_parallels, symmetry=[[2, 1, 0]])
+
+
+def test_small_primes_that_lose_minors_are_noticed(monkeypatch: pytest.MonkeyPatch) -> None:
+    def small_ones(self: ModularVectors) -> Iterator[list[int]]:
+        primes = itertools.count(2)
+        while True:
+            chosen: list[int] = []
+            while math.prod(chosen) <= self.hadamard_bound:
+                chosen.append(next(p for p in primes if all(p % k for k in range(2, p))))
+            yield chosen
+
+    monkeypatch.setattr(ModularVectors, "_prime_sets", small_ones)
+    for planes in random_planes(2, 60):
+        assert counts.first_whitney_numbers(planes, symmetry=[]) == by_lattice(planes)
+
+
+def test_a_time_limit_leaves_what_is_known() -> None:
+    planes = families.random_integer(40, 7, bound=1, seed=3)
+    with pytest.raises(TimeLimitError, match="are final") as caught:
+        counts.characteristic_polynomial(planes, time_limit=1e-9)
+    assert caught.value.known == (1,)
+    with pytest.raises(InputError, match="positive number"):
+        counts.characteristic_polynomial(planes, time_limit=0)
+
+
+def test_small_images_are_images() -> None:
+    planes = families.resonance(4)
+    generators = np.array(symmetries(planes))
+    elements = group(planes).elements
+    sets = np.random.default_rng(0).integers(0, 2, (150, len(planes))).astype(np.bool_)
+    small = unpacked(Images(generators).small(sets), len(planes))
+    for before, after in zip(sets, small, strict=True):
+        orbit = {frozenset(g(i) for i in np.flatnonzero(before)) for g in elements}
+        assert frozenset(np.flatnonzero(after)) in orbit
+    assert np.array_equal(unpacked(packed(sets), len(planes)), sets)
