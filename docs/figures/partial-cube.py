@@ -28,7 +28,7 @@ def make():
     )
     path = nx.shortest_path(seen, start, end)
     on_path = {frozenset(edge) for edge in pairwise(path)}
-    figure, (axes,) = panels([(-1.75, 1.75, -1.75, 1.75)], scale=24)
+    figure, (axes,) = panels([(-1.85, 1.85, -1.75, 1.75)], scale=24)
     for a, b in graph.edges:
         (plane,) = np.flatnonzero(signs[a] != signs[b])
         bold = frozenset((a, b)) in on_path
@@ -41,9 +41,10 @@ def make():
         dot(axes, x, y, size=16 if n in path else 8)
         text = "".join("0+−"[s] for s in signs[n])
         far = np.hypot(x, y)
-        place = (x + 0.24, y + 0.08) if far < 0.9 else (x * (1 + 0.24 / far), y * (1 + 0.14 / far))
-        box = {"facecolor": "white", "alpha": 0.8, "lw": 0, "pad": 0.6}
-        label(axes, *place, text, fontsize=6.5, bbox=box)
+        place = (x + 0.15, y - 0.27)
+        if far > 1.1:
+            place = (x * (1 + 0.24 / far), y * (1 + 0.14 / far))
+        label(axes, *place, text, fontsize=6.5)
     return figure
 
 
