@@ -1,7 +1,7 @@
 # Each target creates .venv on first use and installs again when pyproject.toml or
 # constraints.txt change. PYTHON=... picks the interpreter, ARGS=... goes to pytest.
 
-.PHONY: help install verify test campaign lint types check mutants bench docs docs-check package-check formal clean
+.PHONY: help install verify test campaign lint types check mutants bench docs docs-check notebooks package-check formal clean
 .DEFAULT_GOAL := help
 .DELETE_ON_ERROR:
 
@@ -27,6 +27,7 @@ help:
 	@echo "make bench    measure speed"
 	@echo "make docs     build the documentation in docs/_build/html"
 	@echo "make docs-check  build it and open every page in headless Chromium"
+	@echo "make notebooks  the lessons as notebooks in docs/_build/notebooks, each run from top to bottom"
 	@echo "make package-check  build the packages and try them in empty environments"
 	@echo "make formal   compile the Coq proofs of the certificate checker, build it and compare it"
 	@echo "make clean    remove what the targets made"
@@ -117,6 +118,9 @@ docs: $(VENV)/.stamp-docs
 
 docs-check: docs $(VENV)/.stamp-test
 	$(BIN)/python tests/check_site.py docs/_build/html
+
+notebooks: docs
+	$(BIN)/python docs/notebooks.py docs/_build/notebooks
 
 package-check: $(VENV)/.stamp-package
 	$(BIN)/python tests/check_package.py $(ARGS)

@@ -14,6 +14,7 @@ from .evidence import (
     evaluate as evaluate,
     verdict_of as verdict_of,
 )
+from .exercise import Exercise as Exercise, exercise as exercise
 from .statement import (
     Case as Case,
     Claim as Claim,

@@ -18,7 +18,7 @@ from hashlib import sha256
 from importlib.machinery import SourceFileLoader
 from pathlib import Path
 from types import ModuleType
-from typing import Any
+from typing import Any, TypeVar
 
 from arrangement.exact import shown
 
@@ -33,6 +33,7 @@ _COMPARISONS: dict[str, Callable[[Any, Any], Any]] = {
 }  # fmt: skip
 #: Under this name a file finds `compared`; no name of a program can be the same.
 _COMPARED = "@compared"
+_Kind = TypeVar("_Kind")
 
 
 @dataclass(frozen=True)
@@ -106,9 +107,22 @@ def load(path: str) -> Registry:
     Raises:
         OwnClaimError: the file cannot be read or run, has no claims, or two with one id.
     """
-    found = _loaded(str(Path(path).resolve()), file_digest(path))
+    found = defined(path, Claim, "claims; decorate a function with @claim(...)")
     name = Path(path).name
     return Registry(replace(one, file=path, locator=one.locator or name) for one in found)
+
+
+def defined(path: str, kind: type[_Kind], what: str) -> tuple[_Kind, ...]:
+    """Run a Python file and return the values of a kind that it has names for, in order.
+
+    Raises:
+        OwnClaimError: the file cannot be read or run, or has none; `what` says of what.
+    """
+    names = vars(_run(str(Path(path).resolve()), file_digest(path)))
+    found = {id(value): value for value in names.values() if isinstance(value, kind)}
+    if not found:
+        raise OwnClaimError(f"{path} has no {what}")
+    return tuple(found.values())
 
 
 def file_digest(path: str) -> str:
@@ -132,7 +146,7 @@ def line_of(error: BaseException, path: str) -> str:
 
 
 @lru_cache(maxsize=16)
-def _loaded(path: str, digest: str) -> tuple[Claim, ...]:
+def _run(path: str, digest: str) -> ModuleType:
     name = f"proofs_check_own_{digest[:16]}"
     spec = importlib.util.spec_from_file_location(name, path, loader=_Loader(name, path))
     assert spec is not None
@@ -154,7 +168,4 @@ def _loaded(path: str, digest: str) -> tuple[Claim, ...]:
         ) from error
     finally:
         sys.path.remove(str(Path(path).parent))
-    named = {id(value): value for value in vars(module).values() if isinstance(value, Claim)}
-    if not named:
-        raise OwnClaimError(f"{path} has no claims; decorate a function with @claim(...)")
-    return tuple(named.values())
+    return module

@@ -9,6 +9,9 @@ INPUTS = {
     "fingers.csv": "x,y,normal_x,normal_y,friction\n-1,0,1,0,0.5\n1,0,-1,0,0.5\n",
     "wedge.json": '{"schema_version": 1, "polygon": [["0", "0"], ["4", "0"], ["0", "3"]], '
     '"places": [{"edge": 0, "at": "1/2", "friction": "1/4"}]}',
+    "lecture.py": "from proofs_check import exercise\n"
+    "@exercise('Twice 7?')\ndef twice(answer):\n    return answer == 14\n",
+    "answers.json": '{"schema_version": 1, "answers": {"twice": 14}}',
 }
 
 
@@ -76,6 +79,8 @@ COMMANDS = (
     Command("proofs-check show euler", 0, "statement"),
     Command("proofs-check run euler --report euler.html", 0, "as expected", "euler.html"),
     Command("proofs-check run table-three-contacts --json", 0, '"verdict"'),
+    Command("proofs-check new mine", 0, writes="mine.py"),
+    Command("proofs-check grade lecture.py answers.json", 0, "1 of 1"),
     Command("proofs-check sweep euler --planes 3..4 --samples 9 --store s.sqlite", 0, "euler"),
     Command("proofs-check status s.sqlite", 0, "euler"),
     Command("proofs-check report s.sqlite --output s.html", 0, writes="s.html"),

@@ -35,7 +35,7 @@ def shown(axes, corners, grasp, wrench, forces, size, moved=()):
 def linear():
     grasp, wrench = read_grasp("paper-three-contacts"), (0, -1, 0)
     window = (-1.5, 1.5, -1.4, 1.2)
-    titles = ["linear springs: refused", "complete model: resisted"]
+    titles = ["linear springs: not resisted", "complete model: resisted"]
     figure, (left, right) = panels([window, window], scale=18, titles=titles)
     shown(left, SQUARE, grasp, wrench, linear_compliance(grasp, wrench).forces, 0.9)
     (found,) = solve(grasp, wrench).equilibria
@@ -46,7 +46,7 @@ def linear():
 def twisted():
     grasp, wrench = read_grasp("paper-four-contacts").with_friction(2), (0, -1, 0)
     window = (-1.6, 1.8, -1.8, 1.75)
-    titles = ["cones alone: accepted", "complete model: not resisted"]
+    titles = ["cones alone: resisted", "complete model: not resisted"]
     figure, (left, right) = panels([window, window], scale=18, titles=titles)
     found = cones(grasp, wrench)
     x, y, r = (float(v) for v in found.motion)

@@ -125,7 +125,7 @@ def _solve(arguments: argparse.Namespace) -> int:
         _verdict_lines(found.equilibria, grasp) if found.lists_all(every) else _one_of_many(found)
     )
     if not found.stable:
-        lines = chain(lines, proof_lines(found))
+        lines = chain(lines, proof_lines(found, arguments.certificate))
     return show(arguments, found.to_dict(every), lines, found.stable, grasp)
 
 

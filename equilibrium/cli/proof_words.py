@@ -15,14 +15,19 @@ if TYPE_CHECKING:
 _MOST = 3
 
 
-def proof_lines(verdict: Verdict) -> Iterator[str]:
-    """Yield the cases of the proof of a "no" if they are few, else the number of its leaves."""
+def proof_lines(verdict: Verdict, path: str | None) -> Iterator[str]:
+    """Yield the cases of the proof of a "no" if they are few, else the number of its leaves.
+
+    Args:
+        path: where the certificate was written, if it was.
+    """
     from equilibrium.certificate.leaves import parts, works
 
     found = list(parts(verdict.certificate.to_dict()))
     cases = _cases(found)
     if not 0 < len(cases) <= _MOST:
-        yield f"proof: {len(found)} leaves; --certificate OUT.json writes it"
+        where = f", in {path}" if path else "; --certificate OUT.json writes it"
+        yield f"proof: {len(found)} leaves{where}"
         return
     yield "proof: whatever the contacts do, no forces balance"
     for where, together in cases.items():

@@ -62,6 +62,13 @@ def _parser() -> terminal.Parser:
     )
     _add_seed(report)
     _add_own(report)
+    grade = command(
+        "grade", "grade.run_grade", "grade answers to exercises (exit 1 if one is wrong)"
+    )
+    grade.add_argument("exercises", metavar="FILE.py", help="the exercises; it is run as a program")
+    grade.add_argument(
+        "answers", nargs="?", metavar="ANSWERS.json", help="(default: list the questions)"
+    )
     new = command("new", "run.new_file", "write a file with claims of your own to begin with")
     new.add_argument("name", metavar="NAME", help="of the file; .py is added")
     return parser
