@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 _MOST = 3
 
 
-def proof_lines(verdict: Verdict, path: str | None) -> Iterator[str]:
+def proof_lines(verdict: Verdict, path: str | None = None) -> Iterator[str]:
     """Yield the cases of the proof of a "no" if they are few, else the number of its leaves.
 
     Args:
