@@ -210,7 +210,7 @@ def draw(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Callable[[str], lis
         if not path.exists() or path.read_text(encoding="utf-8") != script:
             path.write_text(script, encoding="utf-8")
             os.utime(path, (1, 1))
-        make_figures(SimpleNamespace(srcdir=str(tmp_path)))
+        make_figures(SimpleNamespace(srcdir=str(tmp_path), outdir=str(tmp_path / "out")))
         return sorted(path.name for path in (tmp_path / "_generated").glob("[!.]*"))
 
     return make

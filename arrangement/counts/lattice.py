@@ -185,7 +185,7 @@ def t_vector(arrangement: Planes) -> Mapping[int, int]:
 
     >>> from arrangement import families
     >>> t_vector(families.simplicial(6, 1))
-    {2: 4, 3: 3}
+    {2: 3, 3: 4}
     """
     levels = intersection_lattice(arrangement).masks
     sizes = Counter(mask.bit_count() for mask in (levels[2] if len(levels) > 2 else ()))
