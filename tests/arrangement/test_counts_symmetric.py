@@ -124,7 +124,7 @@ def test_flats_and_faces_by_classes(monkeypatch: pytest.MonkeyPatch) -> None:
         families.threshold(5),
         families.graphical(nx.petersen_graph().subgraph(range(7))),
     ]
-    for planes in (*named, *random_planes(3, 25)):
+    for planes in (*named, *random_planes(3, 12)):
         if not len(planes):
             continue
         found = class_sums.flats_and_faces(planes, configuration(planes), faces=True)

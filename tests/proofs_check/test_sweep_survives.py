@@ -59,6 +59,7 @@ def wait_for(condition: Callable[[], bool], seconds: float = 60) -> None:
 
 
 @pytest.mark.slow
+@pytest.mark.campaign
 def test_a_sweep_killed_three_times_has_the_report_of_one_that_was_not(tmp_path: Path) -> None:
     whole, killed = tmp_path / "whole.sqlite", tmp_path / "killed.sqlite"
     assert run(swept(whole, 1500)).returncode == 0
@@ -134,6 +135,7 @@ def cluster(tmp_path: Path) -> Iterator[tuple[Path, list[subprocess.Popen[bytes]
 
 
 @pytest.mark.slow
+@pytest.mark.campaign
 def test_a_cluster_that_loses_a_worker_finds_what_one_process_finds(
     tmp_path: Path, cluster: tuple[Path, list[subprocess.Popen[bytes]]]
 ) -> None:
