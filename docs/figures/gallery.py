@@ -13,7 +13,7 @@ import equilibrium.cli
 MAIN = {"arrangement": arrangement.cli.main, "equilibrium": equilibrium.cli.main}
 TEXT = (Path(__file__).parents[1] / "gallery.rst").read_text(encoding="utf-8")
 
-for command in re.findall(r"^ *\$ (\w+ draw (?:.*\\\n)*.*)$", TEXT, re.MULTILINE):
+for command in re.findall(r"^ *\$ (\w+ (?:draw|lab) (?:.*\\\n)*.*)$", TEXT, re.MULTILINE):
     name, *words = shlex.split(command.replace("\\\n", " "))
     made = words[-1]
     for path in (made, *{made.replace(".svg", ".tex")} - {made}):
