@@ -32,7 +32,7 @@ _G = "paper-three-contacts"
 #: In this order: later lines read what earlier ones wrote.
 COMMANDS = (
     Command("arrangement list", 0, "braid-a3"),
-    Command("arrangement list --json", 0, _G),
+    Command("arrangement list --json", 0, "braid-a3"),
     Command("equilibrium list", 0, "paper-three-contacts"),
     Command("arrangement count braid-a3", 0, "states           75"),
     Command(f"arrangement count {_G}", 0, "states           27"),
