@@ -257,7 +257,7 @@ LIMITS = {
     "interactive page": ("arrangement.draw.globe:MAX_CIRCLES", "arrangement.draw.page:MAX_CIRCLES"),
     "Hasse diagram": ("arrangement.draw.lattice:MAX_FLATS",),
     "resisted forces": ("equilibrium.draw.page:MAX_CONTACTS",),
-    "slip lab": ("equilibrium.draw.lab:MAX_CONTACTS",),
+    "slip lab": ("equilibrium.lab.page:MAX_CONTACTS",),
     "is exponential": ("equilibrium.methods.frictionless_slip:MAX_CONTACTS",),
     "by points": ("arrangement.counts.points:MAX_SETS", "arrangement.counts.points:MAX_PAIRS"),
     "combinatorial types": ("arrangement.library.census.catalogue:MOST_PLANES",),

@@ -27,8 +27,8 @@ def add_commands(commands: Any) -> None:
 
 def _lab(arguments: argparse.Namespace) -> int:
     from arrangement.io.writing import write_text_atomically
-    from equilibrium.draw.lab import lab_page
     from equilibrium.io.files import read_grasp
+    from equilibrium.lab import lab_page
 
     grasp = None if arguments.grasp is None else read_grasp(arguments.grasp)
     page = lab_page(grasp, wrench=arguments.wrench, title=arguments.title)

@@ -19,6 +19,7 @@ from arrangement.draw.registry import Wrench
 from arrangement.draw.scene import Floats
 from arrangement.errors import InputError
 from arrangement.exact import IntegerVector, RationalVector, primitive, to_text
+from arrangement.lab.page import RATIONAL
 from arrangement.linear import reduced
 from equilibrium.model.grasp import Contact, Grasp, read_wrench
 from equilibrium.solver.contact_rows import DIRECTION
@@ -34,7 +35,7 @@ from .layout import cone_rim
 MAX_CONTACTS = 8
 #: The length of friction cones, where the contacts fill [-1, 1].
 _CONE = 0.55
-_SCRIPTS = ("rational.js", "resisted.js", "sketch.js", "plane.js", "graspview.js", "resist.js")
+_SCRIPTS = ("resisted.js", "sketch.js", "plane.js", "graspview.js", "resist.js")
 
 
 def resist_page(grasp: Grasp, *, wrench: Wrench | None = None, title: str | None = None) -> str:
@@ -65,7 +66,7 @@ def resist_page(grasp: Grasp, *, wrench: Wrench | None = None, title: str | None
     own = "equilibrium.draw"
     scripts: list[Template] = [(own, name) for name in (*_SCRIPTS, "resist_controls.js")]
     styles: list[Template] = [BASE_STYLE, (own, "sketch.css"), (own, "resist.css")]
-    return one_page(heading, (own, "resist.html"), styles, [BASE_SCRIPT, *scripts], data)
+    return one_page(heading, (own, "resist.html"), styles, [BASE_SCRIPT, RATIONAL, *scripts], data)
 
 
 def _summary(grasp: Grasp) -> str:

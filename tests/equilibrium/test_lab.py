@@ -16,9 +16,9 @@ from equilibrium import Contact, Grasp, solve
 from equilibrium.certificate.checker import check
 from equilibrium.certificate.law import law_problem
 from equilibrium.cli.program import main
-from equilibrium.draw import lab_page
 from equilibrium.instances import paths
 from equilibrium.io.files import read_grasp
+from equilibrium.lab import lab_page
 from equilibrium.solver.contact_states import contact_states
 from tests.browser import Browser
 
@@ -361,7 +361,7 @@ def test_a_cell_of_motions_is_shown_on_the_grasp(opened: Browser) -> None:
         y,
     )
     assert all(f"{i} {state}" in said for i, state in enumerate(under.split(","), 1))
-    lit = opened.run("return document.querySelectorAll('#discs .lit-cell').length")
+    lit = opened.run("return document.querySelectorAll('#discs .cell.lit').length")
     assert lit >= 1
     opened.key("Escape")
     assert "Click" in opened.run("return document.getElementById('motion-words').textContent")

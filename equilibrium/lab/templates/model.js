@@ -2,19 +2,6 @@
 const VERSION = "1";
 const FIELDS = ["friction", "stiffness", "preload"];
 
-// Reads "3", "-7/3", "0.25" and "-1e-3"; anything else is null.
-function readNumber(text) {
-  const match = /^\s*([+-]?)(\d{0,1000})(?:\.(\d{0,1000}))?(?:[eE]([+-]?\d{1,3})|\/(\d{1,1000}))?\s*$/.exec(text.replace("\u2212", "-"));
-  if (!match) return null;
-  const [, sign, whole, decimals = "", power = "0", below = "1"] = match;
-  if (!whole && !decimals) return null;
-  if ((decimals && match[5] !== undefined) || BigInt(below) === 0n) return null;
-  const shift = Number(power) - decimals.length;
-  const n = BigInt(`${sign === "-" ? "-" : ""}${whole}${decimals}`) * 10n ** BigInt(Math.max(0, shift));
-  return ratio(n, BigInt(below) * 10n ** BigInt(Math.max(0, -shift)));
-}
-
-const NUMBER_RULE = "a number such as 3/4, 0.75 or -1e-3";
 const isUnit = ([x, y]) => same(plus(times(x, x), times(y, y)), ONE);
 
 // What is wrong with a contact; empty if nothing.
@@ -107,8 +94,8 @@ function hashOf(grasp, wrench, outline = null) {
   return [VERSION, contacts.join(";"), wrench.map(textOf).join(","), ...shape].join("|");
 }
 
-function readHash(text) {
-  const [version, contacts, wrench, shape, ...rest] = decodeURIComponent(text).split("|");
+function readState(text) {
+  const [version, contacts, wrench, shape, ...rest] = text.split("|");
   if (version !== VERSION) throw new Error(`the link is of version ${version.slice(0, 9)}; this page reads ${VERSION}`);
   if (wrench === undefined || rest.length) throw new Error("the link is not whole");
   const list = contacts ? contacts.split(";").map((one) => {
@@ -167,6 +154,3 @@ function unitOf(parts) {
   const [n, d] = [root(square.n), root(square.d)];
   return n && d ? parts.map((x) => over(x, ratio(n, d))) : null;
 }
-
-// A place on the grid of 1 / steps.
-const onGrid = (value, steps) => ratio(BigInt(Math.round(value * steps)), BigInt(steps));

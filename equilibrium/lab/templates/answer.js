@@ -1,15 +1,5 @@
 // What the page says: the verdict, the equilibria or the proof, and the chosen motion in words.
 const SIGNS = { detached: "○ detached", "slip+": "+ slips", "slip-": "− slips", stick: "● sticks", attached: "in touch" };
-const shortText = (x) => {
-  const text = textOf(x);
-  if (text.length <= 14) return text;
-  const whole = ratio((2n * x.n + x.d) / (2n * x.d) - (2n * x.n + x.d < 0n ? 1n : 0n));
-  const rest = near(less(x, whole));
-  if (whole.n && Math.abs(rest) < 1e-5) return `≈ ${textOf(whole)} ${rest < 0 ? "−" : "+"} ${Math.abs(rest).toPrecision(2)}`;
-  return `≈ ${near(x).toPrecision(6)}`;
-};
-const vectorText = (v) => tuple(v.map(shortText));
-
 // A cell with an exact number: long ones are rounded, say so, and have the exact one as a title.
 const cellOf = (row, x) => make("td", { class: "exact", title: textOf(x) }, row, shortText(x));
 

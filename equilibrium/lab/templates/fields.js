@@ -39,31 +39,6 @@ function writeFields() {
   write("turn", state.turn);
 }
 
-const write = (id, value) => writeText(id, textOf(value));
-
-function writeText(id, text) {
-  const box = at(id);
-  if (!box || (box === document.activeElement && box.dataset.typing)) return;
-  box.value = text;
-  if (box.getAttribute("aria-invalid") === "true") { box.removeAttribute("aria-invalid"); at("problem").textContent = ""; }
-}
-
-// A labelled field; `accept` takes the number, and returns what is wrong with it, if anything.
-function field(parent, id, label, accept, read = readNumber, rule = NUMBER_RULE, style = "") {
-  const holder = parent ? make("label", { class: style }, parent, label) : null;
-  const box = holder ? make("input", { type: "text", id, autocomplete: "off", spellcheck: "false" }, holder) : at(id);
-  const check = () => {
-    const value = read(box.value);
-    const problem = value === null ? `${label}: give ${rule}.` : accept(value);
-    if (problem) box.setAttribute("aria-invalid", "true");
-    else box.removeAttribute("aria-invalid");
-    at("problem").textContent = problem || "";
-  };
-  box.addEventListener("input", () => { box.dataset.typing = "1"; check(); });
-  box.addEventListener("blur", () => { delete box.dataset.typing; if (state.found) writeFields(); });
-  return holder;
-}
-
 function setContact(values) {
   const next = { ...state.grasp[state.chosen], ...values };
   const problem = contactProblem(next);
@@ -89,8 +64,8 @@ function buildFields() {
   const own = () => state.grasp[state.chosen];
   field(box, "c-x", "x", (value) => setContact({ point: [value, own().point[1]] }));
   field(box, "c-y", "y", (value) => setContact({ point: [own().point[0], value] }));
-  field(box, "c-n", "normal, into the object", (normal) => setContact({ normal }), readNormal,
-    "a direction of rational length, such as 3/5, 4/5 or 3, 4", "wide");
+  field(box, "c-n", "normal, into the object", (normal) => setContact({ normal }), {
+    read: readNormal, rule: "a direction of rational length, such as 3/5, 4/5 or 3, 4", style: "wide" });
   for (const name of FIELDS) {
     const holder = field(box, `c-${name}`, NAMES[name], (value) => setContact({ [name]: value }));
     const [min, max] = LIMITS[name];

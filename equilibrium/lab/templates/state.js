@@ -4,7 +4,6 @@ const state = {
   grasp: [], wrench: [ZERO, ZERO, ZERO], outline: null, chosen: null, turn: ONE, turnChosen: false,
   found: null, choice: 0, leaf: null, motion: null, open: new Map(), searching: null,
   states: [], pieces: [], mapped: "", mapping: null,
-  past: [], future: [], dragging: false, lit: null, step: null, place: 0, playing: null,
   // The plane of forces, as `plane.js` reads it.
   middle: [0, 0], half: 2, torque: ZERO, factor: ONE, slices: [], overlay: null,
   turnSize() { return this.turn.n ? size(this.turn) : ONE; },
@@ -25,35 +24,18 @@ const pieces = () => state.pieces;
 const shownForce = () => state.wrench.slice(0, 2);
 const graspKey = () => hashOf(state.grasp, state.wrench).split("|")[1];
 
-// Runs a generator a few milliseconds at a time; the answer to `done`. Returns what stops it.
-function inSlices(search, done, first = 12) {
-  let stopped = false;
-  const run = (budget) => {
-    if (stopped) return;
-    const end = performance.now() + budget;
-    for (;;) {
-      const step = search.next();
-      if (step.done) { done(step.value); return; }
-      if (performance.now() > end) break;
-    }
-    setTimeout(() => run(8), 0);
-  };
-  run(first);
-  return () => { stopped = true; };
-}
-
 const refresh = oncePerFrame(() => {
   paintGrasp();
   paintDiscs();
   paintMap();
   describe();
   writeFields();
-  highlight();
+  markAll();
 });
 
 // After the grasp or the wrench has changed.
 function changed() {
-  Object.assign(state, { torque: state.wrench[2], leaf: null });
+  Object.assign(state, { torque: state.wrench[2], leaf: null, motion: null, turnChosen: false });
   state.searching?.();
   const { grasp } = state;
   let ended = false;
@@ -63,11 +45,11 @@ function changed() {
     chooseTurn();
     findPieces();
     refresh();
-    if (!state.dragging) say(sayVerdict());
-  }, state.dragging ? 10 : 80);
+    if (!dragging()) say(sayVerdict());
+  }, dragging() ? 10 : 80);
   state.searching = ended ? null : stop;
   if (!ended) refresh();
-  if (!state.dragging) writeHash();
+  if (!dragging()) writeHash();
 }
 
 // Unless an angle was chosen: that of the equilibrium, else one at which springs begin to let go.
@@ -97,42 +79,21 @@ function findPieces() {
     })();
     state.mapping = inSlices(search, () => {
       Object.assign(state, { pieces: found, mapped: key, mapping: null });
-      if (!sameGrasp && !state.dragging) fitPlane();
+      if (!sameGrasp && !dragging()) fitPlane();
       showStep();
       refresh();
     });
-  }, state.dragging ? 90 : 0);
+  }, dragging() ? 90 : 0);
   state.mapping = () => clearTimeout(wait);
 }
 
-// Undo keeps texts: each is a whole state.
+// The whole state as a text: the address, and what undo keeps.
 const snapshot = () => hashOf(state.grasp, state.wrench, state.outline);
 
-function edit(action) {
-  const before = snapshot();
-  action();
-  if (snapshot() === before) return;
-  if (!state.dragging) remember(before);
-  Object.assign(state, { motion: null, turnChosen: false });
-  changed();
-}
-
-function remember(before) {
-  if (before === snapshot()) return;
-  state.past.push(before);
-  state.future = [];
-  at("undo").disabled = false;
-  at("redo").disabled = true;
-}
-
-function restore(from, to) {
-  if (!from.length) return;
-  to.push(snapshot());
-  Object.assign(state, readHash(from.pop()), { motion: null, turnChosen: false });
-  state.chosen = state.chosen !== null && state.chosen < state.grasp.length ? state.chosen : null;
-  at("undo").disabled = !state.past.length;
-  at("redo").disabled = !state.future.length;
-  changed();
+function reinstate(text) {
+  const read = readState(text);
+  const chosen = state.chosen !== null && state.chosen < read.grasp.length ? state.chosen : null;
+  Object.assign(state, read, { chosen });
 }
 
 function load({ grasp, wrench, outline }) {
@@ -140,10 +101,3 @@ function load({ grasp, wrench, outline }) {
   fitPlane();
 }
 
-function writeHash() {
-  try { history.replaceState(null, "", `#${snapshot()}`); } catch { /* a frame may have no address */ }
-}
-
-function say(text) {
-  if (at("said").textContent !== text) at("said").textContent = text;
-}

@@ -8,30 +8,27 @@ function dragGrasp() {
     const element = event.target.closest("[data-grip]");
     if (!element || event.button) return;
     event.preventDefault();
-    held = { name: element.dataset.grip, before: snapshot() };
+    held = { name: element.dataset.grip };
+    hold();
     view.setPointerCapture(event.pointerId);
     const [kind, i] = held.name.split("-");
-    if (i !== undefined) { state.chosen = Number(i); state.lit = Number(i); }
-    state.dragging = true;
+    if (i !== undefined) state.chosen = Number(i);
     element.focus();
     held.kind = kind;
   });
   view.addEventListener("pointermove", (event) => {
     if (!held) return;
     const p = place(view, event).map((c) => c / UNIT);
-    held.moved = true;
     edit(() => dragTo(held, p));
   });
-  const release = () => {
+  const end = () => {
     if (!held) return;
-    const { before, moved } = held;
     held = null;
-    state.dragging = false;
-    if (moved) { remember(before); changed(); } else refresh();
-    held = null;
+    release();
+    refresh();
   };
-  view.addEventListener("pointerup", release);
-  view.addEventListener("pointercancel", release);
+  view.addEventListener("pointerup", end);
+  view.addEventListener("pointercancel", end);
   view.addEventListener("click", (event) => {
     if (event.target.closest("[data-grip]")) return;
     const p = place(view, event).map((c, k) => (c / UNIT) * data.size + data.centre[k]);
@@ -102,23 +99,14 @@ function chooseMotion(motion) {
 
 function dragPlane() {
   const view = at("plane");
-  let before = null;
   const move = (event) => edit(() => { state.wrench = [...forceUnder(event), state.wrench[2]]; });
   view.addEventListener("pointerdown", (event) => {
     if (event.button) return;
     view.setPointerCapture(event.pointerId);
-    before = snapshot();
-    state.dragging = true;
+    hold();
     move(event);
   });
-  view.addEventListener("pointermove", (event) => { if (before) move(event); });
-  const release = () => {
-    if (!before) return;
-    state.dragging = false;
-    remember(before);
-    before = null;
-    changed();
-  };
+  view.addEventListener("pointermove", (event) => { if (dragging()) move(event); });
   view.addEventListener("pointerup", release);
   view.addEventListener("pointercancel", release);
   view.addEventListener("wheel", (event) => { event.preventDefault(); zoom(Math.exp(Math.sign(event.deltaY) * 0.18)); }, { passive: false });
@@ -134,23 +122,5 @@ function dragPlane() {
   });
 }
 
-// Whatever is under the pointer, or has the focus, is marked in all views.
-function link() {
-  const show = (event) => {
-    const marked = event.target.closest?.("[data-contact], [data-states], [data-circle]");
-    const i = marked?.dataset.contact ?? marked?.dataset.circle;
-    const [lit, cell] = [i === undefined ? null : Number(i), marked?.dataset.states ?? null];
-    if (lit === state.lit && cell === state.litStates) return;
-    Object.assign(state, { lit, litStates: cell });
-    highlight();
-  };
-  document.addEventListener("pointerover", show);
-  document.addEventListener("focusin", show);
-}
-
-function highlight() {
-  document.querySelectorAll("[data-contact]").forEach((e) => e.classList.toggle("lit", Number(e.dataset.contact) === state.lit));
-  document.querySelectorAll("[data-circle]").forEach((e) => e.classList.toggle("lit", Number(e.dataset.circle) === state.lit));
-  const own = state.step?.kind === "states" ? String(state.step.states) : null;
-  document.querySelectorAll("[data-states]").forEach((e) => e.classList.toggle("lit-cell", [state.litStates, own].includes(e.dataset.states)));
-}
+// The step that is told is marked like what is under the pointer.
+const markAll = () => highlight(player.step?.kind === "states" ? [["states", String(player.step.states)]] : []);

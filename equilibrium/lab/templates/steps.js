@@ -7,20 +7,16 @@ function stepsOf(kind) {
   return state.states.map((entry, k) => ({ kind, index: k, ...entry }));
 }
 
-function showStep() {
+function tellStep(box, step, all) {
   const kind = at("algorithm").value;
-  at("player").hidden = !kind;
-  const list = kind ? stepsOf(kind) : [];
-  state.place = Math.min(Math.max(0, state.place), Math.max(0, list.length - 1));
-  Object.assign(at("where"), { max: Math.max(0, list.length - 1), value: state.place });
-  state.step = list[state.place] ?? null;
-  const box = at("told");
-  box.replaceChildren();
-  if (!kind) return;
-  if (!state.step) {
-    make("p", { class: "hint" }, box, kind === "planes" ? "There is no plane yet: add a contact." : "The states are being found …");
-  } else if (kind === "planes") tellPlanes(box, state.step, list.length);
-  else tellState(box, state.step, list.length);
+  if (!step) make("p", { class: "hint" }, box, kind === "planes" ? "There is no plane yet: add a contact." : "The states are being found …");
+  else if (kind === "planes") tellPlanes(box, step, all);
+  else tellState(box, step, all);
+}
+
+function stepShown(step) {
+  state.motion = step?.kind === "states" ? step.motion : null;
+  refresh();
 }
 
 function tellPlanes(box, step, all) {
@@ -82,30 +78,4 @@ function rowText(row, names) {
     return `${x.n < 0n ? "−" : "+"} ${name && text === "1" ? name : [text, name].filter(Boolean).join(" ")}`;
   });
   return terms.join(" ").replace(/^\+ /, "").replace(/^− /, "−") || "0";
-}
-
-function advance(way) {
-  state.place += way;
-  showStep();
-  state.motion = state.step?.kind === "states" ? state.step.motion : null;
-  refresh();
-}
-
-function playSteps() {
-  const button = at("play");
-  if (state.playing) {
-    clearTimeout(state.playing);
-    state.playing = null;
-    button.textContent = "play";
-    return;
-  }
-  const next = () => {
-    if (state.place >= Number(at("where").max)) { state.playing = 1; playSteps(); return; }
-    advance(1);
-    state.playing = setTimeout(next, Number(at("speed").value));
-  };
-  if (state.place >= Number(at("where").max)) state.place = -1;
-  button.textContent = "pause";
-  state.playing = 1;
-  next();
 }

@@ -1,9 +1,6 @@
 // The law of contacts, and the closed linear system of a choice of contact states.
 // A contact: { point, normal, friction, stiffness, preload }, exact; a motion d = (x, y, r).
 const STATES = ["detached", "slip+", "slip-", "stick"];
-const scaledBy = (row, x) => row.map((y) => times(x, y));
-const added = (a, b) => a.map((x, i) => plus(x, b[i]));
-const dotted = (a, b) => a.reduce((sum, x, i) => plus(sum, times(x, b[i])), ZERO);
 
 // N and T, the wrenches of unit forces; the same vectors give displacements from motions.
 function wrenchesOf({ point: [x, y], normal: [nx, ny] }) {
@@ -60,8 +57,6 @@ function partOf(contact, state) {
   }
   return part;
 }
-
-const minusRow = (row) => row.map(minus);
 
 // The rows of all contacts in common unknowns: d, `free` further ones, then those of each contact.
 // The balance, sum of forces + w = 0, has w from `load`: rows in the free unknowns and 1.

@@ -11,10 +11,11 @@ import json
 import re
 from typing import Any
 
-from arrangement.draw.html_page import BASE_SCRIPT, BASE_STYLE, Template, one_page
+from arrangement.draw.html_page import Template
 from arrangement.draw.registry import Wrench
 from arrangement.errors import InputError
 from arrangement.exact import to_text
+from arrangement.lab.page import lab
 from equilibrium.io.files import read_grasp
 from equilibrium.model.grasp import Grasp, read_wrench
 
@@ -41,11 +42,14 @@ _EXAMPLES: tuple[tuple[str, str, tuple[int | str, ...]], ...] = (
     ("Contacts at one place", "coincident-contacts", (0, -1, 0)),
     ("Opposed contacts without friction", "frictionless-opposed-contacts", (0, -1, 0)),
 )
-_SCRIPTS = (
-    *("rational.js", "resisted.js", "sketch.js", "plane.js"),
-    *("lab/linear.js", "lab/law.js", "lab/verdict.js", "lab/model.js", "lab/motions.js"),
-    *("lab/forces.js", "lab/state.js", "lab/grasp_view.js", "lab/discs.js", "lab/map_view.js"),
-    *("lab/answer.js", "lab/steps.js", "lab/fields.js", "lab/controls.js", "lab/lab.js"),
+_OWN, _DRAW = "equilibrium.lab", "equilibrium.draw"
+#: What decides: it knows nothing of pages.
+_DECIDES = ("law", "solve", "model", "motions", "forces")
+_DRAWS = ("resisted", "sketch", "plane")
+_SHOWS = ("state", "grasp_view", "motion_view", "map_view", "answer", "steps", "fields", "controls")
+_SCRIPTS: tuple[Template, ...] = (
+    *((_DRAW, f"{name}.js") for name in _DRAWS),
+    *((_OWN, f"{name}.js") for name in (*_DECIDES, *_SHOWS, "lab")),
 )
 
 
@@ -77,16 +81,15 @@ def lab_page(
         "axes": [
             f"{name} ({first.units.force})" if first.units else name for name in ("f_x", "f_y")
         ],
-        # What the shared scripts find when they start; the page fills it in.
+        # What the scripts of the still pages find when they start; the page fills it in.
         "sets": [],
         "contacts": [],
         "outline": None,
         "origin": [0, 0],
+        "exercises": [],
     }
-    own = "equilibrium.draw"
-    styles: list[Template] = [BASE_STYLE, (own, "sketch.css"), (own, "lab.css")]
-    scripts: list[Template] = [BASE_SCRIPT, *((own, name) for name in _SCRIPTS)]
-    return one_page(heading, (own, "lab.html"), styles, scripts, data)
+    styles: list[Template] = [(_DRAW, "sketch.css"), (_OWN, "lab.css")]
+    return lab(heading, (_OWN, "lab.html"), styles, _SCRIPTS, data)
 
 
 def _question(grasp: Grasp, wrench: Any) -> dict[str, Any]:

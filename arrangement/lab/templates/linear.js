@@ -1,13 +1,4 @@
 // Exact linear systems in integers: a dictionary of rows over free columns, and cones by generators.
-const gcdOf = (a, b) => { while (b) [a, b] = [b, a % b]; return a < 0n ? -a : a; };
-const minus = (x) => ({ n: -x.n, d: x.d });
-const less = (x, y) => plus(x, minus(y));
-const over = (x, y) => times(x, ratio(y.d, y.n));
-const ZERO = ratio(0n);
-const ONE = ratio(1n);
-const order = (x, y) => { const v = x.n * y.d - y.n * x.d; return v < 0n ? -1 : v > 0n ? 1 : 0; };
-const size = (x) => (x.n < 0n ? minus(x) : x);
-
 // Rationals as integers over one positive scale: row = integers / scale.
 function integers(row) {
   let scale = 1n;

@@ -64,7 +64,7 @@ function slices() {
 function paintDiscs() {
   const view = at("discs");
   view.replaceChildren();
-  const step = state.step?.kind === "planes" ? state.step : null;
+  const step = player.step?.kind === "planes" ? player.step : null;
   for (const way of [1, -1]) {
     draw("circle", { class: "disc", cx: DISC[way][0], cy: 0, r: RADIUS, fill: "var(--panel)" }, view);
   }
@@ -122,7 +122,7 @@ function paintCircle(view, row, way, style, i) {
   if (flat < 1e-12) return;
   const ends = [[-b, a, 0], [-a * c, -b * c, flat * flat], [b, -a, 0]].map((ray) => directionOf(ray, way));
   const points = [...arcOf(ends[0], ends[1]), ...arcOf(ends[1], ends[2]), ends[2]];
-  draw("path", { class: `${style}${state.lit === i ? " lit" : ""}`, "data-circle": i, d: pathOf(points.map((v) => onDisc(v, way))) }, view);
+  draw("path", { class: style, "data-contact": i, d: pathOf(points.map((v) => onDisc(v, way))) }, view);
 }
 
 function paintDot(view, [x, y, r], style) {

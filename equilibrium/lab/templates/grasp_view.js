@@ -6,7 +6,7 @@ const floatsOf = (pair) => pair.map(near);
 // The frame in which contacts and outline fill the picture, and what `sketch.js` draws in it. While
 // something is dragged the frame stays.
 function frameGrasp() {
-  if (!state.dragging) {
+  if (!dragging()) {
     Object.assign(data, { centre: [0, 0], size: 1 });
     for (const places of [state.grasp.map(({ point }) => floatsOf(point)), null]) {
       const points = places ? [...places, ...statedOutline()] : [...data.contacts.map((c) => c.place), ...(data.outline ?? [])].map((p) => p.map((x, k) => x * data.size + data.centre[k]));
@@ -78,7 +78,7 @@ function outlineOf(contacts) {
 // How long a force is drawn; while something is dragged lengths stay comparable.
 function forceScale(forces) {
   const sizes = [Math.hypot(...floatsOf(state.wrench.slice(0, 2))), ...forces.map((pair) => Math.hypot(...pair))];
-  if (!state.dragging || !state.scale) state.scale = 0.85 / (Math.max(...sizes) || 1);
+  if (!dragging() || !state.scale) state.scale = 0.85 / (Math.max(...sizes) || 1);
   return state.scale;
 }
 
@@ -113,7 +113,7 @@ function paintGrasp() {
 }
 
 function paintOne(view, contact, i, shown, piece) {
-  const group = draw("g", { "data-contact": i, class: state.lit === i ? "lit" : "" }, view);
+  const group = draw("g", { "data-contact": i, class: "contact" }, view);
   const { place: p, normal: n } = data.contacts[i];
   const t = [-n[1], n[0]];
   const loaded = contact.preload.n > 0n;

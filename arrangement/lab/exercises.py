@@ -1,0 +1,73 @@
+"""Exercises of an interactive page, as JSON: read and checked before a page is written."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Callable, Mapping
+from pathlib import Path
+from typing import Any
+
+from arrangement.errors import InputError
+
+#: Reads the goal of an exercise, or raises an InputError that says what is wrong with it.
+Goals = Mapping[str, Callable[[Any], Any]]
+
+_TEXTS = ("name", "task", "start")
+_LONGEST = 2000
+
+
+def read_exercises(path: str | Path, goals: Goals) -> list[dict[str, Any]]:
+    """Return the exercises of a JSON file.
+
+    The file holds ``{"schema_version": 1, "exercises": [...]}``. Each exercise has ``name``,
+    ``task`` (texts), ``start`` (the part of a link after ``#``), ``goal`` (an object with one
+    entry: its kind and what that kind takes), and may have ``hints`` (texts) and ``fixed`` (names
+    of what must stay as it starts).
+
+    Args:
+        path: of the file.
+        goals: for each kind of goal what checks its value.
+
+    Raises:
+        InputError: no such form; the message names the exercise, the value and the rule.
+    """
+    try:
+        form = json.loads(Path(path).read_text(encoding="utf-8"))
+    except OSError as error:
+        raise InputError(f"exercises: cannot read {path}: {error.strerror}") from None
+    except ValueError as error:
+        raise InputError(f"exercises: {path} is no JSON: {error}") from None
+    if not isinstance(form, dict) or form.get("schema_version") != 1:
+        raise InputError(f'exercises: {path} needs "schema_version": 1 and a list "exercises"')
+    entries = form.get("exercises")
+    if not isinstance(entries, list) or not entries:
+        raise InputError(f'exercises: "exercises" in {path} must be a list with an entry or more')
+    return [_exercise(entry, number, goals) for number, entry in enumerate(entries, 1)]
+
+
+def _exercise(entry: Any, number: int, goals: Goals) -> dict[str, Any]:
+    def problem(text: str) -> InputError:
+        return InputError(f"exercise {number}: {text}")
+
+    if not isinstance(entry, dict):
+        raise problem('must be an object with "name", "task", "start" and "goal"')
+    unknown = sorted(set(entry) - {*_TEXTS, "goal", "hints", "fixed"})
+    if unknown:
+        raise problem(f'has no field "{unknown[0]}"')
+    for name in _TEXTS:
+        text = entry.get(name)
+        if not isinstance(text, str) or not 0 < len(text) <= _LONGEST:
+            raise problem(f'"{name}" must be a text of 1 to {_LONGEST} characters')
+    lists = {name: entry.get(name, []) for name in ("hints", "fixed")}
+    for name, texts in lists.items():
+        if not isinstance(texts, list) or not all(isinstance(text, str) for text in texts):
+            raise problem(f'"{name}" must be a list of texts')
+    goal = entry.get("goal")
+    if not isinstance(goal, dict) or len(goal) != 1 or not set(goal) <= set(goals):
+        raise problem(f'"goal" must be an object with one of: {", ".join(goals)}')
+    (kind, value), *_ = goal.items()
+    try:
+        goals[kind](value)
+    except InputError as error:
+        raise problem(f'goal "{kind}": {error}') from None
+    return {**{name: entry[name] for name in _TEXTS}, **lists, "goal": goal}
