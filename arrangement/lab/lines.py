@@ -50,7 +50,6 @@ _COUNTS_SCRIPTS = ("circles", "counts", "types", "document")
 _SHOWS = ("words", "charts", "state", "plane_view", "ball_view", "numbers", "moves", "drags")
 _SCRIPTS: tuple[Template, ...] = (
     ("arrangement.draw", "ball.js"),
-    (_OWN, "lines/cut_tmp.js"),
     *((_OWN, f"lines/{name}.js") for name in (*_COUNTS_SCRIPTS, *_SHOWS, "planes", "goals", "page")),
 )
 

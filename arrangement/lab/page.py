@@ -5,13 +5,14 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 from typing import Any
 
-from arrangement.draw.html_page import BASE_SCRIPT, BASE_STYLE, Template, one_page
+from arrangement.draw.html_page import BASE_SCRIPT, BASE_STYLE, POLYGON, Template, one_page
 
 _OWN = "arrangement.lab"
 #: Exact rationals, and exact linear algebra; both know nothing of pages.
 RATIONAL: Template = (_OWN, "rational.js")
 LINEAR: Template = (_OWN, "linear.js")
 _SHARED: tuple[Template, ...] = (
+    POLYGON,
     RATIONAL,
     LINEAR,
     *((_OWN, f"{name}.js") for name in ("background", "keep", "history", "fields", "links")),

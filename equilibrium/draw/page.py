@@ -13,7 +13,7 @@ from typing import Any
 
 import numpy as np
 
-from arrangement.draw.html_page import BASE_SCRIPT, BASE_STYLE, Template, one_page
+from arrangement.draw.html_page import BASE_SCRIPT, BASE_STYLE, POLYGON, Template, one_page
 from arrangement.draw.labels import flattened
 from arrangement.draw.registry import Wrench
 from arrangement.draw.scene import Floats
@@ -66,7 +66,7 @@ def resist_page(grasp: Grasp, *, wrench: Wrench | None = None, title: str | None
     own = "equilibrium.draw"
     scripts: list[Template] = [(own, name) for name in (*_SCRIPTS, "resist_controls.js")]
     styles: list[Template] = [BASE_STYLE, (own, "sketch.css"), (own, "resist.css")]
-    return one_page(heading, (own, "resist.html"), styles, [BASE_SCRIPT, RATIONAL, *scripts], data)
+    return one_page(heading, (own, "resist.html"), styles, [BASE_SCRIPT, POLYGON, RATIONAL, *scripts], data)
 
 
 def _summary(grasp: Grasp) -> str:

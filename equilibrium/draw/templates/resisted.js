@@ -82,24 +82,6 @@ function slice(piece, torque, factor, box) {
   return corners;
 }
 
-// What of a convex polygon is on the side a x + b y + c >= 0.
-function cut(corners, [a, b, c], tolerance) {
-  const length = Math.hypot(a, b);
-  const height = ([x, y]) => (length ? (a * x + b * y + c) / length : c);
-  const least = length ? -tolerance : -1e-12;
-  const found = [];
-  corners.forEach((p, i) => {
-    const q = corners[(i + 1) % corners.length];
-    const [s, t] = [height(p), height(q)];
-    if (s >= least) found.push(p);
-    if ((s < least && t > 0) || (s > 0 && t < least)) {
-      const share = s / (s - t);
-      found.push([p[0] + share * (q[0] - p[0]), p[1] + share * (q[1] - p[1])]);
-    }
-  });
-  return found;
-}
-
 // Where a line meets a convex polygon: two ends, or one.
 function onLine(corners, [a, b, c]) {
   const length = Math.hypot(a, b);

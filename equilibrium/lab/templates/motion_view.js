@@ -20,8 +20,6 @@ function rayAt([px, py], way) {
   return [way * (v + data.centre[1] * h), -way * (u + data.centre[0] * h), h];
 }
 
-const pathOf = (points) => `M${points.map((p) => p.map(fixed).join(",")).join("L")}`;
-
 // Points of the great arc between two directions.
 function arcOf(a, b) {
   const angle = Math.acos(Math.min(1, Math.max(-1, a[0] * b[0] + a[1] * b[1] + a[2] * b[2])));

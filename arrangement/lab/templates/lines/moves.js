@@ -83,7 +83,7 @@ function gripOf(name) {
   const { arrangement } = shown();
   const k = memberOf(i);
   const normal = arrangement.normals[k];
-  return { kind, i, k, end, normal, ends: kind === "end" ? endsOf(arrangement.circles.normals[i], i) : null, targets: targetsWithout(i) };
+  return { kind, i, k, end, normal, ends: kind === "end" ? endsOf(arrangement.circles.normals[i]) : null, targets: targetsWithout(i) };
 }
 
 function movedTo(grip, place) {
@@ -119,7 +119,7 @@ function tiltedBy(normal, right, up, turn) {
 function stepped(grip, [right, up], turn) {
   const chart = chartOf();
   if (grip.kind === "circle") return tiltedBy(grip.normal, right, up, turn);
-  const ends = grip.ends ?? endsOf(grip.normal, grip.i);
+  const ends = grip.ends ?? endsOf(grip.normal);
   if (!ends) return null;
   const shift = (p, [a, b]) => {
     const [w, steps] = [weight(p), BigInt(gridSteps())];

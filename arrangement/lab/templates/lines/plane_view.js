@@ -78,7 +78,7 @@ function paintMark(view, [x, y], number, p) {
 // Two grips on each line: it turns about the other one.
 function paintEnds(view, { circles, infinity, members }, i) {
   if (i === infinity) return;
-  endsOf(circles.normals[i], i)?.forEach((end, k) => {
+  endsOf(circles.normals[i])?.forEach((end, k) => {
     const [x, y, w] = charted(end);
     const [px, py] = onPaper([x / w, y / w]).map(fixed);
     const group = draw("g", { class: "grip end", "data-mark": `line-${i}`, "data-grip": `end-${i}-${k}`, tabindex: 0, role: "button",
@@ -89,7 +89,7 @@ function paintEnds(view, { circles, infinity, members }, i) {
 }
 
 // The grips of a line: those it was dragged by, as long as they are on it and in sight.
-function endsOf(normal, i) {
+function endsOf(normal) {
   const { low, high } = frame(0.98);
   const kept = state.ends.get(unoriented(normal).join());
   const inSight = (end) => {
@@ -100,13 +100,16 @@ function endsOf(normal, i) {
   const part = seenPart(lineIn(normal), frame(0.9));
   if (!part) return null;
   const ends = [0, 1].map((end) => apart(normal, part[end], part[1 - end]));
-  return ends.every((end) => end && weight(end)) && crossOf(...ends).some((x) => x) ? ends : null;
+  if (!ends.every((end) => weight(end)) || !crossOf(...ends).some((x) => x)) return null;
+  rememberEnds(normal, ends);
+  return ends;
 }
 
-// An exact point of a line near the end of what is seen, and away from crossings.
+// An exact point of a line near the end of what is seen, away from crossings and other grips.
 function apart(normal, from, to) {
-  const { crossings } = shown().arrangement.circles;
-  const own = crossings.filter(({ ray }) => !dotOf(ray, normal)).map(({ ray }) => charted(ray)).map(([x, y, w]) => [x / w, y / w]);
+  const { crossings, normals } = shown().arrangement.circles;
+  const others = normals.flatMap((n) => state.ends.get(unoriented(n).join()) ?? []);
+  const own = [...crossings.map(({ ray }) => ray), ...others].map(charted).map(([x, y, w]) => [x / w, y / w]);
   const room = (share) => {
     const p = [0, 1].map((k) => from[k] + share * (to[k] - from[k]));
     return [Math.min(12 / scaleOf(), ...own.map(([x, y]) => Math.hypot(x - p[0], y - p[1]))), p];

@@ -1,3 +1,5 @@
+// Convex polygons in floats: for pictures.
+// What of a convex polygon is on the side a x + b y + c >= 0.
 function cut(corners, [a, b, c], tolerance) {
   const length = Math.hypot(a, b);
   const height = ([x, y]) => (length ? (a * x + b * y + c) / length : c);
@@ -14,4 +16,5 @@ function cut(corners, [a, b, c], tolerance) {
   });
   return found;
 }
+
 const pathOf = (points) => `M${points.map((p) => p.map(fixed).join(",")).join("L")}`;
