@@ -3,20 +3,23 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Collection, Mapping
 from pathlib import Path
-from typing import Any
+from typing import Any, TypeAlias
 
 from arrangement.errors import InputError
+from arrangement.exact import shown
 
-#: Reads the goal of an exercise, or raises an InputError that says what is wrong with it.
-Goals = Mapping[str, Callable[[Any], Any]]
+#: For each kind of goal what raises an InputError if its value is none.
+Goals: TypeAlias = Mapping[str, Callable[[Any], object]]
 
 _TEXTS = ("name", "task", "start")
 _LONGEST = 2000
 
 
-def read_exercises(path: str | Path, goals: Goals) -> list[dict[str, Any]]:
+def read_exercises(
+    path: str | Path, goals: Goals, fixed: Collection[str], read_start: Callable[[str], object]
+) -> list[dict[str, Any]]:
     """Return the exercises of a JSON file.
 
     The file holds ``{"schema_version": 1, "exercises": [...]}``. Each exercise has ``name``,
@@ -26,7 +29,9 @@ def read_exercises(path: str | Path, goals: Goals) -> list[dict[str, Any]]:
 
     Args:
         path: of the file.
-        goals: for each kind of goal what checks its value.
+        goals: what checks the value of each kind of goal.
+        fixed: names that may stand in ``fixed``.
+        read_start: what checks a start.
 
     Raises:
         InputError: no such form; the message names the exercise, the value and the rule.
@@ -42,32 +47,43 @@ def read_exercises(path: str | Path, goals: Goals) -> list[dict[str, Any]]:
     entries = form.get("exercises")
     if not isinstance(entries, list) or not entries:
         raise InputError(f'exercises: "exercises" in {path} must be a list with an entry or more')
-    return [_exercise(entry, number, goals) for number, entry in enumerate(entries, 1)]
+    read = []
+    for number, entry in enumerate(entries, 1):
+        try:
+            read.append(_exercise(entry, goals, fixed, read_start))
+        except InputError as error:
+            raise InputError(f"exercise {number}: {error}") from None
+    return read
 
 
-def _exercise(entry: Any, number: int, goals: Goals) -> dict[str, Any]:
-    def problem(text: str) -> InputError:
-        return InputError(f"exercise {number}: {text}")
-
+def _exercise(
+    entry: Any, goals: Goals, fixed: Collection[str], read_start: Callable[[str], object]
+) -> dict[str, Any]:
     if not isinstance(entry, dict):
-        raise problem('must be an object with "name", "task", "start" and "goal"')
+        raise InputError('must be an object with "name", "task", "start" and "goal"')
     unknown = sorted(set(entry) - {*_TEXTS, "goal", "hints", "fixed"})
     if unknown:
-        raise problem(f'has no field "{unknown[0]}"')
+        raise InputError(f'has no field "{unknown[0]}"')
     for name in _TEXTS:
         text = entry.get(name)
         if not isinstance(text, str) or not 0 < len(text) <= _LONGEST:
-            raise problem(f'"{name}" must be a text of 1 to {_LONGEST} characters')
+            raise InputError(f'"{name}" must be a text of 1 to {_LONGEST} characters')
     lists = {name: entry.get(name, []) for name in ("hints", "fixed")}
     for name, texts in lists.items():
         if not isinstance(texts, list) or not all(isinstance(text, str) for text in texts):
-            raise problem(f'"{name}" must be a list of texts')
+            raise InputError(f'"{name}" must be a list of texts')
+    strange = next((name for name in lists["fixed"] if name not in fixed), None)
+    if strange is not None:
+        raise InputError(f'"fixed" has {shown(strange)}; known are {", ".join(fixed)}')
     goal = entry.get("goal")
     if not isinstance(goal, dict) or len(goal) != 1 or not set(goal) <= set(goals):
-        raise problem(f'"goal" must be an object with one of: {", ".join(goals)}')
-    (kind, value), *_ = goal.items()
-    try:
-        goals[kind](value)
-    except InputError as error:
-        raise problem(f'goal "{kind}": {error}') from None
+        raise InputError(f'"goal" must be an object with one of: {", ".join(goals)}')
+    for where, check, value in (
+        ("start", read_start, entry["start"]),
+        *((f"goal {kind}", goals[kind], value) for kind, value in goal.items()),
+    ):
+        try:
+            check(value)
+        except InputError as error:
+            raise InputError(f"{where}: {error}") from None
     return {**{name: entry[name] for name in _TEXTS}, **lists, "goal": goal}

@@ -23,6 +23,9 @@ def add_commands(commands: Any) -> None:
     lab.add_argument("-o", "--output", metavar="PATH", required=True, help="the page (.html)")
     add_wrench(lab, "--wrench", "at first: applied force (f_x, f_y) and torque tau", None)
     lab.add_argument("--title", metavar="TEXT", help="a heading")
+    lab.add_argument(
+        "--exercises", metavar="FILE", help="JSON with own exercises, in place of the twelve"
+    )
 
 
 def _lab(arguments: argparse.Namespace) -> int:
@@ -31,7 +34,12 @@ def _lab(arguments: argparse.Namespace) -> int:
     from equilibrium.lab import lab_page
 
     grasp = None if arguments.grasp is None else read_grasp(arguments.grasp)
-    page = lab_page(grasp, wrench=arguments.wrench, title=arguments.title)
+    page = lab_page(
+        grasp,
+        wrench=arguments.wrench,
+        title=arguments.title,
+        exercises=arguments.exercises,
+    )
     write_text_atomically(arguments.output, page)
     if arguments.json:
         terminal.print_json({"output": arguments.output})

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import json
 import re
+from pathlib import Path
 from typing import Any
 
 from arrangement.draw.html_page import Template
@@ -18,6 +19,8 @@ from arrangement.exact import to_text
 from arrangement.lab.page import lab
 from equilibrium.io.files import read_grasp
 from equilibrium.model.grasp import Grasp, read_wrench
+
+from .exercises import slip_exercises
 
 #: Contacts beyond which the answers of the page take more than about a second.
 MAX_CONTACTS = 8
@@ -44,17 +47,31 @@ _EXAMPLES: tuple[tuple[str, str, tuple[int | str, ...]], ...] = (
 )
 _OWN, _DRAW = "equilibrium.lab", "equilibrium.draw"
 #: What decides: it knows nothing of pages.
-_DECIDES = ("law", "solve", "model", "motions", "forces")
+_DECIDES = ("law", "model", "check", "solve", "motions", "forces", "methods")
 _DRAWS = ("resisted", "sketch", "plane")
-_SHOWS = ("state", "grasp_view", "motion_view", "map_view", "answer", "steps", "fields", "controls")
+_SHOWS = (
+    "state",
+    "grasp_view",
+    "motion_view",
+    "map_view",
+    "answer",
+    "steps",
+    "fields",
+    "controls",
+    "judge",
+)
 _SCRIPTS: tuple[Template, ...] = (
     *((_DRAW, f"{name}.js") for name in _DRAWS),
-    *((_OWN, f"{name}.js") for name in (*_DECIDES, *_SHOWS, "lab")),
+    *((_OWN, f"{name}.js") for name in (*_DECIDES, *_SHOWS)),
 )
 
 
 def lab_page(
-    grasp: Grasp | None = None, *, wrench: Wrench | None = None, title: str | None = None
+    grasp: Grasp | None = None,
+    *,
+    wrench: Wrench | None = None,
+    title: str | None = None,
+    exercises: str | Path | None = None,
 ) -> str:
     """Return one HTML page, complete in itself: contacts and load to drag, with exact answers.
 
@@ -62,9 +79,10 @@ def lab_page(
         grasp: at first, up to `MAX_CONTACTS` contacts; if omitted, three contacts with preload.
         wrench: at first; if omitted, a push along (0, 1).
         title: a heading.
+        exercises: a JSON file with exercises; if omitted, the twelve that come with the lab.
 
     Raises:
-        InputError: too many contacts or digits, or no wrench.
+        InputError: too many contacts or digits, no wrench, or no exercises in the file.
     """
     first = read_grasp(_EXAMPLES[0][1]) if grasp is None else grasp
     if len(first) > MAX_CONTACTS:
@@ -86,7 +104,7 @@ def lab_page(
         "contacts": [],
         "outline": None,
         "origin": [0, 0],
-        "exercises": [],
+        "exercises": slip_exercises(exercises),
     }
     styles: list[Template] = [(_DRAW, "sketch.css"), (_OWN, "lab.css")]
     return lab(heading, (_OWN, "lab.html"), styles, _SCRIPTS, data)

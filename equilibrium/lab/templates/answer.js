@@ -66,6 +66,10 @@ function motionWords([x, y, r]) {
 
 // The proof: a folded tree; each leaf is a virtual motion.
 function describeProof(box) {
+  if (proofHidden()) {
+    make("p", { class: "hint" }, box, "The proof is not shown while the exercise asks for it.");
+    return;
+  }
   const leaves = leavesOf(state.found.tree);
   make("p", {}, box, leaves.length === 1
     ? "On one virtual motion the load does more work than the contacts can ever take away, whatever their states."

@@ -37,6 +37,7 @@ function writeFields() {
   }
   ["w-x", "w-y", "w-t"].forEach((id, k) => write(id, state.wrench[k]));
   write("turn", state.turn);
+  writeText("motion", state.motion ? state.motion.map(textOf).join(", ") : "");
 }
 
 function setContact(values) {

@@ -1,8 +1,8 @@
 // The resisted forces (f_x, f_y) at one torque: for each choice of states an exact convex piece, by
 // generators of all its solutions, mapped to forces, and turned into inequalities.
-function* piecesOf(grasp, torque, states) {
+function* piecesOf(grasp, torque, states, printed = false) {
   for (const choice of states) {
-    const system = systemOf(grasp, choice, [[ONE, ZERO, ZERO], [ZERO, ONE, ZERO], [ZERO, ZERO, torque]], 2);
+    const system = systemOf(grasp, choice, [[ONE, ZERO, ZERO], [ZERO, ONE, ZERO], [ZERO, ZERO, torque]], { free: 2, printed });
     const { n, balance, equal, atLeast } = system;
     const rows = (list) => list.map((row) => integers(row).row);
     const only = (list) => rows(list.map(({ row }) => row));

@@ -35,6 +35,7 @@ function turns() {
     return "";
   };
   field(null, "turn", "angle r", setTurn);
+  field(null, "motion", "motion", (motion) => { chooseMotion(motion); return ""; }, { read: readMotion, rule: "three numbers x, y, r, such as 1, 0, -1/2" });
   const slider = at("turn-slider");
   let base = ONE;
   slider.addEventListener("pointerdown", () => { base = state.turnSize(); });
@@ -61,6 +62,7 @@ function begin() {
   listenToHistory();
   listenToPlayer();
   listenToExercises();
+  listenToMethods();
   at("discs").addEventListener("click", (event) => { const motion = motionUnder(event); if (motion) chooseMotion(motion); });
   document.addEventListener("keydown", (event) => {
     if (event.key === "Escape") { state.motion = state.leaf = null; refresh(); }
@@ -76,8 +78,6 @@ function begin() {
 }
 
 // For lecturers and tests: questions as documents of the command line.
-const beginExercise = (exercise) => load(readState(exercise.start));
-const judge = () => ({ solved: false, words: "" });
 
 window.lab = {
   solve(grasp, wrench) {
@@ -89,6 +89,8 @@ window.lab = {
       equilibria: found.equilibria.map(({ states, motion, forces, ranges }) => ({ states, motion: texts(motion), forces: forces.map(texts), unique: !ranges })),
     };
   },
+  check: checkDocument,
+  says: (method, grasp, wrench) => saidBy(method, readGrasp(grasp), readWrench(wrench)),
   states: (grasp) => [...statesOf(readGrasp(grasp))].filter(Boolean).map(({ states }) => states),
   resists(grasp, torque, forces) {
     const contacts = readGrasp(grasp);

@@ -21,9 +21,11 @@ function contactAt(contact, motion) {
 
 // The conditions of one contact in (d, own unknowns, 1): equal rows = 0, atLeast rows >= 0, and the
 // normal and tangential force. The names of the rows say which condition each one is.
-function partOf(contact, state) {
+// "free" is a force in its cone that no spring gives. As printed, friction pulls along the slip, and
+// nothing asks whether the motion slips that way.
+function partOf(contact, state, printed = false) {
   const { N, T } = wrenchesOf(contact);
-  const own = { undecided: 2, attached: 1, stick: 1 }[state] ?? 0;
+  const own = { undecided: 2, free: 2, attached: 1, stick: 1 }[state] ?? 0;
   const unit = (k) => [...N.map(() => ZERO), ...Array.from({ length: own }, (_, i) => (i === k ? ONE : ZERO)), ZERO];
   const none = unit(-1);
   const padded = (row, constant) => [...row, ...Array.from({ length: own }, () => ZERO), constant];
@@ -37,9 +39,9 @@ function partOf(contact, state) {
     put("cone", added(scaledBy(part.normal, mu), part.tangential));
   };
   if (state === "detached") put("spring", minusRow(spring));
-  else if (state === "undecided") {
+  else if (own === 2) {
     [part.normal, part.tangential] = [unit(0), unit(1)];
-    put("least", added(part.normal, minusRow(spring)));
+    if (state === "undecided") put("least", added(part.normal, minusRow(spring)));
     put("normal", part.normal);
     cone();
   } else {
@@ -51,8 +53,8 @@ function partOf(contact, state) {
       if (state === "stick") part.equal.push({ name: "stick", row: slip });
     } else {
       const way = state === "slip+" ? ONE : minus(ONE);
-      part.tangential = scaledBy(spring, times(mu, minus(way)));
-      put("direction", scaledBy(slip, way));
+      part.tangential = scaledBy(spring, times(mu, printed ? way : minus(way)));
+      if (!printed) put("direction", scaledBy(slip, way));
     }
   }
   return part;
@@ -60,8 +62,8 @@ function partOf(contact, state) {
 
 // The rows of all contacts in common unknowns: d, `free` further ones, then those of each contact.
 // The balance, sum of forces + w = 0, has w from `load`: rows in the free unknowns and 1.
-function systemOf(grasp, states, load, free = 0) {
-  const parts = grasp.map((contact, i) => partOf(contact, states[i]));
+function systemOf(grasp, states, load, { free = 0, printed = false } = {}) {
+  const parts = grasp.map((contact, i) => partOf(contact, states[i], printed));
   const starts = [];
   let n = 3 + free;
   for (const part of parts) { starts.push(n); n += part.own; }
@@ -91,40 +93,3 @@ function systemOf(grasp, states, load, free = 0) {
 }
 
 const loadOf = (wrench) => wrench.map((x) => [x]);
-
-// What is wrong with a motion and forces [[c_n, c_t], ...] under a wrench; empty if they obey the law.
-function lawProblem(grasp, wrench, motion, forces) {
-  let total = wrench;
-  for (const [i, contact] of grasp.entries()) {
-    const { N, T } = wrenchesOf(contact);
-    const [normal, tangential] = forces[i];
-    const { spring, slip } = contactAt(contact, motion);
-    const limit = times(contact.friction, normal);
-    if (!same(normal, spring.n > 0n ? spring : ZERO)) return `contact ${i + 1}: the spring gives another normal force`;
-    if (order(size(tangential), limit) > 0) return `contact ${i + 1}: outside the friction cone`;
-    if (slip.n && !same(tangential, slip.n > 0n ? minus(limit) : limit)) return `contact ${i + 1}: friction does not oppose slip fully`;
-    total = added(total, added(scaledBy(N, normal), scaledBy(T, tangential)));
-  }
-  return total.some((x) => x.n) ? "the forces do not balance" : "";
-}
-
-// What is wrong with a leaf of a proof; empty if no motion in its states balances the wrench: the sum of
-// load . motion and of alpha e + h s over the contacts is a number above 0, whatever the motion d is,
-// and no contact can work less than its term.
-function leafProblem(grasp, wrench, { states, motion, multipliers }) {
-  let total = [ZERO, ZERO, ZERO, dotted(motion, wrench)];
-  for (const [i, contact] of grasp.entries()) {
-    const { N, T } = wrenchesOf(contact);
-    const [alpha, h] = multipliers[i];
-    const rub = times(contact.friction, dotted(motion, T));
-    const way = { "slip+": minus(rub), "slip-": rub }[states[i]] ?? minus(size(rub));
-    const kappa = plus(dotted(motion, N), way);
-    if (["undecided", "detached"].includes(states[i]) && alpha.n < 0n) return `contact ${i + 1}: alpha is below 0`;
-    if (states[i] !== "detached" && order(alpha, kappa) > 0) return `contact ${i + 1}: alpha is above kappa`;
-    const free = states[i] === "stick" || !h.n || (states[i] === "slip-" ? h.n > 0n : states[i] === "slip+" && h.n < 0n);
-    if (!free) return `contact ${i + 1}: h has the wrong sign`;
-    const spring = [...scaledBy(N, minus(contact.stiffness)), contact.preload];
-    total = added(total, added(scaledBy(spring, alpha), [...scaledBy(T, h), ZERO]));
-  }
-  return total.slice(0, 3).some((x) => x.n) || total[3].n <= 0n ? "the sum is no number above 0" : "";
-}

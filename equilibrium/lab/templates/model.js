@@ -56,17 +56,20 @@ function onOutline({ corners, centre, radius }, [x, y], steps) {
   return sides.length ? sides.reduce((best, side) => (side.away < best.away ? side : best)) : null;
 }
 
+// A number of a document: a text, or an integer.
+function numberOf(value, where) {
+  const read = typeof value === "string" || Number.isInteger(value) ? readNumber(String(value)) : null;
+  if (!read) throw new Error(`${where} must be a text with ${NUMBER_RULE}`);
+  return read;
+}
+
 // Throws an Error that says what is wrong.
 function readGrasp(document) {
   if (!Array.isArray(document?.contacts) || document.schema_version !== 1) {
     throw new Error("this is no grasp: it needs \"schema_version\": 1 and a list \"contacts\"");
   }
   return document.contacts.map((entry, i) => {
-    const number = (value, name) => {
-      const read = typeof value === "string" || Number.isInteger(value) ? readNumber(String(value)) : null;
-      if (!read) throw new Error(`contact ${i + 1}: ${name} must be a text with ${NUMBER_RULE}`);
-      return read;
-    };
+    const number = (value, name) => numberOf(value, `contact ${i + 1}: ${name}`);
     const pair = (value, name) => {
       if (!Array.isArray(value) || value.length !== 2) throw new Error(`contact ${i + 1}: ${name} must be two numbers`);
       return value.map((x) => number(x, name));
@@ -81,9 +84,8 @@ function readGrasp(document) {
 }
 
 function readWrench(values) {
-  const read = Array.isArray(values) && values.length === 3 ? values.map((x) => readNumber(String(x))) : [null];
-  if (read.includes(null)) throw new Error("the wrench must be three numbers: force x, force y, torque");
-  return read;
+  if (!Array.isArray(values) || values.length !== 3) throw new Error("the wrench must be three numbers: force x, force y, torque");
+  return values.map((x) => numberOf(x, "the wrench"));
 }
 
 // The state in the address: "1|x,y,nx,ny,friction,stiffness,preload;...|fx,fy,torque", and the outline,
@@ -137,11 +139,15 @@ function turned(normal, way) {
   return nearestDirection(...[Math.cos, Math.sin].map((f) => f(Math.atan2(near(normal[1]), near(normal[0])) + way * 0.05)));
 }
 
-// A direction as text: exact where its length is rational; else null.
-function readNormal(text) {
+// Numbers apart by commas or spaces; null if they are not as many.
+function readTuple(text, length) {
   const parts = text.replace(/[()]/g, "").split(/[,\s]+/).filter(Boolean).map(readNumber);
-  return parts.length !== 2 || parts.includes(null) ? null : unitOf(parts);
+  return parts.length !== length || parts.includes(null) ? null : parts;
 }
+
+const readMotion = (text) => readTuple(text, 3);
+// A direction as text: exact where its length is rational; else null.
+const readNormal = (text) => { const parts = readTuple(text, 2); return parts && unitOf(parts); };
 
 // A direction made exactly unit; null if its length is not rational.
 function unitOf(parts) {

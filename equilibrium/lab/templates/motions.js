@@ -1,6 +1,7 @@
 // The space of motions: the contact states that occur, and the cells of its slices at r = turn, -turn.
-// Exact: a motion lies in one state each, so the states found here are all there are.
-function* statesOf(grasp) {
+// Exact: a motion lies in one state each, so the states found here are all there are. Among
+// `names` "attached" tells no slips apart; without "detached" springs do not count.
+function* statesOf(grasp, names = STATES) {
   const rows = grasp.map((contact) => {
     const { N, T } = wrenchesOf(contact);
     const spring = [...scaledBy(N, minus(contact.stiffness)), ZERO, contact.preload];
@@ -8,11 +9,12 @@ function* statesOf(grasp) {
   });
   // The fourth unknown is a margin of the strict conditions: a state occurs if it can be above 0.
   const strictly = (row) => row.with(3, minus(ONE));
-  const conditions = {
-    detached: ({ spring }) => [[], [minusRow(spring)]],
-    "slip+": ({ spring, slip }) => [[], [strictly(spring), strictly(slip)]],
-    "slip-": ({ spring, slip }) => [[], [strictly(spring), strictly(minusRow(slip))]],
-    stick: ({ spring, slip }) => [[slip], [strictly(spring)]],
+  const slips = { "slip+": (slip) => [[], [strictly(slip)]], "slip-": (slip) => [[], [strictly(minusRow(slip))]], stick: (slip) => [[slip], []], attached: () => [[], []] };
+  const springs = !names.includes("detached") ? () => [] : (spring) => [strictly(spring)];
+  const conditions = (name, { spring, slip }) => {
+    if (name === "detached") return [[], [minusRow(spring)]];
+    const [equal, atLeast] = slips[name](slip);
+    return [equal, [...springs(spring), ...atLeast]];
   };
   const margin = [ZERO, ZERO, ZERO, minus(ONE), ONE];
   function* below(states, equal, atLeast) {
@@ -23,8 +25,8 @@ function* statesOf(grasp) {
     const i = states.length;
     yield i === grasp.length ? { states, motion: found.point().slice(0, 3) } : null;
     if (i === grasp.length) return;
-    for (const name of STATES) {
-      const [more, least] = conditions[name](rows[i]);
+    for (const name of names) {
+      const [more, least] = conditions(name, rows[i]);
       yield* below([...states, name], [...equal, ...more], [...atLeast, ...least]);
     }
   }

@@ -3,7 +3,7 @@
 const state = {
   grasp: [], wrench: [ZERO, ZERO, ZERO], outline: null, chosen: null, turn: ONE, turnChosen: false,
   found: null, choice: 0, leaf: null, motion: null, open: new Map(), searching: null,
-  states: [], pieces: [], mapped: "", mapping: null,
+  states: [], pieces: [], mapped: "", mapping: null, other: "", others: [],
   // The plane of forces, as `plane.js` reads it.
   middle: [0, 0], half: 2, torque: ZERO, factor: ONE, slices: [], overlay: null,
   turnSize() { return this.turn.n ? size(this.turn) : ONE; },
@@ -14,7 +14,7 @@ const state = {
     const told = (motion, words, virtual = false) => ({ motion, virtual, words,
       states: this.grasp.map((contact) => contactAt(contact, motion).state) });
     if (this.motion) return told(this.motion, `Blue: the chosen motion, ${motionWords(this.motion)} (enlarged).`);
-    const leaf = this.fits && !this.found.stable ? this.leaf ?? leavesOf(this.found.tree)[0] : null;
+    const leaf = this.fits && !this.found.stable && !proofHidden() ? this.leaf ?? leavesOf(this.found.tree)[0] : null;
     if (leaf) return told(leaf.motion, `Blue: the virtual motion of the proof, ${motionWords(leaf.motion)} (enlarged).`, true);
     const piece = this.shownPiece();
     return piece?.motion.some((x) => x.n) ? told(piece.motion, `Blue: the motion of this equilibrium (enlarged). Dark arrows: forces on the object.`) : null;
@@ -61,24 +61,29 @@ function chooseTurn() {
   state.turn = reach.length ? ratio(BigInt(Math.max(1, Math.round((64 * Math.min(...reach)) / (data.size || 1) / 2))), 64n) : ONE;
 }
 
-// The states that occur, then the pieces of the plane of forces: when nothing has moved for a while.
+const mapKey = () => `${graspKey()}@${textOf(state.torque)}@${state.other}`;
+
+// The states that occur, then the pieces of the plane of forces, also by the compared method: when
+// nothing has moved for a while.
 function findPieces() {
-  const key = `${graspKey()}@${textOf(state.torque)}`;
+  const key = mapKey();
   if (state.mapped === key) return;
   const sameGrasp = state.mapped.split("@")[0] === graspKey();
   state.mapping?.();
   const wait = setTimeout(() => {
-    const found = [];
     const search = (function* all() {
       if (!sameGrasp) {
         const list = [];
         for (const one of statesOf(state.grasp)) { if (one) list.push(one); yield null; }
         state.states = list;
       }
+      const [found, others] = [[], []];
       for (const piece of piecesOf(state.grasp, state.torque, state.states.map(({ states }) => states))) { found.push(piece); yield null; }
+      if (state.other) for (const piece of piecesBy(state.other, state.grasp, state.torque)) { if (piece) others.push(piece); yield null; }
+      return { pieces: found, others };
     })();
-    state.mapping = inSlices(search, () => {
-      Object.assign(state, { pieces: found, mapped: key, mapping: null });
+    state.mapping = inSlices(search, (found) => {
+      Object.assign(state, { ...found, mapped: key, mapping: null });
       if (!sameGrasp && !dragging()) fitPlane();
       showStep();
       refresh();
