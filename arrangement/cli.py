@@ -76,7 +76,9 @@ def _parser() -> terminal.Parser:
     _add_file(page, needed=False)
     page.add_argument("-o", "--output", metavar="PATH", required=True, help="the page (.html)")
     page.add_argument("--title", metavar="TEXT", help="a heading")
-    page.add_argument("--exercises", metavar="FILE", help="exercises of your own (JSON)")
+    page.add_argument(
+        "--exercises", metavar="FILE", help="JSON with own exercises, in place of the built-in ones"
+    )
     page.set_defaults(command=_lab)
 
     for command in (count, polynomial, faces, bounds, names, make, draw, page):

@@ -14,6 +14,13 @@ function ballPlace(event) {
   return [0, 1, 2].map((k) => u * state.axes[0][k] + v * state.axes[1][k] + w * state.axes[2][k]);
 }
 
+// The grip under the pointer, also below the mark of a crossing: an end, else the chosen line.
+function gripUnder(event) {
+  const under = document.elementsFromPoint(event.clientX, event.clientY).map((e) => e.closest("[data-grip]")).filter(Boolean);
+  const first = under.find((e) => e.matches(".end")) ?? under.find((e) => e.matches(".chosen")) ?? under[0];
+  return first?.dataset.grip ?? null;
+}
+
 // Drags a grip, or what is behind the grips. A second finger is left alone.
 function dragged(view, toPlace, behind) {
   let held = null;
@@ -27,7 +34,7 @@ function dragged(view, toPlace, behind) {
   const followSoon = oncePerFrame(follow);
   view.addEventListener("pointerdown", (event) => {
     if (!event.isPrimary || event.button) return;
-    const name = player.step ? null : event.target.closest("[data-grip]")?.dataset.grip;
+    const name = player.step ? null : gripUnder(event);
     held = { grip: name ? gripOf(name) : null, x: event.clientX, y: event.clientY, moved: false };
     if (held.grip) {
       choose(held.grip.k);
