@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import random
+import re
 from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
@@ -83,12 +84,18 @@ def counted(browser: Browser, listed: Sequence[Arrangement]) -> list[dict[str, A
     return found
 
 
-@pytest.fixture
-def opened(browser: Browser, tmp_path: Path) -> Browser:
-    """Return the browser with the lab of five lines."""
-    path = tmp_path / "lab.html"
+@pytest.fixture(scope="module")
+def page(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """Return the file of the lab of five lines."""
+    path = tmp_path_factory.mktemp("lab") / "lab.html"
     path.write_text(lab_page(), encoding="utf-8")
-    browser.open(path, 1280, 1000)
+    return path
+
+
+@pytest.fixture
+def opened(browser: Browser, page: Path) -> Browser:
+    """Return the browser with that page."""
+    browser.open(page, 1280, 1000)
     browser.settled()
     return browser
 
@@ -287,14 +294,19 @@ def enter(browser: Browser, name: str, text: str) -> None:
     browser.settled()
 
 
-@pytest.mark.parametrize("text", ["1/0", "abc", "", "0x1", "1.5/2", "-"])
-def test_what_is_no_number_is_marked_and_changes_nothing(text: str, opened: Browser) -> None:
+def problem(browser: Browser) -> str:
+    text: str = browser.run("return document.getElementById('problem').textContent")
+    return text
+
+
+def test_what_is_no_number_is_marked_and_changes_nothing(opened: Browser) -> None:
     before = shown(opened)
-    enter(opened, "row-a", text)
     invalid = "return document.querySelectorAll('[aria-invalid=\"true\"]').length"
-    assert opened.run(invalid) == 1
-    assert "3/4" in opened.run("return document.getElementById('problem').textContent")
-    assert shown(opened) == before
+    for text in ["1/0", "abc", "", "0x1", "1.5/2", "-"]:
+        enter(opened, "row-a", text)
+        assert opened.run(invalid) == 1
+        assert "3/4" in problem(opened)
+        assert shown(opened) == before
     enter(opened, "row-a", "-1e-3")
     assert opened.run(invalid) == 0
     assert shown(opened) == Arrangement([["-1/1000", 1, -1], *before.normals[1:]])
@@ -305,13 +317,14 @@ def test_a_normal_of_zeros_is_refused(opened: Browser) -> None:
     before = shown(opened)
     enter(opened, "row-c", "0")
     enter(opened, "row-b", "0")
-    assert "zeros" in opened.run("return document.getElementById('problem').textContent")
+    assert "zeros" in problem(opened)
     assert shown(opened) == Arrangement([[0, 1, 0], *before.normals[1:]])
 
 
-@pytest.mark.parametrize(
-    ("address", "why"),
-    [
+def test_a_wrong_address_is_explained_and_the_page_still_works(
+    browser: Browser, page: Path
+) -> None:
+    for address, why in [
         ("2|3|1,0,0", "version 2"),
         ("1|4|1,0,0", "whole"),
         ("1|3|1,0", "three numbers"),
@@ -319,39 +332,32 @@ def test_a_normal_of_zeros_is_refused(opened: Browser) -> None:
         ("1|2|0,0,1", "zeros"),
         ("1|3|" + ";".join(["1,0,0"] * (MAX_PLANES + 1)), "21 planes"),
         ("%E0%A4%A", "Not taken"),
-    ],
-)
-def test_a_wrong_address_is_explained_and_the_page_still_works(
-    address: str, why: str, opened: Browser, tmp_path: Path
-) -> None:
-    opened.open(f"{(tmp_path / 'lab.html').as_uri()}#{address}")
-    opened.settled()
-    assert why in opened.run("return document.getElementById('problem').textContent")
-    assert fact(opened, "f-vector") == "(1, 20, 40, 22)"
-    assert opened.messages() == []
+    ]:
+        browser.open(f"{page.as_uri()}#{address}")
+        browser.settled()
+        assert why in problem(browser)
+        assert fact(browser, "f-vector") == "(1, 20, 40, 22)"
+        assert browser.messages() == []
 
 
-@pytest.mark.parametrize(
-    ("text", "why"),
-    [
-        ("{", "JSON"),
-        ('{"contacts": []}', "no arrangement"),
-        ('{"schema_version": 1, "planes": [["1", "0", "0", "1"]]}', "two entries"),
-        ('{"schema_version": 1, "planes": [["0.5", 0.5, "0"]]}', "plane 1"),
-        ('{"schema_version": 1, "planes": [["1", "0", "0"]], "offsets": ["1"]}', "origin"),
-    ],
-)
-def test_a_file_that_is_no_arrangement_is_explained(text: str, why: str, opened: Browser) -> None:
+def test_a_file_that_is_no_arrangement_is_explained(opened: Browser) -> None:
     choose = (
         "const files = new DataTransfer(); files.items.add(new File([arguments[0]], 'a.json'));"
         "const box = document.getElementById('file'); box.files = files.files;"
         "box.dispatchEvent(new Event('change'))"
     )
     before = shown(opened)
-    opened.run(choose, text)
-    opened.settled()
-    assert why in opened.run("return document.getElementById('problem').textContent")
-    assert shown(opened) == before
+    for text, why in [
+        ("{", "JSON"),
+        ('{"contacts": []}', "no arrangement"),
+        ('{"schema_version": 1, "planes": [["1", "0", "0", "1"]]}', "two entries"),
+        ('{"schema_version": 1, "planes": [["0.5", 0.5, "0"]]}', "plane 1"),
+        ('{"schema_version": 1, "planes": [["1", "0", "0"]], "offsets": ["1"]}', "origin"),
+    ]:
+        opened.run(choose, text)
+        opened.settled()
+        assert why in problem(opened)
+        assert shown(opened) == before
     lines = read_arrangement("shi-a2-affine")
     opened.run(choose, json.dumps(lines.to_dict()))
     opened.settled()
@@ -444,9 +450,17 @@ def test_its_command_line_repeats_the_counts(
     assert json.loads(capsys.readouterr().out)["f_vector"] == [1, 20, 40, 22]
 
 
-@pytest.mark.parametrize(
-    "planes",
-    [
+def link(planes: Arrangement) -> str:
+    ends = planes.offsets if planes.dimension == 2 else [None] * len(planes)
+    rows = [
+        [*normal, *([] if end is None else [end])]
+        for normal, end in zip(planes.normals, ends, strict=True)
+    ]
+    return f"1|{planes.dimension}|{';'.join(','.join(map(str, row)) for row in rows)}"
+
+
+def test_unusual_arrangements_are_shown(browser: Browser, page: Path) -> None:
+    for planes in (
         made(3, []),
         made(2, []),
         made(3, [[1, 0, 0]]),
@@ -456,33 +470,24 @@ def test_its_command_line_repeats_the_counts(
         made(3, [[0, 0, 1], [1, 0, 0], [0, 1, 0], [1, 1, 1]]),
         made(3, [[10**40, 1, 0], [10**40 + 1, 1, 0], [1, 10**40, 7]]),
         families.generic(MAX_PLANES),
-    ],
-    ids=["none", "no-line", "one", "one-line", "pencil", "parallel", "coordinate", "long", "many"],
-)
-def test_unusual_arrangements_are_shown(
-    planes: Arrangement, browser: Browser, tmp_path: Path
-) -> None:
-    path = tmp_path / "lab.html"
-    path.write_text(lab_page(planes), encoding="utf-8")
-    browser.open(path)
-    assert_right(browser)
-    if len(planes) < MAX_PLANES:
-        browser.run("document.getElementById('add').click()")
-        assert len(shown(browser)) == len(planes) + 1
+    ):
+        browser.open(f"{page.as_uri()}#{link(planes)}")
         assert_right(browser)
-    assert browser.messages() == []
+        if len(planes) < MAX_PLANES:
+            browser.run("document.getElementById('add').click()")
+            assert len(shown(browser)) == len(planes) + 1
+            assert_right(browser)
+        assert browser.messages() == []
 
 
 @pytest.mark.parametrize("width", [390, 1280])
-def test_it_fits_and_needs_nothing_from_outside(
-    width: int, opened: Browser, tmp_path: Path
-) -> None:
-    opened.open(tmp_path / "lab.html", width, 900)
-    opened.settled()
-    assert opened.run("return document.documentElement.scrollWidth") <= width
-    assert opened.messages() == []
-    assert opened.outside() == []
-    assert (tmp_path / "lab.html").stat().st_size < 400_000
+def test_it_fits_and_needs_nothing_from_outside(width: int, browser: Browser, page: Path) -> None:
+    browser.open(page, width, 900)
+    browser.settled()
+    assert browser.run("return document.documentElement.scrollWidth") <= width
+    assert browser.messages() == []
+    assert browser.outside() == []
+    assert page.stat().st_size < 400_000
 
 
 def test_text_of_a_title_stays_text(browser: Browser, tmp_path: Path) -> None:
@@ -500,6 +505,53 @@ def test_the_command_writes_it(tmp_path: Path) -> None:
     assert main(["lab", "reflection-b3", "-o", str(path), "--title", "A"]) == 0
     mirrors = read_arrangement("reflection-b3")
     assert path.read_text(encoding="utf-8") == lab_page(mirrors, title="A")
+
+
+@pytest.mark.parametrize(
+    ("change", "why"),
+    [
+        ({"start": "2|3|1,0,0"}, "exercise 1: start: '2|3|1,0,0' is not what a link"),
+        ({"start": "1|3|1,0"}, "exercise 1: start: plane '1,0' needs three numbers"),
+        ({"start": "1|3|0,0,0"}, "exercise 1: start: .*zero"),
+        ({"goal": {"colour": 3}}, "must be an object with one of: counts, meet, closes"),
+        ({"goal": {"counts": {"colour": 3}}}, "goal counts: .*colour"),
+        ({"goal": {"meet": [[1, 2]]}}, "goal meet: .*three plane numbers"),
+        ({"goal": {"closes": {"meet": [[1, 2, 3]]}}}, 'goal closes: .*"then"'),
+        ({"fixed": ["21"]}, "\"fixed\" has '21'"),
+    ],
+)
+def test_exercises_that_are_none_are_refused(
+    change: dict[str, Any], why: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    path, page = tmp_path / "own.json", tmp_path / "lab.html"
+    own = {"name": "N", "task": "T", "start": "1|3|1,0,0", "goal": {"counts": {"regions": 4}}}
+    path.write_text(json.dumps({"schema_version": 1, "exercises": [own]}))
+    assert main(["lab", "-o", str(page), "--exercises", str(path)]) == 0
+    path.write_text(json.dumps({"schema_version": 1, "exercises": [own | change]}))
+    assert main(["lab", "-o", str(tmp_path / "no.html"), "--exercises", str(path)]) == 2
+    assert re.search(why, capsys.readouterr().err)
+    assert not (tmp_path / "no.html").exists()
+
+
+def test_what_must_stay_must_stay(opened: Browser) -> None:
+    name = "Few ordinary points"
+    k = list(solutions()).index(name)
+    opened.run(
+        f"const box = document.getElementById('exercise'); box.value = '{k}';"
+        "box.dispatchEvent(new Event('change'));"
+        # the same arrangement, but line 1 turned into line 2
+        f"location.hash = {json.dumps(exchanged(solutions()[name]))}"
+    )
+    opened.settled()
+    opened.run("document.getElementById('exercise-check').click()")
+    said = opened.run("return document.getElementById('exercise-said').textContent")
+    assert said.startswith("✗ Not yet. Line 1 must stay")
+
+
+def exchanged(text: str) -> str:
+    head, _, rows = text.rpartition("|")
+    first, second, *others = rows.split(";")
+    return f"{head}|{';'.join([second, first, *others])}"
 
 
 def test_planes_of_other_spaces_are_shown_by_their_essentialisation() -> None:

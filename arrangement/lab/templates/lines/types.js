@@ -1,20 +1,12 @@
 // The name of the combinatorial type, from the census of up to 6 planes: "6.3" is the third type of
 // 6 planes there. Forms are compared, so the census gives names only.
-let named = null;
+const named = {};
 
 function typeOf({ circles }) {
   const number = circles.normals.length;
   if (circles.rank < 3 || !data.census[number]) return null;
-  named ??= namesOfTypes();
-  return named.get(canonicalMap(circles)) ?? null;
-}
-
-function namesOfTypes() {
-  const found = new Map();
-  for (const [number, types] of Object.entries(data.census)) {
-    types.forEach((rows, k) => found.set(canonicalMap(circlesOf(rows.map((row) => row.map(BigInt)))), `${number}.${k + 1}`));
-  }
-  return found;
+  named[number] ??= new Map(data.census[number].map((rows, k) => [canonicalMap(circlesOf(rows.map((row) => row.map(BigInt)))), `${number}.${k + 1}`]));
+  return named[number].get(canonicalMap(circles)) ?? null;
 }
 
 // What the type is called besides.
