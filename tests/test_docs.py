@@ -258,6 +258,7 @@ LIMITS = {
     "Hasse diagram": ("arrangement.draw.lattice:MAX_FLATS",),
     "resisted forces": ("equilibrium.draw.page:MAX_CONTACTS",),
     "slip lab": ("equilibrium.lab.page:MAX_CONTACTS",),
+    "arrangement lab": ("arrangement.lab.lines_input:MAX_PLANES",),
     "is exponential": ("equilibrium.methods.frictionless_slip:MAX_CONTACTS",),
     "by points": ("arrangement.counts.points:MAX_SETS", "arrangement.counts.points:MAX_PAIRS"),
     "combinatorial types": ("arrangement.library.census.catalogue:MOST_PLANES",),

@@ -38,7 +38,7 @@ _OWN = "arrangement.lab"
 _COUNTS = ("circles", "counts", "types", "document")
 _DRAWS = ("words", "charts", "state", "plane_view", "ball_view", "numbers")
 _MOVES = ("moves", "drags", "planes", "goals", "page")
-_SCRIPTS: tuple[Template, ...] = (
+SCRIPTS: tuple[Template, ...] = (
     ("arrangement.draw", "ball.js"),
     *((_OWN, f"lines/{name}.js") for name in (*_COUNTS, *_DRAWS, *_MOVES)),
 )
@@ -77,4 +77,4 @@ def lab_page(
         "exercises": line_exercises(exercises),
     }
     styles: list[Template] = [(_OWN, "lines/page.css")]
-    return lab(data["title"], (_OWN, "lines/page.html"), styles, _SCRIPTS, data)
+    return lab(data["title"], (_OWN, "lines/page.html"), styles, SCRIPTS, data)

@@ -554,6 +554,23 @@ def exchanged(text: str) -> str:
     return f"{head}|{';'.join([second, first, *others])}"
 
 
+def test_a_notebook_shows_it_in_a_frame(browser: Browser, tmp_path: Path) -> None:
+    shown_there = read_arrangement("braid-a3").lab()._repr_html_()
+    path = tmp_path / "notebook.html"
+    path.write_text(f"<!DOCTYPE html><title>N</title>{shown_there}", encoding="utf-8")
+    browser.open(path)
+    browser.driver.switch_to.frame(0)
+    try:
+        assert fact(browser, "type") == "6.3, braid arrangement A₃"
+        browser.run("document.getElementById('add').click()")
+        browser.settled()
+        assert fact(browser, "planes") == "7"
+    finally:
+        browser.driver.switch_to.default_content()
+    assert browser.messages() == []
+    assert browser.outside() == []
+
+
 def test_planes_of_other_spaces_are_shown_by_their_essentialisation() -> None:
     assert '"planes":[["1","0","0"]' in lab_page(read_arrangement("braid-a3-in-r4"))
 

@@ -1,7 +1,9 @@
 // Convex polygons in floats: for pictures.
 // What of a convex polygon is on the side a x + b y + c >= 0.
+/** @type {(corners: number[][], line: number[], tolerance: number) => number[][]} */
 function cut(corners, [a, b, c], tolerance) {
   const length = Math.hypot(a, b);
+  /** @type {(p: number[]) => number} */
   const height = ([x, y]) => (length ? (a * x + b * y + c) / length : c);
   const least = length ? -tolerance : -1e-12;
   const found = [];
@@ -17,4 +19,5 @@ function cut(corners, [a, b, c], tolerance) {
   return found;
 }
 
+/** @type {(points: number[][]) => string} */
 const pathOf = (points) => `M${points.map((p) => p.map(fixed).join(",")).join("L")}`;

@@ -39,6 +39,7 @@ function barycentric() {
 }
 
 // A direction that floats hold, however long the integers are.
+/** @type {(v: bigint[]) => number[]} */
 function floats(v) {
   const most = v.reduce((m, x) => (x < 0n ? (-x > m ? -x : m) : x > m ? x : m), 1n);
   return v.map((x) => near(ratio(x, most)));
@@ -47,7 +48,9 @@ function floats(v) {
 const chartOf = () => CHARTS[state.dimension === 2 ? "z" : state.chart];
 const times3 = (matrix, v) => matrix.map((row) => row[0] * v[0] + row[1] * v[1] + row[2] * v[2]);
 // (X, Y, W) of a point; the line (m0, m1, m2) has m0 X + m1 Y + m2 W = 0.
+/** @type {(ray: bigint[]) => number[]} */
 const charted = (ray) => times3(chartOf().matrix, floats(ray));
+/** @type {(normal: bigint[]) => number[]} */
 function lineIn(normal) {
   const { inverse } = chartOf();
   const n = floats(normal);
@@ -55,6 +58,7 @@ function lineIn(normal) {
 }
 
 const scaleOf = () => SIZE / state.half;
+/** @type {(place: number[]) => number[]} */
 const onPaper = ([X, Y]) => [(X - state.middle[0]) * scaleOf(), -(Y - state.middle[1]) * scaleOf()];
 // The sides of the picture in coordinates of the chart, a share of the whole.
 function frame(share = 1) {
@@ -63,6 +67,7 @@ function frame(share = 1) {
 }
 
 // Both ends of the part of a line that is seen; null if none is.
+/** @type {(line: number[], frame: { low: number[], high: number[] }) => number[][] | null} */
 function seenPart([a, b, c], { low, high }) {
   const length = Math.hypot(a, b);
   if (length < 1e-12) return null;
@@ -101,6 +106,7 @@ function fitPlane() {
 }
 
 // An exact point of a line near a place of the chart.
+/** @type {(normal: bigint[], place: number[]) => bigint[]} */
 function onLine(normal, [X, Y]) {
   const chart = chartOf();
   const [a, b] = lineIn(normal);

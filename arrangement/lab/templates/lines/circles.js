@@ -1,11 +1,24 @@
 // Planes through the origin of R^3 as great circles: crossings, arcs and regions, all by the signs
 // of integer determinants.
 
+/** @typedef {{ ray: bigint[], signs: number[], on: number[] }} Crossing */
+/** @typedef {{ circle: number, from: number, to: number, left: number, right: number }} Arc */
+/** @typedef {{ key: string, id: number, opposite: number, darts: number[], corners: number[] }} Region */
+/**
+ * Crossings stand for two opposite points each; `curves` and `dual` are kept by the views.
+ * @typedef {{ normals: bigint[][], crossings: Crossing[], arcs: Arc[], regions: Region[], rank: number,
+ *   curves?: { shape: object, list: number[][][] }, dual?: any }} Circles
+ */
+
+/** @type {(a: bigint[], b: bigint[]) => bigint[]} */
 const crossOf = (a, b) => [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
+/** @type {(x: bigint) => number} */
 const signOf = (x) => (x > 0n ? 1 : x < 0n ? -1 : 0);
+/** @type {(v: bigint[]) => bigint[]} */
 const opposite = (v) => v.map((x) => -x);
 
 // The primitive multiple whose first entry other than 0 is positive: equal for planes that coincide.
+/** @type {(v: bigint[]) => bigint[]} */
 function unoriented(v) {
   const p = primitive(v);
   return p.find((x) => x) > 0n ? p : opposite(p);
@@ -13,6 +26,7 @@ function unoriented(v) {
 
 // Points of the sphere on two circles or more: a ray for each pair of opposite ones, with all
 // circles through it, and its side of every circle.
+/** @type {(normals: bigint[][]) => Crossing[]} */
 function crossingsOf(normals) {
   const found = new Map();
   normals.forEach((n, i) => {
@@ -30,6 +44,7 @@ function crossingsOf(normals) {
 
 // The crossings on circle i, counter-clockwise about its normal: points of the first half circle,
 // then their opposites. Point p is ray p, point p + number the ray opposite.
+/** @type {(normal: bigint[], crossings: Crossing[], i: number) => number[]} */
 function ringOf(normal, crossings, i) {
   const number = crossings.length;
   const [first, ...others] = [...crossings.keys()].filter((p) => !crossings[p].signs[i]);
@@ -44,15 +59,18 @@ function ringOf(normal, crossings, i) {
 
 // All cells that circles make on the sphere. Arc e has darts 2e, along its circle with the region
 // where the circle is positive on the left, and 2e + 1 back.
+/** @type {(normals: bigint[][]) => Circles} */
 function circlesOf(normals) {
   const crossings = crossingsOf(normals);
   const number = crossings.length;
   const signsAt = (p) => (p < number ? crossings[p].signs : crossings[p - number].signs.map((s) => -s || 0));
+  /** @type {Arc[]} */
   const arcs = [];
+  /** @type {Map<string, Region>} */
   const regions = new Map();
   const regionOf = (signs) => {
     const key = signs.map((s) => (s > 0 ? "+" : "-")).join("");
-    if (!regions.has(key)) regions.set(key, { key, darts: [], id: regions.size });
+    if (!regions.has(key)) regions.set(key, { key, darts: [], id: regions.size, opposite: 0, corners: [] });
     return regions.get(key);
   };
   normals.forEach((n, i) => {
@@ -97,6 +115,7 @@ function orderDarts({ arcs }, region) {
 
 // A text that is equal exactly for circles of one combinatorial type, up to the order of planes,
 // their sides and a mirror: of all ways to number the darts by walking over the map, the least.
+/** @type {(circles: Circles) => string} */
 function canonicalMap({ arcs, regions }) {
   const next = [];
   const before = [];
@@ -118,6 +137,7 @@ function canonicalMap({ arcs, regions }) {
 }
 
 // The numbers of the darts that a walk meets; null as soon as they exceed the best.
+/** @type {(turn: number[], start: number, best: number[] | null) => number[] | null} */
 function walk(turn, start, best) {
   const names = new Int16Array(turn.length).fill(-1);
   const order = [start];

@@ -3,6 +3,10 @@
 
 // Planes through the origin of R^3, those that coincide together. Lines of the plane are half of
 // what they and the line at infinity, which comes last, make on the sphere.
+/** @typedef {{ dimension: number, rows: Row[] }} Rows */
+/** @typedef {{ dimension: number, normals: bigint[][], infinity: number | null, circles: Circles, members: number[][] }} Lines */
+
+/** @type {(rows: Rows) => Lines} */
 function arrangementOf({ dimension, rows }) {
   const classes = new Map();
   const put = (normal, i) => {
@@ -23,6 +27,7 @@ function arrangementOf({ dimension, rows }) {
 }
 
 // What lies in the plane, of what lies on the sphere: all, or what is positive at infinity.
+/** @type {(lines: Lines) => { points: Crossing[], arcs: Arc[], regions: Region[] }} */
 function facesOf({ circles, infinity }) {
   const { crossings, arcs, regions } = circles;
   if (infinity === null) {
@@ -41,6 +46,7 @@ function rankOfArrangement({ circles, infinity }) {
   return circles.crossings.filter(({ signs }) => !signs[infinity]).length > 1 ? 2 : Math.min(1, circles.normals.length - 1);
 }
 
+/** @type {(lines: Lines) => any} */
 function countsOf(arrangement) {
   const { circles, dimension, infinity, members } = arrangement;
   const { points, arcs, regions } = facesOf(arrangement);
@@ -48,8 +54,8 @@ function countsOf(arrangement) {
   const rank = rankOfArrangement(arrangement);
   const flats = infinity === null ? circles.crossings : points;
   const mu = flats.reduce((sum, { on }) => sum + on.length - 1, 0);
-  const walls = regions.map(({ darts, id }) => (circles.arcs.length
-    ? darts.map((dart) => circles.arcs[dart >> 1].circle).filter((i) => i !== infinity) : wallsAlone(arrangement, id)));
+  const walls = regions.map(({ darts }) => (circles.arcs.length
+    ? darts.map((dart) => circles.arcs[dart >> 1].circle).filter((i) => i !== infinity) : wallsAlone(arrangement)));
   const corners = (region) => (infinity === null ? region.corners
     : region.corners.filter((p) => circles.crossings[p % circles.crossings.length].signs[infinity]));
   const bounded = regions.filter((region) => infinity !== null && circles.rank === 3 && corners(region).length === region.corners.length);
@@ -83,6 +89,7 @@ function polynomial({ rank, normals }, mu) {
 }
 
 // How often each number occurs.
+/** @type {(numbers: number[]) => Record<string, number>} */
 function tally(numbers) {
   const found = {};
   for (const x of numbers) found[x] = (found[x] ?? 0) + 1;
@@ -98,6 +105,7 @@ function isSimple({ dimension, normals, circles, infinity }, distinct, flats) {
   return !parallel && (central || flats.every(({ on }) => on.length === 2));
 }
 
+/** @type {(normals: bigint[][], dimension: number, rank: number) => boolean} */
 function isIndependent(normals, dimension, rank) {
   if (normals.length > rank) return false;
   const [a, b, c] = normals.map((n) => (dimension === 2 ? [n[0], n[1], 0n] : n));

@@ -16,7 +16,7 @@ function ballPlace(event) {
 
 // The grip under the pointer, also below the mark of a crossing: an end, else the chosen line.
 function gripUnder(event) {
-  const under = document.elementsFromPoint(event.clientX, event.clientY).map((e) => e.closest("[data-grip]")).filter(Boolean);
+  const under = document.elementsFromPoint(event.clientX, event.clientY).map((e) => /** @type {HTMLElement} */ (e.closest("[data-grip]"))).filter(Boolean);
   const first = under.find((e) => e.matches(".end")) ?? under.find((e) => e.matches(".chosen")) ?? under[0];
   return first?.dataset.grip ?? null;
 }

@@ -9,7 +9,11 @@ function targetsWithout(i) {
   return crossingsOf(others).map(({ ray }) => ray);
 }
 
+/** @type {(targets: bigint[][], distance: (ray: bigint[]) => number) => { ray: bigint[], gap: number } | undefined} */
+const nearest = (targets, distance) => targets.map((ray) => ({ ray, gap: distance(ray) })).sort((a, b) => a.gap - b.gap)[0];
+
 // The exact point for a place of the chart: a crossing nearby, else a point of the grid.
+/** @type {(place: number[], targets: bigint[][]) => bigint[]} */
 function snapped([X, Y], targets) {
   if (at("magnet").checked) {
     const limit = 7 / scaleOf();
@@ -17,13 +21,14 @@ function snapped([X, Y], targets) {
       const [x, y, w] = charted(ray);
       return Math.abs(w) < 1e-9 ? Infinity : Math.hypot(x / w - X, y / w - Y);
     };
-    const best = targets.map((ray) => [distance(ray), ray]).sort((a, b) => a[0] - b[0])[0];
-    if (best && best[0] < limit) return facing(best[1]);
+    const best = nearest(targets, distance);
+    if (best?.gap < limit) return facing(best.ray);
   }
   return facing(primitive(chartOf().snap(X, Y, gridSteps())));
 }
 
 // The plane through two points, on the same side of things as before; null if they coincide.
+/** @type {(p: bigint[], q: bigint[], before: bigint[]) => bigint[] | null} */
 function through(p, q, before) {
   const normal = primitive(crossOf(p, q));
   if (!normal.some((x) => x)) return null;
@@ -39,10 +44,11 @@ function shifted(before, point) {
 
 // A circle that is dragged on the ball tilts about what is a quarter turn away. It goes through a
 // crossing exactly; elsewhere its normal is rounded, so that numbers stay short.
+/** @type {(before: bigint[], direction: number[], targets: bigint[][]) => bigint[] | null} */
 function tilted(before, direction, targets) {
-  const nearest = targets.map((ray) => [Math.hypot(...cross(ballPoint(ray), direction)), ray]).sort((a, b) => a[0] - b[0])[0];
-  if (at("magnet").checked && nearest?.[0] < 0.06) {
-    const [, ray] = nearest;
+  const best = nearest(targets, (ray) => Math.hypot(...cross(ballPoint(ray), direction)));
+  if (at("magnet").checked && best?.gap < 0.06) {
+    const { ray } = best;
     const [square, own] = [dotOf(ray, ray), dotOf(ray, before)];
     const normal = before.map((x, k) => x * square - ray[k] * own);
     return normal.some((x) => x) ? primitive(normal) : null;

@@ -1,6 +1,6 @@
 // The page of lines and great circles: how it begins, and how it is drawn anew.
 const refresh = oncePerFrame(() => {
-  const focus = document.activeElement?.closest?.("svg [data-grip]")?.dataset.grip;
+  const focus = /** @type {HTMLElement} */ (document.activeElement?.closest("svg [data-grip]"))?.dataset.grip;
   state.labels = [];
   paintPlane();
   paintBall();
@@ -8,7 +8,7 @@ const refresh = oncePerFrame(() => {
   describe();
   writeFields();
   markAll();
-  if (focus) document.querySelector(`[data-grip="${CSS.escape(focus)}"]`)?.focus();
+  if (focus) /** @type {HTMLElement} */ (document.querySelector(`[data-grip="${CSS.escape(focus)}"]`))?.focus();
 });
 
 // The chart in which the fewest crossings lie at infinity, and no line does.
@@ -87,7 +87,7 @@ function begin() {
   changed();
 }
 
-window.lab = {
+/** @type {any} */ (window).lab = {
   count: (document) => {
     const { rows, dimension } = readArrangement(document);
     const found = summary(rows, dimension);

@@ -49,14 +49,19 @@ function paintLine(view, { circles, infinity, members }, i) {
 const names = (members) => members.map((k) => k + 1).join(",");
 
 // Beside the end that is further from the labels written so far.
-function labelPlace(ends) {
-  const [p, q] = ends;
+/** @type {(ends: number[][]) => number[]} */
+function labelPlace([p, q]) {
   const length = Math.hypot(q[0] - p[0], q[1] - p[1]) || 1;
   const [u, v] = [(q[0] - p[0]) / length, (q[1] - p[1]) / length];
-  const places = [[p, 1], [q, -1]].map(([end, way]) => [end[0] + way * 7 * u - 5 * v, end[1] + way * 7 * v + 5 * u])
-    .map(([x, y]) => [Math.min(122, Math.max(-122, x)), Math.min(102, Math.max(-102, y))]);
+  /** @type {(end: number[], way: number) => number[]} */
+  const beside = (end, way) => {
+    const [x, y] = [end[0] + way * 7 * u - 5 * v, end[1] + way * 7 * v + 5 * u];
+    return [Math.min(122, Math.max(-122, x)), Math.min(102, Math.max(-102, y))];
+  };
+  /** @type {(place: number[]) => number} */
   const room = ([x, y]) => Math.min(99, ...state.labels.map(([a, b]) => Math.hypot(a - x, b - y)));
-  const place = room(places[0]) >= room(places[1]) ? places[0] : places[1];
+  const [first, second] = [beside(p, 1), beside(q, -1)];
+  const place = room(first) >= room(second) ? first : second;
   state.labels.push(place);
   return place;
 }
@@ -69,6 +74,7 @@ function paintCrossing(view, { circles, infinity }, p) {
 }
 
 // A dot; from three lines on, larger and with their number.
+/** @type {(view: Element, place: number[], number: number, p: number) => void} */
 function paintMark(view, [x, y], number, p) {
   const group = draw("g", { class: "crossing", "data-mark": `point-${p}` }, view);
   draw("circle", { cx: fixed(x), cy: fixed(y), r: number > 2 ? 5 : 2.4 }, group);
@@ -89,6 +95,7 @@ function paintEnds(view, { circles, infinity, members }, i) {
 }
 
 // The grips of a line: those it was dragged by, as long as they are on it and in sight.
+/** @type {(normal: bigint[]) => bigint[][] | null} */
 function endsOf(normal) {
   const { low, high } = frame(0.98);
   const kept = state.ends.get(unoriented(normal).join());
@@ -100,16 +107,18 @@ function endsOf(normal) {
   const part = seenPart(lineIn(normal), frame(0.9));
   if (!part) return null;
   const ends = [0, 1].map((end) => apart(normal, part[end], part[1 - end]));
-  if (!ends.every((end) => weight(end)) || !crossOf(...ends).some((x) => x)) return null;
+  if (!ends.every((end) => weight(end)) || !crossOf(ends[0], ends[1]).some((x) => x)) return null;
   rememberEnds(normal, ends);
   return ends;
 }
 
 // An exact point of a line near the end of what is seen, away from crossings and other grips.
+/** @type {(normal: bigint[], from: number[], to: number[]) => bigint[]} */
 function apart(normal, from, to) {
   const { crossings, normals } = shown().arrangement.circles;
   const others = normals.flatMap((n) => state.ends.get(unoriented(n).join()) ?? []);
   const own = [...crossings.map(({ ray }) => ray), ...others].map(charted).map(([x, y, w]) => [x / w, y / w]);
+  /** @type {(share: number) => [number, number[]]} */
   const room = (share) => {
     const p = [0, 1].map((k) => from[k] + share * (to[k] - from[k]));
     return [Math.min(12 / scaleOf(), ...own.map(([x, y]) => Math.hypot(x - p[0], y - p[1]))), p];

@@ -11,7 +11,7 @@ function writeFields() {
   at("editor-title").textContent = flat ? "Lines a x + b y = c" : "Planes a x + b y + c z = 0, lines of the projective plane";
   const wanted = `${state.rows.length}/${state.chosen}`;
   if (tabs.dataset.shown !== wanted) {
-    const held = document.activeElement?.dataset?.tab;
+    const held = /** @type {HTMLElement} */ (document.activeElement)?.dataset?.tab;
     tabs.dataset.shown = wanted;
     tabs.replaceChildren();
     state.rows.forEach((_, k) => {
