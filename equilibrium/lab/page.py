@@ -49,17 +49,8 @@ _OWN, _DRAW = "equilibrium.lab", "equilibrium.draw"
 #: What decides: it knows nothing of pages.
 _DECIDES = ("law", "model", "check", "solve", "motions", "forces", "methods")
 _DRAWS = ("resisted", "sketch", "plane")
-_SHOWS = (
-    "state",
-    "grasp_view",
-    "motion_view",
-    "map_view",
-    "answer",
-    "steps",
-    "fields",
-    "controls",
-    "judge",
-)
+_VIEWS = ("grasp_view", "motion_view", "map_view", "answer", "steps")
+_SHOWS = ("state", *_VIEWS, "fields", "controls", "judge", "lab")
 _SCRIPTS: tuple[Template, ...] = (
     *((_DRAW, f"{name}.js") for name in _DRAWS),
     *((_OWN, f"{name}.js") for name in (*_DECIDES, *_SHOWS)),
