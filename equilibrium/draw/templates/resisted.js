@@ -83,8 +83,10 @@ function slice(piece, torque, factor, box) {
 }
 
 // What of a convex polygon is on the side a x + b y + c >= 0.
+/** @type {(corners: number[][], row: number[], tolerance: number) => number[][]} */
 function cut(corners, [a, b, c], tolerance) {
   const length = Math.hypot(a, b);
+  /** @type {(p: number[]) => number} */
   const height = ([x, y]) => (length ? (a * x + b * y + c) / length : c);
   const least = length ? -tolerance : -1e-12;
   const found = [];
@@ -101,8 +103,10 @@ function cut(corners, [a, b, c], tolerance) {
 }
 
 // Where a line meets a convex polygon: two ends, or one.
+/** @type {(corners: number[][], row: number[]) => number[][]} */
 function onLine(corners, [a, b, c]) {
   const length = Math.hypot(a, b);
+  /** @type {(p: number[]) => number} */
   const height = ([x, y]) => (a * x + b * y + c) / length;
   const found = [];
   corners.forEach((p, i) => {
