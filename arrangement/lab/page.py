@@ -8,10 +8,10 @@ from typing import Any
 from arrangement.draw.html_page import BASE_SCRIPT, BASE_STYLE, POLYGON, Template, one_page
 
 _OWN = "arrangement.lab"
-#: Exact rationals, and exact linear algebra; both know nothing of pages.
+#: Exact rationals, and exact linear algebra: they need no page.
 RATIONAL: Template = (_OWN, "rational.js")
 LINEAR: Template = (_OWN, "linear.js")
-_SHARED: tuple[Template, ...] = (
+SHARED: tuple[Template, ...] = (
     POLYGON,
     RATIONAL,
     LINEAR,
@@ -35,4 +35,4 @@ def lab(
         data: what the script finds, as for `one_page`; ``exercises`` lists the exercises.
     """
     common: list[Template] = [BASE_STYLE, (_OWN, "lab.css")]
-    return one_page(title, body, [*common, *styles], [BASE_SCRIPT, *_SHARED, *scripts], data)
+    return one_page(title, body, [*common, *styles], [BASE_SCRIPT, *SHARED, *scripts], data)

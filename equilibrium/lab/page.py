@@ -46,23 +46,18 @@ _EXAMPLES: tuple[tuple[str, str, tuple[int | str, ...]], ...] = (
     ("Opposed contacts without friction", "frictionless-opposed-contacts", (0, -1, 0)),
 )
 _OWN, _DRAW = "equilibrium.lab", "equilibrium.draw"
-#: What decides: it knows nothing of pages.
 _DECIDES = ("law", "model", "check", "solve", "motions", "forces", "methods")
-_DRAWS = ("resisted", "sketch", "plane")
-_SHOWS = (
-    "state",
-    "grasp_view",
-    "motion_view",
-    "map_view",
-    "answer",
-    "steps",
-    "fields",
-    "controls",
-    "judge",
+#: What decides: it needs no page.
+DECIDES: tuple[Template, ...] = (
+    (_DRAW, "resisted.js"),
+    *((_OWN, f"{name}.js") for name in _DECIDES),
 )
-_SCRIPTS: tuple[Template, ...] = (
-    *((_DRAW, f"{name}.js") for name in _DRAWS),
-    *((_OWN, f"{name}.js") for name in (*_DECIDES, *_SHOWS)),
+_VIEWS = ("grasp_view", "motion_view", "map_view", "answer", "steps")
+_SHOWS = ("state", *_VIEWS, "fields", "controls", "judge", "lab")
+SCRIPTS: tuple[Template, ...] = (
+    *DECIDES,
+    *((_DRAW, f"{name}.js") for name in ("sketch", "plane")),
+    *((_OWN, f"{name}.js") for name in _SHOWS),
 )
 
 
@@ -107,7 +102,7 @@ def lab_page(
         "exercises": slip_exercises(exercises),
     }
     styles: list[Template] = [(_DRAW, "sketch.css"), (_OWN, "lab.css")]
-    return lab(heading, (_OWN, "lab.html"), styles, _SCRIPTS, data)
+    return lab(heading, (_OWN, "lab.html"), styles, SCRIPTS, data)
 
 
 def _question(grasp: Grasp, wrench: Any) -> dict[str, Any]:

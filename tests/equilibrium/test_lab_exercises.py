@@ -39,7 +39,7 @@ SOLVED = {
     "Three planes through a line": lambda _: [
         "1|-1,1,0,1,1/2,1,1;0,-1,0,1,1/2,1,1;1,0,0,1,1/2,1,1|0,1,0"
     ],
-    "Without friction": lambda _: ["1|" + SQUARE.format("-1,-1/2", "1/2,-1", "1,1/2", "-1/2,1")],
+    "Without friction": lambda _: ["1|" + SQUARE.format("-1,1/2", "-1/2,-1", "1,-1/2", "1/2,1")],
 }
 REFUSED = {
     "Hold by squeezing": lambda start: [
@@ -77,6 +77,7 @@ REFUSED = {
     "Three planes through a line": lambda start: [(start, "8 regions")],
     "Without friction": lambda start: [
         (start, "does not resist"),
+        ("1|" + SQUARE.format("-1,-1/2", "1/2,-1", "1,1/2", "-1/2,1"), "does not resist"),
         (start.replace("1,0,0,1,1;", "1,0,1,1,1;", 1), "friction"),
     ],
 }

@@ -49,7 +49,7 @@ function svgText(view) {
 // the address; open-file gives the text of a chosen file to `open`.
 function listenToKeep(open) {
   at("copy-link").addEventListener("click", () => copy(`${location.href.split("#")[0]}#${snapshot()}`));
-  document.querySelectorAll("[data-svg]").forEach((button) => button.addEventListener("click", () => {
+  document.querySelectorAll("[data-svg]").forEach((/** @type {HTMLElement} */ button) => button.addEventListener("click", () => {
     download(button.dataset.name, "image/svg+xml", svgText(at(button.dataset.svg)));
   }));
   at("open-file").addEventListener("click", () => at("file").click());

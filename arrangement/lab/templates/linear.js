@@ -1,5 +1,6 @@
 // Exact linear systems in integers: a dictionary of rows over free columns, and cones by generators.
 // Rationals as integers over one positive scale: row = integers / scale.
+/** @type {(row: Row) => { scale: bigint, row: bigint[] }} */
 function integers(row) {
   let scale = 1n;
   for (const x of row) scale *= x.d / gcdOf(scale, x.d);
@@ -7,17 +8,25 @@ function integers(row) {
 }
 
 // An integer vector without its common divisor.
+/** @type {(vector: bigint[]) => bigint[]} */
 function primitive(vector) {
   const common = vector.reduce(gcdOf, 0n);
   return common > 1n ? vector.map((x) => x / common) : vector;
 }
 
+/** @type {(a: bigint[], b: bigint[]) => bigint} */
 const dotOf = (a, b) => a.reduce((sum, x, i) => sum + x * b[i], 0n);
 
 // The system { equal rows = 0, atLeast rows >= 0 } in n free unknowns; a row has its constant last.
 // Each row is a variable: basic ones are written over the columns, x_i = (sum t_ij x_j + t_in) / det,
 // and a pivot exchanges two. All entries are integers (minors), so every division is exact.
 class Dictionary {
+  /**
+   * @param {number} n
+   * @param {Row[]} equal
+   * @param {Row[]} atLeast
+   * @param {Row[]} watched
+   */
   constructor(n, equal, atLeast, watched = []) {
     const rows = [...equal, ...atLeast, ...watched].map(integers);
     this.n = n;
@@ -85,6 +94,7 @@ class Dictionary {
     return found;
   }
 
+  /** @type {(r: number, sign: bigint) => false} */
   refute(r, sign) {
     const y = this.scales.map(() => ZERO);
     const put = (label, value) => { if (label >= this.n) y[label - this.n] = times(value, ratio(this.scales[label - this.n])); };
@@ -105,6 +115,7 @@ class Dictionary {
   get single() { return this.columns.every((label) => this.isFixed(label)); }
 
   // The largest (way 1n) or least (-1n) value of a watched row over the solutions; null: no end.
+  /** @type {(k: number, way: bigint) => Rational | null} */
   extreme(k, way) {
     const { t, n, basic } = this;
     const goal = t[basic.indexOf(this.firstWatched + k)];
@@ -125,8 +136,10 @@ class Dictionary {
 }
 
 // Lines and rays that generate { x : row . x >= 0, equal . x = 0 } (double description).
+/** @type {(n: number, atLeast: bigint[][], equal?: bigint[][]) => { lines: bigint[][], rays: bigint[][] }} */
 function generators(n, atLeast, equal = []) {
   let lines = Array.from({ length: n }, (_, i) => Array.from({ length: n }, (_, j) => BigInt(i === j)));
+  /** @type {{ v: bigint[], zeros: bigint }[]} */
   let rays = [];
   let bit = 1n;
   const against = (row, keep) => {

@@ -21,6 +21,6 @@ function linkViews(names, follow = () => {}) {
 function highlight(also = []) {
   for (const name of Object.keys(lit)) {
     const values = [lit[name], ...also.filter(([other]) => other === name).map(([, value]) => value)];
-    document.querySelectorAll(`[data-${name}]`).forEach((e) => e.classList.toggle("lit", values.includes(e.dataset[name])));
+    document.querySelectorAll(`[data-${name}]`).forEach((/** @type {HTMLElement} */ e) => e.classList.toggle("lit", values.includes(e.dataset[name])));
   }
 }

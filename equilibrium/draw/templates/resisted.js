@@ -83,8 +83,10 @@ function slice(piece, torque, factor, box) {
 }
 
 // Where a line meets a convex polygon: two ends, or one.
+/** @type {(corners: number[][], row: number[]) => number[][]} */
 function onLine(corners, [a, b, c]) {
   const length = Math.hypot(a, b);
+  /** @type {(p: number[]) => number} */
   const height = ([x, y]) => (a * x + b * y + c) / length;
   const found = [];
   corners.forEach((p, i) => {

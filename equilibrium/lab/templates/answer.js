@@ -43,19 +43,20 @@ function describeEquilibrium(box) {
     make("td", {}, row, SIGNS[what]);
     for (const k of [0, 1]) {
       const range = piece.ranges?.[3 + 2 * i + k];
-      if (range && !(range[0] && range[1] && same(...range))) make("td", { class: "exact" }, row, rangeText(range));
+      if (range && !isPoint(range)) make("td", { class: "exact" }, row, rangeText(range));
       else cellOf(row, piece.forces[i][k]);
     }
   });
   make("p", {}, box, piece.motion.some((x) => x.n) ? `Motion d = ${vectorText(piece.motion)}: ${motionWords(piece.motion)}.`
     : "Motion d = 0: the object rests where it is.");
-  const loose = (piece.ranges ?? []).slice(0, 3).flatMap((range, k) => (range[0] && range[1] && same(...range) ? [] : [`${"xyr"[k]} in ${rangeText(range)}`]));
+  const loose = (piece.ranges ?? []).slice(0, 3).flatMap((range, k) => (isPoint(range) ? [] : [`${"xyr"[k]} in ${rangeText(range)}`]));
   if (loose.length) make("p", {}, box, `All of them: ${loose.join(", ")}.`);
   make("p", { class: "hint" }, box, piece.ranges
     ? "These states allow many solutions: a bracket gives the exact least and largest value, and the pictures show one of them."
     : "Forces on the object at each contact; with these states there is no other solution.");
 }
 
+const isPoint = ([low, high]) => low && high && same(low, high);
 const rangeText = ([low, high]) => `${low ? `[${shortText(low)}` : "(−∞"}, ${high ? `${shortText(high)}]` : "∞)"}`;
 
 function motionWords([x, y, r]) {

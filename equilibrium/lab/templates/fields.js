@@ -9,7 +9,7 @@ function writeFields() {
   const list = [...state.grasp.keys()];
   const wanted = `${list.length}/${state.chosen}`;
   if (tabs.dataset.shown !== wanted) {
-    const held = document.activeElement?.dataset?.tab;
+    const held = /** @type {HTMLElement} */ (document.activeElement)?.dataset?.tab;
     tabs.dataset.shown = wanted;
     tabs.replaceChildren();
     for (const i of list) {

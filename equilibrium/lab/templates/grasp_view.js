@@ -57,7 +57,7 @@ function outlineOf(contacts) {
   const convex = stops.every((a) => stops.every((b) => a.normal[0] * (b.place[0] - a.place[0]) + a.normal[1] * (b.place[1] - a.place[1]) > -1e-9));
   const along = ({ normal }) => [normal[1], -normal[0]];
   const middle = [0, 1].map((k) => stops.reduce((sum, c) => sum + c.place[k], 0) / stops.length);
-  const angle = (c) => (convex ? Math.atan2(...along(c).toReversed()) : Math.atan2(c.place[1] - middle[1], c.place[0] - middle[0]));
+  const angle = (c) => (convex ? Math.atan2(along(c)[1], along(c)[0]) : Math.atan2(c.place[1] - middle[1], c.place[0] - middle[0]));
   const steps = (c) => c.place[0] * along(c)[0] + c.place[1] * along(c)[1];
   const sorted = stops.toSorted((a, b) => (Math.abs(angle(a) - angle(b)) > 1e-9 ? angle(a) - angle(b) : steps(a) - steps(b)));
   return sorted.flatMap((a, i) => {
@@ -90,7 +90,7 @@ const torqueUnit = () => {
 function paintGrasp() {
   frameGrasp();
   const view = at("grasp");
-  const held = document.activeElement?.dataset?.grip;
+  const held = /** @type {HTMLElement} */ (document.activeElement)?.dataset?.grip;
   view.replaceChildren();
   if (at("regions").checked) paintRegions(draw("g", {}, view));
   if (data.outline) paintBody(view);

@@ -4,14 +4,17 @@ const DISC = { 1: [-107, 0], [-1]: [107, 0] };
 const RADIUS = 96;
 
 // A ray (x, y, h) of a slice as a direction in which the third axis is the object's middle.
+/** @type {(ray: number[], way: number) => number[]} */
 function directionOf([x, y, h], way) {
   const v = [-way * y - data.centre[0] * h, way * x - data.centre[1] * h, 1.2 * data.size * h];
   const length = Math.hypot(...v) || 1;
   return v.map((c) => c / length);
 }
 
+/** @type {(v: number[], way: number) => number[]} */
 const onDisc = (v, way) => [DISC[way][0] + RADIUS * v[0], DISC[way][1] - RADIUS * v[1]];
 // The ray of a slice at a place of its disc; null outside.
+/** @type {(point: number[], way: number) => number[] | null} */
 function rayAt([px, py], way) {
   const [u, v] = [(px - DISC[way][0]) / RADIUS, (DISC[way][1] - py) / RADIUS];
   const w = Math.sqrt(1 - u * u - v * v);
@@ -30,6 +33,7 @@ function arcOf(a, b) {
   });
 }
 
+/** @type {(ray: bigint[]) => number[]} */
 const floatRay = (ray) => {
   const most = ray.reduce((m, x) => (x < 0n ? (-x > m ? -x : m) : x > m ? x : m), 1n);
   return ray.map((x) => near(ratio(x, most)));
@@ -165,6 +169,7 @@ function paintRegions(view) {
   }
 }
 
+/** @type {(corners: number[][], row: number[]) => number[][]} */
 function cutFloats(corners, row) {
   const height = (v) => row[0] * v[0] + row[1] * v[1] + row[2] * v[2];
   return corners.flatMap((v, i) => {

@@ -89,6 +89,7 @@ function clipped(corners, row) {
 }
 
 // The distinct central planes T . d = 0 with the contacts of each, in order of appearance.
+/** @type {(grasp: any[]) => { row: bigint[], contacts: number[] }[]} */
 function slipPlanes(grasp) {
   const found = new Map();
   grasp.forEach((contact, i) => {
@@ -102,7 +103,8 @@ function slipPlanes(grasp) {
   return [...found.values()];
 }
 
-// Counts of the arrangement of central planes: regions, their common facets, rays; and its rank.
+// Counts of the arrangement of central planes: regions, their common facets, rays.
+/** @type {(planes: { row: bigint[] }[]) => { regions: number, facets: number, rays: number }} */
 function countsOf(planes) {
   const cells = partsOf(planes.map(({ row }) => row));
   const signs = (v) => planes.map(({ row }) => (dotOf(row, v) > 0n ? "+" : "-")).join("");
