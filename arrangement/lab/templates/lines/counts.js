@@ -56,9 +56,7 @@ function countsOf(arrangement) {
   const mu = flats.reduce((sum, { on }) => sum + on.length - 1, 0);
   const walls = regions.map(({ darts }) => (circles.arcs.length
     ? darts.map((dart) => circles.arcs[dart >> 1].circle).filter((i) => i !== infinity) : wallsAlone(arrangement)));
-  const corners = (region) => (infinity === null ? region.corners
-    : region.corners.filter((p) => circles.crossings[p % circles.crossings.length].signs[infinity]));
-  const bounded = regions.filter((region) => infinity !== null && circles.rank === 3 && corners(region).length === region.corners.length);
+  const bounded = infinity === null ? [] : regions.filter((region) => isBounded(arrangement, region));
   const triangles = infinity === null ? regions.filter((region) => circles.rank === 3 && region.darts.length === 3).length / 2
     : bounded.filter((region) => region.darts.length === 3).length;
   return {
@@ -73,6 +71,11 @@ function countsOf(arrangement) {
     triangles,
   };
 }
+
+// Whether a region of the affine plane has no point at infinity.
+/** @type {(lines: Lines, region: Region) => boolean} */
+const isBounded = ({ circles, infinity }, { corners }) => circles.rank === 3
+  && corners.every((p) => circles.crossings[p % circles.crossings.length].signs[infinity] !== 0);
 
 // The walls of a region of circles that do not cross: the only circle, unless it is infinity.
 const wallsAlone = ({ circles, infinity }) => [...circles.normals.keys()].filter((i) => i !== infinity);

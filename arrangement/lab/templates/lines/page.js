@@ -45,6 +45,7 @@ function arranged() {
   at("plane-title").textContent = flat ? "Lines of the plane" : "Lines of the projective plane";
   at("dual-title").textContent = flat ? "The dual: a tiling" : "The dual: a zonotope";
   chooseChart();
+  chooseColour(Object.keys(shown().counts.p_vector).length > 1 ? "sides" : "parity");
   fitPlane();
   at("shape").value = flat || isNarrow(shown().arrangement.circles.normals) ? "even" : "given";
   chooseAxes();
@@ -66,12 +67,17 @@ function examples() {
   box.addEventListener("change", () => load(readArrangement(data.examples[Number(box.value)].arrangement)));
 }
 
+function chooseColour(name) {
+  state.colour = at("colour").value = name;
+  at("legend").hidden = name !== "sides";
+}
+
 function begin() {
   at("title").textContent = data.title;
   for (const [name, chart] of Object.entries(CHARTS)) make("option", { value: name }, at("chart"), chart.name);
   at("chart").addEventListener("change", () => { state.chart = at("chart").value; fitPlane(); chooseAxes(); refresh(); });
   at("shape").addEventListener("change", () => { chooseAxes(); refresh(); });
-  at("colour").addEventListener("change", () => { state.colour = at("colour").value; refresh(); });
+  at("colour").addEventListener("change", () => { chooseColour(at("colour").value); refresh(); });
   listen();
   linkViews(["mark"], markAll);
   listenToHistory();

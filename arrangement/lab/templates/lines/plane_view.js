@@ -26,7 +26,8 @@ function paintRegion(view, arrangement, region) {
   if (arrangement.infinity !== null && region.key[arrangement.infinity] === "-") return;
   const corners = cornersOf(arrangement, region);
   if (corners.length < 3) return;
-  const path = draw("path", { class: "region", "data-mark": regionName(arrangement, region), d: `${pathOf(corners.map(onPaper))}Z` }, view);
+  const open = arrangement.infinity !== null && !isBounded(arrangement, region);
+  const path = draw("path", { class: `region${open ? " open" : ""}`, "data-mark": regionName(arrangement, region), d: `${pathOf(corners.map(onPaper))}Z` }, view);
   path.style.fill = colourOf(arrangement, region);
 }
 
@@ -118,11 +119,10 @@ function apart(normal, from, to) {
   const { crossings, normals } = shown().arrangement.circles;
   const others = normals.flatMap((n) => state.ends.get(unoriented(n).join()) ?? []);
   const own = [...crossings.map(({ ray }) => ray), ...others].map(charted).map(([x, y, w]) => [x / w, y / w]);
-  /** @type {(share: number) => [number, number[]]} */
-  const room = (share) => {
-    const p = [0, 1].map((k) => from[k] + share * (to[k] - from[k]));
-    return [Math.min(12 / scaleOf(), ...own.map(([x, y]) => Math.hypot(x - p[0], y - p[1]))), p];
-  };
-  const shares = [0.05, 0.09, 0.13, 0.17, 0.21, 0.25, 0.29].map(room);
-  return onLine(normal, shares.reduce((best, one) => (one[0] > best[0] ? one : best))[1]);
+  const found = [0.05, 0.09, 0.13, 0.17, 0.21, 0.25, 0.29].map((share) => {
+    const end = onLine(normal, [0, 1].map((k) => from[k] + share * (to[k] - from[k])));
+    const [x, y, w] = charted(end);
+    return { end, room: Math.min(12 / scaleOf(), ...own.map(([a, b]) => Math.hypot(a - x / w, b - y / w))) };
+  });
+  return found.reduce((best, one) => (one.room > best.room ? one : best)).end;
 }

@@ -41,7 +41,7 @@ function factored(coefficients) {
   }
   const text = [...new Set(roots)].map((root) => {
     const power = roots.filter((x) => x === root).length;
-    const factor = root ? `(t \u2212 ${root})` : "t";
+    const factor = root ? `(t\u00a0\u2212\u00a0${root})` : "t";
     return power > 1 ? `${factor}${"  ²³"[power]}` : factor;
   }).join("");
   const rest = left.length > 1 ? sumText(left.map((x, k) => [String(x), POWERS[left.length - 1 - k]])) : "";
@@ -78,7 +78,7 @@ function litText() {
     const region = circles.regions[k];
     const side = (key) => signsText(planeSigns(arrangement, [...key].map((s) => (s === "+" ? 1 : -1))));
     const sides = region.darts.filter((dart) => circles.arcs[dart >> 1].circle !== infinity).length || circles.normals.length;
-    const bounded1 = infinity === null ? "" : region.corners?.every((p) => circles.crossings[p % circles.crossings.length].signs[infinity]) ? ", bounded" : ", unbounded";
+    const bounded1 = infinity === null ? "" : isBounded(arrangement, region) ? ", bounded" : ", unbounded";
     const opposite1 = infinity === null ? `, and opposite ${side(circles.regions[region.opposite].key)}` : "";
     return `Region ${side(region.key)}${opposite1}: ${count(sides, "side", "sides")}${bounded1}.`;
   }
