@@ -38,11 +38,17 @@ function barycentric() {
   };
 }
 
-// A direction that floats hold, however long the integers are.
+// A direction that floats hold, however long the integers are; the same for the same array.
+/** @type {WeakMap<bigint[], number[]>} */
+const rounded = new WeakMap();
 /** @type {(v: bigint[]) => number[]} */
 function floats(v) {
+  const known = rounded.get(v);
+  if (known) return known;
   const most = v.reduce((m, x) => (x < 0n ? (-x > m ? -x : m) : x > m ? x : m), 1n);
-  return v.map((x) => near(ratio(x, most)));
+  const found = v.map((x) => near(ratio(x, most)));
+  rounded.set(v, found);
+  return found;
 }
 
 const chartOf = () => CHARTS[state.dimension === 2 ? "z" : state.chart];
