@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 from arrangement import terminal
 from arrangement.exact import IntegerVector, rational
+from arrangement.number_form import number, vector
 
 from .arguments import (
     add_applied,
@@ -18,9 +19,7 @@ from .arguments import (
     add_number,
     applied,
     grasp_of,
-    number,
     show,
-    vector,
 )
 
 if TYPE_CHECKING:

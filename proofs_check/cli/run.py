@@ -76,7 +76,7 @@ def run_claims(arguments: argparse.Namespace) -> int:
         chosen = [known[id] for id in names] or list(known)
     widths = text.columns(map(report.claim_record, chosen))
     results: list[Result] = []
-    for result in _evaluated(chosen, arguments.seed):
+    for result in _evaluated(chosen, arguments.seed, piped=arguments.json):
         saved = _save(result, arguments.save) if from_files else ""
         if not arguments.json:
             found = report.result_record(result)
@@ -98,7 +98,7 @@ def run_claims(arguments: argparse.Namespace) -> int:
 def file_record(name: str, arguments: argparse.Namespace) -> dict[str, Any]:
     """Check the claims of one file and return the record."""
     chosen = list(_own_claims([name], arguments))
-    results = list(_evaluated(chosen, arguments.seed))
+    results = list(_evaluated(chosen, arguments.seed, piped=True))
     return report.json_record(results, arguments.seed, **_about([name], arguments))
 
 
@@ -134,9 +134,13 @@ def new_file(arguments: argparse.Namespace) -> int:
     return terminal.YES
 
 
-def _evaluated(chosen: list[Claim], seed: int) -> Iterator[Result]:
-    """Yield each result as soon as it is there, with the progress taken off the terminal."""
-    bar = Bar(len(chosen), "claims")
+def _evaluated(chosen: list[Claim], seed: int, *, piped: bool) -> Iterator[Result]:
+    """Yield each result as soon as it is there, with the progress taken off the terminal.
+
+    Args:
+        piped: whether progress is told in a pipe too, where nothing is printed meanwhile.
+    """
+    bar = Bar(len(chosen), "claims", piped=piped)
     for done, claim in enumerate(chosen):
 
         def tick(cases: int, done: int = done, claim: Claim = claim) -> None:
