@@ -33,9 +33,9 @@ def on_terminal() -> bool:
 
 
 @contextmanager
-def shown() -> Iterator[None]:
-    """Let the loops over `watched` items inside show their line."""
-    token = _wanted.set(True)
+def shown(wanted: bool = True) -> Iterator[None]:
+    """Let the loops over `watched` items inside show their line, or keep them quiet."""
+    token = _wanted.set(wanted)
     try:
         yield
     finally:

@@ -90,7 +90,7 @@ class Parser(argparse.ArgumentParser):
         """Name the nearest choices of a misspelt one."""
         if action.choices is not None and value not in action.choices:
             known = list(action.choices)
-            text = f"there is no {shown(value)}{_meant(value, known)}; known are {', '.join(known)}"
+            text = f"there is no {shown(value)}; known are {', '.join(known)}{_meant(value, known)}"
             raise argparse.ArgumentError(action, text)
 
     def error(self, message: str) -> NoReturn:
@@ -151,8 +151,8 @@ def rational_argument(text: str) -> Fraction:
     """Read an exact number from the command line (the ``type=`` of an argument)."""
     if _WITH_UNIT.fullmatch(text):
         raise argparse.ArgumentTypeError(
-            f"{shown(text)} has a unit; write the number alone: lengths and forces are in the units "
-            "of the grasp, times in seconds (lengths on paper may have units)"
+            f"{shown(text)} has a unit; write the number alone: lengths and forces are in the "
+            "units of the grasp, times in seconds (lengths on paper may have units)"
         )
     try:
         return rational(text, "value")

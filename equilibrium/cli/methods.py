@@ -8,7 +8,6 @@ from fractions import Fraction
 from math import gcd
 from typing import TYPE_CHECKING, Any
 
-from arrangement import terminal
 from arrangement.exact import IntegerVector, rational
 from arrangement.number_form import number, vector
 
@@ -18,6 +17,7 @@ from .arguments import (
     add_count,
     add_number,
     applied,
+    contacts_argument,
     grasp_of,
     show,
 )
@@ -46,7 +46,7 @@ def add_commands(commands: Any) -> None:
     add_count(survey, "--number", 60, "of questions")
     survey.add_argument(
         "--contacts",
-        type=terminal.count_argument,
+        type=contacts_argument,
         nargs="+",
         default=[2, 3],
         help="of each grasp (default: 2 3)",

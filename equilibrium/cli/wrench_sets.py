@@ -16,6 +16,7 @@ from .arguments import (
     add_number,
     add_wrench,
     applied,
+    contacts_argument,
     grasp_of,
     show,
 )
@@ -57,7 +58,8 @@ def add_commands(commands: Any) -> None:
 
     text = "seeded search for grasps that a binary search misjudges"
     gaps = add_command(commands, "gaps", _gaps, text, grasp=False)
-    add_count(gaps, "--contacts", 3, "of each grasp", "M")
+    text = "of each grasp (default: 3)"
+    gaps.add_argument("--contacts", type=contacts_argument, default=3, metavar="M", help=text)
     add_count(gaps, "--seed", 29, "of the random grasps", "SEED")
     add_count(gaps, "--tries", 20, "grasps looked at")
 

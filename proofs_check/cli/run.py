@@ -15,7 +15,7 @@ from typing import Any
 
 from arrangement import terminal
 from arrangement.io.writing import write_text_atomically
-from arrangement.progress import Bar
+from arrangement.progress import Bar, shown
 from proofs_check import claim_file, claims, user_claim
 from proofs_check.errors import OwnClaimError
 from proofs_check.evidence import Result, evaluate
@@ -148,7 +148,8 @@ def _evaluated(chosen: list[Claim], seed: int, *, piped: bool) -> Iterator[Resul
 
         bar.update(done, claim.id)
         try:
-            result = evaluate(claim, seed, tick)
+            with shown(False):  # the bar tells
+                result = evaluate(claim, seed, tick)
         finally:
             bar.close()
         yield result
