@@ -63,9 +63,12 @@ class Parser(argparse.ArgumentParser):
         found, rest = super().parse_known_args(list(self._separated(words)), namespace)
         for word in rest:
             kind = "option" if word.startswith("-") else "place for"
-            self.error(
-                f"there is no {kind} {shown(word)}{_meant(word, self._option_string_actions)}"
-            )
+            near = _meant(word, self._option_string_actions)
+            self.error(f"there is no {kind} {shown(word)}{near}")
+        for action in self._actions:
+            if getattr(found, action.dest, None) == "" and action.dest != "title":
+                name = "/".join(action.option_strings) or action.metavar
+                self.error(f"argument {name}: it is empty; give a name")
         return found, rest
 
     def _separated(self, words: Sequence[str]) -> Iterator[str]:

@@ -120,6 +120,8 @@ def _about(names: list[str], arguments: argparse.Namespace) -> dict[str, str]:
 def new_file(arguments: argparse.Namespace) -> int:
     """Write a file with two claims to begin with; one that is there is left alone."""
     path = Path(arguments.name)
+    if not path.name:
+        raise OwnClaimError(f"{path} names no file; give a name such as mypaper")
     path = path if path.suffix == ".py" else path.with_name(f"{path.name}.py")
     if path.exists():
         raise OwnClaimError(f"{path} is there already; choose another name")

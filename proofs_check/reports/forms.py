@@ -60,17 +60,21 @@ def _markdown_text(text: str) -> str:
     return escaped.replace("<", "&lt;").replace("*", "\\*").replace("_", "\\_").replace("`", "\\`")
 
 
-_LATEX = {c: f"\\{c}" for c in "{}$&#%_"} | {
-    c: rf"\text{name}{{}}"
-    for c, name in {
-        "\\": "backslash",
-        "^": "asciicircum",
-        "~": "asciitilde",
-        "<": "less",
-        ">": "greater",
-        "|": "bar",
-    }.items()
-}
+_LATEX = (
+    {c: f"\\{c}" for c in "{}$&#%_"}
+    | {
+        c: rf"\text{name}{{}}"
+        for c, name in {
+            "\\": "backslash",
+            "^": "asciicircum",
+            "~": "asciitilde",
+            "<": "less",
+            ">": "greater",
+            "|": "bar",
+        }.items()
+    }
+    | {"≈": r"\ensuremath{\approx}"}
+)
 
 
 def latex(record: Record) -> str:
