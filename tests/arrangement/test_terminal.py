@@ -5,11 +5,13 @@ from __future__ import annotations
 import argparse
 import json
 from fractions import Fraction
+from pathlib import Path
 from typing import Any
 
 import pytest
 
 from arrangement import InputError, MissingExtraError, terminal
+from arrangement.entry import entry
 
 
 def parser_for(function: Any) -> terminal.Parser:
@@ -126,7 +128,7 @@ def test_several_numbers_may_be_written_in_any_usual_way(words: list[str]) -> No
 @pytest.mark.parametrize(
     ("words", "said"),
     [
-        (["gi"], "did you mean go?"),
+        (["gather"], "there is no 'gather'; known are go "),
         (["go", "--speet", "1"], "did you mean --speed?"),
         (["go", "there"], "no place for 'there'"),
         (["go", "--speed", ""], "argument --speed: it is empty"),
