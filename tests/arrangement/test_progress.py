@@ -36,8 +36,9 @@ def test_the_bar_is_on_a_terminal_only(
 
 
 def test_in_a_pipe_a_finished_item_gets_a_line_after_two_seconds_and_then_ever_fewer(
-    capsys: pytest.CaptureFixture[str],
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
+    monkeypatch.setattr(progress, "_FIRST", 2.0)
     now = [0.0]
     bar = Bar(100, "samples", clock=lambda: now[0])
     quiet = Bar(100, "claims", clock=lambda: now[0], piped=False)
