@@ -363,6 +363,11 @@ def test_a_cell_of_motions_is_shown_on_the_grasp(opened: Browser) -> None:
     assert all(f"{i} {state}" in said for i, state in enumerate(under.split(","), 1))
     lit = opened.run("return document.querySelectorAll('#discs .cell.lit').length")
     assert lit >= 1
+    told = opened.run(
+        "return [...document.querySelectorAll('#grasp .told-states .state')].map(e => e.classList[1])"
+    )
+    expected = ["slip" if "slip" in state else state for state in under.split(",")]
+    assert told == expected
     opened.key("Escape")
     assert "Click" in opened.run("return document.getElementById('motion-words').textContent")
 
