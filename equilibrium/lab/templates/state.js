@@ -50,7 +50,7 @@ function changed() {
     findPieces();
     refresh();
     if (!dragging()) say(sayVerdict());
-  }, dragging() ? 10 : 80);
+  }, dragging() ? 6 : 80);
   state.searching = ended ? null : stop;
   if (!ended) refresh();
   if (!dragging()) writeHash();
