@@ -10,7 +10,7 @@ function inSlices(search, done, first = 12) {
       if (step.done) { done(step.value); return; }
       if (performance.now() > end) break;
     }
-    setTimeout(() => run(8), 0);
+    setTimeout(() => run(6), 0);
   };
   run(first);
   return () => { stopped = true; };

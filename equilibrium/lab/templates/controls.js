@@ -8,7 +8,7 @@ function dragGrasp() {
     const element = event.target.closest("[data-grip]");
     if (!element || event.button) return;
     event.preventDefault();
-    held = { name: element.dataset.grip };
+    held = { name: element.dataset.grip, matrix: matrixOf(view) };
     hold();
     view.setPointerCapture(event.pointerId);
     const [kind, i] = held.name.split("-");
@@ -18,11 +18,12 @@ function dragGrasp() {
   });
   view.addEventListener("pointermove", (event) => {
     if (!held) return;
-    const p = place(view, event).map((c) => c / UNIT);
+    const p = place(view, event, held.matrix).map((c) => c / UNIT);
     edit(() => dragTo(held, p));
   });
   const end = () => {
     if (!held) return;
+    state.focus = held.name;
     held = null;
     release();
     refresh();
@@ -122,5 +123,16 @@ function dragPlane() {
   });
 }
 
-// The step that is told is marked like what is under the pointer.
-const markAll = () => highlight(player.step?.kind === "states" ? [["states", String(player.step.states)]] : []);
+// The step that is told is marked like what is under the pointer. The states of a cell or piece under
+// the pointer are shown at the contacts.
+function markAll() {
+  highlight(player.step?.kind === "states" ? [["states", String(player.step.states)]] : []);
+  const view = at("grasp");
+  view.querySelector(".told-states")?.remove();
+  const states = lit.states?.split(",").filter(Boolean) ?? [];
+  const told = states.length > 0 && states.length === data.contacts.length;
+  view.classList.toggle("told", told);
+  if (!told) return;
+  const layer = draw("g", { class: "told-states" }, view);
+  data.contacts.forEach(({ place: p, normal: n }, i) => paintState(layer, states[i], along(p, n, -0.15), [-n[1], n[0]]));
+}

@@ -3,13 +3,13 @@ const world = (x, y) => [(x - data.centre[0]) / data.size, (y - data.centre[1]) 
 const atPaper = (point) => world(...point.map(near));
 const floatsOf = (pair) => pair.map(near);
 
-// The frame in which contacts and outline fill the picture, and what `sketch.js` draws in it. While
+// The frame in which contacts, their grips and the outline fill the picture, and what `sketch.js` draws in it. While
 // something is dragged the frame stays.
 function frameGrasp() {
   if (!dragging()) {
     Object.assign(data, { centre: [0, 0], size: 1 });
     for (const places of [state.grasp.map(({ point }) => floatsOf(point)), null]) {
-      const points = places ? [...places, ...statedOutline()] : [...data.contacts.map((c) => c.place), ...(data.outline ?? [])].map((p) => p.map((x, k) => x * data.size + data.centre[k]));
+      const points = places ? [...places, ...statedOutline()] : [...data.contacts.flatMap((c) => [c.place, along(c.place, c.normal, 0.6)]), ...(data.outline ?? [])].map((p) => p.map((x, k) => x * data.size + data.centre[k]));
       const span = [0, 1].map((k) => points.map((p) => p[k])).map((v) => (v.length ? [Math.min(...v), Math.max(...v)] : [-1, 1]));
       data.centre = span.map(([low, high]) => (low + high) / 2);
       data.size = Math.max(...span.map(([low, high], k) => (high - low) / [2, 2.3][k])) || 1;
@@ -106,7 +106,9 @@ function paintGrasp() {
   });
   paintLoad(view, factor);
   paintNames(view);
-  if (held) view.querySelector(`[data-grip="${held}"]`)?.focus();
+  // A grip that is dragged takes the focus again when it is let go.
+  const focus = dragging() ? null : state.focus ?? held;
+  if (focus) { state.focus = null; view.querySelector(`[data-grip="${focus}"]`)?.focus(); }
   at("grasp-caption").textContent = shown ? shown.words : data.stated ? "The object as the grasp states it. Orange: friction cones and the load." : data.outline
     ? "Dashed: an outline that fits the contacts, only indicative. Orange: friction cones and the load."
     : state.grasp.length ? "Orange: friction cones and the load." : "No contact yet: add one below.";

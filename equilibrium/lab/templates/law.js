@@ -32,6 +32,7 @@ function partOf(contact, state, printed = false) {
   const spring = padded(scaledBy(N, minus(contact.stiffness)), contact.preload);
   const slip = padded(T, ZERO);
   const mu = contact.friction;
+  /** @type {any} */
   const part = { own, equal: [], atLeast: [], normal: none, tangential: none };
   const put = (name, row) => part.atLeast.push({ name, row });
   const cone = () => {
@@ -60,10 +61,26 @@ function partOf(contact, state, printed = false) {
   return part;
 }
 
+// Contacts never change, so what follows from one is kept with it: its part, and the wrench of its forces
+// as three rows in (d, own unknowns, 1).
+const kept = new WeakMap();
+function keptPart(contact, state, printed) {
+  if (!kept.has(contact)) kept.set(contact, new Map());
+  const parts = kept.get(contact);
+  const key = `${state}${printed}`;
+  if (!parts.has(key)) {
+    const part = partOf(contact, state, printed);
+    const { N, T } = wrenchesOf(contact);
+    part.wrench = [0, 1, 2].map((j) => added(scaledBy(part.normal, N[j]), scaledBy(part.tangential, T[j])));
+    parts.set(key, part);
+  }
+  return parts.get(key);
+}
+
 // The rows of all contacts in common unknowns: d, `free` further ones, then those of each contact.
 // The balance, sum of forces + w = 0, has w from `load`: rows in the free unknowns and 1.
 function systemOf(grasp, states, load, { free = 0, printed = false } = {}) {
-  const parts = grasp.map((contact, i) => partOf(contact, states[i], printed));
+  const parts = grasp.map((contact, i) => keptPart(contact, states[i], printed));
   const starts = [];
   let n = 3 + free;
   for (const part of parts) { starts.push(n); n += part.own; }
@@ -81,12 +98,9 @@ function systemOf(grasp, states, load, { free = 0, printed = false } = {}) {
     return wide;
   });
   const forces = parts.map((part, i) => [spread(part.normal, i), spread(part.tangential, i)]);
-  grasp.forEach((contact, i) => {
-    const { N, T } = wrenchesOf(contact);
-    forces[i].forEach((force, k) => force.forEach((x, c) => {
-      if (x.n) balance.forEach((row, j) => { row[c] = plus(row[c], times((k ? T : N)[j], x)); });
-    }));
-  });
+  parts.forEach((part, i) => balance.forEach((row, j) => {
+    spread(part.wrench[j], i).forEach((x, c) => { if (x.n) row[c] = row[c].n ? plus(row[c], x) : x; });
+  }));
   const [equal, atLeast] = ["equal", "atLeast"].map((kind) => parts.flatMap((part, i) => part[kind]
     .map(({ name, row }) => ({ name, contact: i, row: spread(row, i) }))));
   return { n, balance, equal, atLeast, forces };

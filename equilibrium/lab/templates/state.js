@@ -3,7 +3,7 @@
 const state = {
   grasp: [], wrench: [ZERO, ZERO, ZERO], outline: null, chosen: null, turn: ONE, turnChosen: false,
   found: null, choice: 0, leaf: null, motion: null, open: new Map(), searching: null,
-  states: [], pieces: [], mapped: "", mapping: null, other: "", others: [],
+  states: [], pieces: [], mapped: "", mapping: null, other: "", others: [], turnOf: 0, focus: null,
   // The plane of forces, as `plane.js` reads it.
   middle: [0, 0], half: 2, torque: ZERO, factor: ONE, slices: [], overlay: null,
   turnSize() { return this.turn.n ? size(this.turn) : ONE; },
@@ -17,20 +17,24 @@ const state = {
     const leaf = this.fits && !this.found.stable && !proofHidden() ? this.leaf ?? leavesOf(this.found.tree)[0] : null;
     if (leaf) return told(leaf.motion, `Blue: the virtual motion of the proof, ${motionWords(leaf.motion)} (enlarged).`, true);
     const piece = this.shownPiece();
-    return piece?.motion.some((x) => x.n) ? told(piece.motion, `Blue: the motion of this equilibrium (enlarged). Dark arrows: forces on the object.`) : null;
+    return piece?.motion.some((x) => x.n) ? told(piece.motion, `Blue: the motion of this equilibrium (enlarged). Black or white arrows: forces on the object.`) : null;
   },
 };
 const pieces = () => state.pieces;
 const shownForce = () => state.wrench.slice(0, 2);
 const graspKey = () => hashOf(state.grasp, state.wrench).split("|")[1];
 
+// While something is dragged, each frame paints the grasp and one of the other views.
+const VIEWS = [() => paintDiscs(), () => paintMap(), () => { describe(); writeFields(); }];
 const refresh = oncePerFrame(() => {
   paintGrasp();
-  paintDiscs();
-  paintMap();
-  describe();
-  writeFields();
-  markAll();
+  if (dragging()) {
+    state.turnOf = (state.turnOf + 1) % VIEWS.length;
+    VIEWS[state.turnOf]();
+  } else {
+    for (const paint of VIEWS) paint();
+    markAll();
+  }
 });
 
 // After the grasp or the wrench has changed.
@@ -46,7 +50,7 @@ function changed() {
     findPieces();
     refresh();
     if (!dragging()) say(sayVerdict());
-  }, dragging() ? 10 : 80);
+  }, dragging() ? 6 : 80);
   state.searching = ended ? null : stop;
   if (!ended) refresh();
   if (!dragging()) writeHash();
