@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 
 from .items import Box, Floats
-from .labels import SIZES, around, segments_of, tree_of
+from .labels import around, segments_of, tree_of
 from .scene import Scene
 
 #: Lengths of leader lines that are tried, in points.
@@ -39,7 +39,7 @@ class Leaders:
         self.areas = shapely.STRtree([shapely.Polygon(area).buffer(0) for area in areas])
         self.drawn: list[Any] = []
 
-    def write(self, edge: Floats, text: str, size: float = SIZES[-1]) -> bool:
+    def write(self, edge: Floats, text: str, size: float) -> bool:
         """Name what has an outline with points `edge`, or return False where there is no room."""
         import shapely
 
