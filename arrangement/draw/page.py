@@ -83,6 +83,7 @@ def arrangement_page(
         [BASE_STYLE, own("arrangement.css")],
         [BASE_SCRIPT, *map(own, scripts)],
         data,
+        ["spin", "home", "theme", "print"],
     )
 
 

@@ -65,7 +65,10 @@ def resist_page(grasp: Grasp, *, wrench: Wrench | None = None, title: str | None
     own = "equilibrium.draw"
     scripts: list[Template] = [(own, name) for name in (*_SCRIPTS, "resist_controls.js")]
     styles: list[Template] = [BASE_STYLE, (own, "sketch.css"), (own, "resist.css")]
-    return one_page(heading, (own, "resist.html"), styles, [BASE_SCRIPT, *scripts], data)
+    return one_page(
+        heading, (own, "resist.html"), styles, [BASE_SCRIPT, *scripts], data,
+        ["home", "theme", "print"],
+    )  # fmt: skip
 
 
 def _summary(grasp: Grasp) -> str:
