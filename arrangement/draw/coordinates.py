@@ -26,6 +26,7 @@ from arrangement.arrangement import Arrangement
 from arrangement.errors import refusal
 from arrangement.exact import IntegerVector, dot, primitive, rational_vector, shown
 from arrangement.linear import cross, rank, triple_product
+from arrangement.planes import Planes
 from arrangement.progress import note
 
 from .globe import unit_vectors
@@ -117,7 +118,7 @@ def symmetric_map(arrangement: Arrangement) -> Floats | None:
     return None if found is None or np.allclose(found.shape, np.eye(3), atol=1e-6) else found.shape
 
 
-def symmetry(arrangement: Arrangement) -> Symmetry | None:
+def symmetry(arrangement: Planes) -> Symmetry | None:
     """Return the group of central planes of rank 2 or 3 in R^3; None if it is small.
 
     Small: the identity and one more map at most, up to sign; one mirror alone says too little about
