@@ -86,7 +86,7 @@ def test_a_place_that_does_not_exist_names_the_nearest(tmp_path: Path) -> None:
     planes = SUBJECTS["arrangement.draw"]
     with pytest.raises(InputError, match="did you mean below"):
         OF_PLANES.write(planes, tmp_path / "a.svg", "sphere", legend="belw")
-    with pytest.raises(InputError, match="legend is for pictures"):
+    with pytest.raises(InputError, match="legend or theme is for pictures"):
         OF_PLANES.write(planes, tmp_path / "a.html", legend="below")
     with pytest.raises(InputError, match="without the legend at the right"):
         OF_PLANES.write(planes, tmp_path / "a.svg", "sphere", legend="right", width=45.0)

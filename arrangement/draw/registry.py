@@ -270,7 +270,7 @@ def _check_form(
     """Refuse what does not go with a kind of file."""
     if not (size is theme is legend is None) and kind != "view":
         raise InputError(
-            f"a font size, theme or legend is for pictures, and the file name ends in {suffix}"
+            f"a font size, legend or theme is for pictures, and the file name ends in {suffix}"
         )
     if fragment and suffix not in TIKZ:
         raise InputError(f"a fragment is TikZ, .tex, and the file name ends in {suffix}")
