@@ -14,9 +14,9 @@ from typing import Any
 import numpy as np
 
 from arrangement.draw.html_page import BASE_SCRIPT, BASE_STYLE, POLYGON, Template, one_page
+from arrangement.draw.items import Floats
 from arrangement.draw.labels import flattened
 from arrangement.draw.registry import Wrench
-from arrangement.draw.scene import Floats
 from arrangement.errors import InputError
 from arrangement.exact import IntegerVector, RationalVector, primitive, to_text
 from arrangement.lab.page import RATIONAL
@@ -71,7 +71,8 @@ def resist_page(grasp: Grasp, *, wrench: Wrench | None = None, title: str | None
     data = {"title": heading, "summary": _summary(grasp), **sets, **picture}
     data |= _window(grasp, applied, found[grasp])
     styles: list[Template] = [BASE_STYLE, (_OWN, "sketch.css"), (_OWN, "resist.css")]
-    return one_page(heading, (_OWN, "resist.html"), styles, SCRIPTS, data)
+    buttons = ["home", "theme", "print"]
+    return one_page(heading, (_OWN, "resist.html"), styles, SCRIPTS, data, buttons)
 
 
 def _summary(grasp: Grasp) -> str:
