@@ -11,18 +11,19 @@ from __future__ import annotations
 
 import math
 import time
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from math import comb, prod
 
 import numpy as np
+from numpy.typing import NDArray
 
 from arrangement.errors import InputError, TimeLimitError
 from arrangement.exact import shown
 from arrangement.planes import Planes
 from arrangement.progress import watched
 
-from .automorphisms import Automorphisms
+from .automorphisms import Automorphisms, Permutations
 from .configuration import Configuration, configuration
 from .images import Images, Words, groups, packed, unpacked
 from .low_rank import MAX_RANK, whitney_matrix
@@ -61,7 +62,7 @@ class Flats:
             np.concatenate([part.values for part in parts], axis=1),
         )
 
-    def __getitem__(self, part: slice) -> Flats:
+    def __getitem__(self, part: slice | NDArray[np.intp]) -> Flats:
         return Flats(self.bases[part], self.members[part], self.images[part], self.values[:, part])
 
 
@@ -109,9 +110,7 @@ def first_whitney_numbers(
         generators = automorphisms.verified(_of_classes(arrangement, symmetry))
     found: list[int] = []
     try:
-        # sizes of the numbers are at most binomial coefficients
-        moduli = moduli_above(max(comb(len(config.vectors), rank) for rank in range(config.rank)))
-        for number in Classes(config, Images(generators), deadline, moduli).numbers():
+        for number in classes(config, generators, deadline).numbers():
             found.append(number)
     except TimeoutError:
         known = ", ".join(map(str, found))
@@ -151,7 +150,7 @@ class Classes:
     def __init__(
         self, config: Configuration, images: Images, deadline: float, moduli: Sequence[int]
     ) -> None:
-        self._planes, self._rank = len(config.vectors), config.rank
+        self._planes, self.rank = len(config.vectors), config.rank
         self._central = config.infinity is None
         rows = [*config.vectors, *([] if config.infinity is None else [config.infinity])]
         self._vectors, self._images, self._deadline = (
@@ -166,18 +165,28 @@ class Classes:
         )
 
     def numbers(self) -> Iterator[int]:
-        """Yield the Whitney numbers of the first kind; `TimeoutError` ends them at the deadline.
+        """Yield the Whitney numbers of the first kind; `TimeoutError` ends them at the deadline."""
+        flats = self.bottom()
 
-        The flats of the last rank but one need no classes above them; the top of a central
-        arrangement follows, because all numbers together are chi(1) = 0.
+        def residues() -> Iterator[Integers]:
+            nonlocal flats
+            for rank in range(1, self.rank):
+                flats, found = self.above(flats, rank)
+                yield found
+
+        yield from self.from_residues(residues())
+
+    def from_residues(self, residues: Iterable[Integers]) -> Iterator[int]:
+        """Yield the Whitney numbers, given the residues of those of rank 1, 2, ...
+
+        The top of a central arrangement follows, because all numbers together are chi(1) = 0.
         """
         from sympy.ntheory.modular import crt
 
-        flats, total = self._bottom(), 1
+        total = 1
         yield total
-        for rank in range(1, self._rank):
-            flats, residues = self._above(flats, rank, keep=rank < self._rank - 1)
-            size = int(crt(self._moduli, ((-1) ** rank * residues).tolist())[0])
+        for rank, found in enumerate(residues, start=1):
+            size = int(crt(self._moduli, ((-1) ** rank * found % self._modulus[:, 0]).tolist())[0])
             total += (-1) ** rank * size
             yield (-1) ** rank * size
         if self._central:
@@ -185,18 +194,24 @@ class Classes:
 
     def levels(self) -> Iterator[Flats]:
         """Yield one flat of each class, rank by rank, but for the top of a central arrangement."""
-        flats = self._bottom()
+        flats = self.bottom()
         yield flats
-        for rank in range(1, self._rank):
-            flats, _ = self._above(flats, rank, keep=True)
+        for rank in range(1, self.rank):
+            flats, _ = self.above(flats, rank, keep=True)
             yield flats
 
-    def _bottom(self) -> Flats:
+    def bottom(self) -> Flats:
+        """Return the whole space."""
         empty = packed(np.zeros((1, self._vectors.count), dtype=np.bool_))
         return Flats(np.zeros((1, 0), np.int64), empty, empty, np.ones_like(self._modulus))
 
-    def _above(self, flats: Flats, rank: int, *, keep: bool) -> tuple[Flats, Integers]:
-        """Return the flats of the next rank, one of each class, and the residues of its number."""
+    def above(self, flats: Flats, rank: int, *, keep: bool = False) -> tuple[Flats, Integers]:
+        """Return one flat of each class above flats of the rank before, and residues.
+
+        The residues, one for each modulus, are what the flats below add to the Whitney number of
+        the rank. Flats of the last rank have none above them and are left out, unless to be kept.
+        """
+        keep = keep or rank < self.rank - 1
         parts, residues = [], np.zeros(len(self._moduli), dtype=np.int64)
         step = max(1, _CHUNK // self._vectors.count)
         pieces = [flats[i : i + step] for i in range(0, len(flats), step)]
@@ -216,16 +231,23 @@ class Classes:
                 above[covers.cover, covers.member] = True
                 bases = np.column_stack([piece.bases[covers.below], covers.plane])
                 images = self._images.small(above)
-                parts.append(self._merged(Flats(bases, packed(above), images, values)))
-        return (self._merged(Flats.joined(parts)) if parts else flats), residues
+                parts.append(self.merged(Flats(bases, packed(above), images, values)))
+        return (self.merged(Flats.joined(parts)) if parts else flats[:0]), residues
 
-    def _merged(self, flats: Flats) -> Flats:
+    def merged(self, flats: Flats) -> Flats:
         """Return one flat of each class, with the sum of the values of all."""
         order, start = groups(flats.images)
         first = np.flatnonzero(start)
         values = np.add.reduceat(flats.values[:, order], first, axis=1) % self._modulus
         one = order[first]
         return Flats(flats.bases[one], flats.members[one], flats.images[one], values)
+
+
+def classes(config: Configuration, generators: Permutations, deadline: float) -> Classes:
+    """Return the classes under some automorphisms, with moduli for the Whitney numbers."""
+    # their sizes are at most binomial coefficients
+    moduli = moduli_above(max(comb(len(config.vectors), rank) for rank in range(config.rank)))
+    return Classes(config, Images(generators), deadline, moduli)
 
 
 def moduli_above(bound: int, below: int = 1 << 31) -> list[int]:
