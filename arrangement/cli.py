@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 
 from . import terminal
 from .errors import InputError
-from .exact import to_text
+from .exact import shown, to_text
 from .io import files
 
 if TYPE_CHECKING:
@@ -44,13 +44,17 @@ def _parser() -> terminal.Parser:
         metavar="SECONDS",
         help="then stop, with the coefficients that are final",
     )
-    polynomial.add_argument(
+    ways = polynomial.add_mutually_exclusive_group()
+    ways.add_argument(
         "--store", metavar="FOLDER", help="keeps what is done; the same command goes on with it"
     )
-    terminal.add_worker_options(polynomial)
-    polynomial.add_argument(
+    ways.add_argument(
         "--forecast", action="store_true", help="only say how long it will take, from a sample"
     )
+    ways.add_argument(
+        "--primes", type=_primes, metavar="P,Q,...", help="count points modulo these primes instead"
+    )
+    terminal.add_worker_options(polynomial)
     polynomial.set_defaults(command=_polynomial)
 
     faces = commands.add_parser("faces", help="list sign vectors with dimension and witness")
@@ -143,17 +147,29 @@ def _polynomial(arguments: argparse.Namespace) -> int:
     return terminal.YES
 
 
+def _primes(text: str) -> list[int]:
+    try:
+        return [terminal.count_argument(word) for word in text.split(",")]
+    except argparse.ArgumentTypeError:
+        raise argparse.ArgumentTypeError(
+            f"{shown(text)} is no list of primes; write 5,7,11"
+        ) from None
+
+
 def _whitney_numbers(arrangement: Arrangement, arguments: argparse.Namespace) -> tuple[int, ...]:
     """Count in one process, or in parts if there is a folder for them or more than one process."""
     from contextlib import nullcontext
     from tempfile import TemporaryDirectory
 
-    from .counts import first_whitney_numbers
+    from .counts import by_points, first_whitney_numbers
     from .counts_in_parts import first_whitney_numbers_in_parts
 
     shared = arguments.shard != (1, 1) or arguments.dask is not None
     if shared and arguments.store is None:
         raise InputError("--shard and --dask need --store, a folder that all machines see")
+    if arguments.primes is not None:
+        numbers = by_points(arrangement, arguments.primes).all_coeffs()
+        return tuple(map(int, numbers[: arrangement.rank + 1]))
     if arguments.store is None and arguments.jobs == 1:
         return first_whitney_numbers(arrangement, time_limit=arguments.time_limit)
     kept = nullcontext(arguments.store) if arguments.store else TemporaryDirectory()

@@ -28,7 +28,7 @@ from numpy.typing import NDArray
 from . import workers
 from .counts.automorphisms import Automorphisms
 from .counts.configuration import Configuration, configuration
-from .counts.symmetric import Classes, Flats, classes
+from .counts.symmetric import Classes, Flats, classes, deadline_after
 from .errors import InputError, TimeLimitError, UnfinishedError
 from .io.writing import reason, write_bytes_atomically
 from .planes import Planes
@@ -68,7 +68,7 @@ def first_whitney_numbers_in_parts(
             `known` has the numbers that are final.
         MissingExtraError: `dask` is given and not installed.
     """
-    deadline = math.inf if time_limit is None else time.monotonic() + time_limit
+    deadline = deadline_after(time_limit)
     due = {1: range(1), PARTS: workers.due(PARTS, shard, jobs)}
     root = str(Path(folder).absolute())
     _prepare(Path(root), configuration(arrangement))

@@ -95,9 +95,7 @@ def first_whitney_numbers(
     >>> first_whitney_numbers(families.resonance(6))
     (1, -63, 1652, -22435, 159460, -510524, 371909)
     """
-    if time_limit is not None and not time_limit > 0:
-        raise InputError(f"time_limit is {shown(time_limit)}; give a positive number of seconds")
-    deadline = math.inf if time_limit is None else time.monotonic() + time_limit
+    deadline = deadline_after(time_limit)
     config = configuration(arrangement)
     if config.rank <= MAX_RANK and symmetry is None:
         return tuple((-1) ** k * value for k, value in enumerate(whitney_matrix(config)[0]))
@@ -119,11 +117,24 @@ def first_whitney_numbers(
     return tuple(found)
 
 
+def deadline_after(time_limit: float | None) -> float:
+    """Return when so many seconds are over, by the monotonic clock."""
+    if time_limit is None:
+        return math.inf
+    if not time_limit > 0:
+        raise InputError(f"time_limit is {shown(time_limit)}; give a positive number of seconds")
+    return time.monotonic() + time_limit
+
+
 def _of_classes(planes: Planes, symmetry: Sequence[Sequence[int]]) -> list[list[int]]:
     """Return permutations of planes as permutations of the classes of coincident planes."""
     found = []
     for number, given in enumerate(symmetry):
-        if sorted(given) != list(range(len(planes))):
+        try:
+            each_once = sorted(given) == list(range(len(planes)))
+        except TypeError:
+            each_once = False
+        if not each_once:
             raise InputError(
                 f"symmetry[{number}] is {shown(given)}; give the images of the planes 0 to "
                 f"{len(planes) - 1}, each once"
