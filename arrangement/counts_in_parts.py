@@ -128,17 +128,22 @@ def _prepare(root: Path, config: Configuration) -> None:
     record |= {"vectors": vectors, "infinity": infinity}
     if not config.rank:
         raise InputError("there are no planes to count in parts")
+    search = Automorphisms(config)
     try:
         if not plan.exists():
             for rank in range(1, config.rank):
                 _place(str(root), rank, 0).parent.mkdir(parents=True, exist_ok=True)
-            record["generators"] = Automorphisms(config).generators().tolist()
-            write_bytes_atomically(plan, json.dumps(record).encode())
+            content = json.dumps(record | {"generators": search.generators().tolist()})
+            write_bytes_atomically(plan, content.encode())
         found = json.loads(plan.read_bytes())
     except (OSError, ValueError) as error:
         raise InputError(f"cannot use the folder {root}: {reason(error)}; name another") from None
     if not isinstance(found, dict) or any(found.get(key) != record[key] for key in record):
         raise InputError(f"{root} has parts of other planes; name another folder")
+    try:
+        search.verified(found["generators"])  # a file may come from anywhere
+    except (KeyError, TypeError, ValueError, IndexError):
+        raise InputError(f"{plan} has symmetries that are none; name another folder") from None
 
 
 @lru_cache(maxsize=1)
@@ -212,6 +217,8 @@ def _read(root: str, rank: int, part: int, *names: str) -> dict[str, NDArray[Any
     place = _place(root, rank, part)
     try:
         with np.load(place, allow_pickle=False) as file:
+            if "residues" not in file:
+                raise ValueError("it is no part of a count")
             return {name: file[name] for name in names if name in file}
     except (OSError, ValueError, EOFError, BadZipFile, zlib.error) as error:
         raise InputError(

@@ -6,6 +6,7 @@ import json
 from pathlib import Path
 from typing import Any
 
+import numpy as np
 import pytest
 
 from arrangement import Arrangement, InputError, cli, counts, counts_in_parts
@@ -104,12 +105,25 @@ def test_what_cannot_be_used_is_refused(tmp_path: Path) -> None:
         in_parts(RESONANCE, tmp_path / "file")
 
 
+@pytest.mark.parametrize("generators", [[[1, 0, 2, 3, 4, 5]], [[9]], [["a"]], 3, None])
+def test_symmetries_of_a_plan_are_checked(tmp_path: Path, generators: Any) -> None:
+    in_parts(families.braid(4), tmp_path)
+    plan = tmp_path / "plan.json"
+    plan.write_text(json.dumps(json.loads(plan.read_text()) | {"generators": generators}))
+    with pytest.raises(InputError, match="symmetries that are none"):
+        in_parts(families.braid(4), tmp_path)
+
+
 @pytest.mark.parametrize("damage", [b"", b"PK", b"no archive"])
 def test_a_damaged_part_is_named(tmp_path: Path, damage: bytes) -> None:
     in_parts(RESONANCE, tmp_path)
     part = tmp_path / "rank-04" / "part-01.npz"
     part.write_bytes(damage)
     with pytest.raises(InputError, match=r"part-01.npz cannot be read .*delete it"):
+        in_parts(RESONANCE, tmp_path)
+    part.unlink()
+    np.savez(part, other=np.zeros(2))
+    with pytest.raises(InputError, match="no part of a count"):
         in_parts(RESONANCE, tmp_path)
     part.unlink()
     assert in_parts(RESONANCE, tmp_path) == NUMBERS
