@@ -162,7 +162,7 @@ def _whitney_numbers(arrangement: Arrangement, arguments: argparse.Namespace) ->
     from tempfile import TemporaryDirectory
 
     from .counts import by_points, first_whitney_numbers
-    from .counts_in_parts import first_whitney_numbers_in_parts
+    from .counts_in_parts import PARTS, first_whitney_numbers_in_parts
 
     shared = arguments.shard != (1, 1) or arguments.dask is not None
     if shared and arguments.store is None:
@@ -177,6 +177,7 @@ def _whitney_numbers(arrangement: Arrangement, arguments: argparse.Namespace) ->
         return first_whitney_numbers_in_parts(
             arrangement,
             folder,
+            parts=PARTS if arguments.store else 4 * arguments.jobs,
             jobs=arguments.jobs,
             shard=arguments.shard,
             dask=arguments.dask,

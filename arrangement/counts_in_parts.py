@@ -1,6 +1,6 @@
 """Whitney numbers of large arrangements, in parts that are files: resumed, shared, spread.
 
-The flats of a rank are split in `PARTS` by a hash of what stands for their class; the lower half of
+The flats of a rank are split in parts by a hash of what stands for their class; the lower half of
 the ranks, which has few, is one part each. A file holds what comes up from one part, split for the
 rank after. So a part needs its share of every file of the rank before and nothing else, every class
 has one part, and it does not matter which process makes which file, or how often all are stopped.
@@ -17,6 +17,7 @@ import math
 import time
 import zlib
 from collections.abc import Iterator
+from dataclasses import dataclass
 from functools import lru_cache
 from pathlib import Path
 from typing import Any
@@ -30,11 +31,12 @@ from .counts.automorphisms import Automorphisms
 from .counts.configuration import Configuration, configuration
 from .counts.symmetric import Classes, Flats, classes, deadline_after
 from .errors import InputError, TimeLimitError, UnfinishedError
+from .exact import shown
 from .io.writing import reason, write_bytes_atomically
 from .planes import Planes
 from .progress import note, watched
 
-#: Parts of a rank in the upper half.
+#: Parts of a rank in the upper half. More take less memory each; fewer see more repeats at once.
 PARTS = 64
 #: A rank with fewer flats is done in this process.
 _FEW = 20_000
@@ -48,6 +50,7 @@ def first_whitney_numbers_in_parts(
     arrangement: Planes,
     folder: str | Path,
     *,
+    parts: int = PARTS,
     jobs: int = 1,
     shard: tuple[int, int] = (1, 1),
     dask: str | None = None,
@@ -57,6 +60,7 @@ def first_whitney_numbers_in_parts(
 
     Args:
         folder: made when there is none; one with parts of the same arrangement is gone on with.
+        parts: of each rank in the upper half, in a new folder.
         jobs: processes on this machine.
         shard: (i, n): of each rank only every n-th part, beginning with the i-th.
         dask: address of a scheduler; its workers must see the folder under the same path.
@@ -69,17 +73,19 @@ def first_whitney_numbers_in_parts(
         MissingExtraError: `dask` is given and not installed.
     """
     deadline = deadline_after(time_limit)
-    due = {1: range(1), PARTS: workers.due(PARTS, shard, jobs)}
     root = str(Path(folder).absolute())
-    _prepare(Path(root), configuration(arrangement))
-    made = _classes(root)
+    if not workers.due(parts, shard, jobs):
+        raise InputError(f"parts is {shown(parts)} and shard {shard}; give a part to each shard")
+    _prepare(Path(root), configuration(arrangement), parts)
+    made = _made(root)
 
     def residues() -> Iterator[NDArray[np.int64]]:
         flats = 1
-        for rank in range(1, made.rank):
-            parts = _parts(made, rank)
+        for rank in range(1, made.classes.rank):
+            parts = made.parts(rank)
             missing = _missing(root, rank, parts)
-            todo = [part for part in due[parts] if part in missing]
+            due = workers.due(parts, shard, jobs) if parts > 1 else range(1)
+            todo = [part for part in due if part in missing]
             done = workers.done(_run, (root, rank), todo, *((jobs, dask) if flats > _FEW else ()))
             for _ in watched(done, f"parts of rank {rank}", len(todo)):
                 if time.monotonic() > deadline:
@@ -94,7 +100,7 @@ def first_whitney_numbers_in_parts(
 
     known: list[int] = []
     try:
-        for rank, number in enumerate(made.from_residues(residues())):
+        for rank, number in enumerate(made.classes.from_residues(residues())):
             note(f"rank {rank}: Whitney number {number}")
             known.append(number)
     except TimeoutError:
@@ -119,12 +125,12 @@ def _final(known: list[int]) -> str:
     return f"the first Whitney numbers {', '.join(map(str, known))} are final"
 
 
-def _prepare(root: Path, config: Configuration) -> None:
+def _prepare(root: Path, config: Configuration, parts: int) -> None:
     """Write the plan of a new folder; refuse a folder that has another."""
     plan = root / "plan.json"
     vectors = [list(map(str, v)) for v in config.vectors]
     infinity = config.infinity and list(map(str, config.infinity))
-    record: dict[str, Any] = {"layout": _LAYOUT, "parts": PARTS, "rank": config.rank}
+    record: dict[str, Any] = {"layout": _LAYOUT, "rank": config.rank}
     record |= {"vectors": vectors, "infinity": infinity}
     if not config.rank:
         raise InputError("there are no planes to count in parts")
@@ -133,40 +139,55 @@ def _prepare(root: Path, config: Configuration) -> None:
         if not plan.exists():
             for rank in range(1, config.rank):
                 _place(str(root), rank, 0).parent.mkdir(parents=True, exist_ok=True)
-            content = json.dumps(record | {"generators": search.generators().tolist()})
+            record |= {"parts": parts, "generators": search.generators().tolist()}
+            content = json.dumps(record)
             write_bytes_atomically(plan, content.encode())
         found = json.loads(plan.read_bytes())
     except (OSError, ValueError) as error:
         raise InputError(f"cannot use the folder {root}: {reason(error)}; name another") from None
     if not isinstance(found, dict) or any(found.get(key) != record[key] for key in record):
         raise InputError(f"{root} has parts of other planes; name another folder")
-    try:
-        search.verified(found["generators"])  # a file may come from anywhere
+    try:  # a file may come from anywhere
+        search.verified(found["generators"])
+        if not found["parts"] >= 1:
+            raise ValueError(found["parts"])
     except (KeyError, TypeError, ValueError, IndexError):
-        raise InputError(f"{plan} has symmetries that are none; name another folder") from None
+        raise InputError(
+            f"{plan} has other parts or symmetries than planes can have; name another folder"
+        ) from None
+
+
+@dataclass(frozen=True)
+class _Made:
+    classes: Classes
+    most: int
+
+    def parts(self, rank: int) -> int:
+        """Return how many parts the flats below a rank have."""
+        return self.most if 2 * rank > self.classes.rank else 1
 
 
 @lru_cache(maxsize=1)
-def _classes(root: str) -> Classes:
-    """Return the classes that a folder is about; each process makes them once."""
+def _made(root: str) -> _Made:
+    """Return what a folder is about; each process makes it once."""
     plan = json.loads((Path(root) / "plan.json").read_bytes())
     vectors = tuple(tuple(map(int, vector)) for vector in plan["vectors"])
     infinity = plan["infinity"] and tuple(map(int, plan["infinity"]))
     config = Configuration(vectors, infinity, plan["rank"])
     size = len(vectors) + (infinity is not None)
     generators = np.array(plan["generators"], dtype=np.intp).reshape(-1, size)
-    return classes(config, generators, math.inf)
+    return _Made(classes(config, generators, math.inf), plan["parts"])
 
 
 def _run(plan: tuple[str, int], part: int) -> None:
     """Make the file of one part of a rank."""
     root, rank = plan
-    made = _classes(root)
-    found, residues = made.above(_below(root, rank, part), rank)
+    made = _made(root)
+    found, residues = made.classes.above(_below(root, rank, part), rank)
     content: dict[str, Any] = {"residues": residues, "flats": np.array(len(found))}
     if len(found):
         factors = np.cumprod(np.full(found.images.shape[1], _FACTOR))
-        parts = np.uint64(_parts(made, rank + 1))
+        parts = np.uint64(made.parts(rank + 1))
         bucket = ((found.images * factors).sum(axis=1) >> np.uint64(32)) % parts
         for number in np.unique(bucket):
             one = bucket == number
@@ -183,11 +204,11 @@ def _run(plan: tuple[str, int], part: int) -> None:
 
 def _below(root: str, rank: int, part: int) -> Flats:
     """Return the flats of the rank before, one of each class of this part."""
-    made = _classes(root)
+    made = _made(root)
     if rank == 1:
-        return made.bottom()
-    gathered, waiting = [made.bottom()[:0]], 0
-    for number in range(_parts(made, rank - 1)):
+        return made.classes.bottom()
+    gathered, waiting = [made.classes.bottom()[:0]], 0
+    for number in range(made.parts(rank - 1)):
         names = [f"{name}-{part}" for name in ("bases", "members", "images", "values")]
         if found := _read(root, rank - 1, number, *names):
             bases, members, images, values = (found[name] for name in names)
@@ -195,17 +216,13 @@ def _below(root: str, rank: int, part: int) -> Flats:
             gathered = [*gathered, flats] if len(gathered[0]) else [flats]
             waiting += len(flats)
             if waiting > _MANY:
-                gathered, waiting = [made.merged(Flats.joined(gathered))], 0
+                gathered, waiting = [made.classes.merged(Flats.joined(gathered))], 0
     together = Flats.joined(gathered)
-    return made.merged(together) if len(together) else together
+    return made.classes.merged(together) if len(together) else together
 
 
 def _place(root: str, rank: int, part: int) -> Path:
     return Path(root) / f"rank-{rank:02}" / f"part-{part:02}.npz"
-
-
-def _parts(made: Classes, rank: int) -> int:
-    return PARTS if 2 * rank > made.rank else 1
 
 
 def _missing(root: str, rank: int, parts: int) -> set[int]:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -12,7 +13,6 @@ import pytest
 from arrangement import Arrangement, InputError, cli, counts, counts_in_parts
 from arrangement.counts.configuration import configuration
 from arrangement.counts.forecast import forecast
-from arrangement.counts_in_parts import first_whitney_numbers_in_parts as in_parts
 from arrangement.errors import TimeLimitError, UnfinishedError
 from arrangement.library import families
 
@@ -20,9 +20,7 @@ RESONANCE = families.resonance(5)
 NUMBERS = (1, -31, 375, -2130, 5270, -3485)
 
 
-@pytest.fixture(autouse=True)
-def _few_parts(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(counts_in_parts, "PARTS", 3)
+in_parts = partial(counts_in_parts.first_whitney_numbers_in_parts, parts=3)
 
 
 def files(folder: Path) -> dict[str, bytes]:
@@ -80,7 +78,6 @@ def test_shards_do_their_parts_and_wait_for_others(tmp_path: Path) -> None:
 
 
 def test_processes_give_the_same_files(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(counts_in_parts, "PARTS", 64)  # what new processes have
     monkeypatch.setattr(counts_in_parts, "_FEW", 10)
     planes = families.threshold_functions(3)
     assert in_parts(planes, tmp_path / "two", jobs=2) == counts.first_whitney_numbers(planes)
@@ -98,6 +95,8 @@ def test_what_cannot_be_used_is_refused(tmp_path: Path) -> None:
         in_parts(RESONANCE, tmp_path, shard=(3, 2))
     with pytest.raises(InputError, match="positive number"):
         in_parts(RESONANCE, tmp_path, time_limit=0)
+    with pytest.raises(InputError, match="parts is 0"):
+        in_parts(RESONANCE, tmp_path, parts=0)
     with pytest.raises(InputError, match="no planes"):
         in_parts(Arrangement([], dimension=2), tmp_path / "new")
     (tmp_path / "file").write_text("")
@@ -110,7 +109,7 @@ def test_symmetries_of_a_plan_are_checked(tmp_path: Path, generators: Any) -> No
     in_parts(families.braid(4), tmp_path)
     plan = tmp_path / "plan.json"
     plan.write_text(json.dumps(json.loads(plan.read_text()) | {"generators": generators}))
-    with pytest.raises(InputError, match="symmetries that are none"):
+    with pytest.raises(InputError, match="other parts or symmetries"):
         in_parts(families.braid(4), tmp_path)
 
 
