@@ -21,6 +21,8 @@ from .errors import InputError, MissingExtraError, WorkerError
 Result = TypeVar("Result")
 #: How often in a row workers may die without any result before all is given up.
 _MOST_DEATHS = 3
+#: Processes that are asked for at once, at most.
+MOST_JOBS = 1024
 
 
 def due(count: int, shard: tuple[int, int], jobs: int) -> range:
@@ -32,8 +34,8 @@ def due(count: int, shard: tuple[int, int], jobs: int) -> range:
     part, parts = shard
     if not 1 <= part <= parts:
         raise InputError(f"shard is {part}/{parts}; give i/n with i from 1 to n")
-    if jobs < 1:
-        raise InputError(f"jobs is {jobs}; it must be at least 1")
+    if not 1 <= jobs <= MOST_JOBS:
+        raise InputError(f"jobs is {jobs}; give 1 to {MOST_JOBS} processes of this machine")
     return range(part - 1, count, parts)
 
 
