@@ -18,6 +18,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from arrangement.errors import InputError
+from arrangement.exact import shown
 from arrangement.symbolic import integer_matrix
 
 from .configuration import Configuration
@@ -92,9 +93,9 @@ class Automorphisms:
             moved = self._products[np.ix_(image, image)]
             if not _equal_up_to_signs(moved, self._products):
                 raise InputError(
-                    f"symmetry[{number}] is no automorphism: no linear map takes each plane's "
-                    "normal to plus or minus that of its image; leave it out, or leave out "
-                    "symmetry to have it found"
+                    f"symmetry[{number}] takes distinct planes to {shown(list(given))}, which is "
+                    "no automorphism: no linear map takes each plane's normal to plus or minus "
+                    "that of its image; leave it out, or leave out symmetry to have it found"
                 )
             checked.append(image)
         return self._stacked(checked)

@@ -6,6 +6,7 @@ import math
 from collections import Counter
 from collections.abc import Callable
 from fractions import Fraction
+from functools import partial
 from itertools import combinations
 from typing import Any
 
@@ -41,6 +42,19 @@ POLYNOMIALS: dict[str, tuple[Callable[[int], Arrangement], Callable[[int], Any],
     "Ish": (families.ish, lambda n: T * (T - n) ** (n - 1), range(1, 6)),
     "Catalan": (families.catalan, lambda n: T * roots(*range(n + 1, 2 * n)), range(1, 6)),
     "Linial": (families.linial, linial_chi, range(1, 6)),
+    "Ish B": (families.ish_b, lambda n: (T - 2 * n) ** n, range(1, 5)),
+    "cross-polytope": (
+        partial(families.separations, "cross-polytope"),
+        lambda n: (T - 1) ** n + (T - 1) * (T - 2) ** n,
+        range(1, 6),
+    ),
+    "between D and B": (
+        lambda k: families.signed_graphical(
+            ",".join(["1-2,1-3,2-3,1+2,1+3,2+3", *map(str, range(1, k + 1))])
+        ),
+        lambda k: roots(1, 3, 2 + k),
+        range(4),
+    ),
 }
 
 
@@ -164,6 +178,70 @@ def test_graphical_arrangements_have_the_chromatic_polynomial(graph: nx.Graph) -
     expected = sympy.Poly(chromatic.subs(symbols[0], T) if symbols else chromatic, T)
     planes = families.graphical(graph)
     assert counts.characteristic_polynomial(planes).as_expr() == expected.as_expr()
+
+
+CONNECTED = [g for g in nx.graph_atlas_g()[2:] if len(g) <= 5 and nx.is_connected(g)]
+
+
+@pytest.mark.parametrize("graph", CONNECTED, ids=lambda graph: str(graph.edges))
+def test_bigraphical_planes_have_their_tutte_polynomial(graph: nx.Graph) -> None:
+    # Hopkins and Perkinson (2016): (-2)^(n-1) t T(1 - t/2, 1)
+    x, y = sympy.symbols("x y")
+    tutte = sympy.sympify(nx.tutte_polynomial(graph)).subs({y: 1}).subs({x: 1 - T / 2})
+    expected = sympy.Poly((-2) ** (len(graph) - 1) * T * tutte, T)
+    planes = families.bigraphical(graph)
+    assert counts.characteristic_polynomial(planes).as_expr() == expected.as_expr()
+    for fewer in (families.shi(graph), families.semiorder(graph)):
+        assert counts.region_count(fewer) <= counts.region_count(planes)
+
+
+@pytest.mark.parametrize("m", [1, 2])
+def test_deformations_of_graphs(m: int) -> None:
+    complete = nx.complete_graph(4)
+    assert families.shi(complete, m) == families.shi(4, m)
+    assert families.catalan(complete, m) == families.catalan(4, m)
+    tree = "1-3,2-3,3-4"
+    assert counts.region_count(families.shi(tree, m)) == (2 * m + 1) ** 3
+    assert counts.region_count(families.catalan(tree, m)) == (2 * m + 2) ** 3
+    cycle = families.shi("1-2,2-3,3-4,1-4", m)
+    assert counts.by_points(cycle) == counts.characteristic_polynomial(cycle)
+
+
+def test_text_is_a_graph() -> None:
+    graph = nx.empty_graph(3)
+    graph.add_edges_from([(0, 2), (1, 2)])
+    assert families.graphical("1-3, 3-2") == families.graphical(graph)
+    assert families.graphical("2-4").dimension == 4
+    assert families.linial("3-1") == families.linial("1-3")
+
+
+@pytest.mark.parametrize("sign", [1, -1])
+def test_switching_a_vertex_keeps_the_polynomial(sign: int) -> None:
+    graph = nx.MultiGraph(nx.wheel_graph(5))
+    nx.set_edge_attributes(graph, sign, "sign")
+    switched = graph.copy()
+    for tail, head, key in graph.edges(2, keys=True):
+        switched[tail][head][key]["sign"] = -sign
+    chi = [
+        counts.characteristic_polynomial(families.signed_graphical(g)) for g in (graph, switched)
+    ]
+    assert chi[0] == chi[1]
+    if sign == 1:  # balanced: the same as without signs
+        assert chi[0] == counts.characteristic_polynomial(families.graphical(nx.wheel_graph(5)))
+
+
+def test_separations() -> None:
+    assert families.separations("cube", 3) == families.threshold_functions(3)
+    sixteen_cells = [families.separations(name, 4) for name in ("demicube", "cross-polytope")]
+    assert len({counts.whitney_numbers(planes) for planes in sixteen_cells}) == 1
+    permutations = families.separations("permutohedron", 4)
+    assert len(permutations.regions()) == counts.region_count(permutations) == 2894
+
+
+def test_discriminantal_planes_of_n_minus_1_vectors_are_the_braid_arrangement() -> None:
+    for n in (4, 5):
+        braid = counts.essentialization(families.braid(n))
+        assert counts.f_vector(families.discriminantal(n, n - 1)) == counts.f_vector(braid)
 
 
 def test_parallel_edges_are_coincident_planes() -> None:
@@ -303,6 +381,9 @@ def test_sphere_normals_are_spread_evenly() -> None:
         lambda: families.generic(-1),
         lambda: families.random_integer(3, bound=0),
         lambda: families.shi(0),
+        lambda: families.ish_b(0),
+        lambda: families.separations("cube", 0),
+        lambda: families.discriminantal(2, 3),
     ],
 )
 def test_sizes_below_the_family_are_refused(call: Callable[[], object]) -> None:
@@ -322,11 +403,24 @@ def test_sizes_that_are_no_integers_are_refused(size: Any) -> None:
         (nx.DiGraph([(0, 1)]), "directed"),
         (nx.Graph([(0, 0)]), "loop"),
         (nx.Graph(), "no vertices"),
+        ("1-1", "loop at 1"),
+        ("1+2", "negative edges"),
+        ("1-2;2-3", "write its edges as"),
+        ("0-1", "write its edges as"),
+        ("1-2000", "write its edges as"),
+        ("", "write its edges as"),
     ],
 )
-def test_graphs_without_an_arrangement_are_refused(graph: nx.Graph, message: str) -> None:
+def test_graphs_without_an_arrangement_are_refused(graph: nx.Graph | str, message: str) -> None:
     with pytest.raises(InputError, match=message):
         families.graphical(graph)
+
+
+def test_signs_and_polytopes_that_do_not_exist_are_refused() -> None:
+    with pytest.raises(InputError, match="has the sign 2; give 1 or -1"):
+        families.signed_graphical(nx.Graph([(0, 1, {"sign": 2})]))
+    with pytest.raises(InputError, match="there are cube, demicube"):
+        families.separations("simplex", 3)
 
 
 def test_braid_planes_are_the_complete_graph() -> None:

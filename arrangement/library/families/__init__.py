@@ -5,21 +5,26 @@ compare them with what `arrangement.counts` and the enumerators find.
 """
 
 from .classical import braid, coordinate, generic, h3, near_pencil, pencil, type_b, type_d
-from .combinatorial import graphical, resonance, threshold, threshold_functions
-from .deformations import catalan, ish, linial, semiorder, shi
+from .combinatorial import resonance, threshold, threshold_functions
+from .deformations import catalan, ish, ish_b, linial, semiorder, shi
+from .graphs import bigraphical, graphical, signed_graphical
+from .points import discriminantal, separations
 from .randoms import random_degenerate, random_integer, random_sphere
 from .root_systems import coxeter
 from .simplicial import simplicial, simplicial_entries
 
 __all__ = [
+    "bigraphical",
     "braid",
     "catalan",
     "coordinate",
     "coxeter",
+    "discriminantal",
     "generic",
     "graphical",
     "h3",
     "ish",
+    "ish_b",
     "linial",
     "near_pencil",
     "pencil",
@@ -28,7 +33,9 @@ __all__ = [
     "random_sphere",
     "resonance",
     "semiorder",
+    "separations",
     "shi",
+    "signed_graphical",
     "simplicial",
     "simplicial_entries",
     "threshold",
