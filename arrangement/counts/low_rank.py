@@ -40,6 +40,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from arrangement.exact import largest, unoriented
+
 from .configuration import Configuration
 
 #: Highest rank, infinity included, that this module counts.
@@ -148,8 +150,8 @@ def _matrix(config: Configuration) -> Integers:
     rows = list(config.vectors)
     if config.infinity is not None:
         rows.append(config.infinity)
-    largest = max((abs(x) for row in rows for x in row), default=0)
-    bound = 2 * largest**2 if config.rank <= 3 else 6 * largest**3
+    size = largest(rows)
+    bound = 2 * size**2 if config.rank <= 3 else 6 * size**3
     return np.array(rows, dtype=np.int64 if bound <= _INT64_MAX else object)
 
 
@@ -190,10 +192,8 @@ def _contract_by_two(vectors: Integers, first: Integers, second: Integers) -> li
 
 def _group(coordinates: list[Integers], rows: Integers) -> Groups:
     """Group the columns of each row by ratio; columns whose coordinates are all 0 are left out."""
-    divisor = np.gcd.reduce(coordinates)
-    local, column = np.nonzero(divisor)
-    parts = [part[local, column] for part in coordinates]
-    keys = _canonical(parts, divisor[local, column])
+    local, column = np.nonzero(np.logical_or.reduce([part != 0 for part in coordinates]))
+    keys = _canonical([part[local, column] for part in coordinates])
     order = np.lexsort((*reversed(keys), local))
     changed = np.zeros(len(order), dtype=bool)
     changed[:1] = True
@@ -207,17 +207,17 @@ def _group(coordinates: list[Integers], rows: Integers) -> Groups:
     )
 
 
-def _canonical(parts: list[Integers], divisor: Integers) -> list[Integers]:
+def _canonical(parts: list[Integers]) -> list[Integers]:
     """Return sortable keys, equal exactly for proportional coordinates."""
+    if parts[0].dtype == object:
+        names: dict[tuple[int, ...], int] = {}
+        lines = map(unoriented, zip(*parts, strict=True))
+        return [np.array([names.setdefault(key, len(names)) for key in lines], dtype=np.int64)]
+    divisor = np.gcd.reduce(parts)
     sign = np.zeros(len(divisor), dtype=np.int64)
     for part in parts:
-        sign = np.where(sign == 0, np.sign(part), sign).astype(np.int64)
-    parts = [part // divisor * sign for part in parts]
-    if divisor.dtype != object:
-        return parts
-    names: dict[tuple[int, ...], int] = {}
-    codes = [names.setdefault(key, len(names)) for key in zip(*parts, strict=True)]
-    return [np.array(codes, dtype=np.int64)]
+        sign = np.where(sign == 0, np.sign(part), sign)
+    return [part // divisor * sign for part in parts]
 
 
 def _flats_only(groups: Groups, infinity: int) -> Groups:

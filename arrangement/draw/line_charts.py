@@ -13,8 +13,7 @@ from functools import cached_property
 import numpy as np
 
 from arrangement.arrangement import Arrangement
-from arrangement.exact import IntegerVector, RationalVector, dot, primitive, sign
-from arrangement.linear import reduced
+from arrangement.exact import IntegerVector, RationalVector, dot, primitive, reduced, sign
 
 from .globe import Globe
 from .projections import Drawn, stereographic

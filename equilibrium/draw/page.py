@@ -18,8 +18,7 @@ from arrangement.draw.labels import flattened
 from arrangement.draw.registry import Wrench
 from arrangement.draw.scene import Floats
 from arrangement.errors import InputError
-from arrangement.exact import IntegerVector, RationalVector, primitive, to_text
-from arrangement.linear import reduced
+from arrangement.exact import IntegerVector, RationalVector, primitive, reduced, to_text
 from equilibrium.model.grasp import Contact, Grasp, read_wrench
 from equilibrium.solver.contact_rows import DIRECTION
 from equilibrium.solver.elimination import gauss_jordan

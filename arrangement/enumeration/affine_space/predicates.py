@@ -27,7 +27,7 @@ from typing import Any, TypeAlias
 import numpy as np
 from numpy.typing import NDArray
 
-from arrangement.exact import IntegerVector
+from arrangement.exact import IntegerVector, largest
 from arrangement.float_filter import (
     EXACT,
     Floats,
@@ -162,8 +162,7 @@ class PlaneTable:
 
 def scaled_floats(rows: Sequence[IntegerVector]) -> tuple[Floats, float]:
     """Return floats near positive multiples of integer rows, and the `error` of determinants."""
-    largest = max((abs(x) for row in rows for x in row), default=0)
-    if 24 * largest**4 <= EXACT:
+    if 24 * largest(rows) ** 4 <= EXACT:
         return np.array(rows, dtype=np.float64).reshape(-1, 4), 0.0
     floats, usable = scaled(rows)
     return (floats, ERROR) if usable.all() else (np.ones_like(floats), UNUSABLE)

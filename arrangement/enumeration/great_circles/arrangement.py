@@ -94,7 +94,7 @@ class SphereArrangement:
 
     def ray(self, vertex: int) -> IntegerVector:
         """Return the primitive integer direction of a vertex."""
-        return primitive([int(x) for x in self.rays[vertex]])
+        return primitive(self.rays[vertex].tolist())
 
     def arc_witness(self, arc: int) -> IntegerVector:
         """Return a primitive integer vector in the relative interior of an arc's cone."""

@@ -30,6 +30,7 @@ from typing import Any, TypeAlias
 import numpy as np
 from numpy.typing import NDArray
 
+from arrangement.exact import largest
 from arrangement.float_filter import Signs, signs_of
 from arrangement.linear import cross
 
@@ -45,8 +46,7 @@ def integer_array(
 
     The default is the bound proven above. The choice depends on the largest entry B alone.
     """
-    largest = max((abs(x) for row in rows for x in row), default=0)
-    exact_in_int64 = factor * largest**degree_bound < 2**63
+    exact_in_int64 = factor * largest(rows) ** degree_bound < 2**63
     array = np.empty((len(rows), 3), dtype=np.int64 if exact_in_int64 else object)
     array[...] = np.array(rows, dtype=array.dtype).reshape(-1, 3)
     return array

@@ -4,9 +4,10 @@ The counts in the docstrings are statements of the literature. No function uses 
 compare them with what `arrangement.counts` and the enumerators find.
 """
 
-from .classical import braid, coordinate, generic, h3, near_pencil, pencil, type_b, type_d
+from .classical import braid, coordinate, generic, h3, h4, near_pencil, pencil, type_b, type_d
 from .combinatorial import graphical, resonance, threshold, threshold_functions
 from .deformations import catalan, ish, linial, semiorder, shi
+from .polygons import regular
 from .randoms import random_degenerate, random_integer, random_sphere
 from .root_systems import coxeter
 from .simplicial import simplicial, simplicial_entries
@@ -19,6 +20,7 @@ __all__ = [
     "generic",
     "graphical",
     "h3",
+    "h4",
     "ish",
     "linial",
     "near_pencil",
@@ -26,6 +28,7 @@ __all__ = [
     "random_degenerate",
     "random_integer",
     "random_sphere",
+    "regular",
     "resonance",
     "semiorder",
     "shi",

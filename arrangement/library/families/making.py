@@ -10,15 +10,17 @@ from collections.abc import Callable, Mapping
 from arrangement.arrangement import Arrangement
 
 from . import classical, combinatorial, deformations, randoms
+from .polygons import regular
 from .root_systems import coxeter
 from .simplicial import simplicial
 
-#: Name on the command line -> function. Graphs and irrational mirrors have no options there.
+#: Name on the command line -> function. Graphs have no options there.
 FAMILIES: Mapping[str, Callable[..., Arrangement]] = {
     function.__name__.replace("_", "-"): function
     for function in (
         *(classical.generic, classical.pencil, classical.near_pencil, classical.coordinate),
         *(classical.braid, classical.type_b, classical.type_d, coxeter),
+        *(classical.h3, classical.h4, regular),
         *(
             deformations.shi,
             deformations.catalan,
