@@ -243,6 +243,10 @@ class NumberField:
 
     def _inverse(self, coefficients: IntegerVector) -> Real:
         """Return 1 over a number, from the equations for its coefficients."""
+        if len(coefficients) == 2:
+            a, b = coefficients
+            norm = a * a + b * b * self.minimal_polynomial[0]
+            return self._made((a, -b) if norm > 0 else (-a, b), abs(norm))
         found = self._inverses.get(coefficients)
         if found is None:
             columns, column = [], coefficients
@@ -337,6 +341,10 @@ class AlgebraicNumber:
         if not self._sign:
             self._sign = self.field.sign(self.coefficients)
         return self._sign
+
+    def size(self) -> int:
+        """Return a bound of the size of the number and of all its conjugates."""
+        return -(-self.field.size(self.coefficients) // self.denominator)
 
     def bit_length(self) -> int:
         """Return the number of bits of the integer part, as of an integer."""

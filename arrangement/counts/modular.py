@@ -190,7 +190,7 @@ class ModularVectors:
 
 
 def _size(x: Any) -> int:
-    return abs(x) if isinstance(x, int) else x.field.size(x.coefficients)
+    return abs(x) if isinstance(x, int) else x.size()
 
 
 def _normalised(images: Integers, members: NDArray[np.bool_], prime: int) -> Iterator[Integers]:

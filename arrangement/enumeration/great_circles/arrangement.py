@@ -47,14 +47,11 @@ class SphereArrangement:
         incidence: Incidence,
         crossings: Crossings,
         circle_normals: tuple[IntegerVector, ...],
-        rays: Integers,
     ) -> None:
         self.arrangement = arrangement
         self.incidence = incidence
         self.circle_normals = circle_normals
-        self.rays = rays
         self._crossings = crossings
-        rays.flags.writeable = False
 
     def __repr__(self) -> str:
         return (
@@ -86,6 +83,11 @@ class SphereArrangement:
     def rank(self) -> int:
         """The dimension of the span of the normals."""
         return min(self.circle_count, 2) if self.vertex_count <= 2 else 3
+
+    @cached_property
+    def rays(self) -> Integers:
+        """The direction of each vertex; see the class."""
+        return _rays(integer_array(self.circle_normals), self.incidence)
 
     @cached_property
     def plane_circle(self) -> Indices:
@@ -206,10 +208,7 @@ def sphere_arrangement(arrangement: Planes) -> SphereArrangement:
     circle_normals = tuple(unoriented(planes[members[0]][:3]) for members in arrangement.distinct)
     normals = integer_array(circle_normals)
     crossings = sort_crossings(normals)
-    incidence = build_incidence(crossings)
-    return SphereArrangement(
-        arrangement, incidence, crossings, circle_normals, _rays(normals, incidence)
-    )
+    return SphereArrangement(arrangement, build_incidence(crossings), crossings, circle_normals)
 
 
 def _rays(normals: Integers, incidence: Incidence) -> Integers:
@@ -223,6 +222,7 @@ def _rays(normals: Integers, incidence: Incidence) -> Integers:
         )
         rays[part] = np.cross(left, right)
     np.negative(rays[:lines], out=rays[lines:])
+    rays.flags.writeable = False
     return rays
 
 

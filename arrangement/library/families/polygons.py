@@ -70,7 +70,8 @@ def _multiples(n: int) -> tuple[list[Real], list[Real]]:
     import sympy
 
     t = real_vector([2 * sympy.cos(2 * sympy.pi / n)], "the cosine")[0]
-    cosines, sines = [2, t], [0, 1]
+    cosines: list[Real] = [2, t]
+    sines: list[Real] = [0, 1]
     for row in (cosines, sines):
         while len(row) < n:
             row.append(t * row[-1] - row[-2])
