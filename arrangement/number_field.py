@@ -308,6 +308,8 @@ class NumberField:
 class AlgebraicNumber:
     """An irrational number of a field; sums, products and quotients with rational numbers too.
 
+    With a float they are floats, as those of a `Fraction` are.
+
     ``//`` is the exact quotient, as it is wherever the package divides integers.
 
     Attributes:
@@ -377,7 +379,7 @@ class AlgebraicNumber:
     def __lt__(self, other: Any) -> bool:
         if type(other) is int and not other:
             return self.sign() < 0
-        difference = self - other
+        difference = self - (Fraction(other) if isinstance(other, float) else other)
         if isinstance(difference, AlgebraicNumber):
             return difference.sign() < 0
         return bool(difference < 0)
@@ -409,7 +411,7 @@ class AlgebraicNumber:
             return AlgebraicNumber(field, (left[0] + other * p, *left[1:]), p)
         if isinstance(other, Fraction):
             return field.number([Fraction(left[0], p) + other, *self.rational_coefficients()[1:]])
-        return NotImplemented
+        return float(self) + other if isinstance(other, float) else NotImplemented
 
     __radd__ = __add__
 
@@ -428,16 +430,20 @@ class AlgebraicNumber:
         if isinstance(other, (int, Fraction)):
             factor = other.numerator
             return field._made(tuple([x * factor for x in left]), p * other.denominator)
-        return NotImplemented
+        return float(self) * other if isinstance(other, float) else NotImplemented
 
     __rmul__ = __mul__
 
     def __truediv__(self, other: Any) -> Any:
         if isinstance(other, AlgebraicNumber):
             return self * (1 / other)
-        return self * Fraction(1, other) if isinstance(other, (int, Fraction)) else NotImplemented
+        if isinstance(other, (int, Fraction)):
+            return self * (1 / Fraction(other))
+        return float(self) / other if isinstance(other, float) else NotImplemented
 
     def __rtruediv__(self, other: Any) -> Any:
+        if isinstance(other, float):
+            return other / float(self)
         return self.field._inverse(self.coefficients) * (other * self.denominator)
 
     __floordiv__, __rfloordiv__ = __truediv__, __rtruediv__
@@ -460,7 +466,7 @@ def written(value: Real) -> str | list[str]:
     return to_text(value)
 
 
-_REALS = (int, Fraction, AlgebraicNumber)
+_REALS = (int, Fraction, AlgebraicNumber, float)
 
 
 def field_of(values: Any) -> NumberField | None:

@@ -13,7 +13,15 @@ from functools import cached_property
 import numpy as np
 
 from arrangement.arrangement import Arrangement
-from arrangement.exact import IntegerVector, RationalVector, dot, primitive, reduced, sign
+from arrangement.exact import (
+    IntegerVector,
+    RationalVector,
+    dot,
+    primitive,
+    quotient,
+    reduced,
+    sign,
+)
 
 from .globe import Globe
 from .projections import Drawn, stereographic
@@ -180,13 +188,13 @@ def _vertices(lines: Arrangement) -> Iterator[RationalVector]:
     for v in range(sphere.vertex_count):
         x, y, w = sphere.ray(v)
         if w > 0:
-            yield Fraction(x, w), Fraction(y, w)
+            yield quotient(x, w), quotient(y, w)
 
 
 def _foot(line: IntegerVector) -> RationalVector:
     """Return the point of a line nearest to 0."""
     a, b, c = line
-    return Fraction(a * c, a * a + b * b), Fraction(b * c, a * a + b * b)
+    return quotient(a * c, a * a + b * b), quotient(b * c, a * a + b * b)
 
 
 def _window(points: Sequence[RationalVector]) -> tuple[RationalVector, RationalVector]:

@@ -83,9 +83,12 @@ def unit_lengths(arrangement: Planes) -> tuple[Fraction, ...]:
     """Return factors that give every class of planes generators of total length about 1."""
     million = 10**6
     sizes = [len(arrangement.distinct[label]) for label in arrangement.class_of]
-    squares = [dot(plane[:-1], plane[:-1]) for plane in arrangement.integer_planes]
+    squares = [
+        square if isinstance(square, int) else Fraction(float(square))  # about 1 is enough
+        for square in (dot(plane[:-1], plane[:-1]) for plane in arrangement.integer_planes)
+    ]
     return tuple(
-        Fraction(million, size * isqrt(square * million**2))
+        Fraction(million, size * isqrt(int(square * million**2)))
         for size, square in zip(sizes, squares, strict=True)
     )
 
