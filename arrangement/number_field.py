@@ -459,6 +459,11 @@ class AlgebraicNumber:
         return _sum(enumerate(self.rational_coefficients()))
 
 
+def rational_near(value: Real) -> Fraction:
+    """Return a rational number as it is, and the float that is nearest to an irrational one."""
+    return Fraction(float(value) if isinstance(value, AlgebraicNumber) else value)
+
+
 def written(value: Real) -> str | list[str]:
     """Return the file form of a number: a text, or the texts of its coefficients."""
     if isinstance(value, AlgebraicNumber):

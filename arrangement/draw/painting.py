@@ -130,7 +130,7 @@ def unit_points(cells: Cells) -> Floats:
     return np.array(
         [
             [
-                (common * x - s * p[3]) * above / (below * p[3])
+                float((common * x - s * p[3]) * above / (below * p[3]))
                 for x, s in zip(p, shift, strict=False)
             ]
             for p in cells.points

@@ -69,7 +69,7 @@ def document(arguments: argparse.Namespace) -> str:
     values = {p.name: getattr(arguments, p.name) for p in _parameters(arguments.family)}
     given = ", ".join(f"{key} = {value}" for key, value in values.items())
     made = FAMILIES[arguments.family](**values).to_dict()
-    made["description"] = f"{arguments.family}, {given}"
+    made["description"] = f"{arguments.family}, {given}" if given else arguments.family
     rows = [f"    {json.dumps(row)}" for row in made.pop("planes")]
     rest = [f"  {json.dumps(key)}: {json.dumps(value)}" for key, value in made.items()]
     planes = ",\n".join(rows)
