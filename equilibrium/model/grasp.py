@@ -30,6 +30,7 @@ from arrangement.exact import (
 from arrangement.io.files import check_keys, check_list
 from arrangement.io.writing import write_text_atomically
 from arrangement.plugins import display
+from arrangement.short_repr import Shown
 
 from .errors import GraspError
 from .outline import Circle, Outline, Polygon, pair, read_outline
@@ -40,7 +41,7 @@ if TYPE_CHECKING:
 
 
 @dataclass(frozen=True)
-class Contact:
+class Contact(Shown):
     """One frictional contact with a unilateral normal spring.
 
     Args:
