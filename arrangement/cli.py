@@ -141,6 +141,8 @@ def _count(arguments: argparse.Namespace) -> int:
     print(f"planes           {counts['planes']}")
     print(f"distinct planes  {counts['distinct_planes']}")
     print(f"rank             {counts['rank']}")
+    if arrangement.field is not None:
+        print(f"entries in       {arrangement.field!r}")
     for dimension, number in enumerate(faces.f_vector):
         print(f"faces of dim {dimension}   {number}")
     print(f"states           {counts['states']}")
@@ -229,6 +231,8 @@ def _forecast(arrangement: Arrangement, arguments: argparse.Namespace) -> int:
 
 def _faces(arguments: argparse.Namespace) -> int:
     arrangement = _read(arguments)
+    if arrangement.field is not None and not arguments.json:
+        print(f"points in {arrangement.field!r}")
     for face in arrangement.iter_faces(arguments.dimension):
         if arguments.json:
             terminal.print_json(

@@ -23,7 +23,8 @@ from typing import Any, NoReturn
 from . import number_form, progress
 from .entry import fault
 from .errors import InputError, MissingExtraError
-from .exact import rational, shown, to_text
+from .exact import rational, shown
+from .number_field import AlgebraicNumber, written
 
 YES = 0
 NO = 1
@@ -267,9 +268,9 @@ def printable(text: str) -> str:
     return "".join(c if c.isprintable() else ascii(c)[1:-1] for c in text)
 
 
-def _encode(value: Any) -> str:
-    if isinstance(value, Fraction):
-        return to_text(value)
+def _encode(value: Any) -> str | list[str]:
+    if isinstance(value, (Fraction, AlgebraicNumber)):
+        return written(value)
     raise TypeError(f"{type(value).__name__} has no JSON form")
 
 

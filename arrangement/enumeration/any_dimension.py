@@ -28,7 +28,7 @@ from typing import Any, TypeAlias
 import numpy as np
 from numpy.typing import NDArray
 
-from arrangement.exact import IntegerVector
+from arrangement.exact import IntegerVector, largest
 from arrangement.linear import rank, unit_vectors
 from arrangement.planes import Planes
 
@@ -233,15 +233,17 @@ def _grouped(rows: NDArray[Any]) -> tuple[Indices, Indices]:
 def _integers(rows: Iterable[IntegerVector], n: int) -> Integers:
     """Return an integer matrix with n columns, int64 where all entries fit."""
     listed = list(rows)
-    largest = max((abs(x) for row in listed for x in row), default=0)
-    return np.array(listed, np.int64 if largest < _SAFE else object).reshape(len(listed), n)
+    return np.array(listed, np.int64 if largest(listed) < _SAFE else object).reshape(len(listed), n)
 
 
-def _for_products(array: Integers, factor: int) -> Integers:
+def _for_products(array: Integers, factor: float) -> Integers:
     """Return the array as Python integers unless `factor` times its entries stays in int64."""
-    return array if factor * _largest(array) < _SAFE else array.astype(object)
+    exact = array.dtype == object or factor * _largest(array) < _SAFE
+    return array if exact else array.astype(object)
 
 
-def _largest(array: Integers) -> int:
+def _largest(array: Integers) -> float:
     """Return the largest absolute value of an entry; those of int64 arrays are below 2^62."""
+    if array.dtype == object:
+        return largest([array.flat])
     return int(np.abs(array).max(initial=0))

@@ -16,7 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from arrangement.errors import InputError
-from arrangement.exact import RationalVector, shown
+from arrangement.exact import RationalVector, fraction, quotient, reduced, shown
 from arrangement.faces import Face
 from arrangement.planes import Planes
 from arrangement.short_repr import Shown
@@ -188,9 +188,14 @@ def _part(level: Level, chosen: NDArray[np.intp]) -> Level:
 
 def primitive_rows(rows: Integers) -> Integers:
     """Return vectors along the last axis, each divided by its greatest common divisor."""
+    if rows.dtype == object and not all(isinstance(x, int) for x in rows.flat):
+        found = np.empty_like(rows)
+        for at in np.ndindex(rows.shape[:-1]):
+            found[at] = reduced(rows[at].tolist())
+        return found
     divisor = np.abs(np.gcd.reduce(rows, axis=-1, keepdims=True))  # of one object: with its sign
-    found: Integers = rows // np.maximum(divisor, 1)
-    return found
+    whole: Integers = rows // np.maximum(divisor, 1)
+    return whole
 
 
 def rational_points(points: Integers) -> Iterator[RationalVector]:
@@ -205,7 +210,7 @@ class _Quotients(dict[tuple[int, int], Fraction]):
 
     def __missing__(self, pair: tuple[int, int]) -> Fraction:
         x, scale = pair
-        return self.setdefault(pair, Fraction(x) if scale == 1 else Fraction(x, scale))
+        return self.setdefault(pair, fraction(x) if scale == 1 else quotient(x, scale))
 
 
 def _frozen(array: NDArray[Any]) -> NDArray[Any]:

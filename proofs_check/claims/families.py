@@ -2,13 +2,20 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
+from collections import Counter
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from functools import cache
 from random import Random
 
 from arrangement import counts
 from arrangement.arrangement import Arrangement
 from arrangement.library.families.published import PublishedCount, published_counts
+from arrangement.library.families.simplicial import (
+    MISSING,
+    printed_vectors,
+    simplicial,
+    simplicial_entries,
+)
 from proofs_check.statement import Case, Claim, Route, exhaustive
 
 #: More planes take longer than a few seconds.
@@ -54,7 +61,61 @@ def _as_printed(planes: Arrangement, regions: int) -> bool:
     return regions == _in_print(planes)
 
 
+#: The vectors t and r: how many vertices lie on k planes, and how many planes have k vertices.
+_Vectors = tuple[dict[int, int], dict[int, int]]
+
+
+@cache
+def _catalogue() -> Mapping[Arrangement, tuple[int, int]]:
+    return {simplicial(*entry): entry for entry in simplicial_entries()}
+
+
+def _vectors(vertices: Iterable[Sequence[int]]) -> _Vectors:
+    listed = list(vertices)
+    on_planes = Counter(plane for vertex in listed for plane in vertex)
+    return dict(Counter(map(len, listed))), dict(Counter(on_planes.values()))
+
+
+def _by_lattice(planes: Arrangement) -> _Vectors:
+    return _vectors(flat.planes for flat in counts.intersection_lattice(planes).flats[2])
+
+
+def _by_great_circles(planes: Arrangement) -> _Vectors:
+    incidence = planes.sphere().incidence
+    if 3 * incidence.region_count != 2 * incidence.arc_count:
+        return {}, {}  # not simplicial
+    return _vectors(incidence.circles_at(v).tolist() for v in range(incidence.vertex_count // 2))
+
+
+def _vectors_in_print(planes: Arrangement) -> _Vectors:
+    return printed_vectors(*_catalogue()[planes])
+
+
+def _entries_of_catalogue(rng: Random) -> Iterator[Case]:
+    for planes, entry in _catalogue().items():
+        yield Case(f"A{entry}", planes, planes.to_dict())
+
+
 CLAIMS = (
+    Claim(
+        id="simplicial-catalogue",
+        locator="the sources of the families",
+        statement="The known simplicial arrangements of rank 3 have the printed numbers of "
+        "vertices on k planes, and of planes with k vertices.",
+        quantity="vectors t and r",
+        routes=(
+            Route("the flats of the lattice", _by_lattice),
+            Route(
+                "the vertices of the great circles, where all regions are triangles",
+                _by_great_circles,
+            ),
+        ),
+        judge=lambda planes, vectors: vectors == _vectors_in_print(planes),
+        sources=exhaustive(f"{119 - len(MISSING)} of 119 known entries", _entries_of_catalogue),
+        meaning="They are simplicial. Not here are "
+        + ", ".join(f"A{entry}" for entry in MISSING)
+        + ".",
+    ),
     Claim(
         id="regions-in-print",
         formula=r"|\chi(-1)| = \text{the number in print}",

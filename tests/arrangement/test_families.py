@@ -17,6 +17,7 @@ import sympy
 from arrangement import Arrangement, InputError, counts
 from arrangement.library import families
 from arrangement.library.families.published import PublishedCount, published_counts
+from arrangement.library.families.simplicial import MISSING, printed_vectors
 
 T = sympy.Symbol("t")
 
@@ -118,7 +119,7 @@ def test_types_and_numbers_are_the_same_planes(type: str, n: int) -> None:
     )
 
 
-@pytest.mark.parametrize("type", ["E9", "A0", "B1", "F5", "e6", "", "H3", "I2"])
+@pytest.mark.parametrize("type", ["E9", "A0", "B1", "F5", "e6", "", "H5", "I2", "I2(2)", "I2(x)"])
 def test_types_that_do_not_exist_are_refused(type: str) -> None:
     with pytest.raises(InputError, match="there are A1, A2"):
         families.coxeter(type)
@@ -294,7 +295,7 @@ def walls(planes: Arrangement) -> list[int]:
     return [sides[region.signs] for region in planes.regions()]
 
 
-@pytest.mark.parametrize("entry", families.simplicial_entries(), ids=str)
+@pytest.mark.parametrize("entry", CATALOGUE, ids=str)
 def test_every_region_of_a_catalogue_entry_is_a_triangle(entry: tuple[int, int]) -> None:
     planes = families.simplicial(*entry)
     assert set(walls(planes)) == {3}
@@ -311,13 +312,29 @@ def test_generic_planes_are_not_simplicial() -> None:
 
 
 def test_catalogue_has_every_rational_entry_up_to_13_planes() -> None:
-    assert set(families.simplicial_entries()) == set(CATALOGUE)
+    assert set(CATALOGUE) <= set(families.simplicial_entries())
 
 
-@pytest.mark.parametrize("entry", [(10, 1), (13, 4)])
-def test_irrational_entries_say_so(entry: tuple[int, int]) -> None:
-    with pytest.raises(InputError, match="irrational"):
+def test_catalogue_has_all_known_entries_but_the_missing_ones() -> None:
+    assert len(families.simplicial_entries()) == 119 - len(MISSING)
+    assert not set(MISSING) & set(families.simplicial_entries())
+
+
+@pytest.mark.parametrize("entry", MISSING[:2])
+def test_missing_entries_say_so(entry: tuple[int, int]) -> None:
+    with pytest.raises(InputError, match="normals are not known here"):
         families.simplicial(*entry)
+
+
+@pytest.mark.parametrize("entry", [(10, 1), (14, 4), (16, 1), (18, 4), (31, 1)], ids=str)
+def test_irrational_entries_have_triangles_and_the_printed_vectors(
+    entry: tuple[int, int],
+) -> None:
+    planes = families.simplicial(*entry)
+    assert planes.field is not None
+    assert planes.f_vector == counts.f_vector(planes)
+    assert 2 * planes.f_vector[2] == 3 * planes.f_vector[3]
+    assert dict(counts.t_vector(planes)) == printed_vectors(*entry)[0]
 
 
 def test_unknown_entries_name_the_known_ones() -> None:
@@ -325,9 +342,31 @@ def test_unknown_entries_name_the_known_ones() -> None:
         families.simplicial(5, 1)
 
 
-def test_h3_says_that_it_is_irrational() -> None:
-    with pytest.raises(InputError, match="golden ratio"):
-        families.h3()
+@pytest.mark.parametrize("planes", [6, 8, 9, 10, 13, 14, 17])
+def test_regular_polygons_give_simplicial_arrangements(planes: int) -> None:
+    found = families.regular(planes)
+    assert set(walls(found)) == {3}
+    assert dict(counts.t_vector(found)) == printed_vectors(planes, 1)[0]
+
+
+@pytest.mark.parametrize("planes", [5, 7, 11, 15, "9"])
+def test_other_numbers_of_planes_are_not_regular(planes: Any) -> None:
+    with pytest.raises(InputError):
+        families.regular(planes)
+
+
+def test_mirrors_of_the_icosahedron_and_of_the_600_cell() -> None:
+    assert families.h3().f_vector == counts.f_vector(families.h3()) == (1, 62, 180, 120)
+    assert families.coxeter("H4") == families.h4()
+    assert families.h4().f_vector == (1, 2640, 17040, 28800, 14400)
+
+    chi = counts.characteristic_polynomial(families.h4())
+    assert chi.as_expr().factor() == roots(1, 11, 19, 29)
+
+
+@pytest.mark.parametrize("m", range(3, 13))
+def test_mirrors_of_polygons(m: int) -> None:
+    assert families.coxeter(f"I2({m})").f_vector == (1, 2 * m, 2 * m)
 
 
 @pytest.mark.parametrize(("m", "d"), [(0, 1), (4, 1), (5, 2), (7, 3), (7, 4), (3, 5)])

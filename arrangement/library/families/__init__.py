@@ -4,11 +4,12 @@ The counts in the docstrings are statements of the literature. No function uses 
 compare them with what `arrangement.counts` and the enumerators find.
 """
 
-from .classical import braid, coordinate, generic, h3, near_pencil, pencil, type_b, type_d
+from .classical import braid, coordinate, generic, h3, h4, near_pencil, pencil, type_b, type_d
 from .combinatorial import resonance, threshold, threshold_functions
 from .deformations import catalan, ish, ish_b, linial, semiorder, shi
 from .graphs import bigraphical, graphical, signed_graphical
 from .points import discriminantal, separations
+from .polygons import regular
 from .randoms import random_degenerate, random_integer, random_sphere
 from .root_systems import coxeter
 from .simplicial import simplicial, simplicial_entries
@@ -23,6 +24,7 @@ __all__ = [
     "generic",
     "graphical",
     "h3",
+    "h4",
     "ish",
     "ish_b",
     "linial",
@@ -31,6 +33,7 @@ __all__ = [
     "random_degenerate",
     "random_integer",
     "random_sphere",
+    "regular",
     "resonance",
     "semiorder",
     "separations",

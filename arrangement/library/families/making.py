@@ -10,6 +10,7 @@ from collections.abc import Callable, Mapping
 from arrangement.arrangement import Arrangement
 
 from . import classical, combinatorial, deformations, graphs, points, randoms
+from .polygons import regular
 from .root_systems import coxeter
 from .simplicial import simplicial
 
@@ -19,6 +20,7 @@ FAMILIES: Mapping[str, Callable[..., Arrangement]] = {
     for function in (
         *(classical.generic, classical.pencil, classical.near_pencil, classical.coordinate),
         *(classical.braid, classical.type_b, classical.type_d, coxeter),
+        *(classical.h3, classical.h4, regular),
         *(deformations.shi, deformations.catalan, deformations.linial, deformations.semiorder),
         *(deformations.ish, deformations.ish_b),
         *(graphs.graphical, graphs.bigraphical, graphs.signed_graphical),
@@ -65,7 +67,7 @@ def document(arguments: argparse.Namespace) -> str:
     values = {p.name: getattr(arguments, p.name) for p in _parameters(arguments.family)}
     given = ", ".join(f"{key} = {value}" for key, value in values.items())
     made = FAMILIES[arguments.family](**values).to_dict()
-    made["description"] = f"{arguments.family}, {given}"
+    made["description"] = f"{arguments.family}, {given}" if given else arguments.family
     rows = [f"    {json.dumps(row)}" for row in made.pop("planes")]
     rest = [f"  {json.dumps(key)}: {json.dumps(value)}" for key, value in made.items()]
     planes = ",\n".join(rows)

@@ -87,6 +87,10 @@ _OTHERS: tuple[tuple[Callable[..., Arrangement], str, dict[tuple[Any, ...], int]
             ("E8",): 696729600,
             ("F4",): 1152,
             ("G2",): 12,
+            ("H3",): 120,
+            ("H4",): 14400,
+            ("I2(5)",): 10,
+            ("I2(7)",): 14,
         },
     ),
     (
