@@ -6,7 +6,7 @@ that are asked for, when they are asked for.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
@@ -16,7 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from arrangement.errors import InputError
-from arrangement.exact import RationalVector, shown
+from arrangement.exact import IntegerVector, RationalVector, shown
 from arrangement.faces import Face
 from arrangement.planes import Planes
 
@@ -25,6 +25,8 @@ Signs: TypeAlias = NDArray[np.int8]
 Integers: TypeAlias = NDArray[Any]
 Rows: TypeAlias = "slice | NDArray[np.intp]"
 
+#: Sums and products below this bound are exact in int64.
+_SAFE = 1 << 62
 #: Faces made at once when a sequence is walked.
 _BLOCK = 4096
 
@@ -188,6 +190,23 @@ def primitive_rows(rows: Integers) -> Integers:
     divisor = np.abs(np.gcd.reduce(rows, axis=-1, keepdims=True))  # of one object: with its sign
     found: Integers = rows // np.maximum(divisor, 1)
     return found
+
+
+def integer_matrix(rows: Iterable[IntegerVector], n: int) -> Integers:
+    """Return an integer matrix with n columns, int64 where all entries fit."""
+    listed = list(rows)
+    largest = max((abs(x) for row in listed for x in row), default=0)
+    return np.array(listed, np.int64 if largest < _SAFE else object).reshape(len(listed), n)
+
+
+def for_products(array: Integers, factor: int) -> Integers:
+    """Return the array as Python integers unless `factor` times its entries stays in int64."""
+    return array if factor * largest_entry(array) < _SAFE else array.astype(object)
+
+
+def largest_entry(array: Integers) -> int:
+    """Return the largest absolute value of an entry; those of int64 arrays are below 2^62."""
+    return int(np.abs(array).max(initial=0))
 
 
 def rational_points(points: Integers) -> Iterator[RationalVector]:
