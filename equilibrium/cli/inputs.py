@@ -56,6 +56,7 @@ def add_commands(commands: Any) -> None:
     randoms = add_command(kinds, "random", _random, text, grasp=False, numbers=False)
     randoms.add_argument("--contacts", type=terminal.count_argument, required=True, metavar="M")
     add_count(randoms, "--seed", 0, "of the random numbers", "SEED")
+    randoms.add_argument("--space", action="store_true", help="in space instead of the plane")
     _add_units(randoms)
 
 
@@ -90,8 +91,12 @@ def _add_units(parser: argparse.ArgumentParser) -> None:
 def _random(arguments: argparse.Namespace) -> int:
     from equilibrium.inputs import random_grasp, star_outline
 
-    grasp = random_grasp(arguments.contacts, arguments.seed)
-    document = _labelled(grasp.with_outline(star_outline(grasp)), arguments).to_dict()
+    if arguments.space:
+        grasp = random_grasp(arguments.contacts, arguments.seed, dimension=3)
+    else:
+        grasp = random_grasp(arguments.contacts, arguments.seed)
+        grasp = grasp.with_outline(star_outline(grasp))
+    document = _labelled(grasp, arguments).to_dict()
     return show(arguments, {"grasp": document}, [json.dumps(document, indent=2)])
 
 
