@@ -26,7 +26,11 @@ from .sequence import Integers, Signs, for_products, integer_matrix, largest_ent
 
 @dataclass(frozen=True, slots=True)
 class Fan:
-    """The faces inside a closed cone of R^n; its faces in a plane it lies in are its own.
+    """The faces of central planes inside a closed cone of R^n.
+
+    >>> quadrant = Fan.space(2).cut((1, 0), (0, 1)).cut((0, 1), (0, 1))
+    >>> quadrant.cut((1, -1)).signs.tolist()
+    [[0, 0, 0], [1, 0, 1], [0, 1, -1], [1, 1, 0], [1, 1, 1], [1, 1, -1]]
 
     Attributes:
         rays: (R, n); one point of each ray, modulo the lines.
@@ -64,7 +68,7 @@ class Fan:
             sides: of -1, 0, 1: (0, 1) leaves a half space, (0,) the plane itself.
         """
         form = integer_matrix([tuple(normal)], self.lines.shape[1])[0]
-        factor = max(1, len(form) * largest_entry(form))
+        factor = len(form) * largest_entry(form)
         on_lines = for_products(self.lines, factor) @ form
         if on_lines.any():
             return self._cut_lines(form, on_lines, sides)
@@ -82,8 +86,8 @@ class Fan:
             self.dimensions[inside],
         )
 
-    def where(self, chosen: Bits) -> Fan:
-        """Return some of the faces, which need no longer be all of a cone."""
+    def at(self, chosen: NDArray[np.intp]) -> Fan:
+        """Return some of the faces in an order, no longer all of a cone perhaps."""
         return Fan(
             self.rays, self.lines, self.members[chosen], self.signs[chosen], self.dimensions[chosen]
         )
@@ -91,7 +95,7 @@ class Fan:
     @property
     def points(self) -> Integers:
         """(F, n); an integer point in each face, the sum of its rays, without common divisor."""
-        rays = for_products(self.rays, max(1, len(self.rays)))
+        rays = for_products(self.rays, len(self.rays))
         return primitive_rows(self.members.astype(rays.dtype) @ rays)
 
     def _cut_lines(self, form: Integers, on_lines: Integers, sides: Collection[int]) -> Fan:
@@ -143,38 +147,14 @@ class Fan:
                     *[_with(self.signs[both], s) for s in kept],
                 ]
             ),
-            np.concatenate(
-                [self.dimensions[whole], *[dimensions - np.int8(s == 0) for s in kept]]
-            ),
+            np.concatenate([self.dimensions[whole], *[dimensions - np.int8(s == 0) for s in kept]]),
         )._without_unused_rays()
 
     def _without_unused_rays(self) -> Fan:
         used = self.members.any(axis=0)
         if used.all():
             return self
-        return Fan(
-            self.rays[used], self.lines, self.members[:, used], self.signs, self.dimensions
-        )
-
-
-def faces_in_cone(
-    inequalities: Sequence[Sequence[int]], planes: Sequence[Sequence[int]], n: int
-) -> Fan:
-    """Return the faces of central planes inside ``{x : a . x >= 0}`` in R^n, its boundary included.
-
-    Args:
-        inequalities: integer rows a; the first columns of the signs, which are 0 or 1.
-        planes: integer normals; the other columns.
-
-    >>> faces_in_cone([(1, 0), (0, 1)], [(1, -1), (1, 1)], 2).signs.tolist()
-    [[0, 0, 0, 0], [1, 0, 1, 1], [0, 1, -1, 1], [1, 1, 0, 1], [1, 1, 1, 1], [1, 1, -1, 1]]
-    """
-    fan = Fan.space(n)
-    for row in inequalities:
-        fan = fan.cut(row, (0, 1))
-    for row in planes:
-        fan = fan.cut(row)
-    return fan
+        return Fan(self.rays[used], self.lines, self.members[:, used], self.signs, self.dimensions)
 
 
 def _with(signs: Signs, side: int) -> Signs:
@@ -183,7 +163,7 @@ def _with(signs: Signs, side: int) -> Signs:
 
 def _moved(vectors: Integers, form: Integers, line: Integers, top: int) -> Integers:
     """Return vectors moved along a line into the plane, scaled by positive numbers."""
-    size = max(1, len(form) * largest_entry(form)) * max(1, largest_entry(line))
+    size = len(form) * largest_entry(form) * largest_entry(line)
     vectors = for_products(vectors, 2 * size)
     return primitive_rows(top * vectors - (vectors @ form)[:, None] * line)
 
@@ -192,6 +172,6 @@ def _crossings(
     rays: Integers, values: Integers, first: NDArray[np.intp], second: NDArray[np.intp]
 ) -> Integers:
     """Return the point of the plane on each edge between two rays on different sides of it."""
-    rays = for_products(rays, 2 * max(1, largest_entry(values)))
+    rays = for_products(rays, 2 * largest_entry(values))
     left, right = np.abs(values[second])[:, None], np.abs(values[first])[:, None]
     return primitive_rows(left * rays[first] + right * rays[second])

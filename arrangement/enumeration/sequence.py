@@ -201,7 +201,7 @@ def integer_matrix(rows: Iterable[IntegerVector], n: int) -> Integers:
 
 def for_products(array: Integers, factor: int) -> Integers:
     """Return the array as Python integers unless `factor` times its entries stays in int64."""
-    return array if factor * largest_entry(array) < _SAFE else array.astype(object)
+    return array if factor * max(1, largest_entry(array)) < _SAFE else array.astype(object)
 
 
 def largest_entry(array: Integers) -> int:

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 from arrangement import terminal
 from arrangement.exact import dot
 
-from . import draw, inputs, lab, methods, wrench_sets
+from . import draw, inputs, lab, methods, modes, wrench_sets
 from .arguments import add_applied, add_command, applied, grasp_of, show, vector
 from .proof_words import proof_lines
 
@@ -83,6 +83,7 @@ def _parser() -> terminal.Parser:
     add_command(commands, "list", _list, "list the built-in grasps", grasp=False)
     wrench_sets.add_commands(commands)
     methods.add_commands(commands)
+    modes.add_commands(commands)
     inputs.add_commands(commands)
     draw.add_commands(commands)
     lab.add_commands(commands)

@@ -45,6 +45,7 @@ TOPICS: tuple[str, ...] = (
     "methods",
     "certificates",
     "families",
+    "modes",
 )
 
 
