@@ -28,7 +28,8 @@ from arrangement.linear import cross, rank, triple_product
 from arrangement.progress import note
 
 from .globe import unit_vectors
-from .registry import Vector, refusal
+from .output import refusal
+from .registry import Vector
 
 Floats = npt.NDArray[np.float64]
 

@@ -11,8 +11,8 @@ from arrangement.errors import InputError
 from arrangement.exact import shown
 from arrangement.library.families import braid, generic, near_pencil, pencil, type_b
 
+from .measuring import checked_width
 from .output import require_matplotlib
-from .scene import checked_width
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure

@@ -14,12 +14,14 @@ from .coordinates import in_coordinates
 from .disc import alone, front, plane_names
 from .essential import shown_as
 from .figure import picture
-from .footer import Footer
 from .globe import Globe, best_direction, unit_vectors
+from .items import Floats
+from .measuring import checked_width
 from .projections import Chart, Drawn, StraightChart, orthographic
 from .regionlabels import RegionLabels
 from .registry import Vector
-from .scene import Floats, Scene, checked_width
+from .scene import Scene
+from .symbols import explain_regions
 
 _BOTH_ENDS = 16
 
@@ -74,8 +76,7 @@ def draw_gnomonic(
     if direction is None:
         globe = Globe(arrangement, _central_direction(globe))
     colours = globe.colouring(colour, antipodes)
-    footer = Footer(colours, names, list(globe.front.values()), [_note(globe)])
-    disc = alone(globe, _chart(globe), footer, width)
+    disc = alone(globe, _chart(globe), names, width)
     dotted = []
     if isinstance(disc.drawn.projection, Chart):
         inner = disc.drawn.projection.inner
@@ -84,7 +85,8 @@ def draw_gnomonic(
         at = np.linspace(0, 2 * math.pi, 200)
         dotted = [disc.on_paper(inner * np.stack([np.cos(at), np.sin(at)], axis=1))]
     disc.draw(colours.paint, both_ends=globe.whole.circle_count <= _BOTH_ENDS, avoid=dotted)
-    footer.write(disc.scene, disc.scene.height - disc.scene.width)
+    explain_regions(disc.scene, colours, names, globe.front.values())
+    disc.scene.legend.line(_note(globe))
     return disc.scene
 
 

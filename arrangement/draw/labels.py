@@ -10,7 +10,8 @@ from typing import Any, TypeAlias
 import numpy as np
 import numpy.typing as npt
 
-from .scene import Box, Floats, Place, Scene
+from .items import Box, Floats, Place
+from .scene import Scene
 
 Booleans: TypeAlias = npt.NDArray[np.bool_]
 #: Sizes of sign vectors that are tried, in points.

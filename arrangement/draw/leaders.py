@@ -8,8 +8,9 @@ from typing import Any
 
 import numpy as np
 
+from .items import Box, Floats
 from .labels import SIZES, around, segments_of, tree_of
-from .scene import Box, Floats, Scene
+from .scene import Scene
 
 #: Lengths of leader lines that are tried, in points.
 _REACHES = (7.0, 10.0, 14.0, 19.0, 25.0, 32.0, 40.0, 50.0)

@@ -21,7 +21,8 @@ from .coordinates import CHOICES, even_map, is_narrow, symmetric_map
 from .essential import brought, caption
 from .globe import Globe, clear_direction, picture_axes, unit_vectors
 from .html_page import BASE_SCRIPT, BASE_STYLE, one_page, own
-from .registry import Vector, refusal
+from .output import refusal
+from .registry import Vector
 
 #: Distinct planes beyond which a page is too slow to turn by hand.
 MAX_CIRCLES = 30

@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 
 from .html_page import BASE_SCRIPT, BASE_STYLE, one_page, own
-from .scene import Floats
+from .items import Floats
 
 
 @dataclass(frozen=True)

@@ -14,9 +14,9 @@ from typing import Any
 import numpy as np
 
 from arrangement.draw.html_page import BASE_SCRIPT, BASE_STYLE, Template, one_page
+from arrangement.draw.items import Floats
 from arrangement.draw.labels import flattened
 from arrangement.draw.registry import Wrench
-from arrangement.draw.scene import Floats
 from arrangement.errors import InputError
 from arrangement.exact import IntegerVector, RationalVector, primitive, to_text
 from arrangement.linear import reduced

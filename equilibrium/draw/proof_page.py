@@ -11,8 +11,8 @@ from typing import Any
 
 from arrangement.draw.colours import fill_colour, pale
 from arrangement.draw.html_page import BASE_SCRIPT, BASE_STYLE, Template, one_page
+from arrangement.draw.measuring import area
 from arrangement.draw.registry import Exact, Wrench
-from arrangement.draw.scene import area
 from arrangement.exact import RationalVector, sign, to_text
 from equilibrium.certificate.leaves import Part, works
 from equilibrium.model.grasp import Grasp

@@ -14,15 +14,17 @@ from arrangement.draw.colours import BLACK, GREY, VERMILION, pale
 from arrangement.draw.depth_tree import back_to_front
 from arrangement.draw.figure import picture
 from arrangement.draw.globe import TO_LIGHT, picture_axes, view_direction
+from arrangement.draw.items import Floats
+from arrangement.draw.legend import Legend
+from arrangement.draw.measuring import POINTS, checked_width
 from arrangement.draw.registry import Exact, Vector, Wrench
-from arrangement.draw.scene import POINTS, Floats, Scene, checked_width
+from arrangement.draw.scene import Scene
 from arrangement.exact import IntegerVector
 from arrangement.polyhedra.surface import Patch, rounded
 from equilibrium.model.grasp import Grasp, read_wrench
 
 from .grasp import draw_grasp
-from .keys import MARKS
-from .legend import Legend
+from .keys import MARKS, symbol
 from .row import read_extent
 from .style import nice, vector
 from .wrench_box import CUT, NAMES, SOLID, WALLS, WrenchBox, box_edges, box_text, wrench_box
@@ -92,22 +94,20 @@ class _Solid:
     ) -> None:
         self.grasp, self.box, self.towards = grasp, box, towards
         self.axes = picture_axes(towards)
-        legend = Legend(width * POINTS)
-        self._describe(legend, applied)
         corners = np.array(list(product((-1.0, 1.0), repeat=3))) @ self.axes.T
         low, high = corners.min(axis=0)[:2], corners.max(axis=0)[:2]
         paper = width * POINTS
         self.scale = (paper - 2 * _MARGIN) / float(high[0] - low[0])
         height = self.scale * float(high[1] - low[1]) + 1.5 * _MARGIN
-        self.scene = Scene(width, (height + legend.height) / POINTS)
-        self.shift = np.array([_MARGIN, legend.height + _MARGIN]) - self.scale * low
+        self.scene = Scene(width, height / POINTS)
+        self.shift = _MARGIN - self.scale * low
+        self._describe(self.scene.legend, applied)
         self._frame(behind=True)
         self._set()
         self._frame(behind=False)
         self._rulers()
         if applied is not None:
             self._mark(applied)
-        legend.draw(self.scene)
 
     def at(self, points: Any) -> Floats:
         """Return points of the box on the scene."""
@@ -123,12 +123,12 @@ class _Solid:
         legend.line(box_text(self.grasp, self.box))
         if applied is not None:
             held = any(piece.polyhedron.contains(applied) for piece in self.box.pieces)
-            legend.key("resisted" if held else "refused", f"w = {vector(applied)}")
+            legend.key(symbol("resisted" if held else "refused"), f"w = {vector(applied)}")
         solid = any(shape.dimension > 1 for shape in self.box.shapes)
         if self.box.shapes:
-            legend.key(SOLID if solid else "border", "resisted wrenches")
+            legend.key(symbol(SOLID if solid else "border"), "resisted wrenches")
         if any(p.row in WALLS for node in self.box.tree for p in node.patches):
-            legend.key(CUT, "cut by the box, goes on")
+            legend.key(symbol(CUT), "cut by the box, goes on")
         elif self.box.endless:
             legend.line("what reaches the box goes on")
 

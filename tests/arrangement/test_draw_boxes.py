@@ -13,9 +13,11 @@ import shapely
 
 from arrangement import InputError
 from arrangement.draw import DRAWINGS
+from arrangement.draw.items import Item, Label, Path
 from arrangement.draw.labels import flattened
+from arrangement.draw.measuring import measure
 from arrangement.draw.output import own_settings
-from arrangement.draw.scene import Item, Label, Path, Scene, measure
+from arrangement.draw.scene import Scene
 from arrangement.io.arrangements import read_arrangement
 
 INSTANCES = [

@@ -16,8 +16,9 @@ from arrangement.cli import main
 from arrangement.counts import f_vector
 from arrangement.draw import arrangement_page, draw_lines, draw_sphere, write_drawing
 from arrangement.draw.essential import SPACES, fits, in_space
+from arrangement.draw.items import Label
 from arrangement.draw.models import cells_model
-from arrangement.draw.scene import Label, Scene
+from arrangement.draw.scene import Scene
 from arrangement.draw.views import DRAWINGS, drawings_of
 from arrangement.io.arrangements import read_arrangement
 from arrangement.io.files import instances

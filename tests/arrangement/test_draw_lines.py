@@ -13,9 +13,11 @@ from hypothesis import given, settings, strategies as st
 from arrangement import Arrangement, InputError
 from arrangement.counts import bounded_region_count, f_vector
 from arrangement.draw import draw_lines
+from arrangement.draw.items import Label
 from arrangement.draw.labels import HAIR
 from arrangement.draw.line_charts import LinesChart
-from arrangement.draw.scene import Label, Scene, area
+from arrangement.draw.measuring import area
+from arrangement.draw.scene import Scene
 from arrangement.io.arrangements import read_arrangement
 
 LESSON = Arrangement([[0, 1], [-4, -3], [4, -3]], [0, -12, -12])

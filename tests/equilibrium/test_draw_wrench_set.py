@@ -9,7 +9,8 @@ from pathlib import Path
 
 import pytest
 
-from arrangement.draw.scene import Label, Scene
+from arrangement.draw.items import Label
+from arrangement.draw.scene import Scene
 from arrangement.errors import InputError
 from arrangement.io.files import instances
 from equilibrium import GraspError, read_grasp
