@@ -1,0 +1,211 @@
+"""The decision in space: a tree of contact states, and equilibria near where it does not close."""
+
+from __future__ import annotations
+
+import math
+import time
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass, field
+from typing import Any
+
+import numpy as np
+
+from arrangement.exact import RationalVector
+from arrangement.float_filter import Floats
+
+from .balance import SpatialContinuation
+from .contacts import SpatialContacts
+from .equilibria import Proposal, proposals
+from .leaves import exact_leaf
+from .relaxation import Point, Ray, Relaxation, Sector, State
+
+#: Nodes of a tree, and random starts of the first search.
+_NODES, _STARTS = 6000, 3
+#: After how many nodes without a leaf, at first, an equilibrium is looked for near a relaxation.
+_PATIENCE = 6
+#: Relative size below which a relaxation obeys the law.
+_OBEYS = 1e-7
+#: Sectors are cut down to this sine of their angle; directions are multiples of one over these.
+_NARROW, _COARSE, _DIRECTIONS = 1e-4, 8, 64
+#: The sharpness of contacts for a search that starts near an equilibrium.
+_NEAR = 1e-3
+
+
+@dataclass(frozen=True)
+class Open:
+    """Neither was proved.
+
+    Attributes:
+        reason: in words.
+        residual: of the motion that is closest to an equilibrium, as a share of the forces.
+    """
+
+    reason: str
+    residual: float
+
+
+class SpatialSearch:
+    """The search for one question.
+
+    Args:
+        accept: whether a proposal is proved to be an equilibrium.
+        deadline: of `time.monotonic`.
+    """
+
+    def __init__(
+        self,
+        contacts: SpatialContacts,
+        wrench: RationalVector,
+        accept: Callable[[Proposal], bool],
+        deadline: float = math.inf,
+    ) -> None:
+        self.contacts, self.wrench = contacts, wrench
+        self.accept, self.deadline = accept, deadline
+        self.relaxation = Relaxation(contacts, wrench)
+        self.smooth = SpatialContinuation(contacts, wrench)
+        self.tried: set[object] = set()
+        self.residual = 1.0
+
+    def decide(self) -> Proposal | Any | Open:
+        """Return an accepted equilibrium, a tree that refutes all, or what is open."""
+        with np.errstate(all="ignore"):
+            root: tuple[State, ...] = ("undecided",) * len(self.contacts.grasp)
+            leaf = self._leaf(root, self.relaxation.solve(root))
+            if leaf is not None:
+                return leaf
+            for motion in self.smooth.starts(_STARTS):
+                found = self._near(motion, 1.0)
+                if found is not None:
+                    return found
+            return self._tree(root)
+
+    def _near(self, motion: Floats, sharpness: float) -> Proposal | None:
+        """Return an equilibrium that the smoothed balance leads to."""
+        for end, eps in self.smooth.path(motion, sharpness):
+            for found in proposals(self.contacts, self.wrench, end, eps, self.tried):
+                if self.accept(found):
+                    return found
+        self.residual = min(self.residual, self.smooth.reached / (self.smooth.size or 1.0))
+        return None
+
+    def _leaf(self, states: tuple[State, ...], found: Ray | Point | None) -> Any | None:
+        if not isinstance(found, Ray):
+            return None
+        return exact_leaf(self.contacts, self.wrench, states, *found)
+
+    def _tree(self, root: tuple[State, ...]) -> Proposal | Any | Open:
+        """Search depth first; a node is filled in when all below it are closed."""
+        top: list[Any] = [None]
+        waiting: list[tuple[tuple[State, ...], list[Any], int]] = [(root, top, 0)]
+        nodes, idle, patience, failed = 0, 0, _PATIENCE, 0
+        while waiting:
+            if nodes == _NODES:
+                return Open(f"after {nodes} nodes the tree is not closed", self.residual)
+            if time.monotonic() > self.deadline:
+                return Open(f"the time is over after {nodes} nodes", self.residual)
+            states, parent, position = waiting.pop()
+            nodes, idle = nodes + 1, idle + 1
+            found = self.relaxation.solve(states)
+            leaf = self._leaf(states, found)
+            if leaf is not None:
+                parent[position], idle = leaf, 0
+                continue
+            split = None
+            if isinstance(found, Point):
+                values = self.relaxation.violations(states, found)
+                obeys = values.max(initial=0.0) <= _OBEYS
+                if obeys or idle >= patience:
+                    idle, patience = 0, 2 * patience if not obeys else patience
+                    near = self._near(found.motion * self.relaxation.scale, _NEAR)
+                    if near is not None:
+                        return near
+                if not obeys:
+                    split = self._split(states, values, found)
+            split = split or self._any_split(states)
+            if split is None:
+                failed += 1
+                return Open("a relaxation neither closes nor splits further", self.residual)
+            node, children, parts = split
+            parent[position] = node
+            waiting += reversed([(part, children, k) for k, part in enumerate(parts)])
+        return _finished(top[0])
+
+    def _split(
+        self, states: tuple[State, ...], values: Floats, found: Point
+    ) -> tuple[Any, list[Any], list[tuple[State, ...]]] | None:
+        """Return the node that splits the contact furthest from the law, its children and parts."""
+        for i in np.argsort(-values):
+            if values[i] <= 0:
+                return None
+            slip = self.relaxation.tangents[i] @ found.motion
+            split = _parts(states, int(i), slip)
+            if split is not None:
+                return split
+        return None
+
+    def _any_split(
+        self, states: tuple[State, ...]
+    ) -> tuple[Any, list[Any], list[tuple[State, ...]]] | None:
+        """Return a split of the contact that is decided least."""
+        for kind in ("undecided", "attached"):
+            if kind in states:
+                return _parts(states, states.index(kind), np.array([1.0, 0.0]))
+        return None
+
+
+def _parts(
+    states: tuple[State, ...], i: int, slip: Floats
+) -> tuple[Any, list[Any], list[tuple[State, ...]]] | None:
+    """Return the node that splits one contact; None if its sector is too narrow."""
+    state = states[i]
+    parts: list[State]
+    if state == "undecided":
+        parts = ["detached", "attached"]
+        children: list[Any] = [None, None]
+        node: Any = {"contact": i, "attachment": children}
+    elif state == "attached":
+        ends = [_turned(slip, turn, _COARSE) for turn in (-60, 60, 180)]
+        parts = ["stick", *((ends[k - 1], ends[k]) for k in (1, 2, 0))]
+        children = [None] * 4
+        node = {"contact": i, "directions": ends, "children": children}
+    elif isinstance(state, tuple):
+        middle = _middle(state)
+        if middle is None:
+            return None
+        parts = [(state[0], middle), (middle, state[1])]
+        children = [None, None]
+        node = {"contact": i, "directions": [middle], "children": children}
+    else:
+        return None
+    return node, children, [(*states[:i], part, *states[i + 1 :]) for part in parts]
+
+
+def _turned(direction: Floats, degrees: float, size: int) -> tuple[int, int]:
+    """Return integers near a direction, turned."""
+    angle = math.atan2(direction[1], direction[0]) + math.radians(degrees)
+    return round(size * math.cos(angle)), round(size * math.sin(angle))
+
+
+def _middle(sector: Sector) -> tuple[int, int] | None:
+    """Return integers near the middle of a sector; None if it is narrow."""
+    (p, q), (u, v) = sector
+    one, other = math.hypot(p, q), math.hypot(u, v)
+    sine = (p * v - q * u) / (one * other)
+    if sine < _NARROW and p * u + q * v > 0:
+        return None
+    x, y = p / one + u / other, q / one + v / other
+    size = _DIRECTIONS / max(sine, _NARROW) if p * u + q * v > 0 else _COARSE
+    scale = size / math.hypot(x, y)
+    return round(x * scale), round(y * scale)
+
+
+def _finished(node: Any) -> Any:
+    """Return a tree in the form of certificates."""
+    if isinstance(node, dict) and "attachment" in node:
+        detached, attached = map(_finished, node["attachment"])
+        return {**node, "attachment": {"detached": detached, "attached": attached}}
+    if isinstance(node, dict) and "directions" in node:
+        directions = [list(direction) for direction in node["directions"]]
+        children = [_finished(child) for child in node["children"]]
+        return {**node, "directions": directions, "children": children}
+    return node
