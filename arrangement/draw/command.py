@@ -21,7 +21,7 @@ _KINDS: dict[str, dict[str, Any]] = {
     "length": {"metavar": "LENGTH"},
     "Exact": {"type": terminal.rational_argument, "metavar": "Q"},
     "Vector": {"type": terminal.rational_argument, "nargs": 3, "metavar": ("X", "Y", "Z")},
-    "Wrench": {"type": terminal.rational_argument, "nargs": 3, "metavar": ("FX", "FY", "TAU")},
+    "Wrench": {"type": terminal.rational_argument, "nargs": "+", "metavar": ("FX", "FY TAU")},
     "Corner": {"type": lambda text: text.split(","), "metavar": "X,Y"},
     "bool": {"action": argparse.BooleanOptionalAction, "default": None},
 }

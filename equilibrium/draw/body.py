@@ -20,7 +20,7 @@ from arrangement.draw.items import Floats
 from arrangement.draw.labels import flattened
 from arrangement.exact import RationalVector
 from equilibrium.model.grasp import Grasp
-from equilibrium.model.outline import Outline, Polygon
+from equilibrium.model.outline import Circle, Outline, Polygon
 
 from .shapes import arc
 
@@ -48,8 +48,7 @@ def frame_of(grasp: Grasp, outline: Outline | None = None) -> Frame:
         places += outline.extremes
     if not places:
         return Frame((Fraction(0), Fraction(0)), Fraction(1))
-    lows = [min(p[k] for p in places) for k in (0, 1)]
-    highs = [max(p[k] for p in places) for k in (0, 1)]
+    lows, highs = ([end(column) for column in zip(*places, strict=True)] for end in (min, max))
     spread = max(high - low for low, high in zip(lows, highs, strict=True)) / 2
     centre = tuple((low + high) / 2 for low, high in zip(lows, highs, strict=True))
     return Frame(centre, spread or Fraction(1))
@@ -58,6 +57,7 @@ def frame_of(grasp: Grasp, outline: Outline | None = None) -> Frame:
 def stated_body(outline: Outline, frame: Frame) -> Floats:
     """Return a stated outline as cubic control points (3k + 1, 2)."""
     if not isinstance(outline, Polygon):
+        assert isinstance(outline, Circle)
         radius = float(outline.radius / frame.size)
         return arc(frame.paper(outline.centre), radius, 0.0, 2 * math.pi)
     places = [frame.paper(corner) for corner in outline.corners]

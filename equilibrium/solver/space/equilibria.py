@@ -122,7 +122,9 @@ class StateBalance:
         places = [(i, j) for i in self.sticking for j in (0, 1)]
         tangents = np.array([c.tangents[i, j] for i, j in places]).reshape(-1, 6)
         spare = [1.01 - float(np.linalg.norm(self.states.ratio[i])) for i, _ in places]
-        weight = np.array([x * (c.friction[i] + 1e-9) for x, (i, _) in zip(spare, places, strict=True)])
+        weight = np.array(
+            [x * (c.friction[i] + 1e-9) for x, (i, _) in zip(spare, places, strict=True)]
+        )
         left = tangents * weight[:, None] if places else tangents
         chosen: list[tuple[int, int]] = []
         for _ in range(count):
@@ -223,13 +225,19 @@ class StateBalance:
             return
         error = np.abs(inverse) @ np.full(6, 1e-14 * size_of)
         for radius in _RADII:
-            radii = np.maximum(radius * np.maximum(np.abs(point), np.abs(point[:p]).max(initial=0.0) if p else 0.0), error)
+            radii = np.maximum(
+                radius
+                * np.maximum(np.abs(point), np.abs(point[:p]).max(initial=0.0) if p else 0.0),
+                error,
+            )
             radii = np.maximum(radii, 1e-40)
             yield Enclosed(
                 tuple(self.basis),
                 tuple(
                     None if not t else () if s else tuple(self.share(i))
-                    for i, (t, s) in enumerate(zip(self.states.touching, self.states.slipping, strict=True))
+                    for i, (t, s) in enumerate(
+                        zip(self.states.touching, self.states.slipping, strict=True)
+                    )
                 ),
                 self.pillars,
                 _short(point, 20),

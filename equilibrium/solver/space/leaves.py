@@ -55,13 +55,17 @@ def exact_leaf(
         contacts.springs[i][1:] if j == 0 else grasp.contacts[i].tangential_wrenches[j - 1]
         for i, j in places
     ]
-    reduced, pivots, scale = gauss_jordan(list(zip(*columns, strict=True))) if places else ([], [], 1)
+    reduced, pivots, scale = (
+        gauss_jordan(list(zip(*columns, strict=True))) if places else ([], [], 1)
+    )
     for fine in _FINE:
         unit = fine / largest
         motion = [round(float(x) * unit) for x in virtual]
         values = [Fraction(round(float(multipliers[place]) * unit)) for place in places]
         for row, pivot in zip(reduced, pivots, strict=False):
-            others = sum(row[k] * values[k] for k in range(len(values)) if k not in pivots and row[k])
+            others = sum(
+                row[k] * values[k] for k in range(len(values)) if k not in pivots and row[k]
+            )
             values[pivot] = Fraction(-others, 1) / scale
         given: dict[int, list[Fraction]] = {}
         for (i, j), value in zip(places, values, strict=True):
@@ -96,9 +100,7 @@ def _holds(
         work += alpha * contact.preload
         if (state == "undecided" or state == "detached") and alpha < 0:
             return False
-        if isinstance(state, tuple) and any(
-            h[0] * x + h[1] * y > 0 for x, y in state
-        ):
+        if isinstance(state, tuple) and any(h[0] * x + h[1] * y > 0 for x, y in state):
             return False
         if state == "detached":
             continue
@@ -117,9 +119,7 @@ def _within(room: Fraction, friction: Fraction, b: tuple[Fraction, Fraction], st
     if isinstance(state, tuple):
         (p, q), (v, w) = state
         if not (p * t - q * s >= 0 and s * w - t * v >= 0):
-            return all(
-                _above(room, friction * (x * s + y * t), x * x + y * y) for x, y in state
-            )
+            return all(_above(room, friction * (x * s + y * t), x * x + y * y) for x, y in state)
     return room >= 0 and room * room >= friction * friction * (s * s + t * t)
 
 

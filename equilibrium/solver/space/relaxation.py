@@ -81,9 +81,13 @@ class Relaxation:
         n = 6 + 3 * len(free)
         column = {i: 6 + 3 * k for k, i in enumerate(free)}
         zero, plus = _Rows(n), _Rows(n)
-        zero.matrix[:6, 6:] = -np.concatenate(
-            [self.normal[free, :, None], self.tangents[free].transpose(0, 2, 1)], axis=2
-        ).transpose(1, 0, 2).reshape(6, -1)
+        zero.matrix[:6, 6:] = (
+            -np.concatenate(
+                [self.normal[free, :, None], self.tangents[free].transpose(0, 2, 1)], axis=2
+            )
+            .transpose(1, 0, 2)
+            .reshape(6, -1)
+        )
         zero.right[:6], zero.used = self.load, 6
         place: list[int] = []
         cost = np.zeros(n)
@@ -111,7 +115,9 @@ class Relaxation:
                 plus.add(np.zeros(6), 0.0, (j, limit), (j + 1, middle[0]), (j + 2, middle[1]))
         cones = np.zeros((3 * len(free), n))
         index = np.arange(6, n)
-        cones[index - 6, index] = np.where((index - 6) % 3 == 0, -self.friction[free].repeat(3), -1.0)
+        cones[index - 6, index] = np.where(
+            (index - 6) % 3 == 0, -self.friction[free].repeat(3), -1.0
+        )
         matrix = np.concatenate([zero.rows, plus.rows, cones])
         right = np.concatenate([zero.ends, plus.ends, np.zeros(3 * len(free))])
         kinds = [clarabel.ZeroConeT(zero.used)]
@@ -172,7 +178,9 @@ class Relaxation:
         spring = self.preload - self.stiffness * (self.normal @ d)
         slip = self.tangents @ d
         size = np.hypot(slip[:, 0], slip[:, 1])
-        miss = f[:, 1:] + (self.friction * f[:, 0])[:, None] * slip / np.maximum(size, 1e-300)[:, None]
+        miss = (
+            f[:, 1:] + (self.friction * f[:, 0])[:, None] * slip / np.maximum(size, 1e-300)[:, None]
+        )
         rubs = np.minimum(self.stiffness * size, np.hypot(miss[:, 0], miss[:, 1]))
         lifts = f[:, 0] - np.maximum(0.0, spring)
         value = [
