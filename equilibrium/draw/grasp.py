@@ -14,9 +14,9 @@ from arrangement.draw.labels import flattened
 from arrangement.draw.registry import Corner, Wrench
 from arrangement.draw.scene import POINTS, Floats, Scene
 from equilibrium.model.errors import GraspError
-from equilibrium.model.grasp import Grasp, read_wrench
+from equilibrium.model.grasp import Grasp
 from equilibrium.solver.state_equilibrium import Solution
-from equilibrium.verdict import solve
+from equilibrium.verdict import Solver
 
 from .layout import ARC, CONE, FORCE, Layout, displaced, layout_of
 from .legend import Legend
@@ -58,7 +58,7 @@ def draw_grasp(
     """
     if wrench is None and piece != 1:
         raise GraspError("without a wrench nothing is solved; give one with the piece")
-    verdict = None if wrench is None else solve(grasp, read_wrench(wrench))
+    verdict = None if wrench is None else Solver(grasp).solve(wrench)
     return _drawn(layout_of(grasp, verdict, outline, piece), width)
 
 
