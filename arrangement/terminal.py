@@ -29,6 +29,8 @@ from .exact import rational, shown, to_text
 YES = 0
 NO = 1
 _BAD_INPUT = 2
+#: Neither yes nor no was proved.
+UNDECIDED = 3
 #: EX_SOFTWARE of sysexits.h: a fault must never look like a "no".
 _FAULT = 70
 #: What a shell reports for a program that SIGINT or SIGPIPE ended (128 + the signal's number).

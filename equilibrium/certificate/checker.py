@@ -268,7 +268,7 @@ def _leaf_problem(question: _Question | SpatialQuestion, leaf: Leaf, place: _Pla
     return ""
 
 
-def _broken_bound(state: str | None, alpha: Fraction, h: Fraction, kappa: int) -> str:
+def _broken_bound(state: Any, alpha: Fraction, h: Fraction, kappa: int) -> str:
     """Return which bound of the multipliers of a contact is broken, or nothing."""
     if alpha < 0 and state in (None, "detached"):
         return "alpha must be at least 0"

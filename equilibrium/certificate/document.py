@@ -12,7 +12,7 @@ from arrangement.exact import RationalVector, to_text
 from equilibrium.model.grasp import Grasp
 
 from .checker import Report, check
-from .reading import SCHEMA_VERSION
+from .reading import SCHEMA_VERSION, Enclosure
 
 
 @dataclass(frozen=True)
@@ -43,11 +43,28 @@ def resisted_certificate(
     grasp: Grasp,
     wrench: RationalVector,
     motion: RationalVector,
-    forces: Iterable[tuple[Fraction, Fraction]],
+    forces: Iterable[RationalVector],
 ) -> Certificate:
-    """Return the certificate of an equilibrium: its motion, and (normal, tangential) forces."""
+    """Return the certificate of an equilibrium: its motion, normal and tangential forces."""
     listed = [_texts(pair) for pair in forces]
     return _certificate("resisted", grasp, wrench, motion=_texts(motion), forces=listed)
+
+
+def enclosed_certificate(grasp: Grasp, wrench: RationalVector, enclosure: Enclosure) -> Certificate:
+    """Return the certificate of an equilibrium in space whose numbers are not rational."""
+    friction = [
+        "detached" if share is None else _texts(share) if share else "slip"
+        for share in enclosure.friction
+    ]
+    form = {
+        "basis": list(map(_texts, enclosure.basis)),
+        "friction": friction,
+        "pillars": [list(pair) for pair in enclosure.pillars],
+        "centre": _texts(enclosure.centre),
+        "radius": _texts(enclosure.radius),
+        "inverse": list(map(_texts, enclosure.inverse)),
+    }
+    return _certificate("resisted", grasp, wrench, enclosure=form)
 
 
 def refuted_certificate(grasp: Grasp, wrench: RationalVector, tree: Any) -> Certificate:

@@ -123,74 +123,98 @@ class _BrokenLaw(Exception):
     """A condition of the law that does not hold all over a box."""
 
 
+class _Linear(NamedTuple):
+    """A number that depends on the unknowns: an interval of its values, and of its derivatives."""
+
+    value: Interval
+    slopes: list[Interval]
+
+    def times(self, other: _Linear) -> _Linear:
+        """Return the product."""
+        slopes = [
+            self.value.times(y).plus(other.value.times(x))
+            for x, y in zip(self.slopes, other.slopes, strict=True)
+        ]
+        return _Linear(self.value.times(other.value), slopes)
+
+    def by(self, factor: Fraction | int) -> _Linear:
+        """Return a multiple."""
+        scale = interval(factor)
+        return _Linear(self.value.times(scale), [x.times(scale) for x in self.slopes])
+
+    def plus(self, other: _Linear) -> _Linear:
+        """Return the sum."""
+        slopes = [x.plus(y) for x, y in zip(self.slopes, other.slopes, strict=True)]
+        return _Linear(self.value.plus(other.value), slopes)
+
+
 def _balance(
     grasp: Grasp, wrench: RationalVector, given: Enclosure, box: Sequence[Interval]
 ) -> tuple[list[Interval], list[list[Interval]]]:
-    """Return the sum of all wrenches over a box, and its derivative, (6, 6)."""
-    size = len(given.basis)
-    value = [interval(w) for w in wrench]
-    derivative = [[Interval(0, 0)] * 6 for _ in range(6)]
-    basis = [[interval(x) for x in motion] for motion in given.basis]
+    """Return the sum of all wrenches over a box, and its derivative, (6, 6).
 
-    def add(row: RationalVector, force: Interval, slopes: Sequence[Interval]) -> None:
-        for j, x in enumerate(row):
-            if x:
-                along = interval(x)
-                value[j] = value[j].plus(along.times(force))
-                for k, slope in enumerate(slopes):
-                    derivative[j][k] = derivative[j][k].plus(along.times(slope))
-
+    Raises:
+        _BrokenLaw: a condition does not hold all over the box.
+    """
+    zeros = [Interval(0, 0)] * 6
+    sums = [_Linear(interval(w), zeros) for w in wrench]
     for i, (contact, friction) in enumerate(zip(grasp, given.friction, strict=True)):
-        normal, *tangents = frame(contact)
-        moved = [
-            [product(map(interval, row), motion) for motion in basis] for row in (normal, *tangents)
-        ]
-        by, *shifts = moved
-        stiffness, limit = interval(-contact.stiffness), interval(contact.friction)
-        slopes = [*(stiffness.times(x) for x in by), *[Interval(0, 0)] * (6 - size)]
-        spring = interval(contact.preload).plus(product(slopes, box))
+        rows = frame(contact)
+        moved = [_along(row, given.basis, box) for row in rows]
+        normal = moved[0].by(-contact.stiffness)
+        normal = normal.plus(_Linear(interval(contact.preload), zeros))
         if friction is None:
-            if spring.high > 0:
+            if normal.value.high > 0:
                 raise _BrokenLaw(f"contact {i + 1} is not detached all over the enclosure")
             continue
-        if spring.low < 0:
+        if normal.value.low < 0:
             raise _BrokenLaw(f"contact {i + 1} is not attached all over the enclosure")
-        add(normal, spring, slopes)
-        rub, rubs = limit.times(spring), [limit.times(x) for x in slopes]
+        limit = normal.by(contact.friction)
         if friction:
-            forces = [
-                (rub.times(interval(r)), [x.times(interval(r)) for x in rubs]) for r in friction
-            ]
-            for k, (pillar, tangent) in enumerate(given.pillars, size):
-                if pillar == i:
-                    force, changes = forces[tangent]
-                    changes[k] = changes[k].plus(interval(1))
-                    forces[tangent] = force.plus(box[k]), changes
-            pillared = any(pillar == i for pillar, _ in given.pillars)
-            if pillared and total(force.square() for force, _ in forces).high > rub.square().low:
-                raise _BrokenLaw(f"contact {i + 1} has a friction above its limit")
+            forces = _sticking(i, limit, friction, given, box)
         else:
-            zeros = [Interval(0, 0)] * (6 - size)
-            changes = [[*row, *zeros] for row in shifts]
-            slip = [product(row, box) for row in changes]
-            square = total(s.square() for s in slip)
-            if square.low <= 0:
-                raise _BrokenLaw(f"contact {i + 1} does not slip all over the enclosure")
-            root = square.inverse_root()
-            unit = [s.times(root) for s in slip]
-            # The derivative of s / |s| is that of s without its part along s, over |s|.
-            along = [product(unit, column) for column in zip(*changes, strict=True)]
-            forces = []
-            for u, row in zip(unit, changes, strict=True):
-                turns = [
-                    x.plus(u.times(y).negative()).times(root)
-                    for x, y in zip(row, along, strict=True)
-                ]
-                slope = [
-                    x.times(u).plus(rub.times(t)).negative()
-                    for x, t in zip(rubs, turns, strict=True)
-                ]
-                forces.append((rub.times(u).negative(), slope))
-        for tangent, (force, slope) in zip(tangents, forces, strict=True):
-            add(tangent, force, slope)
-    return value, derivative
+            forces = [limit.times(x).by(-1) for x in _unit(i, moved[1:])]
+        for force, row in zip((normal, *forces), rows, strict=True):
+            sums = [one.plus(force.by(x)) if x else one for one, x in zip(sums, row, strict=True)]
+    return [one.value for one in sums], [one.slopes for one in sums]
+
+
+def _along(
+    row: RationalVector, basis: Sequence[RationalVector], box: Sequence[Interval]
+) -> _Linear:
+    """Return how far a contact moves along a unit wrench."""
+    slopes = [interval(dot(row, motion)) for motion in basis]
+    slopes += [Interval(0, 0)] * (6 - len(slopes))
+    return _Linear(product(slopes, box), slopes)
+
+
+def _sticking(
+    i: int, limit: _Linear, share: RationalVector, given: Enclosure, box: Sequence[Interval]
+) -> list[_Linear]:
+    """Return the friction forces of a contact that sticks."""
+    forces = [limit.by(x) for x in share]
+    carried = [
+        (k, j) for k, (pillar, j) in enumerate(given.pillars, len(given.basis)) if pillar == i
+    ]
+    for k, j in carried:
+        slopes = [interval(int(k == other)) for other in range(6)]
+        forces[j] = forces[j].plus(_Linear(box[k], slopes))
+    squares = total(force.value.square() for force in forces)
+    if carried and squares.high > limit.value.square().low:
+        raise _BrokenLaw(f"contact {i + 1} has a friction above its limit")
+    return forces
+
+
+def _unit(i: int, slip: Sequence[_Linear]) -> list[_Linear]:
+    """Return ``s / |s|``, whose derivative is that of s without its part along s, over |s|."""
+    square = total(s.value.square() for s in slip)
+    if square.low <= 0:
+        raise _BrokenLaw(f"contact {i + 1} does not slip all over the enclosure")
+    root = square.inverse_root()
+    units = [s.value.times(root) for s in slip]
+    along = [product(units, column) for column in zip(*(s.slopes for s in slip), strict=True)]
+    found = []
+    for u, s in zip(units, slip, strict=True):
+        across = zip(s.slopes, along, strict=True)
+        found.append(_Linear(u, [x.plus(u.times(y).negative()).times(root) for x, y in across]))
+    return found

@@ -185,16 +185,16 @@ def read_node(content: Any, path: str, contacts: int, dimension: int = 2) -> Lea
         at = (j, k, p.numerator, q.numerator)
         return Split(kind, at, _children(content, "children", path, 2))
     check_keys(content, ("contact", kind), ("children",) * (kind == "directions"), path)
-    at = (_index(content["contact"], f"{path}.contact", contacts),)
+    contact = (_index(content["contact"], f"{path}.contact", contacts),)
     if kind == "directions":
         where = f"{path}.{kind}"
         given = enumerate(check_list(content[kind], where))
         directions = tuple(_rationals(row, 2, f"{where}[{i}]") for i, row in given)
         count = max(2, len(directions) + 1)
-        return Split(kind, at, _children(content, "children", path, count), directions)
+        return Split(kind, contact, _children(content, "children", path, count), directions)
     check_keys(content[kind], STATES[kind], (), f"{path}.{kind}")
     children = [(f"{path}.{kind}.{state}", content[kind][state]) for state in STATES[kind]]
-    return Split(kind, at, children)
+    return Split(kind, contact, children)
 
 
 def _long_leaf(content: Mapping[str, Any], path: str, contacts: int, dimension: int) -> Leaf:

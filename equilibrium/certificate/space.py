@@ -50,7 +50,7 @@ def _cross(left: RationalVector, right: RationalVector) -> RationalVector:
 def spatial_law_problem(
     grasp: Grasp, wrench: RationalVector, motion: RationalVector, forces: Sequence[RationalVector]
 ) -> str:
-    """Return what is wrong with a motion and forces (normal, two tangential); empty if they obey."""
+    """Return what is wrong with a motion and forces (normal, two tangential), if anything."""
     total = list(wrench)
     for i, (contact, (normal, *friction)) in enumerate(zip(grasp, forces, strict=True), 1):
         wrenches = frame(contact)

@@ -18,7 +18,6 @@ if TYPE_CHECKING:
     from equilibrium.inputs import Conversion
     from equilibrium.model.grasp import Grasp
 
-_AXES = ("F_X", "F_Y", "TAU")
 #: Significant digits of a number that is too long to be printed exactly.
 DIGITS = 6
 
@@ -85,31 +84,39 @@ def add_applied(parser: argparse.ArgumentParser) -> None:
     ways: Any = parser.add_mutually_exclusive_group(required=True)
     add_wrench(ways, "--wrench", "applied force (f_x, f_y) and torque tau about the origin", None)
     rational = terminal.rational_argument
-    ways.add_argument("--force", nargs=2, metavar=_AXES[:2], type=rational, help="instead: a force")
-    ways.add_argument("--weight", metavar="W", type=rational, help="instead: the force (0, -W)")
+    text = "instead: a force (two numbers, three in space)"
+    force = ("F_X", "F_Y [F_Z]")
+    ways.add_argument("--force", nargs="+", metavar=force, type=rational, help=text)
+    ways.add_argument(
+        "--weight",
+        metavar="W",
+        type=rational,
+        help="instead: the force (0, -W), in space (0, 0, -W)",
+    )
     text = "where the force or weight acts (default: at the origin)"
-    parser.add_argument("--at", nargs=2, metavar=("X", "Y"), type=rational, help=text)
+    parser.add_argument("--at", nargs="+", metavar=("X", "Y [Z]"), type=rational, help=text)
 
 
-def applied(arguments: argparse.Namespace) -> RationalVector:
-    """Return the wrench that `add_applied` has read."""
+def applied(arguments: argparse.Namespace, grasp: Grasp) -> RationalVector:
+    """Return the wrench that `add_applied` has read, for a grasp."""
+    from equilibrium.model.grasp import wrench_of
+
     if arguments.wrench is not None:
         if arguments.at is not None:
             raise GraspError("--at goes with --force or --weight; a wrench has its torque")
         return tuple(arguments.wrench)
-    f_x, f_y = arguments.force or (Fraction(0), -arguments.weight)
-    x, y = arguments.at or (0, 0)
-    return f_x, f_y, x * f_y - y * f_x
+    down = *[Fraction(0)] * (grasp.dimension - 1), -(arguments.weight or 0)
+    return wrench_of(arguments.force or down, arguments.at, grasp.dimension)
 
 
 def add_wrench(parser: Any, name: str, text: str, default: Any, required: bool = False) -> None:
-    """Add three numbers."""
+    """Add three numbers, or six for a grasp in space; whoever reads them knows which."""
     parser.add_argument(
         name,
-        nargs=3,
+        nargs="+",
         required=required,
         default=default,
-        metavar=_AXES,
+        metavar=("F_X", "F_Y ... TAU"),
         type=terminal.rational_argument,
         help=text,
     )
@@ -167,10 +174,14 @@ def show(
     arguments: argparse.Namespace,
     document: dict[str, Any],
     lines: Iterable[str],
-    yes: bool = True,
+    yes: bool | None = True,
     grasp: Grasp | None = None,
 ) -> int:
-    """Print one JSON object or the lines, with the units of a grasp; return the exit code."""
+    """Print one JSON object or the lines, with the units of a grasp; return the exit code.
+
+    Args:
+        yes: None is undecided.
+    """
     units = None if grasp is None else grasp.units
     if arguments.json:
         stated = {"units": units.to_dict()} if units and "grasp" not in document else {}
@@ -178,7 +189,7 @@ def show(
     else:
         for line in [str(units), *lines] if units else lines:
             print(line)
-    return terminal.YES if yes else terminal.NO
+    return terminal.UNDECIDED if yes is None else terminal.YES if yes else terminal.NO
 
 
 def number(value: Fraction | int) -> str:

@@ -125,7 +125,7 @@ def _margin(arguments: argparse.Namespace) -> int:
     from equilibrium.wrench_sets import least_friction, margin, sufficient_preloads
 
     grasp = grasp_of(arguments)
-    wrench = applied(arguments)
+    wrench = applied(arguments, grasp)
     found = margin(grasp, wrench)
     preloads = sufficient_preloads(grasp, wrench)
     friction = least_friction(grasp, wrench, arguments.width)

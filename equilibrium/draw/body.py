@@ -20,7 +20,7 @@ from arrangement.draw.items import Floats
 from arrangement.draw.labels import flattened
 from arrangement.exact import RationalVector
 from equilibrium.model.grasp import Grasp
-from equilibrium.model.outline import Circle, Outline, Polygon
+from equilibrium.model.outline import Circle, Outline
 
 from .shapes import arc
 
@@ -56,11 +56,10 @@ def frame_of(grasp: Grasp, outline: Outline | None = None) -> Frame:
 
 def stated_body(outline: Outline, frame: Frame) -> Floats:
     """Return a stated outline as cubic control points (3k + 1, 2)."""
-    if not isinstance(outline, Polygon):
-        assert isinstance(outline, Circle)
+    if isinstance(outline, Circle):
         radius = float(outline.radius / frame.size)
         return arc(frame.paper(outline.centre), radius, 0.0, 2 * math.pi)
-    places = [frame.paper(corner) for corner in outline.corners]
+    places = [frame.paper(corner) for corner in outline.extremes]
     return _joined([(p, p, q, q) for p, q in zip(places, [*places[1:], places[0]], strict=True)])
 
 

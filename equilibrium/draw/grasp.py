@@ -17,9 +17,9 @@ from arrangement.draw.measuring import POINTS, checked_width
 from arrangement.draw.registry import Corner, Vector, Wrench
 from arrangement.draw.scene import Scene
 from equilibrium.model.errors import GraspError
-from equilibrium.model.grasp import Grasp, read_wrench
+from equilibrium.model.grasp import Grasp
 from equilibrium.solver.state_equilibrium import Solution
-from equilibrium.verdict import solve
+from equilibrium.verdict import Solver
 
 from .keys import bar, symbol
 from .layout import ARC, CONE, FORCE, Layout, displaced, layout_of
@@ -75,7 +75,7 @@ def draw_grasp(
         raise GraspError("a direction is for grasps in space; leave it out")
     if wrench is None and piece != 1:
         raise GraspError("without a wrench nothing is solved; give one with the piece")
-    verdict = None if wrench is None else solve(grasp, read_wrench(wrench))
+    verdict = None if wrench is None else Solver(grasp).solve(wrench)
     return _drawn(layout_of(grasp, verdict, outline, piece), width)
 
 

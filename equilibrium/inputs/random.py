@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from fractions import Fraction
 from random import Random
+from typing import Any
 
 from arrangement.exact import RationalVector
 from equilibrium.model.errors import GraspError
@@ -23,8 +24,8 @@ def random_grasp(
     """Return contacts around an object with inward normals.
 
     A contact sits in a random direction from the origin, at a distance between 1/2 and 3/2; its
-    normal points to the origin, turned by at most 45 degrees (41 in space). Friction is between 1/10 and 1,
-    stiffness between 1/2 and 2.
+    normal points to the origin, turned by at most 45 degrees (41 in space). Friction is between
+    1/10 and 1, stiffness between 1/2 and 2.
 
     Args:
         contacts: their number.
@@ -61,25 +62,24 @@ def _contact(source: Random, loaded: bool) -> Contact:
     distance = Fraction(source.randint(_FINE // 2, 3 * _FINE // 2), _FINE)
     x, y = direction
     inward = (-(cosine * x - sine * y), -(sine * x + cosine * y))
-    return Contact((distance * x, distance * y), inward, *_values(source, loaded))
+    return Contact((distance * x, distance * y), inward, **_values(source, loaded))
 
 
-def _values(source: Random, loaded: bool) -> tuple[Fraction, ...]:
-    """Return friction, stiffness and preload."""
-    return (
-        Fraction(source.randint(2, 20), 20),
-        Fraction(source.randint(4, 16), 8),
-        Fraction(source.randint(1, 2 * _FINE), _FINE) if loaded else Fraction(0),
-    )
+def _values(source: Random, loaded: bool) -> dict[str, Any]:
+    return {
+        "friction": Fraction(source.randint(2, 20), 20),
+        "stiffness": Fraction(source.randint(4, 16), 8),
+        "preload": Fraction(source.randint(1, 2 * _FINE), _FINE) if loaded else Fraction(0),
+    }
 
 
 def _spatial_contact(source: Random, loaded: bool) -> Contact:
     side, turns = source.choice((1, -1)), source.randrange(3)
     halves = [source.randint(-6, 6), source.randint(-6, 6)]
     turned = [x + source.randint(-4, 4) for x in halves]
-    out, inward = (_around_axis(*pair, side, turns) for pair in (halves, turned))
+    out, inward = (_around_axis(u, v, side, turns) for u, v in (halves, turned))
     distance = Fraction(source.randint(_COARSE // 2, 3 * _COARSE // 2), _COARSE)
-    return Contact([distance * x for x in out], [-x for x in inward], *_values(source, loaded))
+    return Contact([distance * x for x in out], [-x for x in inward], **_values(source, loaded))
 
 
 _CONTACTS = {2: _contact, 3: _spatial_contact}

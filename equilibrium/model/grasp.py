@@ -32,8 +32,8 @@ from arrangement.exact import (
     vector_text,
 )
 from arrangement.io.files import check_keys, check_list
-from arrangement.linear import cross
 from arrangement.io.writing import write_text_atomically
+from arrangement.linear import cross
 from arrangement.plugins import display
 
 from .errors import GraspError
@@ -258,8 +258,10 @@ class Grasp:
                 Contact(
                     (*c.point, zero),
                     (*c.normal, zero),
-                    *(getattr(c, name) for name in VALUES),
-                    tangent=(*c.tangent, zero),
+                    c.friction,
+                    c.stiffness,
+                    c.preload,
+                    (*c.tangent, zero),
                 )
                 for c in self
             ),
@@ -350,6 +352,15 @@ def read_wrench(values: Iterable[Any], dimension: int = 2) -> RationalVector:
             f"{3 if dimension == 2 else 6}: {_FORCES[dimension]}"
         )
     return wrench
+
+
+def wrench_of(
+    force: Iterable[Any], point: Iterable[Any] | None = None, dimension: int = 2
+) -> RationalVector:
+    """Return the wrench of a force at a point, the origin if none is given."""
+    along = coordinates(force, "force", dimension)
+    place = coordinates([0] * dimension if point is None else point, "point", dimension)
+    return _wrench(place, along)
 
 
 def _contact(entry: Any, index: int) -> Contact:

@@ -113,14 +113,14 @@ def _near_in_space(v: RationalVector, limit: int) -> RationalVector:
     first = max(range(3), key=lambda j: abs(v[j]))
     others = [j for j in range(3) if j != first]
     scaled = [v[j] / abs(v[first]) for j in others]
-    length = _root(1 + sum(x * x for x in scaled), limit)
+    length = _root(1 + Fraction(dot(scaled, scaled)), limit)
     exact = [x / (1 + length) for x in scaled]
     a, b = map(float, exact)
     few = range(max(limit // 2, 1), limit + 1) if limit <= 2**14 else (limit,)
     unit = min(few, key=lambda k: max(abs(a - round(a * k) / k), abs(b - round(b * k) / k)))
     halves = [Fraction(round(x * unit), unit) for x in exact]
-    square = sum(x * x for x in halves)
-    found = [(1 if v[first] > 0 else -1) * (1 - square) / (1 + square)] * 3
+    square: Fraction = dot(halves, halves)
+    found: list[Fraction] = [(1 if v[first] > 0 else -1) * (1 - square) / (1 + square)] * 3
     for j, x in zip(others, halves, strict=True):
         found[j] = 2 * x / (1 + square)
     return tuple(found)

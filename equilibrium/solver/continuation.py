@@ -20,6 +20,7 @@ from arrangement.float_filter import Floats
 
 from .float_contacts import FloatContacts, nearest
 from .integer_contacts import IntegerContacts
+from .spatial_contacts import SpatialContacts
 from .state_equilibrium import Guess, Solution, exact_equilibrium
 
 _STEPS = 30
@@ -156,7 +157,7 @@ def _step(jacobian: Floats, value: Floats, damping: float) -> Floats:
     return step
 
 
-def motion_scale(contacts: FloatContacts, load: Floats) -> Floats:
+def motion_scale(contacts: FloatContacts | SpatialContacts, load: Floats) -> Floats:
     """Return typical sizes of the coordinates of the motion of an equilibrium."""
     turns = 3 if len(load) == 6 else 1
     arms = np.array([1.0] * (len(load) - turns) + [1 / contacts.length] * turns)

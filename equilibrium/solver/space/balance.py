@@ -15,8 +15,7 @@ from arrangement.exact import RationalVector
 from arrangement.float_filter import Floats
 from equilibrium.solver.continuation import Continuation, motion_scale
 from equilibrium.solver.float_contacts import nearest
-
-from .contacts import SpatialContacts
+from equilibrium.solver.spatial_contacts import SpatialContacts
 
 
 class SpatialContinuation(Continuation):

@@ -20,8 +20,7 @@ from arrangement.exact import RationalVector
 from arrangement.float_filter import Floats
 from equilibrium.solver.elimination import gauss_jordan
 from equilibrium.solver.float_contacts import nearest
-
-from .contacts import SpatialContacts
+from equilibrium.solver.spatial_contacts import SpatialContacts
 
 #: Shares of the friction limit are multiples of one over this.
 _SHARES = 2**14
@@ -31,6 +30,7 @@ _SIMPLE, _SAME = 64, 1e-6
 _SLIPS = 0.9999
 #: Sizes of boxes, relative to the motion.
 _RADII = (1e-11, 1e-9, 1e-7)
+_LEAST = 1e-40
 _STEPS, _CLOSE = 12, 1e-9
 
 
@@ -104,7 +104,7 @@ def _rational_direction(x: float, y: float) -> RationalVector | None:
 
 
 class StateBalance:
-    """The balance for given states: six equations in y, of the motion B y, and forces of pillars."""
+    """The balance for given states, in y, of the motion B y, and forces of pillars."""
 
     def __init__(self, contacts: SpatialContacts, wrench: RationalVector, states: States) -> None:
         self.contacts, self.wrench, self.states = contacts, wrench, states
@@ -144,31 +144,9 @@ class StateBalance:
 
     def exact(self) -> SpatialSolution | None:
         """Return the solution where no slip turns with the motion."""
-        c, p, size = self.contacts, len(self.basis), len(self.basis) + len(self.pillars)
-        rows = [[Fraction(0)] * size + [w] for w in self.wrench]
-        springs: dict[int, list[Fraction]] = {}
-        for i, contact in enumerate(c.grasp):
-            if not self.states.touching[i]:
-                continue
-            slopes = [-contact.stiffness * _dot(contact.normal_wrench, b) for b in self.basis]
-            springs[i] = [*slopes, *[Fraction(0)] * len(self.pillars), contact.preload]
-            share = self.share(i)
-            one, other = contact.tangential_wrenches
-            arm = [
-                n + contact.friction * (share[0] * s + share[1] * t)
-                for n, s, t in zip(contact.normal_wrench, one, other, strict=True)
-            ]
-            for row, x in zip(rows, arm, strict=True):
-                for k, slope in enumerate(springs[i]):
-                    row[k] += x * slope
-            if self.states.slipping[i]:
-                # It slips along its direction, so not across.
-                across = [share[0] * t - share[1] * s for s, t in zip(one, other, strict=True)]
-                turns = [_dot(across, b) for b in self.basis]
-                rows.append([*turns, *[Fraction(0)] * (size - p + 1)])
-        for k, (i, j) in enumerate(self.pillars, p):
-            for row, x in zip(rows, c.grasp.contacts[i].tangential_wrenches[j], strict=False):
-                row[k] += x
+        p, size = len(self.basis), len(self.basis) + len(self.pillars)
+        springs = self._springs(size)
+        rows = self._rows(springs, size)
         reduced, pivots, scale = gauss_jordan(rows)
         if size in pivots:
             return None
@@ -176,19 +154,51 @@ class StateBalance:
         for row, pivot in zip(reduced, pivots, strict=False):
             point[pivot] = Fraction(-row[size], scale)
         motion = tuple(_dot(column, point[:p]) for column in zip(*self.basis, strict=True))
-        motion = motion or (Fraction(0),) * 6
         forces = []
-        for i, contact in enumerate(c.grasp):
-            if i not in springs:
-                forces.append((Fraction(0),) * 3)
-                continue
-            normal = _dot(springs[i], [*point, Fraction(1)])
+        for i, contact in enumerate(self.contacts.grasp):
+            normal = _dot(springs[i], [*point, Fraction(1)]) if i in springs else Fraction(0)
             pair = [contact.friction * normal * x for x in self.share(i)]
             for k, (pillar, j) in enumerate(self.pillars, p):
                 if pillar == i:
                     pair[j] += point[k]
             forces.append((normal, *pair))
-        return SpatialSolution(motion, tuple(forces))
+        return SpatialSolution(motion or (Fraction(0),) * 6, tuple(forces))
+
+    def _springs(self, size: int) -> dict[int, list[Fraction]]:
+        """Return the normal forces of touching contacts as rows in the unknowns."""
+        rest = [Fraction(0)] * (size - len(self.basis))
+        return {
+            i: [
+                *(-contact.stiffness * _dot(contact.normal_wrench, b) for b in self.basis),
+                *rest,
+                contact.preload,
+            ]
+            for i, contact in enumerate(self.contacts.grasp)
+            if self.states.touching[i]
+        }
+
+    def _rows(self, springs: dict[int, list[Fraction]], size: int) -> list[list[Fraction]]:
+        """Return balance, and that slipping contacts do not move across their directions."""
+        rows = [[Fraction(0)] * size + [w] for w in self.wrench]
+        p, straight = len(self.basis), []
+        for i, spring in springs.items():
+            contact, share = self.contacts.grasp.contacts[i], self.share(i)
+            one, other = contact.tangential_wrenches
+            arm = [
+                n + contact.friction * (share[0] * s + share[1] * t)
+                for n, s, t in zip(contact.normal_wrench, one, other, strict=True)
+            ]
+            for row, x in zip(rows, arm, strict=True):
+                row[:] = [y + x * slope for y, slope in zip(row, spring, strict=True)]
+            if self.states.slipping[i]:
+                across = [share[0] * t - share[1] * s for s, t in zip(one, other, strict=True)]
+                turns = [_dot(across, b) for b in self.basis]
+                straight.append([*turns, *[Fraction(0)] * (size - p + 1)])
+        for k, (i, j) in enumerate(self.pillars, p):
+            pull = self.contacts.grasp.contacts[i].tangential_wrenches[j]
+            for row, x in zip(rows, pull, strict=True):
+                row[k] += x
+        return rows + straight
 
     def boxes(self, motion: Floats) -> Iterator[Enclosed]:
         """Yield boxes around the solution that Newton's method finds near a motion."""
@@ -246,6 +256,12 @@ class StateBalance:
                 basis @ point[:p] if p else np.zeros(6),
                 forces,
             )
+
+    def _named_share(self, i: int) -> RationalVector | None:
+        """Return None for a detached contact, nothing for one that slips, else its share."""
+        if not self.states.touching[i]:
+            return None
+        return () if self.states.slipping[i] else tuple(self.share(i))
 
     def _balance(self, basis: Floats, point: Floats, load: Floats) -> tuple[Floats, Floats, Floats]:
         """Return the sum of all wrenches, its derivative, and the forces."""

@@ -14,59 +14,40 @@ from typing import Any
 import numpy as np
 
 from arrangement.exact import RationalVector, primitive, to_text
-from arrangement.float_filter import Floats
 from equilibrium.solver.elimination import gauss_jordan
+from equilibrium.solver.spatial_contacts import SpatialContacts
 
-from .contacts import SpatialContacts
-from .relaxation import State
+from .relaxation import Ray, State
 
-#: Numbers are rounded to multiples of one over these.
-_FINE = (2**10, 2**20, 2**34, 2**48)
-#: Multipliers below this share of the largest are left out.
-_NOTHING = 1e-9
+#: Numbers are rounded to multiples of one over the first, multipliers below the second left out.
+_FINE = ((2**10, 1e-6), (2**20, 1e-6), (2**34, 1e-9), (2**48, 1e-12))
 
 
 def exact_leaf(
-    contacts: SpatialContacts,
-    wrench: RationalVector,
-    states: Sequence[State],
-    virtual: Floats,
-    multipliers: Floats,
-    room: Floats,
+    contacts: SpatialContacts, wrench: RationalVector, states: Sequence[State], ray: Ray
 ) -> Any | None:
-    """Return a leaf near a dual ray, or None where rounding finds none.
-
-    Args:
-        virtual: (6,) the virtual motion.
-        multipliers: (m, 3), alpha and h.
-        room: (m, 3), how far each may be changed, about.
-    """
-    largest = float(np.abs(virtual).max())
-    if not 0 < largest < math.inf or not np.isfinite(multipliers).all():
+    """Return a leaf near a dual ray, or None where rounding finds none."""
+    largest = float(np.abs(ray.virtual).max())
+    if not 0 < largest < math.inf or not np.isfinite(ray.multipliers).all():
         return None
-    sizes = np.abs(multipliers) * np.column_stack(
-        [np.abs(contacts.spring[:, 1:]).max(axis=1), np.abs(contacts.tangents).max(axis=2)]
-    )
-    kept = sizes > _NOTHING * max(float(sizes.max(initial=0.0)), 1e-300)
-    grasp = contacts.grasp
-    places = [(i, j) for i, j in zip(*np.nonzero(kept), strict=True)]
-    places.sort(key=lambda place: -room[place])
-    columns: list[RationalVector] = [
-        contacts.springs[i][1:] if j == 0 else grasp.contacts[i].tangential_wrenches[j - 1]
-        for i, j in places
-    ]
-    reduced, pivots, scale = (
-        gauss_jordan(list(zip(*columns, strict=True))) if places else ([], [], 1)
-    )
-    for fine in _FINE:
+    grasp, kept = contacts.grasp, None
+    for fine, nothing in _FINE:
+        if kept is None or not np.array_equal(kept, ray.sizes > nothing):
+            kept = ray.sizes > nothing
+            places = list(zip(*map(list, np.nonzero(kept)), strict=True))
+            places.sort(key=lambda place: -ray.room[place])
+            columns: list[RationalVector] = [
+                contacts.springs[i][1:] if j == 0 else grasp.contacts[i].tangential_wrenches[j - 1]
+                for i, j in places
+            ]
+            reduced, pivots, scale = gauss_jordan(list(zip(*columns, strict=True)))
         unit = fine / largest
-        motion = [round(float(x) * unit) for x in virtual]
-        values = [Fraction(round(float(multipliers[place]) * unit)) for place in places]
+        pinned = _pinned(contacts, states, ray, kept, nothing)
+        motion = _rounded(pinned, [float(x) * unit for x in ray.virtual])
+        values = [Fraction(round(float(ray.multipliers[place]) * unit)) for place in places]
         for row, pivot in zip(reduced, pivots, strict=False):
-            others = sum(
-                row[k] * values[k] for k in range(len(values)) if k not in pivots and row[k]
-            )
-            values[pivot] = Fraction(-others, 1) / scale
+            others = sum(row[k] * values[k] for k in range(len(values)) if k not in pivots)
+            values[pivot] = Fraction(-others) / scale
         given: dict[int, list[Fraction]] = {}
         for (i, j), value in zip(places, values, strict=True):
             given.setdefault(int(i), [Fraction(0)] * 3)[j] = value
@@ -75,9 +56,39 @@ def exact_leaf(
     return None
 
 
-def _node(motion: list[int], given: dict[int, list[Fraction]]) -> Any:
+def _pinned(
+    contacts: SpatialContacts, states: Sequence[State], ray: Ray, kept: Any, nothing: float
+) -> list[RationalVector]:
+    """Return the wrenches of contacts that the virtual motion leaves where they are.
+
+    The conditions of such a contact have no room, as of one on an axis of a rotation.
+    """
+    scale = ray.virtual * np.array([1.0] * 3 + [contacts.length] * 3)
+    limit = max(nothing, 1e-9) * float(np.abs(scale).max())
+    rows: list[RationalVector] = []
+    for i, state in enumerate(states):
+        moved = np.append(contacts.tangents[i] @ ray.virtual, contacts.normal[i] @ ray.virtual)
+        if state != "detached" and not kept[i, 0] and np.abs(moved).max() <= limit:
+            contact = contacts.grasp.contacts[i]
+            rows += [contact.normal_wrench, *contact.tangential_wrenches]
+    return rows
+
+
+def _rounded(rows: list[RationalVector], motion: list[float]) -> list[Fraction]:
+    """Return a motion near a given one on which all rows are exactly 0."""
+    found = [Fraction(round(x)) for x in motion]
+    # Pivots go to the entries that come first: the largest stay as they are.
+    order = sorted(range(6), key=lambda j: abs(motion[j]))
+    reduced, pivots, scale = gauss_jordan([[row[j] for j in order] for row in rows])
+    for row, pivot in zip(reduced, pivots, strict=False):
+        others = sum(row[k] * found[order[k]] for k in range(6) if k not in pivots)
+        found[order[pivot]] = Fraction(-others) / scale
+    return found
+
+
+def _node(motion: list[Fraction], given: dict[int, list[Fraction]]) -> Any:
     """Return the form of a leaf, in coprime integers."""
-    every = [Fraction(x) for x in motion] + [x for row in given.values() for x in row]
+    every = motion + [x for row in given.values() for x in row]
     whole = [to_text(x) for x in primitive(every)]
     if not given:
         return whole
@@ -90,7 +101,7 @@ def _holds(
     contacts: SpatialContacts,
     wrench: RationalVector,
     states: Sequence[State],
-    motion: list[int],
+    motion: list[Fraction],
     given: dict[int, list[Fraction]],
 ) -> bool:
     """Return whether a leaf whose linear terms cancel shows what it has to."""

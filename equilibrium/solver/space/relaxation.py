@@ -24,9 +24,9 @@ from scipy.sparse import csc_matrix
 
 from arrangement.exact import RationalVector
 from arrangement.float_filter import Floats
+from equilibrium.solver.spatial_contacts import SpatialContacts
 
 from .balance import SpatialContinuation
-from .contacts import SpatialContacts
 
 #: Integer directions in the frame of the tangents; a sector has two, counter-clockwise.
 Direction: TypeAlias = tuple[int, int]
@@ -36,14 +36,23 @@ State: TypeAlias = str | Sector
 
 #: Weight of the square of the motion beside the forces, in scaled units.
 _SMALL_MOTION = 1e-3
+#: Where no ray has more room than minus this, there is none.
+_NO_ROOM = 1e-6
 
 
 class Ray(NamedTuple):
-    """A dual ray: there is no solution. Virtual motion (6,), multipliers (m, 3), and their room."""
+    """A dual ray: there is no solution.
+
+    Attributes:
+        virtual: (6,) virtual motion; multipliers: (m, 3), alpha and h.
+        room: (m, 3), how far each multiplier may be changed.
+        sizes: (m, 3), of the multipliers beside the virtual motion.
+    """
 
     virtual: Floats
     multipliers: Floats
     room: Floats
+    sizes: Floats
 
 
 class Point(NamedTuple):
@@ -80,7 +89,7 @@ class Relaxation:
         free = [i for i, state in enumerate(states) if state != "detached"]
         n = 6 + 3 * len(free)
         column = {i: 6 + 3 * k for k, i in enumerate(free)}
-        zero, plus = _Rows(n), _Rows(n)
+        zero, plus = _Rows(n, 6 + 4 * self.m), _Rows(n, 4 * self.m)
         zero.matrix[:6, 6:] = (
             -np.concatenate(
                 [self.normal[free, :, None], self.tangents[free].transpose(0, 2, 1)], axis=2
@@ -108,7 +117,7 @@ class Relaxation:
                     zero.add(tangent, 0.0)
             elif isinstance(state, tuple):
                 u, v = _ends(state)
-                for side in ((-u[1], u[0]), (v[1], -v[0])):
+                for side in _sides(u, v):
                     plus.add(-(side @ self.tangents[i]), 0.0)
                 middle = (u + v) / np.hypot(*(u + v))
                 limit = self.friction[i] * float(u @ middle)
@@ -143,26 +152,87 @@ class Relaxation:
         self, states: Sequence[State], place: Sequence[int], equalities: int, dual: Floats
     ) -> Ray:
         """Read a virtual motion and multipliers off a dual ray."""
-        virtual = -dual[:6]
-        multipliers, room = np.zeros((self.m, 3)), np.zeros((self.m, 3))
+        multipliers = np.zeros((self.m, 3))
         for i, state in enumerate(states):
             row = place[i] + (equalities if state in ("undecided", "detached") else 0)
-            alpha = multipliers[i, 0] = dual[row]
-            a, b = self.normal[i] @ virtual, self.tangents[i] @ virtual
-            slack = a - self.friction[i] * np.hypot(*b) - alpha
-            room[i, 0] = {"undecided": min(alpha, slack), "detached": alpha}.get(str(state), slack)
+            multipliers[i, 0] = dual[row]
             if state == "stick":
                 multipliers[i, 1:] = dual[row + 1 : row + 3]
+            elif isinstance(state, tuple):
+                j = equalities + self._sector_rows(states, i)
+                multipliers[i, 1:] = -dual[j : j + 2] @ _sides(*_ends(state))
+        return self._in_units(states, -dual[:6], multipliers)
+
+    def _in_units(self, states: Sequence[State], virtual: Floats, multipliers: Floats) -> Ray:
+        """Return a ray in the units of the grasp, with the room of its multipliers."""
+        room = np.zeros((self.m, 3))
+        for i, state in enumerate(states):
+            alpha, h = multipliers[i, 0], multipliers[i, 1:]
+            a, b = self.normal[i] @ virtual, self.tangents[i] @ virtual
+            slack = a - alpha - self.friction[i] * np.hypot(*b)
+            room[i, 0] = {"undecided": min(alpha, slack), "detached": alpha}.get(str(state), slack)
+            if state == "stick":
                 room[i, 1:] = np.inf
             elif isinstance(state, tuple):
                 u, v = _ends(state)
-                j = equalities + self._sector_rows(states, i)
-                sides = np.array([(-u[1], u[0]), (v[1], -v[0])])
-                multipliers[i, 1:] = -dual[j : j + 2] @ sides
-                room[i, 1:] = min(dual[j : j + 2])
                 room[i, 0] = a - alpha - self.friction[i] * _largest(u, v, b)
-        multipliers[:, 1:] *= self.force / self.step
-        return Ray(virtual * self.arms, multipliers, room)
+                room[i, 1:] = min(-h @ u, -h @ v)
+        sizes = np.abs(multipliers) / max(float(np.abs(virtual).max()), 1e-300)
+        units = np.array([1.0, *[self.force / self.step] * 2])
+        return Ray(virtual * self.arms, multipliers * units, room, sizes)
+
+    def inner_ray(self, states: Sequence[State]) -> Ray | None:
+        """Return the ray with the most room in the conditions of a leaf, if any has some.
+
+        Unknowns are the virtual motion, alpha and h of each contact, one more of each sector, and
+        the room.
+        """
+        m, n = self.m, 6 + 4 * self.m + 1
+        equal = np.zeros((6, n))
+        plus, cones = _Rows(n, 12 + 4 * m), np.zeros((3 * m, n))
+        fixed = []
+        for i, state in enumerate(states):
+            j = 6 + 4 * i
+            equal[:, j] = -self.stiffness[i] * self.normal[i]
+            equal[:, j + 1 : j + 3] = self.tangents[i].T
+            if state in ("undecided", "detached"):
+                plus.add(np.zeros(6), 0.0, (j, -1.0))
+            if isinstance(state, tuple):
+                u, v = _ends(state)
+                for end in (u, v):
+                    plus.add(np.zeros(6), 0.0, (j + 1, end[0]), (j + 2, end[1]))
+                plus.add(np.zeros(6), 0.0, (j + 3, -1.0))
+            else:
+                fixed += [j + 3] if state == "stick" else [j + 1, j + 2, j + 3]
+            if state == "detached":
+                continue
+            cone = cones[3 * i : 3 * i + 3]
+            cone[0, :6], cone[0, j], cone[0, -1] = -self.normal[i], 1.0, 1.0
+            cone[1:, :6] = -self.friction[i] * self.tangents[i]
+            if isinstance(state, tuple):
+                middle = (u + v) / np.hypot(*(u + v))
+                cone[:, j + 3] = -self.friction[i] * np.array([u @ middle, *middle])
+        rows = plus.rows
+        work = np.zeros(n)
+        work[:6], work[6:-1:4], work[-1] = -self.load, -self.preload, 1.0
+        bounds = np.eye(n)[[*range(6), n - 1]]
+        zeros = np.eye(n)[fixed].reshape(-1, n)
+        matrix = np.concatenate([equal, zeros, rows, [work], bounds, -bounds[:6], cones])
+        right = np.concatenate(
+            [np.zeros(6 + len(fixed) + len(rows) + 1), np.ones(13), np.zeros(3 * m)]
+        )
+        kinds = [
+            clarabel.ZeroConeT(6 + len(fixed)),
+            clarabel.NonnegativeConeT(len(rows) + 14),
+            *[clarabel.SecondOrderConeT(3)] * m,
+        ]
+        cost = np.zeros(n)
+        cost[-1] = -1.0
+        program = (csc_matrix((n, n)), cost, csc_matrix(matrix), right, kinds)
+        found = np.array(clarabel.DefaultSolver(*program, self.settings).solve().x)
+        if not found[-1] > -_NO_ROOM:
+            return None
+        return self._in_units(states, found[:6], found[6:-1].reshape(m, 4)[:, :3])
 
     def _sector_rows(self, states: Sequence[State], i: int) -> int:
         """Return how many inequalities come before those of the sector of a contact."""
@@ -193,8 +263,8 @@ class Relaxation:
 class _Rows:
     """Rows of a matrix that grows, and their right-hand sides."""
 
-    def __init__(self, n: int) -> None:
-        self.matrix, self.right, self.used = np.zeros((n + 6, n)), np.zeros(n + 6), 0
+    def __init__(self, n: int, most: int) -> None:
+        self.matrix, self.right, self.used = np.zeros((most, n)), np.zeros(most), 0
 
     def add(self, motion: Floats, right: float, *entries: tuple[int, float]) -> None:
         """Add a row: coefficients of the motion, and of other unknowns."""
@@ -221,6 +291,11 @@ def _ends(sector: Sector) -> Floats:
     ends = np.array(sector, dtype=float)
     units: Floats = ends / np.hypot(ends[:, 0], ends[:, 1])[:, None]
     return units
+
+
+def _sides(u: Floats, v: Floats) -> Floats:
+    """Return two directions: all between u and v have products with them of at least 0."""
+    return np.array([(-u[1], u[0]), (v[1], -v[0])])
 
 
 def _largest(u: Floats, v: Floats, b: Floats) -> float:

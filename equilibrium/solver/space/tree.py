@@ -4,29 +4,32 @@ from __future__ import annotations
 
 import math
 import time
-from collections.abc import Callable, Iterator
-from dataclasses import dataclass, field
+from collections.abc import Callable
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 
 from arrangement.exact import RationalVector
 from arrangement.float_filter import Floats
+from equilibrium.solver.spatial_contacts import SpatialContacts
 
 from .balance import SpatialContinuation
-from .contacts import SpatialContacts
 from .equilibria import Proposal, proposals
 from .leaves import exact_leaf
 from .relaxation import Point, Ray, Relaxation, Sector, State
 
 #: Nodes of a tree, and random starts of the first search.
-_NODES, _STARTS = 6000, 3
+_NODES, _STARTS = 1500, 3
 #: After how many nodes without a leaf, at first, an equilibrium is looked for near a relaxation.
 _PATIENCE = 6
 #: Relative size below which a relaxation obeys the law.
 _OBEYS = 1e-7
 #: Sectors are cut down to this sine of their angle; directions are multiples of one over these.
 _NARROW, _COARSE, _DIRECTIONS = 1e-4, 8, 64
+#: Contacts this close to the law (in shares of the load) are not split; sectors of less than this
+#: sine of their angle are split last.
+_NOTHING, _THIN = 1e-9, 0.3
 #: The sharpness of contacts for a search that starts near an equilibrium.
 _NEAR = 1e-3
 
@@ -89,9 +92,14 @@ class SpatialSearch:
         return None
 
     def _leaf(self, states: tuple[State, ...], found: Ray | Point | None) -> Any | None:
-        if not isinstance(found, Ray):
+        """Return a leaf where a relaxation has no solution, or where its program failed."""
+        if isinstance(found, Point):
             return None
-        return exact_leaf(self.contacts, self.wrench, states, *found)
+        leaf = found and exact_leaf(self.contacts, self.wrench, states, found)
+        if leaf is None:
+            inner = self.relaxation.inner_ray(states)
+            leaf = inner and exact_leaf(self.contacts, self.wrench, states, inner)
+        return leaf
 
     def _tree(self, root: tuple[State, ...]) -> Proposal | Any | Open:
         """Search depth first; a node is filled in when all below it are closed."""
@@ -134,11 +142,12 @@ class SpatialSearch:
         self, states: tuple[State, ...], values: Floats, found: Point
     ) -> tuple[Any, list[Any], list[tuple[State, ...]]] | None:
         """Return the node that splits the contact furthest from the law, its children and parts."""
-        for i in np.argsort(-values):
-            if values[i] <= 0:
-                return None
+        order = [int(i) for i in np.argsort(-values) if values[i] > _NOTHING]
+        # Of narrow sectors more is learnt when all others are decided.
+        order.sort(key=lambda i: _sine(states[i]) < _THIN)
+        for i in order:
             slip = self.relaxation.tangents[i] @ found.motion
-            split = _parts(states, int(i), slip)
+            split = _parts(states, i, slip)
             if split is not None:
                 return split
         return None
@@ -150,7 +159,8 @@ class SpatialSearch:
         for kind in ("undecided", "attached"):
             if kind in states:
                 return _parts(states, states.index(kind), np.array([1.0, 0.0]))
-        return None
+        sectors = [(_sine(state), i) for i, state in enumerate(states) if isinstance(state, tuple)]
+        return _parts(states, max(sectors)[1], np.array([1.0, 0.0])) if sectors else None
 
 
 def _parts(
@@ -186,16 +196,22 @@ def _turned(direction: Floats, degrees: float, size: int) -> tuple[int, int]:
     return round(size * math.cos(angle)), round(size * math.sin(angle))
 
 
+def _sine(sector: State) -> float:
+    """Return the sine of the angle of a sector, 1 for wide ones and other states."""
+    if isinstance(sector, str):
+        return 1.0
+    (p, q), (u, v) = sector
+    return (p * v - q * u) / math.hypot(p, q) / math.hypot(u, v) if p * u + q * v > 0 else 1.0
+
+
 def _middle(sector: Sector) -> tuple[int, int] | None:
     """Return integers near the middle of a sector; None if it is narrow."""
-    (p, q), (u, v) = sector
-    one, other = math.hypot(p, q), math.hypot(u, v)
-    sine = (p * v - q * u) / (one * other)
-    if sine < _NARROW and p * u + q * v > 0:
+    sine, ((p, q), (u, v)) = _sine(sector), sector
+    if sine < _NARROW:
         return None
+    one, other = math.hypot(p, q), math.hypot(u, v)
     x, y = p / one + u / other, q / one + v / other
-    size = _DIRECTIONS / max(sine, _NARROW) if p * u + q * v > 0 else _COARSE
-    scale = size / math.hypot(x, y)
+    scale = (_COARSE if sine == 1.0 else _DIRECTIONS / sine) / math.hypot(x, y)
     return round(x * scale), round(y * scale)
 
 

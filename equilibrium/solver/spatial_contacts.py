@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from fractions import Fraction
 from functools import cached_property
 
@@ -40,5 +41,5 @@ class SpatialContacts:
         return [(c.preload, *(-c.stiffness * x for x in c.normal_wrench)) for c in self.grasp]
 
 
-def _floats(rows: list[tuple[Fraction, ...]], shape: tuple[int, ...]) -> Floats:
+def _floats(rows: Iterable[Iterable[Fraction]], shape: tuple[int, ...]) -> Floats:
     return np.array([[nearest(x) for x in row] for row in rows], dtype=float).reshape(shape)
