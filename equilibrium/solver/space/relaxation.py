@@ -38,6 +38,8 @@ State: TypeAlias = str | Sector
 _SMALL_MOTION = 1e-3
 #: Where no ray has more room than minus this, there is none.
 _NO_ROOM = 1e-6
+#: Whether a contact touches is asked before how it slips, by this factor.
+_FIRST = 3.0
 
 
 class Ray(NamedTuple):
@@ -254,7 +256,11 @@ class Relaxation:
         rubs = np.minimum(self.stiffness * size, np.hypot(miss[:, 0], miss[:, 1]))
         lifts = f[:, 0] - np.maximum(0.0, spring)
         value = [
-            lifts[i] if state == "undecided" else 0.0 if state in ("detached", "stick") else rubs[i]
+            _FIRST * lifts[i]
+            if state == "undecided"
+            else 0.0
+            if state in ("detached", "stick")
+            else rubs[i]
             for i, state in enumerate(states)
         ]
         return np.array(value)
