@@ -88,14 +88,16 @@ def _spatial_limit(
 
     found = spatial_magnitudes(grasp, direction, (0,) * 6 if base is _ZERO else base)
     yes = {"resisted": True, "not resisted": False}.get(found.verdict)
-    return show(arguments, found.to_dict(), _border_lines(found), yes, grasp)
+    return show(arguments, found.to_dict(), _border_lines(arguments, found), yes, grasp)
 
 
-def _border_lines(found: SpatialMagnitudes) -> Iterator[str]:
+def _border_lines(arguments: argparse.Namespace, found: SpatialMagnitudes) -> Iterator[str]:
     first, last = found.samples[0], found.samples[-1]
     yield f"{len(found.samples)} magnitudes from 0 to {number(last[0])} tried; at 0: {first[1]}"
     for border in found.borders:
-        line = f"resisted at {number(border.resisted)}, not at {number(border.refused)}"
+        ends = sorted((border.resisted, border.refused))
+        order = "resisted, then not" if border.resisted < border.refused else "not, then resisted"
+        line = f"{order}: the border is {bracket(arguments, *ends)}"
         left = len(border.undecided)
         yield line + (f"; {left} undecided between them" if left else "")
     for a, b in found.gaps:

@@ -11,6 +11,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from fractions import Fraction
+from itertools import pairwise
 from typing import Any
 
 from arrangement.exact import RationalVector, to_text
@@ -19,7 +20,7 @@ from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import Grasp, read_wrench
 from equilibrium.spatial_verdict import NOT_RESISTED, RESISTED, UNDECIDED, solve_in_space
 
-#: Powers of two, in units of the largest preload or 1, of the sampled magnitudes.
+#: Powers of two of the sampled magnitudes, times the largest preload or 1.
 _POWERS = range(-6, 9)
 #: Bisection steps without progress because verdicts are undecided.
 _STUCK = 2
@@ -74,7 +75,7 @@ class SpatialMagnitudes:
     @property
     def gaps(self) -> tuple[tuple[Border, Border], ...]:
         """Neighbouring borders between which the wrench is not resisted, though it is beyond."""
-        pairs = zip(self.borders, self.borders[1:], strict=False)
+        pairs = pairwise(self.borders)
         return tuple((a, b) for a, b in pairs if a.resisted < a.refused and b.refused < b.resisted)
 
     def to_dict(self) -> dict[str, Any]:
@@ -119,12 +120,11 @@ def spatial_magnitudes(
         return solve_in_space(grasp, wrench, nodes=nodes).verdict
 
     unit = max((c.preload for c in grasp), default=Fraction(0)) or Fraction(1)
-    unit /= max(map(abs, along))
     samples = [(t, verdict(t)) for t in (Fraction(0), *(unit * Fraction(2) ** k for k in _POWERS))]
     known = [(t, answer) for t, answer in samples if answer != UNDECIDED]
     borders = tuple(
         _bracket(verdict, first, second, Fraction(width))
-        for first, second in zip(known, known[1:], strict=False)
+        for first, second in pairwise(known)
         if first[1] != second[1]
     )
     return SpatialMagnitudes(along, start, tuple(samples), borders)

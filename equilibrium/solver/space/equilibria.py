@@ -215,7 +215,8 @@ class StateBalance:
         """Return the combination of the basis that is nearest to a motion."""
         if not self.basis:
             return np.zeros(0)
-        nearest_one: Floats = np.linalg.lstsq(self._float_basis(), motion, rcond=None)[0]
+        found = np.linalg.lstsq(self._float_basis(), motion, rcond=None)[0]
+        nearest_one: Floats = found.astype(np.float64)
         return nearest_one
 
     def boxes(self, motion: Floats) -> Iterator[Enclosed]:

@@ -75,7 +75,9 @@ class SpatialSearch:
         """Return an accepted equilibrium, a tree that refutes all, or what is open."""
         with np.errstate(all="ignore"):
             root: tuple[State, ...] = ("undecided",) * len(self.contacts.grasp)
-            leaf = self._leaf(root, self.relaxation.solve(root))
+            ray = self.relaxation.cone_ray()
+            leaf = ray and exact_leaf(self.contacts, self.wrench, root, ray)
+            leaf = leaf or self._leaf(root, self.relaxation.solve(root))
             if leaf is not None:
                 return leaf
             for motion in self.smooth.starts(_STARTS):
