@@ -28,7 +28,7 @@ from .certificate.reading import Enclosure
 from .model.errors import UndecidedError
 from .model.grasp import Grasp, read_wrench
 from .solver.space.equilibria import Proposal, SpatialSolution
-from .solver.space.tree import Open, SpatialSearch
+from .solver.space.tree import NODES, Open, SpatialSearch
 from .solver.spatial_contacts import SpatialContacts
 
 #: The three answers.
@@ -134,12 +134,17 @@ class SpatialVerdict:
 
 
 def solve_in_space(
-    grasp: Grasp, wrench: Iterable[Any], *, time_limit: float | None = None
+    grasp: Grasp,
+    wrench: Iterable[Any],
+    *,
+    time_limit: float | None = None,
+    nodes: int = NODES,
 ) -> SpatialVerdict:
     """Decide whether a grasp in space resists a wrench; see `equilibrium.solve`.
 
     Args:
         time_limit: in seconds; when it is over the verdict is undecided.
+        nodes: of a tree; when they do not do the verdict is undecided.
 
     >>> from equilibrium.io.files import read_grasp
     >>> solve_in_space(read_grasp("two-opposed-fingers"), [0, "3/5", "4/5", 0, 0, 0]).verdict
@@ -153,7 +158,7 @@ def solve_in_space(
         shown[:] = [_certificate(grasp, applied, found)]
         return bool(shown[0].verify())
 
-    found = SpatialSearch(SpatialContacts(grasp), applied, accept, deadline).decide()
+    found = SpatialSearch(SpatialContacts(grasp), applied, accept, deadline, nodes).decide()
     if isinstance(found, Open):
         return SpatialVerdict(
             grasp, applied, UNDECIDED, reason=found.reason, residual=found.residual

@@ -43,6 +43,7 @@ class Frame:
 
 def frame_of(grasp: Grasp, outline: Outline | None = None) -> Frame:
     """Return the frame in which contacts and outline fill [-1, 1] in the longer direction."""
+    grasp.require_plane()
     places = [contact.point for contact in grasp]
     if outline is not None:
         places += outline.extremes

@@ -24,6 +24,8 @@ from equilibrium.solver.spatial_contacts import SpatialContacts
 
 #: Shares of the friction limit are multiples of one over this.
 _SHARES = 2**14
+#: Motions that balance leaves open are multiples of one over this.
+_COARSE = 2**10
 #: Of rational slip directions: the largest denominator of half-angle tangents, the error allowed.
 _SIMPLE, _SAME = 64, 1e-6
 #: From this share of its limit on, friction may be that of a slip.
@@ -142,7 +144,7 @@ class StateBalance:
         given = self.states.shares[i] or (Fraction(0), Fraction(0))
         return [Fraction(0) if (i, j) in self.pillars else x for j, x in enumerate(given)]
 
-    def exact(self) -> SpatialSolution | None:
+    def exact(self, motion: Floats) -> SpatialSolution | None:
         """Return the solution where no slip turns with the motion."""
         p, size = len(self.basis), len(self.basis) + len(self.pillars)
         springs = self._springs(size)
@@ -150,10 +152,13 @@ class StateBalance:
         reduced, pivots, scale = gauss_jordan(rows)
         if size in pivots:
             return None
-        point = [Fraction(0)] * size
+        # What the equations leave open is taken from the motion in floats.
+        point = [Fraction(round(_COARSE * x), _COARSE) for x in self._coordinates(motion)]
+        point += [Fraction(0)] * (size - p)
+        free = [k for k in range(size) if k not in pivots]
         for row, pivot in zip(reduced, pivots, strict=False):
-            point[pivot] = Fraction(-row[size], scale)
-        motion = tuple(_dot(column, point[:p]) for column in zip(*self.basis, strict=True))
+            point[pivot] = Fraction(-row[size] - sum(row[k] * point[k] for k in free)) / scale
+        moved = tuple(_dot(column, point[:p]) for column in zip(*self.basis, strict=True))
         forces = []
         for i, contact in enumerate(self.contacts.grasp):
             normal = _dot(springs[i], [*point, Fraction(1)]) if i in springs else Fraction(0)
@@ -162,7 +167,7 @@ class StateBalance:
                 if pillar == i:
                     pair[j] += point[k]
             forces.append((normal, *pair))
-        return SpatialSolution(motion or (Fraction(0),) * 6, tuple(forces))
+        return SpatialSolution(moved or (Fraction(0),) * 6, tuple(forces))
 
     def _springs(self, size: int) -> dict[int, list[Fraction]]:
         """Return the normal forces of touching contacts as rows in the unknowns."""
@@ -200,15 +205,27 @@ class StateBalance:
                 row[k] += x
         return rows + straight
 
+    def _float_basis(self) -> Floats:
+        """Return the basis in floats, (6, p)."""
+        rows = [[nearest(x) for x in motion] for motion in self.basis]
+        basis: Floats = np.array(rows).reshape(len(rows), 6).T
+        return basis
+
+    def _coordinates(self, motion: Floats) -> Floats:
+        """Return the combination of the basis that is nearest to a motion."""
+        if not self.basis:
+            return np.zeros(0)
+        found = np.linalg.lstsq(self._float_basis(), motion, rcond=None)[0]
+        nearest_one: Floats = found.astype(np.float64)
+        return nearest_one
+
     def boxes(self, motion: Floats) -> Iterator[Enclosed]:
         """Yield boxes around the solution that Newton's method finds near a motion."""
         p, size = len(self.basis), len(self.basis) + len(self.pillars)
         if size != 6:
             return
-        basis = np.array([[nearest(x) for x in b] for b in self.basis]).reshape(p, 6).T
-        point = np.zeros(6)
-        if p:
-            point[:p] = np.linalg.lstsq(basis, motion, rcond=None)[0]
+        basis, point = self._float_basis(), np.zeros(6)
+        point[:p] = self._coordinates(motion)
         load = np.array([nearest(w) for w in self.wrench])
         size_of = float(np.abs(load).max()) + float(np.abs(self.contacts.preload).max(initial=0.0))
         for k, (i, j) in enumerate(self.pillars, p):
@@ -310,7 +327,7 @@ def proposals(
     tried.add((states.key, states.rational))
     balance = StateBalance(contacts, wrench, states)
     if states.rational:
-        found = balance.exact()
+        found = balance.exact(motion)
         if found is not None:
             yield found
     if any(states.slipping):

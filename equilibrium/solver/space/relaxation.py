@@ -38,6 +38,8 @@ State: TypeAlias = str | Sector
 _SMALL_MOTION = 1e-3
 #: Where no ray has more room than minus this, there is none.
 _NO_ROOM = 1e-6
+#: Whether a contact touches is asked before how it slips, by this factor.
+_FIRST = 3.0
 
 
 class Ray(NamedTuple):
@@ -181,6 +183,25 @@ class Relaxation:
         units = np.array([1.0, *[self.force / self.step] * 2])
         return Ray(virtual * self.arms, multipliers * units, room, sizes)
 
+    def cone_ray(self) -> Ray | None:
+        """Return a virtual motion on which the load works and no force in a cone does less.
+
+        It needs no springs, and sees loads that are tiny beside the preloads.
+        """
+        load = self.load / (np.abs(self.load).max() or 1.0)
+        cones = np.zeros((3 * self.m, 6))
+        cones[::3] = -self.normal
+        cones[1::3] = -self.friction[:, None] * self.tangents[:, 0]
+        cones[2::3] = -self.friction[:, None] * self.tangents[:, 1]
+        matrix = csc_matrix(np.concatenate([np.eye(6), -np.eye(6), cones]))
+        right = np.concatenate([np.ones(12), np.zeros(3 * self.m)])
+        kinds = [clarabel.NonnegativeConeT(12), *[clarabel.SecondOrderConeT(3)] * self.m]
+        program = (csc_matrix((6, 6)), -load, matrix, right, kinds)
+        found = np.array(clarabel.DefaultSolver(*program, self.settings).solve().x)
+        if not load @ found > _NO_ROOM:
+            return None
+        return self._in_units(["undecided"] * self.m, found, np.zeros((self.m, 3)))
+
     def inner_ray(self, states: Sequence[State]) -> Ray | None:
         """Return the ray with the most room in the conditions of a leaf, if any has some.
 
@@ -254,7 +275,11 @@ class Relaxation:
         rubs = np.minimum(self.stiffness * size, np.hypot(miss[:, 0], miss[:, 1]))
         lifts = f[:, 0] - np.maximum(0.0, spring)
         value = [
-            lifts[i] if state == "undecided" else 0.0 if state in ("detached", "stick") else rubs[i]
+            _FIRST * lifts[i]
+            if state == "undecided"
+            else 0.0
+            if state in ("detached", "stick")
+            else rubs[i]
             for i, state in enumerate(states)
         ]
         return np.array(value)

@@ -19,8 +19,8 @@ from .equilibria import Proposal, proposals
 from .leaves import exact_leaf
 from .relaxation import Point, Ray, Relaxation, Sector, State
 
-#: Nodes of a tree, and random starts of the first search.
-_NODES, _STARTS = 1500, 3
+#: Nodes of a tree, if not told otherwise, and random starts of the first search.
+NODES, _STARTS = 4000, 3
 #: After how many nodes without a leaf, at first, an equilibrium is looked for near a relaxation.
 _PATIENCE = 6
 #: Relative size below which a relaxation obeys the law.
@@ -53,6 +53,7 @@ class SpatialSearch:
     Args:
         accept: whether a proposal is proved to be an equilibrium.
         deadline: of `time.monotonic`.
+        nodes: of a tree, at most.
     """
 
     def __init__(
@@ -61,9 +62,10 @@ class SpatialSearch:
         wrench: RationalVector,
         accept: Callable[[Proposal], bool],
         deadline: float = math.inf,
+        nodes: int = NODES,
     ) -> None:
         self.contacts, self.wrench = contacts, wrench
-        self.accept, self.deadline = accept, deadline
+        self.accept, self.deadline, self.nodes = accept, deadline, nodes
         self.relaxation = Relaxation(contacts, wrench)
         self.smooth = SpatialContinuation(contacts, wrench)
         self.tried: set[object] = set()
@@ -73,7 +75,9 @@ class SpatialSearch:
         """Return an accepted equilibrium, a tree that refutes all, or what is open."""
         with np.errstate(all="ignore"):
             root: tuple[State, ...] = ("undecided",) * len(self.contacts.grasp)
-            leaf = self._leaf(root, self.relaxation.solve(root))
+            ray = self.relaxation.cone_ray()
+            leaf = ray and exact_leaf(self.contacts, self.wrench, root, ray)
+            leaf = leaf or self._leaf(root, self.relaxation.solve(root))
             if leaf is not None:
                 return leaf
             for motion in self.smooth.starts(_STARTS):
@@ -107,7 +111,7 @@ class SpatialSearch:
         waiting: list[tuple[tuple[State, ...], list[Any], int]] = [(root, top, 0)]
         nodes, idle, patience, failed = 0, 0, _PATIENCE, 0
         while waiting:
-            if nodes == _NODES:
+            if nodes == self.nodes:
                 return Open(f"after {nodes} nodes the tree is not closed", self.residual)
             if time.monotonic() > self.deadline:
                 return Open(f"the time is over after {nodes} nodes", self.residual)
