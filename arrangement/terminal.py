@@ -75,7 +75,10 @@ class Parser(argparse.ArgumentParser):
         """Split ``0,1,0`` after an option that takes several numbers."""
         for before, word in pairwise(("", *words)):
             option = self._option_string_actions.get(before)
-            several = option is not None and isinstance(option.nargs, int)
+            several = option is not None and (
+                isinstance(option.nargs, int)
+                or (option.nargs == "+" and option.type is rational_argument)
+            )
             yield from map(str.strip, word.split(",")) if several else (word,)
 
     def error(self, message: str) -> NoReturn:

@@ -123,7 +123,7 @@ class Fan:
         high = self.members[:, above].any(axis=1)
         low = self.members[:, below].any(axis=1)
         both = high & low
-        side = high.astype(np.int8) - low
+        side = np.sign(high.astype(np.int8) - low.astype(np.int8))
         whole = ~both & np.isin(side, list(sides))
         edges = self.members[both & (self.members.sum(axis=1) == 2)]
         first, second = np.nonzero(edges)[1].reshape(-1, 2).T

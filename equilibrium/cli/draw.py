@@ -24,11 +24,11 @@ def _add_options(draw: argparse.ArgumentParser) -> None:
 
 def _draw(arguments: argparse.Namespace) -> int:
     from arrangement.draw.command import given_options, write
-    from equilibrium.draw.views import drawings_of
+    from equilibrium.draw.views import DRAWINGS, drawings_of
 
     grasp = read(arguments)
     drawings = drawings_of(grasp)
-    options = given_options(arguments, drawings)
+    options = given_options(arguments, drawings, DRAWINGS)
     kind, name = drawings.target(arguments.output, arguments.view, arguments.model)
     if "preload" in options and "preload" not in drawings.options(kind, name):
         grasp = grasp.with_preload(options.pop("preload"))

@@ -43,12 +43,11 @@ class Frame:
 
 def frame_of(grasp: Grasp, outline: Outline | None = None) -> Frame:
     """Return the frame in which contacts and outline fill [-1, 1] in the longer direction."""
-    grasp.require_plane()
     places = [contact.point for contact in grasp]
     if outline is not None:
         places += outline.extremes
     if not places:
-        return Frame((Fraction(0), Fraction(0)), Fraction(1))
+        return Frame((Fraction(0),) * grasp.dimension, Fraction(1))
     lows, highs = ([end(column) for column in zip(*places, strict=True)] for end in (min, max))
     spread = max(high - low for low, high in zip(lows, highs, strict=True)) / 2
     centre = tuple((low + high) / 2 for low, high in zip(lows, highs, strict=True))

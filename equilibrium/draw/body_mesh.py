@@ -17,11 +17,16 @@ Cycle: TypeAlias = tuple[int, ...]
 _SHARP = math.cos(math.radians(20))
 
 
+def looks(points: Floats, face: Cycle, towards: Floats) -> bool:
+    """Return whether a face looks at the viewer."""
+    return float(_normal(points[list(face)]) @ towards) > 0
+
+
 def silhouette(points: Floats, faces: Sequence[Cycle], towards: Floats) -> list[tuple[int, int]]:
     """Return the edges at which a face that looks at the viewer meets one that does not."""
     ahead = {}
     for face in faces:
-        side = float(_normal(points[list(face)]) @ towards) > 0
+        side = looks(points, face, towards)
         for a, b in edges_of(face):
             ahead[a, b] = side
     return [(a, b) for (a, b), side in ahead.items() if side and not ahead.get((b, a), False)]

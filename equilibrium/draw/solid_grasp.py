@@ -7,7 +7,7 @@ Everything is moved and scaled so that body and contacts fill [-1, 1], then roun
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
 from fractions import Fraction
 from functools import cached_property
@@ -18,7 +18,7 @@ import numpy as np
 from arrangement.draw.colours import BLACK, BLUE, GREY, VERMILION
 from arrangement.draw.depth_tree import Node, depth_tree
 from arrangement.draw.items import Floats
-from arrangement.exact import IntegerVector, primitive
+from arrangement.exact import IntegerVector, dot, primitive
 from arrangement.io.meshes import volume
 from arrangement.linear import cross
 from arrangement.polyhedra.surface import Patch
@@ -26,13 +26,15 @@ from equilibrium.model.grasp import Grasp
 from equilibrium.model.outline import Mesh
 
 from .body import Frame, frame_of
-from .body_mesh import convex_hull, edges_of, merged, sharp_edges
+from .body_mesh import convex_hull, edges_of, looks, merged, sharp_edges, silhouette
 
 #: Lengths, where body and contacts fill [-1, 1]: cones, the largest force, slip and motion.
 CONE, FORCE, MOVED = 0.3, 0.6, 0.3
 #: Sides of a cone, and of the head of an arrow; its length and radius.
 _SIDES, _HEAD_SIDES, _HEAD, _HEAD_RADIUS = 16, 6, 0.09, 0.03
 _GRID = 1 << 20
+#: An axis farther than this from the middle is not drawn.
+FAR = 1.8
 #: Radius of the helix of a motion, and most turns of it.
 _HELIX, _TURNS = 0.14, 2.0
 #: Meshes of more facets are drawn as their convex hull.
@@ -84,12 +86,12 @@ class Screw:
         largest = max(map(abs, exact))
         if not largest:
             return None
-        scaled = np.array([float(x / largest) for x in exact])
-        v, omega = scaled[:3], scaled[3:]
-        size = float(np.linalg.norm(omega))
-        if size < 1e-9:
-            return cls(v / np.linalg.norm(v), None, None)
-        return cls(omega / size, np.cross(omega, v) / size**2, float(v @ omega) / size**2)
+        v, omega = (tuple(x / largest for x in part) for part in (exact[:3], exact[3:]))
+        square = dot(omega, omega)
+        if square < Fraction(1, 10**18):
+            return cls(_unit(v), None, None)
+        point = np.array([float(x / square) for x in cross(omega, v)])
+        return cls(_unit(omega), point, float(dot(v, omega) / square))
 
 
 @dataclass
@@ -101,12 +103,14 @@ class SolidGrasp:
         motion: a motion (v, omega) to be shown, if there is one.
         forces: contact forces to be shown, none if there are none.
         wrench: applied, if one is shown.
+        virtual: show how the motion moves the contact points, not how they slip.
     """
 
     grasp: Grasp
     motion: Sequence[float | Fraction] = ()
     forces: Sequence[Sequence[float | Fraction]] = ()
     wrench: Sequence[float | Fraction] = ()
+    virtual: bool = False
     frame: Frame = field(init=False)
 
     def __post_init__(self) -> None:
@@ -155,11 +159,12 @@ class SolidGrasp:
 
     @cached_property
     def slips(self) -> Floats:
-        """(m, 3); how each contact point slips, the longest `MOVED` long."""
+        """(m, 3); how each contact point slips or moves, the longest `MOVED` long."""
         v, omega = (np.array(part, float) for part in (self.motion[:3], self.motion[3:]))
         points = np.array([[float(x) for x in c.point] for c in self.grasp]).reshape(-1, 3)
         moved = v + np.cross(omega, points)
-        slips = moved - np.einsum("ij,ij->i", moved, self.normals)[:, None] * self.normals
+        inward = np.einsum("ij,ij->i", moved, self.normals)[:, None] * self.normals
+        slips = moved if self.virtual else moved - inward
         sizes = np.linalg.norm(slips, axis=1)
         slips[sizes < 1e-9 * np.linalg.norm(moved, axis=1)] = 0
         largest = float(np.linalg.norm(slips, axis=1).max(initial=0.0))
@@ -196,6 +201,12 @@ class SolidGrasp:
                 "wrench-torque", origin, torque / np.linalg.norm(torque), 0.25, 0.0, 0.75
             )
 
+    @property
+    def axis_is_far(self) -> bool:
+        """Whether the motion is a turn about an axis that is outside the picture."""
+        turns = self.screw is not None and self.screw.point is not None
+        return turns and not any(arrow.name == "axis" for arrow in self._axis())
+
     def _axis(self) -> Iterator[Arrow]:
         if self.screw is None:
             return
@@ -208,6 +219,8 @@ class SolidGrasp:
             [float(c / self.frame.size) for c in self.frame.centre]
         )
         point = point - (point @ axis) * axis
+        if float(np.linalg.norm(point)) > FAR:
+            return
         yield Arrow("axis", point - 1.3 * axis, point + 1.3 * axis, headless=True)
         rise = 2 * math.pi * self.screw.pitch / size
         turns = min(0.75 if abs(rise) < 1e-9 else _TURNS, 1.6 / max(abs(rise), 1e-9))
@@ -224,18 +237,31 @@ class SolidGrasp:
             rim = p + CONE * (math.cos(angle) * n + math.sin(angle) * ring)
             yield i, p, rim if c.friction else rim[:1]
 
-    def patches(self, lines: Iterable[tuple[int, int]] = ()) -> list[Patch]:
+    def patches(self, towards: Floats | None = None) -> list[Patch]:
         """Return all pieces.
 
         Args:
-            lines: pairs of points of the body that are drawn besides its sharp edges.
+            towards: the viewer; then silhouettes are drawn besides sharp edges, and each edge once,
+                with a face that the viewer sees if there is one.
         """
         points, faces, _ = self.body
-        drawn = {*sharp_edges(points, faces), *lines}
+        drawn = set(sharp_edges(points, faces))
+        owner: dict[tuple[int, int], int] = {}
+        if towards is not None:
+            drawn |= set(silhouette(points, faces, towards))
+            ahead = [k for k, face in enumerate(faces) if looks(points, face, towards)]
+            for k in (*ahead, *range(len(faces))):
+                for a, b in edges_of(faces[k]):
+                    owner.setdefault((min(a, b), max(a, b)), k)
         found = []
-        for face in faces:
-            shown = [(a, b) for a, b in edges_of(face) if (a, b) in drawn or (b, a) in drawn]
-            found += _flat([points[k] for k in face], "body",
+        for k, face in enumerate(faces):
+            shown = [
+                (a, b)
+                for a, b in edges_of(face)
+                if ((a, b) in drawn or (b, a) in drawn)
+                and owner.get((min(a, b), max(a, b)), k) == k
+            ]
+            found += _flat([points[a] for a in face], "body",
                            [(points[a], points[b]) for a, b in shown])  # fmt: skip
         if not faces and len(self.places) > 1:
             middle = self.places.mean(axis=0)
@@ -250,9 +276,9 @@ class SolidGrasp:
             found += _arrow(arrow)
         return found
 
-    def tree(self, lines: Iterable[tuple[int, int]] = ()) -> list[Node]:
+    def tree(self, towards: Floats | None = None) -> list[Node]:
         """Return the pieces in an order for painting; they may be cut."""
-        return depth_tree(self.patches(lines))
+        return depth_tree(self.patches(towards))
 
 
 def _arc(
@@ -267,6 +293,11 @@ def _arc(
     ends = centre + radius * ring + rise * (angles / (2 * math.pi) - turns / 2) * axis
     for k, (p, q) in enumerate(pairwise(ends)):
         yield Arrow(name, p, q, headless=k < count - 1)
+
+
+def _unit(vector: Sequence[Fraction]) -> Floats:
+    found = np.array([float(x) for x in vector])
+    return found / float(np.linalg.norm(found))
 
 
 def head_of(arrow: Arrow) -> tuple[Floats, Floats]:

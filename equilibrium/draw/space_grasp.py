@@ -19,9 +19,8 @@ from arrangement.draw.scene import Scene
 from arrangement.exact import IntegerVector
 from arrangement.polyhedra.surface import Patch, rounded
 from equilibrium.model.grasp import Grasp
-from equilibrium.verdict import solve
+from equilibrium.spatial_verdict import solve_in_space
 
-from .body_mesh import silhouette
 from .keys import symbol
 from .shapes import Labels
 from .solid_grasp import INKS, SolidGrasp
@@ -41,11 +40,19 @@ def solved_in_space(grasp: Grasp, wrench: Wrench | None) -> tuple[SolidGrasp, st
     """Return the pieces of a grasp, with the equilibrium under a wrench, and what is said of it."""
     if wrench is None:
         return SolidGrasp(grasp), ""
-    verdict = solve(grasp, wrench)
+    verdict = solve_in_space(grasp, wrench)
     found = verdict.solution
     if found is None:
-        return SolidGrasp(grasp, wrench=verdict.wrench), "no equilibrium"
-    return SolidGrasp(grasp, found.motion, found.forces, verdict.wrench), ""
+        return SolidGrasp(grasp, wrench=verdict.wrench), verdict.verdict
+    frames = [(c.normal, *c.tangents) for c in grasp]
+    forces = [
+        [
+            sum(float(a) * float(way[k]) for a, way in zip(shares, frame, strict=True))
+            for k in range(3)
+        ]
+        for shares, frame in zip(found.forces, frames, strict=True)
+    ]
+    return SolidGrasp(grasp, list(found.motion), forces, verdict.wrench), ""
 
 
 def drawn_in_space(solid: SolidGrasp, direction: Vector | None, width: float, note: str) -> Scene:
@@ -80,9 +87,8 @@ class _Picture:
     def __init__(self, solid: SolidGrasp, towards: IntegerVector, width: float, note: str) -> None:
         self.solid, self.towards = solid, towards
         self.axes = picture_axes(towards)
-        points, faces, self.stated = solid.body
-        rims = silhouette(points, faces, np.array(towards, float))
-        nodes = solid.tree(rims)
+        self.stated = solid.body[2]
+        nodes = solid.tree(np.array(towards, float))
         held = np.concatenate([
             np.zeros((1, 3)), *(rounded(p.corners) for node in nodes for p in node.patches)
         ]) @ self.axes.T  # fmt: skip
@@ -180,7 +186,9 @@ class _Picture:
             legend.key(symbol("wrench"), wrench_text(solid))
         if any(map(any, solid.forces)):
             legend.key(symbol("force"), "contact force")
-        if solid.motion:
+        if solid.motion and solid.screw is None:
+            legend.line(motion_text(solid))
+        elif solid.motion:
             legend.key(symbol("shift"), motion_text(solid))
 
 
@@ -193,12 +201,18 @@ def wrench_text(solid: SolidGrasp) -> str:
 
 
 def motion_text(solid: SolidGrasp) -> str:
+    """Return what the arrows of the motion show."""
+    if solid.screw is None:
+        return "no motion"
+    return f"motion, and the slips of the contacts: {screw_text(solid)}"
+
+
+def screw_text(solid: SolidGrasp) -> str:
     """Return the motion in words: a turn about an axis with its pitch, or a shift."""
     screw = solid.screw
-    if screw is None:
-        return "no motion"
-    if screw.pitch is None:
-        return "motion: a shift; slips of the contacts"
+    if screw is None or screw.pitch is None:
+        return "a shift" if screw else "no motion"
     unit = f" {solid.grasp.units.length}" if solid.grasp.units else ""
+    far = " about an axis outside the picture" if solid.axis_is_far else ""
     pitch = f"{screw.pitch:.3g}".replace("-", "−")
-    return f"motion: a turn, pitch {pitch}{unit} a radian; slips of the contacts"
+    return f"a turn{far}, pitch {pitch}{unit} a radian"
