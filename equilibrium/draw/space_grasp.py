@@ -28,7 +28,7 @@ from .style import CONE_EDGE, CONE_FILL, vector
 
 #: Of faces of the body that look at the viewer: what is inside shines through.
 _GLASS = PALE + "70"
-_MARGIN = 10.0
+_MARGIN = 14.0
 #: Edges of a stated body, of the hull of the contacts, and what is behind either.
 _STATED: dict[str, Any] = {"ec": BLACK, "lw": 0.7, "role": "edge"}
 _INDICATED = {**_STATED, "ls": (0, (5, 2.5))}
@@ -99,7 +99,7 @@ class _Picture:
         height = self.scale * float(spread[1]) + 2 * _MARGIN
         self.scene = Scene(width, height / POINTS)
         self.shift = np.array([paper, height]) / 2 - self.scale * (low + high) / 2
-        self.count = 0
+        self.count, self.labels = 0, Labels(self.scene)
         ordered = list(back_to_front(nodes, towards))
         for k, node in enumerate(ordered):
             for patch in node.patches:
@@ -119,6 +119,8 @@ class _Picture:
         corners = self.at(rounded(patch.corners))
         ahead = sum(a * b for a, b in zip(patch.row, self.towards, strict=False)) > 0
         edges = [self.at(rounded(edge)) for edge in patch.edges]
+        for edge in edges:
+            self.labels.avoid_line(*edge)
         if kind == "body":
             if ahead:
                 self.scene.polygon(corners, fc=_GLASS, ec="none", zorder=z, gid=gid, role="region")
@@ -148,18 +150,30 @@ class _Picture:
             self.scene.polygon(disc, fc=BLACK, ec=BLACK, lw=0.8, zorder=3, gid=f"pad-{i}")
 
     def _numbers(self) -> None:
-        """Write the number of every contact outside the object, and name the wrench."""
-        labels = Labels(self.scene)
-        for arrow in self.solid.arrows():
-            labels.avoid_line(self.at(arrow.start), self.at(arrow.end))
-        for i, (p, n) in enumerate(zip(self.solid.places, self.solid.normals, strict=True), 1):
-            place, out = self.at(p), -self.scale * (self.axes @ n)[:2]
-            out = out / max(float(np.linalg.norm(out)), 1e-9)
-            side = np.array([-out[1], out[0]])
+        """Write the numbers of the contacts, those at one point together, and name the wrench."""
+        labels = self.labels
+        groups: dict[object, list[int]] = {}
+        for i, contact in enumerate(self.solid.grasp):
+            groups.setdefault(contact.point, []).append(i)
+        for members in groups.values():
+            text = ", ".join(str(i + 1) for i in members)
+            place = self.at(self.solid.places[members[0]])
+            out = -(self.axes @ self.solid.normals[members].sum(axis=0))[:2]
+            start = math.atan2(out[1], out[0])
+            turns = (0, 0.5, -0.5, 1, -1, 1.6, -1.6, 2.3, -2.3, 3.1)
+            wide = self.scene.measure(text)[0] / 2
             wanted = [
-                place + a * out + b * side for b in (0, 7, -7, 11, -11) for a in (7, 10, 14, 0)
+                place
+                + reach * np.array([math.cos(start + a), math.sin(start + a)])
+                + (math.copysign(max(0.0, wide - 3), math.cos(start + a)), 0)
+                for reach in (7, 10, 14, 19)
+                for a in turns
             ]
-            self.scene.text(labels.place(str(i), wanted), str(i), zorder=7, gid=f"number-{i}")
+            room = np.array([wide + 1, 4.5])
+            paper = np.array([self.scene.width, self.scene.height])
+            wanted = [w for w in wanted if (w > room).all() and (w < paper - room).all()] or wanted
+            name = f"number-{members[0] + 1}"
+            self.scene.text(labels.place(text, wanted), text, zorder=7, gid=name)
         for arrow in self.solid.arrows():
             if arrow.name == "wrench-force" or (
                 arrow.name == "wrench-torque" and not arrow.headless and not self._has_force
