@@ -56,6 +56,13 @@ def _parser() -> terminal.Parser:
         "--time-limit", metavar="SECONDS", type=_seconds, help="give up then (exit 2; in space 3)"
     )
     solve.add_argument(
+        "--cone",
+        metavar="pyramid:K",
+        type=_cone,
+        default="round",
+        help="in space: friction pyramids of K edges, K even, in place of round cones",
+    )
+    solve.add_argument(
         "--shorten", action="store_true", help="look longer for a smaller proof of a no"
     )
     solve.add_argument(
@@ -99,6 +106,16 @@ def _list(arguments: argparse.Namespace) -> int:
     return terminal.print_names(described("contacts"), arguments.json)
 
 
+def _cone(text: str) -> int | None:
+    """Return the edges of a pyramid, None for round cones."""
+    if text == "round":
+        return None
+    kind, _, count = text.partition(":")
+    if kind != "pyramid" or not count.isascii() or not count.isdigit() or len(count) > 3:
+        raise argparse.ArgumentTypeError(f"{text[:60]!r} is no cone; give pyramid:K or round")
+    return int(count)
+
+
 def _seconds(text: str) -> float:
     """Return a positive number of seconds."""
     seconds = float(terminal.rational_argument(text))
@@ -111,7 +128,7 @@ def _solve(arguments: argparse.Namespace) -> int:
     from equilibrium.io.files import write_certificate
     from equilibrium.methods.printed_model import solve_literal
     from equilibrium.model.errors import GraspError
-    from equilibrium.spatial_verdict import SpatialVerdict
+    from equilibrium.spatial_verdict import SpatialVerdict, solve_in_space
     from equilibrium.verdict import solve
 
     if arguments.literal and arguments.certificate is not None:
@@ -123,7 +140,13 @@ def _solve(arguments: argparse.Namespace) -> int:
         lines = _verdict_lines(literal.equilibria, grasp)
         return show(arguments, literal.to_dict(), lines, literal.stable, grasp)
     limits = {"time_limit": arguments.time_limit, "shorten": arguments.shorten}
-    found = solve(grasp, wrench, **limits)
+    if arguments.cone is None:
+        found = solve(grasp, wrench, **limits)
+    elif grasp.dimension == 2:
+        raise GraspError("in the plane the friction cone has two edges; omit --cone")
+    else:
+        limit = arguments.time_limit
+        found = solve_in_space(grasp, wrench, time_limit=limit, pyramid=arguments.cone)
     if arguments.certificate is not None and found.certificate is not None:
         write_certificate(arguments.certificate, found.certificate)
     if isinstance(found, SpatialVerdict):
