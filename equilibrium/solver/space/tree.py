@@ -21,6 +21,8 @@ from .relaxation import Point, Ray, Relaxation, Sector, State
 
 #: Nodes of a tree, if not told otherwise, and random starts of the first search.
 NODES, _STARTS = 4000, 3
+#: Nodes of a tree that is tried before the random starts.
+_FEW = 20
 #: After how many nodes without a leaf, at first, an equilibrium is looked for near a relaxation.
 _PATIENCE = 6
 #: Relative size below which a relaxation obeys the law.
@@ -82,11 +84,13 @@ class SpatialSearch:
             leaf = leaf or self._leaf(root, self.relaxation.solve(root))
             if leaf is not None:
                 return leaf
-            for motion in self.smooth.starts(_STARTS):
+            for i, motion in enumerate(self.smooth.starts(_STARTS)):
                 found = self._near(motion, 1.0)
-                if found is not None:
+                if found is None and not i:
+                    found = self._tree(root, min(_FEW, self.nodes))
+                if found is not None and not isinstance(found, Open):
                     return found
-            return self._tree(root)
+            return self._tree(root, self.nodes)
 
     def _near(self, motion: Floats, sharpness: float) -> Proposal | None:
         """Return an equilibrium that the smoothed balance leads to."""
@@ -122,13 +126,13 @@ class SpatialSearch:
             leaf = inner and exact_leaf(self.contacts, self.wrench, states, inner)
         return leaf
 
-    def _tree(self, root: tuple[State, ...]) -> Proposal | Any | Open:
+    def _tree(self, root: tuple[State, ...], most: int) -> Proposal | Any | Open:
         """Search depth first; a node is filled in when all below it are closed."""
         top: list[Any] = [None]
         waiting: list[tuple[tuple[State, ...], list[Any], int]] = [(root, top, 0)]
         nodes, idle, patience, failed = 0, 0, _PATIENCE, 0
         while waiting:
-            if nodes == self.nodes:
+            if nodes == most:
                 return Open(f"after {nodes} nodes the tree is not closed", self.residual)
             if time.monotonic() > self.deadline:
                 return Open(f"the time is over after {nodes} nodes", self.residual)
