@@ -9,6 +9,7 @@ from fractions import Fraction
 from typing import Any
 
 from arrangement.exact import RationalVector, to_text
+from arrangement.short_repr import Shown
 from equilibrium.model.grasp import Grasp
 
 from .checker import Report, check
@@ -16,7 +17,7 @@ from .reading import SCHEMA_VERSION, Enclosure
 
 
 @dataclass(frozen=True)
-class Certificate:
+class Certificate(Shown):
     """A proof of a verdict: `text` is compact JSON. `to_dict` gives a fresh copy."""
 
     text: str

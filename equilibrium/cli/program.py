@@ -9,9 +9,10 @@ from typing import TYPE_CHECKING, Any
 
 from arrangement import terminal
 from arrangement.exact import dot
+from arrangement.number_form import vector
 
 from . import draw, inputs, lab, methods, wrench_sets
-from .arguments import add_applied, add_command, applied, grasp_of, show, vector
+from .arguments import add_applied, add_command, applied, grasp_of, show
 from .proof_words import proof_lines
 from .spatial_words import spatial_lines
 

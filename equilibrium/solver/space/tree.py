@@ -85,11 +85,13 @@ class SpatialSearch:
             if leaf is not None:
                 return leaf
             for i, motion in enumerate(self.smooth.starts(_STARTS)):
-                found = self._near(motion, 1.0)
-                if found is None and not i:
+                near = self._near(motion, 1.0)
+                if near is not None:
+                    return near
+                if not i:
                     found = self._tree(root, min(_FEW, self.nodes))
-                if found is not None and not isinstance(found, Open):
-                    return found
+                    if not isinstance(found, Open):
+                        return found
             return self._tree(root, self.nodes)
 
     def _near(self, motion: Floats, sharpness: float) -> Proposal | None:
