@@ -7,8 +7,8 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 from . import terminal
-from .exact import to_text
 from .io import files
+from .number_form import vector
 
 if TYPE_CHECKING:
     from .arrangement import Arrangement
@@ -46,13 +46,21 @@ def _parser() -> terminal.Parser:
 
     faces = commands.add_parser("faces", help="list sign vectors with dimension and witness")
     _add_file(faces)
-    faces.add_argument("--dimension", type=int, metavar="K", help="only faces of dimension K")
+    faces.add_argument(
+        "--dimension", type=terminal.integer_argument, metavar="K", help="only faces of dimension K"
+    )
     faces.set_defaults(command=_faces)
 
     bounds = commands.add_parser(
         "bounds", help="count faces of generic planes against the published bounds"
     )
-    bounds.add_argument("--largest", type=int, default=12, metavar="M", help="4 to 30 (default 12)")
+    bounds.add_argument(
+        "--largest",
+        type=terminal.integer_argument,
+        default=12,
+        metavar="M",
+        help="4 to 30 (default 12)",
+    )
     bounds.add_argument("-o", "--output", metavar="PATH", help="a picture: .svg, .pdf, .png")
     bounds.add_argument("--width", metavar="LENGTH", help="of the picture (default 180mm)")
     bounds.set_defaults(command=_bounds)
@@ -72,6 +80,7 @@ def _parser() -> terminal.Parser:
 
     for command in (count, polynomial, faces, bounds, names, make, draw):
         terminal.add_common_options(command)
+    terminal.add_number_options(faces)
     return parser
 
 
@@ -168,7 +177,7 @@ def _bounds(arguments: argparse.Namespace) -> int:
 
 def _line(face: Face) -> str:
     signs = "".join(_SYMBOLS[sign] for sign in face.signs)
-    return f"{signs}  dim {face.dimension}  ({', '.join(to_text(x) for x in face.witness)})"
+    return f"{signs}  dim {face.dimension}  {vector(face.witness)}"
 
 
 def _add_draw_options(draw: argparse.ArgumentParser) -> None:

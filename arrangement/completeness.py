@@ -10,6 +10,8 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import dataclass
 
+from arrangement.short_repr import Shown
+
 from .counts import f_vector
 from .faces import Face
 from .linear import rank
@@ -18,8 +20,8 @@ from .planes import Planes
 _MAX_PROBLEMS = 20
 
 
-@dataclass(frozen=True)
-class CompletenessEvidence:
+@dataclass(frozen=True, repr=False)
+class CompletenessEvidence(Shown):
     """What an enumeration was compared with, and what is wrong with it.
 
     Attributes:

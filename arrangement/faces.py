@@ -14,6 +14,8 @@ from fractions import Fraction
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
+from arrangement.short_repr import Shown
+
 from .cones import Generators, generators
 from .errors import InputError
 from .exact import IntegerVector, RationalVector, bits, dot, rational_vector, shown
@@ -29,7 +31,7 @@ _SHOWN = 40
 
 
 @dataclass(frozen=True, repr=False)
-class Face:
+class Face(Shown):
     """A face of an arrangement: the set of all points with one sign vector.
 
     Faces are equal when they are the same set of the same planes, whatever point stands for them.

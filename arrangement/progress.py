@@ -1,7 +1,8 @@
-"""A line on stderr with what is done, the rate and the remaining time; only on a terminal.
+"""What is done, the rate and the remaining time: a line on stderr that changes on a terminal.
 
-Long loops of the packages run over `watched` items. They show nothing by themselves; a command
-turns their line on with `shown`, and `note` too.
+Elsewhere (a pipe, a log) what takes more than two seconds prints a line for an item that is
+finished, at growing distances. Long loops of the packages run over `watched` items. They show
+nothing by themselves; a command turns their line on with `shown`, and `note` too.
 """
 
 from __future__ import annotations
@@ -19,6 +20,8 @@ _WIDTH = 24
 _PAUSE = 0.2
 #: Loops that end sooner show no line.
 _PATIENCE = 1.0
+#: Seconds to the first line in a pipe, and the longest time between two.
+_FIRST, _LONGEST = 2.0, 60.0
 
 #: Whether `watched` loops show a line.
 _wanted: ContextVar[bool] = ContextVar("_wanted", default=False)
@@ -30,9 +33,9 @@ def on_terminal() -> bool:
 
 
 @contextmanager
-def shown() -> Iterator[None]:
-    """Let the loops over `watched` items inside show their line, if stderr is a terminal."""
-    token = _wanted.set(True)
+def shown(wanted: bool = True) -> Iterator[None]:
+    """Let the loops over `watched` items inside show their line, or keep them quiet."""
+    token = _wanted.set(wanted)
     try:
         yield
     finally:
@@ -54,7 +57,7 @@ def watched(items: Iterable[Item], unit: str, total: int | None = None) -> Itera
         unit: of what, in the plural.
         total: their number, if they have no length.
     """
-    if not _wanted.get() or not on_terminal():
+    if not _wanted.get():
         return items
     known = len(items) if isinstance(items, Sized) else total
     return _telling(items, Bar(known, unit, patience=_PATIENCE))
@@ -74,13 +77,14 @@ def _telling(items: Iterable[Item], bar: Bar) -> Iterator[Item]:
 
 
 class Bar:
-    """Progress of a known or unknown total; nothing is written when stderr is no terminal.
+    """Progress of a known or unknown total.
 
     Args:
         total: what is to be done; None if unknown (see `begin`).
         unit: of what, in the plural.
         started_with: what was done before, so that the rate is of this run alone.
-        patience: seconds before anything is written.
+        patience: seconds before anything is written on a terminal.
+        piped: whether anything is written when stderr is no terminal.
     """
 
     def __init__(
@@ -90,14 +94,16 @@ class Bar:
         started_with: int = 0,
         clock: Callable[[], float] = time.monotonic,
         patience: float = 0.0,
+        piped: bool = True,
     ) -> None:
         self.total, self.unit, self.first, self.done = total, unit, started_with, started_with
         self._clock = clock
         self._start = clock()
         self._drawn: float | None = None
-        self._due = self._start + patience
+        self._terminal = on_terminal()
+        self._due = self._start + (patience if self._terminal else _FIRST)
         self.note = ""
-        self.visible = on_terminal()
+        self.visible = self._terminal or piped
 
     def begin(self, done: int, total: int) -> None:
         """Say what was done before, and the total, once both are known."""
@@ -108,9 +114,14 @@ class Bar:
         self.done = done
         self.note = self.note if note is None else note
         now = self._clock()
-        if self.visible and now >= self._due:
+        if not self.visible or now < self._due:
+            return
+        if self._terminal:
             self._drawn, self._due = now, now + _PAUSE
             print(f"\r\x1b[K{self.text()}", end="", file=sys.stderr, flush=True)
+        else:
+            self._due = now + min(max(_FIRST, (now - self._start) / 4), _LONGEST)
+            print(self.text(), file=sys.stderr, flush=True)
 
     def close(self) -> None:
         """Take the line away."""

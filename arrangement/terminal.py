@@ -14,15 +14,14 @@ import json
 import os
 import re
 import sys
-import traceback
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from difflib import get_close_matches
 from fractions import Fraction
-from itertools import pairwise
 from pathlib import Path
 from typing import Any, NoReturn
 
-from . import progress
+from . import number_form, progress
+from .entry import fault
 from .errors import InputError, MissingExtraError
 from .exact import rational, shown, to_text
 
@@ -31,8 +30,6 @@ NO = 1
 _BAD_INPUT = 2
 #: Neither yes nor no was proved.
 UNDECIDED = 3
-#: EX_SOFTWARE of sysexits.h: a fault must never look like a "no".
-_FAULT = 70
 #: What a shell reports for a program that SIGINT or SIGPIPE ended (128 + the signal's number).
 _INTERRUPTED = 130
 _BROKEN_PIPE = 141
@@ -40,6 +37,7 @@ _BROKEN_PIPE = 141
 #: Most things that one command does one after the other.
 MOST = 1_000_000
 _NEGATIVE_NUMBER = re.compile(r"-\.?[0-9]")
+_WITH_UNIT = re.compile(r"[-+]?[0-9./]+ ?[A-Za-z]+")
 
 
 class Parser(argparse.ArgumentParser):
@@ -66,25 +64,55 @@ class Parser(argparse.ArgumentParser):
         words = sys.argv[1:] if args is None else args
         found, rest = super().parse_known_args(list(self._separated(words)), namespace)
         for word in rest:
-            near = get_close_matches(word, self._option_string_actions, 1)
-            if near and word.startswith("-"):
-                self.error(f"there is no option {word}; did you mean {near[0]}?")
+            kind = "option" if word.startswith("-") else "place for"
+            near = _meant(word, self._option_string_actions)
+            self.error(f"there is no {kind} {shown(word)}{near}")
+        for action in self._actions:
+            if getattr(found, action.dest, None) == "" and action.dest != "title":
+                name = "/".join(action.option_strings) or action.metavar
+                self.error(f"argument {name}: it is empty; give a name")
         return found, rest
 
     def _separated(self, words: Sequence[str]) -> Iterator[str]:
-        """Split ``0,1,0`` after an option that takes several numbers."""
-        for before, word in pairwise(("", *words)):
-            option = self._option_string_actions.get(before)
-            several = option is not None and (
-                isinstance(option.nargs, int)
-                or (option.nargs == "+" and option.type is rational_argument)
-            )
-            yield from map(str.strip, word.split(",")) if several else (word,)
+        """Split ``0,1,0`` and ``0, 1, 0``, in one word or several, where several are taken."""
+        due = 0
+        for word in words:
+            name, equals, value = word.partition("=")
+            option = self._option_string_actions.get(name)
+            if option is not None:
+                due = _numbers_after(option)
+            if option is not None and due and equals:
+                yield name
+                word = value
+            elif option is not None or not due:
+                yield word
+                continue
+            parts = re.split(r"[\s,]+", word.strip(", "))
+            due = max(due - len(parts), 0)
+            yield from parts
+
+    def _check_value(self, action: argparse.Action, value: Any) -> None:
+        """Name the nearest choices of a misspelt one."""
+        if action.choices is not None and value not in action.choices:
+            known = list(action.choices)
+            text = f"there is no {shown(value)}; known are {', '.join(known)}{_meant(value, known)}"
+            raise argparse.ArgumentError(action, text)
 
     def error(self, message: str) -> NoReturn:
-        """Print the usage and one line with the error to stderr; exit with 2."""
-        self.print_usage(sys.stderr)
-        self.exit(_BAD_INPUT, f"error: {printable(message)}\n")
+        """Print one line with the error to stderr; exit with 2."""
+        self.exit(_BAD_INPUT, f"error: {printable(message)} ({self.prog} --help tells more)\n")
+
+
+def _numbers_after(option: argparse.Action) -> int:
+    """Return how many numbers an option takes at most."""
+    if option.nargs == "+" and option.type is rational_argument:
+        return MOST
+    return option.nargs if isinstance(option.nargs, int) else 0
+
+
+def _meant(word: str, known: Iterable[str]) -> str:
+    near = get_close_matches(word, known, 3)
+    return f"; did you mean {' or '.join(near)}?" if near else ""
 
 
 class _Version(argparse.Action):
@@ -117,8 +145,27 @@ def add_common_options(parser: argparse.ArgumentParser) -> None:
     )
 
 
+def add_number_options(parser: argparse.ArgumentParser) -> None:
+    """Add ``--exact`` and ``--digits``, for commands that print numbers; `run` heeds them."""
+    form = parser.add_mutually_exclusive_group()
+    form.add_argument("--exact", action="store_true", help="print every number exactly")
+    text = f"of numbers that are too long to be printed exactly (default: {number_form.DIGITS})"
+    form.add_argument("--digits", type=_digits, metavar="N", help=text)
+
+
+def _digits(text: str) -> int:
+    if not text.isascii() or not text.isdigit() or not 1 <= int(text[:5]) <= 1000:
+        raise argparse.ArgumentTypeError(f"{shown(text)} digits; give 1 to 1000")
+    return int(text)
+
+
 def rational_argument(text: str) -> Fraction:
     """Read an exact number from the command line (the ``type=`` of an argument)."""
+    if _WITH_UNIT.fullmatch(text):
+        raise argparse.ArgumentTypeError(
+            f"{shown(text)} has a unit; write the number alone: lengths and forces are in the "
+            "units of the grasp, times in seconds (lengths on paper may have units)"
+        )
     try:
         return rational(text, "value")
     except InputError as error:
@@ -131,6 +178,13 @@ def count_argument(text: str) -> int:
         raise argparse.ArgumentTypeError(
             f"{shown(text)} is no whole number from 0 to {MOST}; more takes days: go in parts"
         )
+    return int(text)
+
+
+def integer_argument(text: str) -> int:
+    """Read a whole number of ordinary size, such as a dimension or a seed."""
+    if re.fullmatch(r"-?[0-9]{1,18}", text, re.ASCII) is None:
+        raise argparse.ArgumentTypeError(f"{shown(text)} is no whole number of up to 18 digits")
     return int(text)
 
 
@@ -155,7 +209,9 @@ def run(parser: Parser, argv: Sequence[str] | None = None) -> int:
         return _refuse("standard output is closed, so there is nowhere to answer; open it")
     try:
         arguments = parser.parse_args(argv)
-        with progress.shown():
+        exact = any(getattr(arguments, name, False) for name in ("json", "exact"))
+        form = number_form.Form(exact, getattr(arguments, "digits", None) or number_form.DIGITS)
+        with progress.shown(), form.used():
             code: int = arguments.command(arguments)
         sys.stdout.flush()
     except (InputError, MissingExtraError) as error:
@@ -170,13 +226,7 @@ def run(parser: Parser, argv: Sequence[str] | None = None) -> int:
         return _INTERRUPTED
     except Exception as error:
         _discard_stdout()
-        if "--traceback" in (sys.argv if argv is None else argv):
-            traceback.print_exc()
-        return _refuse(
-            f"a fault of the program, no answer: {type(error).__name__}: {shown(str(error))}; "
-            "please report it with the command, as CONTRIBUTING.md says (--traceback shows where)",
-            _FAULT,
-        )
+        return fault(error, argv)
     return code
 
 
@@ -207,9 +257,9 @@ def _encode(value: Any) -> str:
     raise TypeError(f"{type(value).__name__} has no JSON form")
 
 
-def _refuse(message: str, code: int = _BAD_INPUT) -> int:
+def _refuse(message: str) -> int:
     print(f"error: {printable(message)}", file=sys.stderr)
-    return code
+    return _BAD_INPUT
 
 
 def _discard_stdout() -> None:

@@ -27,7 +27,9 @@ from .certificate.document import (
 from .certificate.reading import Enclosure
 from .model.errors import UndecidedError
 from .model.grasp import Grasp, read_wrench
+from .model.pyramid import pyramid_edges
 from .solver.space.equilibria import Proposal, SpatialSolution
+from .solver.space.pyramid import PyramidSearch
 from .solver.space.tree import NODES, Open, SpatialSearch
 from .solver.spatial_contacts import SpatialContacts
 
@@ -139,12 +141,15 @@ def solve_in_space(
     *,
     time_limit: float | None = None,
     nodes: int = NODES,
+    pyramid: int | None = None,
 ) -> SpatialVerdict:
     """Decide whether a grasp in space resists a wrench; see `equilibrium.solve`.
 
     Args:
         time_limit: in seconds; when it is over the verdict is undecided.
         nodes: of a tree; when they do not do the verdict is undecided.
+        pyramid: edges of a friction pyramid in place of the round cone, see `pyramid_edges`; then
+            the verdict is always decided, exactly, if there is time.
 
     >>> from equilibrium.io.files import read_grasp
     >>> solve_in_space(read_grasp("two-opposed-fingers"), [0, "3/5", "4/5", 0, 0, 0]).verdict
@@ -152,26 +157,38 @@ def solve_in_space(
     """
     applied = read_wrench(wrench, grasp.dimension)
     deadline = math.inf if time_limit is None else time.monotonic() + time_limit
-    shown: list[Certificate] = []
+    if pyramid is not None:
+        edges = pyramid_edges(pyramid)
+        return _verdict(
+            grasp, applied, PyramidSearch(grasp, applied, edges, deadline).decide(), pyramid
+        )
 
     def accept(found: Proposal) -> bool:
-        shown[:] = [_certificate(grasp, applied, found)]
-        return bool(shown[0].verify())
+        return bool(_certificate(grasp, applied, found).verify())
 
     found = SpatialSearch(SpatialContacts(grasp), applied, accept, deadline, nodes).decide()
+    return _verdict(grasp, applied, found)
+
+
+def _verdict(
+    grasp: Grasp, applied: RationalVector, found: Any, pyramid: int | None = None
+) -> SpatialVerdict:
     if isinstance(found, Open):
         return SpatialVerdict(
             grasp, applied, UNDECIDED, reason=found.reason, residual=found.residual
         )
     if isinstance(found, (dict, list)):
-        certificate = refuted_certificate(grasp, applied, found)
+        certificate = refuted_certificate(grasp, applied, found, pyramid)
         return SpatialVerdict(grasp, applied, NOT_RESISTED, certificate=certificate)
-    return SpatialVerdict(grasp, applied, RESISTED, found, shown[0])
+    certificate = _certificate(grasp, applied, found, pyramid)
+    return SpatialVerdict(grasp, applied, RESISTED, found, certificate)
 
 
-def _certificate(grasp: Grasp, wrench: RationalVector, found: Proposal) -> Certificate:
+def _certificate(
+    grasp: Grasp, wrench: RationalVector, found: Proposal, pyramid: int | None = None
+) -> Certificate:
     if isinstance(found, SpatialSolution):
-        return resisted_certificate(grasp, wrench, found.motion, found.forces)
+        return resisted_certificate(grasp, wrench, found.motion, found.forces, pyramid)
     box = Enclosure(
         found.basis, found.friction, found.pillars, found.centre, found.radius, found.inverse
     )

@@ -18,6 +18,7 @@ from typing import Any
 from arrangement.exact import RationalVector, to_text, vector_text
 from arrangement.plugins import display
 from arrangement.progress import watched
+from arrangement.short_repr import Shown
 
 from .certificate.checker import Report, check
 from .certificate.document import Certificate, refuted_certificate, resisted_certificate
@@ -153,7 +154,7 @@ def solve(
     return Solver(grasp).solve(wrench, time_limit=time_limit, shorten=shorten)
 
 
-class Solver:
+class Solver(Shown):
     """A grasp prepared for many wrenches: what one question computes serves the next.
 
     Every function about the wrenches that a grasp resists takes a solver in place of the grasp.
@@ -163,6 +164,8 @@ class Solver:
     >>> [verdict.stable for verdict in solver.solve_many([[0, 1, 0], [0, 2, 0]])]
     [True, False]
     """
+
+    shown_fields = ("grasp",)
 
     def __init__(self, grasp: Grasp) -> None:
         grasp.require_plane()

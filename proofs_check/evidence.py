@@ -12,6 +12,8 @@ from dataclasses import dataclass, field
 from random import Random
 from typing import Any
 
+from arrangement.short_repr import Shown
+
 from .errors import OwnClaimError
 from .statement import Case, Claim, Kind, Route, Verdict
 
@@ -30,8 +32,8 @@ class Failure:
         return self.text
 
 
-@dataclass(frozen=True)
-class Record:
+@dataclass(frozen=True, repr=False)
+class Record(Shown):
     """The check of one case: the values of all routes side by side, and what they mean.
 
     Attributes:
@@ -62,8 +64,8 @@ class Record:
         return "fails" if self.covered else "excused"
 
 
-@dataclass(frozen=True)
-class Part:
+@dataclass(frozen=True, repr=False)
+class Part(Shown):
     """What was checked from one source.
 
     Attributes:
@@ -78,8 +80,8 @@ class Part:
     passed_over: int = 0
 
 
-@dataclass(frozen=True)
-class Evidence:
+@dataclass(frozen=True, repr=False)
+class Evidence(Shown):
     """Everything that was checked for one claim.
 
     Attributes:
@@ -106,8 +108,8 @@ class Evidence:
         return tuple(record for record in self.records if not record.holds)
 
 
-@dataclass(frozen=True)
-class Result:
+@dataclass(frozen=True, repr=False)
+class Result(Shown):
     """A claim with its evidence, and the time it took. The verdict follows from the evidence."""
 
     claim: Claim

@@ -25,6 +25,7 @@ from arrangement.errors import InputError
 from arrangement.exact import rational, rational_vector, shown
 from arrangement.io.arrangements import read_arrangement
 from arrangement.io.files import Source, check_keys, check_list, read_document
+from arrangement.short_repr import Shown
 from equilibrium.certificate.checker import Report, check
 from equilibrium.model.grasp import Grasp
 
@@ -32,8 +33,8 @@ from .claim_file import defined, line_of
 from .errors import OwnClaimError
 
 
-@dataclass(frozen=True)
-class Exercise:
+@dataclass(frozen=True, repr=False)
+class Exercise(Shown):
     """A question with a check of its answers.
 
     Attributes:

@@ -16,6 +16,8 @@ from itertools import chain
 from random import Random
 from typing import Any
 
+from arrangement.short_repr import Shown
+
 from .errors import OwnClaimError, UnknownClaimError
 
 
@@ -39,8 +41,8 @@ class Kind(Enum):
     SAMPLED = "samples"
 
 
-@dataclass(frozen=True)
-class Case:
+@dataclass(frozen=True, repr=False)
+class Case(Shown):
     """One instance on which a claim is checked.
 
     Attributes:
@@ -56,8 +58,8 @@ class Case:
     assumption: str = ""
 
 
-@dataclass(frozen=True)
-class Source:
+@dataclass(frozen=True, repr=False)
+class Source(Shown):
     """Where cases come from: how far they reach, what they are in words, and the cases."""
 
     kind: Kind
@@ -80,8 +82,8 @@ def sampled(over: str, cases: Callable[[Random], Iterable[Case]]) -> tuple[Sourc
     return (Source(Kind.SAMPLED, over, cases),)
 
 
-@dataclass(frozen=True)
-class Domain:
+@dataclass(frozen=True, repr=False)
+class Domain(Shown):
     """A set of instances that random ones can be drawn from.
 
     Attributes:
@@ -101,24 +103,24 @@ class Domain:
     contains: Callable[[Any], bool]
 
 
-@dataclass(frozen=True)
-class Route:
+@dataclass(frozen=True, repr=False)
+class Route(Shown):
     """A way to compute the quantity of a claim; the name says how."""
 
     name: str
     compute: Callable[[Any], Any]
 
 
-@dataclass(frozen=True)
-class Hypothesis:
+@dataclass(frozen=True, repr=False)
+class Hypothesis(Shown):
     """A condition on instances under which a statement is true although it fails without."""
 
     text: str
     covers: Callable[[Any], bool]
 
 
-@dataclass(frozen=True)
-class View:
+@dataclass(frozen=True, repr=False)
+class View(Shown):
     """A picture for the report of a claim, by one of the registered drawings.
 
     Attributes:
@@ -137,8 +139,8 @@ class View:
 Smaller = Callable[[list[Case], Callable[[Any], bool]], tuple[Case, int]]
 
 
-@dataclass(frozen=True)
-class Claim:
+@dataclass(frozen=True, repr=False)
+class Claim(Shown):
     """A statement, what it is about, and the routes by which it is checked.
 
     Attributes:
@@ -242,8 +244,10 @@ class Claim:
         return "; ".join(texts)
 
 
-class Registry:
+class Registry(Shown):
     """Claims by id, in order of entry; ids are unique."""
+
+    shown_fields = ("ids",)
 
     def __init__(self, claims: Iterable[Claim] = ()) -> None:
         self._claims: dict[str, Claim] = {}
@@ -262,6 +266,11 @@ class Registry:
         if not len(names) == len(ways) == len(claim.routes):
             raise OwnClaimError(f"claim {claim.id!r} has one route twice; expected different ones")
         self._claims[claim.id] = claim
+
+    @property
+    def ids(self) -> tuple[str, ...]:
+        """The ids, in order."""
+        return tuple(self._claims)
 
     def __iter__(self) -> Iterator[Claim]:
         return iter(self._claims.values())

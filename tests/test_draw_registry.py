@@ -105,7 +105,7 @@ def test_the_command_line_names_the_nearest_option(
     with pytest.raises(SystemExit) as stopped:
         main(["draw", *words, "-o", str(tmp_path / "a.svg")])
     assert stopped.value.code == 2
-    assert "did you mean --width?" in capsys.readouterr().err
+    assert "did you mean --width" in capsys.readouterr().err
 
 
 HUGE = 10**350

@@ -16,7 +16,7 @@ from .themes import THEMES
 _KINDS: dict[str, dict[str, Any]] = {
     "str": {"metavar": "NAME"},
     "AxisNames": {"nargs": "?", "const": True, "metavar": "NAMES"},
-    "int": {"type": int, "metavar": "K"},
+    "int": {"type": terminal.integer_argument, "metavar": "K"},
     "float": {"type": terminal.length_argument, "metavar": "N"},
     "length": {"metavar": "LENGTH"},
     "Exact": {"type": terminal.rational_argument, "metavar": "Q"},

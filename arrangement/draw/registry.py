@@ -134,7 +134,8 @@ class Drawings:
                 hatchings.
             legend: of a picture: "below", if omitted; "right"; or "none".
             options: those of the function of the view, model or page. The width of a view and the
-                size of a model are in millimetres, or texts with a unit: ``"8.4cm"``, ``"252pt"``.
+                size of a model are in millimetres, or texts with a unit: ``"8.4cm"``, ``"252pt"``;
+                the size of a view is its width.
 
         Returns:
             What was written: ``{"view": name}``, ``{"model": name}`` or ``{"page": name}``.
@@ -145,6 +146,11 @@ class Drawings:
             MissingExtraError: matplotlib is absent.
         """
         kind, name = self.target(path, view, model)
+        known = self.options(kind, name)
+        if "size" in options and "size" not in known and "width" in known:
+            if "width" in options:
+                raise InputError("a picture has one size, its width, and both are given; give one")
+            options["width"] = options.pop("size")
         draw = self._function(kind, name, options)
         for length in LENGTHS & options.keys():
             options[length] = millimetres(options[length], f"the {length}")
@@ -152,7 +158,7 @@ class Drawings:
         _check_form(kind, suffix, font_size, theme, legend, text, fragment)
         if kind == "view":
             scale = 1.0 if font_size is None else points(font_size, "the font size") / FONT
-            width = options.get("width", self.options(kind, name)["width"].default)
+            width = options.get("width", known["width"].default)
             place = legend or LEGENDS[0]
             options["width"] = picture_width(width, place) / scale
 

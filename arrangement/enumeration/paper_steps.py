@@ -26,6 +26,7 @@ from arrangement.errors import InputError
 from arrangement.exact import IntegerVector, RationalVector, dot, sign
 from arrangement.linprog import Infeasible, feasible_point
 from arrangement.planes import Planes
+from arrangement.short_repr import Shown
 
 if TYPE_CHECKING:
     import networkx as nx
@@ -35,8 +36,8 @@ SignVector: TypeAlias = tuple[int, ...]
 Cycle: TypeAlias = tuple[tuple[int, int], ...]
 
 
-@dataclass(frozen=True)
-class PublishedEnumeration:
+@dataclass(frozen=True, repr=False)
+class PublishedEnumeration(Shown):
     """What Steps 1 to 3 as published give for one arrangement.
 
     Sign vectors run over the input planes, in input order.

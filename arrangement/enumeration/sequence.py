@@ -19,6 +19,7 @@ from arrangement.errors import InputError
 from arrangement.exact import IntegerVector, RationalVector, shown
 from arrangement.faces import Face
 from arrangement.planes import Planes
+from arrangement.short_repr import Shown
 
 Signs: TypeAlias = NDArray[np.int8]
 #: int64 where all entries fit, else Python integers.
@@ -55,7 +56,7 @@ def no_faces(planes: int, dimension: int) -> Level:
     )
 
 
-class FaceSequence(Sequence[Face]):
+class FaceSequence(Shown, Sequence[Face]):
     """The faces of an arrangement, or those of one dimension, in a fixed order.
 
     It looks like a tuple of `Face`: length, indices, slices (which are tuples), iteration. The
@@ -67,6 +68,8 @@ class FaceSequence(Sequence[Face]):
     Attributes:
         engine: the name of the engine that found them.
     """
+
+    shown_fields = ("f_vector", "engine")
 
     def __init__(
         self, planes: Planes, levels: Sequence[Level], engine: str, lowest: int = 0

@@ -33,6 +33,7 @@ from typing import Any, NamedTuple
 from arrangement.exact import IntegerVector, RationalVector
 from equilibrium.model.errors import CertificateError
 from equilibrium.model.grasp import Grasp
+from equilibrium.model.pyramid import pyramid_edges
 
 from .enclosure import enclosure_problem
 from .law import law_problem, short, unit_wrenches
@@ -98,7 +99,8 @@ def check(
     if kind == "resisted":
         report = Report(kind, _equilibrium_problem(document, grasp, wrench))
     elif grasp.dimension == 3:
-        report = _walk(document["tree"], SpatialQuestion(grasp, wrench), 3)
+        spatial = SpatialQuestion(grasp, wrench, _edges(document))
+        report = _walk(document["tree"], spatial, 3)
     else:
         report = _walk(document["tree"], _Question(grasp, wrench))
     if question is not None and question != (grasp, wrench):
@@ -110,8 +112,15 @@ def _equilibrium_problem(document: Mapping[str, Any], grasp: Grasp, wrench: Rati
     """Return what is wrong with the equilibrium of a certificate, or nothing."""
     if "enclosure" in document:
         return enclosure_problem(grasp, wrench, read_enclosure(document["enclosure"], len(grasp)))
-    problem = law_problem if grasp.dimension == 2 else spatial_law_problem
-    return problem(grasp, wrench, *read_equilibrium(document, len(grasp), grasp.dimension))
+    found = read_equilibrium(document, len(grasp), grasp.dimension)
+    if grasp.dimension == 2:
+        return law_problem(grasp, wrench, *found)
+    return spatial_law_problem(grasp, wrench, *found, _edges(document))
+
+
+def _edges(document: Mapping[str, Any]) -> tuple[RationalVector, ...]:
+    """Return the edges of friction pyramids, none for round cones."""
+    return pyramid_edges(document["pyramid"]) if "pyramid" in document else ()
 
 
 class _Contact(NamedTuple):
@@ -185,21 +194,23 @@ def _walk(tree: Any, question: _Question | SpatialQuestion, dimension: int = 2) 
         content, place = waiting.pop()
         node = read_node(content, place.path, len(question.contacts), dimension)
         if isinstance(node, Split):
-            waiting += reversed(_parts(node, place))
+            waiting += reversed(_parts(node, place, getattr(question, "edges", ())))
         else:
             leaves += 1
             problem = problem or _leaf_problem(question, node, place)
     return Report("not resisted", problem, leaves)
 
 
-def _parts(split: Split, place: _Place) -> list[tuple[Any, _Place]]:
+def _parts(
+    split: Split, place: _Place, edges: Sequence[RationalVector] = ()
+) -> list[tuple[Any, _Place]]:
     """Return the children of a node with their places; refuse a split that does not cover."""
     path, depth, region, states = place
     if depth == MAX_DEPTH:
         raise CertificateError(f"{path[:60]}...: more than {MAX_DEPTH} splits in a row")
     parts: list[tuple[Sequence[_Generator], Mapping[int, State]]]
-    if split.kind == "directions":
-        cut = split_states(split, states, path)
+    if split.kind in ("directions", "faces"):
+        cut = split_states(split, states, path, edges)
         return [(child, _Place(name, depth + 1, region, now)) for (name, child), now in cut]
     if split.kind in STATES:
         contact, due = split.at[0], "attached" if split.kind == "slip" else "undecided"

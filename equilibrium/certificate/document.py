@@ -9,6 +9,7 @@ from fractions import Fraction
 from typing import Any
 
 from arrangement.exact import RationalVector, to_text
+from arrangement.short_repr import Shown
 from equilibrium.model.grasp import Grasp
 
 from .checker import Report, check
@@ -16,7 +17,7 @@ from .reading import SCHEMA_VERSION, Enclosure
 
 
 @dataclass(frozen=True)
-class Certificate:
+class Certificate(Shown):
     """A proof of a verdict: `text` is compact JSON. `to_dict` gives a fresh copy."""
 
     text: str
@@ -44,10 +45,13 @@ def resisted_certificate(
     wrench: RationalVector,
     motion: RationalVector,
     forces: Iterable[RationalVector],
+    pyramid: int | None = None,
 ) -> Certificate:
     """Return the certificate of an equilibrium: its motion, normal and tangential forces."""
     listed = [_texts(pair) for pair in forces]
-    return _certificate("resisted", grasp, wrench, motion=_texts(motion), forces=listed)
+    return _certificate(
+        "resisted", grasp, wrench, pyramid=pyramid, motion=_texts(motion), forces=listed
+    )
 
 
 def enclosed_certificate(grasp: Grasp, wrench: RationalVector, enclosure: Enclosure) -> Certificate:
@@ -67,16 +71,23 @@ def enclosed_certificate(grasp: Grasp, wrench: RationalVector, enclosure: Enclos
     return _certificate("resisted", grasp, wrench, enclosure=form)
 
 
-def refuted_certificate(grasp: Grasp, wrench: RationalVector, tree: Any) -> Certificate:
+def refuted_certificate(
+    grasp: Grasp, wrench: RationalVector, tree: Any, pyramid: int | None = None
+) -> Certificate:
     """Return the certificate that no equilibrium exists.
 
     Args:
         tree: the root node, in the form of `equilibrium.certificate.reading`.
+        pyramid: edges of friction pyramids; None for round cones.
     """
-    return _certificate("not resisted", grasp, wrench, tree=tree)
+    return _certificate("not resisted", grasp, wrench, pyramid=pyramid, tree=tree)
 
 
-def _certificate(kind: str, grasp: Grasp, wrench: RationalVector, **proof: Any) -> Certificate:
+def _certificate(
+    kind: str, grasp: Grasp, wrench: RationalVector, pyramid: int | None = None, **proof: Any
+) -> Certificate:
+    if pyramid is not None:
+        proof = {"pyramid": pyramid, **proof}
     question = {"grasp": grasp.with_outline(None).to_dict(), "wrench": _texts(wrench)}
     document = {"schema_version": SCHEMA_VERSION, "certificate": kind, **question, **proof}
     return Certificate(json.dumps(document, separators=(",", ":")))

@@ -20,7 +20,10 @@ A tree has states alone, so h has two numbers, and instead of "slip" there is
 ``{"contact": i, "directions": [[p, q], ...], "children": [nodes]}``, below "attached": directions
 of slip along the tangents, counter-clockwise and each less than half a turn from the next; the
 children are stick, and the sectors between neighbours, from the last to the first at the end.
-Below such a sector it has one direction, which cuts the sector in two. An equilibrium that has no
+Below such a sector it has one direction, which cuts the sector in two. With ``"pyramid": K`` in the
+certificate the cones of friction are pyramids (`equilibrium.model.pyramid`), and the split is
+``{"contact": i, "faces": [nodes]}``: stick, then by turns slip along the normal of an edge of the
+polygon, from the first, and slip between two such normals. An equilibrium that has no
 rational numbers is shown by an "enclosure", see `equilibrium.certificate.enclosure`.
 """
 
@@ -44,7 +47,7 @@ SIZES = {2: 3, 3: 6}
 STATES = {"attachment": ("detached", "attached"), "slip": ("stick", "slip+", "slip-")}
 
 
-_SPLITS = {2: ("orthants", "edge", *STATES), 3: ("attachment", "directions")}
+_SPLITS = {2: ("orthants", "edge", *STATES), 3: ("attachment", "directions", "faces")}
 
 
 class Leaf(NamedTuple):
@@ -58,7 +61,7 @@ class Split(NamedTuple):
     """An inner node.
 
     Attributes:
-        kind: "orthants", "edge", "attachment", "slip" or "directions".
+        kind: "orthants", "edge", "attachment", "slip", "directions" or "faces".
         at: of an edge j, k, p, q; of a contact its number.
         children: with their paths.
         directions: of slip, of the last kind.
@@ -110,13 +113,15 @@ def read_question(document: Any) -> tuple[str, Grasp, RationalVector]:
         raise CertificateError(f"certificate is {shown(kind)}; known are {', '.join(_KEYS)}")
     common = ("schema_version", "certificate", "grasp", "wrench")
     shown_by = ("enclosure",) if "enclosure" in document else _KEYS[kind]
-    check_keys(document, (*common, *shown_by), (), "the certificate")
+    check_keys(document, (*common, *shown_by), ("pyramid",), "the certificate")
     if isinstance(document["grasp"], Mapping) and "outline" in document["grasp"]:
         raise CertificateError("the grasp of a certificate has no outline; leave it out")
     grasp = Grasp.from_dict(document["grasp"])
     wrench = read_wrench(check_list(document["wrench"], "wrench"), grasp.dimension)
     if "enclosure" in document and (kind, grasp.dimension) != ("resisted", 3):
         raise CertificateError("an enclosure shows that a grasp in space resists")
+    if "pyramid" in document and ("enclosure" in document or grasp.dimension != 3):
+        raise CertificateError("a pyramid is for a grasp in space, and needs no enclosure")
     return kind, grasp, wrench
 
 
@@ -186,6 +191,8 @@ def read_node(content: Any, path: str, contacts: int, dimension: int = 2) -> Lea
         return Split(kind, at, _children(content, "children", path, 2))
     check_keys(content, ("contact", kind), ("children",) * (kind == "directions"), path)
     contact = (_index(content["contact"], f"{path}.contact", contacts),)
+    if kind == "faces":
+        return Split(kind, contact, _children(content, kind, path, None))
     if kind == "directions":
         where = f"{path}.{kind}"
         given = enumerate(check_list(content[kind], where))
@@ -218,7 +225,9 @@ def _rationals(value: Any, length: int, where: str) -> RationalVector:
     return rational_vector(check_list(value, where, length), where)
 
 
-def _children(content: Mapping[str, Any], key: str, path: str, count: int) -> list[tuple[str, Any]]:
+def _children(
+    content: Mapping[str, Any], key: str, path: str, count: int | None
+) -> list[tuple[str, Any]]:
     children = check_list(content[key], f"{path}.{key}", count)
     return [(f"{path}.{key}[{i}]", child) for i, child in enumerate(children)]
 

@@ -32,7 +32,16 @@ from .reading import Leaf, Split
 
 #: A sector from u to v, counter-clockwise by less than half a turn.
 Sector: TypeAlias = tuple[RationalVector, RationalVector]
-State: TypeAlias = str | Sector
+
+
+class Face(NamedTuple):
+    """Slip in the cone of one or two directions, with friction between some edges of a pyramid."""
+
+    ends: tuple[RationalVector, ...]
+    edges: tuple[RationalVector, ...]
+
+
+State: TypeAlias = str | Sector | Face
 
 
 def frame(contact: Contact) -> tuple[RationalVector, RationalVector, RationalVector]:
@@ -48,7 +57,11 @@ def _cross(left: RationalVector, right: RationalVector) -> RationalVector:
 
 
 def spatial_law_problem(
-    grasp: Grasp, wrench: RationalVector, motion: RationalVector, forces: Sequence[RationalVector]
+    grasp: Grasp,
+    wrench: RationalVector,
+    motion: RationalVector,
+    forces: Sequence[RationalVector],
+    edges: Sequence[RationalVector] = (),
 ) -> str:
     """Return what is wrong with a motion and forces (normal, two tangential), if anything."""
     total = list(wrench)
@@ -58,23 +71,57 @@ def spatial_law_problem(
         spring = max(Fraction(0), contact.preload - contact.stiffness * along)
         if normal != spring:
             return f"contact {i}: normal force {short(normal)}, its spring gives {short(spring)}"
-        square, limit = dot(friction, friction), contact.friction * normal
+        limit = contact.friction * normal
         given = f"contact {i}: friction ({short(friction[0])}, {short(friction[1])})"
-        if square > limit * limit:
+        if not _in_cone(friction, limit, edges):
             return f"{given} is longer than its limit {short(limit)}"
-        if any(slip) and (
-            square != limit * limit or turn(friction, slip) != 0 or dot(friction, slip) > 0
-        ):
+        if any(slip) and not _does_most(friction, slip, limit, edges):
             return f"{given} while it slips by ({short(slip[0])}, {short(slip[1])})"
         for force, row in zip((normal, *friction), wrenches, strict=True):
             total = [w + force * x for w, x in zip(total, row, strict=True)]
     return "" if not any(total) else f"the forces add up to ({', '.join(map(short, total))}), not 0"
 
 
-class SpatialQuestion:
-    """Grasp and wrench in integers, one unit for each kind of sum."""
+def _in_cone(
+    friction: Sequence[Fraction], limit: Fraction, edges: Sequence[RationalVector]
+) -> bool:
+    """Return whether a friction force is in the disc, or in the polygon of the edges."""
+    if not edges:
+        return bool(dot(friction, friction) <= limit * limit)
+    outward = zip(_normals(edges), edges, strict=True)
+    return all(dot(normal, friction) <= limit * dot(normal, edge) for normal, edge in outward)
 
-    def __init__(self, grasp: Grasp, wrench: RationalVector) -> None:
+
+def _does_most(
+    friction: Sequence[Fraction],
+    slip: Sequence[Fraction],
+    limit: Fraction,
+    edges: Sequence[RationalVector],
+) -> bool:
+    """Return whether no friction force of the cone does less work on a slip."""
+    if edges:
+        return bool(dot(friction, slip) == -limit * max(dot(edge, slip) for edge in edges))
+    against = turn(friction, slip) == 0 and dot(friction, slip) <= 0
+    return bool(against and dot(friction, friction) == limit * limit)
+
+
+def _normals(edges: Sequence[RationalVector]) -> list[RationalVector]:
+    """Return for each edge the outward normal of the side of the polygon that starts there."""
+    nexts = (*edges[1:], edges[0])
+    return [(a + c, b + d) for (a, b), (c, d) in zip(edges, nexts, strict=True)]
+
+
+class SpatialQuestion:
+    """Grasp and wrench in integers, one unit for each kind of sum.
+
+    Attributes:
+        edges: of friction pyramids; none for round cones.
+    """
+
+    def __init__(
+        self, grasp: Grasp, wrench: RationalVector, edges: Sequence[RationalVector] = ()
+    ) -> None:
+        self.edges = edges
         contacts = list(grasp)
         works = math.lcm(*(x.denominator for x in (*wrench, *(c.preload for c in contacts))))
         self.load = tuple(int(x * works) for x in wrench)
@@ -111,7 +158,7 @@ class _Contact(NamedTuple):
 
 
 def split_states(
-    split: Split, states: Mapping[int, State], path: str
+    split: Split, states: Mapping[int, State], path: str, edges: Sequence[RationalVector]
 ) -> list[tuple[tuple[str, Any], Mapping[int, State]]]:
     """Return the children of a split by directions with their states; refuse what does not cover.
 
@@ -121,7 +168,18 @@ def split_states(
     contact, ends = split.at[0], list(split.directions)
     state = states.get(contact, "undecided")
     parts: list[State]
-    if isinstance(state, tuple):
+    if (split.kind == "faces") != bool(edges):
+        raise CertificateError(f"{path}: faces are for pyramids, directions for round cones")
+    if edges:
+        parts = ["stick", *_faces(edges)]
+        if state != "attached" or len(split.children) != len(parts):
+            raise CertificateError(
+                f"{path}: the faces of an attached contact have {len(parts)} children, and contact "
+                f"{contact + 1} is {_named(state)} here"
+            )
+        pairs = zip(split.children, parts, strict=True)
+        return [(child, {**states, contact: part}) for child, part in pairs]
+    if isinstance(state, tuple) and not isinstance(state, Face):
         around = [state[0], *ends, state[1]]
         parts = list(pairwise(around))
         good = len(ends) == 1
@@ -143,6 +201,16 @@ def split_states(
     ]
 
 
+def _faces(edges: Sequence[RationalVector]) -> list[State]:
+    """Return slip along the normal of each side, and between that and the next."""
+    normals, found = _normals(edges), list[State]()
+    for j, normal in enumerate(normals):
+        k = (j + 1) % len(edges)
+        found.append(Face((normal,), (edges[j], edges[k])))
+        found.append(Face((normal, normals[k]), (edges[k],)))
+    return found
+
+
 def spatial_leaf_problem(
     question: SpatialQuestion, leaf: Leaf, states: Mapping[int, State], path: str
 ) -> str:
@@ -158,7 +226,12 @@ def spatial_leaf_problem(
         alpha, *h = (0, 0, 0) if given is None else (int(x * scale) for x in given)
         row = contact.wrenches
         a, *b = (dot(row[j : j + 6], motion) for j in (0, 6, 12))
-        if broken := _broken_bound(state, alpha, h, a - alpha * contact.unit, b, contact.friction):
+        room = a - alpha * contact.unit
+        if question.edges:
+            broken = _broken_pyramid(state, alpha, h, room, b, contact.friction, question.edges)
+        else:
+            broken = _broken_bound(state, alpha, h, room, b, contact.friction)
+        if broken:
             return f"{path}: contact {i + 1}, {_named(state)}: {broken}"
         if given is not None:
             work += alpha * contact.per_work
@@ -199,13 +272,36 @@ def _broken_bound(
     return "" if room >= 0 and room * room * size >= friction**2 * square else _LARGE
 
 
+def _broken_pyramid(
+    state: State,
+    alpha: int,
+    h: Sequence[int],
+    room: int,
+    b: Sequence[int],
+    friction: Fraction,
+    edges: Sequence[RationalVector],
+) -> str:
+    """Return which bound is broken with a pyramid in place of the round cone, or nothing."""
+    if alpha < 0 and state in ("undecided", "detached"):
+        return "alpha must be at least 0"
+    if isinstance(state, Face):
+        # Along a normal alone, what h does across it is nothing.
+        if any(dot(h, end) > 0 for end in state.ends):
+            return "h has a positive product with a direction of slip"
+        edges = state.edges
+    elif any(h) and state != "stick":
+        return "h must be 0"
+    most = max(dot(edge, b) for edge in edges)
+    return "" if state == "detached" or room >= friction * most else _LARGE
+
+
 _LARGE = "alpha is larger than what the contact does on the virtual motion"
 
 
 def _named(state: State) -> str:
     if isinstance(state, str):
         return state
-    ends = (f"({', '.join(map(short, end))})" for end in state)
+    ends = (f"({', '.join(map(short, end))})" for end in getattr(state, "ends", state))
     return f"slip between {' and '.join(ends)}"
 
 

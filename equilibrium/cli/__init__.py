@@ -1,5 +1,5 @@
 """The command ``equilibrium``."""
 
-from .program import main
+from arrangement.entry import entry
 
-__all__ = ["main"]
+main = entry("equilibrium.cli.program")

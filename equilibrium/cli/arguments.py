@@ -5,26 +5,21 @@ from __future__ import annotations
 import argparse
 import sys
 from collections.abc import Callable, Iterable
-from contextvars import ContextVar
 from fractions import Fraction
-from functools import partial
 from typing import TYPE_CHECKING, Any, TypeAlias
 
 from arrangement import terminal
-from arrangement.exact import RationalVector, common_digits, number_text, to_text
+from arrangement.exact import RationalVector, to_text
 from equilibrium.model.errors import GraspError
 
 if TYPE_CHECKING:
     from equilibrium.inputs import Conversion
     from equilibrium.model.grasp import Grasp
 
-#: Significant digits of a number that is too long to be printed exactly.
-DIGITS = 6
+#: Most contacts of one grasp that is made at random.
+MOST_CONTACTS = 1000
 
 _Command: TypeAlias = Callable[[argparse.Namespace], int]
-_Form: TypeAlias = Callable[[Fraction | int], str]
-#: How the command that runs writes numbers.
-_form: ContextVar[_Form] = ContextVar("_form", default=number_text)
 
 
 def add_command(
@@ -49,40 +44,30 @@ def add_command(
         add_number(parser, "--preload", None, text, metavar="P")
     terminal.add_common_options(parser)
     if numbers:
-        form = parser.add_mutually_exclusive_group()
-        form.add_argument("--exact", action="store_true", help="print every number exactly")
-        text = f"of numbers that are too long to be printed exactly (default: {DIGITS})"
-        form.add_argument("--digits", type=_digits, metavar="N", help=text)
-        function = _with_numbers(function)
+        terminal.add_number_options(parser)
     parser.set_defaults(command=function)
     return parser
 
 
-def _with_numbers(function: _Command) -> _Command:
-    """Return a command that writes numbers as its options --exact and --digits say."""
+def add_applied(
+    parser: argparse.ArgumentParser,
+    name: str = "--wrench",
+    text: str = "applied force (f_x, f_y) and torque tau about the origin",
+    required: bool = True,
+) -> None:
+    """Add a wrench, as such, or as a force or a weight at a point; see `applied`.
 
-    def command(arguments: argparse.Namespace) -> int:
-        digits = arguments.digits or DIGITS
-        form = to_text if arguments.exact else partial(number_text, digits=digits)
-        token = _form.set(form)
-        try:
-            return function(arguments)
-        finally:
-            _form.reset(token)
-
-    return command
-
-
-def _digits(text: str) -> int:
-    if not text.isascii() or not text.isdigit() or not 1 <= int(text[:5]) <= 1000:
-        raise argparse.ArgumentTypeError(f"{text[:60]!r} digits; give 1 to 1000")
-    return int(text)
+    Args:
+        name, text: of the option that takes the wrench as such.
+        required: whether one of the three ways must be taken.
+    """
+    ways: Any = parser.add_mutually_exclusive_group(required=required)
+    add_wrench(ways, name, text, None)
+    add_force(parser, ways)
 
 
-def add_applied(parser: argparse.ArgumentParser) -> None:
-    """Add the applied wrench, as such, or as a force or a weight at a point; see `applied`."""
-    ways: Any = parser.add_mutually_exclusive_group(required=True)
-    add_wrench(ways, "--wrench", "applied force (f_x, f_y) and torque tau about the origin", None)
+def add_force(parser: argparse.ArgumentParser, ways: Any) -> None:
+    """Add a force or a weight at a point, to the ways in which a wrench can be given."""
     rational = terminal.rational_argument
     text = "instead: a force (two numbers, three in space)"
     force = ("F_X", "F_Y [F_Z]")
@@ -97,16 +82,21 @@ def add_applied(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--at", nargs="+", metavar=("X", "Y [Z]"), type=rational, help=text)
 
 
-def applied(arguments: argparse.Namespace, grasp: Grasp) -> RationalVector:
-    """Return the wrench that `add_applied` has read, for a grasp."""
+def applied(arguments: argparse.Namespace, grasp: Grasp, name: str = "wrench") -> RationalVector:
+    """Return the wrench that `add_applied` has read; `name` is that of its first option."""
+    return force_given(arguments, grasp.dimension) or tuple(getattr(arguments, name))
+
+
+def force_given(arguments: argparse.Namespace, dimension: int = 2) -> RationalVector | None:
+    """Return the wrench of the force or the weight, if one of them was given."""
     from equilibrium.model.grasp import wrench_of
 
-    if arguments.wrench is not None:
+    if arguments.force is arguments.weight is None:
         if arguments.at is not None:
             raise GraspError("--at goes with --force or --weight; a wrench has its torque")
-        return tuple(arguments.wrench)
-    down = *[Fraction(0)] * (grasp.dimension - 1), -(arguments.weight or 0)
-    return wrench_of(arguments.force or down, arguments.at, grasp.dimension)
+        return None
+    down = *[Fraction(0)] * (dimension - 1), -(arguments.weight or 0)
+    return wrench_of(arguments.force or down, arguments.at, dimension)
 
 
 def add_wrench(parser: Any, name: str, text: str, default: Any, required: bool = False) -> None:
@@ -140,6 +130,17 @@ def add_count(
     text = f"{text} (default: {default})"
     count = terminal.count_argument
     parser.add_argument(name, type=count, default=default, metavar=metavar, help=text)
+
+
+def contacts_argument(text: str) -> int:
+    """Read a number of contacts."""
+    found = terminal.count_argument(text)
+    if found > MOST_CONTACTS:
+        raise argparse.ArgumentTypeError(
+            f"{found} contacts are too many; give up to {MOST_CONTACTS} (their states grow with "
+            "the cube of the number)"
+        )
+    return found
 
 
 def read(arguments: argparse.Namespace) -> Grasp:
@@ -190,24 +191,3 @@ def show(
         for line in [str(units), *lines] if units else lines:
             print(line)
     return terminal.UNDECIDED if yes is None else terminal.YES if yes else terminal.NO
-
-
-def number(value: Fraction | int) -> str:
-    """Return a number as --exact and --digits want it."""
-    return _form.get()(value)
-
-
-def bracket(arguments: argparse.Namespace, low: Fraction, high: Fraction) -> str:
-    """Return a number of which only bounds are known: the digits that are certain, and the ends."""
-    if arguments.exact:
-        return f"between {to_text(low)} and {to_text(high)}"
-    digits = arguments.digits or DIGITS
-    start, end = (number_text(x, digits + 3, longest=24) for x in (low, high))
-    ends = f"between {start} and {end}"
-    certain = common_digits(low, high, digits)
-    return ends if certain is None else f"{certain} ({ends})"
-
-
-def vector(numbers: Iterable[Fraction | int]) -> str:
-    """Return numbers in parentheses."""
-    return f"({', '.join(map(number, numbers))})"

@@ -5,7 +5,7 @@ from __future__ import annotations
 import argparse
 from typing import Any
 
-from .arguments import add_command, read
+from .arguments import add_command, add_force, force_given, read
 
 
 def add_commands(commands: Any) -> None:
@@ -20,6 +20,7 @@ def _add_options(draw: argparse.ArgumentParser) -> None:
     from equilibrium.draw.views import DRAWINGS
 
     add_options(draw, DRAWINGS, own=("preload",))
+    add_force(draw, draw.add_mutually_exclusive_group())
 
 
 def _draw(arguments: argparse.Namespace) -> int:
@@ -27,6 +28,8 @@ def _draw(arguments: argparse.Namespace) -> int:
     from equilibrium.draw.views import DRAWINGS, drawings_of
 
     grasp = read(arguments)
+    if load := force_given(arguments, grasp.dimension):
+        arguments.wrench = [*(arguments.wrench or ()), load]
     drawings = drawings_of(grasp)
     options = given_options(arguments, drawings, DRAWINGS)
     kind, name = drawings.target(arguments.output, arguments.view, arguments.model)

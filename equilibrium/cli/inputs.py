@@ -1,7 +1,7 @@
 """The subcommands ``equilibrium make ...``: grasp files from other data.
 
-Each prints a grasp file on stdout, and what had to be rounded on stderr; with ``--json`` one object
-with the grasp and the errors.
+Each prints a grasp file on stdout or writes it with ``-o``, and says on stderr what had to be
+rounded; with ``--json`` one object with the grasp and the errors is printed.
 """
 
 from __future__ import annotations
@@ -13,8 +13,9 @@ from fractions import Fraction
 from typing import TYPE_CHECKING, Any
 
 from arrangement import terminal
+from arrangement.io.writing import write_text_atomically
 
-from .arguments import add_command, add_count, add_number, show, tell_rounding
+from .arguments import add_command, add_count, add_number, contacts_argument, show, tell_rounding
 
 if TYPE_CHECKING:
     from equilibrium.inputs import Conversion
@@ -74,10 +75,10 @@ def add_commands(commands: Any) -> None:
 
     text = "contacts around an object, the same for each seed"
     randoms = add_command(kinds, "random", _random, text, grasp=False, numbers=False)
-    randoms.add_argument("--contacts", type=terminal.count_argument, required=True, metavar="M")
+    randoms.add_argument("--contacts", type=contacts_argument, required=True, metavar="M")
     add_count(randoms, "--seed", 0, "of the random numbers", "SEED")
     randoms.add_argument("--space", action="store_true", help="in space instead of the plane")
-    _add_units(randoms)
+    _add_output(randoms)
 
 
 class _Points(argparse.Action):
@@ -108,14 +109,15 @@ def _add(
     parser.set_defaults(reader=reader, given=given, options=(*options, "angle_tolerance"))
     text = "largest error of a normal that has no exact unit form"
     add_number(parser, "--angle-tolerance", Fraction(1, 10**6), text, "RADIANS")
-    _add_units(parser)
+    _add_output(parser)
     return parser
 
 
-def _add_units(parser: argparse.ArgumentParser) -> None:
+def _add_output(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--units", nargs=2, metavar=("LENGTH", "FORCE"), help="what the numbers mean, as in: mm N"
     )
+    parser.add_argument("-o", "--output", metavar="OUT.json", help="write the grasp file here")
 
 
 def _random(arguments: argparse.Namespace) -> int:
@@ -126,8 +128,7 @@ def _random(arguments: argparse.Namespace) -> int:
     else:
         grasp = random_grasp(arguments.contacts, arguments.seed)
         grasp = grasp.with_outline(star_outline(grasp))
-    document = _labelled(grasp, arguments).to_dict()
-    return show(arguments, {"grasp": document}, [json.dumps(document, indent=2)])
+    return _give(arguments, {"grasp": _labelled(grasp, arguments).to_dict()})
 
 
 def _labelled(grasp: Grasp, arguments: argparse.Namespace) -> Grasp:
@@ -147,4 +148,12 @@ def _converted(arguments: argparse.Namespace) -> int:
     document = {**found.to_dict(), "grasp": _labelled(found.grasp, arguments).to_dict()}
     if not arguments.json:
         tell_rounding(found)
-    return show(arguments, document, [json.dumps(document["grasp"], indent=2)])
+    return _give(arguments, document)
+
+
+def _give(arguments: argparse.Namespace, document: dict[str, Any]) -> int:
+    """Print or write the grasp file of a document."""
+    text = json.dumps(document["grasp"], indent=2)
+    if arguments.output is not None:
+        write_text_atomically(arguments.output, f"{text}\n")
+    return show(arguments, document, [text] if arguments.output is None else [])

@@ -7,7 +7,7 @@ from typing import Any
 
 from arrangement import terminal
 
-from .arguments import add_command, add_wrench
+from .arguments import add_applied, add_command, force_given
 
 
 def add_commands(commands: Any) -> None:
@@ -21,7 +21,8 @@ def add_commands(commands: Any) -> None:
         help="at first: a path, - for stdin, or a built-in name",
     )
     lab.add_argument("-o", "--output", metavar="PATH", required=True, help="the page (.html)")
-    add_wrench(lab, "--wrench", "at first: applied force (f_x, f_y) and torque tau", None)
+    text = "at first: applied force (f_x, f_y) and torque tau"
+    add_applied(lab, text=text, required=False)
     lab.add_argument("--title", metavar="TEXT", help="a heading")
 
 
@@ -31,7 +32,8 @@ def _lab(arguments: argparse.Namespace) -> int:
     from equilibrium.io.files import read_grasp
 
     grasp = None if arguments.grasp is None else read_grasp(arguments.grasp)
-    page = lab_page(grasp, wrench=arguments.wrench, title=arguments.title)
+    wrench = force_given(arguments) or arguments.wrench
+    page = lab_page(grasp, wrench=wrench, title=arguments.title)
     write_text_atomically(arguments.output, page)
     if arguments.json:
         terminal.print_json({"output": arguments.output})

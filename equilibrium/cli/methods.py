@@ -8,8 +8,8 @@ from fractions import Fraction
 from math import gcd
 from typing import TYPE_CHECKING, Any
 
-from arrangement import terminal
 from arrangement.exact import IntegerVector, rational
+from arrangement.number_form import number, vector
 
 from .arguments import (
     add_applied,
@@ -17,10 +17,9 @@ from .arguments import (
     add_count,
     add_number,
     applied,
+    contacts_argument,
     grasp_of,
-    number,
     show,
-    vector,
 )
 
 if TYPE_CHECKING:
@@ -47,7 +46,7 @@ def add_commands(commands: Any) -> None:
     add_count(survey, "--number", 60, "of questions")
     survey.add_argument(
         "--contacts",
-        type=terminal.count_argument,
+        type=contacts_argument,
         nargs="+",
         default=[2, 3],
         help="of each grasp (default: 2 3)",

@@ -6,9 +6,10 @@ import argparse
 from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any
 
+from arrangement.number_form import vector
 from arrangement.progress import shown
 
-from .arguments import add_command, grasp_of, show, vector
+from .arguments import add_command, grasp_of, show
 
 if TYPE_CHECKING:
     from equilibrium.modes import ContactModes, Slips

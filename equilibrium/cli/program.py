@@ -9,9 +9,10 @@ from typing import TYPE_CHECKING, Any
 
 from arrangement import terminal
 from arrangement.exact import dot
+from arrangement.number_form import vector
 
 from . import draw, inputs, lab, methods, modes, wrench_sets
-from .arguments import add_applied, add_command, applied, grasp_of, show, vector
+from .arguments import add_applied, add_command, applied, grasp_of, show
 from .proof_words import proof_lines
 from .spatial_words import spatial_lines
 
@@ -54,6 +55,13 @@ def _parser() -> terminal.Parser:
     solve.add_argument("--certificate", metavar="OUT.json", help="write the certificate here")
     solve.add_argument(
         "--time-limit", metavar="SECONDS", type=_seconds, help="give up then (exit 2; in space 3)"
+    )
+    solve.add_argument(
+        "--cone",
+        metavar="pyramid:K",
+        type=_cone,
+        default="round",
+        help="in space: friction pyramids of K edges, K even, in place of round cones",
     )
     solve.add_argument(
         "--shorten", action="store_true", help="look longer for a smaller proof of a no"
@@ -100,6 +108,16 @@ def _list(arguments: argparse.Namespace) -> int:
     return terminal.print_names(described("contacts"), arguments.json)
 
 
+def _cone(text: str) -> int | None:
+    """Return the edges of a pyramid, None for round cones."""
+    if text == "round":
+        return None
+    kind, _, count = text.partition(":")
+    if kind != "pyramid" or not count.isascii() or not count.isdigit() or len(count) > 3:
+        raise argparse.ArgumentTypeError(f"{text[:60]!r} is no cone; give pyramid:K or round")
+    return int(count)
+
+
 def _seconds(text: str) -> float:
     """Return a positive number of seconds."""
     seconds = float(terminal.rational_argument(text))
@@ -112,7 +130,7 @@ def _solve(arguments: argparse.Namespace) -> int:
     from equilibrium.io.files import write_certificate
     from equilibrium.methods.printed_model import solve_literal
     from equilibrium.model.errors import GraspError
-    from equilibrium.spatial_verdict import SpatialVerdict
+    from equilibrium.spatial_verdict import SpatialVerdict, solve_in_space
     from equilibrium.verdict import solve
 
     if arguments.literal and arguments.certificate is not None:
@@ -124,7 +142,13 @@ def _solve(arguments: argparse.Namespace) -> int:
         lines = _verdict_lines(literal.equilibria, grasp)
         return show(arguments, literal.to_dict(), lines, literal.stable, grasp)
     limits = {"time_limit": arguments.time_limit, "shorten": arguments.shorten}
-    found = solve(grasp, wrench, **limits)
+    if arguments.cone is None:
+        found = solve(grasp, wrench, **limits)
+    elif grasp.dimension == 2:
+        raise GraspError("in the plane the friction cone has two edges; omit --cone")
+    else:
+        limit = arguments.time_limit
+        found = solve_in_space(grasp, wrench, time_limit=limit, pyramid=arguments.cone)
     if arguments.certificate is not None and found.certificate is not None:
         write_certificate(arguments.certificate, found.certificate)
     if isinstance(found, SpatialVerdict):

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any
 
-from .arguments import number, vector
+from arrangement.number_form import number, vector
 
 if TYPE_CHECKING:
     from equilibrium.certificate.leaves import Part

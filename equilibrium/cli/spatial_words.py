@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any
 
-from .arguments import DIGITS, vector
+from arrangement.number_form import DIGITS, vector
 
 if TYPE_CHECKING:
     from equilibrium.spatial_verdict import SpatialVerdict

@@ -7,6 +7,8 @@ from collections.abc import Iterable, Iterator, Sequence
 from fractions import Fraction
 from typing import TYPE_CHECKING, Any
 
+from arrangement.number_form import bracket, number, vector
+
 from .arguments import (
     add_applied,
     add_command,
@@ -14,11 +16,9 @@ from .arguments import (
     add_number,
     add_wrench,
     applied,
-    bracket,
+    contacts_argument,
     grasp_of,
-    number,
     show,
-    vector,
 )
 
 if TYPE_CHECKING:
@@ -34,7 +34,7 @@ def add_commands(commands: Any) -> None:
     """Add limit, region, polyhedra, margin, map, figure and gaps."""
     text = "magnitudes resisted along a direction (exit 1 if none)"
     limit = add_command(commands, "limit", _limit, text)
-    add_wrench(limit, "--direction", "which way; not zero", None, required=True)
+    add_applied(limit, "--direction", "which way; not zero")
     add_wrench(limit, "--base", "a wrench that acts in any case (default: none)", _ZERO)
 
     text = "resisted wrenches of a plane (exit 1 if none)"
@@ -59,7 +59,8 @@ def add_commands(commands: Any) -> None:
 
     text = "seeded search for grasps that a binary search misjudges"
     gaps = add_command(commands, "gaps", _gaps, text, grasp=False)
-    add_count(gaps, "--contacts", 3, "of each grasp", "M")
+    text = "of each grasp (default: 3)"
+    gaps.add_argument("--contacts", type=contacts_argument, default=3, metavar="M", help=text)
     add_count(gaps, "--seed", 29, "of the random grasps", "SEED")
     add_count(gaps, "--tries", 20, "grasps looked at")
 
@@ -74,9 +75,10 @@ def _limit(arguments: argparse.Namespace) -> int:
     from equilibrium.wrench_sets import resisted_magnitudes
 
     grasp = grasp_of(arguments)
+    direction = applied(arguments, grasp, "direction")
     if grasp.dimension == 3:
-        return _spatial_limit(arguments, grasp, arguments.direction, arguments.base)
-    found = resisted_magnitudes(grasp, arguments.direction, arguments.base)
+        return _spatial_limit(arguments, grasp, direction, arguments.base)
+    found = resisted_magnitudes(grasp, direction, arguments.base)
     lines = [f"resisted for t in {_intervals(found.intervals)}"]
     return show(arguments, found.to_dict(), lines, bool(found.intervals), grasp)
 
@@ -88,16 +90,16 @@ def _spatial_limit(
 
     found = spatial_magnitudes(grasp, direction, (0,) * 6 if base is _ZERO else base)
     yes = {"resisted": True, "not resisted": False}.get(found.verdict)
-    return show(arguments, found.to_dict(), _border_lines(arguments, found), yes, grasp)
+    return show(arguments, found.to_dict(), _border_lines(found), yes, grasp)
 
 
-def _border_lines(arguments: argparse.Namespace, found: SpatialMagnitudes) -> Iterator[str]:
+def _border_lines(found: SpatialMagnitudes) -> Iterator[str]:
     first, last = found.samples[0], found.samples[-1]
     yield f"{len(found.samples)} magnitudes from 0 to {number(last[0])} tried; at 0: {first[1]}"
     for border in found.borders:
         ends = sorted((border.resisted, border.refused))
         order = "resisted, then not" if border.resisted < border.refused else "not, then resisted"
-        line = f"{order}: the border is {bracket(arguments, *ends)}"
+        line = f"{order}: the border is {bracket(*ends)}"
         left = len(border.undecided)
         yield line + (f"; {left} undecided between them" if left else "")
     for a, b in found.gaps:
@@ -164,7 +166,7 @@ def _margin(arguments: argparse.Namespace) -> int:
         f"resisted: {'yes' if found.resisted else 'no'}",
         f"resisted when scaled by a factor in {_intervals(found.intervals)}",
         f"resisted with a uniform preload in {_intervals(preloads.intervals)}" + _force(grasp),
-        "least uniform friction: " + _friction(arguments, friction.low, friction.high),
+        "least uniform friction: " + _friction(friction.low, friction.high),
     ]
     return show(arguments, found.to_dict() | remedies, lines, found.resisted, grasp)
 
@@ -241,12 +243,12 @@ def _intervals(intervals: Iterable[Interval]) -> str:
     return " or ".join(shown) if shown else "no interval"
 
 
-def _friction(arguments: argparse.Namespace, low: Fraction | None, high: Fraction | None) -> str:
+def _friction(low: Fraction | None, high: Fraction | None) -> str:
     if low is None:
         return "none is enough"
     if high is None:
         return f"not below {number(low)}; none found above"
-    return number(high) if low == high else bracket(arguments, low, high)
+    return number(high) if low == high else bracket(low, high)
 
 
 def _segment(segment: Segment) -> str:

@@ -15,6 +15,7 @@ from arrangement.enumeration.paper_steps import published_enumeration
 from arrangement.exact import RationalVector, to_text
 from arrangement.faces import Face
 from arrangement.progress import watched
+from arrangement.short_repr import Shown
 from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import Grasp, read_wrench
 from equilibrium.solver.contact_states import DETACHED, states_of_code
@@ -35,8 +36,8 @@ OPTIONS = {
 }
 
 
-@dataclass(frozen=True)
-class LiteralVerdict:
+@dataclass(frozen=True, repr=False)
+class LiteralVerdict(Shown):
     """The answer of a literal reading.
 
     Attributes:

@@ -35,6 +35,7 @@ from arrangement.io.files import check_keys, check_list
 from arrangement.io.writing import write_text_atomically
 from arrangement.linear import cross
 from arrangement.plugins import display
+from arrangement.short_repr import Shown
 
 from .errors import GraspError
 from .outline import Circle, Mesh, Outline, Polygon, coordinates, read_outline
@@ -45,7 +46,7 @@ if TYPE_CHECKING:
 
 
 @dataclass(frozen=True)
-class Contact:
+class Contact(Shown):
     """One frictional contact with a unilateral normal spring.
 
     Args:

@@ -10,6 +10,7 @@ from typing import Any
 from arrangement import linprog
 from arrangement.exact import RationalVector, dot, primitive, rational_vector, to_text, vector_text
 from arrangement.polyhedra.intervals import Interval, texts
+from arrangement.short_repr import Shown
 from equilibrium.model.errors import GraspError
 
 from .contact_rows import negated, sum_row, unit_row
@@ -19,7 +20,7 @@ from .state_system import States, StateSystem, each_force, value
 
 
 @dataclass(frozen=True)
-class Equilibrium:
+class Equilibrium(Shown):
     """All solutions with one choice of contact states: a closed convex polyhedron, often a point.
 
     Attributes:

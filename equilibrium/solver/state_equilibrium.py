@@ -17,6 +17,7 @@ import numpy.typing as npt
 from arrangement.exact import RationalVector, to_text, vector_text
 from arrangement.float_filter import Floats
 from arrangement.linear import rank
+from arrangement.short_repr import Shown
 
 from .elimination import gauss_jordan
 from .integer_contacts import IntegerContacts, product
@@ -28,7 +29,7 @@ _COARSE = 16
 
 
 @dataclass(frozen=True)
-class Solution:
+class Solution(Shown):
     """One equilibrium: the motion, and the (normal, tangential) force at each contact."""
 
     motion: RationalVector

@@ -18,6 +18,7 @@ from arrangement import linprog
 from arrangement.exact import RationalVector, rational, shown
 from arrangement.polyhedra.intervals import end_text
 from arrangement.progress import watched
+from arrangement.short_repr import Shown
 from equilibrium.inputs.conversion import simplest_between
 from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import Grasp, read_wrench
@@ -42,8 +43,8 @@ LARGEST = 64
 _LEAST_WIDTH = Fraction(1, 2**100)
 
 
-@dataclass(frozen=True)
-class FrictionBracket:
+@dataclass(frozen=True, repr=False)
+class FrictionBracket(Shown):
     """Where the least sufficient coefficient lies.
 
     Attributes:

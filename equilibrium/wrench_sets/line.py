@@ -23,6 +23,7 @@ from arrangement.polyhedra.intervals import (
     where_positive,
 )
 from arrangement.progress import watched
+from arrangement.short_repr import Shown
 from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import Grasp, read_wrench
 from equilibrium.solver.contact_states import states_of_code
@@ -33,8 +34,8 @@ from equilibrium.verdict import Solver, prepare
 _MAGNITUDES: Interval = (Fraction(0), None)
 
 
-@dataclass(frozen=True)
-class Magnitudes:
+@dataclass(frozen=True, repr=False)
+class Magnitudes(Shown):
     """All t >= 0 with ``base + t direction`` resisted.
 
     Attributes:

@@ -14,6 +14,7 @@ from typing import Any
 
 from arrangement.exact import RationalVector
 from arrangement.polyhedra.intervals import Interval, end_text, holds, texts, union
+from arrangement.short_repr import Shown
 from equilibrium.model.grasp import Grasp, read_wrench
 from equilibrium.verdict import Solver, prepare, solve
 
@@ -22,8 +23,8 @@ from .line import resisted_magnitudes
 _ALL: Interval = (Fraction(0), None)
 
 
-@dataclass(frozen=True)
-class Margin:
+@dataclass(frozen=True, repr=False)
+class Margin(Shown):
     """How a wrench may be scaled.
 
     Attributes:

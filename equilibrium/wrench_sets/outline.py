@@ -19,6 +19,7 @@ from arrangement.polyhedra.intervals import Interval, is_long, remainder, union
 from arrangement.polyhedra.polyhedron import Polyhedron
 from arrangement.polyhedra.separation import possibly_meeting, sides
 from arrangement.progress import watched
+from arrangement.short_repr import Shown
 from equilibrium.solver.contact_rows import negated
 
 
@@ -52,8 +53,8 @@ class Segment:
         }
 
 
-@dataclass(frozen=True)
-class Outline:
+@dataclass(frozen=True, repr=False)
+class Outline(Shown):
     """The boundary of a union of polygons.
 
     Attributes:

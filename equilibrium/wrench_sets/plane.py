@@ -23,6 +23,7 @@ from arrangement.exact import (
 from arrangement.linear import cross
 from arrangement.polyhedra.intervals import Interval
 from arrangement.polyhedra.polyhedron import Polyhedron
+from arrangement.short_repr import Shown
 from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import Grasp, read_wrench
 from equilibrium.solver.state_system import States
@@ -35,8 +36,8 @@ from .space import Piece, images_of, magnitudes_in, maximal_pieces, states_with
 FORCES = ((1, 0, 0), (0, 1, 0))
 
 
-@dataclass(frozen=True)
-class Region:
+@dataclass(frozen=True, repr=False)
+class Region(Shown):
     """The resisted wrenches of a plane.
 
     Attributes:

@@ -15,6 +15,7 @@ from arrangement.polyhedra.intervals import Interval, intersection, union
 from arrangement.polyhedra.polyhedron import Polyhedron
 from arrangement.polyhedra.separation import surely_outside
 from arrangement.progress import watched
+from arrangement.short_repr import Shown
 from equilibrium.model.grasp import Grasp, read_wrench
 from equilibrium.solver.state_system import States
 from equilibrium.verdict import Solver, prepare
@@ -22,8 +23,8 @@ from equilibrium.verdict import Solver, prepare
 from .images import StateImages
 
 
-@dataclass(frozen=True)
-class Piece:
+@dataclass(frozen=True, repr=False)
+class Piece(Shown):
     """All wrenches that are resisted with one choice of contact states (a convex polyhedron)."""
 
     states: States
@@ -34,8 +35,8 @@ class Piece:
         return {"states": list(self.states), **self.polyhedron.to_dict()}
 
 
-@dataclass(frozen=True)
-class ResistedSet:
+@dataclass(frozen=True, repr=False)
+class ResistedSet(Shown):
     """A finite union of convex polyhedra of wrenches ``(f_x, f_y, tau)``.
 
     Attributes:

@@ -185,6 +185,7 @@ CLAIMS = (
     ),
     _saved(
         id="dual-planar-3-connected",
+        formula=r"G \text{ is planar}, \quad G - \{R, S\} \text{ is connected for all } R, S",
         proof=("The dual graph", "Convexity"),
         domain=domain("central"),
         locator="Section IV-A",

@@ -46,6 +46,7 @@ def _as_printed(planes: Arrangement, regions: int) -> bool:
 CLAIMS = (
     Claim(
         id="regions-in-print",
+        formula=r"|\chi(-1)| = \text{the number in print}",
         locator="the sources of the families",
         statement="Resonance, threshold, reflection, Shi, Ish, Catalan, Linial and semiorder "
         "arrangements have the numbers of regions that are printed for them.",
@@ -57,6 +58,7 @@ CLAIMS = (
     ),
     Claim(
         id="small-regions-in-print",
+        formula=r"|\chi(-1)| = |\{R : R \text{ is a region}\}| \le 2000",
         locator="the sources of the families",
         statement="Those of them with up to 2,000 regions have as many regions as can be listed.",
         quantity="number of regions",

@@ -173,6 +173,8 @@ _method = partial(
 CLAIMS = (
     _method(
         id="method-grasp-wrench-space",
+        formula=r"\forall t \ge 0 : \; (0, t, 0), \; (0, -t, 0) \in \text{cone} "
+        r"\{N_i + \mu T_i, N_i - \mu T_i\}",
         views=(
             View(
                 "methods",
@@ -193,6 +195,9 @@ CLAIMS = (
     ),
     _method(
         id="method-cones-only",
+        formula=r"\forall w_y \; \forall q \; \exists (d, c) : \; "
+        r"\sum_i (c_n N_i + c_t T_i) + (0, w_y, 0) = 0, \; "
+        r"c_n = \max(0, q - k N \cdot d), \; |c_t| \le \mu c_n",
         locator="Section III, Fig. 4",
         statement="With springs and cones alone (Eqs. 1 to 4) the four-contact grasp resists every "
         "vertical force, whatever the preload.",
@@ -208,6 +213,8 @@ CLAIMS = (
     ),
     _method(
         id="method-linear-compliance",
+        formula=r"c_n = -k N \cdot d, \; c_t = -k T \cdot d, \; w = (0, w_y, 0), \; w_y \lt 0 "
+        r"\; \Rightarrow \; \exists i : \; |c_t| \gt \mu c_n",
         locator="Section III, Fig. 3",
         statement="Linear springs in both directions refuse every downward force on the "
         "three-contact grasp without preload, which is resisted.",
@@ -219,6 +226,9 @@ CLAIMS = (
     ),
     _method(
         id="method-frictionless-slip-down",
+        formula=r"\forall w_y \le 0 \; \exists d : \; "
+        r"\sum_i (c_n N_i + c_t T_i) + (0, w_y, 0) = 0, \; "
+        r"c_t \in \{-k T \cdot d, 0\}, \; |c_t| \le \mu c_n",
         locator="Section VI",
         statement="With contacts that stick, slip without friction or detach, the three-contact "
         "grasp withstands all forces (0, w_y, 0) with w_y <= 0.",
@@ -230,6 +240,8 @@ CLAIMS = (
     ),
     _method(
         id="method-frictionless-slip-up",
+        formula=r"\neg \exists d : \; \sum_i (c_n N_i + c_t T_i) + (0, 1, 0) = 0, \; "
+        r"|c_t| \le \mu c_n, \; \text{each contact sticks, slips or lets go}",
         locator="Section VI",
         statement="No combination of sticking, frictionless slipping and detached contacts gives "
         "legal forces on the preloaded three-contact grasp under (0, 1, 0), which is resisted.",

@@ -1,3 +1,5 @@
 """The command ``proofs-check``."""
 
-from .program import main as main
+from arrangement.entry import entry
+
+main = entry("proofs_check.cli.program")

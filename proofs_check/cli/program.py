@@ -28,6 +28,8 @@ def _parser() -> terminal.Parser:
         added: argparse.ArgumentParser = commands.add_parser(name, help=help)
         added.set_defaults(command=_later(function))
         terminal.add_common_options(added)
+        if name in ("run", "sweep", "report"):
+            terminal.add_number_options(added)
         return added
 
     command("list", "run.list_claims", "list the claims")
@@ -111,7 +113,9 @@ def _add_own(parser: argparse.ArgumentParser) -> argparse._ArgumentGroup:
         metavar="N",
         help="random instances of each claim",
     )
-    group.add_argument("--census", type=int, metavar="M", help="all types of up to M planes")
+    group.add_argument(
+        "--census", type=terminal.integer_argument, metavar="M", help="all types of up to M planes"
+    )
     return group
 
 
@@ -124,12 +128,24 @@ def _add_sweep(parser: argparse.ArgumentParser) -> None:
         metavar="LOW..HIGH",
         help="numbers of planes, or of contacts",
     )
-    parser.add_argument("--samples", type=int, required=True, metavar="N", help="instances in all")
+    parser.add_argument(
+        "--samples",
+        type=terminal.integer_argument,
+        required=True,
+        metavar="N",
+        help="instances in all",
+    )
     _add_seed(parser)
     parser.add_argument(
         "--store", required=True, metavar="FILE", help="keeps what is done; made when missing"
     )
-    parser.add_argument("--jobs", type=int, default=1, metavar="N", help="processes (default: 1)")
+    parser.add_argument(
+        "--jobs",
+        type=terminal.integer_argument,
+        default=1,
+        metavar="N",
+        help="processes (default: 1)",
+    )
     parser.add_argument(
         "--shard",
         type=_shard,
@@ -139,12 +155,21 @@ def _add_sweep(parser: argparse.ArgumentParser) -> None:
     )
     parser.add_argument("--dask", metavar="ADDRESS", help="of a scheduler that has workers")
     parser.add_argument(
-        "--chunk", type=int, default=200, metavar="N", help="instances in a chunk (default: 200)"
+        "--chunk",
+        type=terminal.integer_argument,
+        default=200,
+        metavar="N",
+        help="instances in a chunk (default: 200)",
     )
 
 
 def _add_seed(parser: argparse.ArgumentParser) -> None:
-    parser.add_argument("--seed", type=int, default=0, help="of the random instances (default: 0)")
+    parser.add_argument(
+        "--seed",
+        type=terminal.integer_argument,
+        default=0,
+        help="of the random instances (default: 0)",
+    )
 
 
 def _add_report(parser: argparse.ArgumentParser, *names: str, remark: str) -> None:

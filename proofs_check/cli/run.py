@@ -15,7 +15,7 @@ from typing import Any
 
 from arrangement import terminal
 from arrangement.io.writing import write_text_atomically
-from arrangement.progress import Bar
+from arrangement.progress import Bar, shown
 from proofs_check import claim_file, claims, user_claim
 from proofs_check.errors import OwnClaimError
 from proofs_check.evidence import Result, evaluate
@@ -76,7 +76,7 @@ def run_claims(arguments: argparse.Namespace) -> int:
         chosen = [known[id] for id in names] or list(known)
     widths = text.columns(map(report.claim_record, chosen))
     results: list[Result] = []
-    for result in _evaluated(chosen, arguments.seed):
+    for result in _evaluated(chosen, arguments.seed, piped=arguments.json):
         saved = _save(result, arguments.save) if from_files else ""
         if not arguments.json:
             found = report.result_record(result)
@@ -98,7 +98,7 @@ def run_claims(arguments: argparse.Namespace) -> int:
 def file_record(name: str, arguments: argparse.Namespace) -> dict[str, Any]:
     """Check the claims of one file and return the record."""
     chosen = list(_own_claims([name], arguments))
-    results = list(_evaluated(chosen, arguments.seed))
+    results = list(_evaluated(chosen, arguments.seed, piped=True))
     return report.json_record(results, arguments.seed, **_about([name], arguments))
 
 
@@ -120,6 +120,8 @@ def _about(names: list[str], arguments: argparse.Namespace) -> dict[str, str]:
 def new_file(arguments: argparse.Namespace) -> int:
     """Write a file with two claims to begin with; one that is there is left alone."""
     path = Path(arguments.name)
+    if not path.name:
+        raise OwnClaimError(f"{path} names no file; give a name such as mypaper")
     path = path if path.suffix == ".py" else path.with_name(f"{path.name}.py")
     if path.exists():
         raise OwnClaimError(f"{path} is there already; choose another name")
@@ -134,9 +136,13 @@ def new_file(arguments: argparse.Namespace) -> int:
     return terminal.YES
 
 
-def _evaluated(chosen: list[Claim], seed: int) -> Iterator[Result]:
-    """Yield each result as soon as it is there, with the progress taken off the terminal."""
-    bar = Bar(len(chosen), "claims")
+def _evaluated(chosen: list[Claim], seed: int, *, piped: bool) -> Iterator[Result]:
+    """Yield each result as soon as it is there, with the progress taken off the terminal.
+
+    Args:
+        piped: whether progress is told in a pipe too, where nothing is printed meanwhile.
+    """
+    bar = Bar(len(chosen), "claims", piped=piped)
     for done, claim in enumerate(chosen):
 
         def tick(cases: int, done: int = done, claim: Claim = claim) -> None:
@@ -144,7 +150,8 @@ def _evaluated(chosen: list[Claim], seed: int) -> Iterator[Result]:
 
         bar.update(done, claim.id)
         try:
-            result = evaluate(claim, seed, tick)
+            with shown(False):  # the bar tells
+                result = evaluate(claim, seed, tick)
         finally:
             bar.close()
         yield result

@@ -10,7 +10,7 @@ from arrangement import terminal
 from arrangement.errors import InputError
 from arrangement.io.files import read_document
 from arrangement.io.writing import write_text_atomically
-from arrangement.progress import Bar, duration
+from arrangement.progress import Bar, duration, shown
 from proofs_check.reports import forms
 from proofs_check.reports.text import verdict
 from proofs_check.sweep import report as sweepreport, store
@@ -36,14 +36,15 @@ def run_sweep(arguments: argparse.Namespace) -> int:
         bar.update(done)
 
     try:
-        sweep(
-            plan,
-            arguments.store,
-            jobs=arguments.jobs,
-            shard=arguments.shard,
-            dask=arguments.dask,
-            progress=show,
-        )
+        with shown(False):  # the bar tells
+            sweep(
+                plan,
+                arguments.store,
+                jobs=arguments.jobs,
+                shard=arguments.shard,
+                dask=arguments.dask,
+                progress=show,
+            )
     finally:
         bar.close()
     with store.read(arguments.store) as opened:

@@ -14,7 +14,7 @@ from arrangement.errors import InputError
 
 from .formula import mathml
 from .page import html_page
-from .text import overview, remark, verdict
+from .text import overview, remark, value_text, verdict
 
 Record = Mapping[str, Any]
 
@@ -60,30 +60,42 @@ def _markdown_text(text: str) -> str:
     return escaped.replace("<", "&lt;").replace("*", "\\*").replace("_", "\\_").replace("`", "\\`")
 
 
-_LATEX = {c: f"\\{c}" for c in "{}$&#%_"} | {
-    c: rf"\text{name}{{}}"
-    for c, name in {
-        "\\": "backslash",
-        "^": "asciicircum",
-        "~": "asciitilde",
-        "<": "less",
-        ">": "greater",
-        "|": "bar",
-    }.items()
-}
+_LATEX = (
+    {c: f"\\{c}" for c in "{}$&#%_"}
+    | {
+        c: rf"\text{name}{{}}"
+        for c, name in {
+            "\\": "backslash",
+            "^": "asciicircum",
+            "~": "asciitilde",
+            "<": "less",
+            ">": "greater",
+            "|": "bar",
+        }.items()
+    }
+    | {"≈": r"\ensuremath{\approx}"}
+)
 
 
 def latex(record: Record) -> str:
-    r"""Return the verdict table for ``\input`` in a document that loads the package longtable."""
+    r"""Return the verdict table, then each claim with its formula, for ``\input`` in a document."""
     columns, rows = _overview(record)
     lines = [
-        r"% needs \usepackage{longtable}",
+        r"% needs \usepackage{amsmath, longtable}",
+        r"\providecommand{\lt}{<}\providecommand{\gt}{>}",
         r"\begin{longtable}{p{0.2\linewidth}p{0.16\linewidth}p{0.14\linewidth}p{0.38\linewidth}}",
         r"\hline",
         " & ".join(columns) + r" \\ \hline\endhead",
     ]
     lines += [" & ".join(map(_latex_text, row)) + r" \\" for row in rows]
-    return "\n".join([*lines, r"\hline", r"\end{longtable}", ""])
+    lines += [r"\hline", r"\end{longtable}"]
+    for result in record["results"]:
+        lines += ["", rf"\subsection*{{{_latex_text(result['id'])}}}"]
+        if _is_formula(formula := result.get("formula") or ""):
+            lines.append(rf"\[ {formula} \]")
+        for name, text in _facts(result):
+            lines.append(rf"\noindent\emph{{{name}:}} {_latex_text(text)}\par")
+    return "\n".join([*lines, "", *map(_latex_text, _footer(record)), ""])
 
 
 def _latex_text(text: str) -> str:
@@ -117,7 +129,7 @@ def _tables(result: Record) -> list[tuple[list[str], list[list[str]]]]:
     found = []
     table = result.get("table")
     if table:
-        found.append((table["columns"], [[_cell(c) for c in row] for row in table["rows"]]))
+        found.append((table["columns"], [[value_text(c) for c in row] for row in table["rows"]]))
     if result.get("rows") and result["records"]:
         names = ["case", *result["routes"], "holds", "remark"]
         found.append((names, [_case(entry) for entry in result["records"]]))
@@ -126,13 +138,7 @@ def _tables(result: Record) -> list[tuple[list[str], list[list[str]]]]:
 
 def _case(entry: Record) -> list[str]:
     holds = "yes" if entry["holds"] else "no"
-    return [entry["label"], *(_cell(value) for value in entry["values"]), holds, remark(entry)]
-
-
-def _cell(value: Any) -> str:
-    if isinstance(value, list):
-        return f"({', '.join(_cell(item) for item in value)})"
-    return value if isinstance(value, str) else json.dumps(value)
+    return [entry["label"], *(value_text(value) for value in entry["values"]), holds, remark(entry)]
 
 
 def _footer(record: Record) -> list[str]:

@@ -272,16 +272,13 @@ def _repeat(result: Record) -> str:
 
 
 def _sources(result: Record) -> str:
-    """Return where lesson and proof stand, as seen from the folder ``report`` of a checkout."""
+    """Return which pages of the sources have lesson and proof; the page is read far from them."""
     entries = []
     if result.get("section") and not result.get("file"):
-        path = "docs/lessons/10-paper-and-truth.rst"
-        entries.append(f'Lesson: <a href="../{path}">{path}</a>, {_e(result["id"])}')
+        entries.append(f"Lesson: docs/lessons/10-paper-and-truth.rst, {_e(result['id'])}")
     if result.get("proof"):
         section, words = result["proof"]
-        entries.append(
-            f'Proof: <a href="../docs/proofs.rst">docs/proofs.rst</a>, {_e(section)}: {_e(words)}'
-        )
+        entries.append(f"Proof: docs/proofs.rst, {_e(section)}: {_e(words)}")
     if result.get("milliseconds") is not None:
         entries.append(f'<span class="time">{result["milliseconds"]} ms</span>')
     return f"<footer>{' · '.join(entries)}</footer>" if entries else ""

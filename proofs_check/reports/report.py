@@ -74,23 +74,27 @@ def instance_text(document: Mapping[str, Any] | None) -> str:
     if document is None:
         return ""
     if "planes" in document:
-        rows = " ".join(f"({','.join(row)})" for row in document["planes"])
+        rows = " ".join(_row(row) for row in document["planes"])
         offsets = document.get("offsets")
-        return f"planes {rows}" + (f" offsets ({','.join(offsets)})" if offsets else "")
+        return f"planes {rows}" + (f" offsets {_row(offsets)}" if offsets else "")
     if "contacts" in document:
         contacts = ", ".join(_contact_text(contact) for contact in document["contacts"])
         wrench = document.get("wrench")
-        return contacts + (f", wrench ({','.join(wrench)})" if wrench else "")
+        return contacts + (f", wrench {_row(wrench)}" if wrench else "")
     return ""
 
 
+def _row(numbers: Iterable[str]) -> str:
+    return f"({','.join(map(value_text, numbers))})"
+
+
 def _contact_text(contact: Mapping[str, Any]) -> str:
-    point, normal = (f"({','.join(contact[key])})" for key in ("point", "normal"))
-    rest = [f"mu={contact['friction']}"]
+    point, normal = (_row(contact[key]) for key in ("point", "normal"))
+    rest = [f"mu={value_text(contact['friction'])}"]
     if contact.get("preload", "0") != "0":
-        rest.append(f"preload={contact['preload']}")
+        rest.append(f"preload={value_text(contact['preload'])}")
     if contact.get("stiffness", "1") != "1":
-        rest.append(f"k={contact['stiffness']}")
+        rest.append(f"k={value_text(contact['stiffness'])}")
     return f"contact at {point} normal {normal} {' '.join(rest)}"
 
 

@@ -2,12 +2,17 @@
 
 from __future__ import annotations
 
+import re
 import textwrap
 from collections import Counter
 from collections.abc import Iterable, Mapping, Sequence
 from typing import Any
 
+from arrangement.exact import rational
+from arrangement.number_form import number
+
 Record = Mapping[str, Any]
+_FRACTION = re.compile(r"-?[0-9]+/[1-9][0-9]*", re.ASCII)
 
 
 def verdict(result: Record) -> str:
@@ -17,9 +22,14 @@ def verdict(result: Record) -> str:
 
 
 def value_text(value: Any, limit: int = 0) -> str:
-    """Return a value of a record as text: sequences in parentheses, errors in their words."""
+    """Return a value of a record as text: sequences in parentheses, errors in their words.
+
+    Long fractions are written as the command that runs writes numbers.
+    """
     text = "none" if value is None else str(value)
-    if isinstance(value, list):
+    if isinstance(value, str) and _FRACTION.fullmatch(value):
+        text = number(rational(value))
+    elif isinstance(value, list):
         text = f"({', '.join(value_text(item) for item in value)})"
     elif isinstance(value, Mapping) and "error" in value:
         text = str(value["error"])

@@ -30,6 +30,8 @@ from .sweepable import about, domain_of, split, target
 CHUNK = 200
 #: Most samples of one sweep.
 MOST = 10**9
+#: Most processes of one machine.
+MOST_JOBS = 1024
 #: Outcomes of which the smallest instance is kept.
 _KEPT = ("fails", "excused", "broken")
 
@@ -226,8 +228,8 @@ def sweep(
     part, parts = shard
     if not 1 <= part <= parts:
         raise SweepError(f"shard is {part}/{parts}; give i/n with i from 1 to n")
-    if jobs < 1:
-        raise SweepError(f"jobs is {jobs}; it must be at least 1")
+    if not 1 <= jobs <= MOST_JOBS:
+        raise SweepError(f"jobs is {jobs}; give 1 to {MOST_JOBS} processes of this machine")
     with store.create(path, plan.record(), about(_target(plan))) as opened:
         due = range(part - 1, plan.chunks, parts)
         there = opened.numbers()

@@ -2,13 +2,19 @@
 
 from __future__ import annotations
 
+import html
 import sys
+from collections.abc import Callable
+from dataclasses import dataclass
+from fractions import Fraction
+from typing import Any
 from xml.etree import ElementTree as ET
 
 import pytest
 
 from arrangement import Arrangement
 from arrangement.io.arrangements import read_arrangement
+from arrangement.short_repr import Shown
 
 AFFINE = Arrangement([[1, 0], [0, 1], [1, 1]], [0, 0, 1])
 
@@ -46,3 +52,27 @@ def test_without_the_library_there_is_a_table(monkeypatch: pytest.MonkeyPatch) -
     planes = read_arrangement("four-generic-planes")
     assert planes._repr_svg_() is None
     assert f"<td>{planes.f_vector[3]}</td>" in (planes._repr_html_() or "")
+
+
+@pytest.mark.parametrize(
+    ("row", "text"),
+    [
+        ((1, Fraction(1, 3)), "(1, 1/3)"),
+        (tuple(range(5)), "5 entries"),
+        ((True, "a<b"), "(yes, a<b)"),
+        ((), ""),
+    ],
+)
+def test_a_value_shows_its_fields_in_one_line_and_in_a_table(
+    row: tuple[Any, ...], text: str
+) -> None:
+    @dataclass(frozen=True, repr=False)
+    class Some(Shown):
+        some_row: tuple[Any, ...]
+        then: Callable[[], None] = print
+
+    line, table = repr(Some(row)), Some(row)._repr_html_()
+    assert line == (f"<Some: some row {text}>" if text else "<Some>")
+    assert "then" not in table
+    assert (html.escape(text) if len(row) < 5 else "(0, 1, 2, 3, 4)") in table
+    assert len(repr(Some(("x" * 999,)))) < 110

@@ -35,6 +35,24 @@ def test_the_bar_is_on_a_terminal_only(
     assert "5/10 samples" in captured.err
 
 
+def test_in_a_pipe_a_finished_item_gets_a_line_after_two_seconds_and_then_ever_fewer(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.setattr(progress, "_FIRST", 2.0)
+    now = [0.0]
+    bar = Bar(100, "samples", clock=lambda: now[0])
+    quiet = Bar(100, "claims", clock=lambda: now[0], piped=False)
+    for done in range(1, 101):
+        now[0] = 1.0 * done
+        bar.update(done)
+        quiet.update(done)
+    bar.close()
+    lines = capsys.readouterr().err.splitlines()
+    assert "] 2/100 samples" in lines[0]
+    assert 10 < len(lines) < 30
+    assert not any("claims" in line or "\r" in line for line in lines)
+
+
 @pytest.fixture
 def on_a_terminal(monkeypatch: pytest.MonkeyPatch) -> None:
     """Take every stderr for a terminal, and let lines come at once."""

@@ -5,11 +5,13 @@ from __future__ import annotations
 import argparse
 import json
 from fractions import Fraction
+from pathlib import Path
 from typing import Any
 
 import pytest
 
 from arrangement import InputError, MissingExtraError, terminal
+from arrangement.entry import entry
 
 
 def parser_for(function: Any) -> terminal.Parser:
@@ -40,7 +42,7 @@ def test_negative_rationals_are_values(words: tuple[str, ...], numbers: tuple[Fr
     assert parsed("--wrench", *words, "here").where == "here"
 
 
-@pytest.mark.parametrize("word", ["-1e", "1e999999999", "-1/0", "nan", "-inf", "0x1", "", "1 2"])
+@pytest.mark.parametrize("word", ["-1e", "1e999999999", "-1/0", "nan", "-inf", "0x1", "", "1_2"])
 def test_other_numbers_are_refused_with_the_reason(
     word: str, capsys: pytest.CaptureFixture[str]
 ) -> None:
@@ -110,3 +112,51 @@ def test_json_is_one_line_with_rationals_as_strings(capsys: pytest.CaptureFixtur
 def test_json_takes_nothing_that_json_cannot_say(value: Any, error: type[Exception]) -> None:
     with pytest.raises(error):
         terminal.print_json({"x": value})
+
+
+@pytest.mark.parametrize(
+    "words",
+    [["--x", "1,-2"], ["--x", "1,", "-2"], ["--x", "1 -2"], ["--x=1,-2"], ["--x", "1", "-2"]],
+)
+def test_several_numbers_may_be_written_in_any_usual_way(words: list[str]) -> None:
+    parser = terminal.command_parser("program", "Take two numbers.")
+    parser.add_argument("--x", nargs=2, type=terminal.rational_argument)
+    parser.add_argument("--y", action="store_true")
+    assert parser.parse_args([*words, "--y"]).x == [1, -2]
+
+
+@pytest.mark.parametrize(
+    ("words", "said"),
+    [
+        (["gather"], "there is no 'gather'; known are go "),
+        (["go", "--speet", "1"], "did you mean --speed?"),
+        (["go", "there"], "no place for 'there'"),
+        (["go", "--speed", ""], "argument --speed: it is empty"),
+        (["go", "--number", "50mm"], "'50mm' has a unit"),
+        (["go", "--many", "9" * 5000], "no whole number of up to 18 digits"),
+    ],
+)
+def test_a_slip_is_told_in_one_short_line(
+    words: list[str], said: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    parser = terminal.command_parser("program", "Go.")
+    go = parser.add_subparsers(required=True, metavar="COMMAND").add_parser("go")
+    go.add_argument("--speed")
+    go.add_argument("--number", type=terminal.rational_argument)
+    go.add_argument("--many", type=terminal.integer_argument)
+    with pytest.raises(SystemExit) as caught:
+        terminal.run(parser, words)
+    assert caught.value.code == 2
+    line = capsys.readouterr().err
+    assert said in line
+    assert line.count("\n") == 1
+    assert len(line) < 300
+
+
+def test_a_fault_at_import_is_no_answer(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    (tmp_path / "broken_program.py").write_text("import no_such_library\n", encoding="utf-8")
+    monkeypatch.syspath_prepend(tmp_path)
+    assert entry("broken_program")([]) == 70
+    assert "ModuleNotFoundError" in capsys.readouterr().err

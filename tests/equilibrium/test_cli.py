@@ -249,3 +249,31 @@ def test_the_least_friction_is_told_by_its_certain_digits_and_its_bounds(capsys)
     assert f"least uniform friction: 0.622222 ({bounds})" in call(capsys, *asked)[1]
     assert f"least uniform friction: 0.622 ({bounds})" in call(capsys, *asked, "--digits", "3")[1]
     assert f"least uniform friction: {bounds}" in call(capsys, *asked, "--exact")[1]
+
+
+@pytest.mark.parametrize("way", [("--weight", "1"), ("--force", "0", "-1"), ("--wrench=0,-1,-2",)])
+@pytest.mark.parametrize("command", ["draw", "lab"])
+def test_pictures_and_pages_take_a_load_as_verdicts_do(
+    command: str, way: tuple[str, ...], tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    at = () if way[0].startswith("--wrench") else ("--at", "2", "0")
+    made = []
+    for number, load in enumerate([(*way, *at), ("--wrench", "0", "-1", "-2")]):
+        target = tmp_path / f"{number}.html"
+        assert call(capsys, command, "ladder", *load, "-o", str(target))[0] == 0
+        made.append(target.read_text(encoding="utf-8"))
+    assert made[0] == made[1]
+
+
+def test_magnitudes_along_a_force(capsys: pytest.CaptureFixture[str]) -> None:
+    found = call(capsys, "limit", "ladder", "--weight", "1", "--at", "2", "0")
+    assert found == call(capsys, "limit", "ladder", "--direction", "0", "-1", "-2")
+
+
+def test_make_writes_the_file_that_it_prints(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    asked = ("make", "random", "--contacts", "3")
+    printed = call(capsys, *asked)[1]
+    assert call(capsys, *asked, "-o", str(tmp_path / "g.json"))[1] == ""
+    assert (tmp_path / "g.json").read_text(encoding="utf-8") == printed

@@ -15,6 +15,7 @@ import numpy as np
 from arrangement.errors import InputError
 from arrangement.exact import IntegerVector, primitive, unoriented
 from arrangement.planes import Planes
+from arrangement.short_repr import Shown
 
 from .crossings import Crossings, sort_crossings
 from .incidence import Incidence, Indices
@@ -26,7 +27,7 @@ from .validation import check_geometry, check_topology
 SignVector: TypeAlias = tuple[int, ...]
 
 
-class SphereArrangement:
+class SphereArrangement(Shown):
     """All vertices, arcs and regions of a central arrangement in R^3, with their incidence.
 
     Made by `sphere_arrangement`. Everything is numbered as `Incidence` says. Sign vectors are
@@ -40,6 +41,8 @@ class SphereArrangement:
         rays: (V, 3); an integer direction vector of each vertex, not always primitive. int64
             where that is proven to be exact, else Python integers.
     """
+
+    shown_fields = ("circle_count", "vertex_count", "arc_count", "region_count")
 
     def __init__(
         self,

@@ -24,11 +24,13 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
+from arrangement.short_repr import Shown
+
 Indices = NDArray[np.int32]
 
 
-@dataclass(frozen=True, eq=False)
-class Incidence:
+@dataclass(frozen=True, eq=False, repr=False)
+class Incidence(Shown):
     """Vertices, arcs and regions of a great-circle arrangement, as int32 arrays.
 
     Attributes:

@@ -187,7 +187,7 @@ def main(argv: Iterable[str] | None = None) -> int:
     parser = terminal.command_parser(
         "arrangement.library.census.generate", "Make the census of types."
     )
-    parser.add_argument("--most", type=int, default=MOST_PLANES, metavar="M")
+    parser.add_argument("--most", type=terminal.integer_argument, default=MOST_PLANES, metavar="M")
     parser.add_argument("--output", required=True, metavar="FILE")
     parser.add_argument("--progress", type=Path, metavar="FILE")
     parser.set_defaults(command=_write)

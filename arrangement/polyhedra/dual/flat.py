@@ -10,6 +10,7 @@ from typing import Any
 from arrangement.enumeration.choose import enumerate_faces
 from arrangement.exact import RationalVector
 from arrangement.planes import Planes
+from arrangement.short_repr import Shown
 
 from .generators import Generators, generators, require_rank
 
@@ -21,8 +22,8 @@ _REMEDIES = {
 }
 
 
-@dataclass(frozen=True, slots=True)
-class DualPolygon:
+@dataclass(frozen=True, slots=True, repr=False)
+class DualPolygon(Shown):
     """The dual of a pencil of k distinct planes: a centrally symmetric polygon of 2k corners.
 
     It lies in the plane spanned by the normals. It is no polyhedron: its graph is one cycle, and
@@ -41,8 +42,8 @@ class DualPolygon:
     dimension = 2
 
 
-@dataclass(frozen=True, slots=True)
-class DualSegment:
+@dataclass(frozen=True, slots=True, repr=False)
+class DualSegment(Shown):
     """The dual of one plane, given once or more often: a segment through the origin.
 
     Attributes:

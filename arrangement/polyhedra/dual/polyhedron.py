@@ -16,6 +16,7 @@ import numpy.typing as npt
 from arrangement.errors import InputError
 from arrangement.exact import IntegerVector, RationalVector
 from arrangement.planes import Planes
+from arrangement.short_repr import Shown
 
 from .flat import _REMEDIES, DualPolygon, DualSegment, dual_polygon, dual_segment
 from .generators import Generators, generators, require_rank
@@ -23,7 +24,7 @@ from .incidence import dual_incidence
 
 
 @dataclass(frozen=True, eq=False)
-class DualPolyhedron:
+class DualPolyhedron(Shown):
     """The zonohedron ``sum_i [-g_i, g_i]`` of an arrangement of rank 3 in R^3.
 
     Frame: the space of the normals. Vertex v belongs to a region of the arrangement, edge e to a

@@ -9,14 +9,15 @@ from arrangement.errors import ArrangementError
 from arrangement.exact import RationalVector
 from arrangement.planes import Planes
 from arrangement.polyhedra.dual import DualPolyhedron, dual_polyhedron
+from arrangement.short_repr import Shown
 
 from .certificates import Certificate, PolyhedralGraph
 from .points import sphere_points
 from .search import decide
 
 
-@dataclass(frozen=True)
-class Inscribability:
+@dataclass(frozen=True, repr=False)
+class Inscribability(Shown):
     """Whether some convex polyhedron inscribed in a sphere has the graph of the dual; with proof.
 
     Attributes:

@@ -66,18 +66,16 @@ Proposal: TypeAlias = SpatialSolution | Enclosed
 
 
 class States:
-    """What each contact does at a motion.
+    """What each contact does, read off normal forces (m,) and shares of friction limits (m, 2).
 
     Attributes:
+        ratio: (m, 2), of friction forces to their limits.
         touching, slipping: contacts with a force, and those among them that slip.
         shares: (m, 2), of the friction limit, rounded; those of slips only if they are rational.
         rational: whether all slips go along rational directions.
     """
 
-    def __init__(self, contacts: SpatialContacts, motion: Floats, eps: float) -> None:
-        force = contacts.spring[:, 0] + contacts.spring[:, 1:] @ motion
-        slip = contacts.tangents @ motion
-        ratio = np.nan_to_num(-slip / np.sqrt((slip * slip).sum(axis=1) + eps * eps)[:, None])
+    def __init__(self, force: Floats, ratio: Floats) -> None:
         self.touching = [bool(x) for x in force > 0]
         self.ratio = ratio
         size = np.linalg.norm(ratio, axis=1)
@@ -313,15 +311,22 @@ class StateBalance:
         return value, derivative, forces
 
 
+def smooth_states(contacts: SpatialContacts, motion: Floats, eps: float) -> States:
+    """Return the states of contacts at a motion of the smoothed balance."""
+    force = contacts.spring[:, 0] + contacts.spring[:, 1:] @ motion
+    slip = contacts.tangents @ motion
+    root = np.sqrt((slip * slip).sum(axis=1) + eps * eps)
+    return States(force, np.nan_to_num(-slip / root[:, None]))
+
+
 def proposals(
     contacts: SpatialContacts,
     wrench: RationalVector,
     motion: Floats,
-    eps: float,
+    states: States,
     tried: set[object],
 ) -> Iterator[Proposal]:
-    """Yield equilibria that may be near a motion; states in `tried` are not tried again."""
-    states = States(contacts, motion, eps)
+    """Yield equilibria of given states near a motion; those in `tried` are not tried again."""
     if (states.key, states.rational) in tried:
         return
     tried.add((states.key, states.rational))

@@ -275,7 +275,7 @@ class Relaxation:
         rubs = np.minimum(self.stiffness * size, np.hypot(miss[:, 0], miss[:, 1]))
         lifts = f[:, 0] - np.maximum(0.0, spring)
         value = [
-            _FIRST * lifts[i]
+            _FIRST * lifts[i] + rubs[i]
             if state == "undecided"
             else 0.0
             if state in ("detached", "stick")

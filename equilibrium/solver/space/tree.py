@@ -15,16 +15,20 @@ from arrangement.float_filter import Floats
 from equilibrium.solver.spatial_contacts import SpatialContacts
 
 from .balance import SpatialContinuation
-from .equilibria import Proposal, proposals
+from .equilibria import Proposal, States, proposals, smooth_states
 from .leaves import exact_leaf
 from .relaxation import Point, Ray, Relaxation, Sector, State
 
 #: Nodes of a tree, if not told otherwise, and random starts of the first search.
 NODES, _STARTS = 4000, 3
+#: Nodes of a tree that is tried before the random starts.
+_FEW = 20
 #: After how many nodes without a leaf, at first, an equilibrium is looked for near a relaxation.
 _PATIENCE = 6
 #: Relative size below which a relaxation obeys the law.
 _OBEYS = 1e-7
+#: The same for trying its states, and normal forces that count as none.
+_ALMOST, _LOOSE = 1e-3, 1e-6
 #: Sectors are cut down to this sine of their angle; directions are multiples of one over these.
 _NARROW, _COARSE, _DIRECTIONS = 1e-4, 8, 64
 #: Contacts this close to the law (in shares of the load) are not split; sectors of less than this
@@ -80,20 +84,39 @@ class SpatialSearch:
             leaf = leaf or self._leaf(root, self.relaxation.solve(root))
             if leaf is not None:
                 return leaf
-            for motion in self.smooth.starts(_STARTS):
-                found = self._near(motion, 1.0)
-                if found is not None:
-                    return found
-            return self._tree(root)
+            for i, motion in enumerate(self.smooth.starts(_STARTS)):
+                near = self._near(motion, 1.0)
+                if near is not None:
+                    return near
+                if not i:
+                    found = self._tree(root, min(_FEW, self.nodes))
+                    if not isinstance(found, Open):
+                        return found
+            return self._tree(root, self.nodes)
 
     def _near(self, motion: Floats, sharpness: float) -> Proposal | None:
         """Return an equilibrium that the smoothed balance leads to."""
         for end, eps in self.smooth.path(motion, sharpness):
-            for found in proposals(self.contacts, self.wrench, end, eps, self.tried):
-                if self.accept(found):
-                    return found
+            found = self._equilibrium(end, smooth_states(self.contacts, end, eps))
+            if found is not None:
+                return found
         self.residual = min(self.residual, self.smooth.reached / (self.smooth.size or 1.0))
         return None
+
+    def _equilibrium(self, motion: Floats, states: States) -> Proposal | None:
+        """Return an accepted equilibrium of given states near a motion."""
+        for found in proposals(self.contacts, self.wrench, motion, states, self.tried):
+            if self.accept(found):
+                return found
+        return None
+
+    def _near_point(self, found: Point) -> Proposal | None:
+        """Return an equilibrium with the states of a relaxation that nearly obeys the law."""
+        normal = found.forces[:, 0]
+        normal = np.where(normal > _LOOSE, normal, 0.0)
+        limits = np.maximum(self.contacts.friction * normal, 1e-12)
+        states = States(normal, found.forces[:, 1:] / limits[:, None])
+        return self._equilibrium(found.motion * self.relaxation.scale, states)
 
     def _leaf(self, states: tuple[State, ...], found: Ray | Point | None) -> Any | None:
         """Return a leaf where a relaxation has no solution, or where its program failed."""
@@ -105,13 +128,13 @@ class SpatialSearch:
             leaf = inner and exact_leaf(self.contacts, self.wrench, states, inner)
         return leaf
 
-    def _tree(self, root: tuple[State, ...]) -> Proposal | Any | Open:
+    def _tree(self, root: tuple[State, ...], most: int) -> Proposal | Any | Open:
         """Search depth first; a node is filled in when all below it are closed."""
         top: list[Any] = [None]
         waiting: list[tuple[tuple[State, ...], list[Any], int]] = [(root, top, 0)]
         nodes, idle, patience, failed = 0, 0, _PATIENCE, 0
         while waiting:
-            if nodes == self.nodes:
+            if nodes == most:
                 return Open(f"after {nodes} nodes the tree is not closed", self.residual)
             if time.monotonic() > self.deadline:
                 return Open(f"the time is over after {nodes} nodes", self.residual)
@@ -125,7 +148,12 @@ class SpatialSearch:
             split = None
             if isinstance(found, Point):
                 values = self.relaxation.violations(states, found)
-                obeys = values.max(initial=0.0) <= _OBEYS
+                worst = float(values.max(initial=0.0))
+                obeys = worst <= _OBEYS
+                if worst <= _ALMOST:
+                    near = self._near_point(found)
+                    if near is not None:
+                        return near
                 if obeys or idle >= patience:
                     idle, patience = 0, 2 * patience if not obeys else patience
                     near = self._near(found.motion * self.relaxation.scale, _NEAR)

@@ -1,0 +1,42 @@
+"""What the console scripts start: a program whose fault, even at import, is never a "no"."""
+
+from __future__ import annotations
+
+import sys
+import traceback
+from collections.abc import Callable, Sequence
+from importlib import import_module
+
+#: EX_SOFTWARE of sysexits.h: a fault must never look like a "no".
+FAULT = 70
+
+
+def entry(module: str) -> Callable[..., int]:
+    """Return the function ``main`` of a module, which is imported when it is called."""
+
+    def main(argv: Sequence[str] | None = None) -> int:
+        try:
+            program = import_module(module).main
+        except Exception as error:
+            return fault(error, argv)
+        code: int = program(argv)
+        return code
+
+    return main
+
+
+def fault(error: Exception, argv: Sequence[str] | None) -> int:
+    """Say in one line on stderr what was not expected, or with ``--traceback`` all; return 70."""
+    if "--traceback" in (sys.argv if argv is None else argv):
+        traceback.print_exc()
+    what = "".join(c if c.isprintable() else " " for c in str(error)[:120])
+    if sys.stderr is not None:
+        print(
+            f"error: a fault of the program, no answer: {type(error).__name__}: {what}; please "
+            "report it with the command, as CONTRIBUTING.md says (--traceback shows where)",
+            file=sys.stderr,
+        )
+    return FAULT
+
+
+main = entry("arrangement.cli")
