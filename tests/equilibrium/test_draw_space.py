@@ -20,6 +20,7 @@ from equilibrium import Contact, Grasp, GraspError, Mesh, read_grasp
 from equilibrium.cli import main
 from equilibrium.draw.grasp import draw_grasp
 from equilibrium.draw.proof import draw_proof
+from equilibrium.draw.slices import draw_slice
 from equilibrium.draw.solid_grasp import Screw, SolidGrasp
 from equilibrium.draw.space_grasp import drawn_in_space
 from equilibrium.draw.space_page import grasp_model, grasp_page
@@ -122,6 +123,18 @@ def test_a_proof_shows_its_virtual_motions() -> None:
     assert texts[0].startswith("1 of 3: 1 detached; λ is a turn")
     with pytest.raises(GraspError, match="the wrench is resisted"):
         inspect.unwrap(draw_proof)(grasp, wrench=WRENCH)
+
+
+def test_a_slice_ends_at_the_proved_borders() -> None:
+    fingers = read_grasp("two-opposed-fingers")
+    scene: Scene = inspect.unwrap(draw_slice)(fingers, axes="fy,fz", directions=3)
+    spokes = [x for x in scene.items if x.name.startswith("spoke")]
+    sizes = [float(np.linalg.norm(x.points[1] - x.points[0])) for x in spokes]  # type: ignore[attr-defined]
+    # The fingers resist a disc of these forces.
+    assert sizes == pytest.approx([sizes[0]] * 3, rel=2e-3)
+    for axes in ("fx", "fx,fx", "fx,up"):
+        with pytest.raises(GraspError, match="give two of"):
+            inspect.unwrap(draw_slice)(fingers, axes=axes)
 
 
 def test_what_is_for_the_plane_is_refused_in_space_and_the_other_way() -> None:
