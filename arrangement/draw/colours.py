@@ -6,10 +6,8 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import TypeAlias, TypeVar
 
-from arrangement.errors import InputError
+from arrangement.errors import InputError, refusal
 from arrangement.exact import shown
-
-from .output import refusal
 
 #: Light to dark, so that the order stays in grey: numbers of sides 2, 3, 4, 5, 6, and more.
 PALETTE = ("#ffffff", "#fdf0c0", "#b9dfd3", "#7fb9d8", "#6a96c8", "#8a7fb5")

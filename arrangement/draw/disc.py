@@ -12,7 +12,7 @@ import numpy as np
 from .colours import DrawnRegion, Painter
 from .globe import Globe
 from .items import Box, Floats
-from .labels import flattened, keep_off, spread, turn, write_inside
+from .labels import SIZES, flattened, keep_off, spread, turn, write_inside
 from .leaders import Leaders
 from .projections import Drawn, Projection
 from .regionlabels import RegionLabels
@@ -186,8 +186,9 @@ def label_regions(
     ]
     leaders = Leaders(scene, lines, within, [outline for _, outline in outlines])
     for region, outline in small:
-        names.left_out += len(outlines) > _MOST_LEADERS or not leaders.write(
-            outline, names.forms(region.signs)[0]
+        text = names.forms(region.signs)[0]
+        names.left_out += len(outlines) > _MOST_LEADERS or not any(
+            leaders.write(outline, text, size) for size in SIZES[1:]
         )
 
 

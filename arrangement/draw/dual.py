@@ -70,7 +70,7 @@ def draw_dual(
         hull: draw the hull of representatives.
         coordinates: "symmetric": after a linear map that shows the symmetry of the planes and
             changes no sign vector; "even": after one that spreads the normals evenly; "given". If
-            omitted, symmetric, but for planes of motions and for the hull.
+            omitted, symmetric (narrow planes: even), but for planes of motions and for the hull.
 
     Raises:
         InputError: another space or rank, planes off the origin, too many circles, unknown

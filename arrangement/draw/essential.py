@@ -74,7 +74,7 @@ def shown_as(
         def draw(arrangement: Arrangement, /, *args: P.args, **options: P.kwargs) -> Scene:
             scene = view(brought(arrangement, name), *args, **options)
             if text := caption(arrangement, SPACES[name][0]):
-                scene.legend.captions.insert(0, text)
+                scene.legend.captions.append(text)
             return scene
 
         del draw.__wrapped__  # what `inspect.unwrap` finds is this function

@@ -53,11 +53,11 @@ def laid_out(scene: Scene, legend: str = "below") -> Scene:
     height = below + max(scene.height, side.height if side else 0.0)
     sheet = Scene(width / POINTS, height / POINTS)
     sheet.place(scene, 0.0, height - scene.height)
-    sheet.place(captions, 0.0, 0.0)
     if strip:
         sheet.place(strip, 0.0, captions.height)
     if side:
         sheet.place(side, scene.width, below + (height - below - side.height) / 2)
+    sheet.place(captions, 0.0, 0.0)
     sheet.legend = Legend()
     return sheet
 

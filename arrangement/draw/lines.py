@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 
 from arrangement.arrangement import Arrangement
-from arrangement.errors import InputError
+from arrangement.errors import InputError, refusal
 from arrangement.exact import shown
 
 from .axes import arrow
@@ -20,7 +20,6 @@ from .items import Floats
 from .labels import SIZES, flattened, segments_meet, segments_of, sign_text, write_beside
 from .line_charts import LinesChart
 from .measuring import POINTS, checked_width
-from .output import refusal
 from .regionlabels import RegionLabels
 from .scene import Scene
 from .symbols import dot, explain_regions, swatch

@@ -23,10 +23,17 @@ FONT = 7.0
 #: Least distance between two labels, and of a label from the border; in points.
 GAP = 0.8
 
+#: Characters as wide as others; those after which the next one stands at the same distance always.
+_ALIKE = str.maketrans("123456789\u2007\u2212\u25cb", "0" * 10 + "+\u25cf")
+_ALONE = frozenset("0+\u25cf")
+
 
 def measure(text: str, size: float = FONT, rotation: float = 0.0) -> tuple[float, float]:
     """Return the width and height of a text in the fonts that are set now, in points."""
     settings = require_matplotlib().rcParams
+    text = text.translate(_ALIKE)
+    if _ALONE.issuperset(text):
+        text = "".join(sorted(text))
     return _measured(text, size, rotation, (*settings["font.family"], *settings["font.sans-serif"]))
 
 

@@ -6,7 +6,6 @@ import io
 import os
 from collections.abc import Callable, Iterable, Mapping
 from contextlib import AbstractContextManager, suppress
-from difflib import get_close_matches
 from fractions import Fraction
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -131,13 +130,3 @@ def svg_text(make: Callable[[], Figure]) -> str | None:
         return picture_bytes(".svg", make).decode("utf-8")
     except (InputError, MissingExtraError):
         return None
-
-
-def refusal(
-    mistake: str, value: object, known: Iterable[str], remedy: str = "known are"
-) -> InputError:
-    """Return the error for a name that does not exist, with the nearest ones that do."""
-    names = list(known)
-    near = get_close_matches(str(value), names, 3)
-    meant = f"did you mean {' or '.join(near)}? " if near else ""
-    return InputError(f"{mistake}; {meant}{remedy} {', '.join(names) or 'none'}")

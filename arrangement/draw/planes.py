@@ -66,8 +66,8 @@ def draw_planes(
         width: of the figure, in millimetres.
         coordinates: "symmetric": after a linear map that shows the symmetry of the planes and
             changes no sign vector; "even": after one that spreads the normals evenly; "given". If
-            omitted, symmetric, but for planes of motions, with axes, and where the body has a
-            given place.
+            omitted, symmetric (narrow planes: even), but for planes of motions, with axes, and
+            where the body has a given place.
 
     Raises:
         InputError: another space, too many planes, no such cell, lifted cells that hide each

@@ -6,11 +6,11 @@ from collections.abc import Iterable, Sequence
 from functools import cached_property
 
 from arrangement.arrangement import Arrangement
+from arrangement.errors import refusal
 from arrangement.exact import shown
 
 from .labels import sign_text
 from .legend import Legend
-from .output import refusal
 
 LABELS = ("signs", "numbers", "none")
 #: Planes up to which sign vectors are written of themselves.

@@ -12,7 +12,7 @@ import importlib
 import inspect
 import math
 import os
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
 from functools import cache
@@ -20,7 +20,7 @@ from importlib.resources import files
 from pathlib import Path
 from typing import Any, TypeAlias
 
-from arrangement.errors import InputError
+from arrangement.errors import InputError, refusal
 from arrangement.exact import shown
 from arrangement.io.writing import write_bytes_atomically, write_text_atomically
 
@@ -37,7 +37,6 @@ from .output import (
     own_settings,
     picture_bytes,
     points,
-    refusal,
     svg_text,
 )
 from .scene import Scene
@@ -174,12 +173,7 @@ class Drawings:
                     raise InputError(f"{error} (the width given is {counted})") from None
                 return themed(laid_out(made, place).scaled(scale), theme or THEMES[0])
 
-            if suffix in TIKZ:
-                with own_settings():
-                    write_text_atomically(path, tikz(scene(), fragment=fragment))
-            else:
-                content = picture_bytes(suffix, lambda: figure(scene()), letters=text == "text")
-                write_bytes_atomically(path, content)
+            write_scene(path, scene, letters=text == "text", fragment=fragment)
         elif kind == "page":
             write_text_atomically(path, draw(subject, **options))
         else:
@@ -243,6 +237,28 @@ class Drawings:
         return _options(self.package, *getattr(self, f"{kind}s")[name].split(":"))
 
 
+def write_scene(
+    path: str | os.PathLike[str],
+    make: Callable[[], Scene],
+    *,
+    letters: bool = False,
+    fragment: bool = False,
+) -> None:
+    """Write the scene that `make` returns, as it is, in the format of the suffix.
+
+    Raises:
+        InputError: the suffix is not one of a picture, or there is no place to write.
+        MissingExtraError: matplotlib is absent.
+    """
+    suffix = ending(path, (*PICTURES, *TIKZ))
+    if suffix in TIKZ:
+        with own_settings():
+            write_text_atomically(path, tikz(make(), fragment=fragment))
+    else:
+        content = picture_bytes(suffix, lambda: figure(make()), letters=letters)
+        write_bytes_atomically(path, content)
+
+
 #: Options that are lengths, in millimetres.
 LENGTHS = {"width", "size"}
 LETTERS = ("outlines", "text")
@@ -260,7 +276,7 @@ def _check_form(
     """Refuse what does not go with a kind of file."""
     if not (size is theme is legend is None) and kind != "view":
         raise InputError(
-            f"a font size, theme or legend is for pictures, and the file name ends in {suffix}"
+            f"a font size, legend or theme is for pictures, and the file name ends in {suffix}"
         )
     if fragment and suffix not in TIKZ:
         raise InputError(f"a fragment is TikZ, .tex, and the file name ends in {suffix}")

@@ -6,6 +6,7 @@ A view adds items to a `Scene`; a writer (`figure`, `tikz`) reads them and knows
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator
 from contextlib import contextmanager
 from typing import Any
@@ -17,7 +18,16 @@ from .legend import Legend
 from .measuring import FONT, GAP, POINTS, measure
 from .output import require_matplotlib
 
-_CORNERS = ((-1, -1), (1, -1), (1, 1), (-1, 1))
+#: Besides "round": corners of small shapes.
+_SHAPES = {
+    "square": ((-0.9, -0.9), (0.9, -0.9), (0.9, 0.9), (-0.9, 0.9)),
+    "diamond": ((0, -1.25), (1.25, 0), (0, 1.25), (-1.25, 0)),
+    "triangle": ((-1.2, -0.8), (1.2, -0.8), (0, 1.3)),
+    "star": tuple(
+        (r * math.sin(k * math.pi / 5), r * math.cos(k * math.pi / 5))
+        for k, r in enumerate((1.8, 0.75) * 5)
+    ),
+}
 
 
 class Scene:
@@ -143,13 +153,11 @@ class Scene:
         )  # fmt: skip
 
     def marker(self, at: Place, size: float, shape: str, **style: Any) -> None:
-        """Draw a small disc ("round") or square ("square") of about the same area."""
+        """Draw a small shape of about the area of a disc with radius `size`; see `_SHAPES`."""
         if shape == "round":
             self.circle(at, size, **style)
-            return
-        half = size * 0.9
-        corners = [(at[0] + x * half, at[1] + y * half) for x, y in _CORNERS]
-        self.polygon(corners, **style)
+        else:
+            self.polygon([(at[0] + size * x, at[1] + size * y) for x, y in _SHAPES[shape]], **style)
 
     def polygon(self, corners: Any, **style: Any) -> None:
         """Draw a closed polygon."""

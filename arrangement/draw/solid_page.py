@@ -96,7 +96,7 @@ class SolidPage:
         }  # fmt: skip
         return one_page(
             self.title, own("solid.html"), [BASE_STYLE, own("solid.css")],
-            [BASE_SCRIPT, own("solid.js")], data,
+            [BASE_SCRIPT, own("solid.js")], data, ["spin", "home", "theme", "print"],
         )  # fmt: skip
 
 

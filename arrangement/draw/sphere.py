@@ -64,7 +64,7 @@ def draw_sphere(
         width: of the figure, in millimetres.
         coordinates: "symmetric": after a linear map that shows the symmetry of the planes and
             changes no sign vector; "even": after one that spreads the normals evenly; "given". If
-            omitted, symmetric, but for planes of motions and with axes.
+            omitted, symmetric (narrow planes: even), but for planes of motions and with axes.
 
     Raises:
         InputError: another space, planes off the origin, too many circles, unknown colouring.

@@ -67,7 +67,7 @@ def draw_stereographic(
             3.3 radii, as for few circles.
         coordinates: "symmetric": after a linear map that shows the symmetry of the planes and
             changes no sign vector; "even": after one that spreads the normals evenly; "given". If
-            omitted, symmetric, but for planes of motions.
+            omitted, symmetric (narrow planes: even), but for planes of motions.
 
     Raises:
         InputError: another space, planes off the origin, too many circles, unknown colouring; or

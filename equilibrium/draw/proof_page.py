@@ -79,7 +79,7 @@ def proof_page(
     own = "equilibrium.draw"
     scripts: list[Template] = [BASE_SCRIPT, (own, "sketch.js"), (own, "proof.js")]
     styles: list[Template] = [BASE_STYLE, (own, "sketch.css"), (own, "proof.css")]
-    return one_page(heading, (own, "proof.html"), styles, scripts, data)
+    return one_page(heading, (own, "proof.html"), styles, scripts, data, ["theme", "print"])
 
 
 def _outline(corners: Any) -> dict[str, Any]:

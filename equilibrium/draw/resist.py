@@ -78,7 +78,8 @@ def _describe(
         legend.key(symbol("#ffffff hatched"), "some detached")
     outline = region.outline
     if outline.border or outline.whiskers:
-        legend.key(symbol("border"), "resistance ends")
+        solid = any(piece.polyhedron.dimension == 2 for piece in region.polygons)
+        legend.key(symbol("border"), "resistance ends" if solid else "resisted: this line alone")
     if states and len(grasp):
         found = [s for s in SYMBOLS if any(s in x for x in states)]
         shown = ", ".join(f"{SYMBOLS[s]} {s.replace('-', '−')}" for s in found)
