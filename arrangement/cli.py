@@ -161,10 +161,10 @@ def _bounds(arguments: argparse.Namespace) -> int:
     check_largest(arguments.largest)
     table = counts_table(arguments.largest)
     if arguments.output is not None:
-        from .draw import draw_counts, save_figure
+        from .draw.counts import write_counts
 
         width = {} if arguments.width is None else {"width": arguments.width}
-        save_figure(arguments.output, lambda: draw_counts(largest=arguments.largest, **width))
+        write_counts(arguments.output, largest=arguments.largest, **width)
     if arguments.json:
         terminal.print_json({"counts": table})
         return terminal.YES

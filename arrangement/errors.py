@@ -1,5 +1,9 @@
 """Errors of the package: each message says the value, the rule it broke, and the remedy."""
 
+from __future__ import annotations
+
+from collections.abc import Iterable
+
 
 class ArrangementError(ValueError):
     """Base class of every error that this package raises on purpose."""
@@ -23,3 +27,15 @@ class TimeLimitError(InputError):
     def __init__(self, message: str, known: tuple[int, ...]) -> None:
         super().__init__(message)
         self.known = known
+
+
+def refusal(
+    mistake: str, value: object, known: Iterable[str], remedy: str = "known are"
+) -> InputError:
+    """Return the error for a name that does not exist, with the nearest ones that do."""
+    from difflib import get_close_matches
+
+    names = list(known)
+    near = get_close_matches(str(value), names, 3)
+    meant = f"did you mean {' or '.join(near)}? " if near else ""
+    return InputError(f"{mistake}; {meant}{remedy} {', '.join(names) or 'none'}")

@@ -18,8 +18,9 @@ from arrangement import Arrangement, ArrangementError, InputError, read_arrangem
 from arrangement.cli import main as draw_planes
 from arrangement.draw import DRAWINGS as OF_PLANES
 from arrangement.draw.command import _KINDS
+from arrangement.draw.items import ROLES, Ball, Item, Label, Mark
 from arrangement.draw.registry import Drawings
-from arrangement.draw.scene import ROLES, Ball, Item, Label, Mark, Scene
+from arrangement.draw.scene import Scene
 from arrangement.draw.views import drawings_of, write_drawing
 from equilibrium import read_grasp
 from equilibrium.cli.program import main as draw_grasp

@@ -15,9 +15,10 @@ import pytest
 from arrangement import InputError, read_arrangement
 from arrangement.draw import DRAWINGS as OF_PLANES
 from arrangement.draw.figure import figure
+from arrangement.draw.items import ROLES, Label
 from arrangement.draw.output import own_settings, picture_bytes
 from arrangement.draw.registry import Drawings
-from arrangement.draw.scene import ROLES, Label, Scene
+from arrangement.draw.scene import Scene
 from arrangement.draw.tex_text import tex_text
 from arrangement.draw.tikz import tikz
 from arrangement.io import files

@@ -12,9 +12,10 @@ from arrangement.errors import InputError
 from arrangement.exact import shown
 from arrangement.planes import Planes
 
+from .items import Floats, Place
 from .painting import Key, Stage
 from .registry import AxisNames
-from .scene import Floats, Place, Scene
+from .scene import Scene
 
 #: How far an axis reaches, in radii of the body.
 REACH = 1.2

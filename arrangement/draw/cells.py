@@ -23,6 +23,7 @@ from .essential import brought, caption, shown_as
 from .exploded_cells import Lifted, sharp
 from .figure import picture
 from .globe import Floats, picture_axes, view_direction
+from .measuring import checked_width
 from .models import centroid
 from .page import equation
 from .painting import Stage, edges_of, unit_points, walls_of_edges
@@ -30,7 +31,7 @@ from .planenames import Names
 from .planesheet import PlanesSheet
 from .regionlabels import RegionLabels
 from .registry import Exact, Vector
-from .scene import POINTS, Scene, checked_width
+from .scene import Scene
 from .solid_page import Branch, Face, SolidPage
 from .view_direction import clear_sight
 
@@ -90,17 +91,19 @@ def draw_cells(
         lifted.append(Lifted(cell, stage.points + shift, shift))
     names = RegionLabels(arrangement, labels or ("none" if len(lifted) > _NAMED else None))
     signs = [cell.signs for cell in cells.cells]
-    room = names.height(width * POINTS, signs)
     sheet = PlanesSheet(
-        stage, lifted, lambda facet: fill_colour(facet.label), width, room, StagedAxes(stage, ()),
+        stage, lifted, lambda facet: fill_colour(facet.label), width, StagedAxes(stage, ()),
         apart=True,
     )  # fmt: skip
     left = 0 if names.kind == "none" else Names(sheet, names).name_cells(beside=False)
-    names.write(sheet.scene, room, signs)
+    legend = sheet.scene.legend
+    names.explain(legend, signs)
     if labels is None and len(lifted) > _NAMED:
-        sheet.scene.caption(f"{len(lifted)} cells, too many for labels; --labels numbers tries")
+        legend.captions.append(f"{len(lifted)} cells, too many for labels; --labels numbers tries")
     if left:
-        sheet.scene.caption(f"{left} of {len(lifted)} cells are hidden or too narrow for a label")
+        legend.captions.append(
+            f"{left} of {len(lifted)} cells are hidden or too narrow for a label"
+        )
     return sheet.scene
 
 

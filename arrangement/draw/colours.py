@@ -2,14 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
-from typing import Any, TypeAlias, TypeVar
+from typing import TypeAlias, TypeVar
 
-from arrangement.errors import InputError
+from arrangement.errors import InputError, refusal
 from arrangement.exact import shown
-
-from .registry import refusal
 
 #: Light to dark, so that the order stays in grey: numbers of sides 2, 3, 4, 5, 6, and more.
 PALETTE = ("#ffffff", "#fdf0c0", "#b9dfd3", "#7fb9d8", "#6a96c8", "#8a7fb5")
@@ -57,30 +55,29 @@ class Colouring:
     paint: Painter
     name: str | None
 
-    def keys(self, drawn: Sequence[DrawnRegion]) -> list[tuple[str, dict[str, Any]]]:
-        """Return the legend for the regions that are drawn, for `Scene.keys`."""
+    def keys(self, drawn: Iterable[DrawnRegion]) -> list[tuple[str, str]]:
+        """Return fills and what they mean, for the regions that are drawn."""
         if self.name == "sides":
             numbers = sorted({region.sides for region in drawn} - {0})
-            return [(f"{k} sides" if k > 1 else "1 side", {"fc": side_colour(k)}) for k in numbers]
+            return [(side_colour(k), f"{k} sides" if k > 1 else "1 side") for k in numbers]
         if self.name == "parity":
-            even, odd = ({"fc": fill} for fill in CHECKERS[:2])
-            return [("even", even), ("odd number of minus signs", odd)]
+            return [(CHECKERS[0], "even"), (CHECKERS[1], "odd number of minus signs")]
         if self.name == "opposite":
             pairs = zip(("even", "odd"), CHECKERS[:2], CHECKERS[2:], strict=True)
             return [
-                (f"{text}{more}", {"fc": fill})
+                (fill, f"{text}{more}")
                 for text, light, dark in pairs
                 for more, fill in ((", + on plane 1", light), (", \u2212 on plane 1", dark))
             ]
         groups: dict[str, set[int]] = {}
         for region in drawn if self.name == "signs" else ():
             groups.setdefault(self.paint(region), set()).add(region.signs.count(-1))
-        entries: list[tuple[str, dict[str, Any]]] = []
+        entries: list[tuple[str, str]] = []
         for fill, counts in sorted(groups.items(), key=lambda item: min(item[1])):
             low, high = min(counts), max(counts)
-            entries.append((f"{low}" if low == high else f"{low}\u2013{high}", {"fc": fill}))
+            entries.append((fill, f"{low}" if low == high else f"{low}\u2013{high}"))
         if entries:
-            entries[-1] = (f"{entries[-1][0]} minus signs", entries[-1][1])
+            entries[-1] = (entries[-1][0], f"{entries[-1][1]} minus signs")
         return entries
 
 

@@ -9,6 +9,7 @@ from typing import Any
 from arrangement import terminal
 from arrangement.errors import InputError
 
+from .layout import LEGENDS
 from .registry import LENGTHS, LETTERS, Drawings, Option
 from .themes import THEMES
 
@@ -24,6 +25,8 @@ _KINDS: dict[str, dict[str, Any]] = {
     "Corner": {"type": lambda text: text.split(","), "metavar": "X,Y"},
     "bool": {"action": argparse.BooleanOptionalAction, "default": None},
 }
+#: Options of all pictures.
+_PRINTING = ("font_size", "text", "fragment", "theme", "legend")
 #: Options of several values that are written one by one.
 _FLAGS = {"wrenches": "wrench"}
 
@@ -53,6 +56,9 @@ def add_options(
     )
     parser.add_argument(
         "--theme", metavar="NAME", help=f"of a picture: {', '.join(THEMES)} (default: the first)"
+    )
+    parser.add_argument(
+        "--legend", metavar="PLACE", help=f"of a picture: {', '.join(LEGENDS)} (default: the first)"
     )
     found: dict[str, list[tuple[str, Option]]] = {}
     for name, option in _every(drawings):
@@ -94,7 +100,7 @@ def given_options(arguments: argparse.Namespace, drawings: Drawings) -> dict[str
     """Return the options that were given, as the view, model or page takes them."""
     kind, name = drawings.target(arguments.output, arguments.view, _model(arguments))
     takes = {_flag(option): option for option in drawings.options(kind, name).values()}
-    printing = {key: getattr(arguments, key) for key in ("font_size", "text", "fragment", "theme")}
+    printing = {key: getattr(arguments, key) for key in _PRINTING}
     options: dict[str, Any] = {key: x for key, x in printing.items() if x is not None}
     for flag in dict.fromkeys(_flag(option) for _, option in _every(drawings)):
         value = getattr(arguments, flag)

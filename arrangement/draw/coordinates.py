@@ -23,12 +23,14 @@ import numpy as np
 import numpy.typing as npt
 
 from arrangement.arrangement import Arrangement
+from arrangement.errors import refusal
 from arrangement.exact import IntegerVector, dot, primitive, rational_vector, shown
 from arrangement.linear import cross, rank, triple_product
+from arrangement.planes import Planes
 from arrangement.progress import note
 
 from .globe import unit_vectors
-from .registry import Vector, refusal
+from .registry import Vector
 
 Floats = npt.NDArray[np.float64]
 
@@ -76,7 +78,8 @@ def in_coordinates(
     Args:
         coordinates: "given"; "symmetric", in which the maps that permute the planes are rotations
             and mirrors (where they are few, the given ones); "even", with normals spread evenly.
-            None: symmetric, unless the coordinates have a meaning (`Planes.axes`).
+            None: given if they have a meaning (`Planes.axes`), else symmetric, or even for narrow
+            planes that have no other symmetric ones.
         arrangement: central planes in R^3; other ones are returned as they are.
         direction: of points, in given coordinates.
 
@@ -84,14 +87,16 @@ def in_coordinates(
     >>> in_coordinates("symmetric", skew)[0].f_vector == skew.f_vector
     True
     """
-    if coordinates is None:
-        coordinates = "given" if arrangement.axes else "symmetric"
-    if coordinates not in CHOICES:
-        raise refusal(f"the coordinates are {shown(coordinates)}", coordinates, CHOICES)
+    chosen = coordinates or ("given" if arrangement.axes else "symmetric")
+    if chosen not in CHOICES:
+        raise refusal(f"the coordinates are {shown(chosen)}", chosen, CHOICES)
     matrix = None
-    if arrangement.dimension == 3 and arrangement.is_central and coordinates != "given":
-        make = symmetric_map if coordinates == "symmetric" else _even_map
-        matrix = make(arrangement)
+    if arrangement.dimension == 3 and arrangement.is_central and chosen != "given":
+        matrix = (symmetric_map if chosen == "symmetric" else _even_map)(arrangement)
+        if matrix is None and coordinates is None and _is_narrow(arrangement):
+            matrix = _even_map(arrangement)
+            note("the planes are narrow: drawn with normals spread evenly, unless coordinates "
+                 "given are asked for")  # fmt: skip
     if matrix is None:
         return arrangement, direction
     rows = _rational(matrix)
@@ -113,7 +118,7 @@ def symmetric_map(arrangement: Arrangement) -> Floats | None:
     return None if found is None or np.allclose(found.shape, np.eye(3), atol=1e-6) else found.shape
 
 
-def symmetry(arrangement: Arrangement) -> Symmetry | None:
+def symmetry(arrangement: Planes) -> Symmetry | None:
     """Return the group of central planes of rank 2 or 3 in R^3; None if it is small.
 
     Small: the identity and one more map at most, up to sign; one mirror alone says too little about
@@ -209,8 +214,16 @@ def even_map(normals: Floats) -> Floats:
 
 
 def _even_map(arrangement: Arrangement) -> Floats | None:
-    firsts = [arrangement.integer_planes[members[0]][:3] for members in arrangement.distinct]
-    return even_map(unit_vectors(firsts)) if arrangement.rank == 3 else None
+    return even_map(_normals(arrangement)) if arrangement.rank == 3 else None
+
+
+def _is_narrow(arrangement: Arrangement) -> bool:
+    return arrangement.rank == 3 and is_narrow(_normals(arrangement))
+
+
+def _normals(arrangement: Arrangement) -> Floats:
+    """Return a unit normal of each distinct plane."""
+    return unit_vectors([arrangement.integer_planes[c[0]][:3] for c in arrangement.distinct])
 
 
 def is_narrow(normals: Floats) -> bool:

@@ -2,8 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from typing import TYPE_CHECKING, Any
+import inspect
+import math
+import os
+from collections.abc import Callable, Iterable, Sequence
+from typing import Any
+
+import numpy as np
 
 from arrangement.arrangement import Arrangement
 from arrangement.counts import f_vector, fukuda_bound
@@ -11,25 +16,31 @@ from arrangement.errors import InputError
 from arrangement.exact import shown
 from arrangement.library.families import braid, generic, near_pencil, pencil, type_b
 
-from .output import require_matplotlib
-from .scene import checked_width
+from .colours import BLACK
+from .figure import picture
+from .items import Floats
+from .layout import laid_out
+from .measuring import checked_width
+from .registry import write_scene
+from .scene import Scene
+from .symbols import dot, stroke
 
-if TYPE_CHECKING:
-    from matplotlib.figure import Figure
-
+#: Room in points left of a panel, below it, above it, and right of it.
+_LEFT, _BELOW, _ABOVE, _RIGHT = 30.0, 26.0, 16.0, 8.0
+_CURVE, _FAINT = "#cc6677", "#595959"
 #: What is counted of central planes in general position in R^3: name, formula, dimension of the
 #: faces (None: all faces), colour, marker.
 _SERIES: tuple[tuple[str, Callable[[int], int], int | None, str, str], ...] = (
-    ("states  4m² − 4m + 3", lambda m: 4 * m * m - 4 * m + 3, None, "#332288", "D"),
-    ("facets  2m(m − 1)", lambda m: 2 * m * (m - 1), 2, "#117733", "s"),
-    ("regions  m² − m + 2", lambda m: m * m - m + 2, 3, "#cc6677", "o"),
-    ("rays  m(m − 1)", lambda m: m * (m - 1), 1, "#882255", "^"),
+    ("states  4m² − 4m + 3", lambda m: 4 * m * m - 4 * m + 3, None, "#332288", "diamond"),
+    ("facets  2m(m − 1)", lambda m: 2 * m * (m - 1), 2, "#117733", "square"),
+    ("regions  m² − m + 2", lambda m: m * m - m + 2, 3, "#cc6677", "round"),
+    ("rays  m(m − 1)", lambda m: m * (m - 1), 1, "#882255", "triangle"),
 )
 #: Families: name, planes for m, least m, marker, filled.
 _FAMILIES: tuple[tuple[str, Callable[[int], Arrangement], int, str, bool], ...] = (
-    ("general position", generic, 1, "o", True),
-    ("near-pencil", near_pencil, 3, "s", False),
-    ("pencil", pencil, 1, "^", False),
+    ("general position", generic, 1, "round", True),
+    ("near-pencil", near_pencil, 3, "square", False),
+    ("pencil", pencil, 1, "triangle", False),
 )
 
 
@@ -59,7 +70,8 @@ def counts_table(largest: int) -> list[dict[str, int]]:
     ]
 
 
-def draw_counts(*, largest: int = 12, width: float = 180.0) -> Figure:
+@picture
+def draw_counts(*, largest: int = 12, width: float = 180.0) -> Scene:
     """Draw numbers of faces over the number m of planes, with the bounds that the paper states.
 
     First panel: rays, facets, regions and all slip states of m central planes in general position
@@ -68,8 +80,8 @@ def draw_counts(*, largest: int = 12, width: float = 180.0) -> Figure:
     (dashed). The formulas hold from m = 3 on; for fewer planes the rank is smaller. Second panel:
     regions of named families against the bound m^2 - m + 2.
 
-    Elements: the marks of each series and family have the names ``generic-states`` and
-    ``family-pencil`` and so on.
+    Elements: the marks of each series and family have names such as ``generic-states-5`` and
+    ``family-pencil-5``, by the number of planes.
 
     Args:
         largest: the largest m, from 4 to 30.
@@ -81,77 +93,115 @@ def draw_counts(*, largest: int = 12, width: float = 180.0) -> Figure:
     """
     check_largest(largest)
     width = checked_width(width, 60.0)
-    require_matplotlib()
-    from matplotlib.figure import Figure
-
     beside = width >= 120
-    height = 76.0 if beside else 148.0
-    figure = Figure(figsize=(width / 25.4, height / 25.4), dpi=300)
-    w, h = (width / 2, height) if beside else (width, height / 2)
-    boxes = [(13.0, height - h + 9.5), (w + 13.0, 9.5) if beside else (13.0, 9.5)]
-    panels = [
-        figure.add_axes((x / width, y / height, (w - 16.0) / width, (h - 14.0) / height))
-        for x, y in boxes
-    ]
-    _generic(panels[0], largest)
-    _families(panels[1], largest)
-    for axes, title in zip(panels, ("general position", "regions of families"), strict=True):
-        axes.set_title(title, fontsize=7.5, loc="left", pad=3)
-        axes.set_xlabel("number of planes m", fontsize=7, labelpad=2)
-        axes.tick_params(labelsize=6.5, width=0.5, length=2.5, which="major")
-        axes.set_xlim(0.5, largest + 0.5)
-        axes.set_xticks(range(1, largest + 1, 1 if largest <= 15 else 2))
-        axes.spines[["top", "right"]].set_visible(False)
-        axes.legend(
-            fontsize=6, frameon=False, loc="upper left", handlelength=2.2, labelspacing=0.35
-        )
-    return figure
+    height = 70.0
+    scene = Scene(width, height if beside else 2 * height)
+    w, h = (scene.width / 2, scene.height) if beside else (scene.width, scene.height / 2)
+    second = (w, 0.0) if beside else (0.0, 0.0)
+    _generic(_Panel(scene, (0.0, scene.height - h), (w, h), "general position", largest))
+    _families(_Panel(scene, second, (w, h), "regions of families", largest))
+    return scene
 
 
-def _generic(axes: Any, largest: int) -> None:
-    numbers = range(1, largest + 1)
+class _Panel:
+    """Axes: numbers of planes to the right, numbers of faces upwards."""
+
+    def __init__(
+        self,
+        scene: Scene,
+        corner: tuple[float, float],
+        size: tuple[float, float],
+        title: str,
+        largest: int,
+    ) -> None:
+        self.scene, self.largest = scene, largest
+        self.low = corner[0] + _LEFT, corner[1] + _BELOW
+        self.size = size[0] - _LEFT - _RIGHT, size[1] - _BELOW - _ABOVE
+        top = self.low[1] + self.size[1]
+        scene.write((self.low[0], top + 6), title, anchor=(0.0, 0.0))
+        scene.text((self.low[0] + self.size[0] / 2, self.low[1] - 20), "number of planes m")
+
+    def scaled(self, upwards: Callable[[float], float], end: float, ticks: Sequence[int]) -> None:
+        """Draw the axes, with a scale of numbers up to an end."""
+        self.upwards, self.end = upwards, upwards(end)
+        (left, low), (wide, high) = self.low, self.size
+        corner = [(left, low + high), (left, low), (left + wide, low)]
+        self.scene.line(corner, ec=BLACK, lw=0.5, role="axis", gid="axis")
+        for m in range(1, self.largest + 1, 1 if self.largest <= 15 else 2):
+            x = self.at(m, ticks[0])[0]
+            self.scene.line([(x, low), (x, low - 2.5)], ec=BLACK, lw=0.5, role="axis")
+            self.scene.text((x, low - 8), str(m), 6.5)
+        for tick in ticks:
+            y = self.at(1, tick)[1]
+            self.scene.line([(left, y), (left - 2.5, y)], ec=BLACK, lw=0.5, role="axis")
+            self.scene.text((left - 4.5, y), str(tick), 6.5, ha="right", va="center_baseline")
+
+    def at(self, m: float, count: float) -> Floats:
+        """Return the place of a count of m planes."""
+        x = self.low[0] + self.size[0] * (m - 0.5) / self.largest
+        return np.array([x, self.low[1] + self.size[1] * (self.upwards(count) + 0.02) / self.end])
+
+    def curve(self, points: Iterable[tuple[int, int]], name: str, **style: Any) -> None:
+        """Draw a line through counts."""
+        self.scene.line([self.at(*point) for point in points], gid=name, role="line", **style)
+
+    def marks(
+        self, points: Iterable[tuple[int, int]], shape: str, name: str, text: str, fill: str
+    ) -> None:
+        """Mark counts, and explain the mark."""
+        style = {"fc": fill, "ec": BLACK, "lw": 0.6, "role": "point"}
+        for m, count in points:
+            size = 1.4 if self.largest > 15 else 2.0
+            self.scene.marker(self.at(m, count), size, shape, gid=f"{name}-{m}", zorder=3, **style)
+        self.scene.legend.key(dot(shape, **style), text)
+
+
+def _generic(panel: _Panel) -> None:
+    numbers = range(1, panel.largest + 1)
     vectors = [f_vector(generic(m)) for m in numbers]
     every = [sum(fukuda_bound(m, 3, k) for k in range(4)) for m in numbers]
-    dashed = {"color": "0.35", "lw": 0.8}
-    axes.plot(numbers, every, ls=(0, (5, 2)), label="bound on all faces, any planes", **dashed)
-    for label, formula, k, colour, marker in _SERIES:
+    tens = [10**k for k in range(len(str(every[-1])))]
+    # Linear up to 1, as there may be no rays; then logarithmic.
+    panel.scaled(lambda x: 0.4 * x if x < 1 else 0.4 + math.log10(x), 2 * every[-1], [0, *tens])
+    for label, formula, k, colour, shape in _SERIES:
+        name = label.split()[0]
+        printed = [(m, formula(m)) for m in numbers[2:]]
+        panel.curve(printed, f"printed-{name}", ec=colour, lw=0.8)
         found = [sum(v) if k is None else v[k] for v in vectors]
-        printed = [formula(m) for m in numbers]
-        axes.plot(numbers[2:], printed[2:], color=colour, lw=0.8)
-        axes.plot(
-            numbers, found, color=colour, marker=marker, ls="none", ms=3.4, mew=0.6, mec="black",
-            label=label, gid=f"generic-{label.split()[0]}",
-        )  # fmt: skip
-    bound = [fukuda_bound(m, 3, 3) for m in numbers]
-    axes.plot(numbers, bound, ls=(0, (1.5, 1.5)), label="bound on regions, any planes", **dashed)
-    axes.set_yscale("symlog", linthresh=1, linscale=0.4)
-    axes.set_ylim(-0.1, every[-1] * 30)
-    axes.set_yticks([0, 1, 10, 100, 1000, 10000][: 2 + len(str(every[-1]))])
-    axes.set_yticklabels([str(t) for t in axes.get_yticks().astype(int)])
-    axes.minorticks_off()
-
-
-def _families(axes: Any, largest: int) -> None:
-    numbers = range(1, largest + 1)
-    axes.plot(
-        numbers, [m * m - m + 2 for m in numbers], color="#cc6677", lw=0.8, label="bound m² − m + 2"
-    )
-    for name, family, least, marker, filled in _FAMILIES:
-        over = range(least, largest + 1)
-        axes.plot(
-            over, [f_vector(family(m))[3] for m in over], ls="none", marker=marker, ms=3.6, mew=0.7,
-            mec="black", mfc="#cc6677" if filled else "white", label=name,
-            gid=f"family-{name.replace(' ', '-')}",
-        )  # fmt: skip
-    mirrors = [planes for planes in (braid(4), type_b(3)) if len(planes) <= largest]
-    axes.plot(
-        [len(planes) for planes in mirrors], [f_vector(planes)[-1] for planes in mirrors],
-        ls="none", marker="*", ms=6.5, mfc="#88ccee", mec="black", mew=0.6,
-        label="mirrors of A₃ and B₃", gid="family-reflection",
+        points = zip(numbers, found, strict=True)
+        panel.marks(points, shape, f"generic-{name}", label, colour)
+    bounds = (
+        ("faces", "bound on all faces, any planes", every, (5, 2)),
+        ("regions", "bound on regions, any planes", [fukuda_bound(m, 3, 3) for m in numbers],
+         (1.5, 1.5)),
     )  # fmt: skip
-    if largest > 15:
-        axes.set_yscale("log")
-        axes.set_ylim(1, largest**3)
-        axes.minorticks_off()
+    for name, text, values, dashes in bounds:
+        style = {"ec": _FAINT, "lw": 0.8, "ls": (0, dashes)}
+        panel.curve(zip(numbers, values, strict=True), f"bound-{name}", **style)
+        panel.scene.legend.key(stroke(**style), text)
+
+
+def _families(panel: _Panel) -> None:
+    numbers = range(1, panel.largest + 1)
+    bound = [(m, m * m - m + 2) for m in numbers]
+    end = 1.1 * bound[-1][1]
+    if panel.largest > 15:
+        panel.scaled(lambda x: math.log10(x), 1.5 * end, [1, 10, 100])
     else:
-        axes.set_ylim(0, (largest * largest - largest + 2) * 1.05)
+        step = max(k for k in (1, 2, 5, 10, 20, 50) if k <= end / 4)
+        panel.scaled(float, end, range(0, round(end), step))
+    panel.curve(bound, "bound-families", ec=_CURVE, lw=0.8)
+    for name, family, least, shape, filled in _FAMILIES:
+        points = ((m, f_vector(family(m))[3]) for m in range(least, panel.largest + 1))
+        gid, fill = f"family-{name.replace(' ', '-')}", _CURVE if filled else "#ffffff"
+        panel.marks(points, shape, gid, f"regions, {name}", fill)
+    mirrors = [planes for planes in (braid(4), type_b(3)) if len(planes) <= panel.largest]
+    points = ((len(planes), f_vector(planes)[-1]) for planes in mirrors)
+    panel.marks(points, "star", "family-reflection", "regions, mirrors of A₃ and B₃", "#88ccee")
+    panel.scene.legend.key(stroke(ec=_CURVE, lw=0.8), "bound m² − m + 2")
+
+
+def write_counts(path: str | os.PathLike[str], **options: Any) -> None:
+    """Write the picture of `draw_counts` into a file, in the format of its suffix."""
+    draw: Callable[..., Scene] = inspect.unwrap(draw_counts)
+    write_scene(path, lambda: laid_out(draw(**options)))

@@ -10,13 +10,13 @@ from typing import Any
 import numpy as np
 
 from .colours import DrawnRegion, Painter
-from .footer import Footer
 from .globe import Globe
-from .labels import flattened, keep_off, spread, turn, write_inside
+from .items import Box, Floats
+from .labels import SIZES, flattened, keep_off, spread, turn, write_inside
 from .leaders import Leaders
 from .projections import Drawn, Projection
 from .regionlabels import RegionLabels
-from .scene import Box, Floats, Scene
+from .scene import Scene
 
 #: Room for the numbers of the planes between the rim and the border, at least; in points.
 RIM = 13.0
@@ -186,17 +186,20 @@ def label_regions(
     ]
     leaders = Leaders(scene, lines, within, [outline for _, outline in outlines])
     for region, outline in small:
-        names.left_out += len(outlines) > _MOST_LEADERS or not leaders.write(
-            outline, names.forms(region.signs)[0]
+        text = names.forms(region.signs)[0]
+        names.left_out += len(outlines) > _MOST_LEADERS or not any(
+            leaders.write(outline, text, size) for size in SIZES[1:]
         )
 
 
-def alone(globe: Globe, drawn: Drawn, footer: Footer, width: float, *, solid: bool = False) -> Disc:
-    """Return a disc as wide as its scene, with room for a footer below; `width` in mm."""
-    scene = Scene(width, width + footer.height(width))
-    centre = (scene.width / 2, scene.height - scene.width / 2)
+def alone(
+    globe: Globe, drawn: Drawn, names: RegionLabels, width: float, *, solid: bool = False
+) -> Disc:
+    """Return a disc that fills its scene; `width` in millimetres."""
+    scene = Scene(width, width)
+    centre = (scene.width / 2, scene.width / 2)
     radius = scene.width / 2 - rim_width(scene, globe)
-    return Disc(scene, centre, radius, globe, drawn, footer.names, solid=solid)
+    return Disc(scene, centre, radius, globe, drawn, names, solid=solid)
 
 
 def rim_width(scene: Scene, globe: Globe) -> float:

@@ -17,14 +17,16 @@ from .coordinates import in_coordinates
 from .disc import HIDDEN, Disc, front, plane_names, rim_width
 from .essential import shown_as
 from .figure import picture
-from .footer import Footer
 from .globe import TO_LIGHT, Globe, clear_direction
+from .items import Box, Floats
 from .labels import SIZES, crosses, segments_of, tree_of, tried, write_along, write_beside
+from .measuring import checked_width
 from .projections import orthographic
 from .regionlabels import RegionLabels
 from .registry import Vector
-from .scene import Box, Floats, Scene, checked_width
+from .scene import Scene
 from .solids import Solid, dual_solid, hull_solid
+from .symbols import explain_regions, stroke
 
 #: Below this width the two panels stand one above the other; in millimetres.
 SIDE_BY_SIDE = 120.0
@@ -68,7 +70,7 @@ def draw_dual(
         hull: draw the hull of representatives.
         coordinates: "symmetric": after a linear map that shows the symmetry of the planes and
             changes no sign vector; "even": after one that spreads the normals evenly; "given". If
-            omitted, symmetric, but for planes of motions and for the hull.
+            omitted, symmetric (narrow planes: even), but for planes of motions and for the hull.
 
     Raises:
         InputError: another space or rank, planes off the origin, too many circles, unknown
@@ -87,14 +89,11 @@ def draw_dual(
         found = representative_hull(dual_polyhedron(arrangement))
         solid = hull_solid(found, globe.direction, globe.axes)
         points = np.array([[float(x) for x in p] for p in found.hull.points]) @ globe.axes.T
-        footer = Footer(colours, names, globe.regions, keys=_hull_entries(solid))
     else:
         solid, points = dual_solid(arrangement, globe.direction, globe.axes), None
-        note = "vertex = region, zone of parallel edges = circle; what is hidden is dashed"
-        footer = Footer(colours, names, globe.regions, [note])
     beside = width >= SIDE_BY_SIDE
     panel = width / 2 if beside else width
-    scene = Scene(width, panel * (1 if beside else 2) + footer.height(width))
+    scene = Scene(width, panel * (1 if beside else 2))
     size = scene.width / 2 if beside else scene.width
     first = (size / 2, scene.height - size / 2)
     second = (size * 1.5, first[1]) if beside else (size / 2, first[1] - size)
@@ -104,7 +103,11 @@ def draw_dual(
     picture = _Picture(scene, globe, solid, [colours.paint(r) for r in _regions(globe, solid)],
                        names, hull)  # fmt: skip
     picture.draw(second, radius if hull else size / 2 - 19.0, size / 2)
-    footer.write(scene, second[1] - size / 2)
+    explain_regions(scene, colours, names, globe.regions)
+    if hull:
+        _explain_hull(scene, solid)
+    else:
+        scene.legend.line("vertex = region, zone of parallel edges = circle; hidden ones dashed")
     return scene
 
 
@@ -261,14 +264,12 @@ class _Picture:
             )  # fmt: skip
 
 
-def _hull_entries(solid: Solid) -> list[tuple[str, dict[str, Any]]]:
-    """Return the legend of the kinds of edges, with their numbers."""
+def _explain_hull(scene: Scene, solid: Solid) -> None:
+    """Add the kinds of edges to the legend, with their numbers."""
     labels = [min(c, 0) for _, _, c in solid.edges]
     names = {0: "hull and adjacency", -1: "hull only", -2: "adjacency only"}
-    return [
-        (f"{text}: {labels.count(kind)}", {"line": _HULL_STYLES[kind]})
-        for kind, text in names.items()
-    ]
+    for kind, text in names.items():
+        scene.legend.key(stroke(**_HULL_STYLES[kind]), f"{text}: {labels.count(kind)}")
 
 
 _HULL_STYLES: dict[int, dict[str, Any]] = {

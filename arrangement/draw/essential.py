@@ -21,7 +21,8 @@ from arrangement.exact import IntegerVector, dot
 from arrangement.linear import rank, unit_vectors
 from arrangement.planes import Planes
 
-from .scene import Floats, Scene
+from .items import Floats
+from .scene import Scene
 
 P = ParamSpec("P")
 #: For each view the dimension of its space, and whether planes must be central.
@@ -73,7 +74,7 @@ def shown_as(
         def draw(arrangement: Arrangement, /, *args: P.args, **options: P.kwargs) -> Scene:
             scene = view(brought(arrangement, name), *args, **options)
             if text := caption(arrangement, SPACES[name][0]):
-                scene.caption(text)
+                scene.legend.captions.append(text)
             return scene
 
         del draw.__wrapped__  # what `inspect.unwrap` finds is this function

@@ -8,8 +8,11 @@ from typing import TYPE_CHECKING, Any, ParamSpec
 
 import numpy as np
 
+from .items import SHADES, Ball, Box, Item, Label, Mark, Path, Place
+from .layout import laid_out
+from .measuring import DPI
 from .output import require_matplotlib
-from .scene import DPI, SHADES, Ball, Box, Item, Label, Mark, Path, Place, Scene
+from .scene import Scene
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -21,14 +24,14 @@ _HATCH = {"hatch.linewidth": 0.35}
 
 
 def picture(view: Callable[P, Scene]) -> Callable[P, Figure]:
-    """Return a view as a function that draws its scene as a matplotlib figure.
+    """Return a view as a function that draws its scene, with its legend, as a matplotlib figure.
 
     The view itself stays within reach, for other writers: ``inspect.unwrap(draw_sphere)``.
     """
 
     @functools.wraps(view)
     def draw(*args: P.args, **options: P.kwargs) -> Figure:
-        return figure(view(*args, **options))
+        return figure(laid_out(view(*args, **options)))
 
     draw.__annotations__ = {**view.__annotations__, "return": "Figure"}
     return draw

@@ -20,7 +20,7 @@ from arrangement.exact import IntegerVector, primitive, rational_vector, shown
 from arrangement.planes import Planes
 
 from .colours import Colouring, DrawnRegion, Painter, colouring
-from .scene import LIGHT
+from .items import LIGHT
 
 Floats = npt.NDArray[np.float64]
 #: Circles beyond which a picture of one column shows nothing.

@@ -10,16 +10,18 @@ from arrangement.arrangement import Arrangement
 from arrangement.exact import IntegerVector
 
 from .colours import Painter
-from .coordinates import in_coordinates
+from .coordinates import in_coordinates, symmetry
 from .disc import alone, front, plane_names
 from .essential import shown_as
 from .figure import picture
-from .footer import Footer
 from .globe import Globe, best_direction, unit_vectors
+from .items import Floats
+from .measuring import checked_width
 from .projections import Chart, Drawn, StraightChart, orthographic
 from .regionlabels import RegionLabels
 from .registry import Vector
-from .scene import Floats, Scene, checked_width
+from .scene import Scene
+from .symbols import explain_regions
 
 _BOTH_ENDS = 16
 
@@ -56,12 +58,12 @@ def draw_gnomonic(
     Args:
         arrangement: central, of rank at most 3; in another space than R^3 its essentialisation.
         direction: the exact direction of the middle; if omitted, one in which all rays stay far
-            from infinity.
+            from infinity; of more than six planes an axis of most symmetries, if there is one.
         colour, antipodes, labels: as for `draw_sphere`.
         width: of the figure, in millimetres.
         coordinates: "symmetric": after a linear map that shows the symmetry of the planes and
             changes no sign vector; "even": after one that spreads the normals evenly; "given". If
-            omitted, symmetric, but for planes of motions.
+            omitted, symmetric (narrow planes: even), but for planes of motions.
 
     Raises:
         InputError: another space, planes off the origin, too many circles, unknown colouring.
@@ -74,8 +76,7 @@ def draw_gnomonic(
     if direction is None:
         globe = Globe(arrangement, _central_direction(globe))
     colours = globe.colouring(colour, antipodes)
-    footer = Footer(colours, names, list(globe.front.values()), [_note(globe)])
-    disc = alone(globe, _chart(globe), footer, width)
+    disc = alone(globe, _chart(globe), names, width)
     dotted = []
     if isinstance(disc.drawn.projection, Chart):
         inner = disc.drawn.projection.inner
@@ -84,7 +85,8 @@ def draw_gnomonic(
         at = np.linspace(0, 2 * math.pi, 200)
         dotted = [disc.on_paper(inner * np.stack([np.cos(at), np.sin(at)], axis=1))]
     disc.draw(colours.paint, both_ends=globe.whole.circle_count <= _BOTH_ENDS, avoid=dotted)
-    footer.write(disc.scene, disc.scene.height - disc.scene.width)
+    explain_regions(disc.scene, colours, names, globe.front.values())
+    disc.scene.legend.line(_note(globe))
     return disc.scene
 
 
@@ -126,10 +128,27 @@ def _distances(globe: Globe, middle: Floats) -> tuple[float, ...]:
     return tuple(found)
 
 
+#: So many lines leave enough room in the middle from everywhere.
+_OPEN = 6
+
+
 def _central_direction(globe: Globe) -> IntegerVector:
-    """Return the direction from which the farthest ray is nearest, on the fewest planes."""
+    """Return where the farthest ray is nearest, on few planes; or the axis of most symmetries.
+
+    Many symmetric planes crowd in the middle unless it is such an axis.
+    """
+    arrangement = globe.whole.arrangement
     rays = [globe.whole.ray(v) for v in range(globe.whole.vertex_count)]
     if len(rays) <= 2:
         return globe.direction
-    lines = unit_vectors(rays).T
-    return best_direction(globe.whole.arrangement, lambda units: np.abs(units @ lines).min(axis=1))
+    lines = unit_vectors(rays)
+    found = symmetry(arrangement) if globe.whole.circle_count > _OPEN else None
+    if found is not None:
+        kept = found.stabilizers(lines)
+        inside = np.sort(np.abs(lines @ lines.T), axis=1)
+        # Of equal ones that from which the rays that are not at infinity are nearest.
+        nearest = np.where(inside > 1e-6, inside, 1.0).min(axis=1).round(6)
+        best = max(range(len(rays)), key=lambda v: (kept[v], nearest[v], rays[v]))
+        if kept[best] > 2:
+            return max(rays[best], tuple(-x for x in rays[best]))
+    return best_direction(arrangement, lambda units: np.abs(units @ lines.T).min(axis=1))

@@ -5,7 +5,6 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
 
@@ -18,12 +17,14 @@ from .coordinates import symmetry
 from .disc import plane_names
 from .essential import shown_as
 from .figure import picture
-from .footer import Footer
 from .globe import MAX_CIRCLES, unit_vectors
+from .items import Floats
 from .labels import SIZES, crosses, tree_of, tried, write_along, write_beside
+from .measuring import checked_width
 from .regionlabels import RegionLabels
-from .scene import Floats, Scene, checked_width
+from .scene import Scene
 from .solids import edges_of, flat_edges
+from .symbols import dot, explain_regions
 from .tutte import tutte_places
 
 
@@ -85,21 +86,17 @@ def draw_graph(
     if len(arrangement.distinct) < len(arrangement):
         even += ", coincident planes counted once"
     shapes = (("round", even), ("square", "odd"))
-    keys: list[tuple[str, dict[str, Any]]] = [
-        (text, {"marker": shape, "fc": fill, "lw": 0.7})
-        for (shape, text), fill in zip(shapes, fills, strict=False)
-    ]
+    scene = Scene(width, width)
+    for (shape, text), fill in zip(shapes, fills, strict=False):
+        scene.legend.key(dot(shape, fc=fill, lw=0.7), text)
     if colours.name == "parity":
         colours = Colouring(colours.paint, None)
-    notes = []
     if arrangement.rank == 3:
         crossed = sorted({c for u, v, c in graph.edges if u in graph.outer and v in graph.outer})
         planes = plane_names(sorted(k for c in crossed for k in arrangement.distinct[c]))
-        notes = [f"outer polygon: a ray on the planes {planes}"]
-    footer = Footer(colours, names, regions, notes, keys)
-    scene = Scene(width, width + footer.height(width))
+        scene.legend.line(f"outer polygon: a ray on the planes {planes}")
     _Picture(arrangement, graph, scene, [colours.paint(region) for region in regions], names).draw()
-    footer.write(scene, scene.height - scene.width)
+    explain_regions(scene, colours, names, regions)
     return scene
 
 

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from .scene import Floats
+from .items import Floats
 
 #: Lines a x + b y = (k + c / 2) d, for each sign (a, b), d in points and c; so many signs stand so
 #: many times closer.

@@ -17,6 +17,21 @@ _OWN = "arrangement.draw"
 BASE_STYLE: Template = (_OWN, "base.css")
 BASE_SCRIPT: Template = (_OWN, "base.js")
 
+_HEAD = """<header>
+  <h1 id="title"></h1>
+  <p id="summary"></p>
+  <div class="row screen">
+{}
+  </div>
+</header>
+"""
+_BUTTONS = {
+    "spin": ' aria-pressed="false">turn slowly',
+    "home": ">first view",
+    "theme": ">colours: auto",
+    "print": ">print",
+}
+
 
 def own(name: str) -> Template:
     """Return a template of this package."""
@@ -29,6 +44,7 @@ def one_page(
     styles: Iterable[Template],
     scripts: Iterable[Template],
     data: Mapping[str, Any],
+    buttons: Iterable[str] = (),
 ) -> str:
     """Return a complete HTML page.
 
@@ -39,10 +55,12 @@ def one_page(
         title: of the window.
         body, styles, scripts: templates; the scripts run as one, in strict mode.
         data: what the script finds, as JSON, in the element ``data``.
+        buttons: of a head above the body, keys of `_BUTTONS`; without any the body has its own.
     """
+    listed = "\n".join(f'    <button id="{name}"{_BUTTONS[name]}</button>' for name in buttons)
     return framed(
         title,
-        f"{_text(body)}\n"
+        f"{_HEAD.format(listed) if listed else ''}{_text(body)}\n"
         "<noscript><p>This page needs JavaScript; all of it is in this file.</p></noscript>\n"
         f'<script type="application/json" id="data">{embedded(data)}</script>',
         styles,

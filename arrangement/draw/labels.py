@@ -10,7 +10,8 @@ from typing import Any, TypeAlias
 import numpy as np
 import numpy.typing as npt
 
-from .scene import Box, Floats, Place, Scene
+from .items import Box, Floats, Place
+from .scene import Scene
 
 Booleans: TypeAlias = npt.NDArray[np.bool_]
 #: Sizes of sign vectors that are tried, in points.
@@ -100,11 +101,12 @@ def tree_of(segments: Floats) -> Any:
 
 
 def keep_off(lines: Sequence[Floats], areas: Sequence[Floats] = ()) -> Any:
-    """Return lines and polygons, each (k, 2), as a tree for `write_inside`."""
+    """Return lines and polygons, each (k, 2), as a tree for `write_inside`; lines in segments."""
     import shapely
 
-    shapes = [shapely.LineString(line) for line in lines] + [shapely.Polygon(a) for a in areas]
-    return shapely.STRtree([shape.buffer(0.5) for shape in shapes])
+    segments = shapely.linestrings(segments_of(lines))
+    shapes = [*segments, *(shapely.Polygon(area) for area in areas)]
+    return shapely.STRtree(shapely.buffer(shapes, 0.5))
 
 
 def write_beside(

@@ -13,8 +13,10 @@ from arrangement.errors import InputError
 
 from .disc import plane_names
 from .figure import picture
+from .items import Floats
 from .layers import layered_orders
-from .scene import GAP, POINTS, Floats, Scene, checked_width
+from .measuring import GAP, POINTS, checked_width
+from .scene import Scene
 
 #: Flats of one rank beyond which a picture of one page shows nothing.
 MAX_FLATS = 500
@@ -89,12 +91,15 @@ class _Picture:
         edges = sum(len(above) for level in lattice.covers for above in level)
         self.gap = min(70.0, max(26.0, 20.0 + 0.5 * edges))
         dots = [str(rank) for rank, row in enumerate(self.rows) if not row.size]
-        self.notes = [f"dots at rank {', '.join(dots)}: no room for names"] if dots else []
-        if moebius:
-            self.notes.append("under each name: the M\u00f6bius value \u03bc(whole space, flat)")
-        self.note = 2.0 + 9.0 * len(self.notes)
         height = sum(row.height for row in self.rows) + self.gap * (len(self.rows) - 1)
-        self.scene = Scene(width, (height + self.note + 12.0) / POINTS)
+        self.scene = Scene(width, (height + 14.0) / POINTS)
+        if dots:
+            text = f"dots at rank {', '.join(dots)}: no room for names"
+            self.scene.legend.captions.append(text)
+        if moebius:
+            self.scene.legend.line(
+                "under each name: the M\u00f6bius value \u03bc(whole space, flat)"
+            )
         self.margins = margins
 
     def _margin(self, rank: int) -> str:
@@ -135,7 +140,7 @@ class _Picture:
     def draw(self) -> Scene:
         lattice, scene = self.lattice, self.scene
         orders = layered_orders([len(flats) for flats in lattice.flats], lattice.covers, fixed=2)
-        bottom, spans = self.note + 6.0, []
+        bottom, spans = 8.0, []
         for rank, row in enumerate(self.rows):
             widths = np.array(row.widths)[orders[rank]]
             x = np.empty(len(widths))
@@ -147,8 +152,6 @@ class _Picture:
             spans.append(self._write_row(rank, x, bottom))
             bottom += row.height + self.gap
         self._covers(spans)
-        for k, note in enumerate(self.notes):
-            scene.write((scene.width / 2, 3.0 + 9.0 * k), note, 6.0, anchor=(0.5, 0.0))
         return scene
 
     def _write_row(self, rank: int, x: Floats, bottom: float) -> Floats:

@@ -8,8 +8,9 @@ from typing import Any
 
 import numpy as np
 
-from .labels import SIZES, around, segments_of, tree_of
-from .scene import Box, Floats, Scene
+from .items import Box, Floats
+from .labels import around, segments_of, tree_of
+from .scene import Scene
 
 #: Lengths of leader lines that are tried, in points.
 _REACHES = (7.0, 10.0, 14.0, 19.0, 25.0, 32.0, 40.0, 50.0)
@@ -38,7 +39,7 @@ class Leaders:
         self.areas = shapely.STRtree([shapely.Polygon(area).buffer(0) for area in areas])
         self.drawn: list[Any] = []
 
-    def write(self, edge: Floats, text: str, size: float = SIZES[-1]) -> bool:
+    def write(self, edge: Floats, text: str, size: float) -> bool:
         """Name what has an outline with points `edge`, or return False where there is no room."""
         import shapely
 
@@ -60,11 +61,16 @@ class Leaders:
         tracks = shapely.linestrings(
             np.stack([np.broadcast_to(start, centres.shape), start + ways * (reach - 0.6)], axis=1)
         )
-        written = shapely.union_all(shapely.box(*np.array(self.scene.boxes).reshape(-1, 4).T))
-        leaders = shapely.union_all(self.drawn).buffer(0.6)
-        free = shapely.contains(self.within, boxes) & ~shapely.intersects(boxes, leaders)
-        free &= ~shapely.intersects(tracks, shapely.union(written, leaders))
-        free[np.unique(self.segments.query(boxes, "intersects")[0])] = False
+        written = shapely.STRtree(shapely.box(*np.array(self.scene.boxes).reshape(-1, 4).T))
+        leaders = shapely.STRtree(self.drawn)
+        free = shapely.contains(self.within, boxes)
+        for taken in (
+            leaders.query(boxes, "dwithin", 0.6),
+            leaders.query(tracks, "dwithin", 0.6),
+            written.query(tracks, "intersects"),
+            self.segments.query(boxes, "intersects"),
+        ):
+            free[np.unique(taken[0])] = False
         crossed = np.bincount(self.segments.query(tracks, "intersects")[0], minlength=len(tracks))
         cost = 6.0 * crossed + reach[:, 0]
         cost[np.unique(self.areas.query(boxes, "intersects")[0])] += 15.0

@@ -17,8 +17,8 @@ from arrangement.exact import IntegerVector, RationalVector, dot, primitive, sig
 from arrangement.linear import reduced
 
 from .globe import Globe
+from .items import Floats
 from .projections import Drawn, stereographic
-from .scene import Floats
 
 #: The direction from which the cone is seen: the plane of the lines is at height 1 above it.
 ABOVE = (0, 0, 1)

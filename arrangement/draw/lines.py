@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 
 from arrangement.arrangement import Arrangement
-from arrangement.errors import InputError
+from arrangement.errors import InputError, refusal
 from arrangement.exact import shown
 
 from .axes import arrow
@@ -16,17 +16,18 @@ from .colours import BLUE, PALETTE, VERMILION, Colouring, DrawnRegion, Painter, 
 from .disc import alone, label_regions, plane_names
 from .essential import shown_as
 from .figure import picture
-from .footer import Footer
+from .items import Floats
 from .labels import SIZES, flattened, segments_meet, segments_of, sign_text, write_beside
 from .line_charts import LinesChart
+from .measuring import POINTS, checked_width
 from .regionlabels import RegionLabels
-from .registry import refusal
-from .scene import POINTS, Floats, Scene, checked_width
+from .scene import Scene
+from .symbols import dot, explain_regions, swatch
 
 #: Room around the window for the names of the lines, in points.
 MARGIN = 14.0
 FACES = ("regions", "all")
-_BOUNDED, _UNBOUNDED = {"fc": PALETTE[2]}, {"fc": "#ffffff"}
+_BOUNDED, _UNBOUNDED = PALETTE[2], "#ffffff"
 _LINE: dict[str, Any] = {"ec": "black", "lw": 0.9, "zorder": 3, "role": "circle"}
 
 
@@ -83,9 +84,9 @@ def draw_lines(
     if everything and names.kind == "signs":
         sheet.label_faces()
     sheet.label_regions()
-    sheet.footer.write(sheet.scene, sheet.bottom)
+    sheet.explain()
     for what, number in (+sheet.missing).items():
-        sheet.scene.caption(f"no room for some labels: {what} {number}")
+        sheet.scene.legend.captions.append(f"no room for some labels: {what} {number}")
     return sheet.scene
 
 
@@ -97,11 +98,9 @@ class _Sheet:
         outlines: the regions and their borders.
         edges, vertices: points along the edges, and places of the vertices, by number.
         arms: the arrows to positive sides.
-        bottom: where the footer begins.
     """
 
     scene: Scene
-    bottom: float
     #: How many labels were left out, besides those of regions.
     missing: Counter[str]
     notes: tuple[str, ...] = ()
@@ -110,22 +109,14 @@ class _Sheet:
         self, chart: LinesChart, width: float, names: RegionLabels, colour: str | Painter
     ) -> None:
         self.chart, self.names, self.missing = chart, names, Counter()
-        regions = [DrawnRegion(s, chart.sides[s]) for s in chart.regions.values()]
+        self.regions = [DrawnRegion(s, chart.sides[s]) for s in chart.regions.values()]
         bounded = chart.bounded
-        keys: list[tuple[str, dict[str, Any]]] = []
         if colour == "bounded":
-            colours = Colouring(
-                lambda r: (_BOUNDED if r.signs in bounded else _UNBOUNDED)["fc"], None
-            )
-            if bounded:
-                keys.append((f"{len(bounded)} bounded region{'s' * (len(bounded) > 1)}", _BOUNDED))
-            keys.append((f"{len(regions) - len(bounded)} unbounded", _UNBOUNDED))
+            fill = {True: _BOUNDED, False: _UNBOUNDED}
+            self.colours = Colouring(lambda r: fill[r.signs in bounded], colour)
         else:
-            colours = colouring(colour, None, regions, (), chart.lines.distinct)
-        if self.notes and chart.parallels:
-            keys.append(("parallel lines meet", {"marker": "round", "fc": "black"}))
-        self.paint = colours.paint
-        self.footer = Footer(colours, names, regions, self.notes, keys)
+            self.colours = colouring(colour, None, self.regions, (), chart.lines.distinct)
+        self.paint = self.colours.paint
         self.lines: list[Floats] = []
         self.outlines: list[tuple[DrawnRegion, Floats]] = []
         self.edges: dict[int, Floats] = {}
@@ -137,9 +128,25 @@ class _Sheet:
         """Draw regions, lines, and the names of lines."""
         raise NotImplementedError
 
+    def explain(self) -> None:
+        """Say in the legend what is drawn."""
+        legend = self.scene.legend
+        if self.colours.name == "bounded":
+            count, rest = len(self.chart.bounded), len(self.regions) - len(self.chart.bounded)
+            style = {"ec": "black", "lw": 0.5}
+            if count:
+                text = f"{count} bounded region{'s' * (count > 1)}"
+                legend.key(swatch(_BOUNDED, **style), text)
+            legend.key(swatch(_UNBOUNDED, **style), f"{rest} unbounded")
+        explain_regions(self.scene, self.colours, self.names, self.regions)
+        for note in self.notes:
+            legend.line(note)
+        if self.notes and self.chart.parallels:
+            legend.key(dot("round", fc="black"), "parallel lines meet")
+
     def label_regions(self) -> None:
         """Write the names of the regions."""
-        within = (0.0, self.bottom, self.scene.width, self.scene.height)
+        within = (0.0, 0.0, self.scene.width, self.scene.height)
         lines = [*self.edges.values(), *self.arms]
         label_regions(self.scene, self.names, self.outlines, lines, self.arms, within)
 
@@ -208,10 +215,9 @@ class _Window(_Sheet):
         margin = max([MARGIN, *(trial.measure(name)[0] + 5 for name in names)])
         room = trial.width - 2 * margin
         scale = room / max(2 * x, 1.2 * y)
-        below = self.footer.height(width) * POINTS
-        self.scene = Scene(width, (2 * (y * scale + margin) + below) / POINTS)
-        self.centre = np.array([self.scene.width / 2, below + margin + y * scale])
-        self.scale, self.bottom = scale, below
+        self.scene = Scene(width, 2 * (y * scale + margin) / POINTS)
+        self.centre = np.array([self.scene.width / 2, margin + y * scale])
+        self.scale = scale
 
         def at(points: Floats) -> Floats:
             return self.centre + scale * points
@@ -250,9 +256,8 @@ class _Disc(_Sheet):
 
     def draw(self, width: float) -> None:
         chart = self.chart
-        self.disc = alone(chart.globe, chart.drawn, self.footer, width)
+        self.disc = alone(chart.globe, chart.drawn, self.names, width)
         self.scene = self.disc.scene
-        self.bottom = self.scene.height - self.scene.width
         self.outlines = self.disc.curves(self.paint, both_ends=True)[0]
         self.edges = {e: self._curve(e) for e in chart.edges}
         seen = {v: chart.globe.points[v] for v in chart.vertices}

@@ -13,7 +13,7 @@ import numpy as np
 
 from arrangement.arrangement import Arrangement
 from arrangement.enumeration.great_circles import SphereArrangement
-from arrangement.errors import InputError
+from arrangement.errors import InputError, refusal
 from arrangement.exact import IntegerVector, primitive, shown, to_text
 from arrangement.polyhedra.dual.incidence import dual_incidence
 
@@ -21,7 +21,7 @@ from .coordinates import CHOICES, even_map, is_narrow, symmetric_map
 from .essential import brought, caption
 from .globe import Globe, clear_direction, picture_axes, unit_vectors
 from .html_page import BASE_SCRIPT, BASE_STYLE, one_page, own
-from .registry import Vector, refusal
+from .registry import Vector
 
 #: Distinct planes beyond which a page is too slow to turn by hand.
 MAX_CIRCLES = 30
@@ -83,6 +83,7 @@ def arrangement_page(
         [BASE_STYLE, own("arrangement.css")],
         [BASE_SCRIPT, *map(own, scripts)],
         data,
+        ["spin", "home", "theme", "print"],
     )
 
 

@@ -12,9 +12,9 @@ from .disc import plane_names
 from .exploded_cells import Lifted
 from .globe import Floats
 from .labels import keep_off, segments_of, spread, turn, write_beside, write_inside
+from .measuring import area
 from .planesheet import Colour, PlanesSheet
 from .regionlabels import RegionLabels
-from .scene import area
 
 
 class Names:

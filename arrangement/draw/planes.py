@@ -14,12 +14,13 @@ from .essential import shown_as
 from .exploded_cells import lifted_cells
 from .figure import picture
 from .globe import TO_LIGHT, view_direction
+from .measuring import checked_width
 from .painting import Stage
 from .planenames import Names
 from .planesheet import FacetPainter, PlanesSheet
 from .regionlabels import RegionLabels
 from .registry import AxisNames, Exact, Vector
-from .scene import POINTS, Scene, checked_width
+from .scene import Scene
 from .view_direction import clear_sight
 
 
@@ -65,8 +66,8 @@ def draw_planes(
         width: of the figure, in millimetres.
         coordinates: "symmetric": after a linear map that shows the symmetry of the planes and
             changes no sign vector; "even": after one that spreads the normals evenly; "given". If
-            omitted, symmetric, but for planes of motions, with axes, and where the body has a
-            given place.
+            omitted, symmetric (narrow planes: even), but for planes of motions, with axes, and
+            where the body has a given place.
 
     Raises:
         InputError: another space, too many planes, no such cell, lifted cells that hide each
@@ -87,16 +88,15 @@ def draw_planes(
     if toward is None:
         toward = clear_sight(cells, raised)
     stage = Stage(cells, toward)
-    room = names.height(paper * POINTS, raised)
     lifted = lifted_cells(stage, raised)
-    picture = PlanesSheet(stage, lifted, paint, paper, room, StagedAxes(stage, shown))
+    picture = PlanesSheet(stage, lifted, paint, paper, StagedAxes(stage, shown))
     writer = Names(picture, names)
     if sides:
         writer.mark_sides()
     writer.number_planes()
     writer.name_axes()
     writer.name_cells()
-    names.write(picture.scene, room, raised)
+    names.explain(picture.scene.legend, raised)
     return picture.scene
 
 

@@ -16,8 +16,9 @@ from .colours import SKIN
 from .disc import plane_names
 from .exploded_cells import Lifted
 from .globe import TO_LIGHT, Floats
+from .measuring import POINTS, measure
 from .painting import Facet, Key, Stage
-from .scene import POINTS, Scene, measure
+from .scene import Scene
 
 #: Opacity of the facets; what lies behind them shows through.
 OPACITY = 0.82
@@ -56,12 +57,11 @@ class PlanesSheet:
         lifted: Sequence[Lifted],
         paint: FacetPainter,
         width: float,
-        room: float,
         axes: StagedAxes,
         *,
         apart: bool = False,
     ) -> None:
-        """Take the width in millimetres, and the room to be left below in points.
+        """Take the width in millimetres.
 
         `apart` says that all cells are lifted, each inside its cone, and nothing else is drawn.
         """
@@ -84,7 +84,7 @@ class PlanesSheet:
             if right - left > 0.5
         )
         left = min(low[0] * self.scale - margin, least[0] * self.scale - 3)
-        bottom = min(low[1] * self.scale - MARGIN, least[1] * self.scale - 10) - room
+        bottom = min(low[1] * self.scale - MARGIN, least[1] * self.scale - 10)
         top = max(high[1] * self.scale + MARGIN, most[1] * self.scale + 10)
         self.shift = np.array([-left, -bottom])
         self.scene = Scene(width, (top - bottom) / POINTS)

@@ -17,7 +17,7 @@ import numpy as np
 
 from arrangement.enumeration.great_circles import SphereArrangement
 
-from .scene import Floats
+from .items import Floats
 
 Projection: TypeAlias = Callable[[Floats, Floats, float], Floats]
 

@@ -12,20 +12,21 @@ import importlib
 import inspect
 import math
 import os
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
-from difflib import get_close_matches
 from functools import cache
 from importlib.resources import files
 from pathlib import Path
 from typing import Any, TypeAlias
 
-from arrangement.errors import InputError
+from arrangement.errors import InputError, refusal
 from arrangement.exact import shown
 from arrangement.io.writing import write_bytes_atomically, write_text_atomically
 
 from .figure import figure
+from .layout import LEGENDS, laid_out, picture_width
+from .measuring import FONT, NarrowError
 from .output import (
     MODELS,
     PAGES,
@@ -38,7 +39,7 @@ from .output import (
     points,
     svg_text,
 )
-from .scene import FONT, NarrowError, Scene
+from .scene import Scene
 from .themes import THEMES, themed
 from .tikz import tikz
 
@@ -111,6 +112,7 @@ class Drawings:
         text: str | None = None,
         fragment: bool = False,
         theme: str | None = None,
+        legend: str | None = None,
         **options: Any,
     ) -> dict[str, str]:
         """Draw into a file, whole or not at all.
@@ -129,6 +131,7 @@ class Drawings:
             fragment: TikZ for ``\\input`` instead of a document.
             theme: of a picture: "light", if omitted; "dark"; or "mono", black on white with
                 hatchings.
+            legend: of a picture: "below", if omitted; "right"; or "none".
             options: those of the function of the view, model or page. The width of a view and the
                 size of a model are in millimetres, or texts with a unit: ``"8.4cm"``, ``"252pt"``;
                 the size of a view is its width.
@@ -151,28 +154,26 @@ class Drawings:
         for length in LENGTHS & options.keys():
             options[length] = millimetres(options[length], f"the {length}")
         suffix = Path(path).suffix.lower()
-        _check_form(kind, suffix, font_size, theme, text, fragment)
+        _check_form(kind, suffix, font_size, theme, legend, text, fragment)
         if kind == "view":
             scale = 1.0 if font_size is None else points(font_size, "the font size") / FONT
             width = options.get("width", known["width"].default)
-            options["width"] = width / scale
+            place = legend or LEGENDS[0]
+            options["width"] = picture_width(width, place) / scale
 
             def scene() -> Scene:
                 try:
                     made: Scene = inspect.unwrap(draw)(subject, **options)
                 except NarrowError as error:
-                    if scale == 1:
+                    if options["width"] == width:
                         raise
-                    counted = f"{width:.4g}, counted as 1/{scale:.3g} of it for the font size"
+                    why = [f"1/{scale:.3g} of it for the font size"] * (scale != 1)
+                    why += ["without the legend at the right"] * (place == "right")
+                    counted = f"{width:.4g}, counted as {', '.join(why)}"
                     raise InputError(f"{error} (the width given is {counted})") from None
-                return themed(made.scaled(scale), theme or THEMES[0])
+                return themed(laid_out(made, place).scaled(scale), theme or THEMES[0])
 
-            if suffix in TIKZ:
-                with own_settings():
-                    write_text_atomically(path, tikz(scene(), fragment=fragment))
-            else:
-                content = picture_bytes(suffix, lambda: figure(scene()), letters=text == "text")
-                write_bytes_atomically(path, content)
+            write_scene(path, scene, letters=text == "text", fragment=fragment)
         elif kind == "page":
             write_text_atomically(path, draw(subject, **options))
         else:
@@ -236,18 +237,46 @@ class Drawings:
         return _options(self.package, *getattr(self, f"{kind}s")[name].split(":"))
 
 
+def write_scene(
+    path: str | os.PathLike[str],
+    make: Callable[[], Scene],
+    *,
+    letters: bool = False,
+    fragment: bool = False,
+) -> None:
+    """Write the scene that `make` returns, as it is, in the format of the suffix.
+
+    Raises:
+        InputError: the suffix is not one of a picture, or there is no place to write.
+        MissingExtraError: matplotlib is absent.
+    """
+    suffix = ending(path, (*PICTURES, *TIKZ))
+    if suffix in TIKZ:
+        with own_settings():
+            write_text_atomically(path, tikz(make(), fragment=fragment))
+    else:
+        content = picture_bytes(suffix, lambda: figure(make()), letters=letters)
+        write_bytes_atomically(path, content)
+
+
 #: Options that are lengths, in millimetres.
 LENGTHS = {"width", "size"}
 LETTERS = ("outlines", "text")
 
 
 def _check_form(
-    kind: str, suffix: str, size: object, theme: str | None, text: str | None, fragment: bool
+    kind: str,
+    suffix: str,
+    size: object,
+    theme: str | None,
+    legend: str | None,
+    text: str | None,
+    fragment: bool,
 ) -> None:
     """Refuse what does not go with a kind of file."""
-    if not (size is theme is None) and kind != "view":
+    if not (size is theme is legend is None) and kind != "view":
         raise InputError(
-            f"a font size or theme is for pictures, and the file name ends in {suffix}"
+            f"a font size, legend or theme is for pictures, and the file name ends in {suffix}"
         )
     if fragment and suffix not in TIKZ:
         raise InputError(f"a fragment is TikZ, .tex, and the file name ends in {suffix}")
@@ -257,6 +286,8 @@ def _check_form(
         )
     if theme not in (None, *THEMES):
         raise refusal(f"the theme is {shown(theme)}", theme, THEMES)
+    if legend not in (None, *LEGENDS):
+        raise refusal(f"the legend is {shown(legend)}", legend, LEGENDS)
     if text not in (None, *LETTERS):
         raise refusal(f"the text is {shown(text)}", text, LETTERS)
 
@@ -292,13 +323,3 @@ def _explained(docstring: str) -> dict[str, str]:
         for name in names:
             texts[name] = f"{texts.get(name, '')} {line.strip()}".strip()
     return texts
-
-
-def refusal(
-    mistake: str, value: object, known: Iterable[str], remedy: str = "known are"
-) -> InputError:
-    """Return the error for a name that does not exist, with the nearest ones that do."""
-    names = list(known)
-    near = get_close_matches(str(value), names, 3)
-    meant = f"did you mean {' or '.join(near)}? " if near else ""
-    return InputError(f"{mistake}; {meant}{remedy} {', '.join(names) or 'none'}")

@@ -1,158 +1,33 @@
-"""What a picture shows, before any file format: paths, marks and labels on a sheet of paper.
+"""What a picture shows, before any file format: items on a sheet of paper, and a legend.
 
-A view adds items to a `Scene`; a writer (`figure`, `tikz`) reads them and knows no view. Every item
-has a role, one of `ROLES`, which writers make styles and layers of. It may have a name such as
-``region-3``. Coordinates are printer's points (1/72 inch) from the lower left corner.
-
-Styles: ``fc`` colour inside, ``ec`` of the line, ``lw`` its width in points, ``ls`` its dashes
-(offset, lengths in line widths), ``alpha``, ``capstyle``, ``joinstyle``, ``hatch``; of labels and
-marks ``color``, ``weight``, ``style``, ``halo`` (width, colour), ``plate`` (a box behind the text).
-Besides, of all items: ``gid`` the name, ``role``, ``zorder`` (see `Item.order`).
+A view adds items to a `Scene`; a writer (`figure`, `tikz`) reads them and knows no view. See
+`items` for roles and styles. The legend is data until `layout` places it.
 """
 
 from __future__ import annotations
 
 import math
-import textwrap
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterator
 from contextlib import contextmanager
-from dataclasses import dataclass, field, replace
-from functools import lru_cache
-from typing import Any, TypeAlias
+from typing import Any
 
 import numpy as np
-import numpy.typing as npt
 
-from arrangement.errors import InputError
-from arrangement.exact import shown
+from .items import LIGHT, Ball, Box, Floats, Item, Label, Mark, Path, Place, moved, role_of, scaled
+from .legend import Legend
+from .measuring import FONT, GAP, POINTS, measure
+from .output import require_matplotlib
 
-from .output import millimetres, require_matplotlib
-
-Floats: TypeAlias = npt.NDArray[np.float64]
-#: A point of the scene.
-Place: TypeAlias = Sequence[float] | Floats
-#: Left, bottom, right, top; in points.
-Box: TypeAlias = tuple[float, float, float, float]
-
-#: Millimetres to points.
-POINTS = 72 / 25.4
-#: Resolution at which text is measured; pictures are saved with the same.
-DPI = 300
-#: Size of letters, in points.
-FONT = 7.0
-#: Least distance between two labels, and of a label from the border; in points.
-GAP = 0.8
-#: What an item can be, and what it then is.
-ROLES: Mapping[str, str] = {
-    "region": "an area: a region, a facet, a face, a cell, a set of wrenches",
-    "ball": "a shaded ball",
-    "circle": "the visible part of a plane or line of the arrangement",
-    "hidden": "what lies behind something",
-    "edge": "an edge of a polyhedron, a graph or a diagram",
-    "border": "where a set, a body or the picture ends",
-    "point": "a vertex, a mark, the sign of a state",
-    "axis": "axes, rulers, ticks, the origin",
-    "arrow": "a force, a wrench, a motion",
-    "line": "any other line",
-    "label": "a text",
+#: Besides "round": corners of small shapes.
+_SHAPES = {
+    "square": ((-0.9, -0.9), (0.9, -0.9), (0.9, 0.9), (-0.9, 0.9)),
+    "diamond": ((0, -1.25), (1.25, 0), (0, 1.25), (-1.25, 0)),
+    "triangle": ((-1.2, -0.8), (1.2, -0.8), (0, 1.3)),
+    "star": tuple(
+        (r * math.sin(k * math.pi / 5), r * math.cos(k * math.pi / 5))
+        for k, r in enumerate((1.8, 0.75) * 5)
+    ),
 }
-#: The role that goes with the first word of a name, unless the view gives another.
-_ROLES = {
-    word: role
-    for role, words in {
-        "region": "body cell code cone differs face facet flat polygon region",
-        "circle": "arc front",
-        "hidden": "back",
-        "edge": "cover edge link",
-        "border": "border limb outline rim whisker",
-        "point": "direction mark pad point vertex wrench",
-        "axis": "axis origin scale",
-        "arrow": "centre force motion preload shift",
-    }.items()
-    for word in words.split()
-}
-_CORNERS = ((-1, -1), (1, -1), (1, 1), (-1, 1))
-
-
-@dataclass(frozen=True, kw_only=True)
-class Item:
-    """Something on the paper.
-
-    Attributes:
-        name: of the element, such as ``region-3``; may be empty.
-        role: one of `ROLES`.
-        order: what is higher is painted later; if None, lines over fills over nothing.
-        clip: the box, or the disc (centre and radius), outside which it is not seen.
-        style: see the module.
-    """
-
-    name: str = ""
-    role: str
-    order: float | None = None
-    clip: Box | tuple[Place, float] | None = None
-    style: Mapping[str, Any] = field(default_factory=dict)
-
-
-@dataclass(frozen=True, kw_only=True)
-class Path(Item):
-    """A line or a filled shape.
-
-    Attributes:
-        points: (k, 2) corners; (3k + 1, 2) control points of cubic curves; or one centre.
-        kind: "line" (open), "polygon" (closed), "curve", or "circle".
-        radius: of the circle.
-    """
-
-    points: Floats
-    kind: str
-    radius: float = 0.0
-
-
-@dataclass(frozen=True, kw_only=True)
-class Ball(Item):
-    """A ball lit from one side: a radial gradient in a disc.
-
-    Attributes:
-        centre, radius: of the disc, in points.
-        focus: the brightest place, from the centre, in radii.
-        near, far: colours ``#rrggbb`` or ``#rrggbbaa`` there and at the rim. Between them, on a
-            circle with its centre on the way from the centre to the focus, stands the colour of
-            `SHADES`.
-    """
-
-    centre: tuple[float, float]
-    radius: float
-    focus: tuple[float, float]
-    near: str
-    far: str
-
-
-#: Size of a circle between focus (0) and rim (1) of a ball, and the share of the far colour there:
-#: 1 - cos of an angle over its sine, as on a matt ball.
-SHADES = tuple((math.sin(a), 1 - math.cos(a)) for a in (k * math.pi / 16 for k in range(9)))
-#: From where all balls are lit: from the upper left.
-LIGHT = (-0.35, 0.4)
-
-
-@dataclass(frozen=True, kw_only=True)
-class Mark(Item):
-    """A small sign of a fixed size in points: a disc "o", a cross "x", or a dash "_"."""
-
-    place: tuple[float, float]
-    sign: str
-    size: float
-
-
-@dataclass(frozen=True, kw_only=True)
-class Label(Item):
-    """A text; `ha` and `va` tell which of its points is at the place."""
-
-    place: tuple[float, float]
-    text: str
-    size: float
-    ha: str = "center"
-    va: str = "center"
-    rotation: float = 0.0
 
 
 class Scene:
@@ -163,6 +38,7 @@ class Scene:
         width, height: in points.
         items: in the order in which they were added.
         boxes: what is covered by labels so far.
+        legend: what is said below or beside the picture.
     """
 
     def __init__(self, width: float, height: float) -> None:
@@ -172,6 +48,7 @@ class Scene:
         self.width, self.height = width * POINTS, height * POINTS
         self.items: list[Item] = []
         self.boxes: list[Box] = []
+        self.legend = Legend()
         self._clip: Box | tuple[Place, float] | None = None
 
     @contextmanager
@@ -184,7 +61,7 @@ class Scene:
     def scaled(self, factor: float) -> Scene:
         """Return the same sheet enlarged: paper, letters and lines."""
         grown = Scene(*(factor * length for length in self.paper))
-        grown.items = [_scaled(item, factor) for item in self.items]
+        grown.items = [scaled(item, factor) for item in self.items]
         return grown
 
     def measure(self, text: str, size: float = FONT, rotation: float = 0.0) -> tuple[float, float]:
@@ -276,13 +153,11 @@ class Scene:
         )  # fmt: skip
 
     def marker(self, at: Place, size: float, shape: str, **style: Any) -> None:
-        """Draw a small disc ("round") or square ("square") of about the same area."""
+        """Draw a small shape of about the area of a disc with radius `size`; see `_SHAPES`."""
         if shape == "round":
             self.circle(at, size, **style)
-            return
-        half = size * 0.9
-        corners = [(at[0] + x * half, at[1] + y * half) for x, y in _CORNERS]
-        self.polygon(corners, **style)
+        else:
+            self.polygon([(at[0] + size * x, at[1] + size * y) for x, y in _SHAPES[shape]], **style)
 
     def polygon(self, corners: Any, **style: Any) -> None:
         """Draw a closed polygon."""
@@ -299,158 +174,13 @@ class Scene:
     def _add(self, sort: type[Item], style: dict[str, Any], **what: Any) -> None:
         rest = {key: x for key, x in style.items() if key not in ("gid", "zorder", "role")}
         name, order = style.get("gid", ""), style.get("zorder")
-        role = style.get("role") or _role(sort, name, rest)
+        role = style.get("role") or role_of(sort, name, rest)
         self.items.append(
             sort(name=name, role=role, order=order, clip=self._clip, style=rest, **what)
         )
 
-    def caption(self, text: str, size: float = 6.0) -> None:
-        """Write a text in a strip of its own below all that is there, in lines that fit."""
-        lines = textwrap.wrap(text, 120)
-        for width in range(len(text), 8, -1):
-            if max(self.measure(line, size)[0] for line in lines) < self.width - 2 * GAP:
-                break
-            lines = textwrap.wrap(text, width)
-        strip = (size + 1.5) * len(lines) + 2.0
-        self.items = [_moved(item, 0.0, strip) for item in self.items]
-        self.boxes = [(left, a + strip, right, b + strip) for left, a, right, b in self.boxes]
-        self.height += strip
-        self.paper = self.paper[0], self.height / POINTS
-        self.write((self.width / 2, 2.0), "\n".join(lines), size, anchor=(0.5, 0.0))
-
     def place(self, other: Scene, x: float, y: float) -> None:
-        """Add all that another scene shows, its lower left corner at (x, y)."""
-        self.items += [_moved(item, x, y) for item in other.items]
+        """Add all that another scene shows, its lower left corner at (x, y), and its legend."""
+        self.items += [moved(item, x, y) for item in other.items]
         self.boxes += [(l + x, b + y, r + x, t + y) for l, b, r, t in other.boxes]  # noqa: E741
-
-    def keys(
-        self, y: float, keys: Iterable[tuple[str, dict[str, Any]]], size: float = FONT
-    ) -> float:
-        """Write a legend in rows centred under `y`; return the height that it takes.
-
-        A key is a text with the style of a patch, or of a line if the style has "line".
-        """
-        entries = [(text, style, 15 + self.measure(text, size)[0]) for text, style in keys]
-        rows: list[list[tuple[str, dict[str, Any], float]]] = [[]]
-        for entry in entries:
-            if rows[-1] and sum(e[2] + 9 for e in [*rows[-1], entry]) - 9 > self.width - 6:
-                rows.append([])
-            rows[-1].append(entry)
-        step = size + 3.5
-        for k, row in enumerate(rows):
-            x = (self.width - sum(e[2] + 9 for e in row) + 9) / 2
-            centre = y - step * (k + 0.5)
-            for text, style, length in row:
-                self._key(x, centre, style)
-                self.write((x + 15, centre), text, size, anchor=(0, 0.5))
-                x += length + 9
-        return step * len(rows) if entries else 0.0
-
-    def _key(self, x: float, y: float, style: dict[str, Any]) -> None:
-        if "line" in style:
-            self.line([(x, y), (x + 12, y)], **style["line"])
-        elif "marker" in style:
-            shape = style["marker"]
-            rest = {name: value for name, value in style.items() if name != "marker"}
-            self.marker((x + 8, y), 2.8, shape, **{"ec": "black", **rest})
-        else:
-            corners = [(x + 2, y - 3.5), (x + 11, y - 3.5), (x + 11, y + 3.5), (x + 2, y + 3.5)]
-            self.polygon(corners, **{"ec": "black", "lw": 0.5, **style})
-
-
-def _moved(item: Any, right: float, up: float) -> Any:
-    """Return an item, with what it is cut to, at another place."""
-    by, clip = np.array([right, up]), item.clip
-    if clip is not None and len(clip) == 2:
-        clip = np.asarray(clip[0]) + by, clip[1]
-    elif clip is not None:
-        clip = clip[0] + right, clip[1] + up, clip[2] + right, clip[3] + up
-    if isinstance(item, Path):
-        return replace(item, clip=clip, points=item.points + by)
-    if isinstance(item, Ball):
-        return replace(item, clip=clip, centre=(item.centre[0] + right, item.centre[1] + up))
-    return replace(item, clip=clip, place=(item.place[0] + right, item.place[1] + up))
-
-
-def _role(sort: type[Item], name: str, style: Mapping[str, Any]) -> str:
-    """Return the role of an item without one: by its name, else by its kind."""
-    if sort is Label:
-        return "label"
-    word = next((part for part in name.split("-") if part.isalpha()), "")
-    if sort is Mark:
-        return "point"
-    filled = style.get("fc", "none") != "none"
-    return _ROLES.get(word, "region" if filled else "line")
-
-
-def measure(text: str, size: float = FONT, rotation: float = 0.0) -> tuple[float, float]:
-    """Return the width and height of a text in the fonts that are set now, in points."""
-    settings = require_matplotlib().rcParams
-    return _measured(text, size, rotation, (*settings["font.family"], *settings["font.sans-serif"]))
-
-
-@lru_cache(maxsize=8192)
-def _measured(
-    text: str, size: float, rotation: float, _fonts: tuple[str, ...]
-) -> tuple[float, float]:
-    from matplotlib.text import Text
-
-    renderer, figure = _measuring()
-    label = Text(0, 0, text, size=size, rotation=rotation, linespacing=1.0)
-    label.set_figure(figure)
-    extent = label.get_window_extent(renderer)
-    return extent.width * 72 / DPI, extent.height * 72 / DPI
-
-
-@lru_cache(maxsize=1)
-def _measuring() -> Any:
-    from matplotlib.backends import backend_agg
-    from matplotlib.figure import Figure
-
-    renderer: Any = backend_agg.RendererAgg
-    return renderer(10, 10, DPI), Figure(dpi=DPI)
-
-
-#: What of an item is a length or a point, or several.
-_LENGTHS = ("points", "radius", "place", "centre", "size")
-
-
-def _scaled(item: Item, factor: float) -> Item:
-    found: dict[str, Any] = {
-        key: _grown(getattr(item, key), factor) for key in _LENGTHS if hasattr(item, key)
-    }
-    style = dict(item.style)
-    for key in {"lw", "mew"} & style.keys():
-        style[key] *= factor
-    if style.get("halo"):
-        style["halo"] = (factor * style["halo"][0], style["halo"][1])
-    if "pad" in (style.get("plate") or {}):
-        style["plate"] = {**style["plate"], "pad": factor * style["plate"]["pad"]}
-    clip = None if item.clip is None else _grown(item.clip, factor)
-    return replace(item, style=style, clip=clip, **found)
-
-
-def _grown(value: Any, factor: float) -> Any:
-    if isinstance(value, (tuple, list)):
-        return tuple(_grown(x, factor) for x in value)
-    return factor * value
-
-
-def area(corners: Floats) -> float:
-    """Return the area of a polygon; of fewer than three corners, 0."""
-    if len(corners) < 3:
-        return 0.0
-    x, y = corners.T
-    return abs(float(x @ np.roll(y, -1) - y @ np.roll(x, -1))) / 2
-
-
-class NarrowError(InputError):
-    """The sheet is too narrow for what it shows."""
-
-
-def checked_width(width: object, least: float = 40.0) -> float:
-    """Return a width in millimetres, or refuse it."""
-    length = millimetres(width, "the width")
-    if length < least:
-        raise NarrowError(f"the width is {shown(width)}; give at least {least:g} millimetres")
-    return length
+        self.legend.extend(other.legend)

@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 
 from .html_page import BASE_SCRIPT, BASE_STYLE, one_page, own
-from .scene import Floats
+from .items import Floats
 
 
 @dataclass(frozen=True)
@@ -94,7 +94,7 @@ class SolidPage:
         }  # fmt: skip
         return one_page(
             self.title, own("solid.html"), [BASE_STYLE, own("solid.css")],
-            [BASE_SCRIPT, own("solid.js")], data,
+            [BASE_SCRIPT, own("solid.js")], data, ["spin", "home", "theme", "print"],
         )  # fmt: skip
 
 

@@ -16,7 +16,7 @@ from arrangement.planes import Planes
 from arrangement.polyhedra.dual import DualPolyhedron, dual_polygon, dual_polyhedron, dual_segment
 from arrangement.polyhedra.inscribed import RepresentativeHull
 
-from .scene import Floats
+from .items import Floats
 
 #: Vertex, vertex, and class of planes.
 Edge: TypeAlias = tuple[int, int, int]

@@ -15,13 +15,15 @@ from .coordinates import in_coordinates
 from .disc import HIDDEN, Disc, alone, front
 from .essential import shown_as
 from .figure import picture
-from .footer import Footer
 from .globe import Globe, unit_vectors
+from .items import Floats
 from .labels import segments_of, write_beside
+from .measuring import checked_width
 from .projections import orthographic
 from .regionlabels import RegionLabels
 from .registry import AxisNames, Vector
-from .scene import Floats, Scene, checked_width
+from .scene import Scene
+from .symbols import explain_regions
 
 
 @picture
@@ -62,7 +64,7 @@ def draw_sphere(
         width: of the figure, in millimetres.
         coordinates: "symmetric": after a linear map that shows the symmetry of the planes and
             changes no sign vector; "even": after one that spreads the normals evenly; "given". If
-            omitted, symmetric, but for planes of motions and with axes.
+            omitted, symmetric (narrow planes: even), but for planes of motions and with axes.
 
     Raises:
         InputError: another space, planes off the origin, too many circles, unknown colouring.
@@ -73,8 +75,7 @@ def draw_sphere(
     arrangement, direction = in_coordinates(coordinates, arrangement, direction)
     globe = Globe(arrangement, direction)
     colours = globe.colouring(colour, antipodes)
-    footer = Footer(colours, names, list(globe.front.values()))
-    disc = alone(globe, front(globe, orthographic), footer, width, solid=True)
+    disc = alone(globe, front(globe, orthographic), names, width, solid=True)
     arms, arrows = [], []
     if shown:
         disc = replace(disc, radius=within_reach(globe.axes.T, disc.scene.width / 2, disc.radius))
@@ -88,7 +89,7 @@ def draw_sphere(
             disc.scene, tip, [name], (7.0, 6.0), segments=segments_of(lines),
             away=tip - np.array(disc.centre), distance=2.0, style="italic",
         )  # fmt: skip
-    footer.write(disc.scene, disc.scene.height - disc.scene.width)
+    explain_regions(disc.scene, colours, names, globe.front.values())
     return disc.scene
 
 

@@ -18,13 +18,15 @@ from .coordinates import in_coordinates
 from .disc import HIDDEN, alone, front, label_regions, plane_names, rim_width
 from .essential import shown_as
 from .figure import picture
-from .footer import Footer
 from .globe import Globe, best_direction, unit_vectors
+from .items import Floats
 from .labels import flattened, segments_of, write_beside
+from .measuring import checked_width
 from .projections import Drawn, stereographic
 from .regionlabels import RegionLabels
 from .registry import Vector
-from .scene import Floats, Scene, checked_width
+from .scene import Scene
+from .symbols import explain_regions
 
 #: The whole plane is shown of itself when all circles end within this many radii of the limb.
 FARTHEST = 3.3
@@ -65,7 +67,7 @@ def draw_stereographic(
             3.3 radii, as for few circles.
         coordinates: "symmetric": after a linear map that shows the symmetry of the planes and
             changes no sign vector; "even": after one that spreads the normals evenly; "given". If
-            omitted, symmetric, but for planes of motions.
+            omitted, symmetric (narrow planes: even), but for planes of motions.
 
     Raises:
         InputError: another space, planes off the origin, too many circles, unknown colouring; or
@@ -84,10 +86,9 @@ def draw_stereographic(
         whole = 0 < _farthest(globe) <= FARTHEST
     colours = globe.colouring(colour, antipodes)
     if not whole:
-        footer = Footer(colours, names, list(globe.front.values()))
-        disc = alone(globe, front(globe, stereographic), footer, width)
+        disc = alone(globe, front(globe, stereographic), names, width)
         disc.draw(colours.paint)
-        footer.write(disc.scene, disc.scene.height - disc.scene.width)
+        explain_regions(disc.scene, colours, names, globe.front.values())
         return disc.scene
     if math.isinf(_farthest(globe)):
         k = next(i for i, s in enumerate(arrangement.signs_at(globe.direction)) if s == 0)
@@ -95,10 +96,9 @@ def draw_stereographic(
             f"the direction lies on plane {k + 1}, whose circle would pass through infinity; "
             "choose another direction, or the front half alone (whole=False)"
         )
-    footer = Footer(colours, names, globe.regions)
-    scene = Scene(width, width + footer.height(width))
+    scene = Scene(width, width)
     _Whole(globe, scene, colours.paint, names).draw()
-    footer.write(scene, scene.height - scene.width)
+    explain_regions(scene, colours, names, globe.regions)
     return scene
 
 

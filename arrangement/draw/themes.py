@@ -13,7 +13,8 @@ from typing import Any, TypeAlias
 
 import numpy as np
 
-from .scene import Ball, Floats, Item, Label, Path, Scene
+from .items import Ball, Floats, Item, Label, Path
+from .scene import Scene
 
 THEMES = ("light", "dark", "mono")
 #: The lightness of the darkest and of the lightest colour of the dark theme.

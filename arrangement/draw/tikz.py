@@ -19,7 +19,8 @@ from typing import Any, TypeAlias
 import numpy as np
 
 from .hatching import WIDTH, hatching
-from .scene import SHADES, Ball, Floats, Item, Label, Mark, Path, Scene
+from .items import SHADES, Ball, Floats, Item, Label, Mark, Path
+from .scene import Scene
 from .tex_text import tex_text
 from .tikz_paths import clip_path, cut, disc, number, outline, point
 

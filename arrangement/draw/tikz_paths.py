@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from .scene import Box, Path, Place
+from .items import Box, Path, Place
 
 
 def outline(item: Path) -> str:

@@ -14,7 +14,8 @@ from typing import TypeAlias
 import numpy as np
 import numpy.typing as npt
 
-from .scene import Floats, area
+from .items import Floats
+from .measuring import area
 
 Indices: TypeAlias = npt.NDArray[np.int64]
 

@@ -17,7 +17,7 @@ from itertools import combinations, product
 import numpy as np
 
 from arrangement.enumeration.choose import enumerate_faces
-from arrangement.errors import InputError
+from arrangement.errors import InputError, refusal
 from arrangement.exact import (
     IntegerVector,
     RationalVector,
@@ -82,7 +82,7 @@ def body_around(
         InputError: another space, too many planes, an unknown kind, a radius that is not positive.
     """
     if kind not in _SOLIDS:
-        raise InputError(f"the body is {shown(kind)}; known are {', '.join(_SOLIDS)}")
+        raise refusal(f"the body is {shown(kind)}", kind, _SOLIDS)
     if arrangement.dimension != 3:
         raise InputError(
             f"the planes lie in R^{arrangement.dimension}; a ball or cube can show those of R^3"

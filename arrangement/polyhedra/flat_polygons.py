@@ -37,21 +37,21 @@ def flattened(row: IntegerVector, points: Iterable[IntegerVector]) -> Loop:
 
 def ordered(row: IntegerVector, points: Iterable[IntegerVector]) -> Loop:
     """Return the corners of the hull of points in a plane, in cyclic order (A. Andrew, 1979)."""
-    gone = _dropped(row)
-    keys = [k for k in range(3) if k != gone]
-    listed = sorted(points, key=lambda p: [Fraction(p[k], p[3]) for k in keys])
+    given = list(points)
+    flat = dict(zip(flattened(row, given), given, strict=True))
+    listed = sorted(flat, key=lambda p: (Fraction(p[0], p[2]), Fraction(p[1], p[2])))
     if len(listed) < 3:
-        return listed
+        return [flat[p] for p in listed]
 
     def half(along: Iterable[IntegerVector]) -> Loop:
         chain: Loop = []
         for p in along:
-            while len(chain) > 1 and triple_product(*flattened(row, [*chain[-2:], p])) <= 0:
+            while len(chain) > 1 and triple_product(chain[-2], chain[-1], p) <= 0:
                 chain.pop()
             chain.append(p)
         return chain[:-1]
 
-    return half(listed) + half(reversed(listed))
+    return [flat[p] for p in half(listed) + half(reversed(listed))]
 
 
 def lifted(row: IntegerVector, point: IntegerVector) -> IntegerVector:
@@ -64,35 +64,35 @@ def lifted(row: IntegerVector, point: IntegerVector) -> IntegerVector:
     return reduced(found)
 
 
-def _clipped(loop: Loop, line: IntegerVector) -> Loop:
-    """Return the part of a polygon where a form is >= 0; nothing if that has no area."""
+def _split(loop: Loop, line: IntegerVector) -> tuple[Loop, Loop]:
+    """Return the parts of a polygon where a form is > 0 and < 0; nothing for one without area."""
     values = [dot(line, p) for p in loop]
     if max(values) <= 0:
-        return []
+        return [], loop
     if min(values) >= 0:
-        return loop
-    kept = []
+        return loop, []
+    above, below = [], []
     for k, (p, at) in enumerate(zip(loop, values, strict=True)):
         if at * values[k - 1] < 0:
-            kept.append(between(loop[k - 1], p, values[k - 1], at))
+            cut = between(loop[k - 1], p, values[k - 1], at)
+            above.append(cut)
+            below.append(cut)
         if at >= 0:
-            kept.append(p)
-    return kept
+            above.append(p)
+        if at <= 0:
+            below.append(p)
+    return above, below
 
 
 def minus(loop: Loop, cover: Loop) -> list[Loop]:
     """Return convex pieces of a polygon outside another; both run counter-clockwise."""
-    lines = [cross(p, q) for p, q in zip(cover, [*cover[1:], cover[0]], strict=True)]
-    common = loop
-    for line in lines:
-        common = _clipped(common, line)
-        if not common:
-            return [loop]
     pieces, rest = [], loop
-    for line in lines:
-        if outside := _clipped(rest, tuple(-x for x in line)):
+    for p, q in zip(cover, [*cover[1:], cover[0]], strict=True):
+        rest, outside = _split(rest, cross(p, q))
+        if not rest:
+            return [loop]
+        if outside:
             pieces.append(outside)
-        rest = _clipped(rest, line)
     return pieces
 
 

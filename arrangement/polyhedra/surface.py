@@ -107,6 +107,8 @@ class _Solid:
         for inward in shape.inequalities:
             row = tuple(-x for x in inward)
             self.facets.append((row, ordered(row, [p for p in self.points if not dot(row, p)])))
+        self.rows = {row for row, _ in self.facets}
+        self.corners = set(self.points)
 
     @cached_property
     def edges(self) -> set[Segment]:
@@ -117,11 +119,13 @@ class _Solid:
             for p, q in zip(loop, [*loop[1:], loop[0]], strict=True)
         }
 
-    def section(self, row: IntegerVector, *, sheet: bool) -> Loop:
-        """Return what it covers of a plane, on the side where ``row`` is positive; else nothing."""
+    def reaches(self, row: IntegerVector) -> bool:
+        """Return whether it has points where ``row`` is positive."""
+        return row not in self.rows and any(dot(row, p) > 0 for p in self.points)
+
+    def section(self, row: IntegerVector) -> Loop:
+        """Return what it covers of a plane, if that has an area."""
         values = {p: dot(row, p) for p in self.points}
-        if not sheet and max(values.values()) <= 0:
-            return []
         found = {p for p, at in values.items() if at == 0}
         for p, q in self.edges:
             if values[p] * values[q] < 0:
@@ -130,34 +134,77 @@ class _Solid:
 
 
 class _Solids:
-    """Polytopes, with rounded corners to find those near a place quickly."""
+    """Polytopes, with rounded corners and rows to find those that matter at a place quickly."""
 
     def __init__(self, listed: Sequence[_Solid]) -> None:
         self.listed = listed
         self.starts = np.cumsum([0, *(len(solid.points) for solid in listed)])[:-1]
         self.points = rounded([p for solid in listed for p in solid.points])
+        self.low, self.high = (
+            f.reduceat(self.points, self.starts) if listed else self.points
+            for f in (np.minimum, np.maximum)
+        )
+        #: The largest first: they cover most.
+        self.order = np.argsort(-np.prod(self.high - self.low, axis=1), kind="stable")
+        #: Rounding moves values of forms by far less than this.
+        self.far = _APART * max(1.0, float(np.abs(self.points).max(initial=0.0)))
+        self.rows = _unit_rows([row for solid in listed for row, _ in solid.facets])
+        self.row_starts = np.cumsum([0, *(len(solid.facets) for solid in listed)])[:-1]
 
-    def near(self, row: IntegerVector, corners: Sequence[IntegerVector]) -> list[_Solid]:
-        """Return the polytopes that may have a common point with a polygon in a plane.
+    def near(self, row: IntegerVector, loop: Loop, *, sheet: bool) -> list[_Solid] | None:
+        """Return the polytopes that may cover a part of a polygon in a plane; None if one has all.
 
-        Those left out are apart by much more than rounding moves points: `_APART` of their size.
+        Those left out have no area in common with it: they are apart by much more than rounding
+        moves points, or exactly one of their facets has the polygon on its outer side.
         """
         if not self.listed:
             return []
-        largest = max(map(abs, row))
-        size = max(1.0, float(np.abs(self.points).max()))
-        values = self.points @ [x / largest for x in row[:3]] + row[3] / largest
-        polygon, far = rounded(corners), _APART * size
-        low, high = (f.reduceat(self.points, self.starts) for f in (np.minimum, np.maximum))
-        meets = (low <= polygon.max(axis=0) + far) & (high >= polygon.min(axis=0) - far)
-        found = (
-            meets.all(axis=1)
-            & (np.minimum.reduceat(values, self.starts) <= 4 * far)
-            & (np.maximum.reduceat(values, self.starts) >= -4 * far)
+        corners, far = rounded(loop), 4 * self.far
+        values = self.points @ _unit_rows([row])[0, :3] + _unit_rows([row])[0, 3]
+        most = np.maximum.reduceat(values, self.starts)
+        found = (self.low <= corners.max(axis=0) + far) & (self.high >= corners.min(axis=0) - far)
+        near = (
+            found.all(axis=1) & (np.minimum.reduceat(values, self.starts) <= far) & (most >= -far)
         )
-        # The largest first: they cover most.
-        order = np.argsort(-np.prod(high - low, axis=1), kind="stable")
-        return [self.listed[k] for k in order[found[order]].tolist()]
+        # One row for each corner, one column for each facet.
+        sides = corners @ self.rows[:, :3].T + self.rows[:, 3]
+        most_outside, least = sides.max(axis=0), sides.min(axis=0)
+        near &= np.maximum.reduceat(least, self.row_starts) <= far
+        beyond = np.maximum.reduceat(most_outside, self.row_starts)
+        listed, planes = [], (row, tuple(-x for x in row))
+
+        def holds(solid: int, values: NDArray[np.float64], side: int) -> Iterator[bool]:
+            """Yield for facets of a polytope whether the corners are on a side, or on the facet.
+
+            Only what the floats leave open is computed; those surely on the other side are left
+            out.
+            """
+            first, facets = int(self.row_starts[solid]), self.listed[solid].facets
+            own = values[first : first + len(facets)]
+            for i in np.flatnonzero(own >= -far).tolist():
+                normal = facets[i][0]
+                if side < 0 or normal not in planes:
+                    unsure = np.flatnonzero(np.abs(sides[:, first + i]) <= far).tolist()
+                    yield all(
+                        (side < 0 and loop[k] in self.listed[solid].corners)
+                        or side * dot(normal, loop[k]) >= 0
+                        for k in unsure
+                    )
+
+        for k in self.order[near[self.order]].tolist():
+            solid = self.listed[k]
+            if not (sheet or most[k] > far or solid.reaches(row)):
+                continue
+            if beyond[k] <= far and all(holds(k, most_outside, -1)):
+                return None
+            if not any(holds(k, least, 1)):
+                listed.append(solid)
+        return listed
+
+
+def _unit_rows(rows: Sequence[IntegerVector]) -> NDArray[np.float64]:
+    """Return rows divided by their largest entries, (k, 4)."""
+    return np.array([[x / max(map(abs, row)) for x in row] for row in rows]).reshape(-1, 4)
 
 
 def rounded(points: Iterable[IntegerVector]) -> NDArray[np.float64]:
@@ -174,17 +221,22 @@ def _patches(
 ) -> Iterator[Patch]:
     """Yield what is seen of polygons in a plane, as convex polygons without overlaps."""
     kept: list[Loop] = []
+    sections: dict[int, Loop] = {}
     for loop in loops:
+        near = solids.near(row, loop, sheet=sheet)
+        if near is None:
+            continue
         left = [flattened(row, loop)]
         for cover in kept:
             left = [rest for part in left for rest in minus(part, cover)]
+        for solid in near:
+            if not left:
+                break
+            if id(solid) not in sections:
+                sections[id(solid)] = flattened(row, solid.section(row))
+            if cover := sections[id(solid)]:
+                left = [piece for part in left for piece in minus(part, cover)]
         kept += left
-    for solid in solids.near(row, [p for loop in loops for p in loop]):
-        if not kept:
-            break
-        if section := solid.section(row, sheet=sheet):
-            cover = flattened(row, section)
-            kept = [piece for part in kept for piece in minus(part, cover)]
     edges = creases_of(kept)
     for loop, creases in zip(kept, edges, strict=True):
         ends = tuple((lifted(row, p), lifted(row, q)) for p, q in creases)

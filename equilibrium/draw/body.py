@@ -16,8 +16,8 @@ from itertools import pairwise
 
 import numpy as np
 
+from arrangement.draw.items import Floats
 from arrangement.draw.labels import flattened
-from arrangement.draw.scene import Floats
 from arrangement.exact import RationalVector
 from equilibrium.model.grasp import Grasp
 from equilibrium.model.outline import Circle, Outline

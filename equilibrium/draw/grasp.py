@@ -10,17 +10,19 @@ import numpy as np
 
 from arrangement.draw.colours import BLACK, BLUE, GREY, PALE, VERMILION
 from arrangement.draw.figure import picture
+from arrangement.draw.items import Floats
 from arrangement.draw.labels import flattened
+from arrangement.draw.legend import Legend
+from arrangement.draw.measuring import POINTS, checked_width
 from arrangement.draw.registry import Corner, Wrench
-from arrangement.draw.scene import POINTS, Floats, Scene
+from arrangement.draw.scene import Scene
 from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import Grasp
 from equilibrium.solver.state_equilibrium import Solution
 from equilibrium.verdict import Solver
 
+from .keys import bar, symbol
 from .layout import ARC, CONE, FORCE, Layout, displaced, layout_of
-from .legend import Legend
-from .row import new_legend
 from .shapes import Labels, arrow, mark, turning_arrow, wedge
 from .style import CONE_EDGE, CONE_FILL, nice, number, rounded, vector, wrench_text
 
@@ -89,19 +91,17 @@ def _content(layout: Layout) -> Floats:
 def _drawn(layout: Layout, width: float) -> Scene:
     held = _content(layout)
     low, high = held.min(axis=0), held.max(axis=0)
-    legend = new_legend(width)
-    wide, margin = legend.width, 6.0 * POINTS
+    wide, margin = checked_width(width, 20.0) * POINTS, 6.0 * POINTS
     scale = min((wide - 2 * margin) / (high[0] - low[0]), 0.95 * wide / (high[1] - low[1]))
-    _describe(layout, legend, scale)
     height = scale * (high[1] - low[1]) + 2 * margin
-    scene = Scene(width, (height + legend.height) / POINTS)
-    middle = np.array([wide / 2, legend.height + height / 2])
+    scene = Scene(width, height / POINTS)
+    middle = np.array([wide, height]) / 2
+    _describe(layout, scene.legend, scale)
     picture = Picture(layout, scene, scale, middle - scale * (low + high) / 2)
     picture.body()
     picture.contacts()
     picture.wrench()
     picture.numbers()
-    legend.draw(scene)
     return scene
 
 
@@ -243,8 +243,9 @@ def _describe(layout: Layout, legend: Legend, scale: float) -> None:
         legend.line(line, emphasis)
     for kind, text, shown in _keys(layout):
         if shown:
-            legend.key(kind, text)
-    legend.bar = _bar(layout, scale)
+            legend.key(symbol(kind), text)
+    if (found := _bar(layout, scale)) is not None:
+        legend.key(bar(found[0]), found[1])
 
 
 def _lines(layout: Layout) -> Iterator[tuple[str, bool]]:

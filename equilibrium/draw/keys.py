@@ -1,4 +1,4 @@
-"""The small symbols of a legend, by kind."""
+"""The symbols of legends, by kind."""
 
 from __future__ import annotations
 
@@ -7,13 +7,13 @@ from typing import Any
 import numpy as np
 
 from arrangement.draw.colours import BLACK, BLUE, GREY, VERMILION
-from arrangement.draw.scene import POINTS, Scene
+from arrangement.draw.legend import Symbol
+from arrangement.draw.measuring import POINTS
+from arrangement.draw.scene import Scene
+from arrangement.draw.symbols import HALF, WIDTH, canvas, stroke, swatch
 
 from .shapes import arrow, mark, wedge
 from .style import CONE_EDGE, CONE_FILL, RIM
-
-#: Width of a symbol in points.
-WIDTH = 5.5 * POINTS
 
 _ARROWS: dict[str, dict[str, Any]] = {
     "force": {"fc": BLACK, "ec": "none", "size": 1.0},
@@ -41,45 +41,49 @@ MARKS: dict[str, tuple[str, float, dict[str, Any]]] = {
 _STATES = {"stick": "stick", "slip": "slip+", "detached": "detached"}
 
 
-def draw_symbol(scene: Scene, kind: str, left: float, y: float) -> None:
-    """Draw a symbol.
+def symbol(kind: str) -> Symbol:
+    """Return a symbol.
 
     Args:
         kind: a name, or a fill ``#rrggbb``, followed by a word when it is hatched.
     """
-    ahead = np.array([1.0, 0.0])
-    start, end = np.array([left, y]), np.array([left + WIDTH, y])
+    scene, ahead = canvas(), np.array([1.0, 0.0])
+    start, middle, end = np.zeros(2), WIDTH / 2 * ahead, WIDTH * ahead
+    if kind in _LINES:
+        return stroke(**_LINES[kind])
     if kind in _ARROWS:
         arrow(scene, start, end, **_ARROWS[kind])
-    elif kind in _LINES:
-        scene.line([start, end], **_LINES[kind])
     elif kind in MARKS:
-        _mark(scene, kind, left + WIDTH / 2, y)
+        _mark(scene, kind, WIDTH / 2)
     elif kind == "wrench-points":
-        _mark(scene, "resisted", left + WIDTH / 4, y)
-        _mark(scene, "refused", left + 3 * WIDTH / 4, y)
+        _mark(scene, "resisted", WIDTH / 4)
+        _mark(scene, "refused", 3 * WIDTH / 4)
     elif kind in _STATES:
-        mark(scene, _STATES[kind], (start + end) / 2, ahead)
+        mark(scene, _STATES[kind], middle, ahead)
     elif kind == "cone":
         wedge(scene, start, ahead, 0.3, 5.0 * POINTS, fc=CONE_FILL, ec=CONE_EDGE, lw=0.5)
     elif kind == "fade":
         for k in range(11):
-            x, grey = left + k * WIDTH / 11, f"{0.62 + 0.38 * k / 11:.3f}"
-            scene.line([(x, y), (x + WIDTH / 11, y)], ec=grey, lw=6, capstyle="butt")
+            x, grey = k * WIDTH / 11, f"{0.62 + 0.38 * k / 11:.3f}"
+            scene.line([(x, 0), (x + WIDTH / 11, 0)], ec=grey, lw=6, capstyle="butt")
     else:
-        _swatch(scene, kind, left, y)
+        fill, _, hatched = kind.partition(" ")
+        scene.items += swatch(fill)[0]
+        for k in range(5 if hatched else 0):
+            x = (0.3 + 1.1 * k) * POINTS
+            scene.line([(x, -HALF), (x + 0.8 * POINTS, HALF)], ec="#7d7d7d", lw=0.35)
+    return scene.items, WIDTH
 
 
-def _mark(scene: Scene, kind: str, x: float, y: float) -> None:
+def bar(length: float) -> Symbol:
+    """Return a bar of scale of a length in points."""
+    scene, tick, style = canvas(), 0.7 * POINTS, {"ec": BLACK, "lw": 0.8}
+    scene.line([(0, 0), (length, 0)], gid="scale", **style)
+    for x in (0, length):
+        scene.line([(x, -tick), (x, tick)], **style)
+    return scene.items, length
+
+
+def _mark(scene: Scene, kind: str, x: float) -> None:
     sign, size, style = MARKS[kind]
-    scene.mark((x, y), sign, size, **style)
-
-
-def _swatch(scene: Scene, kind: str, left: float, y: float) -> None:
-    fill, _, hatched = kind.partition(" ")
-    right, half = left + WIDTH, 1.2 * POINTS
-    corners = [(left, y - half), (right, y - half), (right, y + half), (left, y + half)]
-    scene.polygon(corners, fc=fill, ec=GREY, lw=0.4)
-    for k in range(5 if hatched else 0):
-        x = left + (0.3 + 1.1 * k) * POINTS
-        scene.line([(x, y - half), (x + 0.8 * POINTS, y + half)], ec="#7d7d7d", lw=0.35)
+    scene.mark((x, 0), sign, size, **style)

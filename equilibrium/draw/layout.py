@@ -10,8 +10,8 @@ from typing import Any
 
 import numpy as np
 
+from arrangement.draw.items import Floats
 from arrangement.draw.labels import flattened
-from arrangement.draw.scene import Floats
 from arrangement.exact import RationalVector
 from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import Grasp

@@ -6,14 +6,14 @@ from collections.abc import Iterable, Sequence
 
 from arrangement.draw.colours import GREY
 from arrangement.draw.figure import picture
+from arrangement.draw.measuring import POINTS, checked_width, measure
 from arrangement.draw.registry import Wrench
-from arrangement.draw.scene import POINTS, Scene, measure
+from arrangement.draw.scene import Scene
 from equilibrium.methods import METHODS, Comparison, compare
 from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import Grasp, read_wrench
 
-from .keys import MARKS
-from .row import new_legend
+from .keys import MARKS, symbol
 from .style import vector
 
 MAX_WRENCHES = 24
@@ -42,19 +42,19 @@ def draw_methods(grasp: Grasp, *, wrenches: Iterable[Wrench], width: float = 88.
         raise GraspError(f"{len(questions)} wrenches; give 1 to {MAX_WRENCHES}")
     answers = [compare(grasp, wrench) for wrench in questions]
     names = [answer.method for answer in answers[0].answers]
-    legend = new_legend(width)
-    legend.key("accepted", "accepts")
-    legend.key("refusal", "refuses")
-    if any(entry.accepts is None for answer in answers for entry in answer.answers):
-        legend.key("silence", "says nothing")
-    if any(answer.disagreeing for answer in answers):
-        legend.key(_TINT, "not as the complete model")
+    width = checked_width(width, 20.0)
     heads = [vector(wrench) for wrench in questions]
     above = max(measure(head)[0] for head in heads) + 3.0 * POINTS
-    height = above + _ROW * len(names) + 2.0 * POINTS + legend.height
+    height = above + _ROW * len(names) + 2.0 * POINTS
     scene = Scene(width, height / POINTS)
     _paint(scene, [METHODS[name].label for name in names], heads, answers, height - above)
-    legend.draw(scene)
+    legend = scene.legend
+    legend.key(symbol("accepted"), "accepts")
+    legend.key(symbol("refusal"), "refuses")
+    if any(entry.accepts is None for answer in answers for entry in answer.answers):
+        legend.key(symbol("silence"), "says nothing")
+    if any(answer.disagreeing for answer in answers):
+        legend.key(symbol(_TINT), "not as the complete model")
     return scene
 
 

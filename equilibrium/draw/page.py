@@ -14,9 +14,9 @@ from typing import Any
 import numpy as np
 
 from arrangement.draw.html_page import BASE_SCRIPT, BASE_STYLE, Template, one_page
+from arrangement.draw.items import Floats
 from arrangement.draw.labels import flattened
 from arrangement.draw.registry import Wrench
-from arrangement.draw.scene import Floats
 from arrangement.errors import InputError
 from arrangement.exact import IntegerVector, RationalVector, primitive, to_text
 from arrangement.linear import reduced
@@ -65,7 +65,10 @@ def resist_page(grasp: Grasp, *, wrench: Wrench | None = None, title: str | None
     own = "equilibrium.draw"
     scripts: list[Template] = [(own, name) for name in (*_SCRIPTS, "resist_controls.js")]
     styles: list[Template] = [BASE_STYLE, (own, "sketch.css"), (own, "resist.css")]
-    return one_page(heading, (own, "resist.html"), styles, [BASE_SCRIPT, *scripts], data)
+    return one_page(
+        heading, (own, "resist.html"), styles, [BASE_SCRIPT, *scripts], data,
+        ["home", "theme", "print"],
+    )  # fmt: skip
 
 
 def _summary(grasp: Grasp) -> str:

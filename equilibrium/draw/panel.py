@@ -11,7 +11,9 @@ from typing import Any
 import numpy as np
 
 from arrangement.draw.colours import BLACK, GREY
-from arrangement.draw.scene import FONT, POINTS, Box, Floats, Place, Scene, area
+from arrangement.draw.items import Box, Floats, Place
+from arrangement.draw.measuring import FONT, POINTS, area
+from arrangement.draw.scene import Scene
 from arrangement.exact import RationalVector
 from equilibrium.solver.state_system import States
 from equilibrium.wrench_sets import Region

@@ -9,8 +9,10 @@ from typing import Any
 
 from arrangement.draw.colours import VERMILION
 from arrangement.draw.figure import picture
+from arrangement.draw.items import Floats
+from arrangement.draw.legend import Legend
 from arrangement.draw.registry import Exact
-from arrangement.draw.scene import Floats, Scene
+from arrangement.draw.scene import Scene
 from arrangement.exact import RationalVector, rational
 from arrangement.polyhedra.intervals import Interval
 from equilibrium.model.errors import GraspError
@@ -18,10 +20,9 @@ from equilibrium.model.grasp import Grasp
 from equilibrium.wrench_sets import Region, resisted_region, search_map
 from equilibrium.wrench_sets.search_map import Entry
 
-from .keys import MARKS
-from .legend import Legend
+from .keys import MARKS, symbol
 from .panel import Panel
-from .row import new_legend, read_extent, row_of_panels
+from .row import read_extent, row_of_panels
 from .style import RIM, SHADE
 from .window import ROOM, Window, ends
 
@@ -63,9 +64,8 @@ def draw_polar(
     step = radius / 1000 if tolerance is None else rational(tolerance, "tolerance")
     found = search_map(grasp, directions, step, 1000 * radius)
     window = Window((Fraction(0), Fraction(0)), radius)
-    legend = new_legend(width)
-    _describe(found.entries, region, legend)
-    scene, (panel,) = row_of_panels(1, window, legend, grasp)
+    scene, (panel,) = row_of_panels(1, window, width, grasp)
+    _describe(found.entries, region, scene.legend)
     panel.title(f"largest resisted force in {directions} directions", above=8.0)
     middle, half = panel.at((0, 0)), panel.side / 2
     panel.region(region, by_states=False, clip=(middle, half))
@@ -112,16 +112,16 @@ def _describe(entries: Iterable[Entry], region: Region, legend: Legend) -> None:
     listed = list(entries)
     wrong = [entry for entry in listed if not entry.agrees]
     legend.line(f"the binary search errs in {len(wrong)} of {len(listed)} directions")
-    legend.key(SHADE, "resisted (exact)")
+    legend.key(symbol(SHADE), "resisted (exact)")
     if region.outline.border or region.outline.whiskers:
-        legend.key("border", "resistance ends")
+        legend.key(symbol("border"), "resistance ends")
     if len(wrong) < len(listed):
-        legend.key("dot", "search is right")
+        legend.key(symbol("dot"), "search is right")
     if any(entry.found is None for entry in listed):
-        legend.key("rim", "rim: without limit")
+        legend.key(symbol("rim"), "rim: without limit")
     if wrong:
-        legend.key("cross", "search errs")
+        legend.key(symbol("cross"), "search errs")
     if any(entry.wrongly_claimed for entry in wrong):
-        legend.key("claimed", "wrongly claimed")
+        legend.key(symbol("claimed"), "wrongly claimed")
     if any(entry.missed for entry in wrong):
-        legend.key("missed", "missed")
+        legend.key(symbol("missed"), "missed")

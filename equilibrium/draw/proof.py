@@ -11,19 +11,22 @@ import numpy as np
 
 from arrangement.draw.colours import BLUE, GREY, VERMILION, fill_colour, pale
 from arrangement.draw.figure import picture
+from arrangement.draw.items import Floats
 from arrangement.draw.labels import flattened
+from arrangement.draw.measuring import POINTS, area, checked_width
 from arrangement.draw.registry import Exact, Wrench
-from arrangement.draw.scene import POINTS, Floats, Scene, area, checked_width
+from arrangement.draw.scene import Scene
 from arrangement.exact import RationalVector
 from equilibrium.certificate.leaves import Part, works
 from equilibrium.model.grasp import Grasp
 from equilibrium.verdict import Verdict
 
 from .grasp import Picture
+from .keys import symbol
 from .layout import MOVED, Layout, layout_of, shift_at
 from .panel import ABOVE, BELOW, LEFT, Panel
 from .proof_maps import MAP, TURNS, Shape, proof_maps, summary_lines
-from .row import GAP, RIGHT, new_legend
+from .row import GAP, RIGHT
 from .shapes import Labels, arc, arrow, turning_arrow
 from .style import number, vector
 from .window import roomiest
@@ -71,17 +74,11 @@ def draw_proof(
     maps = proof_maps(grasp, wrench, turn)
     verdict, ranks = maps.verdict, maps.ranks
     layout = layout_of(grasp, verdict, None, 1)
-    legend = new_legend(checked_width(width, 150.0))
-    for line in summary_lines(maps, _NAMED):
-        legend.line(line)
-    for line in _EXAMPLES[len(grasp) > _WRITTEN]:
-        legend.line(line)
-    for motion, i in list(ranks.items())[:_NAMED]:
-        legend.key(_fill(i), f"{i + 1}: λ = {vector(motion)}")
-    side = (legend.width - LEFT - RIGHT - GAP) / 2
+    width = checked_width(width, 150.0)
+    side = (width * POINTS - LEFT - RIGHT - GAP) / 2
     small = 0.6 * side
-    scene = Scene(width, (side + small + 2.5 * ABOVE + BELOW + legend.height) / POINTS)
-    low = legend.height + small + 1.5 * ABOVE + BELOW
+    scene = Scene(width, (side + small + 2.5 * ABOVE + BELOW) / POINTS)
+    low = small + 1.5 * ABOVE + BELOW
     unit = grasp.units.length if grasp.units else ""
     for i, sense in enumerate(TURNS):
         panel = Panel(scene, maps.window, (LEFT + i * (side + GAP), low), side, f"{i + 1}-")
@@ -92,9 +89,15 @@ def draw_proof(
     shown = list(ranks)[:_SHOWN]
     for i, motion in enumerate(shown):
         together = [part for part in maps.parts if part.leaf.motion == motion]
-        middle = np.array([(2 * i + 1) * scene.width / len(shown), 2 * legend.height + small]) / 2
+        middle = np.array([(2 * i + 1) * scene.width / len(shown), small]) / 2
         _example(scene, layout, verdict, together, (i, middle, small, scene.width / len(shown)))
-    legend.draw(scene)
+    legend = scene.legend
+    for line in summary_lines(maps, _NAMED):
+        legend.line(line)
+    for line in _EXAMPLES[len(grasp) > _WRITTEN]:
+        legend.line(line)
+    for motion, i in list(ranks.items())[:_NAMED]:
+        legend.key(symbol(_fill(i)), f"{i + 1}: λ = {vector(motion)}")
     return scene
 
 

@@ -9,8 +9,9 @@ from fractions import Fraction
 from typing import NamedTuple
 
 from arrangement.cones import generators
+from arrangement.draw.items import Floats
+from arrangement.draw.measuring import area
 from arrangement.draw.registry import Exact, Wrench
-from arrangement.draw.scene import Floats, area
 from arrangement.exact import IntegerVector, RationalVector, primitive, rational
 from arrangement.polyhedra.polyhedron import Polyhedron, from_conditions
 from equilibrium.certificate.leaves import Part, parts

@@ -11,8 +11,8 @@ from typing import Any
 
 from arrangement.draw.colours import fill_colour, pale
 from arrangement.draw.html_page import BASE_SCRIPT, BASE_STYLE, Template, one_page
+from arrangement.draw.measuring import area
 from arrangement.draw.registry import Exact, Wrench
-from arrangement.draw.scene import area
 from arrangement.exact import RationalVector, sign, to_text
 from equilibrium.certificate.leaves import Part, works
 from equilibrium.model.grasp import Grasp
@@ -79,7 +79,7 @@ def proof_page(
     own = "equilibrium.draw"
     scripts: list[Template] = [BASE_SCRIPT, (own, "sketch.js"), (own, "proof.js")]
     styles: list[Template] = [BASE_STYLE, (own, "sketch.css"), (own, "proof.css")]
-    return one_page(heading, (own, "proof.html"), styles, scripts, data)
+    return one_page(heading, (own, "proof.html"), styles, scripts, data, ["theme", "print"])
 
 
 def _outline(corners: Any) -> dict[str, Any]:

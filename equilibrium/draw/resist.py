@@ -3,15 +3,16 @@
 from __future__ import annotations
 
 from arrangement.draw.figure import picture
+from arrangement.draw.legend import Legend
 from arrangement.draw.registry import Exact, Wrench
 from arrangement.draw.scene import Scene
 from arrangement.exact import RationalVector
 from equilibrium.model.grasp import Grasp
 from equilibrium.wrench_sets import Region, resisted_region
 
-from .legend import Legend
+from .keys import symbol
 from .panel import fill_of
-from .row import Question, new_legend, row_of_panels
+from .row import Question, row_of_panels
 from .style import FILLS, SYMBOLS, number, wrench_text
 from .window import joint_window
 
@@ -47,9 +48,8 @@ def draw_resist(
     applied, half, torque = question.wrench, question.half, question.torque
     region = resisted_region(grasp, origin=(0, 0, torque))
     window = joint_window([region], question.marked, half, pieces=True)
-    legend = new_legend(width)
-    _describe(grasp, region, applied, legend, fades=half is None)
-    scene, (panel,) = row_of_panels(1, window, legend, grasp)
+    scene, (panel,) = row_of_panels(1, window, width, grasp)
+    _describe(grasp, region, applied, scene.legend, fades=half is None)
     unit = f" {grasp.units.torque}" if grasp.units else ""
     panel.title(f"resisted forces at torque {number(torque)}{unit}")
     panel.region(region)
@@ -68,21 +68,22 @@ def _describe(
         legend.line("nothing in this plane is resisted")
     if applied is not None:
         held = region.contains(applied[:2])
-        legend.key("resisted" if held else "refused", wrench_text(applied, grasp.units))
+        legend.key(symbol("resisted" if held else "refused"), wrench_text(applied, grasp.units))
     counts = sorted({min(s.count("stick"), len(FILLS) - 1) for s in states})
     for count in counts:
         example = next(s for s in states if min(s.count("stick"), len(FILLS) - 1) == count)
         more = any(s.count("stick") > count for s in states) and count == len(FILLS) - 1
-        legend.key(fill_of(example), f"{count}{' or more' if more else ''} stick")
+        legend.key(symbol(fill_of(example)), f"{count}{' or more' if more else ''} stick")
     if any("detached" in s for s in states):
-        legend.key("#ffffff hatched", "some detached")
+        legend.key(symbol("#ffffff hatched"), "some detached")
     outline = region.outline
     if outline.border or outline.whiskers:
-        legend.key("border", "resistance ends")
+        solid = any(piece.polyhedron.dimension == 2 for piece in region.polygons)
+        legend.key(symbol("border"), "resistance ends" if solid else "resisted: this line alone")
     if states and len(grasp):
         found = [s for s in SYMBOLS if any(s in x for x in states)]
         shown = ", ".join(f"{SYMBOLS[s]} {s.replace('-', '−')}" for s in found)
         which = "contact 1" if len(grasp) == 1 else f"contacts 1 to {len(grasp)}"
         legend.line(f"{which}: {shown}")
     if fades and not all(piece.polyhedron.bounded for piece in region.polygons):
-        legend.key("fade", "without end")
+        legend.key(symbol("fade"), "without end")

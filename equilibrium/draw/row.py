@@ -1,16 +1,16 @@
-"""Panels of one window side by side, in rows, above one legend."""
+"""Panels of one window side by side, in rows."""
 
 from __future__ import annotations
 
 from fractions import Fraction
 
+from arrangement.draw.measuring import POINTS, checked_width
 from arrangement.draw.registry import Exact, Wrench
-from arrangement.draw.scene import POINTS, Scene, checked_width
+from arrangement.draw.scene import Scene
 from arrangement.exact import RationalVector, rational, shown
 from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import Grasp, read_wrench
 
-from .legend import Legend
 from .panel import ABOVE, BELOW, LEFT, Panel
 from .window import Window
 
@@ -41,21 +41,16 @@ class Question:
         return [] if self.wrench is None else [self.wrench[:2]]
 
 
-def new_legend(width: float) -> Legend:
-    """Return an empty legend for a picture of a width in millimetres, or refuse the width."""
-    return Legend(checked_width(width, 20.0) * POINTS)
-
-
 def row_of_panels(
-    number: int, window: Window, legend: Legend, grasp: Grasp, columns: int | None = None
+    number: int, window: Window, width: float, grasp: Grasp, columns: int | None = None
 ) -> tuple[Scene, list[Panel]]:
     """Return a scene with empty panels of planes of forces; only outer ones have rulers."""
-    unit = grasp.units.force if grasp.units else ""
+    unit, width = grasp.units.force if grasp.units else "", checked_width(width, 20.0)
     columns = min(number, columns or number)
     rows = -(-number // columns)
-    side = (legend.width - LEFT - RIGHT - (columns - 1) * GAP) / columns
-    height = rows * (side + ABOVE) + (rows - 1) * GAP / 2 + BELOW + legend.height
-    scene = Scene(legend.width / POINTS, height / POINTS)
+    side = (width * POINTS - LEFT - RIGHT - (columns - 1) * GAP) / columns
+    height = rows * (side + ABOVE) + (rows - 1) * GAP / 2 + BELOW
+    scene = Scene(width, height / POINTS)
     panels = []
     for i in range(number):
         row, column = divmod(i, columns)
@@ -64,7 +59,6 @@ def row_of_panels(
         panel = Panel(scene, window, (x, y), side, "" if number == 1 else f"{i + 1}-")
         panel.rulers(FORCE_NAMES, unit, left=column == 0, below=i + columns >= number)
         panels.append(panel)
-    legend.draw(scene)
     return scene, panels
 
 

@@ -8,8 +8,10 @@ from typing import Any
 
 import numpy as np
 
+from arrangement.draw.items import Floats
+from arrangement.draw.measuring import FONT
 from arrangement.draw.projections import joined
-from arrangement.draw.scene import FONT, Floats, Scene
+from arrangement.draw.scene import Scene
 
 
 def arrow(scene: Scene, start: Floats, end: Floats, size: float = 1.5, **style: Any) -> None:

@@ -13,7 +13,8 @@ from equilibrium.methods import METHODS
 from equilibrium.model.grasp import Grasp
 from equilibrium.wrench_sets import Region, resisted_region
 
-from .row import Question, new_legend, row_of_panels
+from .keys import symbol
+from .row import Question, row_of_panels
 from .style import SHADE, number, wrench_text
 from .window import joint_window
 
@@ -62,14 +63,14 @@ def draw_parts(
     """Return panels of one window with a region each, in one colour."""
     marked, fades = question.marked, question.half is None
     window = joint_window([region for _, region in parts], marked, question.half)
-    legend = new_legend(width)
-    legend.key(SHADE, f"resisted forces at torque {number(question.torque)}")
-    legend.key("border", "resistance ends")
+    scene, panels = row_of_panels(len(parts), window, width, grasp, columns)
+    legend = scene.legend
+    legend.key(symbol(SHADE), f"resisted forces at torque {number(question.torque)}")
+    legend.key(symbol("border"), "resistance ends")
     if fades:
-        legend.key("fade", "without end")
+        legend.key(symbol("fade"), "without end")
     if question.wrench is not None:
-        legend.key("wrench-points", f"{wrench_text(question.wrench, grasp.units)}: yes, no")
-    scene, panels = row_of_panels(len(parts), window, legend, grasp, columns)
+        legend.key(symbol("wrench-points"), f"{wrench_text(question.wrench, grasp.units)}: yes, no")
     for panel, (title, region) in zip(panels, parts, strict=True):
         panel.title(title)
         panel.region(region, by_states=False)

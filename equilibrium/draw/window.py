@@ -14,7 +14,7 @@ from typing import Any
 
 import numpy as np
 
-from arrangement.draw.scene import Floats
+from arrangement.draw.items import Floats
 from arrangement.exact import IntegerVector, RationalVector, dot, primitive
 from arrangement.polyhedra.polyhedron import Polyhedron, from_conditions
 from equilibrium.wrench_sets import Region, Segment, polygon_cycle

@@ -13,7 +13,7 @@ from statistics import median
 import numpy as np
 
 from arrangement.draw.depth_tree import Node, depth_tree
-from arrangement.draw.scene import Floats
+from arrangement.draw.items import Floats
 from arrangement.exact import IntegerVector, RationalVector, dot, primitive
 from arrangement.polyhedra.polyhedron import Polyhedron, from_conditions
 from arrangement.polyhedra.surface import Patch, surface

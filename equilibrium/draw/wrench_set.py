@@ -14,15 +14,17 @@ from arrangement.draw.colours import BLACK, GREY, VERMILION, pale
 from arrangement.draw.depth_tree import back_to_front
 from arrangement.draw.figure import picture
 from arrangement.draw.globe import TO_LIGHT, picture_axes, view_direction
+from arrangement.draw.items import Floats
+from arrangement.draw.legend import Legend
+from arrangement.draw.measuring import POINTS, checked_width
 from arrangement.draw.registry import Exact, Vector, Wrench
-from arrangement.draw.scene import POINTS, Floats, Scene, checked_width
+from arrangement.draw.scene import Scene
 from arrangement.exact import IntegerVector
 from arrangement.polyhedra.surface import Patch, rounded
 from equilibrium.model.grasp import Grasp, read_wrench
 
 from .grasp import draw_grasp
-from .keys import MARKS
-from .legend import Legend
+from .keys import MARKS, symbol
 from .row import read_extent
 from .style import nice, vector
 from .wrench_box import CUT, NAMES, SOLID, WALLS, WrenchBox, box_edges, box_text, wrench_box
@@ -31,6 +33,9 @@ from .wrench_box import CUT, NAMES, SOLID, WALLS, WrenchBox, box_edges, box_text
 _MARGIN = 24.0
 #: Below this width the grasp is left out; in millimetres.
 _BOTH = 120.0
+#: What the box cuts: the share of white in its faces; how far from the wall, in half sides, other
+#: faces turn white, in so many steps, each with a veil of this opacity.
+_CUT_WHITE, _FADE, _STEPS, _VEIL = 0.8, 0.3, 8, 0.12
 
 
 @picture
@@ -46,8 +51,9 @@ def draw_wrench_set(
 
     The set is a union of polyhedra, one for each choice of contact states, and need not be
     convex. Its surface is exact, and painted back to front in an exact order. Lines are its true
-    edges. Pale faces are where the box cuts what goes on. Parts without volume are drawn as sheets
-    and segments. Axes have their own scales; the numbers stand at the edges of the box.
+    edges. Pale faces are where the box cuts what goes on; other faces fade towards them. Parts
+    without volume are drawn as sheets and segments. Axes have their own scales; the numbers stand
+    at the edges of the box.
 
     Elements: ``facet-3`` of the set, ``wall-4`` where the box cuts it, ``edge-5``, ``box-2``.
 
@@ -84,6 +90,18 @@ def _lit(normal: Floats) -> str:
     return pale(SOLID, 0.45 * max(0.0, float(TO_LIGHT @ normal)))
 
 
+def _beyond(corners: Floats, depth: Floats, least: float) -> Floats:
+    """Return the part of a convex polygon (k, 3) where a depth, given at its corners, is enough."""
+    kept = []
+    for k, at in enumerate(depth):
+        if (at - least) * (depth[k - 1] - least) < 0:
+            share = (least - depth[k - 1]) / (at - depth[k - 1])
+            kept.append(corners[k - 1] + share * (corners[k] - corners[k - 1]))
+        if at >= least:
+            kept.append(corners[k])
+    return np.array(kept)
+
+
 class _Solid:
     """The picture of the set."""
 
@@ -92,22 +110,20 @@ class _Solid:
     ) -> None:
         self.grasp, self.box, self.towards = grasp, box, towards
         self.axes = picture_axes(towards)
-        legend = Legend(width * POINTS)
-        self._describe(legend, applied)
         corners = np.array(list(product((-1.0, 1.0), repeat=3))) @ self.axes.T
         low, high = corners.min(axis=0)[:2], corners.max(axis=0)[:2]
         paper = width * POINTS
         self.scale = (paper - 2 * _MARGIN) / float(high[0] - low[0])
         height = self.scale * float(high[1] - low[1]) + 1.5 * _MARGIN
-        self.scene = Scene(width, (height + legend.height) / POINTS)
-        self.shift = np.array([_MARGIN, legend.height + _MARGIN]) - self.scale * low
+        self.scene = Scene(width, height / POINTS)
+        self.shift = _MARGIN - self.scale * low
+        self._describe(self.scene.legend, applied)
         self._frame(behind=True)
         self._set()
         self._frame(behind=False)
         self._rulers()
         if applied is not None:
             self._mark(applied)
-        legend.draw(self.scene)
 
     def at(self, points: Any) -> Floats:
         """Return points of the box on the scene."""
@@ -123,12 +139,12 @@ class _Solid:
         legend.line(box_text(self.grasp, self.box))
         if applied is not None:
             held = any(piece.polyhedron.contains(applied) for piece in self.box.pieces)
-            legend.key("resisted" if held else "refused", f"w = {vector(applied)}")
+            legend.key(symbol("resisted" if held else "refused"), f"w = {vector(applied)}")
         solid = any(shape.dimension > 1 for shape in self.box.shapes)
         if self.box.shapes:
-            legend.key(SOLID if solid else "border", "resisted wrenches")
+            legend.key(symbol(SOLID if solid else "border"), "resisted wrenches")
         if any(p.row in WALLS for node in self.box.tree for p in node.patches):
-            legend.key(CUT, "cut by the box, goes on")
+            legend.key(symbol(CUT), "cut by the box, goes on")
         elif self.box.endless:
             legend.line("what reaches the box goes on")
 
@@ -153,6 +169,8 @@ class _Solid:
                 for edge in patch.edges:
                     self.scene.line(self._places(edge), zorder=z, gid=f"{kind}-{count}",
                                     capstyle="round", **style)  # fmt: skip
+                if len(patch.corners) > 2 and not wall:
+                    self._fade(patch, z)
 
     def _faces(self, patch: Patch) -> bool:
         return sum(a * b for a, b in zip(patch.row, self.towards, strict=False)) > 0
@@ -166,9 +184,22 @@ class _Solid:
         wall = patch.row in WALLS
         normal = self.axes @ np.array(patch.row[:3], dtype=float)
         normal *= math.copysign(1, normal[2]) / np.linalg.norm(normal)
-        fill = CUT if wall else _lit(normal)
+        fill = pale(_lit(normal), _CUT_WHITE) if wall else _lit(normal)
         self.scene.polygon(corners, fc=fill, ec=fill, lw=0.3, zorder=z, joinstyle="round",
                            gid=f"{'wall' if wall else 'facet'}-{count}", role="region")  # fmt: skip
+
+    def _fade(self, patch: Patch, z: float) -> None:
+        """Let a face turn white towards each wall that cuts it."""
+        corners = rounded(patch.corners)
+        for axis, side in product(range(3), (1, -1)):
+            depth = side * corners[:, axis]
+            if depth.max() < 1 - 1e-9 or depth.min() > 1 - _FADE:
+                continue
+            for k in range(_STEPS):
+                part = _beyond(corners, depth, 1 - _FADE * (1 - k / _STEPS))
+                if len(part) > 2:
+                    self.scene.polygon(self.at(part), fc="#ffffff", ec="none", alpha=_VEIL,
+                                       zorder=z, gid="fade")  # fmt: skip
 
     def _frame(self, *, behind: bool) -> None:
         """Draw the edges of the box, those behind the set first."""

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from arrangement.errors import refusal
 from arrangement.exact import shown
 from equilibrium.model.errors import GraspError
 
@@ -49,5 +50,5 @@ def method_named(key: str) -> Method:
     True
     """
     if key not in METHODS:
-        raise GraspError(f"method is {shown(key)}; known are {', '.join(METHODS)}")
+        raise GraspError(str(refusal(f"method is {shown(key)}", key, METHODS)))
     return METHODS[key]

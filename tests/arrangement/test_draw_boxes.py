@@ -13,9 +13,12 @@ import shapely
 
 from arrangement import InputError
 from arrangement.draw import DRAWINGS
+from arrangement.draw.items import Item, Label, Path
 from arrangement.draw.labels import flattened
+from arrangement.draw.layout import laid_out
+from arrangement.draw.measuring import measure
 from arrangement.draw.output import own_settings
-from arrangement.draw.scene import Item, Label, Path, Scene, measure
+from arrangement.draw.scene import Scene
 from arrangement.io.arrangements import read_arrangement
 
 INSTANCES = [
@@ -48,7 +51,7 @@ def scene_of(view: str, name: str, **options: Any) -> Scene:
     module, _, function = DRAWINGS.views[view].partition(":")
     draw = getattr(importlib.import_module(f"arrangement.draw.{module}"), function)
     with own_settings():
-        scene: Scene = inspect.unwrap(draw)(read_arrangement(name), **options)
+        scene: Scene = laid_out(inspect.unwrap(draw)(read_arrangement(name), **options))
     return scene
 
 

@@ -16,8 +16,10 @@ from arrangement.cli import main
 from arrangement.counts import f_vector
 from arrangement.draw import arrangement_page, draw_lines, draw_sphere, write_drawing
 from arrangement.draw.essential import SPACES, fits, in_space
+from arrangement.draw.items import Label
+from arrangement.draw.layout import laid_out
 from arrangement.draw.models import cells_model
-from arrangement.draw.scene import Label, Scene
+from arrangement.draw.scene import Scene
 from arrangement.draw.views import DRAWINGS, drawings_of
 from arrangement.io.arrangements import read_arrangement
 from arrangement.io.files import instances
@@ -41,7 +43,7 @@ def test_braids_in_four_dimensions_are_drawn_and_the_caption_says_how(
     module, _, name = DRAWINGS.views[view].partition(":")
     if view not in ("lines", "lattice"):
         draw = getattr(__import__(f"arrangement.draw.{module}", fromlist=[name]), name)
-        scene = inspect.unwrap(draw)(BRAID)
+        scene = laid_out(inspect.unwrap(draw)(BRAID))
         assert isinstance(scene, Scene)
         *_, last = (item.text for item in scene.items if isinstance(item, Label))
         assert last == "essentialisation of an arrangement in R⁴"

@@ -13,9 +13,12 @@ from hypothesis import given, settings, strategies as st
 from arrangement import Arrangement, InputError
 from arrangement.counts import bounded_region_count, f_vector
 from arrangement.draw import draw_lines
+from arrangement.draw.items import Label
 from arrangement.draw.labels import HAIR
+from arrangement.draw.layout import laid_out
 from arrangement.draw.line_charts import LinesChart
-from arrangement.draw.scene import Label, Scene, area
+from arrangement.draw.measuring import area
+from arrangement.draw.scene import Scene
 from arrangement.io.arrangements import read_arrangement
 
 LESSON = Arrangement([[0, 1], [-4, -3], [4, -3]], [0, -12, -12])
@@ -39,7 +42,7 @@ ARRANGEMENTS = st.lists(
 
 
 def scene_of(planes: Arrangement, **options: Any) -> Scene:
-    found: Scene = inspect.unwrap(draw_lines)(planes, **options)
+    found: Scene = laid_out(inspect.unwrap(draw_lines)(planes, **options))
     return found
 
 

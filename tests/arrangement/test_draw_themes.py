@@ -13,8 +13,9 @@ from hypothesis import given, strategies as st
 
 from arrangement.cli import main
 from arrangement.draw import DRAWINGS as OF_PLANES
+from arrangement.draw.items import Ball, Label, Path
 from arrangement.draw.output import own_settings
-from arrangement.draw.scene import Ball, Label, Path, Scene
+from arrangement.draw.scene import Scene
 from arrangement.draw.themes import _from_oklab, _oklab, themed
 from arrangement.io.arrangements import read_arrangement
 from equilibrium.draw import DRAWINGS as OF_GRASPS

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import inspect
 import math
 from fractions import Fraction
 from itertools import combinations, pairwise
@@ -27,8 +28,10 @@ from arrangement.draw import (
 from arrangement.draw.colours import PALETTE
 from arrangement.draw.figure import figure
 from arrangement.draw.graph import PlanarGraph, planar_graph
+from arrangement.draw.items import Path as Drawn
 from arrangement.draw.labels import segments_meet, spread
 from arrangement.draw.layers import layered_orders
+from arrangement.draw.output import own_settings
 from arrangement.draw.projections import Chart, stereographic
 from arrangement.draw.scene import Scene
 from arrangement.draw.solids import dual_solid
@@ -163,14 +166,20 @@ def test_lattice_has_the_flats_that_the_whitney_numbers_count(name: str) -> None
 
 
 def test_marks_of_the_counts_are_zaslavskys_numbers_and_lie_on_the_printed_curves() -> None:
-    figure = draw_counts(largest=8)
-    lines = {line.get_gid(): line for axes in figure.axes for line in axes.lines}
-    for m, states in zip(*lines["generic-states"].get_data(), strict=True):
-        if m >= 3:
-            assert states == 4 * m * m - 4 * m + 3
-    assert list(lines["family-pencil"].get_ydata()) == [2 * m for m in range(1, 9)]
-    assert list(lines["family-near-pencil"].get_ydata()) == [4 * (m - 1) for m in range(3, 9)]
-    assert list(lines["family-reflection"].get_ydata()) == [24]
+    with own_settings():
+        scene = inspect.unwrap(draw_counts)(largest=8)
+    items = {item.name: item for item in scene.items if isinstance(item, Drawn) and item.name}
+    middle = {name: np.reshape(item.points, (-1, 2)).mean(axis=0) for name, item in items.items()}
+    for name in ("states", "facets", "regions"):
+        for m in range(3, 9):
+            place = items[f"printed-{name}"].points[m - 3]
+            assert middle[f"generic-{name}-{m}"] == pytest.approx(place, abs=0.3)
+    per_region = (middle["family-pencil-8"][1] - middle["family-pencil-4"][1]) / 8
+    for family, rise in {"pencil": 2, "near-pencil": 4}.items():
+        ups = np.diff([middle[f"family-{family}-{m}"][1] for m in range(3, 9)])
+        assert ups == pytest.approx(rise * per_region)
+    above = middle["family-reflection-6"][1] - middle["family-near-pencil-6"][1]
+    assert above == pytest.approx(4 * per_region, abs=0.3)
 
 
 # Where things are.

@@ -19,6 +19,7 @@ from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 
 from arrangement.draw.labels import flattened
+from arrangement.draw.layout import laid_out
 from equilibrium import Contact, Grasp, GraspError, read_grasp, solve
 from equilibrium.cli.program import main
 from equilibrium.draw import (
@@ -197,12 +198,13 @@ def test_the_name_of_a_wrench_is_never_inside_the_arc_of_its_torque() -> None:
 
 
 def test_units_stand_with_the_wrench_and_legends_are_short() -> None:
-    scene = unwrap(draw_grasp)(THREE.with_units("cm", "N").with_preload(1), wrench=(0, "1/2", 0))
+    grasp = THREE.with_units("cm", "N").with_preload(1)
+    scene = laid_out(unwrap(draw_grasp)(grasp, wrench=(0, "1/2", 0)))
     texts = [item.text for item in scene.items if hasattr(item, "text")]
     assert "w = (0, 1/2) N, 0 N cm" in texts
     for grasp in (THREE, FOUR):
         for loaded in (grasp, grasp.with_preload(1)):
-            scene = unwrap(draw_grasp)(loaded, wrench=(0, 0, "1/2"))
+            scene = laid_out(unwrap(draw_grasp)(loaded, wrench=(0, 0, "1/2")))
             keys = [item.place[1] for item in scene.items if hasattr(item, "text")]
             lowest = [y for y in keys if y < scene.height / 6]
             body = min(
@@ -252,8 +254,8 @@ def test_of_many_contacts_the_one_equilibrium_found_is_shown_and_said() -> None:
     assert verdict.solution is not None
     layout = layout_of(grasp, verdict, None, 1)
     assert layout.found is verdict.solution
-    texts = [item.text for item in unwrap(draw_grasp)(grasp, wrench=(0, "-1/2", 0)).items
-             if hasattr(item, "text")]  # fmt: skip
+    scene = laid_out(unwrap(draw_grasp)(grasp, wrench=(0, "-1/2", 0)))
+    texts = [item.text for item in scene.items if hasattr(item, "text")]
     assert "the equilibrium found; there may be others" in texts
     assert "there may be others" in verdict._repr_html_()
 

@@ -9,7 +9,9 @@ from pathlib import Path
 
 import pytest
 
-from arrangement.draw.scene import Label, Scene
+from arrangement.draw.items import Label
+from arrangement.draw.layout import laid_out
+from arrangement.draw.scene import Scene
 from arrangement.errors import InputError
 from arrangement.io.files import instances
 from equilibrium import GraspError, read_grasp
@@ -57,7 +59,7 @@ def test_resistance_ends_at_every_face(name: str) -> None:
 
 
 def scene_of(grasp: Grasp, **options: object) -> Scene:
-    scene: Scene = inspect.unwrap(draw_wrench_set)(grasp, **options)
+    scene: Scene = laid_out(inspect.unwrap(draw_wrench_set)(grasp, **options))
     return scene
 
 
