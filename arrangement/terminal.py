@@ -17,6 +17,7 @@ import sys
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from difflib import get_close_matches
 from fractions import Fraction
+from itertools import takewhile
 from pathlib import Path
 from typing import Any, NoReturn
 
@@ -55,6 +56,8 @@ class Parser(argparse.ArgumentParser):
 
         #: Adds the options that take time to find out, when they are asked for.
         self.later: Callable[[], None] | None = None
+        #: Options that take so many numbers or more, as many as there are.
+        self.growing: list[argparse.Action] = []
 
     def parse_known_args(self, args: Any = None, namespace: Any = None) -> Any:
         """Parse, with all options; ``--help`` comes through here too."""
@@ -76,10 +79,13 @@ class Parser(argparse.ArgumentParser):
     def _separated(self, words: Sequence[str]) -> Iterator[str]:
         """Split ``0,1,0`` and ``0, 1, 0``, in one word or several, where several are taken."""
         due = 0
-        for word in words:
+        for i, word in enumerate(words):
             name, equals, value = word.partition("=")
             option = self._option_string_actions.get(name)
             if option is not None:
+                if option in self.growing:
+                    given = [value, *words[i + 1 :]] if equals else words[i + 1 :]
+                    option.nargs = max(option.nargs, _numbers(given))  # type: ignore[type-var]
                 due = _numbers_after(option)
             if option is not None and due and equals:
                 yield name
@@ -108,6 +114,12 @@ def _numbers_after(option: argparse.Action) -> int:
     if option.nargs == "+" and option.type is rational_argument:
         return MOST
     return option.nargs if isinstance(option.nargs, int) else 0
+
+
+def _numbers(words: Sequence[str]) -> int:
+    """Return how many numbers come first, in one word or several."""
+    parts = (part for word in words for part in re.split(r"[\s,]+", word.strip(", ")))
+    return sum(1 for _ in takewhile(re.compile(r"[-+]?[.]?[0-9]").match, parts))
 
 
 def _meant(word: str, known: Iterable[str]) -> str:

@@ -21,7 +21,7 @@ _KINDS: dict[str, dict[str, Any]] = {
     "length": {"metavar": "LENGTH"},
     "Exact": {"type": terminal.rational_argument, "metavar": "Q"},
     "Vector": {"type": terminal.rational_argument, "nargs": 3, "metavar": ("X", "Y", "Z")},
-    "Wrench": {"type": terminal.rational_argument, "nargs": "+", "metavar": ("FX", "FY TAU")},
+    "Wrench": {"type": terminal.rational_argument, "nargs": 3, "metavar": ("FX", "FY", "TAU")},
     "Corner": {"type": lambda text: text.split(","), "metavar": "X,Y"},
     "bool": {"action": argparse.BooleanOptionalAction, "default": None},
 }
@@ -68,7 +68,9 @@ def add_options(
             style = dict(_KINDS["length" if flag in LENGTHS else uses[0][1].kind])
             if any(option.many for _, option in uses):
                 style |= {"action": "append"} if "nargs" in style else _EXTEND
-            parser.add_argument(f"--{flag}", **style, help=_help(uses))
+            added = parser.add_argument(f"--{flag}", **style, help=_help(uses))
+            if uses[0][1].kind == "Wrench" and isinstance(parser, terminal.Parser):
+                parser.growing.append(added)
 
 
 _EXTEND = {"action": "extend", "nargs": "+"}

@@ -16,6 +16,8 @@ if TYPE_CHECKING:
     from equilibrium.inputs import Conversion
     from equilibrium.model.grasp import Grasp
 
+_AXES = ("F_X", "F_Y", "TAU")
+
 #: Most contacts of one grasp that is made at random.
 MOST_CONTACTS = 1000
 
@@ -69,9 +71,8 @@ def add_applied(
 def add_force(parser: argparse.ArgumentParser, ways: Any) -> None:
     """Add a force or a weight at a point, to the ways in which a wrench can be given."""
     rational = terminal.rational_argument
-    text = "instead: a force (two numbers, three in space)"
-    force = ("F_X", "F_Y [F_Z]")
-    ways.add_argument("--force", nargs="+", metavar=force, type=rational, help=text)
+    text = "instead: a force (three numbers in space)"
+    force = ways.add_argument("--force", nargs=2, metavar=_AXES[:2], type=rational, help=text)
     ways.add_argument(
         "--weight",
         metavar="W",
@@ -79,7 +80,8 @@ def add_force(parser: argparse.ArgumentParser, ways: Any) -> None:
         help="instead: the force (0, -W), in space (0, 0, -W)",
     )
     text = "where the force or weight acts (default: at the origin)"
-    parser.add_argument("--at", nargs="+", metavar=("X", "Y [Z]"), type=rational, help=text)
+    place = parser.add_argument("--at", nargs=2, metavar=("X", "Y"), type=rational, help=text)
+    _let_grow(parser, force, place)
 
 
 def applied(arguments: argparse.Namespace, grasp: Grasp, name: str = "wrench") -> RationalVector:
@@ -101,15 +103,21 @@ def force_given(arguments: argparse.Namespace, dimension: int = 2) -> RationalVe
 
 def add_wrench(parser: Any, name: str, text: str, default: Any, required: bool = False) -> None:
     """Add three numbers, or six for a grasp in space; whoever reads them knows which."""
-    parser.add_argument(
+    option = parser.add_argument(
         name,
-        nargs="+",
+        nargs=3,
         required=required,
         default=default,
-        metavar=("F_X", "F_Y ... TAU"),
+        metavar=_AXES,
         type=terminal.rational_argument,
         help=text,
     )
+    _let_grow(parser, option)
+
+
+def _let_grow(parser: Any, *options: argparse.Action) -> None:
+    """Let options take more numbers, for grasps in space; groups know their parser."""
+    getattr(parser, "_container", parser).growing.extend(options)
 
 
 def add_number(

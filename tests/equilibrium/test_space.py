@@ -400,14 +400,16 @@ def agrees_with_all_states(contacts, seeds):
     return resisted
 
 
+def test_verdicts_on_pyramids_are_those_of_all_states():
+    agrees_with_all_states(2, range(8))
+
+
+@pytest.mark.campaign
+def test_many_verdicts_on_pyramids_are_those_of_all_states():
+    assert agrees_with_all_states(2, range(100, 250)) + agrees_with_all_states(3, range(50)) > 0
+
+
 class TestPyramids:
-    def test_verdicts_are_those_of_all_states(self):
-        agrees_with_all_states(2, range(8))
-
-    @pytest.mark.campaign
-    def test_many_verdicts_are_those_of_all_states(self):
-        assert agrees_with_all_states(2, range(100, 250)) + agrees_with_all_states(3, range(50)) > 0
-
     def test_a_force_along_an_edge_is_held_as_by_the_round_cone_and_between_edges_it_is_not(self):
         for size, held in ((1, True), (HAIR, False)):
             along = solve_in_space(FINGERS, [size * x for x in across(1, 0)], pyramid=4)
