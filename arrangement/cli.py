@@ -4,9 +4,12 @@ from __future__ import annotations
 
 import argparse
 from collections.abc import Sequence
+from dataclasses import asdict
 from typing import TYPE_CHECKING
 
 from . import terminal
+from .errors import InputError
+from .exact import shown
 from .io import files
 from .number_form import vector
 
@@ -42,6 +45,17 @@ def _parser() -> terminal.Parser:
         metavar="SECONDS",
         help="then stop, with the coefficients that are final",
     )
+    ways = polynomial.add_mutually_exclusive_group()
+    ways.add_argument(
+        "--store", metavar="FOLDER", help="keeps what is done; the same command goes on with it"
+    )
+    ways.add_argument(
+        "--forecast", action="store_true", help="only say how long it will take, from a sample"
+    )
+    ways.add_argument(
+        "--primes", type=_primes, metavar="P,Q,...", help="count points modulo these primes instead"
+    )
+    terminal.add_worker_options(polynomial)
     polynomial.set_defaults(command=_polynomial)
 
     faces = commands.add_parser("faces", help="list sign vectors with dimension and witness")
@@ -127,6 +141,8 @@ def _count(arguments: argparse.Namespace) -> int:
     print(f"planes           {counts['planes']}")
     print(f"distinct planes  {counts['distinct_planes']}")
     print(f"rank             {counts['rank']}")
+    if arrangement.field is not None:
+        print(f"entries in       {arrangement.field!r}")
     for dimension, number in enumerate(faces.f_vector):
         print(f"faces of dim {dimension}   {number}")
     print(f"states           {counts['states']}")
@@ -134,10 +150,10 @@ def _count(arguments: argparse.Namespace) -> int:
 
 
 def _polynomial(arguments: argparse.Namespace) -> int:
-    from .counts import first_whitney_numbers
-
     arrangement = _read(arguments)
-    numbers = first_whitney_numbers(arrangement, time_limit=arguments.time_limit)
+    if arguments.forecast:
+        return _forecast(arrangement, arguments)
+    numbers = _whitney_numbers(arrangement, arguments)
     bounded = abs(sum(numbers)) if arrangement.rank == arrangement.dimension else 0
     regions = sum(map(abs, numbers))
     if arguments.json:
@@ -155,8 +171,68 @@ def _polynomial(arguments: argparse.Namespace) -> int:
     return terminal.YES
 
 
+def _primes(text: str) -> list[int]:
+    try:
+        return [terminal.count_argument(word) for word in text.split(",")]
+    except argparse.ArgumentTypeError:
+        raise argparse.ArgumentTypeError(
+            f"{shown(text)} is no list of primes; write 5,7,11"
+        ) from None
+
+
+def _whitney_numbers(arrangement: Arrangement, arguments: argparse.Namespace) -> tuple[int, ...]:
+    """Count in one process, or in parts if there is a folder for them or more than one process."""
+    from contextlib import nullcontext
+    from tempfile import TemporaryDirectory
+
+    from .counts import by_points, first_whitney_numbers
+    from .counts_in_parts import PARTS, first_whitney_numbers_in_parts
+
+    shared = arguments.shard != (1, 1) or arguments.dask is not None
+    if shared and arguments.store is None:
+        raise InputError("--shard and --dask need --store, a folder that all machines see")
+    if arguments.primes is not None:
+        numbers = by_points(arrangement, arguments.primes).all_coeffs()
+        return tuple(map(int, numbers[: arrangement.rank + 1]))
+    if arguments.store is None and arguments.jobs == 1:
+        return first_whitney_numbers(arrangement, time_limit=arguments.time_limit)
+    kept = nullcontext(arguments.store) if arguments.store else TemporaryDirectory()
+    with kept as folder:
+        return first_whitney_numbers_in_parts(
+            arrangement,
+            folder,
+            parts=PARTS if arguments.store else 4 * arguments.jobs,
+            jobs=arguments.jobs,
+            shard=arguments.shard,
+            dask=arguments.dask,
+            time_limit=arguments.time_limit,
+        )
+
+
+def _forecast(arrangement: Arrangement, arguments: argparse.Namespace) -> int:
+    from .counts.forecast import forecast
+    from .progress import duration
+
+    ranks = list(forecast(arrangement))
+    total = sum(entry.seconds for entry in ranks)
+    if arguments.json:
+        terminal.print_json({"ranks": [asdict(entry) for entry in ranks], "seconds": total})
+        return terminal.YES
+    print("rank   classes of flats   processor time       memory")
+    for entry in ranks:
+        about = " " if entry.exact else "≈"
+        print(
+            f"{entry.rank:>4} {about}{entry.classes:>17,} {duration(entry.seconds):>16}"
+            f" {entry.megabytes:>9,.1f} MB"
+        )
+    print(f"in all {duration(total):>33}, from samples where the number of classes has the sign ≈")
+    return terminal.YES
+
+
 def _faces(arguments: argparse.Namespace) -> int:
     arrangement = _read(arguments)
+    if arrangement.field is not None and not arguments.json:
+        print(f"points in {arrangement.field!r}")
     for face in arrangement.iter_faces(arguments.dimension):
         if arguments.json:
             terminal.print_json(

@@ -11,8 +11,8 @@ from collections.abc import Iterable, Sequence
 from operator import mul
 from typing import TypeAlias
 
-from .exact import IntegerVector
-from .linear import reduced, unit_vectors
+from .exact import IntegerVector, reduced
+from .linear import unit_vectors
 
 #: (extreme rays, a basis of the lines)
 Generators: TypeAlias = tuple[tuple[IntegerVector, ...], tuple[IntegerVector, ...]]

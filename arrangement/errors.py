@@ -17,8 +17,12 @@ class MissingExtraError(ArrangementError, ImportError):
     """An optional library is absent; the message names the extra that installs it."""
 
 
-class TimeLimitError(InputError):
-    """The time that was given is over.
+class WorkerError(InputError):
+    """Processes or machines that were to work, and cannot."""
+
+
+class UnfinishedError(InputError):
+    """A count that is not at its end.
 
     Attributes:
         known: the first Whitney numbers of the first kind, which are final.
@@ -27,6 +31,10 @@ class TimeLimitError(InputError):
     def __init__(self, message: str, known: tuple[int, ...]) -> None:
         super().__init__(message)
         self.known = known
+
+
+class TimeLimitError(UnfinishedError):
+    """The time that was given is over."""
 
 
 def refusal(

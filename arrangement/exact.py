@@ -11,7 +11,7 @@ import math
 import numbers
 import re
 import reprlib
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from decimal import MAX_EMAX, MIN_EMIN, Context, Decimal, Inexact
 from fractions import Fraction
 from operator import mul
@@ -158,13 +158,19 @@ def from_floats(values: Any) -> Any:
     return rational(values, "value to convert")
 
 
-def rational_vector(values: Any, name: str = "vector") -> RationalVector:
-    """Return a sequence of accepted numbers as a tuple of `Fraction`; errors name the entry."""
+def rational_vector(
+    values: Any, name: str = "vector", read: Callable[[Any, str], Any] = rational
+) -> RationalVector:
+    """Return a sequence of accepted numbers as a tuple of `Fraction`; errors name the entry.
+
+    Args:
+        read: what takes an entry and its name to a number.
+    """
     if callable(getattr(values, "flat", None)):  # SymPy's matrices
         values = values.flat()
     if isinstance(values, (str, bytes)) or not isinstance(values, Iterable):
         raise InputError(f"{name} is {shown(values)}; give a sequence of exact numbers")
-    return tuple(rational(value, f"{name}[{i}]") for i, value in enumerate(values))
+    return tuple(read(value, f"{name}[{i}]") for i, value in enumerate(values))
 
 
 def primitive(vector: Sequence[Fraction | int]) -> IntegerVector:
@@ -176,9 +182,31 @@ def primitive(vector: Sequence[Fraction | int]) -> IntegerVector:
     (3, -2, 0)
     """
     scale = math.lcm(*(x.denominator for x in vector))
-    integers = [x.numerator * (scale // x.denominator) for x in vector]
-    divisor = math.gcd(*integers)
-    return tuple(integers) if divisor <= 1 else tuple(x // divisor for x in integers)
+    return reduced([x.numerator * (scale // x.denominator) for x in vector])
+
+
+def reduced(vector: Sequence[int]) -> IntegerVector:
+    """Divide an integer vector by the greatest common divisor of its entries.
+
+    Of algebraic integers it is the positive multiple whose first nonzero entry is rational, again
+    with integer coefficients that have no common divisor: one vector for each direction.
+    """
+    try:
+        divisor = math.gcd(*vector)
+    except TypeError:
+        return _reduced_in_field(vector)
+    return tuple(vector) if divisor <= 1 else tuple(x // divisor for x in vector)
+
+
+def _reduced_in_field(vector: Sequence[Any]) -> tuple[Any, ...]:
+    first = next(x for x in vector if x)
+    if not isinstance(first, int):
+        inverse = 1 / abs(first)
+        vector = [x * inverse for x in vector]
+    scale = math.lcm(*(x.denominator for x in vector))
+    whole = [x.numerator * (scale // x.denominator) for x in vector]
+    divisor = math.gcd(*(x if isinstance(x, int) else x.content for x in whole))
+    return tuple(x // divisor for x in whole)
 
 
 def unoriented(vector: Sequence[int]) -> IntegerVector:
@@ -187,13 +215,34 @@ def unoriented(vector: Sequence[int]) -> IntegerVector:
     >>> unoriented([0, -4, 6])
     (0, 2, -3)
     """
-    divisor = math.gcd(*vector)
+    try:
+        divisor = math.gcd(*vector)
+    except TypeError:
+        vector, divisor = _reduced_in_field(vector), 1
     for x in vector:
         if x:
             if x < 0:
                 divisor = -divisor
             break
     return tuple(vector) if divisor in (0, 1) else tuple(x // divisor for x in vector)
+
+
+def largest(rows: Iterable[Iterable[int]]) -> float:
+    """Return the largest size of an entry; infinity, beyond every bound, if one is irrational."""
+    entries = [x for row in rows for x in row]
+    if not all(isinstance(x, int) for x in entries):
+        return math.inf
+    return max(map(abs, entries), default=0)
+
+
+def fraction(x: Any) -> Any:
+    """Return an integer as a `Fraction`, and any other exact number as it is."""
+    return Fraction(x) if isinstance(x, int) else x
+
+
+def quotient(x: Any, y: Any) -> Any:
+    """Return x / y of exact numbers; of two integers as a `Fraction`."""
+    return Fraction(x, y) if isinstance(x, int) and isinstance(y, int) else x / y
 
 
 def bits(mask: int) -> tuple[int, ...]:
@@ -226,6 +275,8 @@ def number_text(value: Fraction | int, digits: int = 6, longest: int = 12) -> st
     >>> number_text(Fraction(-1, 3)), number_text(Fraction(40579, 5242880)), number_text(10**40)
     ('-1/3', '≈0.00773983', '1e+40')
     """
+    if not isinstance(value, (int, Fraction)):  # an irrational number of a field
+        return f"≈{float(value):.{digits}g}"
     size = value.numerator.bit_length() + value.denominator.bit_length()
     if size <= 4 * longest and len(text := to_text(value)) <= longest:
         return text

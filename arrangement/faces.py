@@ -18,9 +18,10 @@ from arrangement.short_repr import Shown
 
 from .cones import Generators, generators
 from .errors import InputError
-from .exact import IntegerVector, RationalVector, bits, dot, rational_vector, shown
+from .exact import IntegerVector, RationalVector, bits, dot, quotient, shown
 from .linear import determinant, rank
 from .planes import Planes
+from .real_entries import real_vector
 from .symbolic import to_sympy
 
 if TYPE_CHECKING:
@@ -65,7 +66,7 @@ class Face(Shown):
     @classmethod
     def at(cls, planes: Planes, point: Iterable[Any]) -> Face:
         """Return the face that contains a point of R^d."""
-        witness = rational_vector(point, "point")
+        witness = real_vector(point, "point", planes.field)
         signs = planes.signs_at(witness)
         through = [p[:-1] for p, s in zip(planes.integer_planes, signs, strict=True) if not s]
         return cls(signs, planes.dimension - rank(through), witness, planes)
@@ -149,7 +150,7 @@ class Face(Shown):
         """The corners of the closure; none if it contains a line."""
         found, lines = self._generators
         return tuple(
-            tuple(Fraction(x, point[-1]) for x in point[:-1])
+            tuple(quotient(x, point[-1]) for x in point[:-1])
             for point in found
             if point[-1] and not lines
         )
@@ -209,7 +210,7 @@ class Face(Shown):
         walls = [wall for wall, _ in self._walls]
         return sum(
             (
-                Fraction(abs(determinant(simplex)), math.prod(row[-1] for row in simplex))
+                quotient(abs(determinant(simplex)), math.prod(row[-1] for row in simplex))
                 for simplex in (
                     [corners[i] for i in chosen] for chosen in _simplices(self._all, walls)
                 )
@@ -284,7 +285,7 @@ class Face(Shown):
         """Return the face of the closure that some generators span."""
         rows = [self._generators[0][j] for j in bits(mask)]
         *total, scale = map(sum, zip(*rows, strict=True))
-        return Face.at(self.planes, [Fraction(x, scale) for x in total])
+        return Face.at(self.planes, [quotient(x, scale) for x in total])
 
 
 def _maximal(masks: Iterable[int]) -> list[int]:

@@ -11,13 +11,15 @@ up to 2^25. That is `error_bound`. No product may underflow: see `SMALLEST`.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+import math
+from collections.abc import Callable, Sequence
 from typing import Any, TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
 
 from .exact import IntegerVector
+from .number_field import field_of
 
 Floats: TypeAlias = NDArray[np.float64]
 Booleans: TypeAlias = NDArray[np.bool_]
@@ -30,6 +32,10 @@ EXACT = 2**53
 #: Factors of this size at least: products of four are 2^-800 or more, their last digits 2^-853, and
 #: what subtraction leaves of two products times another two is above 2^-1022.
 SMALLEST = 2.0**-200
+
+
+#: No sum exceeds twice the sum of its absolute products, so this bound decides nothing.
+UNUSABLE = 2.0
 
 
 def error_bound(roundings: int) -> float:
@@ -53,6 +59,48 @@ def signs_of(values: NDArray[Any]) -> Signs:
     positive: Booleans = values > 0
     negative: Booleans = values < 0
     return positive.view(np.int8) - negative.view(np.int8)
+
+
+def decided(
+    values: Floats,
+    sizes: Floats,
+    error: float,
+    least: Floats | float,
+    exact: Callable[[tuple[NDArray[np.intp], ...]], Any],
+) -> Signs:
+    """Return the signs of sums of products from their computed values.
+
+    Args:
+        values, sizes: as for `certain`.
+        error: see `error_bound`.
+        least: what is smaller than this, with its error, is 0.
+        exact: from indices to exact values, for what is still open.
+    """
+    signs = signs_of(values)
+    rest = ~certain(values, sizes, error)
+    signs[rest] = 0
+    at = np.nonzero(rest & (sizes > 0) & (np.abs(values) + error * sizes >= least))
+    if len(at[0]):
+        signs[at] = signs_of(exact(at))
+    return signs
+
+
+def least_sizes(rows: Sequence[IntegerVector]) -> Floats:
+    """Return a number for each row of `scaled`, by which products of entries keep their distance.
+
+    Let a sum of products have at most 24 products of one entry each of the same rows. If it is not
+    0 it is at least the product of the numbers of these rows: the norm of the sum, the product of
+    its conjugates, is an integer then, and at least 1.
+    """
+    field = field_of(x for row in rows for x in row)
+    power = 0 if field is None else field.degree - 1
+    found = []
+    for row in rows:
+        conjugates = max((abs(x) if isinstance(x, int) else x.size() for x in row), default=0)
+        bits = max(abs(x) for x in row).bit_length()
+        exponent = -bits - power * math.log2(3 * conjugates or 1) - 1e-6
+        found.append(2.0**exponent if exponent > -200 else 0.0)
+    return np.array(found)
 
 
 def scaled(rows: Sequence[IntegerVector]) -> tuple[Floats, Booleans]:

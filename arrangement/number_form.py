@@ -38,7 +38,9 @@ _form: ContextVar[Form] = ContextVar("_form", default=_USUAL)
 def number(value: Fraction | int) -> str:
     """Return a number as the command that runs writes it."""
     form = _form.get()
-    return to_text(value) if form.exact else number_text(value, form.digits)
+    if not form.exact:
+        return number_text(value, form.digits)
+    return to_text(value) if isinstance(value, (int, Fraction)) else repr(value)
 
 
 def vector(numbers: Iterable[Fraction | int]) -> str:

@@ -17,15 +17,17 @@ from .exact import (
     IntegerVector,
     RationalVector,
     dot,
+    fraction,
     primitive,
     rational_vector,
     shown,
     sign,
-    to_text,
     unoriented,
 )
 from .linear import rank
-from .symbolic import equations_of, integer_matrix, planes_of
+from .number_field import NumberField, field_of, written
+from .real_entries import entry, in_one_field, real_vector
+from .symbolic import equations_of, exact_matrix, planes_of
 
 if TYPE_CHECKING:
     import sympy
@@ -64,11 +66,14 @@ class Planes:
         dimension: int | None = None,
         axes: Iterable[str] = (),
     ) -> None:
-        rows = [rational_vector(row, f"normals[{i}]") for i, row in enumerate(_listed(normals))]
+        rows = [
+            rational_vector(row, f"normals[{i}]", entry) for i, row in enumerate(_listed(normals))
+        ]
         if offsets is None:
             constants: RationalVector = (Fraction(0),) * len(rows)
         else:
-            constants = rational_vector(offsets, "offsets")
+            constants = rational_vector(offsets, "offsets", entry)
+        *rows, constants = in_one_field([*rows, constants])
         if len(constants) != len(rows):
             raise InputError(
                 f"there are {len(rows)} normals and {len(constants)} offsets; give one offset "
@@ -136,18 +141,18 @@ class Planes:
 
     @cached_property
     def matrix(self) -> DomainMatrix:
-        """The planes as a SymPy matrix over ZZ with the rows ``n_1 ... n_d b``."""
-        return integer_matrix(self._integer_planes, self.dimension + 1)
+        """The planes as a SymPy matrix over ZZ, or over their field: rows ``n_1 ... n_d b``."""
+        return exact_matrix(self._integer_planes, self.dimension + 1)
 
     @property
     def normals(self) -> tuple[RationalVector, ...]:
         """The normals in input order, in the stored (coprime integer) scaling."""
-        return tuple(tuple(Fraction(x) for x in plane[:-1]) for plane in self._integer_planes)
+        return tuple(tuple(map(fraction, plane[:-1])) for plane in self._integer_planes)
 
     @property
     def offsets(self) -> RationalVector:
         """The offsets in input order, in the stored (coprime integer) scaling."""
-        return tuple(Fraction(plane[-1]) for plane in self._integer_planes)
+        return tuple(fraction(plane[-1]) for plane in self._integer_planes)
 
     def __len__(self) -> int:
         return len(self._integer_planes)
@@ -166,6 +171,11 @@ class Planes:
             f"<{type(self).__name__}: {len(self)} planes ({len(self.distinct)} distinct) in "
             f"R^{self.dimension}, rank {self.rank}, {kind}>"
         )
+
+    @cached_property
+    def field(self) -> NumberField | None:
+        """The field of the entries; None if all are rational, in the stored scaling."""
+        return field_of(x for plane in self._integer_planes for x in plane)
 
     @cached_property
     def class_of(self) -> tuple[int, ...]:
@@ -248,7 +258,7 @@ class Planes:
 
     def signs_at(self, point: Iterable[Any]) -> tuple[int, ...]:
         """Return the sign of ``n_i . x - b_i`` at a point x of R^d, for every input plane."""
-        x = rational_vector(point, "point")
+        x = real_vector(point, "point", self.field)
         if len(x) != self.dimension:
             raise InputError(f"point has {len(x)} coordinates; this space has {self.dimension}")
         integers = primitive((*x, Fraction(-1)))
@@ -256,12 +266,12 @@ class Planes:
 
     def to_dict(self) -> dict[str, Any]:
         """Return the file form (see `arrangement.read_arrangement`)."""
-        document: dict[str, Any] = {
-            "schema_version": 1,
-            "planes": [[to_text(x) for x in plane[:-1]] for plane in self._integer_planes],
-        }
+        document: dict[str, Any] = {"schema_version": 1}
+        if self.field is not None:
+            document["field"] = self.field.to_dict()
+        document["planes"] = [[written(x) for x in plane[:-1]] for plane in self._integer_planes]
         if not self.is_central:
-            document["offsets"] = [to_text(plane[-1]) for plane in self._integer_planes]
+            document["offsets"] = [written(plane[-1]) for plane in self._integer_planes]
         if not self._integer_planes:
             document["dimension"] = self.dimension
         return document

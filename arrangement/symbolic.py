@@ -12,18 +12,43 @@ from typing import TYPE_CHECKING, Any
 
 from .errors import InputError
 from .exact import IntegerVector, RationalVector, shown
+from .number_field import AlgebraicNumber, NumberField, Real, field_of
 
 if TYPE_CHECKING:
     import sympy
     from sympy.polys.matrices import DomainMatrix
 
 
-def integer_matrix(rows: Sequence[Sequence[int]], width: int) -> DomainMatrix:
-    """Return integer rows as a matrix over ZZ, whichever ground types SymPy uses."""
-    from sympy import ZZ
+def exact_matrix(rows: Sequence[Sequence[int]], width: int) -> DomainMatrix:
+    """Return integer rows as a matrix over ZZ, whichever ground types SymPy uses.
+
+    Rows with irrational entries become a matrix over SymPy's domain of their field.
+    """
+    from sympy import QQ, ZZ
     from sympy.polys.matrices import DomainMatrix
 
-    return DomainMatrix([[ZZ(x) for x in row] for row in rows], (len(rows), width), ZZ)
+    field = field_of(x for row in rows for x in row)
+    if field is None:
+        return DomainMatrix([[ZZ(x) for x in row] for row in rows], (len(rows), width), ZZ)
+    domain = field.domain
+
+    def entry(x: Real) -> Any:
+        parts = x.rational_coefficients() if isinstance(x, AlgebraicNumber) else [Fraction(x)]
+        return domain([QQ(c.numerator, c.denominator) for c in reversed(parts)])
+
+    return DomainMatrix([[entry(x) for x in row] for row in rows], (len(rows), width), domain)
+
+
+def entries(rows: Sequence[Sequence[Any]], field: NumberField | None) -> list[list[Any]]:
+    """Return rows of numbers of SymPy's domain, from an `exact_matrix` or computed from it."""
+    if field is None:
+        return [[int(x) for x in row] for row in rows]
+
+    def number(x: Any) -> Real:
+        parts = [Fraction(int(c.numerator), int(c.denominator)) for c in reversed(x.to_list())]
+        return field.number(parts)
+
+    return [[number(x) for x in row] for row in rows]
 
 
 def to_sympy(values: Any) -> Any:
@@ -45,8 +70,17 @@ def to_sympy(values: Any) -> Any:
 
     if isinstance(values, Iterable):
         entries = [to_sympy(value) for value in values]
-        flat = all(isinstance(entry, sympy.Rational) for entry in entries)
+        flat = all(isinstance(entry, sympy.Expr) for entry in entries)
         return sympy.ImmutableMatrix(len(entries), 1, entries) if flat else tuple(entries)
+    if isinstance(values, AlgebraicNumber):
+        polynomial = values.field.minimal_polynomial
+        root = (
+            sympy.sqrt(-polynomial[0])
+            if len(polynomial) == 3
+            else sympy.CRootOf(sympy.Poly(polynomial[::-1], sympy.Symbol("x")), values.field.index)
+        )
+        parts = values.rational_coefficients()
+        return sympy.Add(*(to_sympy(c) * root**k for k, c in enumerate(parts)))
     return sympy.Rational(int(values.numerator), int(values.denominator))
 
 
@@ -85,8 +119,8 @@ def equations_of(
         )
     return tuple(
         sympy.Eq(
-            sympy.Add(*(n * x for n, x in zip(normal, variables, strict=True))),
-            sympy.Integer(offset),
+            sympy.Add(*(to_sympy(n) * x for n, x in zip(normal, variables, strict=True))),
+            to_sympy(offset),
             evaluate=False,
         )
         for *normal, offset in planes
@@ -131,20 +165,20 @@ def _coefficients(expression: sympy.Expr, symbols: Sequence[sympy.Symbol], name:
     import sympy
 
     column = {symbol: k for k, symbol in enumerate(symbols)}
-    row = [Fraction(0)] * (len(symbols) + 1)
+    row = [sympy.Integer(0)] * (len(symbols) + 1)
     for term in sympy.Add.make_args(sympy.expand(expression)):
         factor, rest = term.as_independent(*symbols, as_Add=False)
         if rest != 1 and rest not in column:
             raise InputError(f"{name} has the term {shown(term)}, which is not linear in {symbols}")
-        if not isinstance(factor, sympy.Rational):
-            raise InputError(f"{name} has the term {shown(term)}: {_why_not_rational(factor)}")
-        row[column.get(rest, -1)] += Fraction(int(factor.p), int(factor.q))
+        if not factor.is_algebraic or not factor.is_real or factor.has(sympy.Float):
+            raise InputError(f"{name} has the term {shown(term)}: {_why_not_algebraic(factor)}")
+        row[column.get(rest, -1)] += factor
     if not any(row[:-1]):
         raise InputError(f"{name} has none of the symbols {symbols}, so it defines no plane")
     return row
 
 
-def _why_not_rational(factor: sympy.Expr) -> str:
+def _why_not_algebraic(factor: sympy.Expr) -> str:
     """Return the rule that a coefficient breaks, and the remedy."""
     import sympy
 
@@ -153,4 +187,4 @@ def _why_not_rational(factor: sympy.Expr) -> str:
     if factor.free_symbols:
         names = ", ".join(sorted(map(str, factor.free_symbols)))
         return f"{names} is not one of the symbols; substitute numbers for parameters"
-    return f"the coefficient {shown(factor)} is not a rational number"
+    return f"the coefficient {shown(factor)} is not a real algebraic number"

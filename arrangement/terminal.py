@@ -24,7 +24,8 @@ from typing import Any, NoReturn
 from . import number_form, progress
 from .entry import fault
 from .errors import InputError, MissingExtraError
-from .exact import rational, shown, to_text
+from .exact import rational, shown
+from .number_field import AlgebraicNumber, written
 
 YES = 0
 NO = 1
@@ -157,6 +158,31 @@ def add_common_options(parser: argparse.ArgumentParser) -> None:
     )
 
 
+def add_worker_options(parser: argparse.ArgumentParser) -> None:
+    """Add who does the parts of a long computation: processes, machines or a cluster."""
+    parser.add_argument(
+        "--jobs", type=integer_argument, default=1, metavar="N", help="processes (default: 1)"
+    )
+    parser.add_argument(
+        "--shard",
+        type=_shard,
+        default=(1, 1),
+        metavar="I/N",
+        help="do only the I-th of N parts, for machines without a cluster",
+    )
+    parser.add_argument("--dask", metavar="ADDRESS", help="of a scheduler that has workers")
+
+
+def _shard(text: str) -> tuple[int, int]:
+    """Read 2/5."""
+    found = re.fullmatch(r"([0-9]{1,6})/([0-9]{1,6})", text, re.ASCII)
+    if found is None or not 1 <= int(found[1]) <= int(found[2]):
+        raise argparse.ArgumentTypeError(
+            f"{text!r} is not a shard; write 2/5 for the second of five"
+        )
+    return int(found[1]), int(found[2])
+
+
 def add_number_options(parser: argparse.ArgumentParser) -> None:
     """Add ``--exact`` and ``--digits``, for commands that print numbers; `run` heeds them."""
     form = parser.add_mutually_exclusive_group()
@@ -263,9 +289,9 @@ def printable(text: str) -> str:
     return "".join(c if c.isprintable() else ascii(c)[1:-1] for c in text)
 
 
-def _encode(value: Any) -> str:
-    if isinstance(value, Fraction):
-        return to_text(value)
+def _encode(value: Any) -> str | list[str]:
+    if isinstance(value, (Fraction, AlgebraicNumber)):
+        return written(value)
     raise TypeError(f"{type(value).__name__} has no JSON form")
 
 

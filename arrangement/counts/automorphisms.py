@@ -18,7 +18,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from arrangement.errors import InputError
-from arrangement.symbolic import integer_matrix
+from arrangement.exact import largest, shown
+from arrangement.number_field import NumberField, field_of
+from arrangement.symbolic import entries, exact_matrix
 
 from .configuration import Configuration
 
@@ -42,8 +44,8 @@ class Automorphisms:
         infinity = [] if config.infinity is None else [config.infinity]
         rows = [*config.vectors, *infinity]
         self.size = len(rows)
-        matrix = integer_matrix(rows, config.rank)
-        self._products = _numbered_products(matrix)
+        matrix = exact_matrix(rows, config.rank)
+        self._products = _numbered_products(matrix, field_of(x for row in rows for x in row))
         order = _connected_order(self._products, first=-len(infinity) % self.size)
         independent = matrix.extract(order, range(config.rank)).transpose().rref_den()[2]
         self._base = [order[i] for i in independent]
@@ -92,9 +94,9 @@ class Automorphisms:
             moved = self._products[np.ix_(image, image)]
             if not _equal_up_to_signs(moved, self._products):
                 raise InputError(
-                    f"symmetry[{number}] is no automorphism: no linear map takes each plane's "
-                    "normal to plus or minus that of its image; leave it out, or leave out "
-                    "symmetry to have it found"
+                    f"symmetry[{number}] takes distinct planes to {shown(list(given))}, which is "
+                    "no automorphism: no linear map takes each plane's normal to plus or minus "
+                    "that of its image; leave it out, or leave out symmetry to have it found"
                 )
             checked.append(image)
         return self._stacked(checked)
@@ -188,15 +190,14 @@ def _connected_order(products: _Integers, first: int) -> list[int]:
     return list(order)
 
 
-def _numbered_products(matrix: DomainMatrix) -> _Integers:
+def _numbered_products(matrix: DomainMatrix, field: NumberField | None) -> _Integers:
     """Return G with its entries numbered: 0 stays 0, opposite entries have opposite numbers."""
     inverse, _ = (matrix.transpose() * matrix).inv_den()
     rows, middle = (
-        np.array([[int(x) for x in row] for row in part.to_list()], dtype=object)
-        for part in (matrix, inverse)
+        np.array(entries(part.to_list(), field), dtype=object) for part in (matrix, inverse)
     )
     products = rows @ middle @ rows.T
-    if max(map(abs, products.flat)) < 2**62:
+    if largest([products.flat]) < 2**62:
         products = products.astype(np.int64)
     sizes, numbers = np.unique(np.abs(products), return_inverse=True)
     numbers = numbers.reshape(products.shape) + (sizes[0] != 0)

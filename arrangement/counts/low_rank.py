@@ -30,17 +30,22 @@ the sums ``V[k][j]`` of |mu(X, Y)| over flats X <= Y of ranks k and j are
 sums included, for entries up to B. Up to that bound they are int64 (B up to 1,154,107; in rank 3
 the bound is 2 B^2, so B up to 2 * 10^9), else Python integers in the same arrays. SymPy's matrices
 take 5 to 25 times as long for the same groups, for 20 to 200 planes of rank 3.
+Irrational vectors are grouped by `modular` instead.
 """
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+import math
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from arrangement.exact import largest, unoriented
+
 from .configuration import Configuration
+from .modular import ModularVectors
 
 #: Highest rank, infinity included, that this module counts.
 MAX_RANK = 4
@@ -90,12 +95,15 @@ def rank_two_groups(config: Configuration) -> Groups:
 
     For rank 3 and 4 only.
     """
-    vectors = _matrix(config)
-    groups = [
-        _flats_only(_group(_contract_by_one(vectors, rows), rows), len(config.vectors))
-        for rows in _chunks(len(config.vectors), len(vectors))
-    ]
-    return _keep(_concatenate(groups), lambda g: g.first > g.row)
+    vectors, m = _matrix(config), len(config.vectors)
+    if isinstance(vectors, ModularVectors):
+        bases = np.arange(m)[:, None]
+        groups = [_covers(vectors, bases, np.eye(m, vectors.count, dtype=np.bool_))]
+    else:
+        groups = [
+            _group(_contract_by_one(vectors, rows), rows) for rows in _chunks(m, len(vectors))
+        ]
+    return _keep(_flats_only(_concatenate(groups), m), lambda g: g.first > g.row)
 
 
 def _below_top(config: Configuration) -> WhitneyMatrix:
@@ -131,9 +139,19 @@ def _rank_three_sums(config: Configuration, lines: Groups) -> tuple[int, int, in
     """Return P, M, K, I of the module's notes."""
     vectors, m = _matrix(config), len(config.vectors)
     points = point_planes = pairs = triples = 0
-    for rows in _chunks(len(lines.row), len(vectors)):
+    members = lines.members()
+    for rows in _chunks(len(lines.row), m):
         first, second = lines.row[rows], lines.first[rows]
-        group = _flats_only(_group(_contract_by_two(vectors, first, second), rows), m)
+        if isinstance(vectors, ModularVectors):
+            inside = np.zeros((len(rows), vectors.count), dtype=np.bool_)
+            inside[np.arange(len(rows)), first] = True
+            for place, line in enumerate(rows.tolist()):
+                inside[place, members[line]] = True
+            group = _covers(vectors, np.column_stack([first, second]), inside)
+            group = replace(group, row=rows[group.row])
+        else:
+            group = _group(_contract_by_two(vectors, first, second), rows)
+        group = _flats_only(group, m)
         on_line = lines.size[group.row] + 1
         counted = group.first > lines.first[group.row]
         points += int(counted.sum())
@@ -143,14 +161,26 @@ def _rank_three_sums(config: Configuration, lines: Groups) -> tuple[int, int, in
     return points, point_planes, pairs, triples
 
 
-def _matrix(config: Configuration) -> Integers:
-    """Return the vectors, infinity last, as int64 when every minor fits, else as objects."""
+def _matrix(config: Configuration) -> Integers | ModularVectors:
+    """Return the vectors, infinity last, as int64 when every minor fits, else as objects.
+
+    Irrational ones are seen modulo primes.
+    """
     rows = list(config.vectors)
     if config.infinity is not None:
         rows.append(config.infinity)
-    largest = max((abs(x) for row in rows for x in row), default=0)
-    bound = 2 * largest**2 if config.rank <= 3 else 6 * largest**3
+    size = largest(rows)
+    if size == math.inf:
+        return ModularVectors(rows, config.rank)
+    bound = 2 * size**2 if config.rank <= 3 else 6 * size**3
     return np.array(rows, dtype=np.int64 if bound <= _INT64_MAX else object)
+
+
+def _covers(vectors: ModularVectors, bases: Integers, inside: Integers) -> Groups:
+    """Return the vectors outside some flats, grouped by the flats that cover them."""
+    covers = vectors.covers(bases, inside)
+    last = covers.member[np.cumsum(covers.added) - 1]
+    return Groups(covers.below, covers.plane, last, covers.added, covers.member)
 
 
 def _chunks(rows: int, columns: int) -> list[Integers]:
@@ -190,10 +220,8 @@ def _contract_by_two(vectors: Integers, first: Integers, second: Integers) -> li
 
 def _group(coordinates: list[Integers], rows: Integers) -> Groups:
     """Group the columns of each row by ratio; columns whose coordinates are all 0 are left out."""
-    divisor = np.gcd.reduce(coordinates)
-    local, column = np.nonzero(divisor)
-    parts = [part[local, column] for part in coordinates]
-    keys = _canonical(parts, divisor[local, column])
+    local, column = np.nonzero(np.logical_or.reduce([part != 0 for part in coordinates]))
+    keys = _canonical([part[local, column] for part in coordinates])
     order = np.lexsort((*reversed(keys), local))
     changed = np.zeros(len(order), dtype=bool)
     changed[:1] = True
@@ -207,17 +235,17 @@ def _group(coordinates: list[Integers], rows: Integers) -> Groups:
     )
 
 
-def _canonical(parts: list[Integers], divisor: Integers) -> list[Integers]:
+def _canonical(parts: list[Integers]) -> list[Integers]:
     """Return sortable keys, equal exactly for proportional coordinates."""
+    if parts[0].dtype == object:
+        names: dict[tuple[int, ...], int] = {}
+        lines = map(unoriented, zip(*parts, strict=True))
+        return [np.array([names.setdefault(key, len(names)) for key in lines], dtype=np.int64)]
+    divisor = np.gcd.reduce(parts)
     sign = np.zeros(len(divisor), dtype=np.int64)
     for part in parts:
-        sign = np.where(sign == 0, np.sign(part), sign).astype(np.int64)
-    parts = [part // divisor * sign for part in parts]
-    if divisor.dtype != object:
-        return parts
-    names: dict[tuple[int, ...], int] = {}
-    codes = [names.setdefault(key, len(names)) for key in zip(*parts, strict=True)]
-    return [np.array(codes, dtype=np.int64)]
+        sign = np.where(sign == 0, np.sign(part), sign)
+    return [part // divisor * sign for part in parts]
 
 
 def _flats_only(groups: Groups, infinity: int) -> Groups:

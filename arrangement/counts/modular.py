@@ -9,6 +9,10 @@ order k + 2 of B, a, c vanish, so exactly when a and c are parallel modulo each 
 A single prime above H is always good enough: ranks modulo it are ranks. Of several primes one may
 divide a minor that is not 0; then a dependency shows that the planes do not have, and other primes
 are taken for the flats in question.
+
+Entries in a number field Q(a) are reduced modulo primes that divide f(r) for an integer r, with f
+the minimal polynomial of a: r stands for a. What is not 0 and becomes 0 has a norm, an integer,
+that the prime divides; so the bound is that of norms, the product over all conjugates.
 """
 
 from __future__ import annotations
@@ -17,11 +21,13 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from math import isqrt, prod
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from arrangement.exact import IntegerVector
+from arrangement.number_field import field_of
 
 Integers = NDArray[np.int64]
 #: Sums of so many bits are exact in int64, and in doubles.
@@ -68,7 +74,8 @@ class ModularVectors:
     """Integer vectors of full rank, pairwise independent, seen modulo primes."""
 
     def __init__(self, vectors: Sequence[IntegerVector], rank: int) -> None:
-        self._vectors = vectors
+        self._vectors: Sequence[Sequence[Any]] = vectors
+        self._field = field_of(x for row in vectors for x in row)
         self.count, self.rank = len(vectors), rank
         self.index_bits = max(1, self.count.bit_length())
 
@@ -89,9 +96,10 @@ class ModularVectors:
 
     @cached_property
     def hadamard_bound(self) -> int:
-        """A bound of the size of every minor: the product of the largest lengths of rows."""
-        squares = sorted((sum(x * x for x in row) for row in self._vectors), reverse=True)
-        return isqrt(prod(squares[: self.rank])) + 1
+        """A bound of the size of every minor, or of its norm: a product of lengths of rows."""
+        squares = sorted((sum(_size(x) ** 2 for x in row) for row in self._vectors), reverse=True)
+        bound: int = isqrt(prod(squares[: self.rank])) + 1
+        return bound if self._field is None else bound**self._field.degree
 
     def _prime_sets(self) -> Iterator[list[int]]:
         """Yield sets of primes whose product exceeds the bound, each set new."""
@@ -99,14 +107,21 @@ class ModularVectors:
 
         largest = isqrt((1 << _INT64_BITS) // max(1, self.rank)) - 1
         if self.hadamard_bound < largest // 2:
-            yield [nextprime(self.hadamard_bound)]
+            prime = nextprime(self.hadamard_bound)
+            while not self._has_image(prime):
+                prime = nextprime(prime)
+            yield [prime]
         prime = largest
         while True:
             primes: list[int] = []
             while prod(primes) <= self.hadamard_bound:
                 prime = prevprime(prime)
-                primes.append(prime)
+                if self._has_image(prime):
+                    primes.append(prime)
             yield primes
+
+    def _has_image(self, prime: int) -> bool:
+        return self._field is None or self._field.root_modulo(prime) is not None
 
     def _labels(self, bases: Integers, members: NDArray[np.bool_], primes: list[int]) -> Integers:
         """Return labels below 2^(63 - index bits), equal for parallel vectors beside a flat."""
@@ -151,7 +166,12 @@ class ModularVectors:
         )
 
     def _reduced(self, prime: int) -> Integers:
-        return np.array([[x % prime for x in row] for row in self._vectors], dtype=np.int64)
+        rows = self._vectors
+        if self._field is not None:
+            root = self._field.root_modulo(prime)
+            assert root is not None
+            rows = [[x if isinstance(x, int) else x.residue(prime, root) for x in r] for r in rows]
+        return np.array([[x % prime for x in row] for row in rows], dtype=np.int64)
 
     def _grouped(self, labels: Integers, members: NDArray[np.bool_]) -> Covers:
         """Group the vectors beside each flat by equal labels."""
@@ -167,6 +187,10 @@ class ModularVectors:
         first = np.flatnonzero(start)
         added = np.diff(np.append(first, len(keys)))
         return Covers(row[first], member[first], added, np.cumsum(start) - 1, member)
+
+
+def _size(x: Any) -> int:
+    return abs(x) if isinstance(x, int) else x.size()
 
 
 def _normalised(images: Integers, members: NDArray[np.bool_], prime: int) -> Iterator[Integers]:

@@ -13,12 +13,13 @@ from arrangement.exact import (
     IntegerVector,
     RationalVector,
     primitive,
-    rational,
+    quotient,
     rational_vector,
     unoriented,
 )
 from arrangement.planes import Planes
-from arrangement.symbolic import integer_matrix
+from arrangement.real_entries import entry
+from arrangement.symbolic import entries, exact_matrix
 
 from .configuration import pivot_columns
 
@@ -57,7 +58,7 @@ def addition(arrangement: AnyPlanes, normal: Iterable[Any], offset: Any = 0) -> 
     ((1, 0, 0), (0, 1, 0), (1, 1, 2))
     """
     return _with_planes(
-        arrangement, [(*rational_vector(normal, "normal"), rational(offset, "offset"))]
+        arrangement, [(*rational_vector(normal, "normal", entry), entry(offset, "offset"))]
     )
 
 
@@ -167,17 +168,15 @@ def flat_chart(arrangement: Planes, planes: Indices) -> Chart:
     echelon, scale, pivots = arrangement.matrix.extract(chosen, range(dimension + 1)).rref_den()
     if dimension in pivots:
         raise InputError(f"planes {sorted(chosen)} have no common point")
-    rows = {
-        pivot: [int(x) for x in row] for pivot, row in zip(pivots, echelon.to_list(), strict=False)
-    }
-    scale = int(scale)
+    rows = dict(zip(pivots, entries(echelon.to_list(), arrangement.field), strict=False))
+    scale = entries([[scale]], arrangement.field)[0][0]
     origin = tuple(
-        Fraction(rows[j][dimension], scale) if j in rows else Fraction(0) for j in range(dimension)
+        quotient(rows[j][dimension], scale) if j in rows else Fraction(0) for j in range(dimension)
     )
     basis = []
     for free in range(dimension):
         if free not in rows:
-            vector = [Fraction(-rows[j][free], scale) if j in rows else 0 for j in range(dimension)]
+            vector = [quotient(-rows[j][free], scale) if j in rows else 0 for j in range(dimension)]
             vector[free] = 1
             basis.append(primitive(vector))
     return Chart(origin, tuple(basis))
@@ -187,9 +186,10 @@ def _on_flat(arrangement: Planes, chart: Chart) -> list[list[int]]:
     """Return a positive multiple of every plane ``(n, b)`` in the coordinates of a chart."""
     scale = lcm(*(x.denominator for x in chart.origin))
     columns = [[*(scale * x for x in vector), 0] for vector in chart.basis]
-    columns.append([*(-int(scale * x) for x in chart.origin), scale])
-    inserted = integer_matrix(columns, arrangement.dimension + 1).transpose()
-    return [[int(x) for x in row] for row in (arrangement.matrix * inserted).to_list()]
+    columns.append([*((-scale * x).numerator for x in chart.origin), scale])
+    inserted = exact_matrix(columns, arrangement.dimension + 1).transpose()
+    planes, inserted = arrangement.matrix.unify(inserted)
+    return entries((planes * inserted).to_list(), arrangement.field)
 
 
 def _selected(arrangement: AnyPlanes, planes: Sequence[int]) -> AnyPlanes:

@@ -84,6 +84,11 @@ def points_off(arrangement: Planes, prime: int) -> int:
     """
     d = arrangement.dimension
     _check_prime(prime)
+    if arrangement.field is not None:
+        raise InputError(
+            f"the planes have entries in {arrangement.field!r}; points over finite fields are "
+            "counted for rational planes, so use characteristic_polynomial"
+        )
     if not d:
         return 1
     if prime ** (d - 1) * max(1, len(arrangement)) > MAX_PAIRS or d * prime**2 >= 1 << 63:
@@ -116,6 +121,11 @@ def _minors(arrangement: Planes) -> Iterator[tuple[int, tuple[int, ...]]]:
     if not arrangement.is_central:
         rows.append((0,) * arrangement.dimension + (1,))
     order = rank(rows)
+    if arrangement.field is not None:
+        raise InputError(
+            f"the planes have entries in {arrangement.field!r}; points over finite fields are "
+            "counted for rational planes, so use characteristic_polynomial"
+        )
     if comb(len(rows), order) > MAX_SETS:
         raise InputError(
             f"{len(arrangement)} planes of rank {arrangement.rank} have over {MAX_SETS} bases to "

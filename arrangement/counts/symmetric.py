@@ -11,18 +11,19 @@ from __future__ import annotations
 
 import math
 import time
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from math import comb, prod
 
 import numpy as np
+from numpy.typing import NDArray
 
 from arrangement.errors import InputError, TimeLimitError
 from arrangement.exact import shown
 from arrangement.planes import Planes
 from arrangement.progress import watched
 
-from .automorphisms import Automorphisms
+from .automorphisms import Automorphisms, Permutations
 from .configuration import Configuration, configuration
 from .images import Images, Words, groups, packed, unpacked
 from .low_rank import MAX_RANK, whitney_matrix
@@ -61,7 +62,7 @@ class Flats:
             np.concatenate([part.values for part in parts], axis=1),
         )
 
-    def __getitem__(self, part: slice) -> Flats:
+    def __getitem__(self, part: slice | NDArray[np.intp]) -> Flats:
         return Flats(self.bases[part], self.members[part], self.images[part], self.values[:, part])
 
 
@@ -94,9 +95,7 @@ def first_whitney_numbers(
     >>> first_whitney_numbers(families.resonance(6))
     (1, -63, 1652, -22435, 159460, -510524, 371909)
     """
-    if time_limit is not None and not time_limit > 0:
-        raise InputError(f"time_limit is {shown(time_limit)}; give a positive number of seconds")
-    deadline = math.inf if time_limit is None else time.monotonic() + time_limit
+    deadline = deadline_after(time_limit)
     config = configuration(arrangement)
     if config.rank <= MAX_RANK and symmetry is None:
         return tuple((-1) ** k * value for k, value in enumerate(whitney_matrix(config)[0]))
@@ -109,9 +108,7 @@ def first_whitney_numbers(
         generators = automorphisms.verified(_of_classes(arrangement, symmetry))
     found: list[int] = []
     try:
-        # sizes of the numbers are at most binomial coefficients
-        moduli = moduli_above(max(comb(len(config.vectors), rank) for rank in range(config.rank)))
-        for number in Classes(config, Images(generators), deadline, moduli).numbers():
+        for number in classes(config, generators, deadline).numbers():
             found.append(number)
     except TimeoutError:
         known = ", ".join(map(str, found))
@@ -120,11 +117,24 @@ def first_whitney_numbers(
     return tuple(found)
 
 
+def deadline_after(time_limit: float | None) -> float:
+    """Return when so many seconds are over, by the monotonic clock."""
+    if time_limit is None:
+        return math.inf
+    if not time_limit > 0:
+        raise InputError(f"time_limit is {shown(time_limit)}; give a positive number of seconds")
+    return time.monotonic() + time_limit
+
+
 def _of_classes(planes: Planes, symmetry: Sequence[Sequence[int]]) -> list[list[int]]:
     """Return permutations of planes as permutations of the classes of coincident planes."""
     found = []
     for number, given in enumerate(symmetry):
-        if sorted(given) != list(range(len(planes))):
+        try:
+            each_once = sorted(given) == list(range(len(planes)))
+        except TypeError:
+            each_once = False
+        if not each_once:
             raise InputError(
                 f"symmetry[{number}] is {shown(given)}; give the images of the planes 0 to "
                 f"{len(planes) - 1}, each once"
@@ -151,7 +161,7 @@ class Classes:
     def __init__(
         self, config: Configuration, images: Images, deadline: float, moduli: Sequence[int]
     ) -> None:
-        self._planes, self._rank = len(config.vectors), config.rank
+        self._planes, self.rank = len(config.vectors), config.rank
         self._central = config.infinity is None
         rows = [*config.vectors, *([] if config.infinity is None else [config.infinity])]
         self._vectors, self._images, self._deadline = (
@@ -166,18 +176,28 @@ class Classes:
         )
 
     def numbers(self) -> Iterator[int]:
-        """Yield the Whitney numbers of the first kind; `TimeoutError` ends them at the deadline.
+        """Yield the Whitney numbers of the first kind; `TimeoutError` ends them at the deadline."""
+        flats = self.bottom()
 
-        The flats of the last rank but one need no classes above them; the top of a central
-        arrangement follows, because all numbers together are chi(1) = 0.
+        def residues() -> Iterator[Integers]:
+            nonlocal flats
+            for rank in range(1, self.rank):
+                flats, found = self.above(flats, rank)
+                yield found
+
+        yield from self.from_residues(residues())
+
+    def from_residues(self, residues: Iterable[Integers]) -> Iterator[int]:
+        """Yield the Whitney numbers, given the residues of those of rank 1, 2, ...
+
+        The top of a central arrangement follows, because all numbers together are chi(1) = 0.
         """
         from sympy.ntheory.modular import crt
 
-        flats, total = self._bottom(), 1
+        total = 1
         yield total
-        for rank in range(1, self._rank):
-            flats, residues = self._above(flats, rank, keep=rank < self._rank - 1)
-            size = int(crt(self._moduli, ((-1) ** rank * residues).tolist())[0])
+        for rank, found in enumerate(residues, start=1):
+            size = int(crt(self._moduli, ((-1) ** rank * found % self._modulus[:, 0]).tolist())[0])
             total += (-1) ** rank * size
             yield (-1) ** rank * size
         if self._central:
@@ -185,18 +205,24 @@ class Classes:
 
     def levels(self) -> Iterator[Flats]:
         """Yield one flat of each class, rank by rank, but for the top of a central arrangement."""
-        flats = self._bottom()
+        flats = self.bottom()
         yield flats
-        for rank in range(1, self._rank):
-            flats, _ = self._above(flats, rank, keep=True)
+        for rank in range(1, self.rank):
+            flats, _ = self.above(flats, rank, keep=True)
             yield flats
 
-    def _bottom(self) -> Flats:
+    def bottom(self) -> Flats:
+        """Return the whole space."""
         empty = packed(np.zeros((1, self._vectors.count), dtype=np.bool_))
         return Flats(np.zeros((1, 0), np.int64), empty, empty, np.ones_like(self._modulus))
 
-    def _above(self, flats: Flats, rank: int, *, keep: bool) -> tuple[Flats, Integers]:
-        """Return the flats of the next rank, one of each class, and the residues of its number."""
+    def above(self, flats: Flats, rank: int, *, keep: bool = False) -> tuple[Flats, Integers]:
+        """Return one flat of each class above flats of the rank before, and residues.
+
+        The residues, one for each modulus, are what the flats below add to the Whitney number of
+        the rank. Flats of the last rank have none above them and are left out, unless to be kept.
+        """
+        keep = keep or rank < self.rank - 1
         parts, residues = [], np.zeros(len(self._moduli), dtype=np.int64)
         step = max(1, _CHUNK // self._vectors.count)
         pieces = [flats[i : i + step] for i in range(0, len(flats), step)]
@@ -216,16 +242,23 @@ class Classes:
                 above[covers.cover, covers.member] = True
                 bases = np.column_stack([piece.bases[covers.below], covers.plane])
                 images = self._images.small(above)
-                parts.append(self._merged(Flats(bases, packed(above), images, values)))
-        return (self._merged(Flats.joined(parts)) if parts else flats), residues
+                parts.append(self.merged(Flats(bases, packed(above), images, values)))
+        return (self.merged(Flats.joined(parts)) if parts else flats[:0]), residues
 
-    def _merged(self, flats: Flats) -> Flats:
+    def merged(self, flats: Flats) -> Flats:
         """Return one flat of each class, with the sum of the values of all."""
         order, start = groups(flats.images)
         first = np.flatnonzero(start)
         values = np.add.reduceat(flats.values[:, order], first, axis=1) % self._modulus
         one = order[first]
         return Flats(flats.bases[one], flats.members[one], flats.images[one], values)
+
+
+def classes(config: Configuration, generators: Permutations, deadline: float) -> Classes:
+    """Return the classes under some automorphisms, with moduli for the Whitney numbers."""
+    # their sizes are at most binomial coefficients
+    moduli = moduli_above(max(comb(len(config.vectors), rank) for rank in range(config.rank)))
+    return Classes(config, Images(generators), deadline, moduli)
 
 
 def moduli_above(bound: int, below: int = 1 << 31) -> list[int]:

@@ -137,6 +137,6 @@ def picture_axes(direction: IntegerVector) -> Floats:
 
 def unit_vectors(vectors: Sequence[IntegerVector]) -> Floats:
     """Return unit vectors; integers of any length are divided before they become floats."""
-    scaled = np.array([[x / max(map(abs, v)) for x in v] for v in vectors]).reshape(-1, 3)
+    scaled = np.array([[float(x / max(map(abs, v))) for x in v] for v in vectors]).reshape(-1, 3)
     unit: Floats = scaled / np.linalg.norm(scaled, axis=1, keepdims=True)
     return unit

@@ -90,7 +90,7 @@ def write_inside(
 def segments_of(lines: Sequence[Floats]) -> Floats:
     """Return the segments (n, 2, 2) of lines, each (k, 2)."""
     pieces = [np.stack([line[:-1], line[1:]], axis=1) for line in lines]
-    return np.concatenate([np.empty((0, 2, 2)), *pieces])
+    return np.concatenate([np.empty((0, 2, 2)), *pieces]).astype(np.float64)
 
 
 def tree_of(segments: Floats) -> Any:

@@ -13,8 +13,16 @@ from functools import cached_property
 import numpy as np
 
 from arrangement.arrangement import Arrangement
-from arrangement.exact import IntegerVector, RationalVector, dot, primitive, sign
-from arrangement.linear import reduced
+from arrangement.exact import (
+    IntegerVector,
+    RationalVector,
+    dot,
+    primitive,
+    quotient,
+    reduced,
+    sign,
+)
+from arrangement.number_field import rational_near
 
 from .globe import Globe
 from .items import Floats
@@ -176,18 +184,19 @@ def _cone(lines: Arrangement, middle: RationalVector, unit: Fraction) -> Arrange
 
 
 def _vertices(lines: Arrangement) -> Iterator[RationalVector]:
-    """Yield the vertices of lines, those of the cone above the plane."""
+    """Yield the vertices of lines, or rational points near them: they make the window."""
     sphere = Globe(_cone(lines, (Fraction(0),) * 2, Fraction(1)), ABOVE).whole
     for v in range(sphere.vertex_count):
         x, y, w = sphere.ray(v)
         if w > 0:
-            yield Fraction(x, w), Fraction(y, w)
+            yield rational_near(quotient(x, w)), rational_near(quotient(y, w))
 
 
 def _foot(line: IntegerVector) -> RationalVector:
     """Return the point of a line nearest to 0."""
     a, b, c = line
-    return Fraction(a * c, a * a + b * b), Fraction(b * c, a * a + b * b)
+    square = a * a + b * b
+    return rational_near(quotient(a * c, square)), rational_near(quotient(b * c, square))
 
 
 def _window(points: Sequence[RationalVector]) -> tuple[RationalVector, RationalVector]:

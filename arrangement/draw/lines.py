@@ -191,7 +191,8 @@ class _Sheet:
             way /= np.linalg.norm(way)
             left = np.array([-way[1], way[0]])
             sides = {
-                np.sign(whole.integer_planes[k][:3] @ self.plane(start + left)) for k in members
+                np.sign(float(whole.integer_planes[k][:3] @ self.plane(start + left)))
+                for k in members
             }
             for side in sorted(sides):
                 tip = start + 9 * side * left

@@ -231,7 +231,7 @@ def _longest(vector: IntegerVector) -> int:
 
 def _norm(vector: IntegerVector) -> float:
     """Return the Euclidean length over the largest entry."""
-    return float(np.linalg.norm([x / _longest(vector) for x in vector]))
+    return float(np.linalg.norm([float(x / _longest(vector)) for x in vector]))
 
 
 def _unit(vector: IntegerVector) -> list[float]:

@@ -92,7 +92,7 @@ class Stage:
             plane = self.arrangement.integer_planes[members[0]]
             offset = plane[3] - dot(body.centre, plane[:3])
             scale = max(map(abs, plane[:3]))
-            normal = np.array([x / scale for x in plane[:3]])
+            normal = np.array([float(x / scale) for x in plane[:3]])
             length = float(np.linalg.norm(normal))
             found.append(
                 (self.axes @ normal / length, float(offset / body.radius / scale) / length)
@@ -130,7 +130,7 @@ def unit_points(cells: Cells) -> Floats:
     return np.array(
         [
             [
-                (common * x - s * p[3]) * above / (below * p[3])
+                float((common * x - s * p[3]) * above / (below * p[3]))
                 for x, s in zip(p, shift, strict=False)
             ]
             for p in cells.points

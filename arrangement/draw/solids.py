@@ -12,6 +12,7 @@ import numpy as np
 
 from arrangement.exact import IntegerVector, dot
 from arrangement.linear import triple_product
+from arrangement.number_field import rational_near
 from arrangement.planes import Planes
 from arrangement.polyhedra.dual import DualPolyhedron, dual_polygon, dual_polyhedron, dual_segment
 from arrangement.polyhedra.inscribed import RepresentativeHull
@@ -83,9 +84,9 @@ def unit_lengths(arrangement: Planes) -> tuple[Fraction, ...]:
     """Return factors that give every class of planes generators of total length about 1."""
     million = 10**6
     sizes = [len(arrangement.distinct[label]) for label in arrangement.class_of]
-    squares = [dot(plane[:-1], plane[:-1]) for plane in arrangement.integer_planes]
+    squares = [rational_near(dot(plane[:-1], plane[:-1])) for plane in arrangement.integer_planes]
     return tuple(
-        Fraction(million, size * isqrt(square * million**2))
+        Fraction(million, size * isqrt(int(square * million**2)))
         for size, square in zip(sizes, squares, strict=True)
     )
 

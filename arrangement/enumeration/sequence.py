@@ -16,7 +16,15 @@ import numpy as np
 from numpy.typing import NDArray
 
 from arrangement.errors import InputError
-from arrangement.exact import IntegerVector, RationalVector, shown
+from arrangement.exact import (
+    IntegerVector,
+    RationalVector,
+    fraction,
+    largest,
+    quotient,
+    reduced,
+    shown,
+)
 from arrangement.faces import Face
 from arrangement.planes import Planes
 from arrangement.short_repr import Shown
@@ -190,25 +198,32 @@ def _part(level: Level, chosen: NDArray[np.intp]) -> Level:
 
 def primitive_rows(rows: Integers) -> Integers:
     """Return vectors along the last axis, each divided by its greatest common divisor."""
+    if rows.dtype == object and not all(isinstance(x, int) for x in rows.flat):
+        found = np.empty_like(rows)
+        for at in np.ndindex(rows.shape[:-1]):
+            found[at] = reduced(rows[at].tolist())
+        return found
     divisor = np.abs(np.gcd.reduce(rows, axis=-1, keepdims=True))  # of one object: with its sign
-    found: Integers = rows // np.maximum(divisor, 1)
-    return found
+    whole: Integers = rows // np.maximum(divisor, 1)
+    return whole
 
 
 def integer_matrix(rows: Iterable[IntegerVector], n: int) -> Integers:
     """Return an integer matrix with n columns, int64 where all entries fit."""
     listed = list(rows)
-    largest = max((abs(x) for row in listed for x in row), default=0)
-    return np.array(listed, np.int64 if largest < _SAFE else object).reshape(len(listed), n)
+    return np.array(listed, np.int64 if largest(listed) < _SAFE else object).reshape(len(listed), n)
 
 
-def for_products(array: Integers, factor: int) -> Integers:
+def for_products(array: Integers, factor: float) -> Integers:
     """Return the array as Python integers unless `factor` times its entries stays in int64."""
-    return array if factor * max(1, largest_entry(array)) < _SAFE else array.astype(object)
+    exact = array.dtype == object or factor * max(1, largest_entry(array)) < _SAFE
+    return array if exact else array.astype(object)
 
 
-def largest_entry(array: Integers) -> int:
+def largest_entry(array: Integers) -> float:
     """Return the largest absolute value of an entry; those of int64 arrays are below 2^62."""
+    if array.dtype == object:
+        return largest([array.flat])
     return int(np.abs(array).max(initial=0))
 
 
@@ -224,7 +239,7 @@ class _Quotients(dict[tuple[int, int], Fraction]):
 
     def __missing__(self, pair: tuple[int, int]) -> Fraction:
         x, scale = pair
-        return self.setdefault(pair, Fraction(x) if scale == 1 else Fraction(x, scale))
+        return self.setdefault(pair, fraction(x) if scale == 1 else quotient(x, scale))
 
 
 def _frozen(array: NDArray[Any]) -> NDArray[Any]:

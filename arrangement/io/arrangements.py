@@ -5,7 +5,13 @@ An arrangement::
     {"schema_version": 1, "planes": [["0", "1", "-1"], ["1", "0", "0"]], "offsets": ["0", "2"]}
 
 with optional ``offsets``, ``dimension`` (needed only when there are no planes) and
-``description``. Packages above this one announce further kinds of document that stand for an
+``description``. Irrational entries are in a ``field``, and are lists of the coefficients of the
+powers 1, a, a^2, ... of the root that it names (here the golden ratio)::
+
+    {"schema_version": 1, "planes": [["1", ["0", "1"]]],
+     "field": {"minimal_polynomial": ["-1", "-1", "1"], "interval": ["1", "2"]}}
+
+Packages above this one announce further kinds of document that stand for an
 arrangement in the entry-point group ``slipstates.documents`` (name: the key that tells the kind;
 value: a function from the document to an `Arrangement`).
 """
@@ -17,6 +23,8 @@ from typing import Any
 
 from arrangement.arrangement import Arrangement
 from arrangement.errors import InputError
+from arrangement.exact import rational_vector
+from arrangement.number_field import NumberField
 from arrangement.plugins import announced
 
 from .files import Source, check_keys, check_list, kind_of, read_document
@@ -47,14 +55,45 @@ def read_arrangement(source: Source) -> Arrangement:
 
 def _planes(document: Mapping[str, Any]) -> Arrangement:
     """Read a document of the kind "planes"."""
-    optional = ("offsets", "dimension", "description")
+    optional = ("offsets", "dimension", "description", "field")
     check_keys(document, ("schema_version", "planes"), optional, "the arrangement")
+    field = _field(document["field"]) if "field" in document else None
+
+    def numbers(value: Any, where: str) -> list[Any]:
+        return [
+            _of_field(x, field, f"{where}[{i}]") if isinstance(x, (list, tuple)) else x
+            for i, x in enumerate(check_list(value, where))
+        ]
+
     planes = check_list(document["planes"], "planes")
     return Arrangement(
-        [check_list(row, f"planes[{i}]") for i, row in enumerate(planes)],
-        check_list(document["offsets"], "offsets") if "offsets" in document else None,
+        [numbers(row, f"planes[{i}]") for i, row in enumerate(planes)],
+        numbers(document["offsets"], "offsets") if "offsets" in document else None,
         dimension=_dimension(document["dimension"]) if "dimension" in document else None,
     )
+
+
+def _field(value: Any) -> NumberField:
+    keys = ("minimal_polynomial", "interval")
+    check_keys(value, keys, (), "the field")
+    return NumberField(*(check_list(value[key], key) for key in keys))
+
+
+def _of_field(value: Any, field: NumberField | None, where: str) -> Any:
+    """Return the number with these coefficients of the powers of the root."""
+    if field is None:
+        raise InputError(
+            f'{where} is a list, which is a number of a field; add the key "field" with a minimal '
+            "polynomial and an interval, or write a rational number"
+        )
+    found: Any = 0
+    if not 0 < len(value) <= field.degree:
+        raise InputError(
+            f"{where} has {len(value)} coefficients; a number of this field has 1 to {field.degree}"
+        )
+    for c in reversed(rational_vector(value, where)):
+        found = found * field.root + c
+    return found
 
 
 def _dimension(value: Any) -> int:

@@ -11,8 +11,7 @@ from dataclasses import dataclass
 
 from arrangement.enumeration.choose import enumerate_faces
 from arrangement.errors import InputError
-from arrangement.exact import IntegerVector, shown
-from arrangement.linear import reduced
+from arrangement.exact import IntegerVector, reduced, shown
 from arrangement.planes import Planes
 
 from .body import Body, body_around

@@ -9,8 +9,8 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from fractions import Fraction
 
-from arrangement.exact import IntegerVector, dot, primitive, sign
-from arrangement.linear import cross, reduced, triple_product
+from arrangement.exact import IntegerVector, dot, primitive, reduced, sign
+from arrangement.linear import cross, triple_product
 
 from .intervals import Interval, remainder
 

@@ -14,8 +14,8 @@ from math import lcm
 from typing import Any
 
 from arrangement.cones import Generators, generators
-from arrangement.exact import IntegerVector, RationalVector, dot, primitive, to_text
-from arrangement.linear import cross, reduced
+from arrangement.exact import IntegerVector, RationalVector, dot, primitive, reduced, to_text
+from arrangement.linear import cross
 
 from .intervals import LINE, Interval, where_positive
 

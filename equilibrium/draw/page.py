@@ -18,9 +18,8 @@ from arrangement.draw.items import Floats
 from arrangement.draw.labels import flattened
 from arrangement.draw.registry import Wrench
 from arrangement.errors import InputError
-from arrangement.exact import IntegerVector, RationalVector, primitive, to_text
+from arrangement.exact import IntegerVector, RationalVector, primitive, reduced, to_text
 from arrangement.lab.page import RATIONAL
-from arrangement.linear import reduced
 from equilibrium.model.grasp import Contact, Grasp, read_wrench
 from equilibrium.solver.contact_rows import DIRECTION
 from equilibrium.solver.elimination import gauss_jordan

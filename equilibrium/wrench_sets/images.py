@@ -15,8 +15,7 @@ from math import lcm
 from typing import NamedTuple
 
 from arrangement.cones import Cone, generators
-from arrangement.exact import IntegerVector, dot, primitive
-from arrangement.linear import reduced
+from arrangement.exact import IntegerVector, dot, primitive, reduced
 from arrangement.polyhedra.polyhedron import Polyhedron, from_generators
 from equilibrium.model.grasp import Grasp
 from equilibrium.solver.contact_rows import friction_edges, negated, normal_force_row, slip_edge

@@ -139,21 +139,7 @@ def _add_sweep(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--store", required=True, metavar="FILE", help="keeps what is done; made when missing"
     )
-    parser.add_argument(
-        "--jobs",
-        type=terminal.integer_argument,
-        default=1,
-        metavar="N",
-        help="processes (default: 1)",
-    )
-    parser.add_argument(
-        "--shard",
-        type=_shard,
-        default=(1, 1),
-        metavar="I/N",
-        help="do only the I-th of N parts, for machines without a cluster (see merge)",
-    )
-    parser.add_argument("--dask", metavar="ADDRESS", help="of a scheduler that has workers")
+    terminal.add_worker_options(parser)
     parser.add_argument(
         "--chunk",
         type=terminal.integer_argument,
@@ -183,13 +169,3 @@ def _range(text: str) -> tuple[int, int]:
     if found is None:
         raise argparse.ArgumentTypeError(f"{text!r} is not a range; write 3..12")
     return int(found[1]), int(found[2] or found[1])
-
-
-def _shard(text: str) -> tuple[int, int]:
-    """Read 2/5."""
-    found = re.fullmatch(r"([0-9]{1,6})/([0-9]{1,6})", text, re.ASCII)
-    if found is None or not 1 <= int(found[1]) <= int(found[2]):
-        raise argparse.ArgumentTypeError(
-            f"{text!r} is not a shard; write 2/5 for the second of five"
-        )
-    return int(found[1]), int(found[2])

@@ -73,7 +73,7 @@ def run_claims(arguments: argparse.Namespace) -> int:
         chosen = list(_own_claims(names, arguments))
     else:
         known = claims.registry()
-        chosen = [known[id] for id in names] or list(known)
+        chosen = [known[id] for id in names] or [claim for claim in known if not claim.large]
     widths = text.columns(map(report.claim_record, chosen))
     results: list[Result] = []
     for result in _evaluated(chosen, arguments.seed, piped=arguments.json):

@@ -7,12 +7,13 @@ the order of the chunks, nor any interruption can change what a sweep finds.
 from __future__ import annotations
 
 import time
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterable
 from dataclasses import asdict, dataclass, field
 from functools import lru_cache
 from pathlib import Path
 from typing import Any
 
+from arrangement import workers
 from arrangement.exact import shown
 from proofs_check.claim_file import file_digest
 from proofs_check.errors import DamagedStoreError, SweepError
@@ -22,7 +23,7 @@ from proofs_check.reports.environment import environment
 from proofs_check.reports.report import plain
 from proofs_check.statement import Case, Claim
 
-from . import store, workers
+from . import store
 from .store import Chunk, Store
 from .sweepable import about, domain_of, split, target
 
@@ -30,8 +31,6 @@ from .sweepable import about, domain_of, split, target
 CHUNK = 200
 #: Most samples of one sweep.
 MOST = 10**9
-#: Most processes of one machine.
-MOST_JOBS = 1024
 #: Outcomes of which the smallest instance is kept.
 _KEPT = ("fails", "excused", "broken")
 
@@ -222,37 +221,23 @@ def sweep(
         progress: called with the numbers of instances done and due.
 
     Raises:
-        SweepError: a bad argument, a store of another plan, workers that keep dying.
+        SweepError: a store of another plan.
+        InputError: a bad argument, workers that keep dying.
         MissingExtraError: `dask` is given and not installed.
     """
-    part, parts = shard
-    if not 1 <= part <= parts:
-        raise SweepError(f"shard is {part}/{parts}; give i/n with i from 1 to n")
-    if not 1 <= jobs <= MOST_JOBS:
-        raise SweepError(f"jobs is {jobs}; give 1 to {MOST_JOBS} processes of this machine")
+    due = workers.due(plan.chunks, shard, jobs)
     with store.create(path, plan.record(), about(_target(plan))) as opened:
-        due = range(part - 1, plan.chunks, parts)
         there = opened.numbers()
         pending = [number for number in due if number not in there]
         samples = sum(len(plan.indices(number)) for number in due)
         done = samples - sum(len(plan.indices(number)) for number in pending)
         if progress:
             progress(done, samples)
-        for chunk in _executed(plan, pending, jobs, dask):
+        for chunk in workers.done(run_chunk, plan, pending, jobs, dask):
             opened.add(chunk)
             done += len(plan.indices(chunk.number))
             if progress:
                 progress(done, samples)
-
-
-def _executed(plan: Plan, pending: list[int], jobs: int, dask: str | None) -> Iterator[Chunk]:
-    if not pending:
-        return iter(())
-    if dask is not None:
-        return workers.on_dask(run_chunk, plan, pending, dask)
-    if jobs == 1:
-        return (run_chunk(plan, number) for number in pending)
-    return workers.on_processes(run_chunk, plan, pending, jobs)
 
 
 def merge(path: str, parts: Iterable[str]) -> int:

@@ -286,6 +286,7 @@ def test_members_of_all_families_can_be_made_and_read(capsys: Capture) -> None:
     _, out, _ = call(capsys, "list", "--families", "--json")
     described = {entry["name"]: entry["description"] for entry in json.loads(out)["names"]}
     values = {"n": "3", "m": "4", "d": "3", "type": "B3", "planes": "9", "number": "1"}
+    values |= {"graph": "1-2,2-3", "polytope": "demicube"}
     for name, text in described.items():
         usage = text.split(":")[0].replace("[", "").replace("]", "").split()
         options = [word for word in usage if word.startswith("--")]
@@ -304,6 +305,8 @@ def test_members_of_all_families_can_be_made_and_read(capsys: Capture) -> None:
         (("coxeter", "--type", "H4"), "irrational"),
         (("shi", "--type", "A2", "--m", "0"), "m is 0; it must be at least 1"),
         (("resonance", "--n", "0"), "n is 0; it must be at least 1"),
+        (("catalan", "--type", "1-2;2-3"), "write its edges as 1-2,2-3"),
+        (("separations", "--polytope", "simplex", "--n", "3"), "there are cube, demicube"),
     ],
 )
 def test_members_that_do_not_exist(capsys: Capture, words: list[str], message: str) -> None:

@@ -6,6 +6,7 @@ import math
 from collections import Counter
 from collections.abc import Callable
 from fractions import Fraction
+from functools import partial
 from itertools import combinations
 from typing import Any
 
@@ -16,6 +17,7 @@ import sympy
 from arrangement import Arrangement, InputError, counts
 from arrangement.library import families
 from arrangement.library.families.published import PublishedCount, published_counts
+from arrangement.library.families.simplicial import MISSING, printed_vectors
 
 T = sympy.Symbol("t")
 
@@ -41,6 +43,19 @@ POLYNOMIALS: dict[str, tuple[Callable[[int], Arrangement], Callable[[int], Any],
     "Ish": (families.ish, lambda n: T * (T - n) ** (n - 1), range(1, 6)),
     "Catalan": (families.catalan, lambda n: T * roots(*range(n + 1, 2 * n)), range(1, 6)),
     "Linial": (families.linial, linial_chi, range(1, 6)),
+    "Ish B": (families.ish_b, lambda n: (T - 2 * n) ** n, range(1, 5)),
+    "cross-polytope": (
+        partial(families.separations, "cross-polytope"),
+        lambda n: (T - 1) ** n + (T - 1) * (T - 2) ** n,
+        range(1, 6),
+    ),
+    "between D and B": (
+        lambda k: families.signed_graphical(
+            ",".join(["1-2,1-3,2-3,1+2,1+3,2+3", *map(str, range(1, k + 1))])
+        ),
+        lambda k: roots(1, 3, 2 + k),
+        range(4),
+    ),
 }
 
 
@@ -104,7 +119,7 @@ def test_types_and_numbers_are_the_same_planes(type: str, n: int) -> None:
     )
 
 
-@pytest.mark.parametrize("type", ["E9", "A0", "B1", "F5", "e6", "", "H3", "I2"])
+@pytest.mark.parametrize("type", ["E9", "A0", "B1", "F5", "e6", "", "H5", "I2", "I2(2)", "I2(x)"])
 def test_types_that_do_not_exist_are_refused(type: str) -> None:
     with pytest.raises(InputError, match="there are A1, A2"):
         families.coxeter(type)
@@ -166,6 +181,70 @@ def test_graphical_arrangements_have_the_chromatic_polynomial(graph: nx.Graph) -
     assert counts.characteristic_polynomial(planes).as_expr() == expected.as_expr()
 
 
+CONNECTED = [g for g in nx.graph_atlas_g()[2:] if len(g) <= 5 and nx.is_connected(g)]
+
+
+@pytest.mark.parametrize("graph", CONNECTED, ids=lambda graph: str(graph.edges))
+def test_bigraphical_planes_have_their_tutte_polynomial(graph: nx.Graph) -> None:
+    # Hopkins and Perkinson (2016): (-2)^(n-1) t T(1 - t/2, 1)
+    x, y = sympy.symbols("x y")
+    tutte = sympy.sympify(nx.tutte_polynomial(graph)).subs({y: 1}).subs({x: 1 - T / 2})
+    expected = sympy.Poly((-2) ** (len(graph) - 1) * T * tutte, T)
+    planes = families.bigraphical(graph)
+    assert counts.characteristic_polynomial(planes).as_expr() == expected.as_expr()
+    for fewer in (families.shi(graph), families.semiorder(graph)):
+        assert counts.region_count(fewer) <= counts.region_count(planes)
+
+
+@pytest.mark.parametrize("m", [1, 2])
+def test_deformations_of_graphs(m: int) -> None:
+    complete = nx.complete_graph(4)
+    assert families.shi(complete, m) == families.shi(4, m)
+    assert families.catalan(complete, m) == families.catalan(4, m)
+    tree = "1-3,2-3,3-4"
+    assert counts.region_count(families.shi(tree, m)) == (2 * m + 1) ** 3
+    assert counts.region_count(families.catalan(tree, m)) == (2 * m + 2) ** 3
+    cycle = families.shi("1-2,2-3,3-4,1-4", m)
+    assert counts.by_points(cycle) == counts.characteristic_polynomial(cycle)
+
+
+def test_text_is_a_graph() -> None:
+    graph = nx.empty_graph(3)
+    graph.add_edges_from([(0, 2), (1, 2)])
+    assert families.graphical("1-3, 3-2") == families.graphical(graph)
+    assert families.graphical("2-4").dimension == 4
+    assert families.linial("3-1") == families.linial("1-3")
+
+
+@pytest.mark.parametrize("sign", [1, -1])
+def test_switching_a_vertex_keeps_the_polynomial(sign: int) -> None:
+    graph = nx.MultiGraph(nx.wheel_graph(5))
+    nx.set_edge_attributes(graph, sign, "sign")
+    switched = graph.copy()
+    for tail, head, key in graph.edges(2, keys=True):
+        switched[tail][head][key]["sign"] = -sign
+    chi = [
+        counts.characteristic_polynomial(families.signed_graphical(g)) for g in (graph, switched)
+    ]
+    assert chi[0] == chi[1]
+    if sign == 1:  # balanced: the same as without signs
+        assert chi[0] == counts.characteristic_polynomial(families.graphical(nx.wheel_graph(5)))
+
+
+def test_separations() -> None:
+    assert families.separations("cube", 3) == families.threshold_functions(3)
+    sixteen_cells = [families.separations(name, 4) for name in ("demicube", "cross-polytope")]
+    assert len({counts.whitney_numbers(planes) for planes in sixteen_cells}) == 1
+    permutations = families.separations("permutohedron", 4)
+    assert len(permutations.regions()) == counts.region_count(permutations) == 2894
+
+
+def test_discriminantal_planes_of_n_minus_1_vectors_are_the_braid_arrangement() -> None:
+    for n in (4, 5):
+        braid = counts.essentialization(families.braid(n))
+        assert counts.f_vector(families.discriminantal(n, n - 1)) == counts.f_vector(braid)
+
+
 def test_parallel_edges_are_coincident_planes() -> None:
     planes = families.graphical(nx.MultiGraph([(0, 1), (0, 1), (1, 2)]))
     assert planes.distinct == ((0, 1), (2,))
@@ -216,7 +295,7 @@ def walls(planes: Arrangement) -> list[int]:
     return [sides[region.signs] for region in planes.regions()]
 
 
-@pytest.mark.parametrize("entry", families.simplicial_entries(), ids=str)
+@pytest.mark.parametrize("entry", CATALOGUE, ids=str)
 def test_every_region_of_a_catalogue_entry_is_a_triangle(entry: tuple[int, int]) -> None:
     planes = families.simplicial(*entry)
     assert set(walls(planes)) == {3}
@@ -233,13 +312,29 @@ def test_generic_planes_are_not_simplicial() -> None:
 
 
 def test_catalogue_has_every_rational_entry_up_to_13_planes() -> None:
-    assert set(families.simplicial_entries()) == set(CATALOGUE)
+    assert set(CATALOGUE) <= set(families.simplicial_entries())
 
 
-@pytest.mark.parametrize("entry", [(10, 1), (13, 4)])
-def test_irrational_entries_say_so(entry: tuple[int, int]) -> None:
-    with pytest.raises(InputError, match="irrational"):
+def test_catalogue_has_all_known_entries_but_the_missing_ones() -> None:
+    assert len(families.simplicial_entries()) == 119 - len(MISSING)
+    assert not set(MISSING) & set(families.simplicial_entries())
+
+
+@pytest.mark.parametrize("entry", MISSING[:2])
+def test_missing_entries_say_so(entry: tuple[int, int]) -> None:
+    with pytest.raises(InputError, match="normals are not known here"):
         families.simplicial(*entry)
+
+
+@pytest.mark.parametrize("entry", [(10, 1), (14, 4), (16, 1), (18, 4), (31, 1)], ids=str)
+def test_irrational_entries_have_triangles_and_the_printed_vectors(
+    entry: tuple[int, int],
+) -> None:
+    planes = families.simplicial(*entry)
+    assert planes.field is not None
+    assert planes.f_vector == counts.f_vector(planes)
+    assert 2 * planes.f_vector[2] == 3 * planes.f_vector[3]
+    assert dict(counts.t_vector(planes)) == printed_vectors(*entry)[0]
 
 
 def test_unknown_entries_name_the_known_ones() -> None:
@@ -247,9 +342,31 @@ def test_unknown_entries_name_the_known_ones() -> None:
         families.simplicial(5, 1)
 
 
-def test_h3_says_that_it_is_irrational() -> None:
-    with pytest.raises(InputError, match="golden ratio"):
-        families.h3()
+@pytest.mark.parametrize("planes", [6, 8, 9, 10, 13, 14, 17])
+def test_regular_polygons_give_simplicial_arrangements(planes: int) -> None:
+    found = families.regular(planes)
+    assert set(walls(found)) == {3}
+    assert dict(counts.t_vector(found)) == printed_vectors(planes, 1)[0]
+
+
+@pytest.mark.parametrize("planes", [5, 7, 11, 15, "9"])
+def test_other_numbers_of_planes_are_not_regular(planes: Any) -> None:
+    with pytest.raises(InputError):
+        families.regular(planes)
+
+
+def test_mirrors_of_the_icosahedron_and_of_the_600_cell() -> None:
+    assert families.h3().f_vector == counts.f_vector(families.h3()) == (1, 62, 180, 120)
+    assert families.coxeter("H4") == families.h4()
+    assert families.h4().f_vector == (1, 2640, 17040, 28800, 14400)
+
+    chi = counts.characteristic_polynomial(families.h4())
+    assert chi.as_expr().factor() == roots(1, 11, 19, 29)
+
+
+@pytest.mark.parametrize("m", range(3, 13))
+def test_mirrors_of_polygons(m: int) -> None:
+    assert families.coxeter(f"I2({m})").f_vector == (1, 2 * m, 2 * m)
 
 
 @pytest.mark.parametrize(("m", "d"), [(0, 1), (4, 1), (5, 2), (7, 3), (7, 4), (3, 5)])
@@ -303,6 +420,9 @@ def test_sphere_normals_are_spread_evenly() -> None:
         lambda: families.generic(-1),
         lambda: families.random_integer(3, bound=0),
         lambda: families.shi(0),
+        lambda: families.ish_b(0),
+        lambda: families.separations("cube", 0),
+        lambda: families.discriminantal(2, 3),
     ],
 )
 def test_sizes_below_the_family_are_refused(call: Callable[[], object]) -> None:
@@ -322,11 +442,24 @@ def test_sizes_that_are_no_integers_are_refused(size: Any) -> None:
         (nx.DiGraph([(0, 1)]), "directed"),
         (nx.Graph([(0, 0)]), "loop"),
         (nx.Graph(), "no vertices"),
+        ("1-1", "loop at 1"),
+        ("1+2", "negative edges"),
+        ("1-2;2-3", "write its edges as"),
+        ("0-1", "write its edges as"),
+        ("1-2000", "write its edges as"),
+        ("", "write its edges as"),
     ],
 )
-def test_graphs_without_an_arrangement_are_refused(graph: nx.Graph, message: str) -> None:
+def test_graphs_without_an_arrangement_are_refused(graph: nx.Graph | str, message: str) -> None:
     with pytest.raises(InputError, match=message):
         families.graphical(graph)
+
+
+def test_signs_and_polytopes_that_do_not_exist_are_refused() -> None:
+    with pytest.raises(InputError, match="has the sign 2; give 1 or -1"):
+        families.signed_graphical(nx.Graph([(0, 1, {"sign": 2})]))
+    with pytest.raises(InputError, match="there are cube, demicube"):
+        families.separations("simplex", 3)
 
 
 def test_braid_planes_are_the_complete_graph() -> None:

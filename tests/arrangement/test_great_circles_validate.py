@@ -21,9 +21,9 @@ def broken(normals: list[tuple[int, ...]], field: str, change) -> SphereArrangem
 
 
 def with_parts(good, incidence, rays) -> SphereArrangement:
-    return SphereArrangement(
-        good.arrangement, incidence, good._crossings, good.circle_normals, rays
-    )
+    found = SphereArrangement(good.arrangement, incidence, good._crossings, good.circle_normals)
+    found.__dict__["rays"] = rays
+    return found
 
 
 def swap(array):

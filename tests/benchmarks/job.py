@@ -208,6 +208,17 @@ def counted(place: int) -> Work:
     return work
 
 
+def foretold(n: int) -> Work:
+    """Ours: the forecast of a count, of the resonance arrangement in R^n; its seconds."""
+    import sympy  # noqa: F401
+
+    from arrangement.counts.forecast import forecast
+    from arrangement.library.families import resonance
+
+    planes = resonance(n)
+    return lambda: round(sum(entry.seconds for entry in forecast(planes)))
+
+
 def published(planes: int) -> Work:
     """The published Steps 1 to 3; the number of regions."""
     from arrangement import Arrangement
@@ -314,6 +325,7 @@ JOBS: dict[str, Callable[[int], Work]] = {
         affine_faces,
         affine_faces_any_dimension,
         counted,
+        foretold,
         counting,
         polynomial,
         published,

@@ -72,6 +72,14 @@ def counting_table() -> None:
             f" {megabytes(found):>8}  [{found.count}]",
             flush=True,
         )
+    print("  Forecasts from samples; in brackets the seconds that are foretold")
+    for n in (8, 9):
+        found = ours("foretold", n)
+        print(
+            f"  {f'resonance({n})':<28} {shown(found.seconds):>21}"
+            f" {megabytes(found):>8}  [{found.count}]",
+            flush=True,
+        )
 
 
 def own_table() -> dict[tuple[str, int], Measured]:

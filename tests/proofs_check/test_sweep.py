@@ -14,12 +14,14 @@ from typing import Any
 import pytest
 from hypothesis import given, settings, strategies as st
 
+from arrangement import workers
+from arrangement.errors import WorkerError
 from proofs_check.claims import registry
 from proofs_check.cli.program import main
 from proofs_check.errors import SweepError
 from proofs_check.evidence import verdict_from
 from proofs_check.statement import Verdict
-from proofs_check.sweep import report as sweepreport, store, workers
+from proofs_check.sweep import report as sweepreport, store
 from proofs_check.sweep.sweep import Plan, instance, merge, plan_sweep, run_chunk, sweep, total
 from proofs_check.sweep.sweepable import about, target
 
@@ -182,7 +184,7 @@ def test_workers_that_always_die_end_the_sweep_with_a_message(
 ) -> None:
     monkeypatch.setattr(workers, "_MOST_DEATHS", 0)
     path = own_file(tmp_path, "os.kill(os.getpid(), 9)")
-    with pytest.raises(SweepError, match="workers died"):
+    with pytest.raises(WorkerError, match="workers died"):
         sweep(plan_sweep(path, (3, 4), 4, 0, 1), str(tmp_path / "s.sqlite"), jobs=2)
 
 

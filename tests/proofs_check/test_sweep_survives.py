@@ -15,6 +15,8 @@ from pathlib import Path
 
 import pytest
 
+from arrangement import counts, counts_in_parts
+from arrangement.library import families
 from proofs_check.errors import SweepError
 from proofs_check.sweep import report as sweepreport, store
 
@@ -132,6 +134,20 @@ def cluster(tmp_path: Path) -> Iterator[tuple[Path, list[subprocess.Popen[bytes]
         for process in processes:
             process.kill()
             process.wait()
+
+
+@pytest.mark.slow
+@pytest.mark.campaign
+def test_a_cluster_counts_flats_in_parts(
+    tmp_path: Path,
+    cluster: tuple[Path, list[subprocess.Popen[bytes]]],
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    monkeypatch.setattr(counts_in_parts, "_FEW", 0)
+    address = json.loads(cluster[0].read_text(encoding="utf-8"))["address"]
+    planes = families.resonance(5)
+    spread = counts_in_parts.first_whitney_numbers_in_parts(planes, tmp_path / "s", dask=address)
+    assert spread == counts.first_whitney_numbers(planes)
 
 
 @pytest.mark.slow

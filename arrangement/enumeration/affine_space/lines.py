@@ -9,12 +9,12 @@ proposal fails is sorted again by exact rational parameters.
 from __future__ import annotations
 
 from dataclasses import dataclass, fields
-from fractions import Fraction
 
 import numpy as np
 
 from arrangement.enumeration.packing import Bits, Words, pack, unit_words
 from arrangement.errors import ArrangementError
+from arrangement.exact import quotient
 from arrangement.float_filter import Floats, Signs
 from arrangement.progress import watched
 
@@ -136,7 +136,7 @@ def _exact_order(table: PlaneTable, i: int, j: int, crossing: Indices) -> list[i
     """Return the classes that cross a line, sorted by exact parameters."""
     above, below = table.exact_parameters(i, j, crossing)
     place = {
-        int(k): Fraction(p, q)
+        int(k): quotient(p, q)
         for k, p, q in zip(crossing, above.tolist(), below.tolist(), strict=True)
     }
     return sorted(place, key=place.__getitem__)

@@ -10,6 +10,7 @@ from __future__ import annotations
 import numpy as np
 
 from arrangement.enumeration.sequence import primitive_rows
+from arrangement.exact import largest
 
 from .faces_around_lines import Faces
 from .lines import Lines
@@ -23,8 +24,8 @@ class Points:
     """
 
     def __init__(self, table: PlaneTable, lines: Lines, faces: Faces) -> None:
-        largest = max(abs(x) for row in table.exact.tolist() for x in row)
-        self._planes = table.exact.astype(np.int64 if 48 * largest**3 < 2**63 else object)
+        fits = 48 * largest(table.exact.tolist()) ** 3 < 2**63
+        self._planes = table.exact.astype(np.int64 if fits else object)
         self._lines = lines
         self._faces = faces
 

@@ -27,13 +27,15 @@ from typing import Any, TypeAlias
 import numpy as np
 from numpy.typing import NDArray
 
-from arrangement.exact import IntegerVector
+from arrangement.exact import IntegerVector, largest
 from arrangement.float_filter import (
     EXACT,
+    UNUSABLE,
     Floats,
     Signs,
-    certain,
+    decided,
     error_bound,
+    least_sizes,
     scaled,
     signs_of,
 )
@@ -46,8 +48,6 @@ Indices: TypeAlias = NDArray[np.intp]
 #: Of each product in D4: four entries, two minors of two each, one product, five sums.
 _ROUNDINGS = 4 + 2 * 2 + 1 + 5
 ERROR = error_bound(_ROUNDINGS)
-#: No sum exceeds twice the sum of its absolute products, so this bound decides nothing.
-UNUSABLE = 2.0
 
 
 class PlaneTable:
@@ -70,7 +70,12 @@ class PlaneTable:
         self.floats, self.error = scaled_floats(rows)
         self.minors = minors(self.floats[:, None], self.floats[None])
         self.sizes = _sizes(self.floats)
-        components = self._signs(self.minors[..., :3], self.sizes[..., :3], self._exact_component)
+        usable = self.error < UNUSABLE
+        self._least = least_sizes(rows) if usable and self.error else np.zeros(len(rows))
+        least = (self._least[:, None] * self._least)[..., None]
+        components = self._signs(
+            self.minors[..., :3], self.sizes[..., :3], self._exact_component, least
+        )
         self.axis: Indices = np.argmax(components != 0, axis=-1)
         self.turn: Signs = np.take_along_axis(components, self.axis[..., None], axis=-1)[..., 0]
 
@@ -90,7 +95,8 @@ class PlaneTable:
         row = np.arange(len(i))
         for own in (i, j):
             values[row, own] = sizes[row, own] = 0.0
-        return self._signs(values, sizes, exact), values
+        pairs = self._least[i] * self._least[j]
+        return self._signs(values, sizes, exact, pairs[:, None] * self._least), values
 
     def sides(self, i: Indices, j: Indices, k: Indices) -> Signs:
         """Return the sides of planes k on which the lines of i and j lie, if parallel to them."""
@@ -102,7 +108,8 @@ class PlaneTable:
 
         values = _value_on_line(self.minors[i, j], self.floats[k], axis, -1)
         sizes = _value_on_line(self.sizes[i, j], np.abs(self.floats[k]), axis, 1)
-        found: Signs = self._signs(values, sizes, exact) * self.turn[i, j]
+        least = self._least[i] * self._least[j] * self._least[k]
+        found: Signs = self._signs(values, sizes, exact, least) * self.turn[i, j]
         return found
 
     def quadruples(self, i: Indices, j: Indices, k: Indices, l: Indices, use: Any) -> Signs:  # noqa: E741
@@ -124,7 +131,9 @@ class PlaneTable:
         sizes = _by_line(self.sizes[i, j], self.sizes.reshape(-1, 6)[pair])
         unused = ~use
         values[unused] = sizes[unused] = 0.0
-        return self._signs(values, sizes, exact)
+        pairs = self._least[i] * self._least[j]
+        least = pairs[:, None] * self._least[k] * self._least[l]
+        return self._signs(values, sizes, exact, least)
 
     def exact_parameters(self, i: int, j: int, crossing: Indices) -> tuple[Integers, Integers]:
         """Return numerators and positive denominators that order crossings of one line exactly.
@@ -148,22 +157,21 @@ class PlaneTable:
         return found
 
     def _signs(
-        self, values: Floats, sizes: Floats, exact: Callable[[tuple[Indices, ...]], Integers]
+        self,
+        values: Floats,
+        sizes: Floats,
+        exact: Callable[[tuple[Indices, ...]], Integers],
+        least: Floats,
     ) -> Signs:
         """Return the signs of determinants; `exact` gives those that the floats leave open."""
-        signs = signs_of(values)
         if self.error == 0:
-            return signs
-        undecided = np.nonzero(~certain(values, sizes, self.error) & (sizes > 0))
-        if len(undecided[0]):
-            signs[undecided] = signs_of(exact(undecided))
-        return signs
+            return signs_of(values)
+        return decided(values, sizes, self.error, least, exact)
 
 
 def scaled_floats(rows: Sequence[IntegerVector]) -> tuple[Floats, float]:
     """Return floats near positive multiples of integer rows, and the `error` of determinants."""
-    largest = max((abs(x) for row in rows for x in row), default=0)
-    if 24 * largest**4 <= EXACT:
+    if 24 * largest(rows) ** 4 <= EXACT:
         return np.array(rows, dtype=np.float64).reshape(-1, 4), 0.0
     floats, usable = scaled(rows)
     return (floats, ERROR) if usable.all() else (np.ones_like(floats), UNUSABLE)

@@ -50,14 +50,11 @@ class SphereArrangement(Shown):
         incidence: Incidence,
         crossings: Crossings,
         circle_normals: tuple[IntegerVector, ...],
-        rays: Integers,
     ) -> None:
         self.arrangement = arrangement
         self.incidence = incidence
         self.circle_normals = circle_normals
-        self.rays = rays
         self._crossings = crossings
-        rays.flags.writeable = False
 
     def __repr__(self) -> str:
         return (
@@ -91,13 +88,18 @@ class SphereArrangement(Shown):
         return min(self.circle_count, 2) if self.vertex_count <= 2 else 3
 
     @cached_property
+    def rays(self) -> Integers:
+        """The direction of each vertex; see the class."""
+        return _rays(integer_array(self.circle_normals), self.incidence)
+
+    @cached_property
     def plane_circle(self) -> Indices:
         """(m); the circle of each input plane."""
         return np.array(self.arrangement.class_of, np.int32)
 
     def ray(self, vertex: int) -> IntegerVector:
         """Return the primitive integer direction of a vertex."""
-        return primitive([int(x) for x in self.rays[vertex]])
+        return primitive(self.rays[vertex].tolist())
 
     def arc_witness(self, arc: int) -> IntegerVector:
         """Return a primitive integer vector in the relative interior of an arc's cone."""
@@ -209,10 +211,7 @@ def sphere_arrangement(arrangement: Planes) -> SphereArrangement:
     circle_normals = tuple(unoriented(planes[members[0]][:3]) for members in arrangement.distinct)
     normals = integer_array(circle_normals)
     crossings = sort_crossings(normals)
-    incidence = build_incidence(crossings)
-    return SphereArrangement(
-        arrangement, incidence, crossings, circle_normals, _rays(normals, incidence)
-    )
+    return SphereArrangement(arrangement, build_incidence(crossings), crossings, circle_normals)
 
 
 def _rays(normals: Integers, incidence: Incidence) -> Integers:
@@ -226,6 +225,7 @@ def _rays(normals: Integers, incidence: Incidence) -> Integers:
         )
         rays[part] = np.cross(left, right)
     np.negative(rays[:lines], out=rays[lines:])
+    rays.flags.writeable = False
     return rays
 
 

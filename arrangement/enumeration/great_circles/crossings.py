@@ -21,11 +21,12 @@ from arrangement.float_filter import Signs, signs_of
 
 from .predicates import (
     Components,
+    ExactSigns,
+    FilteredSigns,
     Integers,
     cross_products,
     exact_slope_terms,
     slope_terms,
-    turns,
 )
 
 #: Entries handled at once: temporary arrays this small stay in the cache and are used again.
@@ -61,31 +62,26 @@ def sort_crossings(normals: Integers) -> Crossings:
     found = Crossings(np.empty(shape, np.int32), np.empty(shape, np.int8), np.zeros(shape, bool))
     if count < 2:
         return found
-    floats = _scaled_floats(normals)
+    signs = FilteredSigns(normals) if normals.dtype == object else ExactSigns(normals)
     step = max(1, BLOCK // count)
     for start in range(0, count, step):
-        _sort_block(normals, floats, slice(start, min(start + step, count)), found)
+        _sort_block(signs, slice(start, min(start + step, count)), found)
     return found
 
 
-def _sort_block(
-    normals: Integers, floats: NDArray[np.float64], block: slice, found: Crossings
-) -> None:
+def _sort_block(signs: ExactSigns | FilteredSigns, block: slice, found: Crossings) -> None:
     """Fill the rows of `found` for a block of circles."""
-    directions = cross_products(normals[block], normals)
-    turn = turns(directions)
-    if normals.dtype == object:
-        proposal = _proposal(floats[block], cross_products(floats[block], floats), turn)
-    else:
-        proposal = _proposal(normals[block], directions, turn)
+    directions = cross_products(signs.numbers[block], signs.numbers)
+    turn = signs.turns(directions, block)
+    proposal = _proposal(signs.numbers[block], directions, turn)
     proposal[np.arange(len(proposal)), np.arange(block.start, block.stop)] = np.nan
     order = np.argsort(proposal, axis=1)[:, :-1]  # NaN, the circle itself, comes last
-    ascents, sorted_turn = _ascents(normals, directions, turn, order)
+    ascents, sorted_turn = _ascents(signs, directions, turn, order, block)
     failed = np.nonzero((ascents < 0).any(axis=1))[0]
     if len(failed):
-        exact = [tuple(row) for row in normals.tolist()]
+        exact = [tuple(row) for row in signs.normals.tolist()]
         order[failed] = [_exact_order(exact, block.start + int(row)) for row in failed]
-        ascents, sorted_turn = _ascents(normals, directions, turn, order)
+        ascents, sorted_turn = _ascents(signs, directions, turn, order, block)
         if (ascents < 0).any():  # pragma: no cover - two exact methods would disagree
             raise ArrangementError(
                 "slopes and determinants disagree on the order of crossings; report this input"
@@ -105,15 +101,17 @@ def _proposal(normals: Integers, directions: Components, turn: Signs) -> NDArray
 
 
 def _ascents(
-    normals: Integers, directions: Components, turn: Signs, order: NDArray[np.intp]
+    signs: ExactSigns | FilteredSigns,
+    directions: Components,
+    turn: Signs,
+    order: NDArray[np.intp],
+    block: slice,
 ) -> tuple[Signs, Signs]:
     """Return ``sign det(n_i, n_j, n_k) turn_ij turn_ik`` of neighbours, and the sorted turns."""
     sorted_turn = np.take_along_axis(turn, order, axis=1)
     here, there = order[:, :-1], order[:, 1:]
-    x, y, z = (np.take_along_axis(part, here, axis=1) for part in directions)
-    n = [np.ascontiguousarray(normals[:, k])[there] for k in range(3)]
-    determinant = n[0] * x + n[1] * y + n[2] * z
-    return signs_of(determinant) * sorted_turn[:, :-1] * sorted_turn[:, 1:], sorted_turn
+    found = signs.determinants(directions, block, here, there)
+    return found * sorted_turn[:, :-1] * sorted_turn[:, 1:], sorted_turn
 
 
 def _exact_order(normals: list[tuple[int, ...]], circle: int) -> list[int]:
@@ -129,14 +127,3 @@ def _exact_order(normals: list[tuple[int, ...]], circle: int) -> list[int]:
         return (p * s > r * q) - (p * s < r * q)
 
     return sorted(slopes, key=cmp_to_key(compare))
-
-
-def _scaled_floats(normals: Integers) -> NDArray[np.float64]:
-    """Return floats near positive multiples of the normals, small enough for products of three."""
-    if normals.dtype != object:
-        return normals.astype(np.float64)
-    rows = [
-        [x / (1 << max(max(abs(y) for y in row).bit_length() - 64, 0)) for x in row]
-        for row in normals.tolist()
-    ]
-    return np.array(rows, dtype=np.float64)

@@ -24,17 +24,27 @@ anything is read out of them).
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from typing import Any, TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
 
-from arrangement.float_filter import Signs, signs_of
-from arrangement.linear import cross
+from arrangement.exact import largest
+from arrangement.float_filter import (
+    UNUSABLE,
+    Signs,
+    decided,
+    error_bound,
+    least_sizes,
+    scaled,
+    signs_of,
+)
+from arrangement.linear import cross, triple_product
 
 #: int64, or Python integers in an object array where int64 could overflow.
 Integers: TypeAlias = NDArray[Any]
+Indices: TypeAlias = NDArray[np.intp]
 Components: TypeAlias = tuple[Integers, Integers, Integers]
 
 
@@ -45,8 +55,7 @@ def integer_array(
 
     The default is the bound proven above. The choice depends on the largest entry B alone.
     """
-    largest = max((abs(x) for row in rows for x in row), default=0)
-    exact_in_int64 = factor * largest**degree_bound < 2**63
+    exact_in_int64 = factor * largest(rows) ** degree_bound < 2**63
     array = np.empty((len(rows), 3), dtype=np.int64 if exact_in_int64 else object)
     array[...] = np.array(rows, dtype=array.dtype).reshape(-1, 3)
     return array
@@ -68,6 +77,102 @@ def turns(directions: Components) -> Signs:
         second, third = signs_of(y[undecided]), signs_of(z[undecided])
         found[undecided] = np.where(second != 0, second, third)
     return found
+
+
+class ExactSigns:
+    """The signs of products of normals in int64.
+
+    Attributes:
+        normals: (c, 3).
+        numbers: the same, or floats near positive multiples, for a proposal.
+    """
+
+    def __init__(self, normals: Integers) -> None:
+        self.normals = self.numbers = normals
+
+    def turns(self, directions: Components, block: slice) -> Signs:
+        """Return `turns` of the cross products of a block of the normals with all of them."""
+        return turns(directions)
+
+    def determinants(
+        self, directions: Components, block: slice, here: Indices, there: Indices
+    ) -> Signs:
+        """Return the signs of ``det(n_i, n_j, n_k)``, row i of the block, j in here, k in there."""
+        return signs_of(_determinants(self.numbers, directions, here, there))
+
+
+class FilteredSigns(ExactSigns):
+    """The same for normals beyond int64: floats where the bound of their error decides."""
+
+    #: Three entries, two products and three sums.
+    error = error_bound(8)
+
+    def __init__(self, normals: Integers) -> None:
+        self.normals = normals
+        rows = normals.tolist()
+        self.numbers, usable = scaled(rows)
+        self._least = least_sizes(rows)
+        self._absolute = np.abs(self.numbers)
+        if not usable.all():  # then they serve for proposals alone
+            self.error = UNUSABLE
+            self._absolute[...], self._least[...] = 1, 0
+
+    def turns(self, directions: Components, block: slice) -> Signs:
+        """Return the same with the products that floats leave open in exact numbers."""
+        here, least = np.arange(len(self.normals))[block], self._least
+        sizes = self._sizes(block)
+        for part in sizes:
+            part[np.arange(len(here)), here] = 0  # that of a normal with itself
+
+        def exact(k: int) -> Callable[[tuple[Indices, ...]], Integers]:
+            after, before = (k + 1) % 3, (k + 2) % 3
+
+            def component(at: tuple[Indices, ...]) -> Integers:
+                left, right = self.normals[here[at[0]]], self.normals[at[1]]
+                found: Integers = left[:, after] * right[:, before] - (
+                    left[:, before] * right[:, after]
+                )
+                return found
+
+            return component
+
+        bound = least[here][:, None] * least
+        parts = [decided(directions[k], sizes[k], self.error, bound, exact(k)) for k in range(3)]
+        return turns((parts[0], parts[1], parts[2]))
+
+    def determinants(
+        self, directions: Components, block: slice, here: Indices, there: Indices
+    ) -> Signs:
+        """Return the same with the determinants that floats leave open in exact numbers."""
+        own = np.arange(len(self.normals))[block]
+
+        def exact(at: tuple[Indices, ...]) -> Integers:
+            rows = (self.normals[own[at[0]]], self.normals[here[at]], self.normals[there[at]])
+            return np.array([triple_product(*row) for row in zip(*rows, strict=True)], object)
+
+        return decided(
+            _determinants(self.numbers, directions, here, there),
+            _determinants(self._absolute, self._sizes(block), here, there),
+            self.error,
+            self._least[own][:, None] * self._least[here] * self._least[there],
+            exact,
+        )
+
+    def _sizes(self, block: slice) -> Components:
+        """Return the sums of the absolute products in all cross products."""
+        sizes = self._absolute
+        a, b, c = (sizes[block, k, None] for k in range(3))
+        x, y, z = (sizes[None, :, k] for k in range(3))
+        return b * z + c * y, c * x + a * z, a * y + b * x
+
+
+def _determinants(
+    normals: Integers, directions: Components, here: Indices, there: Indices
+) -> Integers:
+    x, y, z = (np.take_along_axis(part, here, axis=1) for part in directions)
+    n = [np.ascontiguousarray(normals[:, k])[there] for k in range(3)]
+    determinants: Integers = n[0] * x + n[1] * y + n[2] * z
+    return determinants
 
 
 def slope_terms(normals: Integers, directions: Components) -> tuple[Integers, Integers]:

@@ -11,6 +11,7 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import NDArray
 
+from arrangement.enumeration.sequence import primitive_rows
 from arrangement.errors import ArrangementError
 from arrangement.exact import IntegerVector
 
@@ -104,8 +105,7 @@ def check_geometry(
 
 def _distinct(rays: Integers) -> int:
     """Return the number of different directions among integer vectors."""
-    divisor = np.gcd.reduce(rays, axis=1)
-    primitive = rays // divisor[:, None]
+    primitive = primitive_rows(rays)
     if primitive.dtype == object:
         return len({tuple(row) for row in primitive.tolist()})
     ordered = primitive[np.lexsort(primitive.T)]

@@ -1,9 +1,12 @@
-"""Generic arrangements, pencils, near-pencils and coordinate planes."""
+"""Generic arrangements, pencils, near-pencils, coordinate planes, and classical mirrors."""
 
 from __future__ import annotations
 
+from itertools import combinations, permutations, product
+
 from arrangement.arrangement import Arrangement
-from arrangement.errors import InputError
+from arrangement.linear import unit_vectors
+from arrangement.number_field import AlgebraicNumber, NumberField
 
 from .checks import at_least
 
@@ -72,7 +75,7 @@ def coordinate(d: int) -> Arrangement:
     (1, 6, 12, 8)
     """
     at_least(d, 1, "d")
-    return Arrangement([[int(i == j) for j in range(d)] for i in range(d)])
+    return Arrangement(unit_vectors(d))
 
 
 def braid(n: int) -> Arrangement:
@@ -98,8 +101,7 @@ def type_b(n: int) -> Arrangement:
     (1, 26, 72, 48)
     """
     at_least(n, 1, "n")
-    axes = [[int(i == j) for j in range(n)] for i in range(n)]
-    return Arrangement([*axes, *differences(n), *sums(n)])
+    return Arrangement([*unit_vectors(n), *differences(n), *sums(n)])
 
 
 def type_d(n: int) -> Arrangement:
@@ -116,18 +118,49 @@ def type_d(n: int) -> Arrangement:
 
 
 def h3() -> Arrangement:
-    """Refuse: the 15 mirrors of type H_3 (the icosahedron) have no rational normals.
+    """Return the 15 mirrors of type H_3, the symmetries of the icosahedron, over Q(sqrt(5)).
 
-    Five of the mirrors pass through each fivefold axis. Up to a linear change of coordinates
-    their five directions have cross-ratios with the golden ratio, which no rational lines have.
+    They are the planes x_i = 0, and those with normals (1, ±g, ±1/g), the last two turned round,
+    g the golden ratio: the roots are the 30 middles of edges of an icosahedron.
 
-    Raises:
-        InputError: always.
+    Known counts: 120 regions; chi(t) = (t - 1)(t - 5)(t - 9).
+    Source: J. Humphreys, Reflection Groups and Coxeter Groups (1990), section 2.13.
+
+    >>> h3().f_vector
+    (1, 62, 180, 120)
     """
-    raise InputError(
-        "H_3 is irrational: its 15 mirrors have cross-ratios with the golden ratio, so no exact "
-        "rational normals exist; type_b(3) and the simplicial arrangements are rational relatives"
+    g, h = golden_ratio()
+    turned = [(0, 1, 2), (1, 2, 0), (2, 0, 1)]
+    roots = [(1, s * g, t * h) for s in (1, -1) for t in (1, -1)]
+    return Arrangement(
+        [*unit_vectors(3), *([root[k] for k in turn] for turn in turned for root in roots)]
     )
+
+
+def h4() -> Arrangement:
+    """Return the 60 mirrors of type H_4, the symmetries of the 600-cell, over Q(sqrt(5)).
+
+    The roots are the 120 unit icosians: x_i = 0, normals (1, ±1, ±1, ±1), and the even permutations
+    of (0, 1, ±g, ±1/g), g the golden ratio.
+
+    Known counts: 14,400 regions; chi(t) = (t - 1)(t - 11)(t - 19)(t - 29).
+    Source: J. Humphreys, Reflection Groups and Coxeter Groups (1990), section 2.13.
+
+    >>> len(h4())
+    60
+    """
+    g, h = golden_ratio()
+    even = [p for p in permutations(range(4)) if sum(a > b for a, b in combinations(p, 2)) % 2 == 0]
+    roots = [(0, 1, s * g, t * h) for s in (1, -1) for t in (1, -1)]
+    signs = product((1, -1), repeat=3)
+    rest = [[root[k] for k in p] for p in even for root in roots]
+    return Arrangement([*unit_vectors(4), *((1, *s) for s in signs), *rest])
+
+
+def golden_ratio() -> tuple[AlgebraicNumber, AlgebraicNumber]:
+    """Return the golden ratio and its inverse, which is one less."""
+    g = NumberField([-1, -1, 1], [1, 2]).root
+    return g, g - 1
 
 
 def differences(n: int) -> list[list[int]]:

@@ -1,48 +1,13 @@
-"""Arrangements of graphs, thresholds and subset sums."""
+"""Arrangements of thresholds and subset sums."""
 
 from __future__ import annotations
 
 from itertools import product
-from typing import TYPE_CHECKING
 
 from arrangement.arrangement import Arrangement
-from arrangement.errors import InputError
 
 from .checks import at_least
 from .classical import sums
-
-if TYPE_CHECKING:
-    import networkx as nx
-
-
-def graphical(graph: nx.Graph) -> Arrangement:
-    """Return x_u = x_v for every edge uv of a graph, coordinates and planes in the graph's order.
-
-    Known counts: chi is the chromatic polynomial; as many regions as acyclic orientations.
-    Parallel edges give coincident planes.
-    Source: C. Greene, T. Zaslavsky, Trans. AMS 280 (1983); R. Stanley, Discrete Mathematics 5
-    (1973).
-
-    Raises:
-        InputError: for a directed graph, a loop, or a graph without vertices.
-
-    >>> import networkx as nx
-    >>> graphical(nx.path_graph(3)).integer_planes
-    ((1, -1, 0, 0), (0, 1, -1, 0))
-    """
-    if graph.is_directed():
-        raise InputError("the graph is directed; give graph.to_undirected()")
-    place = {node: i for i, node in enumerate(graph.nodes)}
-    if not place:
-        raise InputError("the graph has no vertices; give at least one")
-    normals = []
-    for tail, head in graph.edges():
-        if tail == head:
-            raise InputError(f"the graph has a loop at {tail!r}, which gives no plane; remove it")
-        row = [0] * len(place)
-        row[place[tail]], row[place[head]] = 1, -1
-        normals.append(row)
-    return Arrangement(normals, dimension=len(place))
 
 
 def threshold(n: int) -> Arrangement:

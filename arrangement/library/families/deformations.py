@@ -1,28 +1,36 @@
-"""Affine relatives of reflection arrangements: Shi, Catalan, Linial, semiorder.
+"""Affine relatives of reflection arrangements: Shi, Catalan, Linial, semiorder, Ish.
 
 A number n stands for planes x_i - x_j = k in R^n, of rank n - 1: every plane contains the direction
-(1, ..., 1), and bounded regions are those of the essentialization. A type such as "E6" stands for
-planes in R^6, a root each with its offsets (see `coxeter`).
+(1, ..., 1), and bounded regions are those of the essentialization. A graph, as in `graphical`,
+leaves those of them whose i and j are an edge. A type such as "E6" stands for planes in R^6, a root
+each with its offsets (see `coxeter`).
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterable
+from typing import TYPE_CHECKING
 
 from arrangement.arrangement import Arrangement
 
 from .checks import at_least
-from .classical import differences
+from .classical import differences, sums
+from .graphs import edge_differences
 from .root_systems import positive_roots
 
+if TYPE_CHECKING:
+    import networkx as nx
 
-def shi(type: int | str, m: int = 1) -> Arrangement:
+
+def shi(type: int | str | nx.Graph, m: int = 1) -> Arrangement:
     """Return the Shi arrangement: a root = 1 - m, ..., m for every positive root; m = 1: 0 and 1.
 
     Known counts: chi(t) = (t - mh)^r for a type of rank r with Coxeter number h, so (mh + 1)^r
-    regions, (mh - 1)^r of them bounded; for a number n and m = 1 it is t (t - n)^(n-1).
+    regions, (mh - 1)^r of them bounded; for a number n and m = 1 it is t (t - n)^(n-1). The graph
+    of a forest with k edges has (2m + 1)^k.
     Source: J.-Y. Shi, Lecture Notes in Mathematics 1179 (1986); C. Athanasiadis, Bulletin of the
-    London Mathematical Society 36 (2004); OEIS A000272.
+    London Mathematical Society 36 (2004); of graphs, S. Hopkins, D. Perkinson, Transactions of the
+    American Mathematical Society 368 (2016); OEIS A000272.
 
     >>> shi(3).f_vector
     (0, 6, 21, 16)
@@ -30,7 +38,7 @@ def shi(type: int | str, m: int = 1) -> Arrangement:
     return _deformed(type, range(1 - at_least(m, 1, "m"), m + 1))
 
 
-def catalan(type: int | str, m: int = 1) -> Arrangement:
+def catalan(type: int | str | nx.Graph, m: int = 1) -> Arrangement:
     """Return the Catalan arrangement: a root = -m, ..., m for every positive root.
 
     Known counts: chi(t) is the product of t - mh - e over the exponents e of a type with Coxeter
@@ -45,7 +53,7 @@ def catalan(type: int | str, m: int = 1) -> Arrangement:
     return _deformed(type, range(-at_least(m, 0, "m"), m + 1))
 
 
-def linial(type: int | str) -> Arrangement:
+def linial(type: int | str | nx.Graph) -> Arrangement:
     """Return the Linial arrangement: a root = 1 for every positive root.
 
     Known counts, for a number n: as many regions as labelled alternating trees on n + 1 vertices,
@@ -58,12 +66,13 @@ def linial(type: int | str) -> Arrangement:
     return _deformed(type, (1,))
 
 
-def semiorder(type: int | str) -> Arrangement:
+def semiorder(type: int | str | nx.Graph) -> Arrangement:
     """Return the semiorder arrangement: a root = -1, 1 for every positive root.
 
-    Known counts, for a number n: as many regions as labelled semiorders, 1, 3, 19, 183, 2371, ...
-    Source: R. Stanley, Proceedings of the National Academy of Sciences 93 (1996);
-    OEIS A006531.
+    Known counts, for a number n: as many regions as labelled semiorders, 1, 3, 19, 183, 2371, ...;
+    for a cycle of four edges 59.
+    Source: R. Stanley, Proceedings of the National Academy of Sciences 93 (1996); OEIS A006531; for
+    the cycle, Sage's reference manual, hyperplane_arrangements.bigraphical.
 
     >>> semiorder(3).f_vector[-1]
     19
@@ -87,11 +96,30 @@ def ish(n: int) -> Arrangement:
     return Arrangement([*differences(n), *first], offsets, dimension=n)
 
 
-def _deformed(type: int | str, offsets: Iterable[int]) -> Arrangement:
+def ish_b(n: int) -> Arrangement:
+    """Return the Ish arrangement of type B: x_i = +-x_j for i < j, and x_i = i - n, ..., n - i + 1.
+
+    Known counts: those of the Shi arrangement of B_n, chi(t) = (t - 2n)^n and (2n+1)^n regions.
+    Source: T. N. Tran, S. Tsujie, A type B analog of the Ish arrangement, Algebraic Combinatorics 8
+    (2025).
+
+    >>> ish_b(2).f_vector[-1]
+    25
+    """
+    at_least(n, 1, "n")
+    axes = [(i, k) for i in range(1, n + 1) for k in range(i - n, n - i + 2)]
+    units = [[int(j == i) for j in range(1, n + 1)] for i, _ in axes]
+    mirrors = [*differences(n), *sums(n)]
+    return Arrangement([*mirrors, *units], [*(0 for _ in mirrors), *(k for _, k in axes)])
+
+
+def _deformed(type: int | str | nx.Graph, offsets: Iterable[int]) -> Arrangement:
     """Return the planes of every root with every offset."""
-    if isinstance(type, str):
+    if isinstance(type, str) and not type[:1].isdigit():
         rows = [list(root) for root in positive_roots(type)]
         dimension = len(rows[0])
+    elif isinstance(type, str) or hasattr(type, "edges"):
+        rows, dimension = edge_differences(type)
     else:
         dimension = at_least(type, 1, "type")
         rows = differences(dimension)

@@ -9,24 +9,23 @@ from collections.abc import Callable, Mapping
 
 from arrangement.arrangement import Arrangement
 
-from . import classical, combinatorial, deformations, randoms
+from . import classical, combinatorial, deformations, graphs, points, randoms
+from .polygons import regular
 from .root_systems import coxeter
 from .simplicial import simplicial
 
-#: Name on the command line -> function. Graphs and irrational mirrors have no options there.
+#: Name on the command line -> function.
 FAMILIES: Mapping[str, Callable[..., Arrangement]] = {
     function.__name__.replace("_", "-"): function
     for function in (
         *(classical.generic, classical.pencil, classical.near_pencil, classical.coordinate),
         *(classical.braid, classical.type_b, classical.type_d, coxeter),
-        *(
-            deformations.shi,
-            deformations.catalan,
-            deformations.ish,
-            deformations.linial,
-            deformations.semiorder,
-        ),
+        *(classical.h3, classical.h4, regular),
+        *(deformations.shi, deformations.catalan, deformations.linial, deformations.semiorder),
+        *(deformations.ish, deformations.ish_b),
+        *(graphs.graphical, graphs.bigraphical, graphs.signed_graphical),
         *(combinatorial.resonance, combinatorial.threshold, combinatorial.threshold_functions),
+        *(points.separations, points.discriminantal),
         *(randoms.random_integer, randoms.random_degenerate, randoms.random_sphere),
         simplicial,
     )
@@ -51,13 +50,14 @@ def add_families(parser: argparse.ArgumentParser) -> None:
                 family.add_argument(f"--{parameter.name}", action="store_true")
                 continue
             needed = parameter.default is parameter.empty
+            kinds = parameter.annotation.split(" | ")
             family.add_argument(
                 f"--{parameter.name}",
-                type=_value if "str" in parameter.annotation else int,
+                type=(_value if "int" in kinds else str) if "str" in kinds else int,
                 required=needed,
                 default=None if needed else parameter.default,
-                metavar=parameter.name.upper(),
-                help="" if needed else f"(default {parameter.default})",
+                metavar=_metavar(parameter),
+                help=_help(parameter),
             )
         family.add_argument("-o", "--output", metavar="PATH", help="a file (default: print it)")
 
@@ -67,7 +67,7 @@ def document(arguments: argparse.Namespace) -> str:
     values = {p.name: getattr(arguments, p.name) for p in _parameters(arguments.family)}
     given = ", ".join(f"{key} = {value}" for key, value in values.items())
     made = FAMILIES[arguments.family](**values).to_dict()
-    made["description"] = f"{arguments.family}, {given}"
+    made["description"] = f"{arguments.family}, {given}" if given else arguments.family
     rows = [f"    {json.dumps(row)}" for row in made.pop("planes")]
     rest = [f"  {json.dumps(key)}: {json.dumps(value)}" for key, value in made.items()]
     planes = ",\n".join(rows)
@@ -81,8 +81,22 @@ def _parameters(name: str) -> list[inspect.Parameter]:
 def _usage(parameter: inspect.Parameter) -> str:
     text = f"--{parameter.name}"
     if parameter.annotation != "bool":
-        text += f" {parameter.name.upper()}"
+        text += f" {_metavar(parameter)}"
     return text if parameter.default is parameter.empty else f"[{text}]"
+
+
+def _metavar(parameter: inspect.Parameter) -> str:
+    if "Graph" in parameter.annotation:
+        return "N|TYPE|EDGES" if "int" in parameter.annotation else "EDGES"
+    return parameter.name.upper()
+
+
+def _help(parameter: inspect.Parameter) -> str:
+    if "Graph" in parameter.annotation:
+        if "int" in parameter.annotation:
+            return "a number, a type such as E6, or edges such as 1-2,2-3"
+        return "edges such as 1-2,2-3; in a signed graph also 1+2 and 1"
+    return "" if parameter.default is parameter.empty else f"(default {parameter.default})"
 
 
 def _summary(name: str) -> str:
@@ -92,5 +106,5 @@ def _summary(name: str) -> str:
 
 
 def _value(text: str) -> int | str:
-    """Read a number n, or the name of a type."""
+    """Read a number n, or the name of a type, or a graph."""
     return int(text) if text.isascii() and text.isdigit() else text

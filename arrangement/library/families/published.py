@@ -7,13 +7,16 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
+from functools import partial
 from typing import Any
 
 from arrangement.arrangement import Arrangement
 
 from .classical import braid, type_b, type_d
 from .combinatorial import resonance, threshold, threshold_functions
-from .deformations import catalan, ish, linial, semiorder, shi
+from .deformations import catalan, ish, ish_b, linial, semiorder, shi
+from .graphs import bigraphical, graphical, signed_graphical
+from .points import discriminantal, separations
 from .root_systems import coxeter
 
 
@@ -29,7 +32,11 @@ class PublishedCount:
     @property
     def label(self) -> str:
         """The call that makes the arrangement."""
-        return f"{self.family.__name__}({', '.join(map(repr, self.arguments))})"
+        made, words = self.family, [*map(repr, self.arguments)]
+        if isinstance(made, partial):
+            words += [f"{name}={value!r}" for name, value in made.keywords.items()]
+            made = made.func
+        return f"{made.__name__}({', '.join(words)})"
 
     def planes(self) -> Arrangement:
         """Return the arrangement itself."""
@@ -38,6 +45,8 @@ class PublishedCount:
 
 _HUMPHREYS = "J. Humphreys, Reflection Groups and Coxeter Groups (1990), section 2.11"
 _ATHANASIADIS = "[Athanasiadis2004]"
+_BIGRAPHICAL = "[HopkinsPerkinson2016]"
+_SPANNED = partial(discriminantal, affine=True)
 #: Families with a number n, from the first n on.
 _SEQUENCES: tuple[tuple[Callable[..., Arrangement], int, str, tuple[int, ...]], ...] = (
     (
@@ -61,9 +70,10 @@ _SEQUENCES: tuple[tuple[Callable[..., Arrangement], int, str, tuple[int, ...]], 
     (catalan, 1, "OEIS A001761", (1, 4, 30, 336, 5040, 95040)),
     (linial, 1, "OEIS A007889", (1, 2, 7, 36, 246, 2104)),
     (semiorder, 1, "OEIS A006531", (1, 3, 19, 183, 2371, 38703)),
+    (ish_b, 1, "[TranTsujie2025]", (3, 25, 343, 6561)),
 )
-#: Families with a type, and a number m where it is not 1.
-_TYPES: tuple[tuple[Callable[..., Arrangement], str, dict[tuple[Any, ...], int]], ...] = (
+#: Families with other arguments: a type and a number m where it is not 1, a graph, a polytope.
+_OTHERS: tuple[tuple[Callable[..., Arrangement], str, dict[tuple[Any, ...], int]], ...] = (
     (
         coxeter,
         _HUMPHREYS,
@@ -77,6 +87,10 @@ _TYPES: tuple[tuple[Callable[..., Arrangement], str, dict[tuple[Any, ...], int]]
             ("E8",): 696729600,
             ("F4",): 1152,
             ("G2",): 12,
+            ("H3",): 120,
+            ("H4",): 14400,
+            ("I2(5)",): 10,
+            ("I2(7)",): 14,
         },
     ),
     (
@@ -107,6 +121,48 @@ _TYPES: tuple[tuple[Callable[..., Arrangement], str, dict[tuple[Any, ...], int]]
             ("B3", 2): 14 * 16 * 18,
         },
     ),
+    (
+        graphical,
+        "R. Stanley, Discrete Mathematics 5 (1973): acyclic orientations",
+        {("1-2,2-3,3-4,1-4",): 14, ("1-2,2-3,3-4,1-4,1-3",): 18},
+    ),
+    (bigraphical, _BIGRAPHICAL, {("1-2,2-3,1-3",): 19, ("1-2,2-3,3-4,1-4",): 65}),
+    (shi, _BIGRAPHICAL, {("1-2,2-3,3-4",): 27, ("1-3,2-3,3-4", 2): 125}),
+    (semiorder, _BIGRAPHICAL, {("1-2,2-3,3-4",): 27}),
+    (
+        semiorder,
+        "Sage's reference manual, hyperplane_arrangements.bigraphical",
+        {("1-2,2-3,3-4,1-4",): 59},
+    ),
+    (
+        signed_graphical,
+        "T. Zaslavsky, American Mathematical Monthly 88 (1981)",
+        {
+            ("1-2,1-3,2-3,1+2,1+3,2+3",): 24,
+            ("1-2,1-3,2-3,1+2,1+3,2+3,1",): 32,
+            ("1-2,1-3,2-3,1+2,1+3,2+3,1,2",): 40,
+        },
+    ),
+    (
+        separations,
+        "OEIS A027649",
+        {
+            ("cross-polytope", 2): 14,
+            ("cross-polytope", 3): 46,
+            ("cross-polytope", 4): 146,
+            ("cross-polytope", 5): 454,
+            ("demicube", 4): 146,
+        },
+    ),
+    (separations, "[BrysiewiczEbleKuehne2023]", {("demicube", 5): 3756}),
+    (separations, "[Cover1965]: points on a conic", {("permutohedron", 3): 32}),
+    (discriminantal, "[ManinSchechtman1989]", {(4, 3): 24, (5, 4): 120, (6, 5): 720}),
+    (
+        _SPANNED,
+        "OEIS A055503",
+        {(3, 2): 7, (4, 2): 18, (5, 2): 41, (6, 2): 85, (7, 2): 162, (8, 2): 287},
+    ),
+    (_SPANNED, "[BrysiewiczEbleKuehne2023]", {(6, 4): 600}),
 )
 
 
@@ -119,6 +175,6 @@ def published_counts() -> Iterator[PublishedCount]:
     for family, first, source, numbers in _SEQUENCES:
         for n, regions in enumerate(numbers, start=first):
             yield PublishedCount(family, (n,), regions, source)
-    for family, source, entries in _TYPES:
+    for family, source, entries in _OTHERS:
         for arguments, regions in entries.items():
             yield PublishedCount(family, arguments, regions, source)

@@ -1,6 +1,6 @@
 """Root systems by type, and their mirrors.
 
-Coordinates are chosen so that a plane's normal is its root written in simple roots. So mirrors span
+Of a crystallographic type, a plane's normal is its root written in simple roots. So mirrors span
 the space, entries are small integers, and no irrational coordinates come up; angles are not those
 of the reflections.
 """
@@ -12,6 +12,9 @@ import re
 from arrangement.arrangement import Arrangement
 from arrangement.errors import InputError
 from arrangement.exact import IntegerVector, shown
+
+from .classical import h3, h4
+from .polygons import mirrors
 
 _TYPE = re.compile(r"([A-G])([1-9][0-9]?)")
 _RANKS = {
@@ -26,24 +29,29 @@ _RANKS = {
 
 
 def coxeter(type: str) -> Arrangement:
-    """Return the mirrors of a crystallographic type: A1, A2, ..., B2, C2, D3, E6, E7, E8, F4, G2.
+    """Return the mirrors of a type: A1, A2, ..., B2, C2, D3, E6, E7, E8, F4, G2, H3, H4, I2(m).
 
-    Known counts: as many regions as the Weyl group has elements (E8: 696,729,600);
+    Known counts: as many regions as the reflection group has elements (E8: 696,729,600);
     chi(t) is the product of t - e over the exponents e of the type.
     Source: P. Orlik, L. Solomon, Inventiones Mathematicae 56 (1980); N. Bourbaki, Groupes et
     algebres de Lie, chapter VI (1968), plates I to IX.
 
     Raises:
-        InputError: no such type, or H or I, whose mirrors are irrational.
+        InputError: no such type.
 
     >>> coxeter("F4").f_vector[-1]
     1152
     """
+    if type in ("H3", "H4"):
+        return h3() if type == "H3" else h4()
+    polygon = re.fullmatch(r"I2\(([1-9][0-9]{0,2})\)", type) if isinstance(type, str) else None
+    if polygon and int(polygon[1]) >= 3:
+        return Arrangement(mirrors(int(polygon[1])))
     return Arrangement(positive_roots(type))
 
 
 def positive_roots(type: str) -> list[IntegerVector]:
-    """Return the positive roots of a type, each as its coefficients of simple roots.
+    """Return the positive roots of a crystallographic type, as coefficients of simple roots.
 
     Simple roots are numbered as by Bourbaki, except that G2's first is the short one too.
     """
@@ -65,11 +73,9 @@ def _cartan_matrix(type: str) -> list[list[int]]:
     """Return the pairings of simple roots (rows) with simple coroots (columns)."""
     found = _TYPE.fullmatch(type) if isinstance(type, str) else None
     if found is None or int(found[2]) not in _RANKS[found[1]]:
-        irrational = isinstance(type, str) and type[:1] in ("H", "I")
         raise InputError(
-            f"the type is {shown(type)}"
-            + (", which has irrational mirrors" if irrational else "")
-            + "; there are A1, A2, ..., B2, C2, ..., D3, ..., E6, E7, E8, F4 and G2"
+            f"the type is {shown(type)}; there are A1, A2, ..., B2, C2, ..., D3, ..., E6, E7, E8, "
+            "F4 and G2, and as mirrors H3, H4 and I2(m) for m from 3 on"
         )
     letter, size = found[1], int(found[2])
     edges = [(i, i + 1) for i in range(size - 1)]

@@ -1,53 +1,49 @@
-"""The rational simplicial arrangements of Gruenbaum's catalogue with at most 13 planes.
+"""The known simplicial arrangements of Gruenbaum's catalogue, those with regular polygons too.
 
 A central arrangement of rank 3 is simplicial when every region has three facets. A(n, k) is the
-k-th entry with n planes in the catalogue; the near-pencils A(n, 0) are an infinite family and in
-`near_pencil`. The catalogue is complete up to 27 planes but for four later finds, all larger
-than these. All entries up to 13 planes are here except two, which need the golden ratio:
+k-th entry with n planes in the catalogue, to which four finds of Cuntz and the one of 35 planes
+came later; the near-pencils A(n, 0) are an infinite family and in `near_pencil`. Of the 119 known
+ones with up to 37 planes 106 are here. Not here are `MISSING`: a search did not come upon them, or
+their fields have no number to start from.
 
-* A(10, 1): sides and mirrors of the regular pentagon;
-* A(13, 4).
-
-The normals were found by search: planes with entries up to 2 were added through vertices already
-there, until the number of facets is 3/2 of the number of regions. Entries are told apart by the
-numbers of vertices of each multiplicity, and of planes with each number of vertices.
+The normals were found by search: from a few planes, the plane through vertices that brings t_2
+nearest to 3 + sum of (k - 3) t_k is added, over Q and the square roots of 2, 3 and 5; the members
+of the families of regular polygons are made by `regular`. Entries are told apart by their vectors
+t and r as printed, and those that have these in common by their graphs of regions.
 
 Sources: B. Gruenbaum, A catalogue of simplicial arrangements in the real projective plane, Ars
 Mathematica Contemporanea 2 (2009); M. Cuntz, Simplicial arrangements with up to 27 lines,
-Discrete and Computational Geometry 48 (2012); M. Cuntz, S. Elia, J.-P. Labbe, Congruence
-normality of simplicial hyperplane arrangements via oriented matroids, Annals of Combinatorics 26
-(2022), table 5.
+Discrete and Computational Geometry 48 (2012), and A greedy algorithm to compute arrangements of
+lines in the projective plane, the same 68 (2022), for the way of the search; M. Cuntz, S. Elia,
+J.-P. Labbe, Congruence normality of simplicial hyperplane arrangements via oriented matroids,
+Annals of Combinatorics 26 (2022), table 5, for t and r.
 """
 
 from __future__ import annotations
 
+import json
+from functools import cache
+from importlib.resources import files
+from typing import Any
+
 from arrangement.arrangement import Arrangement
 from arrangement.errors import InputError
+from arrangement.number_field import NumberField
 
-_Normals = tuple[tuple[int, int, int], ...]
+from .polygons import regular
 
-_FRAME: _Normals = ((1, 0, 0), (0, 1, 0), (0, 0, 1))
-_A6: _Normals = (*_FRAME, (1, 1, 0), (0, 1, 1), (1, 1, 1))
-_B3: _Normals = (*_FRAME, (1, 1, 0), (1, -1, 0), (1, 0, 1), (1, 0, -1), (0, 1, 1), (0, 1, -1))
-_CUBE: _Normals = ((1, 1, 1), (1, 1, -1), (1, -1, 1), (1, -1, -1))
-_HEXAGON: _Normals = (*_B3, (1, 1, 1), (1, 1, -1), (1, 2, 0), (2, 1, 0))
+#: The known entries without normals here.
+MISSING = (
+    *((13, 4), (14, 3), (15, 5), (17, 8), (19, 4), (21, 7), (22, 5), (23, 2), (24, 4), (25, 3)),
+    *((25, 8), (26, 2), (35, 1)),
+)
 
-_CATALOGUE: dict[tuple[int, int], _Normals] = {
-    (6, 1): _A6,
-    (7, 1): (*_A6, (1, 0, 1)),
-    (8, 1): (*_A6, (1, 0, 1), (0, 1, -1)),
-    (9, 1): _B3,
-    (10, 2): (*_B3, (1, 1, 1)),
-    (10, 3): (*_FRAME, (1, 1, 0), (1, 0, 1), (1, 0, -1), (0, 1, 1), (0, 1, -1), *_CUBE[:2]),
-    (11, 1): (*_B3, (1, 1, 1), (1, -1, -1)),
-    (12, 1): tuple(normal for normal in _HEXAGON if normal != (0, 0, 1)),
-    (12, 2): (*_B3, (1, 1, 1), (1, -1, -1), (0, 2, 1)),
-    (12, 3): (*_B3, *_CUBE[:3]),
-    (13, 1): _HEXAGON,
-    (13, 2): (*_B3, *_CUBE),
-    (13, 3): (*_B3, (1, 1, 1), (2, 0, 1), (2, 1, 0), (2, 1, 1)),
-}
-_IRRATIONAL = {(10, 1), (13, 4)}
+
+@cache
+def _document() -> dict[tuple[int, int], dict[str, Any]]:
+    text = files(__package__).joinpath("simplicial.json").read_text(encoding="utf-8")
+    entries = json.loads(text).items()
+    return {(int(n), int(k)): entry for (n, k), entry in ((x.split(","), y) for x, y in entries)}
 
 
 def simplicial(planes: int, number: int) -> Arrangement:
@@ -57,23 +53,45 @@ def simplicial(planes: int, number: int) -> Arrangement:
     (k - 3) t_k, which is equality in Melchior's inequality; 3/2 as many facets as regions.
 
     Raises:
-        InputError: for an entry that is irrational, unknown, or has more than 13 planes.
+        InputError: for an entry that is unknown, or not here.
 
-    >>> simplicial(13, 2).f_vector
-    (1, 50, 144, 96)
+    >>> simplicial(13, 2).f_vector, simplicial(31, 1).f_vector
+    ((1, 50, 144, 96), (1, 242, 720, 480))
     """
-    entry = (planes, number)
-    if entry in _IRRATIONAL:
-        raise InputError(
-            f"A{entry} is irrational: its cross-ratios have the golden ratio, so it has no exact "
-            "rational normals"
-        )
-    if entry not in _CATALOGUE:
-        known = ", ".join(f"A{key}" for key in _CATALOGUE)
-        raise InputError(f"A{entry} is not here; known are {known}, and near_pencil for A(n, 0)")
-    return Arrangement(_CATALOGUE[entry])
+    entry = _entry(planes, number)
+    if "normals" not in entry:
+        return regular(planes)
+    if "root" not in entry:
+        return Arrangement(entry["normals"])
+    field = NumberField([-entry["root"], 0, 1], [0, entry["root"]])
+    rows = [[x if isinstance(x, int) else field.number(x) for x in row] for row in entry["normals"]]
+    return Arrangement(rows)
+
+
+def printed_vectors(planes: int, number: int) -> tuple[dict[int, int], dict[int, int]]:
+    """Return t and r of an entry as printed: numbers by k of vertices on k planes, and of planes
+    with k vertices. No function computes with them.
+    """
+    t, r = ({k: x for k, x in enumerate(_entry(planes, number)[key], 2) if x} for key in "tr")
+    return t, r
 
 
 def simplicial_entries() -> tuple[tuple[int, int], ...]:
-    """Return the entries (planes, number) that `simplicial` knows, in the catalogue's order."""
-    return tuple(_CATALOGUE)
+    """Return the entries (planes, number) that `simplicial` knows, by number of planes."""
+    return tuple(_document())
+
+
+def _entry(planes: int, number: int) -> dict[str, Any]:
+    entry = (planes, number)
+    if entry in MISSING:
+        raise InputError(
+            f"A{entry} is in the catalogue, but its normals are not known here; give them as an "
+            "arrangement of your own"
+        )
+    if entry not in _document():
+        known = ", ".join(f"A{key}" for key in _document() if key[0] == planes) or "A(6, 1), ..."
+        raise InputError(
+            f"A{entry} is not here; known are {known}, as `simplicial_entries` lists them, and "
+            "near_pencil for A(n, 0)"
+        )
+    return _document()[entry]

@@ -5,7 +5,6 @@ from __future__ import annotations
 import os
 from collections.abc import Iterable
 from dataclasses import dataclass
-from fractions import Fraction
 from functools import cached_property
 from typing import Any
 
@@ -14,7 +13,7 @@ import numpy as np
 import numpy.typing as npt
 
 from arrangement.errors import InputError
-from arrangement.exact import IntegerVector, RationalVector
+from arrangement.exact import IntegerVector, RationalVector, largest, quotient
 from arrangement.planes import Planes
 from arrangement.short_repr import Shown
 
@@ -65,7 +64,7 @@ class DualPolyhedron(Shown):
     def vertices(self) -> tuple[RationalVector, ...]:
         """The exact vertices ``sum_i s_i g_i``, with the normals in their stored scaling."""
         d = self.generators.denominator
-        return tuple(tuple(Fraction(x, d) for x in v) for v in self.integer_vertices)
+        return tuple(tuple(quotient(x, d) for x in v) for v in self.integer_vertices)
 
     @cached_property
     def is_inscribed(self) -> bool:
@@ -197,7 +196,6 @@ def _signed_sums(
     signs: npt.NDArray[np.int8], vectors: tuple[IntegerVector, ...]
 ) -> tuple[IntegerVector, ...]:
     """Return ``sum_i s_i g_i`` for every row s; in int64 if no sum can leave it."""
-    largest = max(abs(x) for vector in vectors for x in vector)
-    kind: Any = np.int64 if largest * len(vectors) < 2**62 else object
+    kind: Any = np.int64 if largest(vectors) * len(vectors) < 2**62 else object
     sums = signs.astype(kind) @ np.array(vectors, dtype=kind)
-    return tuple(tuple(int(x) for x in row) for row in sums.tolist())
+    return tuple(map(tuple, sums.tolist()))

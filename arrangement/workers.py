@@ -1,7 +1,7 @@
-"""Where chunks are done: processes on this machine, or a Dask cluster by way of joblib.
+"""Where work in numbered parts is done: processes here, or a Dask cluster by way of joblib.
 
 Results come as they are done, in any order. A worker that dies takes nothing with it but the
-chunk it was at, which is then done again.
+part it was at, which is then done again.
 """
 
 from __future__ import annotations
@@ -16,12 +16,44 @@ from concurrent.futures.process import BrokenProcessPool
 from importlib import import_module
 from typing import Any, TypeVar
 
-from arrangement.errors import MissingExtraError
-from proofs_check.errors import SweepError
+from .errors import InputError, MissingExtraError, WorkerError
 
 Result = TypeVar("Result")
-#: How often in a row workers may die without any result before the sweep gives up.
+#: How often in a row workers may die without any result before all is given up.
 _MOST_DEATHS = 3
+#: Processes that are asked for at once, at most.
+MOST_JOBS = 1024
+
+
+def due(count: int, shard: tuple[int, int], jobs: int) -> range:
+    """Return the numbers below a count that a shard (i, n) is to do: every n-th from the i-th.
+
+    Raises:
+        InputError: there is no such shard, or no job.
+    """
+    part, parts = shard
+    if not 1 <= part <= parts:
+        raise InputError(f"shard is {part}/{parts}; give i/n with i from 1 to n")
+    if not 1 <= jobs <= MOST_JOBS:
+        raise InputError(f"jobs is {jobs}; give 1 to {MOST_JOBS} processes of this machine")
+    return range(part - 1, count, parts)
+
+
+def done(
+    function: Callable[[Any, int], Result],
+    plan: Any,
+    numbers: Sequence[int],
+    jobs: int = 1,
+    dask: str | None = None,
+) -> Iterator[Result]:
+    """Yield ``function(plan, number)`` for all numbers: here, from processes, or from a cluster."""
+    if not numbers:
+        return iter(())
+    if dask is not None:
+        return on_dask(function, plan, numbers, dask)
+    if jobs == 1:
+        return (function(plan, number) for number in numbers)
+    return on_processes(function, plan, numbers, jobs)
 
 
 def on_processes(
@@ -32,7 +64,7 @@ def on_processes(
     The processes end when this one ends, however it ends.
 
     Raises:
-        SweepError: workers die again and again without a result.
+        WorkerError: workers die again and again without a result.
     """
     left = list(reversed(numbers))
     deaths = 0
@@ -56,7 +88,7 @@ def on_processes(
             left += running.values()
             deaths += 1
             if deaths > _MOST_DEATHS:
-                raise SweepError(
+                raise WorkerError(
                     f"workers died {deaths} times in a row (is memory short?); "
                     "what is done is kept: run the same command again, with fewer --jobs"
                 ) from None
@@ -85,7 +117,7 @@ def on_dask(
 
     Raises:
         MissingExtraError: joblib or distributed is not installed.
-        SweepError: no scheduler answers at the address.
+        WorkerError: no scheduler answers at the address.
     """
     try:
         joblib, distributed = (import_module(name) for name in ("joblib", "distributed"))
@@ -96,7 +128,7 @@ def on_dask(
     try:
         client = distributed.Client(address, timeout="20s")
     except (OSError, ValueError) as error:
-        raise SweepError(f"no Dask scheduler answers at {address}: {error}") from None
+        raise WorkerError(f"no Dask scheduler answers at {address}: {error}") from None
     with client, joblib.parallel_config(backend="dask"):
         parallel = joblib.Parallel(n_jobs=-1, batch_size=1, return_as="generator_unordered")
         yield from parallel(joblib.delayed(function)(plan, number) for number in numbers)

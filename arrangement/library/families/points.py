@@ -1,0 +1,86 @@
+"""Planes of points: those that tell how points can be separated, and those that points span."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping
+from itertools import combinations, permutations, product
+
+from arrangement.arrangement import Arrangement
+from arrangement.errors import InputError
+from arrangement.exact import IntegerVector, shown
+from arrangement.linear import determinant
+
+from .checks import at_least
+from .randoms import random_integer
+
+
+def _demicube(n: int) -> Iterator[IntegerVector]:
+    return (x for x in product((0, 1), repeat=n) if sum(x) % 2 == 0)
+
+
+def _cross_polytope(n: int) -> Iterator[IntegerVector]:
+    return (tuple(s * int(i == j) for j in range(n)) for i in range(n) for s in (1, -1))
+
+
+#: Name of a polytope -> its vertices in R^n.
+_VERTICES: Mapping[str, Callable[[int], Iterator[IntegerVector]]] = {
+    "cube": lambda n: product((0, 1), repeat=n),
+    "demicube": _demicube,
+    "cross-polytope": _cross_polytope,
+    "permutohedron": lambda n: permutations(range(1, n + 1)),
+}
+
+
+def separations(polytope: str, n: int) -> Arrangement:
+    """Return w_0 + w . v = 0 for the vertices v of a cube, demicube, cross-polytope, permutohedron.
+
+    A region is a way to separate vertices from the others by a hyperplane (or none from all).
+
+    Args:
+        polytope: "cube", "demicube" (vertices of the cube with an even sum), "cross-polytope" (plus
+            and minus unit vectors) or "permutohedron" (permutations of 1, ..., n).
+        n: the dimension of the space; the planes are in R^(n+1), coordinates (w_0, w).
+
+    Known counts: the cube's are those of `threshold_functions`; the cross-polytope has
+    2 3^n - 2^n regions, chi(t) = (t - 1)^n + (t - 1)(t - 2)^n; the demicube 4, 16, 146, 3756 for
+    n = 2 to 5.
+    Source: T. Brysiewicz, H. Eble, L. Kuehne, Discrete and Computational Geometry 70 (2023) and
+    https://mathrepo.mis.mpg.de/CountingChambers; OEIS A027649.
+
+    >>> separations("cross-polytope", 3).f_vector[-1]
+    46
+    """
+    at_least(n, 1, "n")
+    if polytope not in _VERTICES:
+        raise InputError(f"the polytope is {shown(polytope)}; there are {', '.join(_VERTICES)}")
+    return Arrangement([(1, *vertex) for vertex in _VERTICES[polytope](n)])
+
+
+def discriminantal(n: int, d: int = 3, *, affine: bool = False, seed: int = 0) -> Arrangement:
+    """Return all planes through d - 1 of n random vectors in R^d; affine: through d of n points.
+
+    Central, it is the discriminantal arrangement B(n, n - d) of Manin and Schechtman: in which
+    translations n hyperplanes of R^(n-d) are not in general position. Entries are up to 999.
+    Whether the vectors are generic enough for the largest intersection lattice is not checked; if
+    they are, the counts are those in print.
+
+    Known counts: for d = n - 1 those of the braid arrangement of n letters; the lines through n
+    points of the plane have (n-1)(n^3 - 5n^2 + 18n - 8) / 8 regions.
+    Source: Yu. Manin, V. Schechtman, Advanced Studies in Pure Mathematics 17 (1989);
+    C. Athanasiadis, Discrete and Computational Geometry 21 (1999); OEIS A055503.
+
+    >>> discriminantal(5, 2, affine=True).f_vector[-1]
+    41
+    """
+    at_least(d, 1, "d")
+    at_least(n, d, "n")
+    width = d + affine
+    points = random_integer(n, d, bound=999, seed=seed).integer_planes
+    vectors = [(*point[:-1], 1) if affine else point[:-1] for point in points]
+    rows = []
+    for chosen in combinations(vectors, width - 1):
+        kept = ([[v[j] for j in range(width) if j != k] for v in chosen] for k in range(width))
+        rows.append([(-1) ** k * determinant(minor) for k, minor in enumerate(kept)])
+    if affine:
+        return Arrangement([row[:-1] for row in rows], [-row[-1] for row in rows])
+    return Arrangement(rows)

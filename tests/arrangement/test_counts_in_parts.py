@@ -1,0 +1,190 @@
+"""Counts in parts: however they are stopped, shared or spread, the numbers are the same."""
+
+from __future__ import annotations
+
+import json
+from functools import partial
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+from arrangement import Arrangement, InputError, cli, counts, counts_in_parts
+from arrangement.counts.configuration import configuration
+from arrangement.counts.forecast import forecast
+from arrangement.errors import TimeLimitError, UnfinishedError
+from arrangement.library import families
+
+RESONANCE = families.resonance(5)
+NUMBERS = (1, -31, 375, -2130, 5270, -3485)
+
+
+in_parts = partial(counts_in_parts.first_whitney_numbers_in_parts, parts=3)
+
+
+def files(folder: Path) -> dict[str, bytes]:
+    return {str(p.relative_to(folder)): p.read_bytes() for p in sorted(folder.rglob("*.npz"))}
+
+
+@pytest.mark.parametrize(
+    "planes",
+    [
+        RESONANCE,
+        families.shi("B3"),
+        families.threshold_functions(3),
+        families.random_integer(8, 5, seed=1),
+        families.random_degenerate(8, 4, seed=2, affine=True),
+        families.coordinate(1),
+        Arrangement([[1], [1], [2]], [0, 1, 2]),
+    ],
+    ids=str,
+)
+def test_parts_give_the_numbers_of_the_whole(planes: Arrangement, tmp_path: Path) -> None:
+    assert in_parts(planes, tmp_path) == counts.first_whitney_numbers(planes)
+
+
+def test_flats_are_merged_in_portions_too(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(counts_in_parts, "_MANY", 2)
+    assert in_parts(RESONANCE, tmp_path) == NUMBERS
+
+
+def test_a_count_that_was_stopped_goes_on(tmp_path: Path) -> None:
+    with pytest.raises(TimeLimitError, match="run the same command again") as caught:
+        in_parts(RESONANCE, tmp_path / "stopped", time_limit=1e-9)
+    assert caught.value.known == (1,)
+    kept = files(tmp_path / "stopped")
+    assert kept
+    assert in_parts(RESONANCE, tmp_path / "stopped") == NUMBERS
+    in_parts(RESONANCE, tmp_path / "whole")
+    assert kept.items() <= files(tmp_path / "stopped").items()
+    assert files(tmp_path / "stopped") == files(tmp_path / "whole")
+
+
+def test_shards_do_their_parts_and_wait_for_others(tmp_path: Path) -> None:
+    unfinished = []
+    for turn in range(8):
+        try:
+            found = in_parts(RESONANCE, tmp_path, shard=(1 + turn % 2, 2))
+        except UnfinishedError as error:
+            unfinished.append(error)
+        else:
+            assert found == NUMBERS
+            break
+    assert len(unfinished) >= 2
+    for error in unfinished:
+        assert NUMBERS[: len(error.known)] == error.known
+        assert "of the 3 parts of rank" in str(error)
+
+
+def test_processes_give_the_same_files(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(counts_in_parts, "_FEW", 10)
+    planes = families.threshold_functions(3)
+    assert in_parts(planes, tmp_path / "two", jobs=2) == counts.first_whitney_numbers(planes)
+    in_parts(planes, tmp_path / "one")
+    assert files(tmp_path / "two") == files(tmp_path / "one")
+
+
+def test_what_cannot_be_used_is_refused(tmp_path: Path) -> None:
+    in_parts(families.braid(4), tmp_path)
+    with pytest.raises(InputError, match="has parts of other planes"):
+        in_parts(RESONANCE, tmp_path)
+    with pytest.raises(InputError, match="jobs is 0"):
+        in_parts(RESONANCE, tmp_path, jobs=0)
+    with pytest.raises(InputError, match="shard is 3/2"):
+        in_parts(RESONANCE, tmp_path, shard=(3, 2))
+    with pytest.raises(InputError, match="positive number"):
+        in_parts(RESONANCE, tmp_path, time_limit=0)
+    with pytest.raises(InputError, match="parts is 0"):
+        in_parts(RESONANCE, tmp_path, parts=0)
+    with pytest.raises(InputError, match="no planes"):
+        in_parts(Arrangement([], dimension=2), tmp_path / "new")
+    (tmp_path / "file").write_text("")
+    with pytest.raises(InputError, match="cannot use the folder"):
+        in_parts(RESONANCE, tmp_path / "file")
+
+
+@pytest.mark.parametrize("generators", [[[1, 0, 2, 3, 4, 5]], [[9]], [["a"]], 3, None])
+def test_symmetries_of_a_plan_are_checked(tmp_path: Path, generators: Any) -> None:
+    in_parts(families.braid(4), tmp_path)
+    plan = tmp_path / "plan.json"
+    plan.write_text(json.dumps(json.loads(plan.read_text()) | {"generators": generators}))
+    with pytest.raises(InputError, match="other parts or symmetries"):
+        in_parts(families.braid(4), tmp_path)
+
+
+@pytest.mark.parametrize("damage", [b"", b"PK", b"no archive"])
+def test_a_damaged_part_is_named(tmp_path: Path, damage: bytes) -> None:
+    in_parts(RESONANCE, tmp_path)
+    part = tmp_path / "rank-04" / "part-01.npz"
+    part.write_bytes(damage)
+    with pytest.raises(InputError, match=r"part-01.npz cannot be read .*delete it"):
+        in_parts(RESONANCE, tmp_path)
+    part.unlink()
+    np.savez(part, other=np.zeros(2))
+    with pytest.raises(InputError, match="no part of a count"):
+        in_parts(RESONANCE, tmp_path)
+    part.unlink()
+    assert in_parts(RESONANCE, tmp_path) == NUMBERS
+
+
+def test_a_forecast_of_few_flats_counts_them() -> None:
+    for planes in (RESONANCE, families.shi("B3")):
+        ranks = list(forecast(planes))
+        assert all(entry.exact for entry in ranks)
+        assert [entry.rank for entry in ranks] == list(range(configuration(planes).rank - 1))
+
+
+def test_a_forecast_of_many_flats_is_near() -> None:
+    planes = families.random_integer(14, 6, bound=9, seed=1)  # without symmetry a class is a flat
+    flats = counts.whitney_numbers(planes).second
+    for entry in forecast(planes, sample=60):
+        assert entry.exact == (entry.rank < 3)
+        assert flats[entry.rank] / 2 < entry.classes < 2 * flats[entry.rank]
+
+
+def run(*words: str, capsys: pytest.CaptureFixture[str]) -> tuple[int, Any, str]:
+    code = cli.main(["polynomial", *words])
+    printed = capsys.readouterr()
+    return code, printed.out, printed.err
+
+
+def test_the_command_counts_in_parts(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    path, store = tmp_path / "r.json", str(tmp_path / "store")
+    path.write_text(json.dumps(RESONANCE.to_dict()))
+    code, out, err = run(str(path), "--store", store, "--time-limit", "1/1000000", capsys=capsys)
+    assert (code, out) == (2, "")
+    assert "Whitney numbers 1 are final; run the same command again" in err
+    code, out, err = run(str(path), "--store", store, capsys=capsys)
+    assert code == 0
+    assert "regions          11292" in out
+    assert "rank 3: Whitney number -2130" in err
+    code, out, _ = run(str(path), "--forecast", "--json", capsys=capsys)
+    assert code == 0
+    assert json.loads(out)["ranks"][0]["classes"] == 1
+    code, out, err = run(str(path), "--shard", "1/2", capsys=capsys)
+    assert code == 2
+    assert "need --store" in err
+
+
+@pytest.mark.parametrize(
+    ("words", "code", "message"),
+    [
+        (["--primes", "5,7,11"], 0, "(t - 3)**2"),
+        (["--primes", "5,4"], 2, "4 is no prime"),
+        (["--primes", "2,3"], 2, "2 is a prime of bad reduction"),
+        (["--primes", "5"], 2, "give at least 2"),
+        (["--primes", "five"], 2, "write 5,7,11"),
+        (["--primes", "5", "--forecast"], 2, "not allowed with"),
+        (["--time-limit", "0", "--jobs", "2"], 2, "positive number"),
+    ],
+)
+def test_the_command_counts_points_and_refuses_what_is_wrong(
+    words: list[str], code: int, message: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    try:
+        found, out, err = run("shi-a2-affine", *words, capsys=capsys)
+    except SystemExit as error:  # of argparse
+        found, (out, err) = int(str(error)), capsys.readouterr()
+    assert found == code
+    assert message in out + err

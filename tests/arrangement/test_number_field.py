@@ -1,0 +1,215 @@
+"""Numbers of one real field against SymPy's, and planes that have them as entries."""
+
+from __future__ import annotations
+
+import json
+import pickle
+import random
+from fractions import Fraction
+from operator import add, mul, sub, truediv
+from typing import Any
+
+import pytest
+import sympy
+from sympy import CRootOf, GoldenRatio, Rational, cos, pi, sqrt
+from sympy.abc import x
+
+from arrangement import Arrangement, InputError, NumberField, counts, read_arrangement, to_sympy
+from arrangement.cli import main
+from arrangement.library import families
+
+GOLDEN = NumberField([-1, -1, 1], [1, 2])
+FIELDS = {
+    "sqrt 5": GOLDEN,
+    "cos(2 pi / 7)": NumberField([-1, -4, 4, 8], ["1/2", 1]),
+    "the third root of 2": NumberField([-2, 0, 0, 1], [1, 2]),
+    "a root with larger conjugates": NumberField([1, -9, 0, 0, 3], [0, 1]),
+}
+
+
+def drawn(field: NumberField, source: random.Random) -> Any:
+    return field.number(
+        [Fraction(source.randint(-9, 9), source.randint(1, 4)) for _ in range(field.degree)]
+    )
+
+
+@pytest.mark.parametrize("name", FIELDS)
+def test_arithmetic_agrees_with_the_algebraic_fields_of_sympy(name: str) -> None:
+    field, source = FIELDS[name], random.Random(1)
+    domain = field.domain
+
+    def sympys(value: Any) -> Any:
+        parts = getattr(value, "rational_coefficients", lambda: [Fraction(value)])()
+        return domain([sympy.QQ(c.numerator, c.denominator) for c in reversed(parts)])
+
+    for _ in range(60):
+        a, b = drawn(field, source), drawn(field, source)
+        for operation in (add, sub, mul, truediv):
+            if operation is not truediv or b:
+                assert sympys(operation(a, b)) == operation(sympys(a), sympys(b))
+
+
+@pytest.mark.parametrize("name", FIELDS)
+def test_signs_and_floats_agree_with_sympy(name: str) -> None:
+    field, source = FIELDS[name], random.Random(2)
+    for _ in range(10):
+        a = drawn(field, source)
+        exact = to_sympy(a).evalf(30)
+        assert (a > 0) == (exact > 0)
+        assert float(a) == pytest.approx(float(exact), rel=1e-14)
+
+
+def test_a_number_a_hair_beside_0_has_its_sign() -> None:
+    a, b, g = 1, 1, GOLDEN.generator
+    for k in range(2, 400):  # quotients of Fibonacci numbers on both sides of the golden ratio
+        a, b = a + b, a
+        assert (2 * a - b - b * g > 0) == (k % 2 == 0)
+
+
+@pytest.mark.parametrize(
+    ("polynomial", "interval", "message"),
+    [
+        ([1, 0, 1], [0, 1], "no real embedding"),
+        ([-2, 0, 1], [2, 3], "no real root there"),
+        ([-2, 0, 1], [-2, 2], "2 roots"),
+        ([-4, 0, 1], [1, 3], "reducible"),
+        ([2, -3, 1, 0, 0], [1, 3], "the last one is not 0"),
+        ([-2, 1], [1, 3], "degree"),
+        ([-2, *[0] * 16, 1], [1, 2], "2 to 16"),
+        ([-2, 0, 1], [2, 1], "lower one first"),
+        ([-2, 0, 1.0], [1, 2], "float"),
+    ],
+)
+def test_what_is_no_real_field_is_refused(polynomial: Any, interval: Any, message: str) -> None:
+    with pytest.raises(InputError, match=message):
+        NumberField(polynomial, interval)
+
+
+@pytest.mark.parametrize(
+    ("entry", "message"),
+    [
+        (pi, "pi is not known to be algebraic"),
+        (sqrt(-2), "not real"),
+        (sqrt(2) * 1.5, "float"),
+        (2 ** Rational(1, 17), "degree 17"),
+        (CRootOf(x**5 + x + 3, 1), "not real"),
+        (1.5, "float"),
+    ],
+)
+def test_entries_outside_real_fields_are_refused(entry: Any, message: str) -> None:
+    with pytest.raises(InputError, match=message):
+        Arrangement([[entry, 1]])
+
+
+def test_entries_of_two_fields_are_refused() -> None:
+    two, three = (NumberField([-n, 0, 1], [1, 2]).root for n in (2, 3))
+    for rows in ([[two, three]], [[two, 1], [three, 1]], [[two, sqrt(3)]]):
+        with pytest.raises(InputError, match=r"two different fields|not in the field"):
+            Arrangement(rows)
+
+
+def test_equal_planes_are_equal_however_they_are_written() -> None:
+    g = GOLDEN.root
+    planes = Arrangement([[1, g], [1, 0]])
+    assert planes == Arrangement([[GoldenRatio - 1, 1], [2, 0]])
+    assert planes == Arrangement([[2 * g, 2 * g * g], [g, 0]])
+    assert planes == Arrangement([[2, 1 + sqrt(5)], [sqrt(5), 0]])
+    assert planes != Arrangement([[-1, -g], [1, 0]])
+    assert hash(planes) == hash(Arrangement([[2, 1 + sqrt(5)], [1, 0]]))
+    assert Arrangement([[g, 2 * g]]) == Arrangement([[1, 2]])
+    assert Arrangement([[g, -1], [-1, g - 1]]).class_of == (0, 0)
+
+
+@pytest.mark.parametrize(
+    "planes",
+    [
+        families.h3(),
+        Arrangement([[cos(2 * pi / 7), 1], [1, 0]], [0, cos(pi / 7)]),
+        Arrangement([[sqrt(2) + sqrt(3), 1], [sqrt(6), 1]]),
+    ],
+)
+def test_files_and_pickles_give_the_planes_back(planes: Arrangement) -> None:
+    assert read_arrangement(json.loads(json.dumps(planes.to_dict()))) == planes
+    assert pickle.loads(pickle.dumps(planes)) == planes
+
+
+def test_equations_with_irrational_coefficients() -> None:
+    y = sympy.Symbol("y")
+    planes = Arrangement.from_equations([sqrt(5) * x - y - 1], (x, y))
+    assert planes == Arrangement([[sqrt(5), -1]], [1])
+    assert Arrangement.from_equations(planes.equations((x, y)), (x, y)) == planes
+
+
+def random_planes(seed: int, *, affine: bool) -> Arrangement:
+    source = random.Random(seed)
+    g = GOLDEN.root
+
+    def number() -> Any:
+        return source.choice([0, 0, 1, -1, 2, g, -g, 1 - g, g + 1])
+
+    rows = [[number() for _ in range(3)] for _ in range(7)]
+    rows = [row for row in rows if any(row)]
+    return Arrangement(rows, [number() if affine else 0 for _ in rows])
+
+
+@pytest.mark.parametrize("affine", [False, True])
+@pytest.mark.parametrize("seed", range(2))
+def test_all_engines_and_counts_agree(seed: int, affine: bool) -> None:
+    planes = random_planes(seed, affine=affine)
+    faces = planes.faces()
+    assert planes.certify_complete()
+    every = planes.faces(engine="any-dimension")
+    assert {face.signs for face in every} == {face.signs for face in faces}
+    lattice = counts.intersection_lattice(planes)
+    assert tuple(abs(sum(row)) for row in [lattice.whitney_row(0)]) == (faces.f_vector[-1],)
+    assert (
+        counts.first_whitney_numbers(planes, symmetry=[])[-1]
+        == (counts.first_whitney_numbers(planes)[-1])
+    )
+
+
+def test_regions_over_a_field_can_be_asked() -> None:
+    g = GOLDEN.root
+    triangle = Arrangement([[1, 0], [0, 1], [1, g]], [0, 0, g]).region_at(["1/3", "1/3"])
+    assert triangle.vertices == ((0, 0), (0, 1), (g, 0))
+    assert triangle.volume == g / 2
+
+
+def test_operations_over_a_field() -> None:
+    h3 = families.h3()
+    restricted = counts.restriction(h3, 0)
+    assert len(restricted.distinct) == 6
+    assert counts.cone(counts.deletion(h3, 0)).rank == 4
+    with pytest.raises(InputError, match="rational planes"):
+        counts.by_points(h3)
+
+
+@pytest.mark.parametrize(
+    ("change", "message"),
+    [
+        ({"field": {"minimal_polynomial": ["1", "0", "1"], "interval": ["0", "1"]}}, "embedding"),
+        ({"field": {"minimal_polynomial": ["-2", "0", "1"]}}, "interval"),
+        ({"planes": [[["1", "2", "3"], "1"]]}, "1 to 2"),
+        ({"planes": [[["1", 0.5], "1"]]}, "float"),
+        ({"field": None}, "expected a JSON object"),
+    ],
+)
+def test_bad_files_of_fields_are_refused_with_exit_code_2(
+    change: dict[str, Any], message: str, tmp_path: Any, capsys: pytest.CaptureFixture[str]
+) -> None:
+    document = {
+        "schema_version": 1,
+        "planes": [[["0", "1"], "1"]],
+        "field": {"minimal_polynomial": ["-1", "-1", "1"], "interval": ["1", "2"]},
+    }
+    path = tmp_path / "planes.json"
+    path.write_text(json.dumps(document | change))
+    assert main(["count", str(path)]) == 2
+    assert message in capsys.readouterr().err
+
+
+def test_the_command_names_the_field(tmp_path: Any, capsys: pytest.CaptureFixture[str]) -> None:
+    path = tmp_path / "h3.json"
+    assert main(["make", "h3", "-o", str(path)]) == 0
+    assert main(["count", str(path)]) == 0
+    assert "a^2 - 5 = 0" in capsys.readouterr().out
