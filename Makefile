@@ -1,7 +1,7 @@
 # Each target creates .venv on first use and installs again when pyproject.toml or
 # constraints.txt change. PYTHON=... picks the interpreter, ARGS=... goes to pytest.
 
-.PHONY: help install verify test campaign lint types check mutants bench docs docs-check notebooks package-check formal clean
+.PHONY: help install verify test campaign lint types scripts check mutants bench docs docs-check notebooks package-check formal clean
 .DEFAULT_GOAL := help
 .DELETE_ON_ERROR:
 
@@ -22,6 +22,7 @@ help:
 	@echo "make test     run every test, doctests included"
 	@echo "make campaign  the same laws on thousands of random cases"
 	@echo "make lint types  the quick part of the checks"
+	@echo "make scripts  types and lint of the JavaScript of the pages, with tools from npm"
 	@echo "make check    all that must be true of a commit: lint, types, tests, docs"
 	@echo "make mutants  plant small faults in checker, predicates and solver; list those no test notices"
 	@echo "make bench    measure speed"
@@ -32,6 +33,7 @@ help:
 	@echo "make formal   compile the Coq proofs of the certificate checker, build it and compare it"
 	@echo "make clean    remove what the targets made"
 	@echo "PYTHON=python3.12 picks the interpreter, ARGS='-k faces' goes to pytest."
+	@echo "Scripts are checked where npm is; JAVASCRIPT_CHECKS=1 demands it."
 	@echo "Pages are tested where Chromium is; BROWSER_TESTS=1 demands it, BROWSER_TESTS=0 leaves it out."
 	@echo "TikZ files are compiled where pdflatex is; TEX_TESTS=1 and TEX_TESTS=0 likewise."
 
@@ -101,7 +103,10 @@ lint: $(VENV)/.stamp-check
 types: $(VENV)/.stamp-check
 	$(BIN)/mypy
 
-check: lint types
+scripts: $(VENV)/.stamp-test
+	$(BIN)/python tests/javascript/check.py
+
+check: lint types scripts
 	SYMPY_GROUND_TYPES=python $(BIN)/python -m pytest -n $(JOBS) $(ARGS)
 	SYMPY_GROUND_TYPES=flint $(BIN)/python -m pytest -n $(JOBS) -m ground_types $(ARGS)
 	$(MAKE) docs-check

@@ -15,7 +15,7 @@ from .errors import InputError
 from .exact import shown, vector_text
 from .faces import Face
 from .planes import Planes
-from .plugins import display
+from .plugins import InlinePage, display, inline_page
 
 if TYPE_CHECKING:
     import networkx as nx
@@ -173,6 +173,17 @@ class Arrangement(Planes):
     def certify_complete(self) -> completeness.CompletenessEvidence:
         """Compare `faces` with Zaslavsky's theorem, face by face and in number."""
         return completeness.certify_complete(self, self.faces())
+
+    def lab(self) -> InlinePage:
+        """Return a page in which these planes are dragged and counted; a notebook shows it.
+
+        Central planes of rank up to 3, or lines of R^2; the command `arrangement lab` writes the
+        page to a file.
+
+        Raises:
+            InputError: other planes, or too many.
+        """
+        return inline_page("arrangement-lab", self)
 
     def _repr_svg_(self) -> str | None:
         """Return what a notebook shows: the great circles, where there are any."""

@@ -78,16 +78,28 @@ def _parser() -> terminal.Parser:
     draw.later = lambda: _add_draw_options(draw)
     draw.set_defaults(command=_draw)
 
-    for command in (count, polynomial, faces, bounds, names, make, draw):
+    page = commands.add_parser(
+        "lab", help="a page in which lines and great circles are dragged, counted at once"
+    )
+    _add_file(page, needed=False)
+    page.add_argument("-o", "--output", metavar="PATH", required=True, help="the page (.html)")
+    page.add_argument("--title", metavar="TEXT", help="a heading")
+    page.add_argument(
+        "--exercises", metavar="FILE", help="JSON with own exercises, in place of the built-in ones"
+    )
+    page.set_defaults(command=_lab)
+
+    for command in (count, polynomial, faces, bounds, names, make, draw, page):
         terminal.add_common_options(command)
     terminal.add_number_options(faces)
     return parser
 
 
-def _add_file(parser: argparse.ArgumentParser) -> None:
+def _add_file(parser: argparse.ArgumentParser, *, needed: bool = True) -> None:
     parser.add_argument(
         "file",
         metavar="FILE",
+        nargs=None if needed else "?",
         help="an arrangement or a grasp: a path, - for standard input, or a built-in name",
     )
 
@@ -194,6 +206,18 @@ def _draw(arguments: argparse.Namespace) -> int:
     arrangement = _read(arguments)
     drawings = drawings_of(arrangement)
     return write(arguments, drawings, arrangement, given_options(arguments, drawings))
+
+
+def _lab(arguments: argparse.Namespace) -> int:
+    from .io.writing import write_text_atomically
+    from .lab.lines import lab_page
+
+    planes = None if arguments.file is None else _read(arguments)
+    page = lab_page(planes, title=arguments.title, exercises=arguments.exercises)
+    write_text_atomically(arguments.output, page)
+    if arguments.json:
+        terminal.print_json({"output": arguments.output})
+    return terminal.YES
 
 
 def _add_families(make: argparse.ArgumentParser) -> None:

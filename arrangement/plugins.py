@@ -5,6 +5,7 @@ So a value finds what draws it, and a reader its formats, without an import of w
 
 from __future__ import annotations
 
+import html
 from typing import Any
 
 
@@ -22,3 +23,27 @@ def display(name: str, value: object) -> str | None:
     """
     found = announced("displays").select(name=name)
     return next((point.load()(value) for point in found), None)
+
+
+class InlinePage:
+    """An HTML page, complete in itself, that a notebook shows in a frame of its cell."""
+
+    def __init__(self, text: str) -> None:
+        self.text = text
+
+    def _repr_html_(self) -> str:
+        return (
+            f'<iframe srcdoc="{html.escape(self.text)}" sandbox="allow-scripts allow-downloads" '
+            'style="width: 100%; height: 48rem; border: 0"></iframe>'
+        )
+
+    def __repr__(self) -> str:
+        return f"<InlinePage of {len(self.text)} characters, which a notebook shows>"
+
+
+def inline_page(name: str, value: object) -> InlinePage:
+    """Return the page that the function of this name in ``displays`` makes of a value."""
+    text = display(name, value)
+    if text is None:
+        raise LookupError(f"nothing in slipstates.displays is called {name}")
+    return InlinePage(text)

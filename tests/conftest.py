@@ -13,6 +13,7 @@ from hypothesis import HealthCheck, settings
 from arrangement import progress
 from tests import latex as tex
 from tests.browser import MISSING, Browser, left_out, programs, running
+from tests.javascript.check import node
 
 ROOT = Path(__file__).resolve().parent.parent
 
@@ -47,7 +48,9 @@ def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item
             item.add_marker(pytest.mark.ground_types)
     unwanted = set()
     if left_out():
-        unwanted |= {item for item in items if "browser" in getattr(item, "fixturenames", ())}
+        # Questions to the modules of a page run in node, too.
+        pages = {"browser"} if node() else {"browser", "ask"}
+        unwanted |= {item for item in items if pages & set(getattr(item, "fixturenames", ()))}
     if tex.not_compiled():
         unwanted |= {item for item in items if "latex" in getattr(item, "fixturenames", ())}
     if "campaign" not in config.option.markexpr:

@@ -55,6 +55,7 @@ COMMANDS = (
     Command(f"equilibrium solve {_G} --wrench 0 1 0 --certificate proof.json", 1, "not stable"),
     Command("equilibrium verify proof.json", 0, "valid"),
     Command("equilibrium lab -o lab.html", 0, writes="lab.html"),
+    Command("arrangement lab braid-a3 -o lines.html", 0, writes="lines.html"),
     Command(f"equilibrium limit {_G} --direction 0 -1 0", 0, "no end"),
     Command(f"equilibrium region {_G}", 0, "polygons"),
     Command("equilibrium polyhedra opposed-contacts", 0, "polyhedra"),

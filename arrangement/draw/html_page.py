@@ -16,6 +16,8 @@ Template: TypeAlias = tuple[str, str]
 _OWN = "arrangement.draw"
 BASE_STYLE: Template = (_OWN, "base.css")
 BASE_SCRIPT: Template = (_OWN, "base.js")
+#: Cuts polygons.
+POLYGON: Template = (_OWN, "polygon.js")
 
 _HEAD = """<header>
   <h1 id="title"></h1>

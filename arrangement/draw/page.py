@@ -76,7 +76,7 @@ def arrangement_page(
         "even": _shaped(globe, arrangement, coordinates, direction),
         **_cells(globe.whole),
     }
-    scripts = ("model.js", "globe.js", "arrangement.js", "controls.js")
+    scripts = ("model.js", "ball.js", "globe.js", "arrangement.js", "controls.js")
     return one_page(
         heading,
         own("arrangement.html"),

@@ -24,16 +24,19 @@ def add_commands(commands: Any) -> None:
     text = "at first: applied force (f_x, f_y) and torque tau"
     add_applied(lab, text=text, required=False)
     lab.add_argument("--title", metavar="TEXT", help="a heading")
+    lab.add_argument(
+        "--exercises", metavar="FILE", help="JSON with own exercises, in place of the twelve"
+    )
 
 
 def _lab(arguments: argparse.Namespace) -> int:
     from arrangement.io.writing import write_text_atomically
-    from equilibrium.draw.lab import lab_page
     from equilibrium.io.files import read_grasp
+    from equilibrium.lab import lab_page
 
     grasp = None if arguments.grasp is None else read_grasp(arguments.grasp)
     wrench = force_given(arguments) or arguments.wrench
-    page = lab_page(grasp, wrench=wrench, title=arguments.title)
+    page = lab_page(grasp, wrench=wrench, title=arguments.title, exercises=arguments.exercises)
     write_text_atomically(arguments.output, page)
     if arguments.json:
         terminal.print_json({"output": arguments.output})

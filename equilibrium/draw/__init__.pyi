@@ -1,6 +1,5 @@
 from .compare import draw_compare as draw_compare
 from .grasp import draw_grasp as draw_grasp
-from .lab import lab_page as lab_page
 from .methods import draw_methods as draw_methods
 from .page import resist_page as resist_page
 from .polar import draw_polar as draw_polar

@@ -13,12 +13,13 @@ from typing import Any
 
 import numpy as np
 
-from arrangement.draw.html_page import BASE_SCRIPT, BASE_STYLE, Template, one_page
+from arrangement.draw.html_page import BASE_SCRIPT, BASE_STYLE, POLYGON, Template, one_page
 from arrangement.draw.items import Floats
 from arrangement.draw.labels import flattened
 from arrangement.draw.registry import Wrench
 from arrangement.errors import InputError
 from arrangement.exact import IntegerVector, RationalVector, primitive, to_text
+from arrangement.lab.page import RATIONAL
 from arrangement.linear import reduced
 from equilibrium.model.grasp import Contact, Grasp, read_wrench
 from equilibrium.solver.contact_rows import DIRECTION
@@ -34,7 +35,14 @@ from .layout import cone_rim
 MAX_CONTACTS = 8
 #: The length of friction cones, where the contacts fill [-1, 1].
 _CONE = 0.55
-_SCRIPTS = ("rational.js", "resisted.js", "sketch.js", "plane.js", "graspview.js", "resist.js")
+_OWN = "equilibrium.draw"
+_MODULES = ("resisted", "sketch", "plane", "graspview", "resist", "resist_controls")
+SCRIPTS: tuple[Template, ...] = (
+    BASE_SCRIPT,
+    POLYGON,
+    RATIONAL,
+    *((_OWN, f"{name}.js") for name in _MODULES),
+)
 
 
 def resist_page(grasp: Grasp, *, wrench: Wrench | None = None, title: str | None = None) -> str:
@@ -62,13 +70,9 @@ def resist_page(grasp: Grasp, *, wrench: Wrench | None = None, title: str | None
     sets, picture = _sets(grasp, found), grasp_data(grasp)
     data = {"title": heading, "summary": _summary(grasp), **sets, **picture}
     data |= _window(grasp, applied, found[grasp])
-    own = "equilibrium.draw"
-    scripts: list[Template] = [(own, name) for name in (*_SCRIPTS, "resist_controls.js")]
-    styles: list[Template] = [BASE_STYLE, (own, "sketch.css"), (own, "resist.css")]
-    return one_page(
-        heading, (own, "resist.html"), styles, [BASE_SCRIPT, *scripts], data,
-        ["home", "theme", "print"],
-    )  # fmt: skip
+    styles: list[Template] = [BASE_STYLE, (_OWN, "sketch.css"), (_OWN, "resist.css")]
+    buttons = ["home", "theme", "print"]
+    return one_page(heading, (_OWN, "resist.html"), styles, SCRIPTS, data, buttons)
 
 
 def _summary(grasp: Grasp) -> str:

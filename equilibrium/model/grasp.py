@@ -34,7 +34,7 @@ from arrangement.exact import (
 from arrangement.io.files import check_keys, check_list
 from arrangement.io.writing import write_text_atomically
 from arrangement.linear import cross
-from arrangement.plugins import display
+from arrangement.plugins import InlinePage, display, inline_page
 from arrangement.short_repr import Shown
 
 from .errors import GraspError
@@ -303,6 +303,16 @@ class Grasp:
     def with_outline(self, outline: Outline | None) -> Grasp:
         """Return the same grasp with the shape of its object stated, or with none."""
         return replace(self, outline=outline)
+
+    def lab(self) -> InlinePage:
+        """Return a page in which contacts and load are dragged; a notebook shows it in a cell.
+
+        The command `equilibrium lab` writes the page to a file.
+
+        Raises:
+            InputError: more than 8 contacts.
+        """
+        return inline_page("grasp-lab", self)
 
     def _repr_svg_(self) -> str | None:
         """Return what a notebook shows: the picture, where matplotlib is installed."""

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import html
 import json
 import random
 import time
@@ -16,9 +17,9 @@ from equilibrium import Contact, Grasp, solve
 from equilibrium.certificate.checker import check
 from equilibrium.certificate.law import law_problem
 from equilibrium.cli.program import main
-from equilibrium.draw import lab_page
 from equilibrium.instances import paths
 from equilibrium.io.files import read_grasp
+from equilibrium.lab import lab_page
 from equilibrium.solver.contact_states import contact_states
 from tests.browser import Browser
 
@@ -361,8 +362,14 @@ def test_a_cell_of_motions_is_shown_on_the_grasp(opened: Browser) -> None:
         y,
     )
     assert all(f"{i} {state}" in said for i, state in enumerate(under.split(","), 1))
-    lit = opened.run("return document.querySelectorAll('#discs .lit-cell').length")
+    lit = opened.run("return document.querySelectorAll('#discs .cell.lit').length")
     assert lit >= 1
+    told = opened.run(
+        "return [...document.querySelectorAll('#grasp .told-states .state')]"
+        ".map((element) => element.classList[1])"
+    )
+    expected = ["slip" if "slip" in state else state for state in under.split(",")]
+    assert told == expected
     opened.key("Escape")
     assert "Click" in opened.run("return document.getElementById('motion-words').textContent")
 
@@ -462,6 +469,22 @@ def test_the_command_writes_it(tmp_path: Path) -> None:
     assert main(command) == 0
     grasp = read_grasp("several-equilibria")
     assert path.read_text(encoding="utf-8") == lab_page(grasp, wrench=[0, -1, 0], title="A")
+
+
+def test_a_notebook_shows_it_in_a_frame(browser: Browser, tmp_path: Path) -> None:
+    grasp = read_grasp("several-equilibria")
+    cell = grasp.lab()._repr_html_()
+    assert html.unescape(cell).count(lab_page(grasp)) == 1
+    path = tmp_path / "cell.html"
+    path.write_text(f"<!DOCTYPE html><title>cell</title>{cell}", encoding="utf-8")
+    browser.open(path)
+    browser.driver.switch_to.frame(0)
+    try:
+        assert verdict(browser)
+    finally:
+        browser.driver.switch_to.default_content()
+    assert browser.messages() == []
+    assert browser.outside() == []
 
 
 def test_too_many_contacts_or_digits_are_refused() -> None:

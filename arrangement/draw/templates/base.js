@@ -1,5 +1,6 @@
 // What every page needs. All numbers that are shown come from exact texts; floats only draw.
 const data = JSON.parse(document.getElementById("data").textContent);
+/** @type {(id: string) => any} */
 const at = (id) => document.getElementById(id);
 
 function make(name, attributes = {}, parent = null, text = null) {
@@ -19,10 +20,11 @@ function finish(element, attributes, parent, text) {
   return element;
 }
 
-// The place of a pointer in the coordinates of an SVG element, y upwards.
-function place(view, event) {
-  const point = new DOMPoint(event.clientX, event.clientY);
-  const inside = point.matrixTransform(view.getScreenCTM().inverse());
+// The place of a pointer in the coordinates of an SVG element, y upwards. A drag finds the matrix once,
+// as that costs a layout.
+const matrixOf = (view) => view.getScreenCTM().inverse();
+function place(view, event, matrix = matrixOf(view)) {
+  const inside = new DOMPoint(event.clientX, event.clientY).matrixTransform(matrix);
   return [inside.x, -inside.y];
 }
 

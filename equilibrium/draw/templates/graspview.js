@@ -4,9 +4,9 @@ function paintGrasp() {
   view.replaceChildren();
   const piece = state.found[state.choice];
   const point = wrenchPoint();
-  const motion = piece?.motion && point ? piece.motion.map((row) => near(valueOf(row, point))) : null;
+  const motion = piece?.motion && point ? piece.motion.map((row) => near(dotted(row, point))) : null;
   const forces = piece && point
-    ? forcesOf(piece).map((pair) => pair.map((row) => row && near(valueOf(row, point)))) : null;
+    ? forcesOf(piece).map((pair) => pair.map((row) => row && near(dotted(row, point)))) : null;
   if (data.outline) {
     paintBody(view);
     if (motion) paintMotion(view, motion);

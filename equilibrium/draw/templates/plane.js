@@ -5,6 +5,7 @@ let [WIDE, HIGH] = [150, SIDE];
 const CODES = { stick: "●", "slip+": "+", "slip-": "−", detached: "○" };
 
 const scale = () => SIDE / state.half;
+/** @type {(point: number[]) => number[]} */
 const onPaper = ([x, y]) => [(x - state.middle[0]) * scale(), -(y - state.middle[1]) * scale()];
 const outline = (corners) => `M${corners.map((p) => onPaper(p).map(fixed).join(",")).join("L")}Z`;
 
@@ -130,6 +131,7 @@ function clippedToSight(corners) {
 }
 
 // Whether a point of the paper is in a convex polygon, or nearly.
+/** @type {(places: number[][], point: number[]) => boolean} */
 function within(places, [x, y]) {
   const turns = places.map((p, i) => {
     const q = places[(i + 1) % places.length];

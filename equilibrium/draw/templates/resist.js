@@ -1,7 +1,7 @@
 // What is chosen, and what the page says about it.
 const state = {
-  torque: readRatio(data.torque), factor: readRatio(data.factor), kind: data.kind,
-  middle: [0, 0], half: data.half, kept: data.force && data.force.map(readRatio), under: null,
+  torque: readNumber(data.torque), factor: readNumber(data.factor), kind: data.kind,
+  middle: [0, 0], half: data.half, kept: data.force && data.force.map(readNumber), under: null,
   found: [], choice: 0, wanted: null, slices: [], overlay: null,
 };
 const refresh = oncePerFrame(() => { paintPlane(); answer(); });
@@ -45,7 +45,7 @@ function describe(point) {
   if (piece) {
     list.push(["states", piece.states.join(", ")]);
     if (state.found.length > 1) list.push(["", `${state.found.length} choices of states resist it`]);
-    list.push(["motion (x, y, r)", piece.motion ? tuple(piece.motion.map((row) => textOf(valueOf(row, point)))) : "not fixed by the states", Boolean(piece.motion)]);
+    list.push(["motion (x, y, r)", piece.motion ? tuple(piece.motion.map((row) => textOf(dotted(row, point)))) : "not fixed by the states", Boolean(piece.motion)]);
     if (state.kept && !state.under) list.push(["piece", conditions(piece), true]);
   }
   facts(at("facts"), list);
@@ -86,7 +86,7 @@ function listForces(piece, point) {
     make("td", {}, row, `${CODES[what]} ${what}`);
     for (const k of [0, 1]) {
       const form = forcesOf(piece)[i][k];
-      const text = form ? textOf(valueOf(form, point)) : "…";
+      const text = form ? textOf(dotted(form, point)) : "…";
       make("td", { class: "exact" }, row, text);
     }
   });

@@ -110,7 +110,7 @@ function listen() {
 // A field takes exact numbers; what is none is marked and changes nothing.
 function field(id, accept) {
   at(id).addEventListener("input", () => {
-    const value = readRatio(at(id).value);
+    const value = readNumber(at(id).value);
     const good = value !== null && accept(value) !== false;
     at(id).classList.toggle("wrong", !good);
   });
@@ -119,7 +119,7 @@ function field(id, accept) {
 function slider(id, reach, low, accept) {
   const element = at(id);
   Object.assign(element, { min: low, max: reach, step: reach / 40 });
-  element.addEventListener("input", () => accept(readRatio(Number(element.value).toFixed(6))));
+  element.addEventListener("input", () => accept(readNumber(Number(element.value).toFixed(6))));
 }
 
 // The plane fills its frame, whatever its shape.

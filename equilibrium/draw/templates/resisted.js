@@ -34,13 +34,13 @@ function byLaw(piece) {
     const what = piece.states[i];
     const zero = [0n, 0n, 0n, 0n].map((x) => ratio(x));
     if (what === "detached") return [zero, zero];
-    const wrench = exact.wrench.map(readRatio);
-    const stiffness = times(readRatio(exact.stiffness), ratio(-1n));
-    const preload = readRatio({ none: "0", uniform: "1", own: exact.preload }[piece.loaded]);
+    const wrench = exact.wrench.map(readNumber);
+    const stiffness = times(readNumber(exact.stiffness), ratio(-1n));
+    const preload = readNumber({ none: "0", uniform: "1", own: exact.preload }[piece.loaded]);
     const normal = zero.map((_, k) => plus(k === 3 ? preload : ratio(0n),
       times(stiffness, piece.motion.reduce((sum, form, j) => plus(sum, times(wrench[j], form[k])), ratio(0n)))));
     if (what === "stick") return [normal, resting.shift()];
-    const pull = times(readRatio(exact.friction), ratio(what === "slip+" ? -1n : 1n));
+    const pull = times(readNumber(exact.friction), ratio(what === "slip+" ? -1n : 1n));
     return [normal, normal.map((x) => times(pull, x))];
   });
 }
@@ -55,7 +55,7 @@ function signOf(row, point, floats) {
   let [sum, size] = [0, 0];
   row.float.forEach((x, i) => { sum += x * floats[i]; size += Math.abs(x * floats[i]); });
   if (Math.abs(sum) > 1e-9 * size) return Math.sign(sum);
-  const value = valueOf(row.exact, point).n;
+  const value = dotted(row.exact, point).n;
   return value > 0n ? 1 : value < 0n ? -1 : 0;
 }
 
@@ -73,7 +73,7 @@ function slice(piece, torque, factor, box) {
   const tolerance = 1e-9 * Math.max(...box.flat().map(Math.abs));
   for (const row of piece.equal) {
     if (same(row.exact[0], ratio(0n)) && same(row.exact[1], ratio(0n))) {
-      if (valueOf(row.exact, [ratio(0n), ratio(0n), torque, factor]).n !== 0n) return [];
+      if (dotted(row.exact, [ratio(0n), ratio(0n), torque, factor]).n !== 0n) return [];
       continue;
     }
     corners = onLine(corners, line(row));
@@ -82,27 +82,11 @@ function slice(piece, torque, factor, box) {
   return corners;
 }
 
-// What of a convex polygon is on the side a x + b y + c >= 0.
-function cut(corners, [a, b, c], tolerance) {
-  const length = Math.hypot(a, b);
-  const height = ([x, y]) => (length ? (a * x + b * y + c) / length : c);
-  const least = length ? -tolerance : -1e-12;
-  const found = [];
-  corners.forEach((p, i) => {
-    const q = corners[(i + 1) % corners.length];
-    const [s, t] = [height(p), height(q)];
-    if (s >= least) found.push(p);
-    if ((s < least && t > 0) || (s > 0 && t < least)) {
-      const share = s / (s - t);
-      found.push([p[0] + share * (q[0] - p[0]), p[1] + share * (q[1] - p[1])]);
-    }
-  });
-  return found;
-}
-
 // Where a line meets a convex polygon: two ends, or one.
+/** @type {(corners: number[][], row: number[]) => number[][]} */
 function onLine(corners, [a, b, c]) {
   const length = Math.hypot(a, b);
+  /** @type {(p: number[]) => number} */
   const height = ([x, y]) => (a * x + b * y + c) / length;
   const found = [];
   corners.forEach((p, i) => {

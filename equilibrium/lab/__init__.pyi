@@ -1,0 +1,1 @@
+from .page import MAX_CONTACTS as MAX_CONTACTS, lab_page as lab_page

@@ -1,0 +1,138 @@
+// Pointer, touch and keys on the pictures.
+const steps = () => Number(at("grid").value);
+
+function dragGrasp() {
+  const view = at("grasp");
+  let held = null;
+  view.addEventListener("pointerdown", (event) => {
+    const element = event.target.closest("[data-grip]");
+    if (!element || event.button) return;
+    event.preventDefault();
+    held = { name: element.dataset.grip, matrix: matrixOf(view) };
+    hold();
+    view.setPointerCapture(event.pointerId);
+    const [kind, i] = held.name.split("-");
+    if (i !== undefined) state.chosen = Number(i);
+    element.focus();
+    held.kind = kind;
+  });
+  view.addEventListener("pointermove", (event) => {
+    if (!held) return;
+    const p = place(view, event, held.matrix).map((c) => c / UNIT);
+    edit(() => dragTo(held, p));
+  });
+  const end = () => {
+    if (!held) return;
+    state.focus = held.name;
+    held = null;
+    release();
+    refresh();
+  };
+  view.addEventListener("pointerup", end);
+  view.addEventListener("pointercancel", end);
+  view.addEventListener("click", (event) => {
+    if (event.target.closest("[data-grip]")) return;
+    const p = place(view, event).map((c, k) => (c / UNIT) * data.size + data.centre[k]);
+    chooseMotion(rotationAbout(p, state.turn.n < 0n ? -1 : 1));
+  });
+  // A finger on a grip moves it; elsewhere it scrolls the page.
+  view.addEventListener("touchstart", (event) => { if (event.target.closest("[data-grip]")) event.preventDefault(); }, { passive: false });
+  view.addEventListener("keydown", keyOnGrip);
+}
+
+// Moves what is held to a place on paper, snapped to exact numbers.
+function dragTo({ kind, name }, p) {
+  const i = Number(name.split("-")[1]);
+  const w = p.map((c, k) => c * data.size + data.centre[k]);
+  if (kind === "move") {
+    const side = state.outline && at("along").checked ? onOutline(state.outline, w, steps()) : null;
+    const { point, normal } = side ?? { point: w.map((c) => onGrid(c, steps())), normal: state.grasp[i].normal };
+    state.grasp = state.grasp.with(i, { ...state.grasp[i], point, normal });
+  } else if (kind === "turn") {
+    const from = data.contacts[i].place;
+    state.grasp = state.grasp.with(i, { ...state.grasp[i], normal: nearestDirection(p[0] - from[0], p[1] - from[1]) });
+  } else if (kind === "load") {
+    const force = p.map((c, k) => onGrid((c - data.origin[k]) / state.scale, steps()));
+    state.wrench = [...force, state.wrench[2]];
+  } else {
+    const angle = Math.atan2(p[1] - data.origin[1], p[0] - data.origin[0]);
+    const before = (near(state.wrench[2]) / torqueUnit()) * (Math.PI / 4);
+    const turn = angle + 2 * Math.PI * Math.round((before - angle) / (2 * Math.PI));
+    const value = (Math.max(-5.5, Math.min(5.5, Math.max(before - 1.5, Math.min(before + 1.5, turn)) / (Math.PI / 4)))) * torqueUnit();
+    state.wrench = [...state.wrench.slice(0, 2), onGrid(value, steps())];
+  }
+}
+
+function keyOnGrip(event) {
+  const element = event.target.closest("[data-grip]");
+  if (!element || event.ctrlKey || event.metaKey || event.altKey) return;
+  const [kind, text] = element.dataset.grip.split("-");
+  const i = Number(text);
+  const ways = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1], "[": [0, 1], "]": [0, -1] };
+  const way = ways[event.key];
+  const remove = ["Delete", "Backspace"].includes(event.key) && text !== undefined;
+  if (!way && !remove) return;
+  event.preventDefault();
+  if (text !== undefined) state.chosen = i;
+  if (remove) { removeContact(i); return; }
+  const bracket = event.key === "[" || event.key === "]";
+  const by = (x, k) => plus(x, ratio(BigInt(way[k]), BigInt(steps())));
+  edit(() => {
+    if (kind === "turn" || (bracket && kind === "move")) {
+      const sense = bracket ? way[1] : way[1] || -way[0];
+      state.grasp = state.grasp.with(i, { ...state.grasp[i], normal: turned(state.grasp[i].normal, sense) });
+    } else if (kind === "move") {
+      state.grasp = state.grasp.with(i, { ...state.grasp[i], point: state.grasp[i].point.map(by) });
+    } else if (kind === "torque" || bracket) {
+      const sense = BigInt(way[1] || -way[0]);
+      state.wrench = [...state.wrench.slice(0, 2), plus(state.wrench[2], ratio(sense, BigInt(steps())))];
+    } else {
+      state.wrench = [...state.wrench.slice(0, 2).map(by), state.wrench[2]];
+    }
+  });
+}
+
+function chooseMotion(motion) {
+  state.motion = motion;
+  refresh();
+  if (motion) say(at("motion-words").textContent);
+}
+
+function dragPlane() {
+  const view = at("plane");
+  const move = (event) => edit(() => { state.wrench = [...forceUnder(event), state.wrench[2]]; });
+  view.addEventListener("pointerdown", (event) => {
+    if (event.button) return;
+    view.setPointerCapture(event.pointerId);
+    hold();
+    move(event);
+  });
+  view.addEventListener("pointermove", (event) => { if (dragging()) move(event); });
+  view.addEventListener("pointerup", release);
+  view.addEventListener("pointercancel", release);
+  view.addEventListener("wheel", (event) => { event.preventDefault(); zoom(Math.exp(Math.sign(event.deltaY) * 0.18)); }, { passive: false });
+  view.addEventListener("keydown", (event) => {
+    const by = (x, y) => edit(() => {
+      const step = BigInt(steps());
+      state.wrench = [plus(state.wrench[0], ratio(BigInt(x), step)), plus(state.wrench[1], ratio(BigInt(y), step)), state.wrench[2]];
+    });
+    const keys = { ArrowLeft: () => by(-1, 0), ArrowRight: () => by(1, 0), ArrowUp: () => by(0, 1), ArrowDown: () => by(0, -1),
+      "+": () => zoom(0.8), "=": () => zoom(0.8), "-": () => zoom(1.25), Home: () => { fitPlane(); refresh(); } };
+    const action = event.ctrlKey || event.metaKey || event.altKey ? null : keys[event.key];
+    if (action) { event.preventDefault(); action(); }
+  });
+}
+
+// The step that is told is marked like what is under the pointer. The states of a cell or piece under
+// the pointer are shown at the contacts.
+function markAll() {
+  highlight(player.step?.kind === "states" ? [["states", String(player.step.states)]] : []);
+  const view = at("grasp");
+  view.querySelector(".told-states")?.remove();
+  const states = lit.states?.split(",").filter(Boolean) ?? [];
+  const told = states.length > 0 && states.length === data.contacts.length;
+  view.classList.toggle("told", told);
+  if (!told) return;
+  const layer = draw("g", { class: "told-states" }, view);
+  data.contacts.forEach(({ place: p, normal: n }, i) => paintState(layer, states[i], along(p, n, -0.15), [-n[1], n[0]]));
+}

@@ -1,0 +1,103 @@
+// The page: what is kept and shared, and how it begins.
+const commandOf = () => `echo '${JSON.stringify(documentOf(state.grasp, state.outline))}' | equilibrium solve - --wrench ${state.wrench.map(textOf).join(" ")}`;
+
+function keepButtons() {
+  listenToKeep(openText);
+  at("copy-command").addEventListener("click", () => copy(commandOf()));
+  at("save-grasp").addEventListener("click", () => downloadJson("grasp.json", documentOf(state.grasp, state.outline)));
+  at("save-certificate").addEventListener("click", () => {
+    downloadJson("certificate.json", certificateOf(state.grasp, state.wrench, solve(state.grasp, state.wrench)));
+  });
+}
+
+function openText(text) {
+  const document = JSON.parse(text);
+  const grasp = readGrasp(document);
+  if (grasp.length > data.most) throw new Error(`${grasp.length} contacts; this page takes ${data.most}`);
+  load({ grasp, wrench: state.wrench, outline: readOutline(document.outline) });
+}
+
+function examples() {
+  const box = at("example");
+  make("option", { value: "", disabled: "", selected: "" }, box, "examples …");
+  data.examples.forEach(({ name }, k) => make("option", { value: k }, box, name));
+  box.addEventListener("change", () => {
+    const { grasp, wrench } = data.examples[Number(box.value)];
+    load({ grasp: readGrasp(grasp), wrench: readWrench(wrench), outline: readOutline(grasp.outline) });
+  });
+}
+
+function turns() {
+  const setTurn = (value) => {
+    if (!value.n) return "angle r: give a number that is not 0.";
+    Object.assign(state, { turn: value, turnChosen: true, motion: null });
+    refresh();
+    return "";
+  };
+  field(null, "turn", "angle r", setTurn);
+  field(null, "motion", "motion", (motion) => { chooseMotion(motion); return ""; }, { read: readMotion, rule: "three numbers x, y, r, such as 1, 0, -1/2" });
+  const slider = at("turn-slider");
+  let base = ONE;
+  slider.addEventListener("pointerdown", () => { base = state.turnSize(); });
+  slider.addEventListener("input", () => {
+    if (!state.turnChosen) base = state.turnSize();
+    const way = Number(slider.value) || 1;
+    setTurn(times(base, ratio(BigInt(way), 20n)));
+  });
+  at("regions").addEventListener("change", refresh);
+}
+
+function begin() {
+  at("title").textContent = data.title;
+  examples();
+  ["w-x", "w-y", "w-t"].forEach((id, k) => field(at("load"), id, ["force f_x", "force f_y", "torque τ"][k], (value) => {
+    edit(() => { state.wrench = state.wrench.with(k, value); });
+    return "";
+  }));
+  turns();
+  keepButtons();
+  dragGrasp();
+  dragPlane();
+  linkViews(["contact", "states"], markAll);
+  listenToHistory();
+  listenToPlayer();
+  listenToExercises();
+  listenToMethods();
+  at("discs").addEventListener("click", (event) => { const motion = motionUnder(event); if (motion) chooseMotion(motion); });
+  document.addEventListener("keydown", (event) => {
+    if (event.key === "Escape") { state.motion = state.leaf = null; refresh(); }
+  });
+  themeButton(at("theme"));
+  const first = { grasp: readGrasp(data.grasp), wrench: readWrench(data.wrench), outline: readOutline(data.grasp.outline) };
+  Object.assign(state, first, { chosen: first.grasp.length ? 0 : null });
+  readHash();
+  frameGrasp();
+  changed();
+  fitPlane();
+  new ResizeObserver(fit).observe(at("plane"));
+}
+
+// For lecturers and tests: questions as documents of the command line.
+
+Object.assign(window, { lab: {
+  solve(grasp, wrench) {
+    const [contacts, applied] = [readGrasp(grasp), readWrench(wrench)];
+    const found = solve(contacts, applied);
+    const texts = (row) => row.map(textOf);
+    return {
+      stable: found.stable, certificate: certificateOf(contacts, applied, found),
+      equilibria: found.equilibria.map(({ states, motion, forces, ranges }) => ({ states, motion: texts(motion), forces: forces.map(texts), unique: !ranges })),
+    };
+  },
+  check: checkDocument,
+  says: (method, grasp, wrench) => saidBy(method, readGrasp(grasp), readWrench(wrench)),
+  states: (grasp) => [...statesOf(readGrasp(grasp))].filter(Boolean).map(({ states }) => states),
+  resists(grasp, torque, forces) {
+    const contacts = readGrasp(grasp);
+    const turn = readNumber(torque);
+    const found = [...piecesOf(contacts, turn, [...statesOf(contacts)].filter(Boolean).map(({ states }) => states))];
+    return forces.map((force) => piecesAt(found, [...force.map(readNumber), turn, ONE]).length > 0);
+  },
+} });
+
+begin();

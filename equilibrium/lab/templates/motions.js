@@ -1,0 +1,127 @@
+// The space of motions: the contact states that occur, and the cells of its slices at r = turn, -turn.
+// Exact: a motion lies in one state each, so the states found here are all there are. Among
+// `names` "attached" tells no slips apart; without "detached" springs do not count.
+function* statesOf(grasp, names = STATES) {
+  const rows = grasp.map((contact) => {
+    const { N, T } = wrenchesOf(contact);
+    const spring = [...scaledBy(N, minus(contact.stiffness)), ZERO, contact.preload];
+    return { spring, slip: [...T, ZERO, ZERO] };
+  });
+  // The fourth unknown is a margin of the strict conditions: a state occurs if it can be above 0.
+  const strictly = (row) => row.with(3, minus(ONE));
+  const slips = { "slip+": (slip) => [[], [strictly(slip)]], "slip-": (slip) => [[], [strictly(minusRow(slip))]], stick: (slip) => [[slip], []], attached: () => [[], []] };
+  const springs = !names.includes("detached") ? () => [] : (spring) => [strictly(spring)];
+  const conditions = (name, { spring, slip }) => {
+    if (name === "detached") return [[], [minusRow(spring)]];
+    const [equal, atLeast] = slips[name](slip);
+    return [equal, [...springs(spring), ...atLeast]];
+  };
+  const margin = [ZERO, ZERO, ZERO, minus(ONE), ONE];
+  function* below(states, equal, atLeast) {
+    const found = new Dictionary(4, equal, [...atLeast, margin], [[ZERO, ZERO, ZERO, ONE, ZERO]]);
+    if (!found.feasible()) return;
+    const most = found.extreme(0, 1n);
+    if (most.n <= 0n) return;
+    const i = states.length;
+    yield i === grasp.length ? { states, motion: found.point().slice(0, 3) } : null;
+    if (i === grasp.length) return;
+    for (const name of names) {
+      const [more, least] = conditions(name, rows[i]);
+      yield* below([...states, name], [...equal, ...more], [...atLeast, ...least]);
+    }
+  }
+  yield* below([], [], []);
+}
+
+// The planes of a slice r = way * turn, as rows in (x, y, h): the motion is turn (x, y, way h) / h.
+function sliceRows(grasp, turn, way) {
+  const sign = ratio(BigInt(way));
+  return grasp.map((contact) => {
+    const { N, T } = wrenchesOf(contact);
+    const stiff = times(contact.stiffness, turn);
+    return {
+      slip: integers([T[0], T[1], times(sign, T[2])]).row,
+      spring: integers([times(minus(stiff), N[0]), times(minus(stiff), N[1]),
+        less(contact.preload, times(times(sign, stiff), N[2]))]).row,
+    };
+  });
+}
+
+// The quarters of the half space h >= 0, as pointed cones of three rays.
+const QUARTERS = [[1n, 1n], [-1n, 1n], [-1n, -1n], [1n, -1n]]
+  .map(([x, y]) => [[x, 0n, 0n], [0n, y, 0n], [0n, 0n, 1n]]);
+
+// What the planes cut the half space h >= 0 into, each part within one quarter: rays in cyclic order.
+const partsOf = (rows) => rows.reduce((parts, row) => parts.flatMap((part) => [row, row.map((x) => -x)]
+  .map((side) => clipped(part, side)).filter(Boolean)), QUARTERS);
+const inside = (part) => part.reduce((sum, ray) => sum.map((x, k) => x + ray[k]));
+
+// The cells of a slice by contact states: parts of one cell lie in different quarters, or differ in
+// the slip of contacts that do not touch.
+function cellsOf(grasp, turn, way) {
+  const rows = sliceRows(grasp, turn, way);
+  const cells = new Map();
+  for (const part of partsOf(rows.flatMap(({ slip, spring }) => [slip, spring]).filter((row) => row.some((x) => x)))) {
+    const states = rows.map((row) => stateAt(row, inside(part)));
+    const cell = cells.get(String(states)) ?? { way, states, parts: [], rows: rows.flatMap(({ slip, spring }, i) => (states[i] === "detached" ? [spring] : [slip, spring])) };
+    cell.parts.push(part);
+    cells.set(String(states), cell);
+  }
+  return [...cells.values()];
+}
+
+function stateAt({ slip, spring }, ray) {
+  const [s, e] = [dotOf(slip, ray), dotOf(spring, ray)];
+  return e <= 0n ? "detached" : s > 0n ? "slip+" : s < 0n ? "slip-" : "stick";
+}
+
+// What of a cell is on the side row . v >= 0; null if that has no interior.
+function clipped(corners, row) {
+  const heights = corners.map((ray) => dotOf(row, ray));
+  if (!heights.some((h) => h > 0n)) return null;
+  return corners.flatMap((ray, i) => {
+    const next = (i + 1) % corners.length;
+    const [a, b] = [heights[i], heights[next]];
+    const crossing = (a > 0n && b < 0n) || (a < 0n && b > 0n);
+    const between = () => primitive(corners[next].map((x, k) => (a > 0n ? a * x - b * ray[k] : b * ray[k] - a * x)));
+    return [...(a >= 0n ? [ray] : []), ...(crossing ? [between()] : [])];
+  });
+}
+
+// The distinct central planes T . d = 0 with the contacts of each, in order of appearance.
+/** @type {(grasp: any[]) => { row: bigint[], contacts: number[] }[]} */
+function slipPlanes(grasp) {
+  const found = new Map();
+  grasp.forEach((contact, i) => {
+    const row = primitive(integers(wrenchesOf(contact).T).row);
+    const lead = row.find((x) => x);
+    const plain = lead < 0n ? row.map((x) => -x) : row;
+    const entry = found.get(String(plain)) ?? { row: plain, contacts: [] };
+    entry.contacts.push(i);
+    found.set(String(plain), entry);
+  });
+  return [...found.values()];
+}
+
+// Counts of the arrangement of central planes: regions, their common facets, rays.
+/** @type {(planes: { row: bigint[] }[]) => { regions: number, facets: number, rays: number }} */
+function countsOf(planes) {
+  const cells = partsOf(planes.map(({ row }) => row));
+  const signs = (v) => planes.map(({ row }) => (dotOf(row, v) > 0n ? "+" : "-")).join("");
+  const opposite = (text) => [...text].map((c) => (c === "+" ? "-" : "+")).join("");
+  const found = cells.map((part) => signs(inside(part)));
+  const regions = [...new Set([...found, ...found.map(opposite)])];
+  let facets = 0;
+  for (const region of regions) {
+    for (let i = 0; i < planes.length; i += 1) {
+      const other = region.slice(0, i) + opposite(region[i]) + region.slice(i + 1);
+      if (region < other && regions.includes(other)) facets += 1;
+    }
+  }
+  const rays = new Set();
+  planes.forEach(({ row: a }, i) => planes.slice(0, i).forEach(({ row: b }) => {
+    const v = primitive([a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]);
+    for (const sign of [1n, -1n]) rays.add(String(v.map((x) => sign * x)));
+  }));
+  return { regions: regions.length, facets, rays: rays.size };
+}

@@ -1,0 +1,198 @@
+// The decision: a tree that tells apart the states of contacts. Where the closed linear system of a
+// node has no solution, Farkas' multipliers give a virtual motion that proves it; a node that has all
+// states decided and a solution is an equilibrium. All numbers are exact.
+const SPLITS = { undecided: ["attachment", ["detached", "attached"]], attached: ["slip", ["stick", "slip+", "slip-"]] };
+
+function* treeOf(grasp, wrench) {
+  const equilibria = [];
+  const load = loadOf(wrench);
+  let nodes = 0;
+  function* node(states) {
+    nodes += 1;
+    const system = systemOf(grasp, states, load);
+    const rows = (list) => list.map(({ row }) => row);
+    const found = new Dictionary(system.n, [...system.balance, ...rows(system.equal)], rows(system.atLeast));
+    if (!found.feasible()) return leafOf(grasp, wrench, states, system, found.refuted);
+    yield nodes;
+    const i = nextContact(grasp, states, system, found.point());
+    if (i < 0) {
+      equilibria.push(pieceOf(grasp, states, system, found));
+      return null;
+    }
+    const [kind, names] = SPLITS[states[i]];
+    const children = {};
+    let open = false;
+    for (const name of names) {
+      children[name] = yield* node(states.with(i, name));
+      open ||= children[name] === null;
+    }
+    return open ? null : { contact: i, [kind]: children };
+  }
+  const tree = yield* node(grasp.map(() => "undecided"));
+  // Nothing is shown that the checker does not confirm.
+  const problem = [...equilibria.map(({ motion, forces }) => lawProblem(grasp, wrench, motion, forces)),
+    equilibria.length ? "" : treeProblem(grasp, wrench, tree).problem].find(Boolean);
+  if (problem) throw new Error(`fault of this page: ${problem}`);
+  return { stable: equilibria.length > 0, equilibria: distinct(grasp, equilibria), tree, nodes };
+}
+
+function solve(grasp, wrench) {
+  const search = treeOf(grasp, wrench);
+  let step = search.next();
+  while (!step.done) step = search.next();
+  return step.value;
+}
+
+// The contact to decide next: the one whose law the solution of the node breaks most; -1: none is left.
+function nextContact(grasp, states, system, z) {
+  const place = z.map(near);
+  let [found, most] = [-1, -1];
+  grasp.forEach((contact, i) => {
+    if (!(states[i] in SPLITS)) return;
+    const at = (row) => row.reduce((sum, x, k) => sum + near(x) * (k < place.length ? place[k] : 1), 0);
+    const { N, T } = wrenchesOf(contact);
+    const d = place.slice(0, 3);
+    const along = (v) => v.reduce((sum, x, k) => sum + near(x) * d[k], 0);
+    const [spring, slip] = [near(contact.preload) - near(contact.stiffness) * along(N), along(T)];
+    const [normal, tangential] = system.forces[i].map(at);
+    const friction = slip ? Math.abs(tangential + Math.sign(slip) * near(contact.friction) * normal) : 0;
+    const broken = Math.abs(normal - Math.max(0, spring)) + friction;
+    if (broken > most) [found, most] = [i, broken];
+  });
+  return found;
+}
+
+// The leaf of a refuted node: virtual motion, and (alpha, h) of each contact. With e the force that the
+// spring of a contact would have and s its slip, load . motion + sum (alpha e + h s) = room > 0 for all
+// motions, and what a contact can do works at least alpha e + h s.
+function leafOf(grasp, wrench, states, system, y) {
+  const motion = y.slice(0, 3).map(minus);
+  const multipliers = grasp.map((contact) => {
+    const { N, T } = wrenchesOf(contact);
+    return { a: dotted(motion, N), b: dotted(motion, T), alpha: null, h: ZERO, cut: ZERO };
+  });
+  [...system.equal, ...system.atLeast].forEach(({ name, contact: i }, k) => {
+    const one = multipliers[i];
+    const value = y[3 + k];
+    if (name === "least" || name === "spring") one.alpha = value;
+    else if (name === "normal") one.cut = plus(one.cut, value);
+    else if (name === "cone") one.cut = plus(one.cut, times(grasp[i].friction, value));
+    else one.h = states[i] === "slip-" ? value : minus(value);
+  });
+  const pairs = multipliers.map(({ a, b, alpha, h, cut }, i) => {
+    const rub = times(grasp[i].friction, b);
+    const kappa = states[i] === "slip+" ? less(a, rub) : states[i] === "slip-" ? plus(a, rub) : a;
+    return [alpha ?? less(kappa, cut), h];
+  });
+  return { motion, multipliers: pairs, states, ...shortened(grasp, motion, pairs, wrench) };
+}
+
+// The numbers of a leaf over its largest entry, as integers without common divisor.
+function shortened(grasp, motion, pairs, wrench) {
+  const largest = integers(motion).row.reduce(gcdOf, 0n);
+  const factor = largest ? ratio(integers(motion).scale, largest) : ONE;
+  const multipliers = pairs.map((pair) => scaledBy(pair, factor));
+  const scaled = scaledBy(motion, factor);
+  const work = dotted(scaled, wrench);
+  const room = grasp.reduce((sum, contact, i) => plus(sum, times(multipliers[i][0], contact.preload)), work);
+  return { motion: scaled, multipliers, work, room };
+}
+
+// All solutions with one choice of states: a point, or a polyhedron with the range of each component.
+// Of a polyhedron a middle one is shown: component by component, half way between its ends.
+function pieceOf(grasp, states, system, found) {
+  const at = (z) => (row) => dotted(row, [...z, ONE]);
+  const shape = (z) => ({ motion: z.slice(0, 3), forces: system.forces.map((pair) => pair.map(at(z))) });
+  let z = found.point();
+  if (found.single) {
+    const { motion, forces } = shape(z);
+    return { states: grasp.map((contact) => contactAt(contact, motion).state), motion, forces, ranges: null, points: [{ motion, forces }] };
+  }
+  const units = [0, 1, 2].map((k) => Array.from({ length: system.n + 1 }, (_, j) => (j === k ? ONE : ZERO)));
+  const watched = [...units, ...system.forces.flat()];
+  const rows = (list) => list.map(({ row }) => row);
+  const within = (fixed) => {
+    const all = new Dictionary(system.n, [...system.balance, ...rows(system.equal), ...fixed], rows(system.atLeast), watched);
+    all.feasible();
+    return all;
+  };
+  const points = [];
+  const all = within([]);
+  const ranges = watched.map((_, k) => [-1n, 1n].map((way) => {
+    const end = all.extreme(k, way);
+    points.push(shape(all.point()));
+    return end;
+  }));
+  const fixed = [];
+  watched.forEach((row, k) => {
+    const left = within(fixed);
+    const value = middleOf(left.extreme(k, -1n), left.extreme(k, 1n));
+    fixed.push(row.with(-1, less(row.at(-1), value)));
+    z = left.point();
+  });
+  z = within(fixed).point();
+  const decided = ranges.every(([low, high]) => low && high && same(low, high));
+  const { motion, forces } = shape(z);
+  return { states: decided ? grasp.map((contact) => contactAt(contact, motion).state) : states, closed: states, motion, forces,
+    ranges: decided ? null : ranges, points };
+}
+
+function middleOf(low, high) {
+  if (low && high) return times(plus(low, high), ratio(1n, 2n));
+  if (low) return low.n > 0n ? low : ZERO;
+  return high && high.n < 0n ? high : ZERO;
+}
+
+// The pieces that lie in no other one (closed conditions let one equilibrium appear in several states).
+function distinct(grasp, pieces) {
+  const endless = (piece) => piece.ranges?.some((range) => range.includes(null));
+  const within = (one, other) => (!endless(one) || endless(other))
+    && one.points.every(({ motion, forces }) => holds(grasp, other, motion, forces));
+  return pieces.reduce((kept, piece) => (kept.some((other) => within(piece, other)) ? kept
+    : [...kept.filter((other) => !within(other, piece)), piece]), []);
+}
+
+// Whether an equilibrium (motion, forces) is one of those of a piece, by its closed conditions.
+function holds(grasp, piece, motion, forces) {
+  if (!piece.ranges) {
+    return piece.motion.every((x, k) => same(x, motion[k])) && piece.forces.flat().every((x, k) => same(x, forces.flat()[k]));
+  }
+  return grasp.every((contact, i) => {
+    const { spring, slip } = contactAt(contact, motion);
+    const [normal, tangential] = forces[i];
+    /** @type {bigint | undefined} */
+    const way = { "slip+": 1n, "slip-": -1n }[piece.closed[i]];
+    if (piece.closed[i] === "detached") return spring.n <= 0n && !normal.n && !tangential.n;
+    if (!same(normal, spring)) return false;
+    if (!way) return slip.n === 0n;
+    return slip.n * way >= 0n && same(tangential, times(times(ratio(-way), contact.friction), normal));
+  });
+}
+
+// The certificate of a verdict, in the form that `equilibrium verify` reads.
+function certificateOf(grasp, wrench, found) {
+  const texts = (row) => row.map(textOf);
+  const base = { schema_version: 3, certificate: found.stable ? "resisted" : "not resisted",
+    grasp: documentOf(grasp), wrench: texts(wrench) };
+  if (found.stable) {
+    const { motion, forces } = found.equilibria[0];
+    return { ...base, motion: texts(motion), forces: forces.map(texts) };
+  }
+  const written = (node) => {
+    if (node.motion) {
+      const used = node.multipliers.map((pair, i) => [String(i), texts(pair)]);
+      return { virtual_motion: texts(node.motion), multipliers: Object.fromEntries(used) };
+    }
+    const [kind] = ["attachment", "slip"].filter((key) => key in node);
+    const children = Object.entries(node[kind]).map(([name, child]) => [name, written(child)]);
+    return { contact: node.contact, [kind]: Object.fromEntries(children) };
+  };
+  return { ...base, tree: written(found.tree) };
+}
+
+// The leaves of a proof, from left to right.
+function leavesOf(node) {
+  if (!node) return [];
+  if (node.motion) return [node];
+  return Object.values(node.attachment ?? node.slip).flatMap(leavesOf);
+}

@@ -1,0 +1,589 @@
+"""The arrangement lab, opened in headless Chromium: its counts against the enumerators."""
+
+from __future__ import annotations
+
+import json
+import random
+import re
+from collections.abc import Sequence
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from arrangement import Arrangement, InputError
+from arrangement.cli import main
+from arrangement.counts import characteristic_polynomial, t_vector
+from arrangement.io.arrangements import read_arrangement
+from arrangement.lab.lines import lab_page
+from arrangement.lab.lines_input import MAX_PLANES
+from arrangement.library import families
+from arrangement.library.census import census
+from arrangement.regions import walls
+from tests.browser import Browser
+
+Rows = Sequence[Sequence[int]]
+
+
+def arrangements(number: int, seed: int, most: int = 9) -> list[Arrangement]:
+    """Return random lines and central planes: generic, degenerate, coincident, of low rank, few."""
+    rng = random.Random(seed)
+    found = []
+    for _ in range(number):
+        dimension, size = rng.choice([2, 3, 3]), rng.choice([1, 1, 2, 3, 9])
+        rows: list[list[int]] = []
+        for _ in range(rng.randint(0, most)):
+            row = [rng.randint(-size, size) for _ in range(3)]
+            if any(row[:dimension]):
+                rows.append(row)
+        if rng.random() < 0.15:  # all through a point, or all through a line
+            rows = [[a, b, 0] for a, b, _ in rows if a or b]
+        if rows and rng.random() < 0.2:
+            rows.append([-2 * x for x in rows[0]])
+        found.append(made(dimension, rows))
+    return found
+
+
+def made(dimension: int, rows: Rows) -> Arrangement:
+    offsets = [row[2] for row in rows] if dimension == 2 else None
+    return Arrangement([row[:dimension] for row in rows], offsets, dimension=dimension)
+
+
+def expected(planes: Arrangement) -> dict[str, Any]:
+    """Return what the page should say, by the enumerators and the counts."""
+    texts = [{str(k): n for k, n in v.items()} for v in (t_vector(planes), planes.p_vector)]
+    return {
+        "planes": len(planes),
+        "distinct_planes": len(planes.distinct),
+        "dimension": planes.dimension,
+        "rank": planes.rank,
+        "f_vector": list(planes.f_vector),
+        "regions": planes.f_vector[-1],
+        "bounded_regions": len(planes.bounded_regions()),
+        "characteristic_polynomial": list(map(int, characteristic_polynomial(planes).all_coeffs())),
+        "t_vector": texts[0],
+        "p_vector": texts[1],
+        "simple": planes.is_simple,
+        "simplicial": planes.is_simplicial,
+        "triangles": triangles(planes),
+    }
+
+
+def triangles(planes: Arrangement) -> int:
+    """Return how many regions of the projective plane, or bounded ones, have three sides."""
+    if planes.dimension == 3:
+        return planes.p_vector.get(3, 0) // 2 if planes.rank == 3 else 0
+    bounded = {region.signs for region in planes.bounded_regions()}
+    sides = zip(planes.regions(), walls(planes, planes.faces()), strict=True)
+    return sum(region.signs in bounded and len(found) == 3 for region, found in sides)
+
+
+def counted(browser: Browser, listed: Sequence[Arrangement]) -> list[dict[str, Any]]:
+    documents = [planes.to_dict() for planes in listed]
+    found: list[dict[str, Any]] = browser.run("return arguments[0].map(lab.count)", documents)
+    return found
+
+
+@pytest.fixture(scope="module")
+def page(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """Return the file of the lab of five lines."""
+    path = tmp_path_factory.mktemp("lab") / "lab.html"
+    path.write_text(lab_page(), encoding="utf-8")
+    return path
+
+
+@pytest.fixture
+def opened(browser: Browser, page: Path) -> Browser:
+    """Return the browser with that page."""
+    browser.open(page, 1280, 1000)
+    browser.settled()
+    return browser
+
+
+def assert_agreement(browser: Browser, listed: Sequence[Arrangement]) -> None:
+    for planes, answer in zip(listed, counted(browser, listed), strict=True):
+        answer.pop("type")
+        assert answer == expected(planes), planes.to_dict()
+
+
+def test_its_counts_are_those_of_the_enumerators(opened: Browser) -> None:
+    assert_agreement(opened, arrangements(150, seed=1))
+
+
+@pytest.mark.campaign
+def test_its_counts_are_those_of_the_enumerators_on_thousands(opened: Browser) -> None:
+    for seed in range(12):
+        assert_agreement(opened, arrangements(250, seed=100 + seed, most=14))
+
+
+def transformed(planes: Arrangement, rng: random.Random) -> Arrangement:
+    """Return an arrangement of the same type: planes in another order, turned over, sheared."""
+    flips = [rng.choice([-1, 1]) for _ in planes.normals]
+    rows = [[s * int(x) for x in row] for s, row in zip(flips, planes.normals, strict=True)]
+    rng.shuffle(rows)
+    for _ in range(4):
+        i, j = rng.sample(range(3), 2)
+        factor = rng.choice([-2, -1, 1, 2])
+        for row in rows:
+            row[i] += factor * row[j]
+    if rng.random() < 0.5:
+        rows = [[-row[0], *row[1:]] for row in rows]
+    return Arrangement(rows)
+
+
+def test_it_names_every_type_of_up_to_six_planes(opened: Browser) -> None:
+    """By a canonical form of its own; the census tells types apart by their tope graphs."""
+    rng = random.Random(2)
+    listed = [
+        (transformed(planes, rng), f"{m}.{k}")
+        for m in range(3, 7)
+        for k, planes in enumerate(census(m), 1)
+        for _ in range(4)
+    ]
+    answers = counted(opened, [planes for planes, _ in listed])
+    assert [answer["type"] for answer in answers] == [name for _, name in listed]
+
+
+def test_types_agree_with_canonical_tope_graphs(opened: Browser) -> None:
+    from arrangement.library.census.generate import canonical_form
+
+    names = {
+        canonical_form(planes): f"{m}.{k}"
+        for m in range(3, 7)
+        for k, planes in enumerate(census(m), 1)
+    }
+    listed = [a for a in arrangements(200, 3, most=7) if a.dimension == 3 and a.rank == 3]
+    for planes, answer in zip(listed, counted(opened, listed), strict=True):
+        name = names[canonical_form(planes)] if len(planes.distinct) <= 6 else None
+        assert answer["type"] == name, planes.to_dict()
+
+
+def shown(browser: Browser) -> Arrangement:
+    """Return the arrangement of the address."""
+    version, dimension, rows = browser.run("return location.hash.slice(1)").split("|")
+    assert version == "1"
+    parts = [row.split(",") for row in rows.split(";") if row]
+    offsets = [row[2] for row in parts] if dimension == "2" else None
+    return Arrangement([row[: int(dimension)] for row in parts], offsets, dimension=int(dimension))
+
+
+def fact(browser: Browser, name: str) -> str:
+    text: str = browser.run(
+        "return [...document.querySelectorAll('#counts dt')].find((e) => e.textContent === "
+        "arguments[0]).nextElementSibling.textContent",
+        name,
+    )
+    return text
+
+
+def assert_right(browser: Browser) -> None:
+    """Check what the page shows of its own arrangement."""
+    browser.settled()
+    planes = shown(browser)
+    assert fact(browser, "f-vector") == f"({', '.join(map(str, planes.f_vector))})"
+    assert fact(browser, "simple") == ("yes" if planes.is_simple else "no")
+    assert fact(browser, "simplicial") == ("yes" if planes.is_simplicial else "no")
+    assert "✓" in fact(browser, "|χ(−1)|")
+    said = browser.run("return document.getElementById('said').textContent")
+    assert f"f-vector {' '.join(map(str, planes.f_vector))}" in said
+
+
+def grip(browser: Browser, name: str) -> tuple[float, float]:
+    """Return a place of the window where a grip can be taken: a third along it, if it is a line."""
+    x, y = browser.run(
+        "const group = document.querySelector(`[data-grip='${arguments[0]}']`);"
+        "const knob = group.querySelector('.knob'), path = group.querySelector('.target');"
+        "if (knob) { const r = knob.getBoundingClientRect();"
+        "  return [r.x + r.width / 2, r.y + r.height / 2]; }"
+        "const p = path.getPointAtLength(path.getTotalLength() * 0.37)"
+        "  .matrixTransform(path.getScreenCTM());"
+        "return [p.x, p.y];",
+        name,
+    )
+    return x, y
+
+
+@pytest.mark.parametrize("name", ["end-1-0", "line-3", "circle-1"])
+def test_dragging_by_mouse_and_finger_keeps_counts_right(name: str, opened: Browser) -> None:
+    before = shown(opened)
+    x, y = grip(opened, name)
+    opened.drag((x, y), (x + 34, y + 25))
+    assert_right(opened)
+    moved = shown(opened)
+    k = int(name.split("-")[1])
+    assert [i for i in range(5) if moved.normals[i] != before.normals[i]] == [k]
+    x, y = grip(opened, name)
+    opened.fingers([(x, y)], [(x - 20, y + 12)], [(x - 40, y + 44)])
+    assert_right(opened)
+    assert shown(opened) not in (before, moved)
+    opened.run("document.getElementById('undo').click()")
+    assert shown(opened) == moved
+    assert opened.messages() == []
+
+
+def test_an_end_dragged_near_a_crossing_goes_through_it(opened: Browser) -> None:
+    """Exactly: crossings of three lines cannot be hit by hand otherwise."""
+    x, y = middle(opened, "point-2")
+    opened.drag(grip(opened, "end-4-0"), (x + 3, y + 2))
+    assert_right(opened)
+    assert t_vector(shown(opened))[3] == 1
+
+
+def test_all_can_be_done_with_keys(opened: Browser) -> None:
+    for name, keys in {
+        "end-1-0": ["ArrowUp", "ArrowLeft", "["],
+        "line-2": ["ArrowUp", "ArrowDown", "[", "]"],
+        "circle-3": ["ArrowUp", "ArrowRight", "[", "]"],
+    }.items():
+        opened.run("document.querySelector(`[data-grip='${arguments[0]}']`).focus()", name)
+        for key in keys:
+            before = shown(opened)
+            opened.key(key)
+            assert shown(opened) != before, (name, key)
+            assert_right(opened)
+            assert opened.run("return document.activeElement.dataset.grip") == name
+    opened.key("Delete")
+    assert len(shown(opened)) == 4
+    opened.run("document.getElementById('plane').focus()")
+    opened.key("n")
+    assert "Region" in opened.run("return document.getElementById('said').textContent")
+    assert all(marks(opened))
+    opened.key("v")
+    assert "Crossing" in opened.run("return document.getElementById('lit-words').textContent")
+
+
+def marks(browser: Browser) -> list[str | None]:
+    """Return what is marked in each view."""
+    found: list[str | None] = browser.run(
+        "return ['plane', 'ball', 'dual']"
+        ".map((id) => document.querySelector(`#${id} .lit`)?.dataset.mark ?? null)"
+    )
+    return found
+
+
+def middle(browser: Browser, mark: str) -> tuple[float, float]:
+    x, y = browser.run(
+        "const r = document.querySelector(`#plane [data-mark='${arguments[0]}'] circle`)"
+        ".getBoundingClientRect(); return [r.x + r.width / 2, r.y + r.height / 2]",
+        mark,
+    )
+    return x, y
+
+
+def test_what_is_under_the_pointer_is_marked_in_all_views(opened: Browser) -> None:
+    """And its sign vector, told in the order of the planes, is right."""
+    for mark, place in {
+        "line-2": grip(opened, "line-2"),
+        "point-3": middle(opened, "point-3"),
+    }.items():
+        opened.pointer("mouseMoved", *place)
+        assert marks(opened) == [mark] * 3
+    said = opened.run("return document.getElementById('lit-words').textContent")
+    point = [int(x.replace("\u2212", "-")) for x in said.split("(")[1].split(")")[0].split(" : ")]
+    signs = "".join("\u22120+"[s + 1] for s in shown(opened).signs_at(point))
+    assert said.endswith(f"{signs}.")
+
+
+def enter(browser: Browser, name: str, text: str) -> None:
+    browser.run(
+        "const box = document.getElementById(arguments[0]); box.focus(); box.value = arguments[1];"
+        "box.dispatchEvent(new Event('input'));",
+        name,
+        text,
+    )
+    browser.settled()
+
+
+def problem(browser: Browser) -> str:
+    text: str = browser.run("return document.getElementById('problem').textContent")
+    return text
+
+
+def test_what_is_no_number_is_marked_and_changes_nothing(opened: Browser) -> None:
+    before = shown(opened)
+    invalid = "return document.querySelectorAll('[aria-invalid=\"true\"]').length"
+    for text in ["1/0", "abc", "", "0x1", "1.5/2", "-"]:
+        enter(opened, "row-a", text)
+        assert opened.run(invalid) == 1
+        assert "3/4" in problem(opened)
+        assert shown(opened) == before
+    enter(opened, "row-a", "-1e-3")
+    assert opened.run(invalid) == 0
+    assert shown(opened) == Arrangement([["-1/1000", 1, -1], *before.normals[1:]])
+    assert_right(opened)
+
+
+def test_a_normal_of_zeros_is_refused(opened: Browser) -> None:
+    before = shown(opened)
+    enter(opened, "row-c", "0")
+    enter(opened, "row-b", "0")
+    assert "zeros" in problem(opened)
+    assert shown(opened) == Arrangement([[0, 1, 0], *before.normals[1:]])
+
+
+def test_a_wrong_address_is_explained_and_the_page_still_works(
+    browser: Browser, page: Path
+) -> None:
+    for address, why in [
+        ("2|3|1,0,0", "version 2"),
+        ("1|4|1,0,0", "whole"),
+        ("1|3|1,0", "three numbers"),
+        ("1|3|<b>,0,1", "three numbers"),
+        ("1|2|0,0,1", "zeros"),
+        ("1|3|" + ";".join(["1,0,0"] * (MAX_PLANES + 1)), "21 planes"),
+        ("%E0%A4%A", "Not taken"),
+    ]:
+        browser.open(f"{page.as_uri()}#{address}")
+        browser.settled()
+        assert why in problem(browser)
+        assert fact(browser, "f-vector") == "(1, 20, 40, 22)"
+        assert browser.messages() == []
+
+
+def test_a_file_that_is_no_arrangement_is_explained(opened: Browser) -> None:
+    choose = (
+        "const files = new DataTransfer(); files.items.add(new File([arguments[0]], 'a.json'));"
+        "const box = document.getElementById('file'); box.files = files.files;"
+        "box.dispatchEvent(new Event('change'))"
+    )
+    before = shown(opened)
+    for text, why in [
+        ("{", "JSON"),
+        ('{"contacts": []}', "no arrangement"),
+        ('{"schema_version": 1, "planes": [["1", "0", "0", "1"]]}', "two entries"),
+        ('{"schema_version": 1, "planes": [["0.5", 0.5, "0"]]}', "plane 1"),
+        ('{"schema_version": 1, "planes": [["1", "0", "0"]], "offsets": ["1"]}', "origin"),
+    ]:
+        opened.run(choose, text)
+        opened.settled()
+        assert why in problem(opened)
+        assert shown(opened) == before
+    lines = read_arrangement("shi-a2-affine")
+    opened.run(choose, json.dumps(lines.to_dict()))
+    opened.settled()
+    assert shown(opened) == lines
+    assert_right(opened)
+    assert fact(opened, "regions") == "16, 4 bounded"
+
+
+def test_one_plane_after_another_with_deletion_and_restriction(opened: Browser) -> None:
+    opened.run(
+        "const box = document.getElementById('algorithm'); box.value = 'planes';"
+        "box.dispatchEvent(new Event('change'))"
+    )
+    planes = shown(opened)
+    for k in range(1, 6):
+        opened.settled()
+        first = Arrangement(planes.normals[:k])
+        cells = opened.run(
+            "return [...document.querySelectorAll('#told tr:nth-child(2) td')]"
+            ".map((e) => e.textContent)"
+        )
+        before, here, now = (int(text.lstrip("+= ")) for text in cells)
+        assert now == before + here == first.f_vector[-1]
+        assert fact(opened, "f-vector") == f"({', '.join(map(str, first.f_vector))})"
+        opened.run("document.getElementById('step').click()")
+    opened.run("document.getElementById('back').click()")
+    opened.settled()
+    assert fact(opened, "planes") == "4"
+
+
+def solutions() -> dict[str, str]:
+    """Return for each built-in exercise a link that solves it."""
+    text = (Path(__file__).parent / "lab_solutions.json").read_text(encoding="utf-8")
+    found: dict[str, str] = json.loads(text)
+    return found
+
+
+def test_every_exercise_is_solved_by_its_solution_and_by_no_other(opened: Browser) -> None:
+    names = opened.run(
+        "return [...document.querySelectorAll('#exercise option')].slice(1)"
+        ".map((option) => option.textContent)"
+    )
+    solved = solutions()
+    assert [name.partition(". ")[2] for name in names] == list(solved)
+    assert len(names) >= 8
+    check = "document.getElementById('exercise-check').click();"
+    verdict = "return document.getElementById('exercise-said').className"
+    for k, name in enumerate(solved):
+        choose = (
+            f"const box = document.getElementById('exercise'); box.value = '{k}';"
+            "box.dispatchEvent(new Event('change'));"
+        )
+        opened.run(choose)
+        assert opened.run(f"{check} {verdict}") == "bad", name
+        for link in (list(solved.values())[k - 1], solved[name]):
+            opened.run(choose)
+            opened.run("location.hash = arguments[0]", link)
+            opened.settled()
+            right = link == solved[name]
+            assert opened.run(f"{check} {verdict}") == ("ok" if right else "bad"), name
+    done = opened.run("return document.getElementById('exercise-done').textContent")
+    assert done == f"{len(solved)} of {len(solved)} solved"
+    assert opened.messages() == []
+
+
+@pytest.mark.parametrize("name", ["Break Pappus’ theorem", "Break Desargues’ theorem"])
+def test_a_theorem_that_closes_closes_for_every_attempt(name: str, opened: Browser) -> None:
+    """The last three lines meet, by the exact determinant, whenever the attempt is valid."""
+    k = list(solutions()).index(name)
+    opened.run(
+        f"const box = document.getElementById('exercise'); box.value = '{k}';"
+        "box.dispatchEvent(new Event('change'));"
+        f"location.hash = {json.dumps(solutions()[name])}"
+    )
+    opened.settled()
+    opened.run("document.getElementById('exercise-check').click()")
+    said = opened.run("return document.getElementById('exercise-said').textContent")
+    assert "meet in a point again" in said
+
+
+def test_its_command_line_repeats_the_counts(
+    opened: Browser, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    opened.run("document.getElementById('copy-command').click()")
+    command = opened.run("return document.getElementById('kept').textContent")
+    document, _, rest = command.removeprefix("echo '").partition("' | arrangement ")
+    path = tmp_path / "planes.json"
+    path.write_text(document)
+    assert main([*rest.replace(" -", f" {path}").split(), "--json"]) == 0
+    assert json.loads(capsys.readouterr().out)["f_vector"] == [1, 20, 40, 22]
+
+
+def link(planes: Arrangement) -> str:
+    ends = planes.offsets if planes.dimension == 2 else [None] * len(planes)
+    rows = [
+        [*normal, *([] if end is None else [end])]
+        for normal, end in zip(planes.normals, ends, strict=True)
+    ]
+    return f"1|{planes.dimension}|{';'.join(','.join(map(str, row)) for row in rows)}"
+
+
+def test_unusual_arrangements_are_shown(browser: Browser, page: Path) -> None:
+    for planes in (
+        made(3, []),
+        made(2, []),
+        made(3, [[1, 0, 0]]),
+        made(2, [[1, 0, 3]]),
+        made(3, [[1, 0, 0], [0, 0, 1]]),
+        made(2, [[1, 0, 0], [1, 0, 1], [2, 0, 2]]),
+        made(3, [[0, 0, 1], [1, 0, 0], [0, 1, 0], [1, 1, 1]]),
+        made(3, [[10**40, 1, 0], [10**40 + 1, 1, 0], [1, 10**40, 7]]),
+        families.generic(MAX_PLANES),
+    ):
+        browser.open(f"{page.as_uri()}#{link(planes)}")
+        assert_right(browser)
+        if len(planes) < MAX_PLANES:
+            browser.run("document.getElementById('add').click()")
+            assert len(shown(browser)) == len(planes) + 1
+            assert_right(browser)
+        assert browser.messages() == []
+
+
+@pytest.mark.parametrize("width", [390, 1280])
+def test_it_fits_and_needs_nothing_from_outside(width: int, browser: Browser, page: Path) -> None:
+    browser.open(page, width, 900)
+    browser.settled()
+    assert browser.run("return document.documentElement.scrollWidth") <= width
+    assert browser.messages() == []
+    assert browser.outside() == []
+    assert page.stat().st_size < 400_000
+
+
+def test_text_of_a_title_stays_text(browser: Browser, tmp_path: Path) -> None:
+    title = "</script><script>document.title = 'gone'</script>"
+    path = tmp_path / "lab.html"
+    path.write_text(lab_page(title=title), encoding="utf-8")
+    browser.open(path)
+    assert browser.run("return document.title") == title
+
+
+def test_the_command_writes_it(tmp_path: Path) -> None:
+    path = tmp_path / "lab.html"
+    assert main(["lab", "-o", str(path)]) == 0
+    assert path.read_text(encoding="utf-8") == lab_page()
+    assert main(["lab", "reflection-b3", "-o", str(path), "--title", "A"]) == 0
+    mirrors = read_arrangement("reflection-b3")
+    assert path.read_text(encoding="utf-8") == lab_page(mirrors, title="A")
+
+
+@pytest.mark.parametrize(
+    ("change", "why"),
+    [
+        ({"start": "2|3|1,0,0"}, "exercise 1: start: '2|3|1,0,0' is not what a link"),
+        ({"start": "1|3|1,0"}, "exercise 1: start: plane '1,0' needs three numbers"),
+        ({"start": "1|3|0,0,0"}, "exercise 1: start: .*zero"),
+        ({"goal": {"colour": 3}}, "must be an object with one of: counts, meet, closes"),
+        ({"goal": {"counts": {"colour": 3}}}, "goal counts: .*colour"),
+        ({"goal": {"meet": [[1, 2]]}}, "goal meet: .*three plane numbers"),
+        ({"goal": {"closes": {"meet": [[1, 2, 3]]}}}, 'goal closes: .*"then"'),
+        ({"fixed": ["21"]}, "\"fixed\" has '21'"),
+    ],
+)
+def test_exercises_that_are_none_are_refused(
+    change: dict[str, Any], why: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    path, page = tmp_path / "own.json", tmp_path / "lab.html"
+    own = {"name": "N", "task": "T", "start": "1|3|1,0,0", "goal": {"counts": {"regions": 4}}}
+    path.write_text(json.dumps({"schema_version": 1, "exercises": [own]}))
+    assert main(["lab", "-o", str(page), "--exercises", str(path)]) == 0
+    path.write_text(json.dumps({"schema_version": 1, "exercises": [own | change]}))
+    assert main(["lab", "-o", str(tmp_path / "no.html"), "--exercises", str(path)]) == 2
+    assert re.search(why, capsys.readouterr().err)
+    assert not (tmp_path / "no.html").exists()
+
+
+def test_what_must_stay_must_stay(opened: Browser) -> None:
+    name = "Few ordinary points"
+    k = list(solutions()).index(name)
+    opened.run(
+        f"const box = document.getElementById('exercise'); box.value = '{k}';"
+        "box.dispatchEvent(new Event('change'));"
+        # the same arrangement, but line 1 turned into line 2
+        f"location.hash = {json.dumps(exchanged(solutions()[name]))}"
+    )
+    opened.settled()
+    opened.run("document.getElementById('exercise-check').click()")
+    said = opened.run("return document.getElementById('exercise-said').textContent")
+    assert said.startswith("✗ Not yet. Line 1 must stay")
+
+
+def exchanged(text: str) -> str:
+    head, _, rows = text.rpartition("|")
+    first, second, *others = rows.split(";")
+    return f"{head}|{';'.join([second, first, *others])}"
+
+
+def test_a_notebook_shows_it_in_a_frame(browser: Browser, tmp_path: Path) -> None:
+    shown_there = read_arrangement("braid-a3").lab()._repr_html_()
+    path = tmp_path / "notebook.html"
+    path.write_text(f"<!DOCTYPE html><title>N</title>{shown_there}", encoding="utf-8")
+    browser.open(path)
+    browser.driver.switch_to.frame(0)
+    try:
+        assert fact(browser, "type") == "6.3, braid arrangement A₃"
+        browser.run("document.getElementById('add').click()")
+        browser.settled()
+        assert fact(browser, "planes") == "7"
+    finally:
+        browser.driver.switch_to.default_content()
+    assert browser.messages() == []
+    assert browser.outside() == []
+
+
+def test_planes_of_other_spaces_are_shown_by_their_essentialisation() -> None:
+    assert '"planes":[["1","0","0"]' in lab_page(read_arrangement("braid-a3-in-r4"))
+
+
+@pytest.mark.parametrize(
+    ("planes", "why"),
+    [
+        (families.generic(MAX_PLANES + 1), "21 planes; the lab takes at most 20"),
+        (made(3, [[10**1000, 1, 0]]), "more digits than 1000"),
+        (Arrangement([[1, 0, 0], [0, 1, 0], [0, 0, 1]], [1, 0, 0]), "affine planes of rank 3"),
+        (families.coordinate(4), "central planes of rank 4"),
+    ],
+)
+def test_what_it_cannot_show_is_refused(planes: Arrangement, why: str) -> None:
+    with pytest.raises(InputError, match=why):
+        lab_page(planes)

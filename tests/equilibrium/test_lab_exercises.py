@@ -1,0 +1,241 @@
+"""The exercises of the slip lab, solved by script, refused when wrong; and files of own ones."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from arrangement import InputError
+from equilibrium.certificate.checker import check
+from equilibrium.cli.program import main
+from equilibrium.lab import lab_page
+from equilibrium.lab.exercises import read_start, slip_exercises
+from tests.browser import Browser
+
+EXERCISES = {exercise["name"]: exercise for exercise in slip_exercises()}
+THREE = "-1,0,1,0,1/2,1,{0};0,-1,0,1,1/2,1,{0};1,0,-1,0,1/2,1,{0}"
+SQUARE = "{0},1,0,0,1,1;{1},0,1,0,1,1;{2},-1,0,0,1,1;{3},0,-1,0,1,1|0,0,1/2"
+
+
+def loads(*loads: str) -> Any:
+    """Return links with the contacts of an exercise and other loads."""
+    return lambda start: [f"{start.rpartition('|')[0]}|{load}" for load in loads]
+
+
+#: For each exercise links that solve it, and links that do not, with a word of the reason.
+SOLVED = {
+    "Hold by squeezing": lambda _: [f"1|{THREE.format(q)}|0,1,0" for q in ("1", "3/2")],
+    "The greatest push": loads("0,1,0"),
+    "Let one go": loads("0,1,0", "0,0,1"),
+    "All slip, and it holds": loads("0,0,3"),
+    "Two equilibria": loads("-1,0,0", "-1/2,0,0"),
+    "A gap along a ray": loads("-3/2,0,0"),
+    "A solution in the wrong cell": loads("2,0,2"),
+    "No contact may let go": loads("-1,0,0", "1,0,0"),
+    "Cones are not enough": loads("0,0,3"),
+    "Three planes through a line": lambda _: [
+        "1|-1,1,0,1,1/2,1,1;0,-1,0,1,1/2,1,1;1,0,0,1,1/2,1,1|0,1,0"
+    ],
+    "Without friction": lambda _: ["1|" + SQUARE.format("-1,1/2", "-1/2,-1", "1,-1/2", "1/2,1")],
+}
+REFUSED = {
+    "Hold by squeezing": lambda start: [
+        (start, "does not resist"),
+        (f"1|{THREE.format('1')}|0,1/2,0", "load"),
+        (f"1|{THREE.format('1').replace('1/2', '1')}|0,1,0", "friction"),
+        (f"1|{THREE.format('1').rpartition(';')[0]}|0,1,0", "3 contacts"),
+    ],
+    "The greatest push": lambda start: [
+        (f"{start.rpartition('|')[0]}|{load}", why)
+        for load, why in [
+            ("0,3/4,0", "More"),
+            (f"0,{10**30 + 1}/{10**30},0", "does not resist"),
+            (f"0,{10**30 - 1}/{10**30},0", "More"),
+            ("0,-1,0", "direction"),
+            ("1/9,1,0", "direction"),
+        ]
+    ],
+    "Let one go": lambda start: [(start, "stick")],
+    "All slip, and it holds": lambda start: [(start, "stick")],
+    "Two equilibria": lambda start: [(start, "0 equilibria")],
+    "A gap along a ray": lambda start: [
+        (start, "resists"),
+        (f"{start.rpartition('|')[0]}|-2,0,0", "resists"),
+        (f"{start.rpartition('|')[0]}|0,0,0", "direction"),
+    ],
+    "A solution in the wrong cell": lambda start: [
+        (start, "accepts"),
+        (f"{start.rpartition('|')[0]}|0,0,3", "refuses"),
+        ("1|1,1,-1,0,1,1,1|2,0,2", "2 contacts"),
+    ],
+    "No contact may let go": lambda start: [(start, "accepts")],
+    "Cones are not enough": lambda start: [(start, "accepts")],
+    "One motion is enough": lambda start: [(start, "Choose")],
+    "Three planes through a line": lambda start: [(start, "8 regions")],
+    "Without friction": lambda start: [
+        (start, "does not resist"),
+        ("1|" + SQUARE.format("-1,-1/2", "1/2,-1", "1,1/2", "-1/2,1"), "does not resist"),
+        (start.replace("1,0,0,1,1;", "1,0,1,1,1;", 1), "friction"),
+    ],
+}
+
+
+@pytest.fixture(scope="module")
+def page(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    path = tmp_path_factory.mktemp("lab") / "lab.html"
+    path.write_text(lab_page(), encoding="utf-8")
+    return path
+
+
+def begin(browser: Browser, page: Path, name: str) -> None:
+    browser.open(page)
+    browser.settled()
+    browser.run(
+        "const box = document.getElementById('exercise'); box.value = arguments[0];"
+        "box.dispatchEvent(new Event('change'))",
+        str(list(EXERCISES).index(name)),
+    )
+
+
+def answer(browser: Browser, link: str) -> str:
+    """Change the page to a link, press check, and return what it says."""
+    browser.run("location.hash = arguments[0]", link)
+    browser.settled()
+    assert not browser.run("return document.getElementById('problem').textContent")
+    browser.run("document.getElementById('exercise-check').click()")
+    said: str = browser.run("return document.getElementById('exercise-said').textContent")
+    return said
+
+
+def test_there_are_twelve() -> None:
+    assert len(EXERCISES) == 12
+    assert set(REFUSED) == set(SOLVED) | {"One motion is enough"} == set(EXERCISES)
+    for exercise in EXERCISES.values():
+        assert len(exercise["hints"]) >= 3
+
+
+@pytest.mark.parametrize("name", EXERCISES)
+def test_each_is_solved_by_an_answer_and_refuses_wrong_ones(
+    name: str, page: Path, browser: Browser
+) -> None:
+    start = EXERCISES[name]["start"]
+    begin(browser, page, name)
+    for link, why in REFUSED[name](start):
+        said = answer(browser, link)
+        assert said.startswith("✗"), (link, said)
+        assert why in said
+    assert browser.run("return document.getElementById('exercise-done').textContent")[0] == "0"
+    for link in SOLVED.get(name, lambda _: [])(start):
+        said = answer(browser, link)
+        assert said.startswith("✓"), (link, said)
+    if name in SOLVED:
+        assert browser.run("return document.getElementById('exercise-done').textContent")[0] == "1"
+    assert browser.messages() == []
+
+
+def test_a_refuting_motion_is_one_that_the_checker_takes(page: Path, browser: Browser) -> None:
+    name = "One motion is enough"
+    begin(browser, page, name)
+    grasp, wrench = read_start(EXERCISES[name]["start"])
+    assert browser.run("return document.querySelector('.work')") is None
+    said = {}
+    for motion in ("1, -1, 1", "0, 0, 1", "0, 0, -1", "1, 0, 0", "-1, 1, 1", "0, 1, 1", "-3, 3, 1"):
+        browser.run(
+            "const box = document.getElementById('motion'); box.value = arguments[0];"
+            "box.dispatchEvent(new Event('input'));"
+            "document.getElementById('exercise-check').click()",
+            motion,
+        )
+        said[motion] = browser.run("return document.getElementById('exercise-said').textContent")
+    proof = {"schema_version": 3, "certificate": "not resisted", "grasp": grasp.to_dict()}
+    for motion, text in said.items():
+        document = {**proof, "wrench": list(map(str, wrench)), "tree": motion.split(", ")}
+        assert text.startswith("✓") == bool(check(document)), (motion, text)
+    assert any(text.startswith("✓") for text in said.values())
+    assert any("takes work away" in text for text in said.values())
+
+
+def test_hints_come_one_by_one(page: Path, browser: Browser) -> None:
+    begin(browser, page, "Let one go")
+    for expected in (0, 1, 2, 3, 3):
+        assert browser.run("return document.querySelectorAll('#exercise-hints li').length") == (
+            expected
+        )
+        browser.run("document.getElementById('exercise-hint').click()")
+    assert browser.run("return document.getElementById('exercise-hint').disabled")
+
+
+OWN = {
+    "schema_version": 1,
+    "exercises": [
+        {
+            "name": "<b>Mine</b>",
+            "task": "Make it resist.",
+            "start": f"1|{THREE.format('0')}|0,1,0",
+            "goal": {"resisted": True},
+        }
+    ],
+}
+
+
+def test_a_lecturer_brings_own_exercises(browser: Browser, tmp_path: Path) -> None:
+    path, source = tmp_path / "lab.html", tmp_path / "own.json"
+    source.write_text(json.dumps(OWN), encoding="utf-8")
+    assert main(["lab", "-o", str(path), "--exercises", str(source)]) == 0
+    browser.open(path)
+    browser.settled()
+    browser.run(
+        "const box = document.getElementById('exercise'); box.value = '0';"
+        "box.dispatchEvent(new Event('change'))"
+    )
+    assert "<b>Mine</b>" in browser.run("return document.getElementById('exercise').textContent")
+    assert answer(browser, f"1|{THREE.format('1')}|0,1,0").startswith("✓")
+    assert browser.messages() == []
+
+
+@pytest.mark.parametrize(
+    ("change", "why"),
+    [
+        ({"goal": {"wins": True}}, "one of: resisted"),
+        ({"goal": {"resisted": "yes"}}, "goal resisted: 'yes' must be true or false"),
+        ({"goal": {"equilibria": 0}}, "integer above 0"),
+        ({"goal": {"gap": False}}, "must be true"),
+        ({"goal": {"states": ["slips"]}}, "list of detached"),
+        ({"goal": {"method": {"name": "mine", "says": True}}}, "known are printed"),
+        ({"goal": {"method": "printed"}}, '"name" and "says"'),
+        ({"start": "2|"}, "start: '2|'"),
+        ({"start": "1|1,2|0,0,0"}, "seven numbers"),
+        ({"start": "1|0,0,1,1,1,1,0|0,0,0"}, "start: .*normal"),
+        ({"fixed": ["colour"]}, "'colour'"),
+        ({"fixed": "points"}, "list of texts"),
+        ({"name": ""}, '"name" must be a text'),
+        ({"extra": 1}, 'no field "extra"'),
+    ],
+)
+def test_own_exercises_that_are_wrong_are_explained(
+    change: dict[str, Any], why: str, tmp_path: Path
+) -> None:
+    path = tmp_path / "own.json"
+    path.write_text(json.dumps({**OWN, "exercises": [{**OWN["exercises"][0], **change}]}))  # type: ignore[index,dict-item]
+    with pytest.raises(InputError, match=why) as problem:
+        slip_exercises(path)
+    assert "exercise 1" in str(problem.value)
+
+
+@pytest.mark.parametrize(
+    ("text", "why"), [("{", "no JSON"), ("[]", "schema_version"), ('{"schema_version": 1}', "list")]
+)
+def test_a_file_without_exercises_is_explained_and_nothing_is_written(
+    text: str, why: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    path = tmp_path / "own.json"
+    path.write_text(text)
+    page = tmp_path / "lab.html"
+    assert main(["lab", "-o", str(page), "--exercises", str(path)]) == 2
+    assert why in capsys.readouterr().err
+    assert not page.exists()
+    assert main(["lab", "-o", str(page), "--exercises", str(tmp_path / "none.json")]) == 2
+    assert "cannot read" in capsys.readouterr().err
