@@ -316,7 +316,7 @@ class Grasp:
 
     def _repr_svg_(self) -> str | None:
         """Return what a notebook shows: the picture, where matplotlib is installed."""
-        return display("grasp-svg", self)
+        return display("grasp-svg", self) if self.dimension == 2 else None
 
     def to_dict(self) -> dict[str, Any]:
         """Return the file form (see `read_grasp`)."""

@@ -44,6 +44,7 @@ TOPICS: tuple[str, ...] = (
     "directions",
     "methods",
     "certificates",
+    "space",
     "families",
     "modes",
 )

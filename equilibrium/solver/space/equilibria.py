@@ -332,9 +332,11 @@ def proposals(
     tried.add((states.key, states.rational))
     balance = StateBalance(contacts, wrench, states)
     if states.rational:
-        found = balance.exact(motion)
-        if found is not None:
-            yield found
+        # The simplest motion first, of those that balance leaves open.
+        for start in (np.zeros(6), motion):
+            found = balance.exact(start)
+            if found is not None:
+                yield found
     if any(states.slipping):
         yield from balance.boxes(motion)
 
