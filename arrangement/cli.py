@@ -273,7 +273,10 @@ def _identify(arguments: argparse.Namespace) -> int:
     words = {"simple": found.is_simple, "simplicial": found.is_simplicial}
     print(f"it is            {' and '.join(w if yes else f'not {w}' for w, yes in words.items())}")
     if found.order:
-        planes = (("-" if side < 0 else "+") + str(k) for k, side in zip(found.order, found.sides))
+        planes = (
+            ("-" if side < 0 else "+") + str(k)
+            for k, side in zip(found.order, found.sides, strict=True)
+        )
         print(f"as in the list   {' '.join(planes)}")
     return terminal.YES
 

@@ -38,7 +38,8 @@ def chirotope_of(normals: NDArray[np.int64]) -> Signs:
     Entries have at most `LARGEST_ENTRY` in absolute value.
     """
     first, second, third = (normals[..., column, :] for column in triples(normals.shape[-2]).T)
-    return np.sign((np.cross(first, second) * third).sum(-1)).astype(np.int8)
+    signs: Signs = np.sign((np.cross(first, second) * third).sum(-1)).astype(np.int8)
+    return signs
 
 
 def alternating(signs: Signs, n: int) -> Signs:

@@ -105,9 +105,7 @@ def _along_first_lines(
     common sign of its text as one more side.
     """
     total = len(chi)
-    flags = [
-        _flags(chi, line, other) for line in range(n) for other in range(n) if other != line
-    ]
+    flags = [_flags(chi, line, other) for line in range(n) for other in range(n) if other != line]
     of, line, sides, along, sign = (np.concatenate(c) for c in zip(*flags, strict=True))
     after = (along > 0).sum(2)
     after[np.arange(len(of)), line] = 0

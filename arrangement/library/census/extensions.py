@@ -44,7 +44,8 @@ def extensions(signs: Signs, n: int) -> Signs:
     i, j = pairs(n).T
     all_signs: Signs = found[:, point[i, j]] * side[i, j]
     first = all_signs[np.arange(len(all_signs)), (all_signs != 0).argmax(1)]
-    return all_signs[first > 0]
+    listed: Signs = all_signs[first > 0]
+    return listed
 
 
 def _points(chi: Signs) -> tuple[NDArray[np.intp], Signs]:
@@ -59,7 +60,7 @@ def _points(chi: Signs) -> tuple[NDArray[np.intp], Signs]:
             missing = np.flatnonzero(chi[i, j])[0]
             grid = np.ix_(through, through)
             point[grid] = number
-            side[grid] = chi[i, j, missing] * chi[grid + (missing,)]
+            side[grid] = chi[i, j, missing] * chi[(*grid, missing)]
             number += 1
     return point, side
 
@@ -71,8 +72,12 @@ def _along(
     others = [j for j in range(len(chi)) if j != line]
     first_through = {point[line, j]: j for j in reversed(others)}
     base, *rest = first_through.values()
-    turned = {j: chi[line, base, j] for j in rest}
-    rest.sort(key=cmp_to_key(lambda a, b: -int(chi[line, a, b] * turned[a] * turned[b])))
+    turned = {j: int(chi[line, base, j]) for j in rest}
+
+    def before(a: int, b: int) -> int:
+        return -int(chi[line, a, b]) * turned[a] * turned[b]
+
+    rest.sort(key=cmp_to_key(before))
     order = [base, *rest]
     sides = np.array([side[line, base], *(turned[j] * side[line, j] for j in rest)])
     size = len(order)

@@ -131,7 +131,7 @@ def _terms(signs: Mapping[Triple, int], relation: Sequence[int]) -> tuple[int, i
 
 def _sign(signs: Mapping[Triple, int], bracket: Triple) -> int:
     swaps = sum(x > y for x, y in itertools.combinations(bracket, 2))
-    return (-1) ** swaps * signs[_sorted(bracket)]
+    return (-1 if swaps % 2 else 1) * signs[_sorted(bracket)]
 
 
 def _sorted(bracket: Triple) -> Triple:

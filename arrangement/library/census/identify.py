@@ -128,7 +128,7 @@ def _found(signs: Signs, code: NDArray[np.int64], m: int) -> tuple[int, Coded]:
     places = np.flatnonzero(zeros == (signs == 0).sum())
     theirs = canonical(known[places], m)
     (hit,) = np.flatnonzero((theirs.codes == code).all(1))
-    return int(places[hit]), Coded(*(column[hit : hit + 1] for column in theirs))
+    return int(places[hit]), canonical(known[places[hit : hit + 1]], m)
 
 
 def _named(m: int) -> Iterator[tuple[str, Arrangement]]:
