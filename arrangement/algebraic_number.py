@@ -219,6 +219,7 @@ def sum_of_powers(terms: Iterable[tuple[int, Any]]) -> str:
 
 
 def check_same_field(one: NumberField, other: NumberField) -> None:
+    """Refuse numbers of two different fields."""
     if one != other:
         raise InputError(
             f"numbers of two different fields, {one!r} and {other!r}; give all of them as numbers "

@@ -234,6 +234,7 @@ class NumberField:
         return AlgebraicNumber(self, coefficients, denominator)
 
     def product(self, left: IntegerVector, right: IntegerVector) -> IntegerVector:
+        """Return the coefficients of a product of two numbers."""
         n = len(left)
         if n == 2:
             (a, b), (c, d) = left, right

@@ -93,6 +93,7 @@ def square_part(number: int) -> int:
 
 
 def value_at(polynomial: Sequence[Fraction | int], x: Fraction) -> Fraction:
+    """Return the value of a polynomial at a rational number."""
     found = Fraction(0)
     for c in reversed(polynomial):
         found = found * x + c
@@ -114,6 +115,7 @@ def solution(matrix: Sequence[Sequence[int]]) -> list[Fraction]:
 
 
 def to_rational(value: Fraction) -> Any:
+    """Return a fraction as a number of SymPy."""
     import sympy
 
     return sympy.Rational(value.numerator, value.denominator)
