@@ -69,7 +69,7 @@ class Coefficients:
 
     def matrices(self, array: Integers) -> Integers:
         """Return (..., c, c): the matrices by which these numbers multiply rows of coefficients."""
-        array = for_products(array, self.degree * size(self._table))
+        array = for_products(array, self.degree * largest_entry(self._table))
         found = array.reshape(-1, self.degree) @ self._table
         return found.reshape(*array.shape, self.degree)
 
@@ -94,7 +94,8 @@ class Coefficients:
         # an entry, a power and their product are rounded, and the sums
         open_ = ~certain(values, sizes, error_bound(self.degree + 3)) & array.any(axis=-1)
         for at in zip(*np.nonzero(open_), strict=True):
-            found[at] = sign(self.field.made(tuple(array[at].tolist()), 1))
+            number: Any = self.field.made(tuple(array[at].tolist()), 1)
+            found[at] = sign(number)
         return found
 
     def unoriented(self, rows: Integers) -> tuple[Integers, NDArray[np.intp], Signs]:
@@ -116,7 +117,7 @@ class Coefficients:
         if self.field is None:
             return rows * sides[:, None, None], pivot, sides
         factors = self.matrices(self._inverses(rows[np.arange(len(rows)), pivot]))
-        rows = for_products(rows, self.degree * size(factors))
+        rows = for_products(rows, self.degree * largest_entry(factors))
         return primitive(rows @ factors), pivot, sides
 
     def _inverses(self, array: Integers) -> Integers:
@@ -124,9 +125,10 @@ class Coefficients:
         assert self.field is not None
         if self.degree == 2:
             conjugate = array * np.array([1, -1])
-            wide = for_products(array, size(array) * 2 * size(self._table))
+            wide = for_products(array, largest_entry(array) * 2 * largest_entry(self._table))
             norm = wide[:, 0] ** 2 - self._table[-1, 2] * wide[:, 1] ** 2
-            return conjugate * signs_of(norm)[:, None]
+            positive: Integers = conjugate * signs_of(norm)[:, None]
+            return positive
         made = self.field.made
         listed = list(map(tuple, array.tolist()))
         known = {x: quotient(1, made(x, 1)).numerator for x in set(listed)}
@@ -135,7 +137,8 @@ class Coefficients:
     @property
     def one(self) -> Integers:
         """The coefficients of 1."""
-        return np.eye(1, self.degree, dtype=np.int64)[0]
+        unit: Integers = np.eye(1, self.degree, dtype=np.int64)[0]
+        return unit
 
 
 def primitive(rows: Integers) -> Integers:
@@ -154,10 +157,12 @@ def as_integers(rows: Sequence[Sequence[int]]) -> Integers:
 
 def for_products(array: Integers, factor: float) -> Integers:
     """Return the array as Python integers unless `factor` times its entries stays in int64."""
-    exact = array.dtype == object or factor * size(array) < SAFE
+    exact = array.dtype == object or factor * max(1, largest_entry(array)) < SAFE
     return array if exact else array.astype(object)
 
 
-def size(array: Integers) -> int:
+def largest_entry(array: Integers) -> float:
     """Return the largest absolute value of an entry; those of int64 arrays are below 2^62."""
+    if array.dtype == object:
+        return largest([array.flat])
     return int(np.abs(array).max(initial=0))

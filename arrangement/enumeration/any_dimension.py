@@ -27,7 +27,7 @@ from typing import Any, TypeAlias
 import numpy as np
 from numpy.typing import NDArray
 
-from arrangement.coefficients import Coefficients, Integers, for_products, primitive, size
+from arrangement.coefficients import Coefficients, Integers, for_products, largest_entry, primitive
 from arrangement.linear import rank, unit_vectors
 from arrangement.planes import Planes
 
@@ -146,8 +146,8 @@ def _all_rises(numbers: Coefficients, normals: Integers) -> list[_Rises]:
     levels: list[_Rises] = []
     while True:
         shape = bases.shape[:2]
-        joined = for_products(bases.reshape(*shape, n * c), n * c * size(matrix))
-        forms = (joined @ matrix).reshape(*shape, m, c)
+        joined = bases.reshape(*shape, n * c)
+        forms = (for_products(joined, n * c * largest_entry(matrix)) @ matrix).reshape(*shape, m, c)
         flat, plane = np.nonzero(forms.any(axis=(1, 3)))
         if not len(flat):
             return levels
@@ -190,7 +190,9 @@ def _cut(numbers: Coefficients, bases: Integers, forms: Integers, pivot: Indices
     rows, k = np.arange(len(bases)), bases.shape[1]
     others = np.arange(k - 1) + (np.arange(k - 1) >= pivot[:, None])
     factors = numbers.matrices(forms[rows[:, None], others])
-    bases = for_products(bases, 2 * numbers.degree * max(size(forms), size(factors)))
+    bases = for_products(
+        bases, 2 * numbers.degree * max(largest_entry(forms), largest_entry(factors))
+    )
     top, base = forms[rows, pivot, 0], bases[rows, pivot]
     left = top[:, None, None, None] * bases[rows[:, None], others]
     return primitive(left - base[:, None] @ factors)

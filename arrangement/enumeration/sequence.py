@@ -6,7 +6,7 @@ that are asked for, when they are asked for.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
@@ -15,15 +15,22 @@ from typing import Any, TypeAlias, overload
 import numpy as np
 from numpy.typing import NDArray
 
+from arrangement.coefficients import SAFE, Integers
 from arrangement.errors import InputError
-from arrangement.exact import RationalVector, fraction, quotient, reduced, shown
+from arrangement.exact import (
+    IntegerVector,
+    RationalVector,
+    fraction,
+    largest,
+    quotient,
+    reduced,
+    shown,
+)
 from arrangement.faces import Face
 from arrangement.planes import Planes
 from arrangement.short_repr import Shown
 
 Signs: TypeAlias = NDArray[np.int8]
-#: int64 where all entries fit, else Python integers.
-Integers: TypeAlias = NDArray[Any]
 Rows: TypeAlias = "slice | NDArray[np.intp]"
 
 #: Faces made at once when a sequence is walked.
@@ -196,6 +203,12 @@ def primitive_rows(rows: Integers) -> Integers:
     divisor = np.abs(np.gcd.reduce(rows, axis=-1, keepdims=True))  # of one object: with its sign
     whole: Integers = rows // np.maximum(divisor, 1)
     return whole
+
+
+def integer_matrix(rows: Iterable[IntegerVector], n: int) -> Integers:
+    """Return an integer matrix with n columns, int64 where all entries fit."""
+    listed = list(rows)
+    return np.array(listed, np.int64 if largest(listed) < SAFE else object).reshape(len(listed), n)
 
 
 def rational_points(points: Integers) -> Iterator[RationalVector]:
