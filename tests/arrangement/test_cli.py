@@ -302,7 +302,7 @@ def test_members_of_all_families_can_be_made_and_read(capsys: Capture) -> None:
     ("words", "message"),
     [
         (("shi", "--type", "E9"), "the type is 'E9'; there are A1"),
-        (("coxeter", "--type", "H4"), "irrational"),
+        (("coxeter", "--type", "H5"), "as mirrors H3, H4 and I2(m)"),
         (("shi", "--type", "A2", "--m", "0"), "m is 0; it must be at least 1"),
         (("resonance", "--n", "0"), "n is 0; it must be at least 1"),
         (("catalan", "--type", "1-2;2-3"), "write its edges as 1-2,2-3"),
