@@ -8,6 +8,7 @@ import sys
 from pathlib import Path
 
 import matplotlib as mpl
+from docutils import nodes
 
 import arrangement
 
@@ -104,6 +105,35 @@ def make_figures(app):
         shutil.copy(page, pages)
 
 
+_OPEN = '<details class="answer"><summary>Answer {}</summary>'
+_PRINTED = """addEventListener("beforeprint", () => {
+  for (const answer of document.querySelectorAll("details.answer")) answer.open = true;
+});"""
+
+
+def fold_answers(app, tree, name):
+    """Fold each answer to an exercise on the HTML pages: what starts with its number in bold."""
+    if app.builder.format != "html":
+        return
+    for section in tree.findall(nodes.section):
+        if section.next_node(nodes.title).astext() != "Answers":
+            continue
+        parts, is_open = [], False
+        for part in section.children:
+            if part.children and isinstance(number := part.children[0], nodes.strong):
+                close = "</details>" if is_open else ""
+                start = close + _OPEN.format(number.astext().rstrip("."))
+                parts.append(nodes.raw("", start, format="html"))
+                part.remove(number)
+                is_open = True
+            parts.append(part)
+        if is_open:
+            parts.append(nodes.raw("", "</details>", format="html"))
+        section[:] = parts
+
+
 def setup(app):
+    app.add_js_file(None, body=_PRINTED)
+    app.connect("doctree-resolved", fold_answers)
     app.connect("builder-inited", make_figures)
     app.connect("autodoc-process-docstring", escape_mathematics, priority=400)

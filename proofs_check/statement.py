@@ -223,7 +223,8 @@ class Claim(Shown):
         yield from self.sources
         if self.domain is not None and self.samples:
             low, high = self.sizes
-            over = f"{self.samples} random {self.domain.text} with {low} to {high}"
+            sizes = f"{low} to {high}" if low < high else f"{low}"
+            over = f"{self.samples} random {self.domain.text} with {sizes}"
             drawn = (
                 Case(f"sample {k}", subject, subject.to_dict())
                 for k in range(self.samples)

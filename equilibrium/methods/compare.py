@@ -8,14 +8,14 @@ from typing import Any
 
 from arrangement.exact import RationalVector, to_text
 from arrangement.progress import watched
+from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import Grasp, read_wrench
 
-from .method import Accepting
 from .registry import DECIDING, METHODS, method_named
 
 
 @dataclass(frozen=True)
-class Answer(Accepting):
+class Answer:
     """The verdict of one method.
 
     Attributes:
@@ -29,6 +29,14 @@ class Answer(Accepting):
     title: str
     accepts: bool | None
     remark: str
+
+    def __bool__(self) -> bool:
+        if self.accepts is None:
+            raise GraspError(
+                f"{self.method} says nothing of this wrench, neither yes nor no ({self.remark}); "
+                "ask for .accepts, which is None"
+            )
+        return self.accepts
 
 
 @dataclass(frozen=True)

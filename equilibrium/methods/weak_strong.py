@@ -66,6 +66,9 @@ class LoadStability:
     acceleration: RationalVector | None
     virtual_motion: RationalVector | None
 
+    def __bool__(self) -> bool:
+        raise GraspError("a load has three classes; ask for .weak, .strong or .frictionless")
+
 
 def weak_strong(
     grasp: Grasp,

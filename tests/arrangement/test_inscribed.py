@@ -141,6 +141,7 @@ def test_answers_agree_with_all_cutsets_written_out(graph: PolyhedralGraph) -> N
 def test_every_answer_about_an_arrangement_verifies(planes: Arrangement) -> None:
     answer = inscribability(rank_three_only(planes))
     answer.verify()
+    assert bool(answer) is answer.inscribable
 
 
 def test_three_four_and_five_generic_planes() -> None:

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import argparse
 import json
+import subprocess
+import sys
 from fractions import Fraction
 from pathlib import Path
 from typing import Any
@@ -160,3 +162,18 @@ def test_a_fault_at_import_is_no_answer(
     monkeypatch.syspath_prepend(tmp_path)
     assert entry("broken_program")([]) == 70
     assert "ModuleNotFoundError" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize("module", ["arrangement.entry", "equilibrium.cli", "proofs_check.cli"])
+def test_a_missing_dependency_of_the_packages_themselves_is_no_answer(module: str) -> None:
+    program = f"""
+import sys
+sys.modules["lazy_loader"] = None
+from {module} import main
+sys.exit(main(["list"]))
+"""
+    run = [sys.executable, "-c", program]
+    ended = subprocess.run(run, capture_output=True, text=True, timeout=60, check=False)
+    assert ended.returncode == 70
+    assert ended.stderr.startswith("error: a fault of the program, no answer: ModuleNotFound")
+    assert ended.stderr.count("\n") == 1

@@ -6,7 +6,7 @@ from pkgutil import iter_modules
 
 import pytest
 
-from equilibrium import methods, solve, solve_literal
+from equilibrium import GraspError, methods, solve, solve_literal
 from equilibrium.cli.program import main
 from equilibrium.io.files import read_grasp
 from equilibrium.methods.compare import ask, compare
@@ -14,7 +14,20 @@ from equilibrium.methods.frictionless_slip import frictionless_slip
 from equilibrium.methods.method import Method
 from equilibrium.methods.registry import DECIDING, METHODS
 from equilibrium.methods.survey import OTHERS, shrunk, size, smallest_examples, survey
+from equilibrium.methods.weak_strong import weak_strong
 from equilibrium.wrench_sets.margin import margin
+
+
+def test_an_answer_that_is_neither_yes_nor_no_has_no_truth_value():
+    grasp = read_grasp("paper-three-contacts")
+    found = compare(grasp, (0, 1, 0))
+    assert not found
+    assert not found["complete"]
+    assert found["weak"]
+    with pytest.raises(GraspError, match="neither yes nor no"):
+        bool(found["form-closure"])
+    with pytest.raises(GraspError, match="weak"):
+        bool(weak_strong(grasp, (0, 1, 0)))
 
 
 @pytest.mark.parametrize(
@@ -56,7 +69,8 @@ def test_a_result_is_true_exactly_when_it_says_yes(wrench, yes):
     ):
         assert bool(found) is yes
     for answer in compared.answers:
-        assert bool(answer) is (answer.accepts is True)
+        if answer.accepts is not None:
+            assert bool(answer) is answer.accepts
     assert compared["form-closure"].accepts is None
 
 

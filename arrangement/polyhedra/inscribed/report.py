@@ -35,6 +35,9 @@ class Inscribability(Shown):
         """The answer."""
         return self.certificate.inscribable
 
+    def __bool__(self) -> bool:
+        return self.inscribable
+
     def verify(self) -> None:
         """Check that the graph is the adjacency graph of all regions, and then the certificate.
 
