@@ -11,7 +11,7 @@ from arrangement.lab.lines import lab_page as lines_page
 from equilibrium.lab import lab_page
 
 PAGES = {"slip": lab_page, "lines": lines_page}
-#: Text, and graphics that tell something, with what lies behind; a name that a page lacks is left out.
+#: Text, and graphics that tell something, with what lies behind. Names a page lacks are left out.
 TEXT = {
     "ink": ["paper", "panel", "accent-soft", "body", *(f"sides-{k}" for k in range(2, 8))],
     "soft": ["paper", "panel"],

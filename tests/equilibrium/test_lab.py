@@ -65,7 +65,8 @@ def verdict(browser: Browser) -> str:
     """Return what the page says, once it has looked."""
     browser.settled()
     for _ in range(100):
-        if not browser.run("return document.querySelector('#verdict.stale, #verdict[aria-busy=true]')"):
+        busy = "return document.querySelector('#verdict.stale, #verdict[aria-busy=true]')"
+        if not browser.run(busy):
             break
         time.sleep(0.05)
     said: str = browser.run("return document.getElementById('verdict').textContent")
