@@ -10,7 +10,7 @@ import pytest
 from arrangement.lab.lines import lab_page as lines_page
 from equilibrium.lab import lab_page
 
-PAGES = {"slip": lab_page, "lines": lines_page}
+PAGES: dict[str, Callable[..., str]] = {"slip": lab_page, "lines": lines_page}
 #: Text, and graphics that tell something, with what lies behind. Names a page lacks are left out.
 TEXT = {
     "ink": ["paper", "panel", "accent-soft", "body", *(f"sides-{k}" for k in range(2, 8))],
@@ -61,8 +61,7 @@ def test_black_on_white_is_21_and_a_known_grey_is_just_enough() -> None:
 
 @pytest.mark.parametrize("name", PAGES)
 def test_text_and_graphics_stand_out_in_both_themes(name: str) -> None:
-    make: Callable[[], str] = PAGES[name]
-    page = make()
+    page = PAGES[name]()
     found = themes(page)
     assert set(found) == {"light", "dark", "system"}
     assert found["dark"] == found["system"]

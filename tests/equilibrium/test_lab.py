@@ -458,7 +458,7 @@ def test_an_equilibrium_is_shown_while_others_are_still_listed(
     browser: Browser, tmp_path: Path
 ) -> None:
     """A ring of eight has so many choices of states that listing them takes seconds."""
-    corners = [(1, 0), ("4/5", "3/5"), (0, 1), ("-3/5", "4/5")]
+    corners = [("1", "0"), ("4/5", "3/5"), ("0", "1"), ("-3/5", "4/5")]
     places = [[sign * Fraction(x) for x in corner] for corner in corners for sign in (1, -1)]
     ring = Grasp(Contact(place, [-x for x in place], "1/2", 1, 1) for place in places)
     path = tmp_path / "lab.html"
