@@ -46,7 +46,7 @@ _EXAMPLES: tuple[tuple[str, str, tuple[int | str, ...]], ...] = (
     ("Opposed contacts without friction", "frictionless-opposed-contacts", (0, -1, 0)),
 )
 _OWN, _DRAW = "equilibrium.lab", "equilibrium.draw"
-_DECIDES = ("law", "model", "check", "solve", "motions", "forces", "methods")
+_DECIDES = ("law", "model", "check", "guide", "solve", "motions", "forces", "methods")
 #: What decides: it needs no page.
 DECIDES: tuple[Template, ...] = (
     (_DRAW, "resisted.js"),

@@ -65,7 +65,8 @@ def verdict(browser: Browser) -> str:
     """Return what the page says, once it has looked."""
     browser.settled()
     for _ in range(100):
-        if not browser.run("return document.querySelector('#verdict.stale')"):
+        busy = "return document.querySelector('#verdict.stale, #verdict[aria-busy=true]')"
+        if not browser.run(busy):
             break
         time.sleep(0.05)
     said: str = browser.run("return document.getElementById('verdict').textContent")
@@ -449,6 +450,28 @@ def test_unusual_grasps_are_shown(grasp: Grasp, browser: Browser, tmp_path: Path
     assert_right(browser)
     browser.run("document.getElementById('add').click()")
     assert len(question(browser)[0]) == len(grasp) + 1
+    assert_right(browser)
+    assert browser.messages() == []
+
+
+def test_an_equilibrium_is_shown_while_others_are_still_listed(
+    browser: Browser, tmp_path: Path
+) -> None:
+    """A ring of eight has so many choices of states that listing them takes seconds."""
+    corners = [("1", "0"), ("4/5", "3/5"), ("0", "1"), ("-3/5", "4/5")]
+    places = [[sign * Fraction(x) for x in corner] for corner in corners for sign in (1, -1)]
+    ring = Grasp(Contact(place, [-x for x in place], "1/2", 1, 1) for place in places)
+    path = tmp_path / "lab.html"
+    path.write_text(lab_page(ring, wrench=[1, 0, 0]), encoding="utf-8")
+    browser.open(path)
+    said = "return document.getElementById('verdict').textContent"
+    while not (shown := browser.run(said)).startswith("Resisted"):
+        time.sleep(0.05)
+    assert "so far" in shown
+    assert browser.run("return document.querySelectorAll('#answer tr').length") == 9
+    enter(browser, "w-t", "9")
+    enter(browser, "w-x", "0")
+    assert verdict(browser).startswith("Not resisted")
     assert_right(browser)
     assert browser.messages() == []
 

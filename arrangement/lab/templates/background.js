@@ -1,6 +1,6 @@
 // Runs a generator a few milliseconds at a time, so that dragging never stutters; `done` takes what it
-// returns. Returns what stops it.
-function inSlices(search, done, first = 12) {
+// returns, `early` what it yields, if that is anything. Returns what stops it.
+function inSlices(search, done, first = 12, early = done) {
   let stopped = false;
   const run = (budget) => {
     if (stopped) return;
@@ -8,6 +8,7 @@ function inSlices(search, done, first = 12) {
     for (;;) {
       const step = search.next();
       if (step.done) { done(step.value); return; }
+      if (step.value) early(step.value);
       if (performance.now() > end) break;
     }
     setTimeout(() => run(6), 0);

@@ -9,10 +9,12 @@ function describe() {
   const verdict = at("verdict");
   verdict.className = found.stable ? "yes" : "no";
   const n = found.equilibria.length;
+  const more = found.more && Boolean(state.searching);
   verdict.textContent = found.stable ? "Resisted " : "Not resisted ";
-  make("small", {}, verdict, found.stable ? `${count(n, "equilibrium", "equilibria")}, exact`
+  make("small", {}, verdict, found.stable ? `${count(n, "equilibrium", "equilibria")}${more ? " so far" : ""}, exact`
     : `${count(leavesOf(found.tree).length, "virtual motion proves it", "virtual motions prove it")}`);
-  verdict.classList.toggle("stale", Boolean(state.searching));
+  verdict.classList.toggle("stale", Boolean(state.searching) && (found.grasp !== state.grasp || found.wrench !== state.wrench));
+  verdict.setAttribute("aria-busy", String(Boolean(state.searching)));
   at("choices").replaceChildren();
   const box = at("answer");
   const kept = box.querySelector(".proof")?.scrollTop ?? 0;

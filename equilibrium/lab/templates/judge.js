@@ -25,7 +25,7 @@ function movedFrom(start, fixed) {
 
 const GOALS = {
   resisted(wanted) {
-    const { stable } = solve(state.grasp, state.wrench);
+    const { stable } = firstOf(state.grasp, state.wrench);
     return { solved: stable === wanted, words: stable ? "The grasp resists this load." : "The grasp does not resist this load." };
   },
   equilibria(least) {
@@ -50,11 +50,11 @@ const GOALS = {
     if (!state.wrench.some((x) => x.n)) return { solved: false, words: "The load is 0." };
     const found = intervalsOf(state.grasp, state.wrench);
     const solved = Boolean(found.at(-1)?.[1] && same(found.at(-1)[1], ONE));
-    const { stable } = solve(state.grasp, state.wrench);
+    const { stable } = firstOf(state.grasp, state.wrench);
     return { solved, words: solved ? "A hair more is refused." : stable ? "More is resisted, too." : "The grasp does not resist this load." };
   },
   method({ name, says }) {
-    const [right, other] = [solve(state.grasp, state.wrench).stable, saidBy(name, state.grasp, state.wrench)];
+    const [right, other] = [firstOf(state.grasp, state.wrench).stable, saidBy(name, state.grasp, state.wrench)];
     const words = `The complete model ${right ? "accepts" : "refuses"} this load, ${METHODS[name].name.split(":")[0]} ${other ? "accepts" : "refuses"} it.`;
     return { solved: right !== other && other === says, words };
   },

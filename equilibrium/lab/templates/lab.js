@@ -6,7 +6,7 @@ function keepButtons() {
   at("copy-command").addEventListener("click", () => copy(commandOf()));
   at("save-grasp").addEventListener("click", () => downloadJson("grasp.json", documentOf(state.grasp, state.outline)));
   at("save-certificate").addEventListener("click", () => {
-    downloadJson("certificate.json", certificateOf(state.grasp, state.wrench, solve(state.grasp, state.wrench)));
+    downloadJson("certificate.json", certificateOf(state.grasp, state.wrench, firstOf(state.grasp, state.wrench)));
   });
 }
 

@@ -3,37 +3,68 @@
 // states decided and a solution is an equilibrium. All numbers are exact.
 const SPLITS = { undecided: ["attachment", ["detached", "attached"]], attached: ["slip", ["stick", "slip+", "slip-"]] };
 
+// Yields null, and once the first equilibrium: { stable, equilibria, tree: null, nodes }.
 function* treeOf(grasp, wrench) {
-  const equilibria = [];
-  const load = loadOf(wrench);
+  let equilibria = [];
+  const [load, question] = [loadOf(wrench), inIntegers(grasp, wrench)];
+  const whole = wholeSpace(question);
   let nodes = 0;
-  function* node(states) {
-    nodes += 1;
+  let announced = false;
+  const exactly = (states) => {
     const system = systemOf(grasp, states, load);
     const rows = (list) => list.map(({ row }) => row);
     const found = new Dictionary(system.n, [...system.balance, ...rows(system.equal)], rows(system.atLeast));
-    if (!found.feasible()) return leafOf(grasp, wrench, states, system, found.refuted);
-    yield nodes;
-    const i = nextContact(grasp, states, system, found.point());
-    if (i < 0) {
-      equilibria.push(pieceOf(grasp, states, system, found));
-      return null;
+    return { system, found, leaf: found.feasible() ? null : leafOf(grasp, wrench, states, system, found.refuted) };
+  };
+  function* add(states, { system, found }) {
+    const piece = yield* pieceOf(grasp, states, system, found);
+    const problem = lawProblem(grasp, wrench, piece.motion, piece.forces);
+    // Nothing is shown that the checker does not confirm.
+    if (problem) throw new Error(`fault of this page: ${problem}`);
+    equilibria = joined(grasp, equilibria, piece);
+    if (!announced) yield { stable: true, equilibria, tree: null, nodes, more: true };
+    announced = true;
+  }
+  function* node(states, guide) {
+    nodes += 1;
+    const open = states.some((state) => state in SPLITS);
+    if (!guide.feasible()) {
+      const leaf = blamedLeaf(grasp, wrench, states, guide);
+      if (leaf && !leafProblem(question, whole, states, leaf)) return leaf;
     }
+    if (nodes === 1 || !open || guide.blamed) {
+      const exact = exactly(states);
+      if (exact.leaf) return exact.leaf;
+      if (!open) {
+        yield* add(states, exact);
+        return null;
+      }
+    }
+    yield null;
+    const places = guide.contacts(grasp, states);
+    if (!announced && places.every(({ broken }) => broken < 1e-6)) {
+      // Floats seem to obey the law of all contacts.
+      const guess = places.map(({ state }) => state);
+      const exact = exactly(guess);
+      if (!exact.leaf) yield* add(guess, exact);
+    }
+    const i = mostBroken(states, places);
     const [kind, names] = SPLITS[states[i]];
     const children = {};
-    let open = false;
-    for (const name of names) {
-      children[name] = yield* node(states.with(i, name));
-      open ||= children[name] === null;
+    let resists = false;
+    // First the state in which floats see the contact.
+    const here = places[i].state;
+    const due = names.toSorted((a, b) => Number(b === here) - Number(a === here));
+    for (const name of due) {
+      children[name] = yield* node(states.with(i, name), guide.child(i, name));
+      resists ||= children[name] === null;
     }
-    return open ? null : { contact: i, [kind]: children };
+    return resists ? null : { contact: i, [kind]: Object.fromEntries(names.map((name) => [name, children[name]])) };
   }
-  const tree = yield* node(grasp.map(() => "undecided"));
-  // Nothing is shown that the checker does not confirm.
-  const problem = [...equilibria.map(({ motion, forces }) => lawProblem(grasp, wrench, motion, forces)),
-    equilibria.length ? "" : treeProblem(grasp, wrench, tree).problem].find(Boolean);
+  const tree = yield* node(grasp.map(() => "undecided"), Guide.root(grasp, wrench));
+  const problem = equilibria.length ? "" : treeProblem(grasp, wrench, tree).problem;
   if (problem) throw new Error(`fault of this page: ${problem}`);
-  return { stable: equilibria.length > 0, equilibria: distinct(grasp, equilibria), tree, nodes };
+  return { stable: equilibria.length > 0, equilibria, tree, nodes };
 }
 
 function solve(grasp, wrench) {
@@ -43,22 +74,18 @@ function solve(grasp, wrench) {
   return step.value;
 }
 
-// The contact to decide next: the one whose law the solution of the node breaks most; -1: none is left.
-function nextContact(grasp, states, system, z) {
-  const place = z.map(near);
+// The verdict with one equilibrium, or with its proof.
+function firstOf(grasp, wrench) {
+  const search = treeOf(grasp, wrench);
+  let step = search.next();
+  while (!step.done && !step.value) step = search.next();
+  return step.value;
+}
+
+// The contact to decide next: the one whose law floats break most.
+function mostBroken(states, places) {
   let [found, most] = [-1, -1];
-  grasp.forEach((contact, i) => {
-    if (!(states[i] in SPLITS)) return;
-    const at = (row) => row.reduce((sum, x, k) => sum + near(x) * (k < place.length ? place[k] : 1), 0);
-    const { N, T } = wrenchesOf(contact);
-    const d = place.slice(0, 3);
-    const along = (v) => v.reduce((sum, x, k) => sum + near(x) * d[k], 0);
-    const [spring, slip] = [near(contact.preload) - near(contact.stiffness) * along(N), along(T)];
-    const [normal, tangential] = system.forces[i].map(at);
-    const friction = slip ? Math.abs(tangential + Math.sign(slip) * near(contact.friction) * normal) : 0;
-    const broken = Math.abs(normal - Math.max(0, spring)) + friction;
-    if (broken > most) [found, most] = [i, broken];
-  });
+  places.forEach(({ broken }, i) => { if (states[i] in SPLITS && (broken > most || found < 0)) [found, most] = [i, broken]; });
   return found;
 }
 
@@ -100,12 +127,11 @@ function shortened(grasp, motion, pairs, wrench) {
 
 // All solutions with one choice of states: a point, or a polyhedron with the range of each component.
 // Of a polyhedron a middle one is shown: component by component, half way between its ends.
-function pieceOf(grasp, states, system, found) {
+function* pieceOf(grasp, states, system, found) {
   const at = (z) => (row) => dotted(row, [...z, ONE]);
   const shape = (z) => ({ motion: z.slice(0, 3), forces: system.forces.map((pair) => pair.map(at(z))) });
-  let z = found.point();
   if (found.single) {
-    const { motion, forces } = shape(z);
+    const { motion, forces } = shape(found.point());
     return { states: grasp.map((contact) => contactAt(contact, motion).state), motion, forces, ranges: null, points: [{ motion, forces }] };
   }
   const units = [0, 1, 2].map((k) => Array.from({ length: system.n + 1 }, (_, j) => (j === k ? ONE : ZERO)));
@@ -118,19 +144,23 @@ function pieceOf(grasp, states, system, found) {
   };
   const points = [];
   const all = within([]);
-  const ranges = watched.map((_, k) => [-1n, 1n].map((way) => {
-    const end = all.extreme(k, way);
-    points.push(shape(all.point()));
-    return end;
-  }));
+  const ranges = [];
+  for (const k of watched.keys()) {
+    ranges.push([-1n, 1n].map((way) => {
+      const end = all.extreme(k, way);
+      points.push(shape(all.point()));
+      return end;
+    }));
+    yield null;
+  }
   const fixed = [];
-  watched.forEach((row, k) => {
+  for (const [k, row] of watched.entries()) {
     const left = within(fixed);
     const value = middleOf(left.extreme(k, -1n), left.extreme(k, 1n));
     fixed.push(row.with(-1, less(row.at(-1), value)));
-    z = left.point();
-  });
-  z = within(fixed).point();
+    yield null;
+  }
+  const z = within(fixed).point();
   const decided = ranges.every(([low, high]) => low && high && same(low, high));
   const { motion, forces } = shape(z);
   return { states: decided ? grasp.map((contact) => contactAt(contact, motion).state) : states, closed: states, motion, forces,
@@ -143,13 +173,13 @@ function middleOf(low, high) {
   return high && high.n < 0n ? high : ZERO;
 }
 
-// The pieces that lie in no other one (closed conditions let one equilibrium appear in several states).
-function distinct(grasp, pieces) {
-  const endless = (piece) => piece.ranges?.some((range) => range.includes(null));
+// With a further piece: those that lie in no other one (closed conditions let one equilibrium appear in
+// several states).
+function joined(grasp, pieces, piece) {
+  const endless = ({ ranges }) => ranges?.some((range) => range.includes(null));
   const within = (one, other) => (!endless(one) || endless(other))
     && one.points.every(({ motion, forces }) => holds(grasp, other, motion, forces));
-  return pieces.reduce((kept, piece) => (kept.some((other) => within(piece, other)) ? kept
-    : [...kept.filter((other) => !within(other, piece)), piece]), []);
+  return pieces.some((other) => within(piece, other)) ? pieces : [...pieces.filter((other) => !within(other, piece)), piece];
 }
 
 // Whether an equilibrium (motion, forces) is one of those of a piece, by its closed conditions.

@@ -41,16 +41,25 @@ const refresh = oncePerFrame(() => {
 function changed() {
   Object.assign(state, { torque: state.wrench[2], leaf: null, motion: null, turnChosen: false });
   state.searching?.();
-  const { grasp } = state;
+  const { grasp, wrench } = state;
   let ended = false;
-  const stop = inSlices(treeOf(grasp, state.wrench), (found) => {
-    ended = true;
-    Object.assign(state, { found: { ...found, grasp }, searching: null, choice: 0, leaf: null, open: new Map() });
+  let first = null;
+  const show = (found) => {
+    const choice = first ? found.equilibria.findIndex((piece) => holds(grasp, piece, first.motion, first.forces)) : 0;
+    Object.assign(state, { found: { ...found, grasp, wrench }, choice: Math.max(0, choice), leaf: null, open: new Map() });
+    refresh();
+    if (first) return;
+    first = found.equilibria[0];
     chooseTurn();
     findPieces();
-    refresh();
     if (!dragging()) say(sayVerdict());
-  }, dragging() ? 6 : 80);
+  };
+  // The first equilibrium is shown as soon as it is found; the others are listed after it.
+  const stop = inSlices(treeOf(grasp, wrench), (found) => {
+    ended = true;
+    state.searching = null;
+    show(found);
+  }, dragging() ? 6 : 80, show);
   state.searching = ended ? null : stop;
   if (!ended) refresh();
   if (!dragging()) writeHash();
