@@ -17,6 +17,7 @@ import sys
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from difflib import get_close_matches
 from fractions import Fraction
+from itertools import takewhile
 from pathlib import Path
 from typing import Any, NoReturn
 
@@ -29,6 +30,8 @@ from .number_field import AlgebraicNumber, written
 YES = 0
 NO = 1
 _BAD_INPUT = 2
+#: Neither yes nor no was proved.
+UNDECIDED = 3
 #: What a shell reports for a program that SIGINT or SIGPIPE ended (128 + the signal's number).
 _INTERRUPTED = 130
 _BROKEN_PIPE = 141
@@ -54,6 +57,8 @@ class Parser(argparse.ArgumentParser):
 
         #: Adds the options that take time to find out, when they are asked for.
         self.later: Callable[[], None] | None = None
+        #: Options that take so many numbers or more, as many as there are.
+        self.growing: list[argparse.Action] = []
 
     def parse_known_args(self, args: Any = None, namespace: Any = None) -> Any:
         """Parse, with all options; ``--help`` comes through here too."""
@@ -75,11 +80,14 @@ class Parser(argparse.ArgumentParser):
     def _separated(self, words: Sequence[str]) -> Iterator[str]:
         """Split ``0,1,0`` and ``0, 1, 0``, in one word or several, where several are taken."""
         due = 0
-        for word in words:
+        for i, word in enumerate(words):
             name, equals, value = word.partition("=")
             option = self._option_string_actions.get(name)
             if option is not None:
-                due = option.nargs if isinstance(option.nargs, int) else 0
+                if option in self.growing:
+                    given = [value, *words[i + 1 :]] if equals else words[i + 1 :]
+                    option.nargs = max(option.nargs, _numbers(given))  # type: ignore[type-var]
+                due = _numbers_after(option)
             if option is not None and due and equals:
                 yield name
                 word = value
@@ -100,6 +108,19 @@ class Parser(argparse.ArgumentParser):
     def error(self, message: str) -> NoReturn:
         """Print one line with the error to stderr; exit with 2."""
         self.exit(_BAD_INPUT, f"error: {printable(message)} ({self.prog} --help tells more)\n")
+
+
+def _numbers_after(option: argparse.Action) -> int:
+    """Return how many numbers an option takes at most."""
+    if option.nargs == "+" and option.type is rational_argument:
+        return MOST
+    return option.nargs if isinstance(option.nargs, int) else 0
+
+
+def _numbers(words: Sequence[str]) -> int:
+    """Return how many numbers come first, in one word or several."""
+    parts = (part for word in words for part in re.split(r"[\s,]+", word.strip(", ")))
+    return sum(1 for _ in takewhile(re.compile(r"[-+]?[.]?[0-9]").match, parts))
 
 
 def _meant(word: str, known: Iterable[str]) -> str:

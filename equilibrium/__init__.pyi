@@ -15,9 +15,10 @@ from .model.errors import (
     TimeLimitError as TimeLimitError,
 )
 from .model.grasp import Contact as Contact, Grasp as Grasp
-from .model.outline import Circle as Circle, Polygon as Polygon
+from .model.outline import Circle as Circle, Mesh as Mesh, Polygon as Polygon
 from .model.unit_normal import UnitNormal as UnitNormal, unit_normal as unit_normal
 from .model.units import Units as Units
+from .modes import ContactModes as ContactModes, Mode as Mode
 from .solver.contact_states import contact_states as contact_states
 from .solver.equilibrium import Equilibrium as Equilibrium
 from .solver.state_equilibrium import Solution as Solution

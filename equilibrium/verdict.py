@@ -31,6 +31,7 @@ from .solver.part_program import Node
 from .solver.resistance import resistance
 from .solver.state_equilibrium import Solution
 from .solver.state_system import States, state_system
+from .spatial_verdict import SpatialVerdict, solve_in_space
 
 #: With more contacts all equilibria are listed only when asked for: their search takes long.
 MOST_LISTED = 20
@@ -126,12 +127,15 @@ def solve(
     *,
     time_limit: float | None = None,
     shorten: bool = False,
-) -> Verdict:
+) -> Verdict | SpatialVerdict:
     """Decide exactly whether a grasp resists a wrench; the verdict finds all ways when asked.
+
+    A grasp in space has a `SpatialVerdict`, which may be undecided; see there.
 
     Args:
         grasp: contacts in the object frame.
-        wrench: applied, ``(f_x, f_y, tau)``, the torque about the origin.
+        wrench: applied, ``(f_x, f_y, tau)``, the torque about the origin; in space
+            ``(f_x, f_y, f_z, tau_x, tau_y, tau_z)``.
         time_limit: in seconds; none by default.
         shorten: look longer for a smaller proof that nothing balances the wrench.
 
@@ -145,6 +149,8 @@ def solve(
     >>> solve(read_grasp("paper-three-contacts-preload-1"), [0, 1, 0]).stable
     True
     """
+    if grasp.dimension == 3:
+        return solve_in_space(grasp, wrench, time_limit=time_limit)
     return Solver(grasp).solve(wrench, time_limit=time_limit, shorten=shorten)
 
 
@@ -162,6 +168,7 @@ class Solver(Shown):
     shown_fields = ("grasp",)
 
     def __init__(self, grasp: Grasp) -> None:
+        grasp.require_plane()
         self.grasp = grasp
 
     @cached_property

@@ -68,7 +68,9 @@ def add_options(
             style = dict(_KINDS["length" if flag in LENGTHS else uses[0][1].kind])
             if any(option.many for _, option in uses):
                 style |= {"action": "append"} if "nargs" in style else _EXTEND
-            parser.add_argument(f"--{flag}", **style, help=_help(uses))
+            added = parser.add_argument(f"--{flag}", **style, help=_help(uses))
+            if uses[0][1].kind == "Wrench" and isinstance(parser, terminal.Parser):
+                parser.growing.append(added)
 
 
 _EXTEND = {"action": "extend", "nargs": "+"}
@@ -96,18 +98,26 @@ def _help(uses: list[tuple[str, Option]]) -> str:
     )
 
 
-def given_options(arguments: argparse.Namespace, drawings: Drawings) -> dict[str, Any]:
-    """Return the options that were given, as the view, model or page takes them."""
+def given_options(
+    arguments: argparse.Namespace, drawings: Drawings, known: Drawings | None = None
+) -> dict[str, Any]:
+    """Return the options that were given, as the view, model or page takes them.
+
+    Args:
+        drawings: of the subject.
+        known: all those whose options the parser has, if they are more.
+    """
+    known = known or drawings
     kind, name = drawings.target(arguments.output, arguments.view, _model(arguments))
     takes = {_flag(option): option for option in drawings.options(kind, name).values()}
     printing = {key: getattr(arguments, key) for key in _PRINTING}
     options: dict[str, Any] = {key: x for key, x in printing.items() if x is not None}
-    for flag in dict.fromkeys(_flag(option) for _, option in _every(drawings)):
+    for flag in dict.fromkeys(_flag(option) for _, option in _every(known)):
         value = getattr(arguments, flag)
         if value is None:
             continue
         option = takes.get(flag)
-        repeated = any(_flag(o) == flag and o.many for _, o in _every(drawings))
+        repeated = any(_flag(o) == flag and o.many for _, o in _every(known))
         if option is not None and repeated and not option.many:
             if len(value) > 1:
                 raise InputError(f"--{flag} is given {len(value)} times; {name} takes one")

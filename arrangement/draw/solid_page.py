@@ -21,13 +21,14 @@ class Face:
 
     Attributes:
         corners: (k, 3).
-        fill: ``#rrggbb``.
+        fill: ``#rrggbb``, or ``#rrggbbaa`` to shine through.
         normal: outward; None for segments and points.
         edges: (e, 2, 3); the lines drawn.
         piece: the number of what is told of it, or -1.
         middle: (3,) of the solid that it moves with, if it does.
         sheet: whether both sides are seen.
         faint: whether the lines are thin and grey.
+        ink: of the lines, instead of black.
     """
 
     corners: Floats
@@ -38,6 +39,7 @@ class Face:
     middle: Floats | None = None
     sheet: bool = False
     faint: bool = False
+    ink: str = ""
 
 
 @dataclass
@@ -107,7 +109,9 @@ def _face(face: Face) -> dict[str, Any]:
         found["normal"] = _floats(face.normal / np.linalg.norm(face.normal))
     if face.middle is not None:
         found["middle"] = _floats(face.middle)
-    return found | {key: True for key in ("sheet", "faint") if getattr(face, key)}
+    return found | {
+        key: getattr(face, key) for key in ("sheet", "faint", "ink") if getattr(face, key)
+    }
 
 
 def _floats(array: Any) -> Any:

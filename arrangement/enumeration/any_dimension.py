@@ -21,24 +21,32 @@ Python integers.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any, TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
 
-from arrangement.exact import IntegerVector, largest
+from arrangement.exact import IntegerVector
 from arrangement.linear import rank, unit_vectors
 from arrangement.planes import Planes
 
 from .packing import Words, grouped, pack, unpack
-from .sequence import Integers, Level, Rows, Signs, no_faces, primitive_rows
+from .sequence import (
+    Integers,
+    Level,
+    Rows,
+    Signs,
+    for_products,
+    integer_matrix,
+    largest_entry,
+    no_faces,
+    primitive_rows,
+)
 
 Indices: TypeAlias = NDArray[np.intp]
 
-#: Sums and products below this bound are exact in int64.
-_SAFE = 1 << 62
 _ONE = np.uint64(1)
 _PLUS = np.uint64(0x5555_5555_5555_5555)
 
@@ -131,20 +139,20 @@ def _covers(faces: CentralFaces, rises: _Rises, forbidden: Words) -> CentralFace
     else:
         second = order[np.flatnonzero(new) + 1]
         assert (words[second] == words[first]).all(), "a face with a single facet"
-        points = _for_products(faces.points, 2)
+        points = for_products(faces.points, 2)
         points = points[face[first]] + points[face[second]]
     return CentralFaces(words[first], rises.upper[rise[first]], points)
 
 
 def _all_rises(vectors: Sequence[IntegerVector], n: int) -> list[_Rises]:
     """Return the rises between flats of neighbouring dimensions, from the whole space downwards."""
-    normals = _integers(vectors, n)
+    normals = integer_matrix(vectors, n)
     positive = _unit_words(len(vectors))
-    bases = _integers(unit_vectors(n), n)[None]
+    bases = integer_matrix(unit_vectors(n), n)[None]
     masks = np.zeros((1, positive.shape[1]), np.uint64)
     levels: list[_Rises] = []
     while True:
-        forms = _for_products(bases, n * _largest(normals)) @ normals.T
+        forms = for_products(bases, n * largest_entry(normals)) @ normals.T
         flat, plane = np.nonzero(forms.any(axis=1))
         if not len(flat):
             return levels
@@ -187,7 +195,7 @@ def _cut(bases: Integers, forms: Integers, pivot: Indices) -> Integers:
     """
     rows, k = np.arange(len(bases)), bases.shape[1]
     others = np.arange(k - 1) + (np.arange(k - 1) >= pivot[:, None])
-    bases = _for_products(bases, 2 * _largest(forms))
+    bases = for_products(bases, 2 * largest_entry(forms))
     top, base = forms[rows, pivot], bases[rows, pivot]
     left = top[:, None, None] * bases[rows[:, None], others]
     right = forms[rows[:, None], others][..., None] * base[:, None, :]
@@ -228,22 +236,3 @@ def _grouped(rows: NDArray[Any]) -> tuple[Indices, Indices]:
     label = np.empty(len(rows), np.intp)
     label[order] = np.cumsum(new) - 1
     return order[new], label
-
-
-def _integers(rows: Iterable[IntegerVector], n: int) -> Integers:
-    """Return an integer matrix with n columns, int64 where all entries fit."""
-    listed = list(rows)
-    return np.array(listed, np.int64 if largest(listed) < _SAFE else object).reshape(len(listed), n)
-
-
-def _for_products(array: Integers, factor: float) -> Integers:
-    """Return the array as Python integers unless `factor` times its entries stays in int64."""
-    exact = array.dtype == object or factor * _largest(array) < _SAFE
-    return array if exact else array.astype(object)
-
-
-def _largest(array: Integers) -> float:
-    """Return the largest absolute value of an entry; those of int64 arrays are below 2^62."""
-    if array.dtype == object:
-        return largest([array.flat])
-    return int(np.abs(array).max(initial=0))

@@ -6,7 +6,7 @@ that are asked for, when they are asked for.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
@@ -16,7 +16,15 @@ import numpy as np
 from numpy.typing import NDArray
 
 from arrangement.errors import InputError
-from arrangement.exact import RationalVector, fraction, quotient, reduced, shown
+from arrangement.exact import (
+    IntegerVector,
+    RationalVector,
+    fraction,
+    largest,
+    quotient,
+    reduced,
+    shown,
+)
 from arrangement.faces import Face
 from arrangement.planes import Planes
 from arrangement.short_repr import Shown
@@ -26,6 +34,8 @@ Signs: TypeAlias = NDArray[np.int8]
 Integers: TypeAlias = NDArray[Any]
 Rows: TypeAlias = "slice | NDArray[np.intp]"
 
+#: Sums and products below this bound are exact in int64.
+_SAFE = 1 << 62
 #: Faces made at once when a sequence is walked.
 _BLOCK = 4096
 
@@ -196,6 +206,25 @@ def primitive_rows(rows: Integers) -> Integers:
     divisor = np.abs(np.gcd.reduce(rows, axis=-1, keepdims=True))  # of one object: with its sign
     whole: Integers = rows // np.maximum(divisor, 1)
     return whole
+
+
+def integer_matrix(rows: Iterable[IntegerVector], n: int) -> Integers:
+    """Return an integer matrix with n columns, int64 where all entries fit."""
+    listed = list(rows)
+    return np.array(listed, np.int64 if largest(listed) < _SAFE else object).reshape(len(listed), n)
+
+
+def for_products(array: Integers, factor: float) -> Integers:
+    """Return the array as Python integers unless `factor` times its entries stays in int64."""
+    exact = array.dtype == object or factor * max(1, largest_entry(array)) < _SAFE
+    return array if exact else array.astype(object)
+
+
+def largest_entry(array: Integers) -> float:
+    """Return the largest absolute value of an entry; those of int64 arrays are below 2^62."""
+    if array.dtype == object:
+        return largest([array.flat])
+    return int(np.abs(array).max(initial=0))
 
 
 def rational_points(points: Integers) -> Iterator[RationalVector]:

@@ -23,7 +23,7 @@ from arrangement.exact import shown
 
 Floats = npt.NDArray[np.float64]
 Triangles = npt.NDArray[np.int64]
-_COLOUR = re.compile("#[0-9a-fA-F]{6}")
+_COLOUR = re.compile("#[0-9a-fA-F]{6}(?:[0-9a-fA-F]{2})?")
 KINDS = (".glb", ".obj", ".stl")
 #: Coordinates are multiples of a power of two, of which the largest one has at most so many: then
 #: single precision holds them exactly.
@@ -38,7 +38,7 @@ class Part:
         name: of the part in the file.
         points: (P, 3) in millimetres.
         faces: cycles of points, counter-clockwise seen from outside.
-        colours: one for each face, as ``#rrggbb``.
+        colours: one for each face, as ``#rrggbb``, or ``#rrggbbaa`` to shine through in GLB.
         shift: by how much the part is moved out of its place, in millimetres.
         notes: goes to the extras of the node in GLB.
     """
@@ -226,16 +226,18 @@ class _Scene:
         if colour not in self.colours:
             self.colours[colour] = len(self.colours)
             channels = [int(colour[k : k + 2], 16) / 255 for k in (1, 3, 5)]
-            self.document["materials"].append(
-                {
-                    "name": colour,
-                    "pbrMetallicRoughness": {
-                        "baseColorFactor": [*(_linear(x) for x in channels), 1.0],
-                        "metallicFactor": 0.0,
-                        "roughnessFactor": 0.8,
-                    },
-                }
-            )
+            opacity = int(colour[7:] or "ff", 16) / 255
+            material: dict[str, Any] = {
+                "name": colour,
+                "pbrMetallicRoughness": {
+                    "baseColorFactor": [*(_linear(x) for x in channels), opacity],
+                    "metallicFactor": 0.0,
+                    "roughnessFactor": 0.8,
+                },
+            }
+            if opacity < 1:
+                material |= {"alphaMode": "BLEND", "doubleSided": True}
+            self.document["materials"].append(material)
         return self.colours[colour]
 
     def content(self) -> bytes:

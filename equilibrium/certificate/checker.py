@@ -16,6 +16,9 @@ else kappa e, if it is decided and not detached, or if all ``e >= 0``; 0, if it 
 all ``e <= 0``, or if ``kappa >= 0``; ``kappa max(0, e)`` for the rest, as a convex function lies
 below its interpolation. The leaf holds if ``lambda . w g_0`` and all these are together at least 0
 at each generator, above 0 where ``g_0 > 0``: balance would make their sum over generators 0.
+
+In space a tree has states alone, with sectors of slip directions; `equilibrium.certificate.space`
+has its leaves, and `equilibrium.certificate.enclosure` equilibria in intervals.
 """
 
 from __future__ import annotations
@@ -30,9 +33,26 @@ from typing import Any, NamedTuple
 from arrangement.exact import IntegerVector, RationalVector
 from equilibrium.model.errors import CertificateError
 from equilibrium.model.grasp import Grasp
+from equilibrium.model.pyramid import pyramid_edges
 
+from .enclosure import enclosure_problem
 from .law import law_problem, short, unit_wrenches
-from .reading import STATES, Leaf, Split, read_equilibrium, read_node, read_question
+from .reading import (
+    STATES,
+    Leaf,
+    Split,
+    read_enclosure,
+    read_equilibrium,
+    read_node,
+    read_question,
+)
+from .space import (
+    SpatialQuestion,
+    State,
+    spatial_law_problem,
+    spatial_leaf_problem,
+    split_states,
+)
 
 #: Splits in a row; readers of JSON stop at some 1000 objects inside one another.
 MAX_DEPTH = 300
@@ -77,12 +97,30 @@ def check(
     """
     kind, grasp, wrench = read_question(document)
     if kind == "resisted":
-        report = Report(kind, law_problem(grasp, wrench, *read_equilibrium(document, len(grasp))))
+        report = Report(kind, _equilibrium_problem(document, grasp, wrench))
+    elif grasp.dimension == 3:
+        spatial = SpatialQuestion(grasp, wrench, _edges(document))
+        report = _walk(document["tree"], spatial, 3)
     else:
         report = _walk(document["tree"], _Question(grasp, wrench))
     if question is not None and question != (grasp, wrench):
         return Report(kind, "it is about another grasp or wrench", report.leaves)
     return report
+
+
+def _equilibrium_problem(document: Mapping[str, Any], grasp: Grasp, wrench: RationalVector) -> str:
+    """Return what is wrong with the equilibrium of a certificate, or nothing."""
+    if "enclosure" in document:
+        return enclosure_problem(grasp, wrench, read_enclosure(document["enclosure"], len(grasp)))
+    found = read_equilibrium(document, len(grasp), grasp.dimension)
+    if grasp.dimension == 2:
+        return law_problem(grasp, wrench, *found)
+    return spatial_law_problem(grasp, wrench, *found, _edges(document))
+
+
+def _edges(document: Mapping[str, Any]) -> tuple[RationalVector, ...]:
+    """Return the edges of friction pyramids, none for round cones."""
+    return pyramid_edges(document["pyramid"]) if "pyramid" in document else ()
 
 
 class _Contact(NamedTuple):
@@ -141,31 +179,39 @@ class _Place(NamedTuple):
     path: str
     depth: int
     region: Sequence[_Generator]
-    states: Mapping[int, str]
+    states: Mapping[int, State]
 
 
-def _walk(tree: Any, question: _Question) -> Report:
+def _walk(tree: Any, question: _Question | SpatialQuestion, dimension: int = 2) -> Report:
     """Check all leaves. After the first that fails the rest is read, as its form may be wrong."""
     leaves, problem = 0, ""
-    axes = [(0, 1), *product((1, 2, 3), (1, -1))]
-    waiting = [(tree, _Place("tree", 0, [question.unit_vector(*axis) for axis in axes], {}))]
+    region: list[_Generator] = []
+    if isinstance(question, _Question):
+        axes = [(0, 1), *product((1, 2, 3), (1, -1))]
+        region = [question.unit_vector(*axis) for axis in axes]
+    waiting = [(tree, _Place("tree", 0, region, {}))]
     while waiting:
         content, place = waiting.pop()
-        node = read_node(content, place.path, len(question.contacts))
+        node = read_node(content, place.path, len(question.contacts), dimension)
         if isinstance(node, Split):
-            waiting += reversed(_parts(node, place))
+            waiting += reversed(_parts(node, place, getattr(question, "edges", ())))
         else:
             leaves += 1
             problem = problem or _leaf_problem(question, node, place)
     return Report("not resisted", problem, leaves)
 
 
-def _parts(split: Split, place: _Place) -> list[tuple[Any, _Place]]:
+def _parts(
+    split: Split, place: _Place, edges: Sequence[RationalVector] = ()
+) -> list[tuple[Any, _Place]]:
     """Return the children of a node with their places; refuse a split that does not cover."""
     path, depth, region, states = place
     if depth == MAX_DEPTH:
         raise CertificateError(f"{path[:60]}...: more than {MAX_DEPTH} splits in a row")
-    parts: list[tuple[Sequence[_Generator], Mapping[int, str]]]
+    parts: list[tuple[Sequence[_Generator], Mapping[int, State]]]
+    if split.kind in ("directions", "faces"):
+        cut = split_states(split, states, path, edges)
+        return [(child, _Place(name, depth + 1, region, now)) for (name, child), now in cut]
     if split.kind in STATES:
         contact, due = split.at[0], "attached" if split.kind == "slip" else "undecided"
         if states.get(contact, "undecided") != due:
@@ -192,8 +238,10 @@ def _between(p: int, one: _Generator, q: int, other: _Generator) -> _Generator:
     return _Generator(*(tuple(x // common for x in row) for row in sums))
 
 
-def _leaf_problem(question: _Question, leaf: Leaf, place: _Place) -> str:
+def _leaf_problem(question: _Question | SpatialQuestion, leaf: Leaf, place: _Place) -> str:
     """Return the inequality of a leaf that fails, or nothing."""
+    if isinstance(question, SpatialQuestion):
+        return spatial_leaf_problem(question, leaf, place.states, place.path)
     scale = _denominator(leaf.motion)
     x, y, r = _times(leaf.motion, scale)
     load = sum(f * v for f, v in zip(question.wrench, (x, y, r), strict=True))
@@ -231,7 +279,7 @@ def _leaf_problem(question: _Question, leaf: Leaf, place: _Place) -> str:
     return ""
 
 
-def _broken_bound(state: str | None, alpha: Fraction, h: Fraction, kappa: int) -> str:
+def _broken_bound(state: Any, alpha: Fraction, h: Fraction, kappa: int) -> str:
     """Return which bound of the multipliers of a contact is broken, or nothing."""
     if alpha < 0 and state in (None, "detached"):
         return "alpha must be at least 0"

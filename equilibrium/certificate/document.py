@@ -13,7 +13,7 @@ from arrangement.short_repr import Shown
 from equilibrium.model.grasp import Grasp
 
 from .checker import Report, check
-from .reading import SCHEMA_VERSION
+from .reading import SCHEMA_VERSION, Enclosure
 
 
 @dataclass(frozen=True)
@@ -44,23 +44,50 @@ def resisted_certificate(
     grasp: Grasp,
     wrench: RationalVector,
     motion: RationalVector,
-    forces: Iterable[tuple[Fraction, Fraction]],
+    forces: Iterable[RationalVector],
+    pyramid: int | None = None,
 ) -> Certificate:
-    """Return the certificate of an equilibrium: its motion, and (normal, tangential) forces."""
+    """Return the certificate of an equilibrium: its motion, normal and tangential forces."""
     listed = [_texts(pair) for pair in forces]
-    return _certificate("resisted", grasp, wrench, motion=_texts(motion), forces=listed)
+    return _certificate(
+        "resisted", grasp, wrench, pyramid=pyramid, motion=_texts(motion), forces=listed
+    )
 
 
-def refuted_certificate(grasp: Grasp, wrench: RationalVector, tree: Any) -> Certificate:
+def enclosed_certificate(grasp: Grasp, wrench: RationalVector, enclosure: Enclosure) -> Certificate:
+    """Return the certificate of an equilibrium in space whose numbers are not rational."""
+    friction = [
+        "detached" if share is None else _texts(share) if share else "slip"
+        for share in enclosure.friction
+    ]
+    form = {
+        "basis": list(map(_texts, enclosure.basis)),
+        "friction": friction,
+        "pillars": [list(pair) for pair in enclosure.pillars],
+        "centre": _texts(enclosure.centre),
+        "radius": _texts(enclosure.radius),
+        "inverse": list(map(_texts, enclosure.inverse)),
+    }
+    return _certificate("resisted", grasp, wrench, enclosure=form)
+
+
+def refuted_certificate(
+    grasp: Grasp, wrench: RationalVector, tree: Any, pyramid: int | None = None
+) -> Certificate:
     """Return the certificate that no equilibrium exists.
 
     Args:
         tree: the root node, in the form of `equilibrium.certificate.reading`.
+        pyramid: edges of friction pyramids; None for round cones.
     """
-    return _certificate("not resisted", grasp, wrench, tree=tree)
+    return _certificate("not resisted", grasp, wrench, pyramid=pyramid, tree=tree)
 
 
-def _certificate(kind: str, grasp: Grasp, wrench: RationalVector, **proof: Any) -> Certificate:
+def _certificate(
+    kind: str, grasp: Grasp, wrench: RationalVector, pyramid: int | None = None, **proof: Any
+) -> Certificate:
+    if pyramid is not None:
+        proof = {"pyramid": pyramid, **proof}
     question = {"grasp": grasp.with_outline(None).to_dict(), "wrench": _texts(wrench)}
     document = {"schema_version": SCHEMA_VERSION, "certificate": kind, **question, **proof}
     return Certificate(json.dumps(document, separators=(",", ":")))

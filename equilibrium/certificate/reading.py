@@ -14,6 +14,17 @@ the space of motions or tell apart the states of one contact, and leaves have a 
   in the second. Without "at", p = q = 1.
 * ``{"contact": i, "attachment": {"detached": node, "attached": node}}``, and below "attached"
   ``{"contact": i, "slip": {"stick": node, "slip+": node, "slip-": node}}``.
+
+Of a grasp in space motions have six numbers, and forces three: normal, and along both tangents.
+A tree has states alone, so h has two numbers, and instead of "slip" there is
+``{"contact": i, "directions": [[p, q], ...], "children": [nodes]}``, below "attached": directions
+of slip along the tangents, counter-clockwise and each less than half a turn from the next; the
+children are stick, and the sectors between neighbours, from the last to the first at the end.
+Below such a sector it has one direction, which cuts the sector in two. With ``"pyramid": K`` in the
+certificate the cones of friction are pyramids (`equilibrium.model.pyramid`), and the split is
+``{"contact": i, "faces": [nodes]}``: stick, then by turns slip along the normal of an edge of the
+polygon, from the first, and slip between two such normals. An equilibrium that has no
+rational numbers is shown by an "enclosure", see `equilibrium.certificate.enclosure`.
 """
 
 from __future__ import annotations
@@ -29,8 +40,14 @@ from equilibrium.model.grasp import Grasp, read_wrench
 
 SCHEMA_VERSION = 3
 _KEYS = {"resisted": ("motion", "forces"), "not resisted": ("tree",)}
+_ENCLOSURE = ("basis", "friction", "pillars", "centre", "radius", "inverse")
+#: Numbers of a motion, in the plane and in space.
+SIZES = {2: 3, 3: 6}
 #: The states that a split of a contact tells apart, by the key of the split.
 STATES = {"attachment": ("detached", "attached"), "slip": ("stick", "slip+", "slip-")}
+
+
+_SPLITS = {2: ("orthants", "edge", *STATES), 3: ("attachment", "directions", "faces")}
 
 
 class Leaf(NamedTuple):
@@ -44,14 +61,36 @@ class Split(NamedTuple):
     """An inner node.
 
     Attributes:
-        kind: "orthants", "edge", "attachment" or "slip".
+        kind: "orthants", "edge", "attachment", "slip", "directions" or "faces".
         at: of an edge j, k, p, q; of a contact its number.
         children: with their paths.
+        directions: of slip, of the last kind.
     """
 
     kind: str
     at: tuple[int, ...]
     children: list[tuple[str, Any]]
+    directions: tuple[RationalVector, ...] = ()
+
+
+class Enclosure(NamedTuple):
+    """What shows an equilibrium in space whose numbers are not rational.
+
+    Attributes:
+        basis: p motions; the motions looked at are their combinations.
+        friction: for each contact None if it is detached, () if it slips, and if it sticks its
+            friction force over ``mu c_n``, without that of pillars.
+        pillars: (contact, 0 or 1): tangents along which a sticking contact has one more force.
+        centre, radius: six intervals, of the combination and of the forces of pillars.
+        inverse: (6, 6), about the inverse of the derivative of the balance in the centre.
+    """
+
+    basis: tuple[RationalVector, ...]
+    friction: tuple[RationalVector | None, ...]
+    pillars: tuple[tuple[int, int], ...]
+    centre: RationalVector
+    radius: RationalVector
+    inverse: tuple[RationalVector, ...]
 
 
 def read_question(document: Any) -> tuple[str, Grasp, RationalVector]:
@@ -73,39 +112,71 @@ def read_question(document: Any) -> tuple[str, Grasp, RationalVector]:
     if not isinstance(kind, str) or kind not in _KEYS:
         raise CertificateError(f"certificate is {shown(kind)}; known are {', '.join(_KEYS)}")
     common = ("schema_version", "certificate", "grasp", "wrench")
-    check_keys(document, (*common, *_KEYS[kind]), (), "the certificate")
-    wrench = read_wrench(check_list(document["wrench"], "wrench", 3))
+    shown_by = ("enclosure",) if "enclosure" in document else _KEYS[kind]
+    check_keys(document, (*common, *shown_by), ("pyramid",), "the certificate")
     if isinstance(document["grasp"], Mapping) and "outline" in document["grasp"]:
         raise CertificateError("the grasp of a certificate has no outline; leave it out")
-    return kind, Grasp.from_dict(document["grasp"]), wrench
+    grasp = Grasp.from_dict(document["grasp"])
+    wrench = read_wrench(check_list(document["wrench"], "wrench"), grasp.dimension)
+    if "enclosure" in document and (kind, grasp.dimension) != ("resisted", 3):
+        raise CertificateError("an enclosure shows that a grasp in space resists")
+    if "pyramid" in document and ("enclosure" in document or grasp.dimension != 3):
+        raise CertificateError("a pyramid is for a grasp in space, and needs no enclosure")
+    return kind, grasp, wrench
 
 
 def read_equilibrium(
-    document: Mapping[str, Any], contacts: int
+    document: Mapping[str, Any], contacts: int, dimension: int = 2
 ) -> tuple[RationalVector, list[RationalVector]]:
-    """Return the motion, and (normal, tangential) force of each contact."""
-    pairs = check_list(document["forces"], "forces", contacts)
-    forces = [_rationals(pair, 2, f"forces[{i}]") for i, pair in enumerate(pairs)]
-    return _rationals(document["motion"], 3, "motion"), forces
+    """Return the motion, and the normal and tangential forces of each contact."""
+    rows = check_list(document["forces"], "forces", contacts)
+    forces = [_rationals(row, dimension, f"forces[{i}]") for i, row in enumerate(rows)]
+    return _rationals(document["motion"], SIZES[dimension], "motion"), forces
 
 
-def read_node(content: Any, path: str, contacts: int) -> Leaf | Split:
+def read_enclosure(content: Any, contacts: int) -> Enclosure:
+    """Return an enclosure; whether it shows anything is not looked at."""
+    check_keys(content, _ENCLOSURE, (), "enclosure")
+    centre, radius = (_rationals(content[key], 6, f"enclosure.{key}") for key in _ENCLOSURE[3:5])
+    inverse = _rows(content, "inverse", 6)
+    basis = _rows(content, "basis", None)
+    pillars = []
+    for i, pair in enumerate(check_list(content["pillars"], "enclosure.pillars", 6 - len(basis))):
+        where = f"enclosure.pillars[{i}]"
+        contact, tangent = check_list(pair, where, 2)
+        pillars.append((_index(contact, where, contacts), _index(tangent, where, 2)))
+    friction: list[RationalVector | None] = []
+    for i, entry in enumerate(check_list(content["friction"], "enclosure.friction", contacts)):
+        if entry in ("detached", "slip"):
+            friction.append(None if entry == "detached" else ())
+        else:
+            friction.append(_rationals(entry, 2, f"enclosure.friction[{i}]"))
+    return Enclosure(basis, tuple(friction), tuple(pillars), centre, radius, inverse)
+
+
+def _rows(content: Mapping[str, Any], key: str, count: int | None) -> tuple[RationalVector, ...]:
+    rows = check_list(content[key], f"enclosure.{key}", count)
+    return tuple(_rationals(row, 6, f"enclosure.{key}[{i}]") for i, row in enumerate(rows))
+
+
+def read_node(content: Any, path: str, contacts: int, dimension: int = 2) -> Leaf | Split:
     """Return a node of a tree; what its children are is not looked at.
 
     Raises:
         InputError: this is no node for so many contacts; the message has the path.
     """
+    size = SIZES[dimension]
     if isinstance(content, (list, tuple)):
-        return Leaf(_rationals(content, 3, path), {})
-    kinds = ("virtual_motion", "orthants", "edge", *STATES)
+        return Leaf(_rationals(content, size, path), {})
+    kinds = ("virtual_motion", *_SPLITS[dimension])
     kind = next((key for key in kinds if isinstance(content, Mapping) and key in content), "")
     if not kind:
         raise CertificateError(
-            f"{path} is {shown(content)}; a node is a list of three numbers or an object with one "
+            f"{path} is {shown(content)}; a node is a list of {size} numbers or an object with one "
             f"of the keys {', '.join(kinds)}"
         )
     if kind == "virtual_motion":
-        return _long_leaf(content, path, contacts)
+        return _long_leaf(content, path, contacts, dimension)
     if kind == "orthants":
         check_keys(content, (kind,), (), path)
         return Split(kind, (), _children(content, kind, path, 8))
@@ -118,26 +189,35 @@ def read_node(content: Any, path: str, contacts: int) -> Leaf | Split:
             raise CertificateError(f"{path}: an edge has two generators, at has integers above 0")
         at = (j, k, p.numerator, q.numerator)
         return Split(kind, at, _children(content, "children", path, 2))
-    check_keys(content, ("contact", kind), (), path)
+    check_keys(content, ("contact", kind), ("children",) * (kind == "directions"), path)
+    contact = (_index(content["contact"], f"{path}.contact", contacts),)
+    if kind == "faces":
+        return Split(kind, contact, _children(content, kind, path, None))
+    if kind == "directions":
+        where = f"{path}.{kind}"
+        given = enumerate(check_list(content[kind], where))
+        directions = tuple(_rationals(row, 2, f"{where}[{i}]") for i, row in given)
+        count = max(2, len(directions) + 1)
+        return Split(kind, contact, _children(content, "children", path, count), directions)
     check_keys(content[kind], STATES[kind], (), f"{path}.{kind}")
     children = [(f"{path}.{kind}.{state}", content[kind][state]) for state in STATES[kind]]
-    return Split(kind, (_index(content["contact"], f"{path}.contact", contacts),), children)
+    return Split(kind, contact, children)
 
 
-def _long_leaf(content: Mapping[str, Any], path: str, contacts: int) -> Leaf:
+def _long_leaf(content: Mapping[str, Any], path: str, contacts: int, dimension: int) -> Leaf:
     check_keys(content, ("virtual_motion", "multipliers"), (), path)
-    motion = _rationals(content["virtual_motion"], 3, f"{path}.virtual_motion")
+    motion = _rationals(content["virtual_motion"], SIZES[dimension], f"{path}.virtual_motion")
     where, given = f"{path}.multipliers", content["multipliers"]
     if not isinstance(given, Mapping):
         raise CertificateError(f"{where} is {shown(given)}; expected an object by contacts")
     known = {str(i): i for i in range(contacts)} if given else {}
     multipliers = {}
-    for key, pair in given.items():
+    for key, row in given.items():
         if key not in known:
             raise CertificateError(f"{where}: {shown(key)} is no contact from 0 to {contacts - 1}")
-        size = 1 if isinstance(pair, (list, tuple)) and len(pair) == 1 else 2
-        alpha, h, *_ = *_rationals(pair, size, f"{where}.{key}"), Fraction(0)
-        multipliers[known[key]] = (alpha, h)
+        size = 1 if isinstance(row, (list, tuple)) and len(row) == 1 else dimension
+        numbers = _rationals(row, size, f"{where}.{key}")
+        multipliers[known[key]] = (*numbers, *[Fraction(0)] * (dimension - size))
     return Leaf(motion, multipliers)
 
 
@@ -145,7 +225,9 @@ def _rationals(value: Any, length: int, where: str) -> RationalVector:
     return rational_vector(check_list(value, where, length), where)
 
 
-def _children(content: Mapping[str, Any], key: str, path: str, count: int) -> list[tuple[str, Any]]:
+def _children(
+    content: Mapping[str, Any], key: str, path: str, count: int | None
+) -> list[tuple[str, Any]]:
     children = check_list(content[key], f"{path}.{key}", count)
     return [(f"{path}.{key}[{i}]", child) for i, child in enumerate(children)]
 

@@ -71,31 +71,39 @@ def add_applied(
 def add_force(parser: argparse.ArgumentParser, ways: Any) -> None:
     """Add a force or a weight at a point, to the ways in which a wrench can be given."""
     rational = terminal.rational_argument
-    ways.add_argument("--force", nargs=2, metavar=_AXES[:2], type=rational, help="instead: a force")
-    ways.add_argument("--weight", metavar="W", type=rational, help="instead: the force (0, -W)")
+    text = "instead: a force (three numbers in space)"
+    force = ways.add_argument("--force", nargs=2, metavar=_AXES[:2], type=rational, help=text)
+    ways.add_argument(
+        "--weight",
+        metavar="W",
+        type=rational,
+        help="instead: the force (0, -W), in space (0, 0, -W)",
+    )
     text = "where the force or weight acts (default: at the origin)"
-    parser.add_argument("--at", nargs=2, metavar=("X", "Y"), type=rational, help=text)
+    place = parser.add_argument("--at", nargs=2, metavar=("X", "Y"), type=rational, help=text)
+    _let_grow(parser, force, place)
 
 
-def applied(arguments: argparse.Namespace, name: str = "wrench") -> RationalVector:
+def applied(arguments: argparse.Namespace, grasp: Grasp, name: str = "wrench") -> RationalVector:
     """Return the wrench that `add_applied` has read; `name` is that of its first option."""
-    return force_given(arguments) or tuple(getattr(arguments, name))
+    return force_given(arguments, grasp.dimension) or tuple(getattr(arguments, name))
 
 
-def force_given(arguments: argparse.Namespace) -> RationalVector | None:
+def force_given(arguments: argparse.Namespace, dimension: int = 2) -> RationalVector | None:
     """Return the wrench of the force or the weight, if one of them was given."""
+    from equilibrium.model.grasp import wrench_of
+
     if arguments.force is arguments.weight is None:
         if arguments.at is not None:
             raise GraspError("--at goes with --force or --weight; a wrench has its torque")
         return None
-    f_x, f_y = arguments.force or (Fraction(0), -arguments.weight)
-    x, y = arguments.at or (0, 0)
-    return f_x, f_y, x * f_y - y * f_x
+    down = *[Fraction(0)] * (dimension - 1), -(arguments.weight or 0)
+    return wrench_of(arguments.force or down, arguments.at, dimension)
 
 
 def add_wrench(parser: Any, name: str, text: str, default: Any, required: bool = False) -> None:
-    """Add three numbers."""
-    parser.add_argument(
+    """Add three numbers, or six for a grasp in space; whoever reads them knows which."""
+    option = parser.add_argument(
         name,
         nargs=3,
         required=required,
@@ -104,6 +112,12 @@ def add_wrench(parser: Any, name: str, text: str, default: Any, required: bool =
         type=terminal.rational_argument,
         help=text,
     )
+    _let_grow(parser, option)
+
+
+def _let_grow(parser: Any, *options: argparse.Action) -> None:
+    """Let options take more numbers, for grasps in space; groups know their parser."""
+    getattr(parser, "_container", parser).growing.extend(options)
 
 
 def add_number(
@@ -169,10 +183,14 @@ def show(
     arguments: argparse.Namespace,
     document: dict[str, Any],
     lines: Iterable[str],
-    yes: bool = True,
+    yes: bool | None = True,
     grasp: Grasp | None = None,
 ) -> int:
-    """Print one JSON object or the lines, with the units of a grasp; return the exit code."""
+    """Print one JSON object or the lines, with the units of a grasp; return the exit code.
+
+    Args:
+        yes: None is undecided.
+    """
     units = None if grasp is None else grasp.units
     if arguments.json:
         stated = {"units": units.to_dict()} if units and "grasp" not in document else {}
@@ -180,4 +198,4 @@ def show(
     else:
         for line in [str(units), *lines] if units else lines:
             print(line)
-    return terminal.YES if yes else terminal.NO
+    return terminal.UNDECIDED if yes is None else terminal.YES if yes else terminal.NO

@@ -25,13 +25,14 @@ def _add_options(draw: argparse.ArgumentParser) -> None:
 
 def _draw(arguments: argparse.Namespace) -> int:
     from arrangement.draw.command import given_options, write
-    from equilibrium.draw.views import DRAWINGS
+    from equilibrium.draw.views import DRAWINGS, drawings_of
 
     grasp = read(arguments)
-    if load := force_given(arguments):
+    if load := force_given(arguments, grasp.dimension):
         arguments.wrench = [*(arguments.wrench or ()), load]
-    options = given_options(arguments, DRAWINGS)
-    kind, name = DRAWINGS.target(arguments.output, arguments.view)
-    if "preload" in options and "preload" not in DRAWINGS.options(kind, name):
+    drawings = drawings_of(grasp)
+    options = given_options(arguments, drawings, DRAWINGS)
+    kind, name = drawings.target(arguments.output, arguments.view, arguments.model)
+    if "preload" in options and "preload" not in drawings.options(kind, name):
         grasp = grasp.with_preload(options.pop("preload"))
-    return write(arguments, DRAWINGS, grasp, options)
+    return write(arguments, drawings, grasp, options)

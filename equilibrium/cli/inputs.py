@@ -23,8 +23,8 @@ if TYPE_CHECKING:
 
 
 def add_commands(commands: Any) -> None:
-    """Add make csv, make floats, make polygon, make circle and make random."""
-    make = commands.add_parser("make", help="a grasp file from a CSV file, a polygon, a circle ...")
+    """Add make csv, make floats, make polygon, make circle, make mesh and make random."""
+    make = commands.add_parser("make", help="a grasp file from a CSV file, a polygon, a mesh ...")
     kinds = make.add_subparsers(required=True, metavar="KIND")
 
     text = "one contact a line; columns x, y, normal_x, ..."
@@ -53,11 +53,42 @@ def add_commands(commands: Any) -> None:
     circle.add_argument("--friction", metavar="Q", type=terminal.rational_argument, required=True)
     add_number(circle, "--preload", 0, "of every contact")
 
+    text = "contacts on the surface of an STL, OBJ, PLY or GLB file"
+    chosen = ("at", "random", "seed", "facing", "smooth", "within", "preload")
+    mesh = _add(kinds, "mesh", text, "on_mesh", ("file", "friction"), chosen)
+    mesh.add_argument("file", metavar="FILE", help="a closed surface; lengths as they are in it")
+    number = terminal.rational_argument
+    text = "points; each contact is at the nearest place of the surface"
+    mesh.add_argument(
+        "--at", nargs="+", type=number, action=_Points, default=[], metavar="X Y Z", help=text
+    )
+    add_count(mesh, "--random", 0, "of contacts drawn at random")
+    add_count(mesh, "--seed", 0, "of the random numbers", "SEED")
+    text = "draw where the outward normal is within 45 degrees of this direction"
+    mesh.add_argument("--facing", nargs=3, type=number, metavar=("X", "Y", "Z"), help=text)
+    text = "normals that change evenly over each facet, instead of its own"
+    mesh.add_argument("--smooth", action="store_true", help=text)
+    text = "refuse points that are farther from the surface than this share of its size"
+    add_number(mesh, "--within", Fraction(1, 20), text)
+    mesh.add_argument("--friction", metavar="Q", type=number, required=True)
+    add_number(mesh, "--preload", 0, "of every contact")
+
     text = "contacts around an object, the same for each seed"
     randoms = add_command(kinds, "random", _random, text, grasp=False, numbers=False)
     randoms.add_argument("--contacts", type=contacts_argument, required=True, metavar="M")
     add_count(randoms, "--seed", 0, "of the random numbers", "SEED")
+    randoms.add_argument("--space", action="store_true", help="in space instead of the plane")
     _add_output(randoms)
+
+
+class _Points(argparse.Action):
+    """Collects points from their coordinates, three numbers each, however often it is given."""
+
+    def __call__(self, parser: Any, namespace: Any, values: Any, option: Any = None) -> None:
+        if len(values) % 3:
+            parser.error(f"{option} has {len(values)} numbers; give three for each point")
+        points = [tuple(values[i : i + 3]) for i in range(0, len(values), 3)]
+        setattr(namespace, self.dest, [*getattr(namespace, self.dest), *points])
 
 
 def _add(
@@ -92,9 +123,12 @@ def _add_output(parser: argparse.ArgumentParser) -> None:
 def _random(arguments: argparse.Namespace) -> int:
     from equilibrium.inputs import random_grasp, star_outline
 
-    grasp = random_grasp(arguments.contacts, arguments.seed)
-    document = _labelled(grasp.with_outline(star_outline(grasp)), arguments).to_dict()
-    return _give(arguments, {"grasp": document})
+    if arguments.space:
+        grasp = random_grasp(arguments.contacts, arguments.seed, dimension=3)
+    else:
+        grasp = random_grasp(arguments.contacts, arguments.seed)
+        grasp = grasp.with_outline(star_outline(grasp))
+    return _give(arguments, {"grasp": _labelled(grasp, arguments).to_dict()})
 
 
 def _labelled(grasp: Grasp, arguments: argparse.Namespace) -> Grasp:

@@ -59,7 +59,8 @@ def add_commands(commands: Any) -> None:
 def _compare(arguments: argparse.Namespace) -> int:
     from equilibrium.methods.compare import compare
 
-    found = compare(grasp_of(arguments), applied(arguments))
+    grasp = grasp_of(arguments)
+    found = compare(grasp, applied(arguments, grasp))
     lines = _comparison_lines(found)
     return show(arguments, found.to_dict(), lines, found.stable, found.grasp)
 

@@ -11,9 +11,10 @@ from arrangement import terminal
 from arrangement.exact import dot
 from arrangement.number_form import vector
 
-from . import draw, inputs, lab, methods, wrench_sets
+from . import draw, inputs, lab, methods, modes, wrench_sets
 from .arguments import add_applied, add_command, applied, grasp_of, show
 from .proof_words import proof_lines
+from .spatial_words import spatial_lines
 
 if TYPE_CHECKING:
     from equilibrium.model.grasp import Grasp
@@ -41,16 +42,26 @@ def main(argv: Sequence[str] | None = None) -> int:
 
 def _parser() -> terminal.Parser:
     parser = terminal.command_parser(
-        "equilibrium", "Exact passive equilibrium of planar grasps with friction, with proofs."
+        "equilibrium", "Exact passive equilibrium of grasps with friction, with proofs."
     )
     commands = parser.add_subparsers(required=True, metavar="COMMAND")
     solve = add_command(
-        commands, "solve", _solve, "decide whether a grasp resists a wrench (exit 0 stable, 1 not)"
+        commands,
+        "solve",
+        _solve,
+        "decide whether a grasp resists a wrench (exit 0 yes, 1 no, 3 undecided)",
     )
     add_applied(solve)
     solve.add_argument("--certificate", metavar="OUT.json", help="write the certificate here")
     solve.add_argument(
-        "--time-limit", metavar="SECONDS", type=_seconds, help="give up then (exit 2)"
+        "--time-limit", metavar="SECONDS", type=_seconds, help="give up then (exit 2; in space 3)"
+    )
+    solve.add_argument(
+        "--cone",
+        metavar="pyramid:K",
+        type=_cone,
+        default="round",
+        help="in space: friction pyramids of K edges, K even, in place of round cones",
     )
     solve.add_argument(
         "--shorten", action="store_true", help="look longer for a smaller proof of a no"
@@ -84,6 +95,7 @@ def _parser() -> terminal.Parser:
     add_command(commands, "list", _list, "list the built-in grasps", grasp=False)
     wrench_sets.add_commands(commands)
     methods.add_commands(commands)
+    modes.add_commands(commands)
     inputs.add_commands(commands)
     draw.add_commands(commands)
     lab.add_commands(commands)
@@ -94,6 +106,16 @@ def _list(arguments: argparse.Namespace) -> int:
     from arrangement.io.files import described
 
     return terminal.print_names(described("contacts"), arguments.json)
+
+
+def _cone(text: str) -> int | None:
+    """Return the edges of a pyramid, None for round cones."""
+    if text == "round":
+        return None
+    kind, _, count = text.partition(":")
+    if kind != "pyramid" or not count.isascii() or not count.isdigit() or len(count) > 3:
+        raise argparse.ArgumentTypeError(f"{text[:60]!r} is no cone; give pyramid:K or round")
+    return int(count)
 
 
 def _seconds(text: str) -> float:
@@ -108,19 +130,30 @@ def _solve(arguments: argparse.Namespace) -> int:
     from equilibrium.io.files import write_certificate
     from equilibrium.methods.printed_model import solve_literal
     from equilibrium.model.errors import GraspError
+    from equilibrium.spatial_verdict import SpatialVerdict, solve_in_space
     from equilibrium.verdict import solve
 
     if arguments.literal and arguments.certificate is not None:
         raise GraspError("a literal reading has no certificate; omit one of the two options")
-    grasp, wrench = grasp_of(arguments), applied(arguments)
+    grasp = grasp_of(arguments)
+    wrench = applied(arguments, grasp)
     if arguments.literal:
         literal = solve_literal(grasp, wrench, arguments.literal)
         lines = _verdict_lines(literal.equilibria, grasp)
         return show(arguments, literal.to_dict(), lines, literal.stable, grasp)
     limits = {"time_limit": arguments.time_limit, "shorten": arguments.shorten}
-    found = solve(grasp, wrench, **limits)
-    if arguments.certificate is not None:
+    if arguments.cone is None:
+        found = solve(grasp, wrench, **limits)
+    elif grasp.dimension == 2:
+        raise GraspError("in the plane the friction cone has two edges; omit --cone")
+    else:
+        limit = arguments.time_limit
+        found = solve_in_space(grasp, wrench, time_limit=limit, pyramid=arguments.cone)
+    if arguments.certificate is not None and found.certificate is not None:
         write_certificate(arguments.certificate, found.certificate)
+    if isinstance(found, SpatialVerdict):
+        yes = found.stable if found.decided else None
+        return show(arguments, found.to_dict(), spatial_lines(found), yes, grasp)
     every = arguments.all or None
     lines = (
         _verdict_lines(found.equilibria, grasp) if found.lists_all(every) else _one_of_many(found)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import argparse
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from fractions import Fraction
 from typing import TYPE_CHECKING, Any
 
@@ -25,6 +25,7 @@ if TYPE_CHECKING:
     from arrangement.polyhedra.intervals import Interval
     from equilibrium.model.grasp import Grasp
     from equilibrium.wrench_sets import Gap, Region, ResistedSet, SearchMap, Segment
+    from equilibrium.wrench_sets.spatial import SpatialMagnitudes
 
 _ZERO = (Fraction(0),) * 3
 
@@ -74,9 +75,37 @@ def _limit(arguments: argparse.Namespace) -> int:
     from equilibrium.wrench_sets import resisted_magnitudes
 
     grasp = grasp_of(arguments)
-    found = resisted_magnitudes(grasp, applied(arguments, "direction"), arguments.base)
+    direction = applied(arguments, grasp, "direction")
+    if grasp.dimension == 3:
+        return _spatial_limit(arguments, grasp, direction, arguments.base)
+    found = resisted_magnitudes(grasp, direction, arguments.base)
     lines = [f"resisted for t in {_intervals(found.intervals)}"]
     return show(arguments, found.to_dict(), lines, bool(found.intervals), grasp)
+
+
+def _spatial_limit(
+    arguments: argparse.Namespace, grasp: Grasp, direction: Sequence[Fraction], base: Any
+) -> int:
+    from equilibrium.wrench_sets.spatial import spatial_magnitudes
+
+    found = spatial_magnitudes(grasp, direction, (0,) * 6 if base is _ZERO else base)
+    yes = {"resisted": True, "not resisted": False}.get(found.verdict)
+    return show(arguments, found.to_dict(), _border_lines(found), yes, grasp)
+
+
+def _border_lines(found: SpatialMagnitudes) -> Iterator[str]:
+    first, last = found.samples[0], found.samples[-1]
+    yield f"{len(found.samples)} magnitudes from 0 to {number(last[0])} tried; at 0: {first[1]}"
+    for border in found.borders:
+        ends = sorted((border.resisted, border.refused))
+        order = "resisted, then not" if border.resisted < border.refused else "not, then resisted"
+        line = f"{order}: the border is {bracket(*ends)}"
+        left = len(border.undecided)
+        yield line + (f"; {left} undecided between them" if left else "")
+    for a, b in found.gaps:
+        yield f"a gap: not resisted from {number(a.refused)} to {number(b.refused)}"
+    if last[1] != "not resisted":
+        yield f"at {number(last[0])}: {last[1]}; no end above it was looked for"
 
 
 def _region(arguments: argparse.Namespace) -> int:
@@ -126,7 +155,9 @@ def _margin(arguments: argparse.Namespace) -> int:
     from equilibrium.wrench_sets import least_friction, margin, sufficient_preloads
 
     grasp = grasp_of(arguments)
-    wrench = applied(arguments)
+    wrench = applied(arguments, grasp)
+    if grasp.dimension == 3:
+        return _spatial_limit(arguments, grasp, wrench, (0,) * 6)
     found = margin(grasp, wrench)
     preloads = sufficient_preloads(grasp, wrench)
     friction = least_friction(grasp, wrench, arguments.width)

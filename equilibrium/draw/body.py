@@ -20,7 +20,7 @@ from arrangement.draw.items import Floats
 from arrangement.draw.labels import flattened
 from arrangement.exact import RationalVector
 from equilibrium.model.grasp import Grasp
-from equilibrium.model.outline import Outline, Polygon
+from equilibrium.model.outline import Circle, Outline
 
 from .shapes import arc
 
@@ -47,9 +47,8 @@ def frame_of(grasp: Grasp, outline: Outline | None = None) -> Frame:
     if outline is not None:
         places += outline.extremes
     if not places:
-        return Frame((Fraction(0), Fraction(0)), Fraction(1))
-    lows = [min(p[k] for p in places) for k in (0, 1)]
-    highs = [max(p[k] for p in places) for k in (0, 1)]
+        return Frame((Fraction(0),) * grasp.dimension, Fraction(1))
+    lows, highs = ([end(column) for column in zip(*places, strict=True)] for end in (min, max))
     spread = max(high - low for low, high in zip(lows, highs, strict=True)) / 2
     centre = tuple((low + high) / 2 for low, high in zip(lows, highs, strict=True))
     return Frame(centre, spread or Fraction(1))
@@ -57,10 +56,10 @@ def frame_of(grasp: Grasp, outline: Outline | None = None) -> Frame:
 
 def stated_body(outline: Outline, frame: Frame) -> Floats:
     """Return a stated outline as cubic control points (3k + 1, 2)."""
-    if not isinstance(outline, Polygon):
+    if isinstance(outline, Circle):
         radius = float(outline.radius / frame.size)
         return arc(frame.paper(outline.centre), radius, 0.0, 2 * math.pi)
-    places = [frame.paper(corner) for corner in outline.corners]
+    places = [frame.paper(corner) for corner in outline.extremes]
     return _joined([(p, p, q, q) for p, q in zip(places, [*places[1:], places[0]], strict=True)])
 
 

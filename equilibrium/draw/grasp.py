@@ -14,16 +14,17 @@ from arrangement.draw.items import Floats
 from arrangement.draw.labels import flattened
 from arrangement.draw.legend import Legend
 from arrangement.draw.measuring import POINTS, checked_width
-from arrangement.draw.registry import Corner, Wrench
+from arrangement.draw.registry import Corner, Vector, Wrench
 from arrangement.draw.scene import Scene
 from equilibrium.model.errors import GraspError
-from equilibrium.model.grasp import Grasp, read_wrench
+from equilibrium.model.grasp import Grasp
 from equilibrium.solver.state_equilibrium import Solution
-from equilibrium.verdict import solve
+from equilibrium.verdict import Solver
 
 from .keys import bar, symbol
 from .layout import ARC, CONE, FORCE, Layout, displaced, layout_of
 from .shapes import Labels, arrow, mark, turning_arrow, wedge
+from .space_grasp import drawn_in_space, solved_in_space
 from .style import CONE_EDGE, CONE_FILL, nice, number, rounded, vector, wrench_text
 
 
@@ -34,6 +35,7 @@ def draw_grasp(
     wrench: Wrench | None = None,
     outline: Iterable[Corner] | None = None,
     piece: int = 1,
+    direction: Vector | None = None,
     width: float = 88.0,
 ) -> Scene:
     """Draw contacts with friction cones and preloads; with a wrench, the equilibrium too.
@@ -46,21 +48,34 @@ def draw_grasp(
     lines join them.
     Where the origin of the frame is far from the contacts, the wrench is carried to their middle.
 
+    A grasp in space is drawn from a direction. Hidden edges of its body are dashed, what is behind
+    or inside the body shines through; without a mesh as outline, dashed lines show the hull of the
+    contacts. The motion is drawn as a turn about an axis with its pitch, and as slips of contacts.
+
     Args:
         grasp: contacts; none, coincident ones and coordinates of any size are possible.
-        wrench: applied (f_x, f_y, tau), the torque about the origin; if omitted, none acts and
-            nothing is solved.
-        outline: corners of the object, exact, instead of the outline of the grasp.
-        piece: which of the equilibria found (see `solve`), from 1.
+        wrench: applied (f_x, f_y, tau), the torque about the origin, or six numbers in space; if
+            omitted, none acts and nothing is solved.
+        outline: corners of the object, exact, instead of the outline of the grasp, in the plane.
+        piece: which of the equilibria found (see `solve`), from 1, in the plane.
+        direction: exact, towards the viewer, in space; if omitted, one from above that sees forces
+            from the side.
         width: of the figure, in millimetres.
 
     Raises:
         GraspError: a bad outline, or no such piece.
         MissingExtraError: matplotlib is absent.
     """
+    if grasp.dimension == 3:
+        if outline is not None or piece != 1:
+            raise GraspError("outline and piece are for grasps in the plane; leave them out")
+        solid, note = solved_in_space(grasp, wrench)
+        return drawn_in_space(solid, direction, width, note)
+    if direction is not None:
+        raise GraspError("a direction is for grasps in space; leave it out")
     if wrench is None and piece != 1:
         raise GraspError("without a wrench nothing is solved; give one with the piece")
-    verdict = None if wrench is None else solve(grasp, read_wrench(wrench))
+    verdict = None if wrench is None else Solver(grasp).solve(wrench)
     return _drawn(layout_of(grasp, verdict, outline, piece), width)
 
 

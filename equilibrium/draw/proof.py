@@ -18,6 +18,7 @@ from arrangement.draw.registry import Exact, Wrench
 from arrangement.draw.scene import Scene
 from arrangement.exact import RationalVector
 from equilibrium.certificate.leaves import Part, works
+from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import Grasp
 from equilibrium.verdict import Verdict
 
@@ -28,6 +29,7 @@ from .panel import ABOVE, BELOW, LEFT, Panel
 from .proof_maps import MAP, TURNS, Shape, proof_maps, summary_lines
 from .row import GAP, RIGHT
 from .shapes import Labels, arc, arrow, turning_arrow
+from .space_proof import proof_in_space
 from .style import number, vector
 from .window import roomiest
 
@@ -67,10 +69,17 @@ def draw_proof(
             omitted, about the largest one at which a preloaded spring still touches, and no border.
         width: of the figure, in millimetres.
 
+    Of a grasp in space, up to three leaves of the proof: each virtual motion as a screw, and the
+    states of contacts against which it stands.
+
     Raises:
         GraspError: the wrench is resisted, or a turn that is not above 0.
         MissingExtraError: matplotlib is absent.
     """
+    if grasp.dimension == 3:
+        if turn is not None:
+            raise GraspError("turn is for grasps in the plane; leave it out")
+        return proof_in_space(grasp, wrench, checked_width(width, 60.0))
     maps = proof_maps(grasp, wrench, turn)
     verdict, ranks = maps.verdict, maps.ranks
     layout = layout_of(grasp, verdict, None, 1)

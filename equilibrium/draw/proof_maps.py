@@ -16,9 +16,9 @@ from arrangement.exact import IntegerVector, RationalVector, primitive, rational
 from arrangement.polyhedra.polyhedron import Polyhedron, from_conditions
 from equilibrium.certificate.leaves import Part, parts
 from equilibrium.model.errors import GraspError
-from equilibrium.model.grasp import Grasp, read_wrench
+from equilibrium.model.grasp import Grasp
 from equilibrium.solver.contact_rows import negated, normal_force_row, slip_row
-from equilibrium.verdict import Verdict, solve
+from equilibrium.verdict import Solver, Verdict
 
 from .body import Frame, frame_of
 from .style import nice, number, rounded, vector
@@ -61,7 +61,7 @@ def proof_maps(grasp: Grasp, wrench: Wrench, turn: Exact | None) -> ProofMaps:
     Raises:
         GraspError: the wrench is resisted, or a turn that is not above 0.
     """
-    verdict = solve(grasp, read_wrench(wrench))
+    verdict = Solver(grasp).solve(wrench)
     if verdict.stable:
         raise GraspError(
             "the wrench is resisted, so no proof refutes it; the view grasp shows what balances it"

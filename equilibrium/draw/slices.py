@@ -10,11 +10,13 @@ from arrangement.draw.registry import Exact, Wrench
 from arrangement.draw.scene import Scene
 from arrangement.exact import rational
 from equilibrium.methods import METHODS
+from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import Grasp
 from equilibrium.wrench_sets import Region, resisted_region
 
 from .keys import symbol
 from .row import Question, row_of_panels
+from .space_slice import slice_in_space
 from .style import SHADE, number, wrench_text
 from .window import joint_window
 
@@ -26,6 +28,8 @@ def draw_slice(
     wrench: Wrench | None = None,
     preload: Exact | None = None,
     extent: Exact | None = None,
+    axes: str = "",
+    directions: int = 24,
     width: float = 180.0,
 ) -> Scene:
     """Draw the resisted forces three times in the same plane, with the same axes.
@@ -35,18 +39,29 @@ def draw_slice(
     own preloads or, where it has none or one is given, with one preload at every contact. The
     border is drawn only where resistance ends; what reaches the edge has no end, and fades.
 
+    In space, one picture: the wrenches along directions of a plane of two coordinates, from 0 to
+    the borders, with both ends of each bracket; thick where magnitudes between stayed undecided.
+
     Args:
         grasp: contacts.
         wrench: marked in every part; the plane has its torque.
         preload: at every contact of part (c); if omitted, the grasp's own preloads, or 1 where it
             has none.
         extent: half the side of each part, about the origin; if omitted, all borders are shown.
+        axes: in space, two of fx, fy, fz, tx, ty, tz; "fx,fy" if omitted.
+        directions: how many, in space.
         width: of the figure, in millimetres.
 
     Raises:
         GraspError: an extent that is not above 0.
         MissingExtraError: matplotlib is absent.
     """
+    if grasp.dimension == 3:
+        if not (wrench is preload is extent is None):
+            raise GraspError("wrench, preload and extent are for slices in the plane")
+        return slice_in_space(grasp, axes or "fx,fy", directions, min(width, 88.0))
+    if axes:
+        raise GraspError("axes are for grasps in space; leave them out")
     question = Question(wrench, extent)
     given = None if preload is None else rational(preload, "preload")
     parts = slices(grasp, question.torque, given)

@@ -2,7 +2,11 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+from typing import Any
+
 from arrangement.draw.registry import Drawings
+from equilibrium.model.grasp import Grasp
 
 DRAWINGS = Drawings(
     "equilibrium.draw",
@@ -16,11 +20,31 @@ DRAWINGS = Drawings(
         "proof": "proof:draw_proof",
         "wrench-set": "wrench_set:draw_wrench_set",
     },
-    models={"wrench-set": "wrench_page:wrench_set_model"},
+    models={"wrench-set": "wrench_page:wrench_set_model", "grasp": "space_page:grasp_model"},
     pages={
         "resist": "page:resist_page",
         "proof": "proof_page:proof_page",
         "wrench-set": "wrench_page:wrench_set_page",
+        "grasp": "space_page:grasp_page",
     },
 )
-write_drawing = DRAWINGS.write
+#: What is drawn of grasps in space; and what of these alone.
+_IN_SPACE = {"views": ("grasp", "proof", "slice"), "models": ("grasp",), "pages": ("grasp",)}
+_IN_SPACE_ONLY = {"views": (), "models": ("grasp",), "pages": ("grasp",)}
+
+
+def drawings_of(grasp: Grasp) -> Drawings:
+    """Return what can be drawn of a grasp, in the plane or in space."""
+    kinds: dict[str, Any] = {}
+    for kind, names in _IN_SPACE.items():
+        known = getattr(DRAWINGS, kind)
+        if grasp.dimension == 2:
+            kinds[kind] = {n: f for n, f in known.items() if n not in _IN_SPACE_ONLY[kind]}
+        else:
+            kinds[kind] = {name: known[name] for name in names}
+    return replace(DRAWINGS, **kinds)
+
+
+def write_drawing(grasp: Grasp, *args: Any, **options: Any) -> dict[str, str]:
+    """Draw a grasp into a file; arguments and errors are those of `Drawings.write`."""
+    return drawings_of(grasp).write(grasp, *args, **options)

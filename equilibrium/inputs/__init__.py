@@ -1,4 +1,4 @@
-"""Ways to a grasp: from a polygon, a circle, float data, a CSV file, or at random.
+"""Ways to a grasp: from a polygon, a circle, a mesh, float data, a CSV file, or at random.
 
 Everything that had to be rounded is rounded here, once, on purpose, and the error is reported
 exactly; the grasp that comes out is exact.
@@ -8,6 +8,7 @@ from .conversion import Conversion, simplest_between, snapped
 from .csv_file import read_csv
 from .documents import read_any
 from .floats import from_float_data, read_float_data
+from .mesh import on_mesh
 from .polygon import OnEdge, from_polygon, read_polygon
 from .random import random_grasp, random_wrench, star_outline
 from .round import on_circle
@@ -18,6 +19,7 @@ __all__ = [
     "from_float_data",
     "from_polygon",
     "on_circle",
+    "on_mesh",
     "random_grasp",
     "random_wrench",
     "read_any",

@@ -88,7 +88,7 @@ def snapped(value: Any, tolerance: Any = DEFAULT_TOLERANCE) -> tuple[Fraction, F
 def assembled(
     places: Sequence[tuple[RationalVector, Fraction]],
     normals: Sequence[UnitNormal],
-    values: Sequence[dict[str, Fraction]],
+    values: Sequence[dict[str, Any]],
     value_error: Fraction = Fraction(0),
     outline: Outline | None = None,
 ) -> Conversion:

@@ -10,7 +10,7 @@ from arrangement.exact import RationalVector, rational, rational_vector, shown, 
 from arrangement.io.files import Source, check_keys, check_list, read_document
 from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import VALUES
-from equilibrium.model.outline import Polygon, pair
+from equilibrium.model.outline import Polygon, coordinates
 
 from .conversion import DEFAULT_TOLERANCE, Conversion, assembled, contact_values, unit_normals
 
@@ -54,7 +54,7 @@ def from_polygon(
     >>> from_polygon(triangle, [OnEdge(1, "1/2")], 1).grasp.contacts[0].normal
     (Fraction(-3, 5), Fraction(-4, 5))
     """
-    corners = [pair(v, f"vertices[{i}]") for i, v in enumerate(vertices)]
+    corners = [coordinates(v, f"vertices[{i}]", 2) for i, v in enumerate(vertices)]
     inside = _orientation(corners)
     found = [
         _placed(corners, place, i) if isinstance(place, OnEdge) else _located(corners, place, i)

@@ -4,14 +4,14 @@ from __future__ import annotations
 
 from arrangement.exact import RationalVector
 from equilibrium.model.grasp import Grasp
-from equilibrium.verdict import solve
+from equilibrium.verdict import Solver
 from equilibrium.wrench_sets.plane import resisted_region
 
 from .method import Method, Outcome
 
 
 def _decide(grasp: Grasp, wrench: RationalVector) -> Outcome:
-    found = solve(grasp, wrench)
+    found = Solver(grasp).solve(wrench)
     if not found.lists_all():
         return True, "an equilibrium was found"
     return found.stable, f"{len(found.equilibria)} maximal pieces of solutions"

@@ -34,7 +34,7 @@ from arrangement.linprog import Infeasible, Unbounded, feasible_point, minimize
 from arrangement.polyhedra.polyhedron import Polyhedron, from_generators
 from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import Grasp, read_wrench
-from equilibrium.model.outline import pair
+from equilibrium.model.outline import coordinates
 from equilibrium.solver.contact_rows import (
     balance_rows,
     cone_rows,
@@ -108,7 +108,7 @@ def mass_matrix(mass: Any, inertia: Any, centre: Iterable[Any]) -> tuple[Rationa
     m, i = rational(mass, "mass"), rational(inertia, "inertia")
     if m <= 0 or i <= 0:
         raise GraspError(f"mass is {shown(m)} and inertia {shown(i)}; both must be above 0")
-    x, y = pair(centre, "centre")
+    x, y = coordinates(centre, "centre", 2)
     zero = Fraction(0)
     return ((m, zero, -m * y), (zero, m, m * x), (-m * y, m * x, i + m * (x * x + y * y)))
 

@@ -2,7 +2,7 @@
 
 from .errors import CertificateError, EquilibriumError, GraspError
 from .grasp import Contact, Grasp, read_wrench
-from .outline import Circle, Polygon
+from .outline import Circle, Mesh, Polygon
 from .unit_normal import UnitNormal, unit_normal
 from .units import Units
 
@@ -13,6 +13,7 @@ __all__ = [
     "EquilibriumError",
     "Grasp",
     "GraspError",
+    "Mesh",
     "Polygon",
     "UnitNormal",
     "Units",

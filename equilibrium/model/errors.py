@@ -17,3 +17,7 @@ class CertificateError(EquilibriumError, InputError):
 
 class TimeLimitError(EquilibriumError, InputError):
     """The time allowed has passed before an answer was found; the message says what is open."""
+
+
+class UndecidedError(EquilibriumError):
+    """An undecided verdict was asked for yes or no; the message says why it is open."""

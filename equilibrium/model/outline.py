@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from fractions import Fraction
-from typing import Any, TypeAlias
+from typing import Any, ClassVar, TypeAlias
 
-from arrangement.exact import RationalVector, rational, rational_vector, to_text
+from arrangement.exact import RationalVector, rational, rational_vector, shown, to_text
 from arrangement.io.files import check_keys, check_list
 
 from .errors import GraspError
@@ -21,10 +21,11 @@ class Polygon:
         corners: at least three points in order, in either orientation (length).
     """
 
+    dimension: ClassVar = 2
     corners: tuple[RationalVector, ...]
 
     def __init__(self, corners: Iterable[Iterable[Any]]) -> None:
-        found = tuple(pair(corner, f"outline[{i}]") for i, corner in enumerate(corners))
+        found = tuple(coordinates(corner, f"outline[{i}]", 2) for i, corner in enumerate(corners))
         if len(found) < 3:
             raise GraspError(f"the outline has {len(found)} corners; give at least three")
         object.__setattr__(self, "corners", found)
@@ -48,11 +49,12 @@ class Circle:
         radius: above 0 (length).
     """
 
+    dimension: ClassVar = 2
     centre: RationalVector
     radius: Fraction
 
     def __init__(self, centre: Iterable[Any], radius: Any) -> None:
-        object.__setattr__(self, "centre", pair(centre, "the centre of the outline"))
+        object.__setattr__(self, "centre", coordinates(centre, "the centre of the outline", 2))
         object.__setattr__(self, "radius", rational(radius, "the radius of the outline"))
         if self.radius <= 0:
             raise GraspError(f"the radius of the outline is {self.radius}; it must be above 0")
@@ -67,24 +69,74 @@ class Circle:
         return {"centre": [to_text(x) for x in self.centre], "radius": to_text(self.radius)}
 
 
-Outline: TypeAlias = Polygon | Circle
+@dataclass(frozen=True)
+class Mesh:
+    """An object in space with flat faces.
+
+    Args:
+        vertices: points (length).
+        faces: at least three numbers of vertices each, counter-clockwise seen from outside.
+    """
+
+    dimension: ClassVar = 3
+    vertices: tuple[RationalVector, ...]
+    faces: tuple[tuple[int, ...], ...]
+
+    def __init__(self, vertices: Iterable[Iterable[Any]], faces: Iterable[Iterable[int]]) -> None:
+        points = tuple(coordinates(p, f"outline.vertices[{i}]", 3) for i, p in enumerate(vertices))
+        found = tuple(map(tuple, faces))
+        for i, face in enumerate(found):
+            if len(face) < 3 or any(type(k) is not int or not 0 <= k < len(points) for k in face):
+                raise GraspError(
+                    f"outline.faces[{i}] is {shown(list(face))}; give at least three numbers of "
+                    f"vertices, from 0 to {len(points) - 1}"
+                )
+        object.__setattr__(self, "vertices", points)
+        object.__setattr__(self, "faces", found)
+
+    @property
+    def extremes(self) -> tuple[RationalVector, ...]:
+        """Points whose bounding box is that of the object."""
+        return self.vertices
+
+    def to_dict(self) -> dict[str, Any]:
+        """Return the file form."""
+        vertices = [[to_text(x) for x in vertex] for vertex in self.vertices]
+        return {"vertices": vertices, "faces": [list(face) for face in self.faces]}
+
+
+Outline: TypeAlias = Polygon | Circle | Mesh
 
 
 def read_outline(form: Any) -> Outline:
-    """Return the outline of a file form: a list of corners, or an object with centre and radius.
+    """Return the outline of a file form.
+
+    A list of corners is a polygon; an object with centre and radius is a circle, one with vertices
+    and faces a mesh.
 
     Raises:
         InputError: another form, or a number out of range.
     """
     if isinstance(form, (list, tuple)):
         return Polygon(check_list(corner, f"outline[{i}]", 2) for i, corner in enumerate(form))
+    if isinstance(form, Mapping) and "vertices" in form:
+        check_keys(form, ("vertices", "faces"), (), "outline")
+        vertices, faces = (
+            [
+                check_list(row, f"outline.{key}[{i}]")
+                for i, row in enumerate(check_list(form[key], key))
+            ]
+            for key in ("vertices", "faces")
+        )
+        return Mesh(vertices, faces)
     check_keys(form, ("centre", "radius"), (), "outline")
     return Circle(check_list(form["centre"], "outline.centre", 2), form["radius"])
 
 
-def pair(values: Iterable[Any], name: str) -> RationalVector:
-    """Return two rationals."""
+def coordinates(values: Iterable[Any], name: str, dimension: int | None = None) -> RationalVector:
+    """Return the rational coordinates of a vector in the plane or in space, or in one of them."""
     found = rational_vector(values, name)
-    if len(found) != 2:
-        raise GraspError(f"{name} has {len(found)} coordinates; give two")
+    if len(found) not in ((2, 3) if dimension is None else (dimension,)):
+        due = {None: "two, or three in space", 2: "two", 3: "three"}[dimension]
+        raise GraspError(f"{name} has {len(found)} coordinates; give {due}")
     return found

@@ -1,7 +1,8 @@
 """Exactly unit rational vectors near a given direction.
 
 The rational points of the unit circle are ``((1 - u^2) / (1 + u^2), 2u / (1 + u^2))`` with u the
-tangent of half the angle. A direction that already has a rational length is returned exactly.
+tangent of half the angle, and those of the unit sphere are ``(1 - u^2 - v^2, 2u, 2v)`` over
+``1 + u^2 + v^2``. A direction that already has a rational length is returned exactly.
 """
 
 from __future__ import annotations
@@ -11,7 +12,8 @@ from collections.abc import Iterable
 from fractions import Fraction
 from typing import Any, NamedTuple
 
-from arrangement.exact import RationalVector, from_floats
+from arrangement.exact import RationalVector, dot, from_floats
+from arrangement.linear import cross
 
 from .errors import GraspError
 
@@ -20,10 +22,11 @@ class UnitNormal(NamedTuple):
     """An exactly unit vector, and the error made.
 
     Attributes:
-        normal: rational, with ``x^2 + y^2 = 1`` exactly.
+        normal: rational, its length exactly 1.
         angle_error: the tangent of the signed angle (radians, counter-clockwise) from the wanted
             direction to `normal`, an exact rational. As ``|angle| <= |tan(angle)|`` below a
-            right angle, its absolute value is an upper bound of the angle itself.
+            right angle, its absolute value is an upper bound of the angle itself. In space it
+            is a rational at or above the tangent, at least 0.
     """
 
     normal: RationalVector
@@ -37,7 +40,7 @@ def unit_normal(direction: Iterable[Any], tolerance: Any = Fraction(1, 10**6)) -
     accepted as well as rationals; they stand for the binary fractions that they are.
 
     Args:
-        direction: two numbers, not both zero.
+        direction: two numbers, or three in space, not all zero.
         tolerance: the largest accepted tangent of the angle error, ``0 < tolerance <= 1``.
 
     Returns:
@@ -54,17 +57,18 @@ def unit_normal(direction: Iterable[Any], tolerance: Any = Fraction(1, 10**6)) -
     """
     wanted = from_floats(list(direction))
     bound = from_floats(tolerance)
-    if len(wanted) != 2 or not any(wanted):
-        raise GraspError(f"direction is {direction!r}; give two numbers, not both zero")
+    if len(wanted) not in (2, 3) or not any(wanted):
+        raise GraspError(f"direction is {direction!r}; give two or three numbers, not all zero")
     if not 0 < bound <= 1:
         raise GraspError(f"tolerance is {tolerance!r}; it must be above 0 and at most 1 (radians)")
     exact = _exact_unit(wanted)
     if exact is not None:
         return UnitNormal(exact, Fraction(0))
+    near, tangent = (_near, _tangent) if len(wanted) == 2 else (_near_in_space, _tangent_in_space)
     limit = 1
     while True:
-        normal = _near(wanted, limit)
-        error = _tangent(wanted, normal)
+        normal = near(wanted, limit)
+        error = tangent(wanted, normal)
         if error is not None and abs(error) <= bound:
             return UnitNormal(normal, error)
         limit *= 2
@@ -72,12 +76,12 @@ def unit_normal(direction: Iterable[Any], tolerance: Any = Fraction(1, 10**6)) -
 
 def _exact_unit(v: RationalVector) -> RationalVector | None:
     """Return v / |v| when |v| is rational."""
-    square = v[0] * v[0] + v[1] * v[1]
+    square = sum(x * x for x in v)
     top, bottom = math.isqrt(square.numerator), math.isqrt(square.denominator)
     if top * top != square.numerator or bottom * bottom != square.denominator:
         return None
     length = Fraction(top, bottom)
-    return (v[0] / length, v[1] / length)
+    return tuple(x / length for x in v)
 
 
 def _near(v: RationalVector, limit: int) -> RationalVector:
@@ -97,10 +101,47 @@ def _near(v: RationalVector, limit: int) -> RationalVector:
 def _half_tangent(large: Fraction, small: Fraction, limit: int) -> Fraction:
     """Return ``small / (large + sqrt(large^2 + small^2))`` to well within ``1 / limit^2``."""
     slope = small / large
-    digits = 4 * limit.bit_length() + 16 + slope.denominator.bit_length()
-    scaled = (1 + slope * slope) * (1 << (2 * digits))
-    root = Fraction(math.isqrt(scaled.numerator // scaled.denominator), 1 << digits)
-    return slope / (1 + root)
+    return slope / (1 + _root(1 + slope * slope, limit))
+
+
+def _near_in_space(v: RationalVector, limit: int) -> RationalVector:
+    """Return the unit vector whose u and v are v's with a common denominator of at most limit.
+
+    They belong to the largest coordinate, which goes first and is made positive: both are at most
+    1 / (1 + sqrt(2)) then. Of the denominators up to 2^14 the best is taken.
+    """
+    first = max(range(3), key=lambda j: abs(v[j]))
+    others = [j for j in range(3) if j != first]
+    scaled = [v[j] / abs(v[first]) for j in others]
+    length = _root(1 + Fraction(dot(scaled, scaled)), limit)
+    exact = [x / (1 + length) for x in scaled]
+    a, b = map(float, exact)
+    few = range(max(limit // 2, 1), limit + 1) if limit <= 2**14 else (limit,)
+    unit = min(few, key=lambda k: max(abs(a - round(a * k) / k), abs(b - round(b * k) / k)))
+    halves = [Fraction(round(x * unit), unit) for x in exact]
+    square: Fraction = dot(halves, halves)
+    found: list[Fraction] = [(1 if v[first] > 0 else -1) * (1 - square) / (1 + square)] * 3
+    for j, x in zip(others, halves, strict=True):
+        found[j] = 2 * x / (1 + square)
+    return tuple(found)
+
+
+def _root(square: Fraction, limit: int) -> Fraction:
+    """Return a square root, rounded down, to well within ``1 / limit^2``."""
+    digits = 4 * limit.bit_length() + 16 + square.denominator.bit_length()
+    scaled = square * (1 << (2 * digits))
+    return Fraction(math.isqrt(scaled.numerator // scaled.denominator), 1 << digits)
+
+
+def _tangent_in_space(wanted: RationalVector, found: RationalVector) -> Fraction | None:
+    """Return a rational just above the tangent of the angle; None at a right angle or beyond."""
+    cosine = dot(wanted, found)
+    if cosine <= 0:
+        return None
+    sines = cross(wanted, found)
+    square = dot(sines, sines) / (cosine * cosine)
+    scaled = square * 10**40
+    return Fraction(math.isqrt(scaled.numerator // scaled.denominator) + 1, 10**20)
 
 
 def _tangent(wanted: RationalVector, found: RationalVector) -> Fraction | None:

@@ -10,6 +10,7 @@ states. A failure proves nothing.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator
 
 import numpy as np
@@ -19,6 +20,7 @@ from arrangement.float_filter import Floats
 
 from .float_contacts import FloatContacts, nearest
 from .integer_contacts import IntegerContacts
+from .spatial_contacts import SpatialContacts
 from .state_equilibrium import Guess, Solution, exact_equilibrium
 
 _STEPS = 30
@@ -61,7 +63,10 @@ class Continuation:
 
     Attributes:
         scale: the typical size of the coordinates of a motion; it may be off by a lot.
+        reached: the least residual of sharp contacts so far.
     """
+
+    reached = math.inf
 
     def __init__(self, contacts: FloatContacts, wrench: RationalVector) -> None:
         self.contacts = contacts
@@ -76,6 +81,7 @@ class Continuation:
         for _ in range(_PATH):
             end, residual = self._newton(motion, eps * factor * slip)
             good = residual <= _CLOSE * self.size
+            self.reached = min(self.reached, residual) if eps * factor < _SHARP else self.reached
             if eps * factor < _SHARP and residual <= self.size:
                 yield end, eps * factor * slip
             if good:
@@ -145,15 +151,16 @@ def _step(jacobian: Floats, value: Floats, damping: float) -> Floats:
         except np.linalg.LinAlgError:
             damping = 1e-10
     weight = np.sqrt(damping) * np.linalg.norm(jacobian) + 1e-300
-    rows = np.concatenate([jacobian, weight * np.eye(3)])
+    rows = np.concatenate([jacobian, weight * np.eye(len(value))])
     left, triangle = np.linalg.qr(rows)
-    step: Floats = np.linalg.solve(triangle, -(left[:3].T @ value))
+    step: Floats = np.linalg.solve(triangle, -(left[: len(value)].T @ value))
     return step
 
 
-def motion_scale(contacts: FloatContacts, load: Floats) -> Floats:
-    """Return typical sizes of the two translations and of the rotation of an equilibrium."""
-    arms = np.array([1.0, 1.0, 1 / contacts.length])
+def motion_scale(contacts: FloatContacts | SpatialContacts, load: Floats) -> Floats:
+    """Return typical sizes of the coordinates of the motion of an equilibrium."""
+    turns = 3 if len(load) == 6 else 1
+    arms = np.array([1.0] * (len(load) - turns) + [1 / contacts.length] * turns)
     total = float(contacts.stiffness.sum())
     if not 0 < total < np.inf:
         return arms

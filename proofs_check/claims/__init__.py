@@ -44,7 +44,9 @@ TOPICS: tuple[str, ...] = (
     "directions",
     "methods",
     "certificates",
+    "space",
     "families",
+    "modes",
 )
 
 

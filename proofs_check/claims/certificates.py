@@ -7,7 +7,7 @@ from fractions import Fraction
 from functools import lru_cache
 from itertools import product
 
-from equilibrium.verdict import Verdict, solve
+from equilibrium.verdict import Solver, Verdict
 from proofs_check.instances.grasps import grasp_case, grasp_of
 from proofs_check.instances.paper_tables import FRICTION
 from proofs_check.routes.leaves import leaf_count
@@ -38,7 +38,7 @@ def _jaws(m: int, load: tuple[Fraction, ...]) -> Question:
 
 @lru_cache(maxsize=64)
 def _decided(question: Question) -> Verdict:
-    return solve(grasp_of(question), question.wrench)
+    return Solver(grasp_of(question)).solve(question.wrench)
 
 
 def _checked(question: Question) -> int:

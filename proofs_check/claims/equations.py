@@ -14,7 +14,7 @@ from functools import partial
 from typing import Any
 
 from equilibrium.methods.printed_model import solve_literal
-from equilibrium.verdict import solve
+from equilibrium.verdict import Solver
 from proofs_check.instances import paper_tables as printed
 from proofs_check.instances.domains import domain
 from proofs_check.instances.grasps import (
@@ -134,7 +134,7 @@ def _deviation_pair(options: Collection[str], question: Question) -> Pair:
 
 
 def _pair_by_solver(options: Collection[str], question: Question) -> Pair:
-    model = solve(grasp_of(question), question.wrench)
+    model = Solver(grasp_of(question)).solve(question.wrench)
     return _by_literal(options, question), _word(model.stable)
 
 
@@ -153,7 +153,7 @@ def _algorithm_2(*options: str) -> partial[Claim]:
 
 
 def _normal_forces_solved(question: Question) -> tuple[tuple[Interval, ...], ...]:
-    verdict = solve(grasp_of(question), question.wrench)
+    verdict = Solver(grasp_of(question)).solve(question.wrench)
     return tuple(
         oracle.united(piece.force_ranges[i][0] for piece in verdict.equilibria)
         for i in range(len(question.contacts))

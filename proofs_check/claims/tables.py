@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 from functools import partial
 
-from equilibrium.verdict import solve
+from equilibrium.verdict import Solver
 from proofs_check.instances import paper_tables as printed
 from proofs_check.instances.grasps import grasp_of, paper_question
 from proofs_check.routes import oracle
@@ -55,7 +55,7 @@ def _substituted(row: TableRow) -> str:
 
 
 def _solved(row: TableRow) -> str:
-    verdict = solve(grasp_of(row.question), row.question.wrench)
+    verdict = Solver(grasp_of(row.question)).solve(row.question.wrench)
     if not verdict.verify():
         return "the certificate is not valid"
     if not verdict.stable:
@@ -123,7 +123,7 @@ def _held_exactly(probes: Probes) -> tuple[bool, ...]:
 def _held_solved(probes: Probes) -> tuple[bool, ...]:
     grasp = grasp_of(probes.question)
     return tuple(
-        solve(grasp, [t * x for x in probes.question.wrench]).stable for t in probes.factors
+        Solver(grasp).solve([t * x for x in probes.question.wrench]).stable for t in probes.factors
     )
 
 

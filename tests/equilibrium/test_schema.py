@@ -23,6 +23,7 @@ from equilibrium.verdict import solve
 
 VALIDATOR = jsonschema.Draft202012Validator(grasp_schema())
 CONTACT = {"point": ["-1", 0], "normal": ["3/5", "-0.8"], "friction": "1/2"}
+SPATIAL = {"point": [0, 0, "-1"], "normal": ["3/5", 0, "0.8"], "friction": "1/2"}
 MISSING = object()
 
 
@@ -44,6 +45,11 @@ GOOD = [
     grasp(outline=[["0", 0], ["4", "0"], ["0", "3"]]),
     grasp(outline={"centre": ["0", "1/2"], "radius": "1"}),
     contact(stiffness="2", preload=0),
+    grasp(contacts=[SPATIAL, SPATIAL | {"tangent": ["4/5", 0, "-3/5"]}]),
+    grasp(
+        contacts=[SPATIAL],
+        outline={"vertices": [["0", 0, 0], [1, 0, 0], [0, 1, 0]], "faces": [[0, 1, 2]]},
+    ),
     contact(stiffness="00.50", preload="0/7", friction="+1."),
     contact(point=["+.5", "-7/3"], preload="-0"),
     contact(stiffness="10/03"),
@@ -77,7 +83,6 @@ BAD = [
     contact(normal=MISSING),
     contact(friction=MISSING),
     contact(point=["0"]),
-    contact(point=["0", "0", "0"]),
     contact(point="00"),
     contact(point=["0", "1e10000"]),
     contact(point=["0", "1 /2"]),
@@ -150,8 +155,19 @@ def test_what_is_written_and_what_ships_passes():
         assert VALIDATOR.is_valid(json.loads(path.read_text(encoding="utf-8")))
 
 
-def test_only_the_reader_checks_the_length_of_normals():
-    document = contact(normal=["1", "1"])
+@pytest.mark.parametrize(
+    "document",
+    [
+        contact(normal=["1", "1"]),
+        contact(point=["0", "0", "0"]),
+        contact(tangent=["0", "0", "1"]),
+        contact(point=["0", "0", "0"], normal=["0", "0", "1"], tangent=["0", "0", "1"]),
+        grasp(contacts=[CONTACT, SPATIAL]),
+        grasp(contacts=[SPATIAL], outline=[["0", 0], ["4", "0"], ["0", "3"]]),
+        grasp(outline={"vertices": [["0", 0, 0]] * 3, "faces": [[0, 1, 3]]}),
+    ],
+)
+def test_only_the_reader_checks_lengths_and_dimensions(document):
     assert VALIDATOR.is_valid(document)
     assert not accepted(document)
 

@@ -38,7 +38,7 @@ function placed(point, shift) {
 function lit(colour, normal) {
   const white = 0.4 * Math.max(0, dot(LIGHT, state.axes.map((axis) => dot(axis, normal))));
   const mixed = [1, 3, 5].map((k) => parseInt(colour.slice(k, k + 2), 16)).map((x) => Math.round(x + (255 - x) * white));
-  return `rgb(${mixed})`;
+  return `rgb(${mixed}${colour.length > 7 ? `,${parseInt(colour.slice(7), 16) / 255}` : ""})`;
 }
 
 function paint(face, id, shift) {
@@ -48,14 +48,15 @@ function paint(face, id, shift) {
   if (points.length > 2) {
     const normal = towards < 0 ? face.normal.map((x) => -x) : face.normal;
     const fill = lit(face.fill, normal);
-    const style = { class: same(id) ? "face chosen" : "face", d: `M${points.join("L")}Z`, fill, stroke: fill };
+    const style = { class: same(id) ? "face chosen" : "face", d: `M${points.join("L")}Z`, fill, stroke: face.fill.length > 7 ? "none" : fill };
     draw("path", { ...style, "data-id": id }, view);
   } else if (points.length === 1) {
     draw("circle", { cx: points[0][0], cy: points[0][1], r: 1.2 }, view);
   }
   for (const edge of face.edges) {
     const [p, q] = edge.map((end) => placed(end, shift));
-    draw("path", { class: face.faint ? "edge faint" : "edge", d: `M${p}L${q}` }, view);
+    const line = draw("path", { class: face.faint ? "edge faint" : "edge", d: `M${p}L${q}` }, view);
+    if (face.ink) line.style.stroke = face.ink;
   }
 }
 

@@ -1,0 +1,220 @@
+"""Equilibria in space that have no rational numbers, proved by intervals with rational ends.
+
+Where states are given, balance is six equations in six unknowns: y, of the motion ``d = B y`` for a
+basis B of motions by which no sticking contact slips, and forces z of some sticking contacts
+("pillars"). With ``c_n = q - k N . d`` and friction
+
+* ``-mu c_n s / |s|`` with s = T d where a contact slips,
+* ``mu c_n r`` with a given r where it sticks, and z along a tangent if it is a pillar there,
+
+let F be the sum of all wrenches. The test of Krawczyk: if for a box X with centre m and any matrix
+Y ``K = m - Y F(m) + (I - Y F'(X)) (X - m)`` lies inside X, then F has exactly one zero in X. There
+all conditions of the law hold, if they hold for all of X. Intervals have integer ends over 2^192
+and are rounded outwards.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable, Sequence
+from fractions import Fraction
+from typing import NamedTuple
+
+from arrangement.exact import RationalVector, dot
+from equilibrium.model.grasp import Grasp
+
+from .reading import Enclosure
+from .space import frame
+
+_BITS = 192
+_ONE = 1 << _BITS
+
+
+class Interval(NamedTuple):
+    """All numbers from `low` to `high`, both over 2^192."""
+
+    low: int
+    high: int
+
+    def plus(self, other: Interval) -> Interval:
+        """Return an interval of all sums."""
+        return Interval(self.low + other.low, self.high + other.high)
+
+    def times(self, other: Interval) -> Interval:
+        """Return an interval of all products."""
+        a, b = self
+        c, d = other
+        products = (a * c, a * d, b * c, b * d)
+        return Interval(min(products) >> _BITS, -(-max(products) >> _BITS))
+
+    def square(self) -> Interval:
+        """Return an interval of all squares."""
+        low, high = sorted(map(abs, self))
+        return Interval(
+            0 if self.low < 0 < self.high else low * low >> _BITS, -(-high * high >> _BITS)
+        )
+
+    def negative(self) -> Interval:
+        """Return all negatives."""
+        return Interval(-self.high, -self.low)
+
+    def inverse_root(self) -> Interval:
+        """Return an interval of ``1 / sqrt(x)``; all x must be above 0."""
+        low, high = (x << _BITS for x in self)
+        return Interval(_ONE * _ONE // (math.isqrt(high) + 1), _ONE * _ONE // math.isqrt(low) + 1)
+
+
+def interval(x: Fraction | int) -> Interval:
+    """Return a number as an interval."""
+    scaled = Fraction(x) * _ONE
+    return Interval(math.floor(scaled), math.ceil(scaled))
+
+
+def total(parts: Iterable[Interval]) -> Interval:
+    """Return the sum of intervals."""
+    low, high = 0, 0
+    for part in parts:
+        low, high = low + part.low, high + part.high
+    return Interval(low, high)
+
+
+def product(row: Iterable[Interval], column: Iterable[Interval]) -> Interval:
+    """Return the scalar product of intervals."""
+    return total(x.times(y) for x, y in zip(row, column, strict=True))
+
+
+def enclosure_problem(grasp: Grasp, wrench: RationalVector, given: Enclosure) -> str:
+    """Return why an enclosure shows no equilibrium, or nothing."""
+    for i, (contact, friction) in enumerate(zip(grasp, given.friction, strict=True)):
+        _, *tangents = frame(contact)
+        if friction and any(dot(t, motion) for motion in given.basis for t in tangents):
+            return f"contact {i + 1} sticks, and a motion of the basis moves it"
+        if friction and dot(friction, friction) > 1:
+            return f"contact {i + 1} sticks, and has a friction above its limit"
+    for i, _ in given.pillars:
+        if not given.friction[i]:
+            return f"contact {i + 1} is a pillar and does not stick"
+    if any(r <= 0 for r in given.radius):
+        return "a radius of the enclosure is not above 0"
+    box = [
+        Interval(interval(m - r).low, interval(m + r).high)
+        for m, r in zip(given.centre, given.radius, strict=True)
+    ]
+    try:
+        value, _ = _balance(grasp, wrench, given, [interval(m) for m in given.centre])
+        _, derivative = _balance(grasp, wrench, given, box)
+    except _BrokenLaw as broken:
+        return str(broken)
+    inverse = [[interval(x) for x in row] for row in given.inverse]
+    away = [x.plus(interval(m).negative()) for x, m in zip(box, given.centre, strict=True)]
+    for j, row in enumerate(inverse):
+        rest = [
+            interval(int(j == k)).plus(product(row, column).negative())
+            for k, column in enumerate(zip(*derivative, strict=True))
+        ]
+        step = product(row, value).negative()
+        found = total((interval(given.centre[j]), step, product(rest, away)))
+        if not box[j].low < found.low <= found.high < box[j].high:
+            return f"the enclosure is not mapped into itself in coordinate {j + 1}"
+    return ""
+
+
+class _BrokenLaw(Exception):
+    """A condition of the law that does not hold all over a box."""
+
+
+class _Linear(NamedTuple):
+    """A number that depends on the unknowns: an interval of its values, and of its derivatives."""
+
+    value: Interval
+    slopes: list[Interval]
+
+    def times(self, other: _Linear) -> _Linear:
+        """Return the product."""
+        slopes = [
+            self.value.times(y).plus(other.value.times(x))
+            for x, y in zip(self.slopes, other.slopes, strict=True)
+        ]
+        return _Linear(self.value.times(other.value), slopes)
+
+    def by(self, factor: Fraction | int) -> _Linear:
+        """Return a multiple."""
+        scale = interval(factor)
+        return _Linear(self.value.times(scale), [x.times(scale) for x in self.slopes])
+
+    def plus(self, other: _Linear) -> _Linear:
+        """Return the sum."""
+        slopes = [x.plus(y) for x, y in zip(self.slopes, other.slopes, strict=True)]
+        return _Linear(self.value.plus(other.value), slopes)
+
+
+def _balance(
+    grasp: Grasp, wrench: RationalVector, given: Enclosure, box: Sequence[Interval]
+) -> tuple[list[Interval], list[list[Interval]]]:
+    """Return the sum of all wrenches over a box, and its derivative, (6, 6).
+
+    Raises:
+        _BrokenLaw: a condition does not hold all over the box.
+    """
+    zeros = [Interval(0, 0)] * 6
+    sums = [_Linear(interval(w), zeros) for w in wrench]
+    for i, (contact, friction) in enumerate(zip(grasp, given.friction, strict=True)):
+        rows = frame(contact)
+        moved = [_along(row, given.basis, box) for row in rows]
+        normal = moved[0].by(-contact.stiffness)
+        normal = normal.plus(_Linear(interval(contact.preload), zeros))
+        if friction is None:
+            if normal.value.high > 0:
+                raise _BrokenLaw(f"contact {i + 1} is not detached all over the enclosure")
+            continue
+        if normal.value.low < 0:
+            raise _BrokenLaw(f"contact {i + 1} is not attached all over the enclosure")
+        limit = normal.by(contact.friction)
+        if friction:
+            forces = _sticking(i, limit, friction, given, box)
+        else:
+            forces = [limit.times(x).by(-1) for x in _unit(i, moved[1:])]
+        for force, row in zip((normal, *forces), rows, strict=True):
+            sums = [one.plus(force.by(x)) if x else one for one, x in zip(sums, row, strict=True)]
+    return [one.value for one in sums], [one.slopes for one in sums]
+
+
+def _along(
+    row: RationalVector, basis: Sequence[RationalVector], box: Sequence[Interval]
+) -> _Linear:
+    """Return how far a contact moves along a unit wrench."""
+    slopes = [interval(dot(row, motion)) for motion in basis]
+    slopes += [Interval(0, 0)] * (6 - len(slopes))
+    return _Linear(product(slopes, box), slopes)
+
+
+def _sticking(
+    i: int, limit: _Linear, share: RationalVector, given: Enclosure, box: Sequence[Interval]
+) -> list[_Linear]:
+    """Return the friction forces of a contact that sticks."""
+    forces = [limit.by(x) for x in share]
+    carried = [
+        (k, j) for k, (pillar, j) in enumerate(given.pillars, len(given.basis)) if pillar == i
+    ]
+    for k, j in carried:
+        slopes = [interval(int(k == other)) for other in range(6)]
+        forces[j] = forces[j].plus(_Linear(box[k], slopes))
+    squares = total(force.value.square() for force in forces)
+    if carried and squares.high > limit.value.square().low:
+        raise _BrokenLaw(f"contact {i + 1} has a friction above its limit")
+    return forces
+
+
+def _unit(i: int, slip: Sequence[_Linear]) -> list[_Linear]:
+    """Return ``s / |s|``, whose derivative is that of s without its part along s, over |s|."""
+    square = total(s.value.square() for s in slip)
+    if square.low <= 0:
+        raise _BrokenLaw(f"contact {i + 1} does not slip all over the enclosure")
+    root = square.inverse_root()
+    units = [s.value.times(root) for s in slip]
+    along = [product(units, column) for column in zip(*(s.slopes for s in slip), strict=True)]
+    found = []
+    for u, s in zip(units, slip, strict=True):
+        across = zip(s.slopes, along, strict=True)
+        found.append(_Linear(u, [x.plus(u.times(y).negative()).times(root) for x, y in across]))
+    return found

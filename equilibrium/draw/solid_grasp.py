@@ -1,0 +1,360 @@
+"""A grasp in space as flat pieces: body, friction cones, arrows, the axis of a motion.
+
+Everything is moved and scaled so that body and contacts fill [-1, 1], then rounded to multiples of
+2^-20; the pieces are exact from there on, and so is the order in which they hide each other.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, field
+from fractions import Fraction
+from functools import cached_property
+from itertools import pairwise
+
+import numpy as np
+
+from arrangement.draw.colours import BLACK, BLUE, GREY, VERMILION
+from arrangement.draw.depth_tree import Node, depth_tree
+from arrangement.draw.items import Floats
+from arrangement.exact import IntegerVector, dot, primitive
+from arrangement.io.meshes import volume
+from arrangement.linear import cross
+from arrangement.polyhedra.surface import Patch
+from equilibrium.model.grasp import Grasp
+from equilibrium.model.outline import Mesh
+
+from .body import Frame, frame_of
+from .body_mesh import convex_hull, edges_of, looks, merged, sharp_edges, silhouette
+
+#: Lengths, where body and contacts fill [-1, 1]: cones, the largest force, slip and motion.
+CONE, FORCE, MOVED = 0.3, 0.6, 0.3
+#: Sides of a cone, and of the head of an arrow; its length and radius.
+_SIDES, _HEAD_SIDES, _HEAD, _HEAD_RADIUS = 16, 6, 0.09, 0.03
+_GRID = 1 << 20
+#: An axis farther than this from the middle is not drawn.
+FAR = 1.8
+#: Radius of the helix of a motion, and most turns of it.
+_HELIX, _TURNS = 0.14, 2.0
+#: Meshes of more facets are drawn as their convex hull.
+_MOST_FACETS = 1500
+
+#: Colours by the first word of a piece's name.
+INKS = {
+    "force": BLACK,
+    "wrench": VERMILION,
+    "slip": BLUE,
+    "axis": BLUE,
+    "preload": GREY,
+    "link": GREY,
+}
+
+
+@dataclass(frozen=True)
+class Arrow:
+    """An arrow or, with `headless`, a segment, in picture coordinates."""
+
+    name: str
+    start: Floats
+    end: Floats
+    headless: bool = False
+
+
+@dataclass(frozen=True)
+class Screw:
+    """A motion as a turn about an axis and a shift along it.
+
+    Attributes:
+        axis: unit vector; of a pure shift, its direction.
+        point: on the axis, nearest to the middle of the picture; None for a shift.
+        pitch: shift along the axis for each radian; None for a shift.
+    """
+
+    axis: Floats
+    point: Floats | None
+    pitch: float | None
+
+    @classmethod
+    def of(cls, motion: Sequence[float | Fraction]) -> Screw | None:
+        """Return the screw of a motion ``(v, omega)``; None if it is 0. Lengths as in the grasp.
+
+        >>> Screw.of((0, 0, 2, 0, 0, 1)).pitch
+        2.0
+        """
+        exact = [Fraction(x) for x in motion]
+        largest = max(map(abs, exact))
+        if not largest:
+            return None
+        v, omega = (tuple(x / largest for x in part) for part in (exact[:3], exact[3:]))
+        square = dot(omega, omega)
+        if square < Fraction(1, 10**18):
+            return cls(_unit(v), None, None)
+        point = np.array([float(x / square) for x in cross(omega, v)])
+        return cls(_unit(omega), point, float(dot(v, omega) / square))
+
+
+@dataclass
+class SolidGrasp:
+    """What is drawn of a grasp in space.
+
+    Attributes:
+        grasp: contacts.
+        motion: a motion (v, omega) to be shown, if there is one.
+        forces: contact forces to be shown, none if there are none.
+        wrench: applied, if one is shown.
+        virtual: show how the motion moves the contact points, not how they slip.
+    """
+
+    grasp: Grasp
+    motion: Sequence[float | Fraction] = ()
+    forces: Sequence[Sequence[float | Fraction]] = ()
+    wrench: Sequence[float | Fraction] = ()
+    virtual: bool = False
+    frame: Frame = field(init=False)
+
+    def __post_init__(self) -> None:
+        self.frame = frame_of(self.grasp, self.grasp.outline)
+
+    @cached_property
+    def places(self) -> Floats:
+        """(m, 3); the contact points."""
+        return np.array([self.frame.paper(c.point) for c in self.grasp]).reshape(-1, 3)
+
+    @cached_property
+    def normals(self) -> Floats:
+        """(m, 3); inward."""
+        return np.array([[float(x) for x in c.normal] for c in self.grasp]).reshape(-1, 3)
+
+    @cached_property
+    def body(self) -> tuple[Floats, list[tuple[int, ...]], bool]:
+        """Points and faces, counter-clockwise from outside, and whether it is the stated outline.
+
+        Without an outline, or beyond 1500 facets, it is the convex hull, if that has a volume.
+        """
+        outline = self.grasp.outline
+        if not isinstance(outline, Mesh):
+            return (*convex_hull(self.places), False)
+        points = np.array([self.frame.paper(p) for p in outline.vertices])
+        faces = [tuple(face) for face in outline.faces]
+        if faces and volume(points, faces) < 0:
+            faces = [face[::-1] for face in faces]
+        if len(outline.faces) > _MOST_FACETS:
+            return (*convex_hull(points), False)
+        return points, merged(points, faces), True
+
+    @cached_property
+    def force_scale(self) -> float:
+        """By what forces are multiplied: the largest one has the length `FORCE`."""
+        sizes = [math.hypot(*map(float, f)) for f in self.forces]
+        sizes += [math.hypot(*map(float, self.wrench[:3]))] if self.wrench else []
+        sizes += [float(c.preload) for c in self.grasp]
+        largest = max(sizes, default=0.0)
+        return FORCE / largest if largest else 0.0
+
+    @cached_property
+    def screw(self) -> Screw | None:
+        """The screw of the motion, in the coordinates of the grasp."""
+        return Screw.of(self.motion) if self.motion else None
+
+    @cached_property
+    def slips(self) -> Floats:
+        """(m, 3); how each contact point slips or moves, the longest `MOVED` long."""
+        v, omega = (np.array(part, float) for part in (self.motion[:3], self.motion[3:]))
+        points = np.array([[float(x) for x in c.point] for c in self.grasp]).reshape(-1, 3)
+        moved = v + np.cross(omega, points)
+        inward = np.einsum("ij,ij->i", moved, self.normals)[:, None] * self.normals
+        slips = moved if self.virtual else moved - inward
+        sizes = np.linalg.norm(slips, axis=1)
+        slips[sizes < 1e-9 * np.linalg.norm(moved, axis=1)] = 0
+        largest = float(np.linalg.norm(slips, axis=1).max(initial=0.0))
+        found: Floats = slips * (MOVED / largest if largest else 0.0)
+        return found
+
+    def arrows(self) -> Iterator[Arrow]:
+        """Yield the arrows: preloads, the wrench, forces, slips, the axis of the motion."""
+        for i, (p, n) in enumerate(zip(self.places, self.normals, strict=True), 1):
+            preload = float(self.grasp.contacts[i - 1].preload) * self.force_scale
+            if preload:
+                yield Arrow(f"preload-{i}", p - max(preload, 0.12) * n, p)
+        for i, force in enumerate(self.forces, 1):
+            arm = np.array([float(x) for x in force]) * self.force_scale
+            if arm.any():
+                yield Arrow(f"force-{i}", self.places[i - 1], self.places[i - 1] + arm)
+        yield from self._wrench()
+        if self.motion:
+            for i, slip in enumerate(self.slips, 1):
+                if slip.any():
+                    yield Arrow(f"slip-{i}", self.places[i - 1], self.places[i - 1] + slip)
+            yield from self._axis()
+
+    def _wrench(self) -> Iterator[Arrow]:
+        """Yield the applied force at the origin, and the torque as an arc around its axis."""
+        origin = self.frame.paper((Fraction(0),) * 3)
+        if np.abs(origin).max() > 2:
+            return
+        force, torque = (np.array(part, float) for part in (self.wrench[:3], self.wrench[3:]))
+        if force.any():
+            yield Arrow("wrench-force", origin, origin + force * self.force_scale)
+        if torque.any():
+            yield from _arc(
+                "wrench-torque", origin, torque / np.linalg.norm(torque), 0.25, 0.0, 0.75
+            )
+
+    @property
+    def axis_is_far(self) -> bool:
+        """Whether the motion is a turn about an axis that is outside the picture."""
+        turns = self.screw is not None and self.screw.point is not None
+        return turns and not any(arrow.name == "axis" for arrow in self._axis())
+
+    def _axis(self) -> Iterator[Arrow]:
+        if self.screw is None:
+            return
+        axis = self.screw.axis
+        if self.screw.point is None or self.screw.pitch is None:
+            yield Arrow("axis", -0.5 * MOVED * axis, 0.5 * MOVED * axis)
+            return
+        size = float(self.frame.size)
+        point = self.screw.point / size - np.array(
+            [float(c / self.frame.size) for c in self.frame.centre]
+        )
+        point = point - (point @ axis) * axis
+        if float(np.linalg.norm(point)) > FAR:
+            return
+        yield Arrow("axis", point - 1.3 * axis, point + 1.3 * axis, headless=True)
+        rise = 2 * math.pi * self.screw.pitch / size
+        turns = min(0.75 if abs(rise) < 1e-9 else _TURNS, 1.6 / max(abs(rise), 1e-9))
+        yield from _arc("axis-turn", point, axis, _HELIX, rise, turns)
+
+    @property
+    def cones(self) -> Iterator[tuple[int, Floats, Floats]]:
+        """Yield number, apex and rim of each friction cone; without friction the rim is a point."""
+        for i, (c, p, n) in enumerate(zip(self.grasp, self.places, self.normals, strict=True), 1):
+            angle = math.atan(float(c.friction))
+            across, other = (np.array([float(x) for x in t]) for t in c.tangents)
+            turns = np.linspace(0, 2 * math.pi, _SIDES, endpoint=False)[:, None]
+            ring = np.cos(turns) * across + np.sin(turns) * other
+            rim = p + CONE * (math.cos(angle) * n + math.sin(angle) * ring)
+            yield i, p, rim if c.friction else rim[:1]
+
+    def patches(self, towards: Floats | None = None) -> list[Patch]:
+        """Return all pieces.
+
+        Args:
+            towards: the viewer; then silhouettes are drawn besides sharp edges, and each edge once,
+                with a face that the viewer sees if there is one.
+        """
+        points, faces, _ = self.body
+        drawn = set(sharp_edges(points, faces))
+        owner: dict[tuple[int, int], int] = {}
+        if towards is not None:
+            drawn |= set(silhouette(points, faces, towards))
+            ahead = [k for k, face in enumerate(faces) if looks(points, face, towards)]
+            for k in (*ahead, *range(len(faces))):
+                for a, b in edges_of(faces[k]):
+                    owner.setdefault((min(a, b), max(a, b)), k)
+        found = []
+        for k, face in enumerate(faces):
+            shown = [
+                (a, b)
+                for a, b in edges_of(face)
+                if ((a, b) in drawn or (b, a) in drawn)
+                and owner.get((min(a, b), max(a, b)), k) == k
+            ]
+            found += _flat([points[a] for a in face], "body",
+                           [(points[a], points[b]) for a, b in shown])  # fmt: skip
+        if not faces and len(self.places) > 1:
+            middle = self.places.mean(axis=0)
+            found += [p for place in self.places for p in _segment(place, middle, "link")]
+        for i, apex, rim in self.cones:
+            if len(rim) == 1:
+                found += _segment(apex, rim[0], f"normal-{i}")
+                continue
+            for p, q in zip(rim, np.roll(rim, -1, axis=0), strict=True):
+                found += _flat([apex, p, q], f"cone-{i}", [(p, q)])
+        for arrow in self.arrows():
+            found += _arrow(arrow)
+        return found
+
+    def tree(self, towards: Floats | None = None) -> list[Node]:
+        """Return the pieces in an order for painting; they may be cut."""
+        return depth_tree(self.patches(towards))
+
+
+def _arc(
+    name: str, centre: Floats, axis: Floats, radius: float, rise: float, turns: float
+) -> Iterator[Arrow]:
+    """Yield segments of a circle or helix around an axis, the last one as an arrow."""
+    side = np.cross(axis, np.eye(3)[int(np.abs(axis).argmin())])
+    side /= np.linalg.norm(side)
+    count = max(8, round(24 * turns))
+    angles = np.linspace(0, 2 * math.pi * turns, count + 1)[:, None]
+    ring = np.cos(angles) * side + np.sin(angles) * np.cross(axis, side)
+    ends = centre + radius * ring + rise * (angles / (2 * math.pi) - turns / 2) * axis
+    for k, (p, q) in enumerate(pairwise(ends)):
+        yield Arrow(name, p, q, headless=k < count - 1)
+
+
+def _unit(vector: Sequence[Fraction]) -> Floats:
+    found = np.array([float(x) for x in vector])
+    return found / float(np.linalg.norm(found))
+
+
+def head_of(arrow: Arrow) -> tuple[Floats, Floats]:
+    """Return the tip of an arrow and the ring around its neck."""
+    along = arrow.end - arrow.start
+    length = float(np.linalg.norm(along))
+    along = along / length
+    side = np.cross(along, np.eye(3)[int(np.abs(along).argmin())])
+    side /= np.linalg.norm(side)
+    turns = np.linspace(0, 2 * math.pi, _HEAD_SIDES, endpoint=False)[:, None]
+    ring = np.cos(turns) * side + np.sin(turns) * np.cross(along, side)
+    return arrow.end, arrow.end - _HEAD * along + _HEAD_RADIUS * ring
+
+
+def _arrow(arrow: Arrow) -> list[Patch]:
+    if arrow.headless:
+        return _segment(arrow.start, arrow.end, arrow.name)
+    tip, ring = head_of(arrow)
+    found = _segment(arrow.start, ring.mean(axis=0), arrow.name)
+    for p, q in zip(ring, np.roll(ring, -1, axis=0), strict=True):
+        found += _flat([tip, p, q], arrow.name, [])
+    return found + _flat(list(ring[::-1]), arrow.name, [])
+
+
+def _exact(point: Floats) -> IntegerVector:
+    x, y, z = (round(v * _GRID) for v in point.tolist())
+    return primitive((x, y, z, _GRID))
+
+
+def _segment(start: Floats, end: Floats, name: str) -> list[Patch]:
+    p, q = _exact(start), _exact(end)
+    return [] if p == q else [Patch((0,) * 4, (p, q), ((p, q),), sheet=True, name=name)]
+
+
+def _flat(
+    corners: Sequence[Floats], name: str, edges: Sequence[tuple[Floats, Floats]]
+) -> list[Patch]:
+    """Return a polygon, in triangles where rounding has bent it; ``a . x + b`` is < 0 inside."""
+    points = [_exact(p) for p in corners]
+    rows = [_plane(points[0], p, q) for p, q in pairwise(points[1:])]
+    lines = tuple((_exact(p), _exact(q)) for p, q in edges)
+    if len({row for row in rows if row}) == 1:
+        return [Patch(next(row for row in rows if row), tuple(points), lines, name=name)]
+    found = []
+    for k, row in enumerate(rows):
+        if row:
+            triangle = (points[0], points[k + 1], points[k + 2])
+            own = tuple(line for line in lines if set(line) <= set(triangle))
+            found.append(Patch(row, triangle, own, name=name))
+    return found
+
+
+def _plane(p: IntegerVector, q: IntegerVector, r: IntegerVector) -> IntegerVector | None:
+    """Return the row of the plane of a triangle, positive outside; None if it has no area."""
+    a, b, c = ([Fraction(x, point[3]) for x in point[:3]] for point in (p, q, r))
+    first, second = ([y - x for x, y in zip(a, end, strict=True)] for end in (b, c))
+    normal = cross(first, second)
+    if not any(normal):
+        return None
+    return primitive((*normal, -sum(x * y for x, y in zip(normal, a, strict=True))))

@@ -1,0 +1,232 @@
+"""The picture of a grasp in space, with hidden lines."""
+
+from __future__ import annotations
+
+import math
+from fractions import Fraction
+from itertools import product
+from typing import Any
+
+import numpy as np
+
+from arrangement.draw.colours import BLACK, GREY, PALE, VERMILION
+from arrangement.draw.depth_tree import back_to_front
+from arrangement.draw.globe import picture_axes, unit_vectors, view_direction
+from arrangement.draw.items import Floats
+from arrangement.draw.measuring import POINTS, checked_width
+from arrangement.draw.registry import Vector, Wrench
+from arrangement.draw.scene import Scene
+from arrangement.exact import IntegerVector
+from arrangement.polyhedra.surface import Patch, rounded
+from equilibrium.model.grasp import Grasp
+from equilibrium.spatial_verdict import solve_in_space
+
+from .keys import symbol
+from .shapes import Labels
+from .solid_grasp import INKS, SolidGrasp
+from .style import CONE_EDGE, CONE_FILL, vector
+
+#: Of faces of the body that look at the viewer: what is inside shines through.
+_GLASS = PALE + "70"
+_MARGIN = 14.0
+#: Edges of a stated body, of the hull of the contacts, and what is behind either.
+_STATED: dict[str, Any] = {"ec": BLACK, "lw": 0.7, "role": "edge"}
+_INDICATED = {**_STATED, "ls": (0, (5, 2.5))}
+_HIDDEN: dict[str, Any] = {"ec": GREY, "lw": 0.5, "ls": (0, (3, 2.5)), "role": "hidden"}
+_DASHES: dict[str, Any] = {"axis": (0, (6, 2, 1, 2)), "link": (0, (5, 2.5))}
+
+
+def solved_in_space(grasp: Grasp, wrench: Wrench | None) -> tuple[SolidGrasp, str]:
+    """Return the pieces of a grasp, with the equilibrium under a wrench, and what is said of it."""
+    if wrench is None:
+        return SolidGrasp(grasp), ""
+    verdict = solve_in_space(grasp, wrench)
+    found = verdict.solution
+    if found is None:
+        return SolidGrasp(grasp, wrench=verdict.wrench), verdict.verdict
+    frames = [(c.normal, *c.tangents) for c in grasp]
+    forces = [
+        [
+            sum(float(a) * float(way[k]) for a, way in zip(shares, frame, strict=True))
+            for k in range(3)
+        ]
+        for shares, frame in zip(found.forces, frames, strict=True)
+    ]
+    return SolidGrasp(grasp, list(found.motion), forces, verdict.wrench), ""
+
+
+def drawn_in_space(solid: SolidGrasp, direction: Vector | None, width: float, note: str) -> Scene:
+    """Return the picture; see `equilibrium.draw.grasp.draw_grasp`.
+
+    Elements: ``body-3``, ``cone-1-4``, ``force-2-17`` and so on: kind, contact, piece.
+
+    Args:
+        note: what is said of the answer, if anything.
+    """
+    towards = clear_side(solid) if direction is None else view_direction(direction)
+    return _Picture(solid, towards, checked_width(width, 20.0), note).scene
+
+
+def clear_side(solid: SolidGrasp) -> IntegerVector:
+    """Return a direction from above from which normals and forces are seen from the side."""
+    views = [
+        v for v in product((-9, -7, -4, 4, 7, 9), (-9, -7, -4), (4, 6)) if abs(v[0]) != abs(v[1])
+    ]
+    units = unit_vectors(views)
+    ways = [*solid.normals, *(a.end - a.start for a in solid.arrows() if not a.headless)]
+    score = 0.02 * units[:, 0]
+    if ways:
+        along = np.array([w / np.linalg.norm(w) for w in ways])
+        score = score - (np.abs(units @ along.T) ** 4).mean(axis=1)
+    return views[int(np.argmax(np.round(score, 9)))]
+
+
+class _Picture:
+    """Puts the pieces on a scene, back to front."""
+
+    def __init__(self, solid: SolidGrasp, towards: IntegerVector, width: float, note: str) -> None:
+        self.solid, self.towards = solid, towards
+        self.axes = picture_axes(towards)
+        self.stated = solid.body[2]
+        nodes = solid.tree(np.array(towards, float))
+        held = np.concatenate([
+            np.zeros((1, 3)), *(rounded(p.corners) for node in nodes for p in node.patches)
+        ]) @ self.axes.T  # fmt: skip
+        low, high = held.min(axis=0)[:2], held.max(axis=0)[:2]
+        paper = width * POINTS
+        spread = np.maximum(high - low, 1e-3)
+        self.scale = float(min((paper - 2 * _MARGIN) / spread[0], 0.95 * paper / spread[1]))
+        height = self.scale * float(spread[1]) + 2 * _MARGIN
+        self.scene = Scene(width, height / POINTS)
+        self.shift = np.array([paper, height]) / 2 - self.scale * (low + high) / 2
+        self.count, self.labels = 0, Labels(self.scene)
+        ordered = list(back_to_front(nodes, towards))
+        for k, node in enumerate(ordered):
+            for patch in node.patches:
+                self._patch(patch, 1 + k / (len(ordered) + 1))
+        self._pads()
+        self._numbers()
+        self._describe(note)
+
+    def at(self, points: Floats) -> Floats:
+        """Return points of space on the scene."""
+        placed: Floats = (np.asarray(points) @ self.axes.T)[..., :2] * self.scale + self.shift
+        return placed
+
+    def _patch(self, patch: Patch, z: float) -> None:
+        self.count += 1
+        kind, gid = patch.name.partition("-")[0], f"{patch.name}-{self.count}"
+        corners = self.at(rounded(patch.corners))
+        ahead = sum(a * b for a, b in zip(patch.row, self.towards, strict=False)) > 0
+        edges = [self.at(rounded(edge)) for edge in patch.edges]
+        for edge in edges:
+            self.labels.avoid_line(*edge)
+        if kind == "body":
+            if ahead:
+                self.scene.polygon(corners, fc=_GLASS, ec="none", zorder=z, gid=gid, role="region")
+            style = _HIDDEN if not ahead else _STATED if self.stated else _INDICATED
+            for edge in edges:
+                self.scene.line(edge, zorder=z, gid=gid, capstyle="round", **style)
+            return
+        if kind == "cone":
+            self.scene.polygon(corners, fc=CONE_FILL, ec="none", zorder=z, gid=gid, role="region")
+        elif len(corners) > 2:
+            ink = INKS[kind]
+            fill = "#ffffff" if kind == "preload" else ink
+            self.scene.polygon(corners, fc=fill, ec=ink, lw=0.3, joinstyle="round", zorder=z,
+                               gid=gid, role="arrow")  # fmt: skip
+        ink, wide = INKS.get(kind, CONE_EDGE), 0.5 if kind in ("cone", "normal") else 1.2
+        wide = {"preload": 0.7, "axis": 0.8, "link": 0.5}.get(kind, wide)
+        dashes = _DASHES.get(patch.name, "solid")
+        for edge in edges:
+            self.scene.line(edge, ec=ink, lw=wide, ls=dashes, zorder=z, gid=gid, role="arrow")
+
+    def _pads(self) -> None:
+        """Mark the contact points by small discs in the tangent planes."""
+        for i, (p, c) in enumerate(zip(self.solid.places, self.solid.grasp, strict=True), 1):
+            first, second = (np.array([float(x) for x in t]) for t in c.tangents)
+            turns = np.linspace(0, 2 * math.pi, 20, endpoint=False)[:, None]
+            disc = self.at(p + 0.035 * (np.cos(turns) * first + np.sin(turns) * second))
+            self.scene.polygon(disc, fc=BLACK, ec=BLACK, lw=0.8, zorder=3, gid=f"pad-{i}")
+
+    def _numbers(self) -> None:
+        """Write the numbers of the contacts, those at one point together, and name the wrench."""
+        labels = self.labels
+        groups: dict[object, list[int]] = {}
+        for i, contact in enumerate(self.solid.grasp):
+            groups.setdefault(contact.point, []).append(i)
+        for members in groups.values():
+            text = ", ".join(str(i + 1) for i in members)
+            place = self.at(self.solid.places[members[0]])
+            out = -(self.axes @ self.solid.normals[members].sum(axis=0))[:2]
+            start = math.atan2(out[1], out[0])
+            turns = (0, 0.5, -0.5, 1, -1, 1.6, -1.6, 2.3, -2.3, 3.1)
+            wide = self.scene.measure(text)[0] / 2
+            wanted = [
+                place
+                + reach * np.array([math.cos(start + a), math.sin(start + a)])
+                + (math.copysign(max(0.0, wide - 3), math.cos(start + a)), 0)
+                for reach in (7, 10, 14, 19)
+                for a in turns
+            ]
+            room = np.array([wide + 1, 4.5])
+            paper = np.array([self.scene.width, self.scene.height])
+            wanted = [w for w in wanted if (w > room).all() and (w < paper - room).all()] or wanted
+            name = f"number-{members[0] + 1}"
+            self.scene.text(labels.place(text, wanted), text, zorder=7, gid=name)
+        for arrow in self.solid.arrows():
+            if arrow.name == "wrench-force" or (
+                arrow.name == "wrench-torque" and not arrow.headless and not self._has_force
+            ):
+                tip = self.at(arrow.end)
+                ways = [k * math.pi / 4 + 0.4 for k in range(8)]
+                wanted = [tip + 9 * np.array([math.cos(w), math.sin(w)]) for w in ways]
+                self.scene.text(labels.place("w", wanted), "w", color=VERMILION, style="italic",
+                                weight="bold", zorder=7)  # fmt: skip
+
+    @property
+    def _has_force(self) -> bool:
+        return any(self.solid.wrench[:3])
+
+    def _describe(self, note: str) -> None:
+        solid, legend = self.solid, self.scene.legend
+        if note:
+            legend.line(note, True)
+        if any(c.friction for c in solid.grasp):
+            legend.key(symbol("cone"), "friction cone")
+        if any(c.preload for c in solid.grasp):
+            legend.key(symbol("preload"), "preload")
+        if any(solid.wrench):
+            legend.key(symbol("wrench"), wrench_text(solid))
+        if any(map(any, solid.forces)):
+            legend.key(symbol("force"), "contact force")
+        if solid.motion and solid.screw is None:
+            legend.line(motion_text(solid))
+        elif solid.motion:
+            legend.key(symbol("shift"), motion_text(solid))
+
+
+def wrench_text(solid: SolidGrasp) -> str:
+    """Return the applied wrench as a label, with its units where they are stated."""
+    wrench, units = [Fraction(x) for x in solid.wrench], solid.grasp.units
+    if units is None:
+        return f"w = {vector(wrench)}"
+    return f"w = {vector(wrench[:3])} {units.force}, {vector(wrench[3:])} {units.torque}"
+
+
+def motion_text(solid: SolidGrasp) -> str:
+    """Return what the arrows of the motion show."""
+    if solid.screw is None:
+        return "no motion"
+    return f"motion, and the slips of the contacts: {screw_text(solid)}"
+
+
+def screw_text(solid: SolidGrasp) -> str:
+    """Return the motion in words: a turn about an axis with its pitch, or a shift."""
+    screw = solid.screw
+    if screw is None or screw.pitch is None:
+        return "a shift" if screw else "no motion"
+    unit = f" {solid.grasp.units.length}" if solid.grasp.units else ""
+    far = " about an axis outside the picture" if solid.axis_is_far else ""
+    pitch = f"{screw.pitch:.3g}".replace("-", "−")
+    return f"a turn{far}, pitch {pitch}{unit} a radian"

@@ -1,0 +1,95 @@
+"""Resisted wrenches of a grasp in space, in a plane of two of their six coordinates."""
+
+from __future__ import annotations
+
+import math
+from fractions import Fraction
+
+import numpy as np
+
+from arrangement.draw.colours import BLACK, GREY, VERMILION
+from arrangement.draw.items import Floats
+from arrangement.draw.measuring import POINTS
+from arrangement.draw.scene import Scene
+from arrangement.exact import shown
+from arrangement.progress import watched
+from equilibrium.model.errors import GraspError
+from equilibrium.model.grasp import Grasp
+from equilibrium.model.unit_normal import unit_normal
+from equilibrium.spatial_verdict import RESISTED
+from equilibrium.wrench_sets.spatial import SpatialMagnitudes, spatial_magnitudes
+
+from .keys import symbol
+from .style import SHADE, nice
+
+NAMES = ("fx", "fy", "fz", "tx", "ty", "tz")
+_LABELS = ("$f_x$", "$f_y$", "$f_z$", "τ_x", "τ_y", "τ_z")
+#: Relative width of the brackets, and nodes of each tree: finer ones cannot be seen.
+_WIDTH, _NODES = Fraction(1, 1000), 200
+_MARGIN = 22.0
+_HELD = "#5f93bd"
+
+
+def slice_in_space(grasp: Grasp, axes: str, directions: int, width: float) -> Scene:
+    """Return the picture; see `equilibrium.draw.slices.draw_slice`."""
+    chosen = axes.split(",")
+    if len(set(chosen)) != 2 or not set(chosen) <= set(NAMES):
+        raise GraspError(f"the axes are {shown(axes)}; give two of {', '.join(NAMES)}, as in fx,fz")
+    if not 3 <= directions <= 360:
+        raise GraspError(f"directions is {directions}; give 3 to 360")
+    first, second = map(NAMES.index, chosen)
+    spokes = []
+    for k in watched(range(directions), "directions"):
+        angle = 2 * math.pi * k / directions
+        way = unit_normal((math.cos(angle), math.sin(angle)), Fraction(1, 100)).normal
+        load = [Fraction(0)] * 6
+        load[first], load[second] = way
+        known = spatial_magnitudes(grasp, load, width=_WIDTH, nodes=_NODES)
+        spokes.append((np.array([float(x) for x in way]), known))
+    return _drawn(spokes, (_LABELS[first], _LABELS[second]), width)
+
+
+def _drawn(
+    spokes: list[tuple[Floats, SpatialMagnitudes]], names: tuple[str, str], width: float
+) -> Scene:
+    ends = [float(max(b.resisted, b.refused)) for _, m in spokes for b in m.borders]
+    reach = 1.25 * (4 * float(np.median(ends)) if ends else 1.0)
+    reach = min(reach, 1.25 * max(ends, default=1.0)) or 1.0
+    scene = Scene(width, width)
+    middle, scale = np.full(2, width * POINTS / 2), (width * POINTS / 2 - _MARGIN) / reach
+    for way in (np.array([1.0, 0.0]), np.array([0.0, 1.0])):
+        ends_of = [middle - reach * scale * way, middle + reach * scale * way]
+        scene.line(ends_of, ec=GREY, lw=0.4, zorder=1, role="axis")
+    step = nice(0.5 * reach)
+    for k in (-2, -1, 1, 2):
+        for way in (np.array([1.0, 0.0]), np.array([0.0, 1.0])):
+            if abs(k * float(step)) < reach:
+                scene.write(middle + k * float(step) * scale * way - 6 * way[::-1],
+                            f"{float(k * step):g}".replace("-", "−"), 5.5, color=GREY)  # fmt: skip
+    for name, out in zip(names, ((1, 0), (0, 1)), strict=True):
+        scene.write(middle + (reach * scale + 9) * np.array(out), name)
+    rim = []
+    for i, (way, known) in enumerate(spokes):
+        held, start = known.samples[0][1] == RESISTED, 0.0
+        stops = [(float(b.resisted), float(b.refused), bool(b.undecided)) for b in known.borders]
+        for resisted, refused, open_ in [*stops, (reach, reach, False)]:
+            near, far = sorted((min(resisted, reach), min(refused, reach)))
+            wide = 3.0 if open_ else 1.0
+            if held:
+                part = [middle + x * scale * way for x in (start, near)]
+                scene.line(part, ec=_HELD, lw=2.0, zorder=3, gid=f"spoke-{i}", role="region")
+            if far > near:
+                part = [middle + x * scale * way for x in (near, far)]
+                scene.line(part, ec=VERMILION, lw=wide, zorder=4, gid=f"open-{i}", role="line")
+            if near < reach:
+                scene.mark(middle + near * scale * way, "o", 2.2, color=BLACK, zorder=5)
+            held, start = not held, far
+        if stops and known.samples[0][1] == RESISTED:
+            rim.append(middle + min(stops[0][0], reach) * scale * way)
+        else:
+            rim.append(middle + (reach if known.samples[0][1] == RESISTED else 0) * scale * way)
+    scene.polygon(rim, fc=SHADE, ec="none", zorder=0.5, gid="region-1", role="region")
+    scene.legend.key(symbol(_HELD), "proved to be resisted at the samples, from 0 to the border")
+    scene.legend.key(symbol("missed"), "between the two proofs (thick: tried, undecided)")
+    scene.legend.line(f"{len(spokes)} directions; the shade between them is a guide, no proof")
+    return scene

@@ -1,0 +1,259 @@
+"""The decision in space: a tree of contact states, and equilibria near where it does not close."""
+
+from __future__ import annotations
+
+import math
+import time
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from arrangement.exact import RationalVector
+from arrangement.float_filter import Floats
+from equilibrium.solver.spatial_contacts import SpatialContacts
+
+from .balance import SpatialContinuation
+from .equilibria import Proposal, States, proposals, smooth_states
+from .leaves import exact_leaf
+from .relaxation import Point, Ray, Relaxation, Sector, State
+
+#: Nodes of a tree, if not told otherwise, and random starts of the first search.
+NODES, _STARTS = 4000, 3
+#: Nodes of a tree that is tried before the random starts.
+_FEW = 20
+#: After how many nodes without a leaf, at first, an equilibrium is looked for near a relaxation.
+_PATIENCE = 6
+#: Relative size below which a relaxation obeys the law.
+_OBEYS = 1e-7
+#: The same for trying its states, and normal forces that count as none.
+_ALMOST, _LOOSE = 1e-3, 1e-6
+#: Sectors are cut down to this sine of their angle; directions are multiples of one over these.
+_NARROW, _COARSE, _DIRECTIONS = 1e-4, 8, 64
+#: Contacts this close to the law (in shares of the load) are not split; sectors of less than this
+#: sine of their angle are split last.
+_NOTHING, _THIN = 1e-9, 0.3
+#: The sharpness of contacts for a search that starts near an equilibrium.
+_NEAR = 1e-3
+
+
+@dataclass(frozen=True)
+class Open:
+    """Neither was proved.
+
+    Attributes:
+        reason: in words.
+        residual: of the motion that is closest to an equilibrium, as a share of the forces.
+    """
+
+    reason: str
+    residual: float
+
+
+class SpatialSearch:
+    """The search for one question.
+
+    Args:
+        accept: whether a proposal is proved to be an equilibrium.
+        deadline: of `time.monotonic`.
+        nodes: of a tree, at most.
+    """
+
+    def __init__(
+        self,
+        contacts: SpatialContacts,
+        wrench: RationalVector,
+        accept: Callable[[Proposal], bool],
+        deadline: float = math.inf,
+        nodes: int = NODES,
+    ) -> None:
+        self.contacts, self.wrench = contacts, wrench
+        self.accept, self.deadline, self.nodes = accept, deadline, nodes
+        self.relaxation = Relaxation(contacts, wrench)
+        self.smooth = SpatialContinuation(contacts, wrench)
+        self.tried: set[object] = set()
+        self.residual = 1.0
+
+    def decide(self) -> Proposal | Any | Open:
+        """Return an accepted equilibrium, a tree that refutes all, or what is open."""
+        with np.errstate(all="ignore"):
+            root: tuple[State, ...] = ("undecided",) * len(self.contacts.grasp)
+            ray = self.relaxation.cone_ray()
+            leaf = ray and exact_leaf(self.contacts, self.wrench, root, ray)
+            leaf = leaf or self._leaf(root, self.relaxation.solve(root))
+            if leaf is not None:
+                return leaf
+            for i, motion in enumerate(self.smooth.starts(_STARTS)):
+                near = self._near(motion, 1.0)
+                if near is not None:
+                    return near
+                if not i:
+                    found = self._tree(root, min(_FEW, self.nodes))
+                    if not isinstance(found, Open):
+                        return found
+            return self._tree(root, self.nodes)
+
+    def _near(self, motion: Floats, sharpness: float) -> Proposal | None:
+        """Return an equilibrium that the smoothed balance leads to."""
+        for end, eps in self.smooth.path(motion, sharpness):
+            found = self._equilibrium(end, smooth_states(self.contacts, end, eps))
+            if found is not None:
+                return found
+        self.residual = min(self.residual, self.smooth.reached / (self.smooth.size or 1.0))
+        return None
+
+    def _equilibrium(self, motion: Floats, states: States) -> Proposal | None:
+        """Return an accepted equilibrium of given states near a motion."""
+        for found in proposals(self.contacts, self.wrench, motion, states, self.tried):
+            if self.accept(found):
+                return found
+        return None
+
+    def _near_point(self, found: Point) -> Proposal | None:
+        """Return an equilibrium with the states of a relaxation that nearly obeys the law."""
+        normal = found.forces[:, 0]
+        normal = np.where(normal > _LOOSE, normal, 0.0)
+        limits = np.maximum(self.contacts.friction * normal, 1e-12)
+        states = States(normal, found.forces[:, 1:] / limits[:, None])
+        return self._equilibrium(found.motion * self.relaxation.scale, states)
+
+    def _leaf(self, states: tuple[State, ...], found: Ray | Point | None) -> Any | None:
+        """Return a leaf where a relaxation has no solution, or where its program failed."""
+        if isinstance(found, Point):
+            return None
+        leaf = found and exact_leaf(self.contacts, self.wrench, states, found)
+        if leaf is None:
+            inner = self.relaxation.inner_ray(states)
+            leaf = inner and exact_leaf(self.contacts, self.wrench, states, inner)
+        return leaf
+
+    def _tree(self, root: tuple[State, ...], most: int) -> Proposal | Any | Open:
+        """Search depth first; a node is filled in when all below it are closed."""
+        top: list[Any] = [None]
+        waiting: list[tuple[tuple[State, ...], list[Any], int]] = [(root, top, 0)]
+        nodes, idle, patience, failed = 0, 0, _PATIENCE, 0
+        while waiting:
+            if nodes == most:
+                return Open(f"after {nodes} nodes the tree is not closed", self.residual)
+            if time.monotonic() > self.deadline:
+                return Open(f"the time is over after {nodes} nodes", self.residual)
+            states, parent, position = waiting.pop()
+            nodes, idle = nodes + 1, idle + 1
+            found = self.relaxation.solve(states)
+            leaf = self._leaf(states, found)
+            if leaf is not None:
+                parent[position], idle = leaf, 0
+                continue
+            split = None
+            if isinstance(found, Point):
+                values = self.relaxation.violations(states, found)
+                worst = float(values.max(initial=0.0))
+                obeys = worst <= _OBEYS
+                if worst <= _ALMOST:
+                    near = self._near_point(found)
+                    if near is not None:
+                        return near
+                if obeys or idle >= patience:
+                    idle, patience = 0, 2 * patience if not obeys else patience
+                    near = self._near(found.motion * self.relaxation.scale, _NEAR)
+                    if near is not None:
+                        return near
+                if not obeys:
+                    split = self._split(states, values, found)
+            split = split or self._any_split(states)
+            if split is None:
+                failed += 1
+                return Open("a relaxation neither closes nor splits further", self.residual)
+            node, children, parts = split
+            parent[position] = node
+            waiting += reversed([(part, children, k) for k, part in enumerate(parts)])
+        return _finished(top[0])
+
+    def _split(
+        self, states: tuple[State, ...], values: Floats, found: Point
+    ) -> tuple[Any, list[Any], list[tuple[State, ...]]] | None:
+        """Return the node that splits the contact furthest from the law, its children and parts."""
+        order = [int(i) for i in np.argsort(-values) if values[i] > _NOTHING]
+        # Of narrow sectors more is learnt when all others are decided.
+        order.sort(key=lambda i: _sine(states[i]) < _THIN)
+        for i in order:
+            slip = self.relaxation.tangents[i] @ found.motion
+            split = _parts(states, i, slip)
+            if split is not None:
+                return split
+        return None
+
+    def _any_split(
+        self, states: tuple[State, ...]
+    ) -> tuple[Any, list[Any], list[tuple[State, ...]]] | None:
+        """Return a split of the contact that is decided least."""
+        for kind in ("undecided", "attached"):
+            if kind in states:
+                return _parts(states, states.index(kind), np.array([1.0, 0.0]))
+        sectors = [(_sine(state), i) for i, state in enumerate(states) if isinstance(state, tuple)]
+        return _parts(states, max(sectors)[1], np.array([1.0, 0.0])) if sectors else None
+
+
+def _parts(
+    states: tuple[State, ...], i: int, slip: Floats
+) -> tuple[Any, list[Any], list[tuple[State, ...]]] | None:
+    """Return the node that splits one contact; None if its sector is too narrow."""
+    state = states[i]
+    parts: list[State]
+    if state == "undecided":
+        parts = ["detached", "attached"]
+        children: list[Any] = [None, None]
+        node: Any = {"contact": i, "attachment": children}
+    elif state == "attached":
+        ends = [_turned(slip, turn, _COARSE) for turn in (-60, 60, 180)]
+        parts = ["stick", *((ends[k - 1], ends[k]) for k in (1, 2, 0))]
+        children = [None] * 4
+        node = {"contact": i, "directions": ends, "children": children}
+    elif isinstance(state, tuple):
+        middle = _middle(state)
+        if middle is None:
+            return None
+        parts = [(state[0], middle), (middle, state[1])]
+        children = [None, None]
+        node = {"contact": i, "directions": [middle], "children": children}
+    else:
+        return None
+    return node, children, [(*states[:i], part, *states[i + 1 :]) for part in parts]
+
+
+def _turned(direction: Floats, degrees: float, size: int) -> tuple[int, int]:
+    """Return integers near a direction, turned."""
+    angle = math.atan2(direction[1], direction[0]) + math.radians(degrees)
+    return round(size * math.cos(angle)), round(size * math.sin(angle))
+
+
+def _sine(sector: State) -> float:
+    """Return the sine of the angle of a sector, 1 for wide ones and other states."""
+    if isinstance(sector, str):
+        return 1.0
+    (p, q), (u, v) = sector
+    return (p * v - q * u) / math.hypot(p, q) / math.hypot(u, v) if p * u + q * v > 0 else 1.0
+
+
+def _middle(sector: Sector) -> tuple[int, int] | None:
+    """Return integers near the middle of a sector; None if it is narrow."""
+    sine, ((p, q), (u, v)) = _sine(sector), sector
+    if sine < _NARROW:
+        return None
+    one, other = math.hypot(p, q), math.hypot(u, v)
+    x, y = p / one + u / other, q / one + v / other
+    scale = (_COARSE if sine == 1.0 else _DIRECTIONS / sine) / math.hypot(x, y)
+    return round(x * scale), round(y * scale)
+
+
+def _finished(node: Any) -> Any:
+    """Return a tree in the form of certificates."""
+    if isinstance(node, dict) and "attachment" in node:
+        detached, attached = map(_finished, node["attachment"])
+        return {**node, "attachment": {"detached": detached, "attached": attached}}
+    if isinstance(node, dict) and "directions" in node:
+        directions = [list(direction) for direction in node["directions"]]
+        children = [_finished(child) for child in node["children"]]
+        return {**node, "directions": directions, "children": children}
+    return node

@@ -1,0 +1,202 @@
+"""Grasps in space on paper, on a page, and as models."""
+
+from __future__ import annotations
+
+import inspect
+import json
+import re
+from fractions import Fraction
+from io import BytesIO
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+import trimesh
+
+from arrangement.draw.items import Label, Path as Line
+from arrangement.draw.scene import Scene
+from equilibrium import Contact, Grasp, GraspError, Mesh, read_grasp
+from equilibrium.cli import main
+from equilibrium.draw.grasp import draw_grasp
+from equilibrium.draw.proof import draw_proof
+from equilibrium.draw.slices import draw_slice
+from equilibrium.draw.solid_grasp import Screw, SolidGrasp
+from equilibrium.draw.space_grasp import drawn_in_space
+from equilibrium.draw.space_page import grasp_model, grasp_page
+from tests.arrangement.test_draw_boxes import offences
+
+GRASPS = ["two-opposed-fingers", "three-fingers-on-a-ball", "wedge", "peg-in-a-hole", "box-6-walls"]
+WRENCH = (0, 0, -1, 0, 0, 0)
+
+
+def scene_of(grasp: Grasp, **options: Any) -> Scene:
+    found: Scene = inspect.unwrap(draw_grasp)(grasp, **options)
+    return found
+
+
+def lines(scene: Scene, role: str) -> list[Line]:
+    return [x for x in scene.items if isinstance(x, Line) and x.kind == "line" and x.role == role]
+
+
+def length(items: list[Line]) -> float:
+    return sum(float(np.linalg.norm(np.diff(x.points, axis=0), axis=1).sum()) for x in items)
+
+
+@pytest.mark.parametrize("name", GRASPS)
+def test_every_contact_has_its_number_and_nothing_leaves_the_paper(name: str) -> None:
+    grasp = read_grasp(name)
+    scene = scene_of(grasp)
+    labels = [x.text for x in scene.items if isinstance(x, Label)]
+    numbers = {text for label in labels for text in label.split(", ")}
+    assert numbers >= {str(i) for i in range(1, len(grasp) + 1)}
+    assert offences(scene) == []
+    cones = {x.name.split("-")[1] for x in scene.items if x.name.startswith("cone")}
+    assert len(cones) == sum(contact.friction > 0 for contact in grasp)
+
+
+def test_three_edges_of_a_cube_are_hidden_and_nine_are_seen() -> None:
+    grasp = read_grasp("two-opposed-fingers")
+    assert isinstance(grasp.outline, Mesh)
+    scene = scene_of(grasp, direction=(3, -5, 4))
+    seen, hidden = lines(scene, "edge"), lines(scene, "hidden")
+    # Parallel edges have one length on paper: three quarters of all that is drawn is seen.
+    assert length(seen) == pytest.approx(3 * length(hidden))
+    assert all("ls" in line.style for line in hidden)
+    assert not any("ls" in line.style for line in seen)
+
+
+def test_a_body_that_is_not_stated_is_the_hull_of_the_contacts_in_dashes() -> None:
+    scene = scene_of(read_grasp("peg-in-a-hole"))
+    assert all("ls" in line.style for line in lines(scene, "edge"))
+    flat = scene_of(read_grasp("three-fingers-on-a-ball"))
+    assert not lines(flat, "edge")
+    assert sum(x.name.startswith("link") for x in flat.items) >= 3
+
+
+def test_forces_and_motion_of_an_equilibrium_are_drawn() -> None:
+    grasp = read_grasp("two-opposed-fingers")
+    scene = scene_of(grasp, wrench=WRENCH)
+    kinds = {x.name.rsplit("-", 1)[0] for x in scene.items}
+    assert kinds >= {"force-1", "force-2", "wrench-force", "preload-1"}
+    refused = scene_of(grasp, wrench=(0, 0, -3, 0, 0, 0))
+    assert ("not resisted", True) in refused.legend.lines
+    assert not any(x.name.startswith("force") for x in refused.items)
+
+
+@pytest.mark.parametrize(
+    ("motion", "pitch", "point"),
+    [
+        ((0, 0, 2, 0, 0, 1), 2.0, (0, 0, 0)),
+        ((0, -3, 0, 0, 0, 1), 0.0, (3, 0, 0)),
+        ((1, 2, 3, 0, 0, 0), None, None),
+        ((0, 0, 10**40, 0, 0, 10**40), 1.0, (0, 0, 0)),
+    ],
+)
+def test_screws(
+    motion: tuple[int, ...], pitch: float | None, point: tuple[int, ...] | None
+) -> None:
+    screw = Screw.of(tuple(map(Fraction, motion)))
+    assert screw is not None
+    assert screw.pitch == pitch
+    assert np.linalg.norm(screw.axis) == pytest.approx(1)
+    assert (screw.point is None) == (point is None)
+    if screw.point is not None:
+        assert screw.point == pytest.approx(point)
+    assert Screw.of((0,) * 6) is None
+
+
+def test_points_on_the_axis_of_a_turn_do_not_slip() -> None:
+    solid = SolidGrasp(read_grasp("box-on-a-table"), (0, 0, 0, 0, 0, 1))
+    corners = np.abs(solid.slips).max(axis=1)
+    assert (corners > 0).all()
+    assert solid.slips[:, 2] == pytest.approx(0)
+    scene = drawn_in_space(solid, None, 88.0, "")
+    assert {"axis", "axis-turn"} <= {x.name.rsplit("-", 1)[0] for x in scene.items}
+
+
+def test_a_proof_shows_its_virtual_motions() -> None:
+    grasp = read_grasp("two-opposed-fingers")
+    scene: Scene = inspect.unwrap(draw_proof)(grasp, wrench=(0, 0, -3, 0, 0, 0))
+    texts = [text for text, _ in scene.legend.lines]
+    assert len(texts) == 3
+    assert texts[0].startswith("1 of 3: 1 detached; λ is a turn")
+    with pytest.raises(GraspError, match="the wrench is resisted"):
+        inspect.unwrap(draw_proof)(grasp, wrench=WRENCH)
+
+
+def test_a_slice_ends_at_the_proved_borders() -> None:
+    fingers = read_grasp("two-opposed-fingers")
+    scene: Scene = inspect.unwrap(draw_slice)(fingers, axes="fy,fz", directions=3)
+    spokes = [x for x in scene.items if x.name.startswith("spoke")]
+    sizes = [float(np.linalg.norm(x.points[1] - x.points[0])) for x in spokes]  # type: ignore[attr-defined]
+    # The fingers resist a disc of these forces.
+    assert sizes == pytest.approx([sizes[0]] * 3, rel=2e-3)
+    for axes in ("fx", "fx,fx", "fx,up"):
+        with pytest.raises(GraspError, match="give two of"):
+            inspect.unwrap(draw_slice)(fingers, axes=axes)
+
+
+def test_what_is_for_the_plane_is_refused_in_space_and_the_other_way() -> None:
+    space, plane = read_grasp("wedge"), read_grasp("paper-three-contacts")
+    for options in ({"outline": [(0, 0)]}, {"piece": 2}, {"wrench": (0, 1, 0)}):
+        with pytest.raises(GraspError):
+            scene_of(space, **options)
+    with pytest.raises(GraspError, match="in space"):
+        scene_of(plane, direction=(1, 2, 3))
+    with pytest.raises(GraspError, match="turn"):
+        inspect.unwrap(draw_proof)(space, wrench=WRENCH, turn=1)
+
+
+def data_of(page: str) -> dict[str, Any]:
+    found = re.search(r"<script[^>]*application/json[^>]*>(.*?)</script>", page, re.DOTALL)
+    assert found is not None
+    document: dict[str, Any] = json.loads(found[1])
+    return document
+
+
+def test_the_page_tells_each_contact_in_exact_numbers() -> None:
+    data = data_of(grasp_page(read_grasp("wedge"), wrench=WRENCH))
+    assert [piece["name"] for piece in data["pieces"]] == [f"Contact {i}" for i in (1, 2, 3, 4)]
+    assert ["friction", "1/2"] in data["pieces"][0]["facts"]
+    assert {face["fill"] for node in data["nodes"] for face in node["faces"]} >= {"#e69f0059"}
+    assert [mark["text"] for mark in data["marks"]] == ["1", "2", "3", "4"]
+
+
+def test_the_model_has_a_closed_part_for_each_arrow() -> None:
+    content = grasp_model(read_grasp("two-opposed-fingers"), ".glb", wrench=WRENCH)
+    scene = trimesh.load_scene(BytesIO(content), file_type="glb")
+    assert {"body", "cone-1", "force-1", "force-2", "wrench-force"} <= set(scene.geometry)
+    assert all(part.is_watertight for part in scene.geometry.values())
+    assert scene.geometry["body"].visual.material.alphaMode == "BLEND"
+
+
+def test_a_body_that_is_open_or_inside_out_is_drawn_too() -> None:
+    grasp = read_grasp("two-opposed-fingers")
+    assert isinstance(grasp.outline, Mesh)
+    turned = [face[::-1] for face in grasp.outline.faces]
+    inside_out = grasp.with_outline(Mesh(grasp.outline.vertices, turned))
+    assert grasp_model(inside_out, ".stl") == grasp_model(grasp, ".stl")
+    opened = grasp.with_outline(Mesh(grasp.outline.vertices, turned[1:]))
+    scene_of(opened)
+    assert b"body" not in grasp_model(opened, ".glb")
+
+
+def test_degenerate_grasps_are_drawn() -> None:
+    one = Contact((0, 0, 0), (0, 0, 1), 0)
+    for contacts in ([one], [one, one], [one, Contact((10**30, 0, 0), (0, 1, 0), 1, preload=1)]):
+        scene_of(Grasp(contacts))
+        grasp_page(Grasp(contacts))
+
+
+def test_the_command_draws_every_kind_of_file(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    for suffix in ("svg", "tex", "html", "glb"):
+        path = tmp_path / f"wedge.{suffix}"
+        assert main(["draw", "wedge", "--wrench", "0,0,-1,0,0,0", "-o", str(path)]) == 0
+        assert path.stat().st_size > 1000
+    assert main(["draw", "wedge", "--view", "resist", "-o", str(tmp_path / "a.svg")]) == 2
+    assert "known are" in capsys.readouterr().err
+    assert main(["draw", "wedge", "--tolerance", "1", "-o", str(tmp_path / "a.svg")]) == 2
+    assert not (tmp_path / "a.svg").exists()

@@ -1,0 +1,443 @@
+"""Grasps in space: known answers, the planar ones among them, and what proofs of them are worth."""
+
+import json
+import math
+from fractions import Fraction
+from itertools import product
+from random import Random
+
+import numpy as np
+import pytest
+from scipy.optimize import linprog
+
+from arrangement.errors import InputError
+from equilibrium.certificate.checker import check
+from equilibrium.cli.program import main
+from equilibrium.inputs import random_grasp, random_wrench, read_any
+from equilibrium.io.files import read_grasp
+from equilibrium.model.errors import GraspError, UndecidedError
+from equilibrium.model.grasp import Contact, Grasp
+from equilibrium.model.pyramid import pyramid_edges
+from equilibrium.model.unit_normal import unit_normal
+from equilibrium.spatial_verdict import solve_in_space
+from equilibrium.verdict import Solver, solve
+from equilibrium.wrench_sets.spatial import spatial_magnitudes
+
+HAIR = 1 + Fraction(1, 10**6)
+FINGERS, FEET = read_grasp("two-opposed-fingers"), read_grasp("box-on-a-table")
+PYTHAGORAS = [(1, 0), ("3/5", "4/5"), ("-5/13", "12/13"), ("8/17", "-15/17")]
+
+
+def verdict(grasp, wrench):
+    found = solve_in_space(grasp, wrench)
+    if found.decided:
+        assert found.verify(), found.verify().problem
+    return found.verdict
+
+
+def across(x, y):
+    """A force on the opposed fingers across their line, of the size that they just resist."""
+    return 0, Fraction(x), Fraction(y), 0, 0, 0
+
+
+def on_the_table(x, y, up=0):
+    """A force at the table on a box of weight 2, of the size that its feet just resist."""
+    x, y = Fraction(x), Fraction(y)
+    return x, y, -2 + up, y, -x, 0
+
+
+class TestBorders:
+    @pytest.mark.parametrize("direction", PYTHAGORAS)
+    def test_opposed_fingers_hold_twice_friction_times_preload(self, direction):
+        assert verdict(FINGERS, across(*direction)) == "resisted"
+        beyond = [HAIR * x for x in across(*direction)]
+        assert verdict(FINGERS, beyond) == "not resisted"
+
+    def test_opposed_fingers_hold_no_torque_about_their_line(self):
+        assert verdict(FINGERS, (0, 0, 0, Fraction(1, 10**9), 0, 0)) == "not resisted"
+        assert verdict(FINGERS, (0, 0, 0, 0, "1/2", 0)) == "resisted"
+
+    @pytest.mark.parametrize("direction", PYTHAGORAS)
+    def test_feet_hold_friction_times_weight(self, direction):
+        assert verdict(FEET, on_the_table(*direction)) == "resisted"
+        x, y = (HAIR * Fraction(z) for z in direction)
+        assert verdict(FEET, on_the_table(x, y)) == "not resisted"
+
+    def test_feet_hold_nothing_upwards(self):
+        assert verdict(FEET, on_the_table(0, 0, 2)) == "resisted"
+        assert verdict(FEET, on_the_table(0, 0, 2 + Fraction(1, 10**9))) == "not resisted"
+
+    def test_limits_are_brackets_of_two_proofs(self):
+        (border,) = spatial_magnitudes(FINGERS, across("3/5", "4/5"), width="1/100").borders
+        assert border.resisted == 1 < border.refused <= Fraction(100, 99)
+
+
+def in_space(wrench):
+    x, y, torque = wrench
+    return x, y, 0, 0, 0, torque
+
+
+def embedded(seeds):
+    """Compare planar verdicts with those of the embedded grasps; return how many are decided."""
+    decided = 0
+    for seed in seeds:
+        grasp, wrench = random_grasp(2 + seed % 3, seed), random_wrench(seed, bound=1)
+        planar = Solver(grasp).solve(wrench).stable
+        found = solve_in_space(grasp.in_space(), in_space(wrench))
+        if found.decided:
+            decided += 1
+            assert found.stable == planar
+            assert found.verify()
+    return decided
+
+
+def test_planar_grasps_answer_as_in_the_plane():
+    assert embedded(range(10)) == 10
+
+
+@pytest.mark.campaign
+def test_many_planar_grasps_answer_as_in_the_plane():
+    assert embedded(range(1000, 1120)) == 120
+
+
+def leaf_at(node, contacts, motion):
+    """Return the virtual motion of a leaf whose states a motion obeys."""
+    while isinstance(node, dict) and "contact" in node:
+        i = node["contact"]
+        normal, spring, slip = contacts[i](motion)
+        if "attachment" in node:
+            node = node["attachment"]["attached" if spring > 0 else "detached"]
+        else:
+            ends, children = node["directions"], node["children"]
+            if len(children) == len(ends) + 1 and len(ends) > 1:
+                pairs = list(zip(ends, ends[1:] + ends[:1], strict=True))
+                inside = [k for k, pair in enumerate(pairs) if within(pair, slip)]
+                node = children[1 + inside[0]]
+            else:
+                (end,) = ends
+                node = children[0 if end[0] * slip[1] - end[1] * slip[0] <= 0 else 1]
+        del normal
+    return node if isinstance(node, list) else node["virtual_motion"]
+
+
+def within(pair, slip):
+    (a, b), (c, d) = ([float(Fraction(x)) for x in end] for end in pair)
+    x, y = slip
+    return a * y - b * x >= 0 and x * d - y * c >= 0
+
+
+def at(contact):
+    """Return a function of the motion: normal wrench, spring force, slip."""
+    normal = [float(x) for x in contact.normal_wrench]
+    tangents = [[float(x) for x in row] for row in contact.tangential_wrenches]
+    stiffness, preload = float(contact.stiffness), float(contact.preload)
+
+    def measured(motion):
+        along = sum(x * y for x, y in zip(normal, motion, strict=True))
+        slip = [sum(x * y for x, y in zip(row, motion, strict=True)) for row in tangents]
+        return normal, preload - stiffness * along, slip
+
+    return measured
+
+
+def floats_of_directions(node):
+    if isinstance(node, dict):
+        return {
+            key: [[float(Fraction(x)) for x in end] for end in value]
+            if key == "directions"
+            else floats_of_directions(value)
+            for key, value in node.items()
+        }
+    return [floats_of_directions(x) for x in node] if isinstance(node, list) else node
+
+
+@pytest.mark.parametrize(("contacts", "seed"), [(3, 16), (3, 20), (4, 18), (4, 0)])
+def test_whatever_the_motion_its_leaf_shows_that_forces_do_not_balance(contacts, seed):
+    grasp = random_grasp(contacts, seed, dimension=3)
+    wrench = random_wrench(seed, dimension=3, bound=1)
+    found = solve_in_space(grasp, wrench)
+    assert found.verdict == "not resisted"
+    tree = floats_of_directions(found.certificate.to_dict()["tree"])
+    places, source = [at(contact) for contact in grasp], Random(seed)
+    for _ in range(200):
+        motion = [source.gauss(0, 1) * 10 ** source.uniform(-2, 2) for _ in range(6)]
+        total = [float(w) for w in wrench]
+        for contact, place in zip(grasp, places, strict=True):
+            normal, spring, slip = place(motion)
+            force = max(0.0, spring)
+            size = math.hypot(*slip)
+            rows = [normal, *([float(x) for x in row] for row in contact.tangential_wrenches)]
+            factors = [force, *(-float(contact.friction) * force * s / size for s in slip)]
+            for factor, row in zip(factors, rows, strict=True):
+                total = [t + factor * x for t, x in zip(total, row, strict=True)]
+        virtual = [float(Fraction(x)) for x in leaf_at(tree, places, motion)]
+        assert sum(x * y for x, y in zip(virtual, total, strict=True)) > 0
+
+
+class TestChecker:
+    tree = solve_in_space(FINGERS, [HAIR * x for x in across(1, 0)]).certificate.to_dict()
+    # Its equilibrium has no rational numbers.
+    grasp = random_grasp(6, 2, dimension=3)
+    box = solve_in_space(grasp, random_wrench(2, dimension=3, bound=1)).certificate.to_dict()
+
+    def test_the_border_is_where_the_proof_ends(self):
+        for size, valid in ((HAIR, True), (1, False)):
+            wrench = [str(size * x) for x in across(1, 0)]
+            assert bool(check({**self.tree, "wrench": wrench})) == valid
+
+    def test_a_leaf_of_a_wider_cone_is_refused_with_its_path(self):
+        grasp = self.tree["grasp"]
+        contacts = [{**c, "friction": "51/100"} for c in grasp["contacts"]]
+        report = check({**self.tree, "grasp": {**grasp, "contacts": contacts}})
+        assert not report
+        assert report.problem.startswith("tree.attachment")
+
+    @pytest.mark.parametrize(
+        ("node", "words"),
+        [
+            ({"contact": 0, "directions": [[1, 0], [0, 1]], "children": [[]] * 3}, "not attached"),
+            ({"orthants": [[0] * 6] * 8}, "one of the keys virtual_motion, attachment, directions"),
+            ([0, 0, 0], "tree has 3 entries"),
+        ],
+    )
+    def test_what_is_no_tree_in_space_is_one_clear_error(self, node, words):
+        with pytest.raises(InputError, match=words):
+            check({**self.tree, "tree": node})
+
+    @pytest.mark.parametrize(
+        "directions",
+        [
+            [[1, 0], [0, 1], [-1, 0]],
+            [[1, 0], [-1, -1], [0, 1]],
+            [[1, 0], [0, 1]],
+            [[1, 0], [0, 1], [-1, -1], [1, 0], [0, 1], [-1, -1]],
+            [[1, 0], [0, 0], [-1, -1]],
+        ],
+    )
+    def test_sectors_that_do_not_go_round_once_are_refused(self, directions):
+        leaf = ["0"] * 6
+        slip = {"contact": 0, "directions": directions, "children": [leaf] * (len(directions) + 1)}
+        node = {"contact": 0, "attachment": {"detached": leaf, "attached": slip}}
+        with pytest.raises(InputError, match="directions go round once"):
+            check({**self.tree, "tree": node})
+
+    def test_an_enclosure_holds_and_its_variations_do_not(self):
+        assert check(self.box)
+        given = self.box["enclosure"]
+        slips = given["friction"].index("slip")
+        changes = [
+            {"radius": ["0"] * 6},
+            {"radius": ["1e-60"] * 6},
+            {"radius": ["1"] * 6},
+            {"centre": [str(2 * Fraction(x)) for x in given["centre"]]},
+            {"inverse": [["0"] * 6] * 6},
+            {"friction": ["detached"] * len(given["friction"])},
+            {
+                "friction": [
+                    ["1", "1"] if i == slips else x for i, x in enumerate(given["friction"])
+                ]
+            },
+        ]
+        for change in changes:
+            report = check({**self.box, "enclosure": {**given, **change}})
+            assert not report, change
+        with pytest.raises(InputError, match="enclosure"):
+            check({**self.tree, "certificate": "resisted", "enclosure": given})
+
+
+class TestAnswers:
+    def test_an_undecided_verdict_is_neither_yes_nor_no(self):
+        found = solve_in_space(read_grasp("peg-in-a-hole"), (0, 0, "-3/2", 0, 0, 0), nodes=1)
+        assert (found.verdict, found.certificate) == ("undecided", None)
+        for question in (bool, lambda x: x.stable, lambda x: x.verify()):
+            with pytest.raises(UndecidedError, match="after 1 nodes"):
+                question(found)
+        assert found.to_dict()["verdict"] == "undecided"
+
+    def test_exit_codes_and_words(self, capsys):
+        options = ["solve", "peg-in-a-hole", "--wrench", "0", "0", "-3/2", "0", "0", "0"]
+        assert main([*options, "--time-limit", "1/1000", "--json"]) == 3
+        assert json.loads(capsys.readouterr().out)["verdict"] == "undecided"
+        assert main([*options, "--time-limit", "1/1000"]) == 3
+        assert capsys.readouterr().out.startswith("undecided: neither")
+        assert main(["solve", "two-opposed-fingers", "--weight", "1"]) == 0
+        assert "resisted" in capsys.readouterr().out
+        assert main(["solve", "two-opposed-fingers", "--weight", "2"]) == 1
+
+    @pytest.mark.parametrize("length", [0, 3, 5, 7])
+    def test_a_wrench_of_the_wrong_length_names_the_right_one(self, length):
+        with pytest.raises(GraspError, match="takes 6: f_x, f_y, f_z, tau_x, tau_y and tau_z"):
+            solve(FINGERS, [0] * length)
+
+    def test_what_the_plane_alone_has_is_one_clear_error(self, capsys):
+        for command in (["region"], ["polyhedra"], ["wrench-space"], ["draw", "-o", "x.svg"]):
+            assert main([command[0], "two-opposed-fingers", *command[1:]]) == 2
+            error = capsys.readouterr().err
+            assert "this grasp is in space" in error
+            assert error.count("\n") == 1
+
+
+class TestModel:
+    def test_dimensions_are_not_mixed(self):
+        plane = Contact((0, 0), (1, 0), 1)
+        with pytest.raises(GraspError, match=r"contacts\[2\] is in the plane"):
+            Grasp([*FINGERS, plane])
+        with pytest.raises(GraspError, match="point has 3 coordinates and normal has 2"):
+            Contact((0, 0, 0), (1, 0), 1)
+
+    def test_normals_are_exact_or_rounded_with_the_error_reported(self):
+        with pytest.raises(GraspError, match="--round-normals"):
+            Contact((0, 0, 0), (1, 1, 1), 1)
+        contact = {"point": [0, 0, 0], "normal": [1, 1, 1], "friction": 1}
+        found = read_any({"schema_version": 1, "contacts": [contact]}, round_normals=True)
+        assert 0 < found.angle_errors[0] <= Fraction(1, 10**6)
+
+    @pytest.mark.parametrize("seed", range(40))
+    def test_unit_normals_are_unit_and_near(self, seed):
+        source = Random(seed)
+        wanted = [source.randint(-9, 9) / 7 for _ in range(3)] if seed else [2, -3, 6]
+        found, error = unit_normal(wanted, Fraction(1, 10**5))
+        assert sum(x * x for x in found) == 1
+        length = math.hypot(*wanted)
+        cosine = sum(float(x) * y for x, y in zip(found, wanted, strict=True)) / length
+        assert 1 - cosine <= float(error) ** 2 + 1e-15
+        assert error <= Fraction(1, 10**5)
+        if not seed:
+            assert (found, error) == ((Fraction(2, 7), Fraction(-3, 7), Fraction(6, 7)), 0)
+
+    @pytest.mark.parametrize("normal", [(0, 0, 1), (0, 0, -1), (1, 0, 0), ("3/5", 0, "-4/5")])
+    def test_tangents_and_normal_are_a_right_handed_frame(self, normal):
+        contact = Contact((0, 0, 0), normal, 1)
+        (a, b, c), (x, y, z) = contact.tangents
+        assert (b * z - c * y, c * x - a * z, a * y - b * x) == contact.normal
+        assert contact == Contact((0, 0, 0), normal, 1, tangent=contact.tangent)
+
+
+def states_of_pyramid(contact, edges):
+    """Yield for each state its rows (motion, force, constant): equalities, then inequalities."""
+    normal = contact.normal_wrench
+    one, other = contact.tangential_wrenches
+    k, q, mu = (float(x) for x in (contact.stiffness, contact.preload, contact.friction))
+    gap = np.array([k * float(x) for x in normal])
+    along = np.array([[float(x) for x in row] for row in (one, other)])
+    none = np.zeros(6)
+    sides = [np.add(edge, edges[(j + 1) % len(edges)]) for j, edge in enumerate(edges)]
+    spring = (gap, (1, 0, 0), -q)
+    cone = [(none, (mu * side @ edge, *-side), 0) for side, edge in zip(sides, edges, strict=True)]
+    attached = [*cone, (none, (1, 0, 0), 0)]
+    yield [(none, row, 0) for row in np.eye(3)], [(gap, (0, 0, 0), -q)]
+    yield [spring, *((row, (0, 0, 0), 0) for row in along)], attached
+    for j, side in enumerate(sides):
+        across = np.array([-side[1], side[0]])
+        face = (none, (mu * side @ edges[j], *side), 0)
+        yield (
+            [spring, (across @ along, (0, 0, 0), 0), face],
+            [
+                *attached,
+                (side @ along, (0, 0, 0), 0),
+            ],
+        )
+        before, edge = sides[j - 1], edges[j]
+        turned = [np.array([-before[1], before[0]]), np.array([side[1], -side[0]])]
+        corner = [(none, (mu * edge[i], *np.eye(2)[i]), 0) for i in range(2)]
+        yield [spring, *corner], [*attached, *((t @ along, (0, 0, 0), 0) for t in turned)]
+
+
+def resisted_by_all_states(grasp, wrench, edges):
+    """Decide by a linear program for each choice of states, in floats."""
+    m, size = len(grasp), 6 + 3 * len(grasp)
+    balance = np.zeros((6, size))
+    for i, contact in enumerate(grasp):
+        for j, row in enumerate((contact.normal_wrench, *contact.tangential_wrenches)):
+            balance[:, 6 + 3 * i + j] = [float(x) for x in row]
+    load = [-float(w) for w in wrench]
+    for choice in product(*(list(states_of_pyramid(contact, edges)) for contact in grasp)):
+        rows = [[], []]
+        for i, parts in enumerate(choice):
+            for kind, part in zip(rows, parts, strict=True):
+                for motion, force, constant in part:
+                    row = np.zeros(size + 1)
+                    row[:6], row[6 + 3 * i : 9 + 3 * i], row[-1] = motion, force, constant
+                    kind.append(row)
+        equal, least = map(np.array, rows)
+        found = linprog(
+            np.zeros(size),
+            A_ub=-least[:, :-1],
+            b_ub=least[:, -1],
+            A_eq=np.concatenate([balance, equal[:, :-1]]),
+            b_eq=np.concatenate([load, -equal[:, -1]]),
+            bounds=(None, None),
+        )
+        if found.status == 0:
+            return True
+    return bool(m == 0 and not any(wrench))
+
+
+def loaded(source, grasp):
+    """Return a load that forces of about the right size balance, off by a little or by a lot."""
+    wrench = [Fraction(source.randint(-8, 8), source.choice((8, 200))) for _ in range(6)]
+    for contact in grasp:
+        normal = Fraction(source.randint(0, 32), 16)
+        limit = int(32 * contact.friction * normal)
+        friction = [Fraction(source.randint(-limit, limit), 45) for _ in range(2)]
+        rows = (contact.normal_wrench, *contact.tangential_wrenches)
+        for force, row in zip((normal, *friction), rows, strict=True):
+            wrench = [w - force * x for w, x in zip(wrench, row, strict=True)]
+    return tuple(Fraction(round(64 * w), 64) if len(grasp) > 2 else w for w in wrench)
+
+
+def agrees_with_all_states(contacts, seeds):
+    """Compare pyramids with four edges with all their states; return how many are resisted."""
+    edges = np.array([[float(x) for x in edge] for edge in pyramid_edges(4)])
+    resisted = 0
+    for seed in seeds:
+        grasp = random_grasp(contacts, seed, dimension=3)
+        wrench = loaded(Random(seed), grasp)
+        found = solve_in_space(grasp, wrench, pyramid=4)
+        assert found.verify(), found.verify().problem
+        assert found.stable == resisted_by_all_states(grasp, wrench, edges), seed
+        resisted += found.stable
+    return resisted
+
+
+def test_verdicts_on_pyramids_are_those_of_all_states():
+    agrees_with_all_states(2, range(8))
+
+
+@pytest.mark.campaign
+def test_many_verdicts_on_pyramids_are_those_of_all_states():
+    assert agrees_with_all_states(2, range(100, 250)) + agrees_with_all_states(3, range(50)) > 0
+
+
+class TestPyramids:
+    def test_a_force_along_an_edge_is_held_as_by_the_round_cone_and_between_edges_it_is_not(self):
+        for size, held in ((1, True), (HAIR, False)):
+            along = solve_in_space(FINGERS, [size * x for x in across(1, 0)], pyramid=4)
+            between = [size * x / Fraction(7, 5) for x in across("3/5", "4/5")]
+            assert (along.stable, solve_in_space(FINGERS, between, pyramid=4).stable) == (held,) * 2
+            assert along.verify()
+
+    def test_edges_are_on_the_circle_in_order_and_opposite(self):
+        for count in (4, 6, 8, 30):
+            edges = pyramid_edges(count)
+            assert all(x * x + y * y == 1 for x, y in edges)
+            turns = zip(edges, (*edges[1:], edges[0]), strict=True)
+            assert all(a * d - b * c > 0 for (a, b), (c, d) in turns)
+            assert [(-x, -y) for x, y in edges[: count // 2]] == list(edges[count // 2 :])
+        for count in (5, 2, 66):
+            with pytest.raises(GraspError, match="even number from 4"):
+                pyramid_edges(count)
+
+    def test_the_command_takes_a_pyramid(self, capsys):
+        options = ["solve", "two-opposed-fingers", "--wrench", "0", "3/5", "4/5", "0", "0", "0"]
+        assert main(options) == 0
+        assert main([*options, "--cone", "pyramid:4"]) == 1
+        assert main([*options, "--cone", "pyramid:5"]) == 2
+        assert "even number" in capsys.readouterr().err
+
+    def test_a_proof_for_a_pyramid_is_none_for_the_round_cone(self):
+        found = solve_in_space(FINGERS, across("3/5", "4/5"), pyramid=4)
+        document = found.certificate.to_dict()
+        assert check(document)
+        del document["pyramid"]
+        assert not check(document)
