@@ -67,7 +67,7 @@ def write_inside(
         shapely.box(*box) for box in scene.boxes
         if box[0] < right and box[2] > left and box[1] < high and box[3] > low
     ]  # fmt: skip
-    near = [] if off is None else off.geometries.take(off.query(free, "intersects"))
+    near = [] if off is None else off.geometries.take(off.query(free))
     free = shapely.difference(free, shapely.union_all([*boxes, *near]))
     if free.is_empty:
         return False
@@ -139,8 +139,7 @@ def write_beside(
         style: goes to matplotlib.
     """
     x, y = float(point[0]), float(point[1])
-    lows, highs = segments.min(axis=1), segments.max(axis=1)
-    close = segments[(lows <= (x + 61, y + 61)).all(axis=1) & (highs >= (x - 61, y - 61)).all(axis=1)]
+    close = segments[segments_meet((x - 60, y - 60, x + 60, y + 60), segments)]
     directions = np.array(list(around(away)))[:turns]
     for size, text, beyond in product(sizes, texts, (1.0, 2.0)):
         half = np.array(scene.measure(text, size)) / 2

@@ -122,8 +122,9 @@ def test_the_page_tells_exact_conditions(tmp_path: Path) -> None:
 
 
 def test_a_full_box_says_that_every_wrench_in_it_is_resisted() -> None:
-    ring = [((1, 0), (-1, 0)), ((0, 1), (0, -1)), ((-1, 0), (1, 0)), ((0, -1), (0, 1))]
-    whole = Grasp([Contact(point, normal, "1/2", 1) for point, normal in ring])
+    x, y, u, v = Fraction(39, 89), Fraction(80, 89), Fraction(33, 65), Fraction(56, 65)
+    ring = [(1, 0), (x, y), (-u, v), (-1, 0), (-u, -v), (x, -y)]
+    whole = Grasp([Contact((p * Fraction(3, 2), q), (-p, -q), "1/2", 1) for p, q in ring])
     for grasp, full in ((whole, True), (read_grasp("ladder"), False)):
         scene = laid_out(inspect.unwrap(draw_wrench_set)(grasp))
         texts = [item.text for item in scene.items if isinstance(item, Label)]
@@ -133,4 +134,4 @@ def test_a_full_box_says_that_every_wrench_in_it_is_resisted() -> None:
 
 def test_resisted_lines_through_the_origin_stand_in_the_middle() -> None:
     window = joint_window([resisted_region(read_grasp("single-contact"))], pieces=True)
-    assert window.centre == (0, 0)
+    assert not any(window.centre)
