@@ -21,6 +21,8 @@ P = ParamSpec("P")
 #: Size of the image of a ball.
 _PIXELS = 256
 _HATCH = {"hatch.linewidth": 0.35}
+#: By their short names matplotlib sets styles of a path twice, first to defaults.
+_FULL_NAMES = {"fc": "facecolor", "ec": "edgecolor", "lw": "linewidth", "ls": "linestyle"}
 
 
 def picture(view: Callable[P, Scene]) -> Callable[P, Figure]:
@@ -80,7 +82,7 @@ def _draw(axes: Any, item: Item) -> None:
 def _patch(item: Path, style: dict[str, Any]) -> Any:
     from matplotlib import patches, path
 
-    style.setdefault("fc", "none")
+    style = {_FULL_NAMES.get(key, key): value for key, value in {"fc": "none", **style}.items()}
     if item.kind == "circle":
         x, y = item.points.tolist()
         return patches.Circle((x, y), item.radius, **style)

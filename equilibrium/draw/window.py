@@ -89,7 +89,8 @@ def joint_window(
 ) -> Window:
     """Return one square window for several regions.
 
-    It holds the origin and all ends of the regions' borders, and it shows a part of every ray.
+    It holds the origin and all ends of the regions' borders, and it shows a part of every ray. Rays
+    and lines through the origin alone have it in the middle.
 
     Args:
         extra: more points to hold.
@@ -108,6 +109,8 @@ def joint_window(
     lows, highs = _box(needed)
     finite = max(high - low for low, high in zip(lows, highs, strict=True)) / 2
     spread = finite or Fraction(1)
+    if not finite and all(shape.dimension < 2 for shape in shapes):
+        return Window(ZERO, spread)
     for shape in shapes:
         rays = [*shape.rays, *shape.lines, *((-x, -y) for x, y in shape.lines)]
         share = Fraction(1, 5) if finite and shape.dimension == 2 else Fraction(4, 5)

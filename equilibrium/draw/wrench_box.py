@@ -84,6 +84,12 @@ class WrenchBox:
         return [float((x - m) / h) for x, m, h in pairs]
 
     @property
+    def filled(self) -> bool:
+        """Whether the set holds the whole box: it has volume, and no border inside the box."""
+        faces = [p for node in self.tree for p in node.patches if p.name != "axis"]
+        return bool(faces) and all(p.row in WALLS and not p.sheet for p in faces)
+
+    @property
     def endless(self) -> bool:
         """Whether the box cuts something off."""
         return any(

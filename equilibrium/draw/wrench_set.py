@@ -141,6 +141,9 @@ class _Solid:
             held = any(piece.polyhedron.contains(applied) for piece in self.box.pieces)
             legend.key(symbol("resisted" if held else "refused"), f"w = {vector(applied)}")
         solid = any(shape.dimension > 1 for shape in self.box.shapes)
+        if self.box.filled:
+            legend.key(symbol(CUT), "every wrench in the box is resisted, and the set goes on")
+            return
         if self.box.shapes:
             legend.key(symbol(SOLID if solid else "border"), "resisted wrenches")
         if any(p.row in WALLS for node in self.box.tree for p in node.patches):

@@ -14,13 +14,14 @@ from arrangement.draw.layout import laid_out
 from arrangement.draw.scene import Scene
 from arrangement.errors import InputError
 from arrangement.io.files import instances
-from equilibrium import GraspError, read_grasp
+from equilibrium import Contact, GraspError, read_grasp
 from equilibrium.cli.program import main
+from equilibrium.draw.window import joint_window
 from equilibrium.draw.wrench_box import WALLS, WrenchBox, wrench_box
 from equilibrium.draw.wrench_page import wrench_set_model, wrench_set_page
 from equilibrium.draw.wrench_set import draw_wrench_set
 from equilibrium.model.grasp import Grasp
-from equilibrium.wrench_sets import resisted_set
+from equilibrium.wrench_sets import resisted_region, resisted_set
 from tests.arrangement.test_draw_boxes import offences
 
 GRASPS = [
@@ -118,3 +119,19 @@ def test_the_page_tells_exact_conditions(tmp_path: Path) -> None:
     assert page == wrench_set_page(read_grasp("paper-three-contacts"))
     conditions = set(re.findall(r'"condition","([^"]*)"', page))
     assert any("f_y" in text and "\\u2264 0" in text for text in conditions)
+
+
+def test_a_full_box_says_that_every_wrench_in_it_is_resisted() -> None:
+    x, y, u, v = Fraction(39, 89), Fraction(80, 89), Fraction(33, 65), Fraction(56, 65)
+    ring = [(1, 0), (x, y), (-u, v), (-1, 0), (-u, -v), (x, -y)]
+    whole = Grasp([Contact((p * Fraction(3, 2), q), (-p, -q), "1/2", 1) for p, q in ring])
+    for grasp, full in ((whole, True), (read_grasp("ladder"), False)):
+        scene = laid_out(inspect.unwrap(draw_wrench_set)(grasp))
+        texts = [item.text for item in scene.items if isinstance(item, Label)]
+        assert any("every wrench in the box" in text for text in texts) == full
+        assert ("resisted wrenches" in texts) != full
+
+
+def test_resisted_lines_through_the_origin_stand_in_the_middle() -> None:
+    window = joint_window([resisted_region(read_grasp("single-contact"))], pieces=True)
+    assert not any(window.centre)
