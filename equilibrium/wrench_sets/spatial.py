@@ -102,8 +102,8 @@ def spatial_magnitudes(
     """Bracket the magnitudes that a grasp in space resists along a direction.
 
     Args:
-        width: of a bracket, relative to its larger end; a bracket that ends at 0 stops a million times
-            narrower than this share of the sample beyond it.
+        width: of a bracket, relative to its larger end; where the verdict changes at 0, a millionth
+            of this share of the sample beyond.
         nodes: of the tree of each verdict, at most.
 
     Raises:
