@@ -57,8 +57,8 @@ def _cases(source: Random) -> Iterator[Case]:
         yield grasp_case(question, label)
 
 
-#: Bounds of the unknowns in a mixed-integer model of grasps in space: every coordinate of the motion,
-#: every force, every torque of a force.
+#: Bounds of the unknowns in a mixed-integer model of grasps in space: every coordinate of the
+#: motion, every force, every torque of a force.
 _MOTION, _FORCE, _TORQUE = 5, 200, 2500
 
 
@@ -114,7 +114,7 @@ def _boxed_by_programs(finger: _Finger) -> _Pair:
 
 
 def _boxed_by_hand(finger: _Finger) -> _Pair:
-    """The force is the load's; the least largest coordinate of a motion with N . d = s is |s|/|N|_1."""
+    """The force is the load's; the least largest coordinate of d with N . d = s is |s|/|N|_1."""
     normal = finger.contact.normal_wrench
     motion = finger.force / finger.contact.stiffness / sum(map(abs, normal))
     torque = finger.force * max(map(abs, normal[3:]))
@@ -134,7 +134,7 @@ def _slip_planes(source: Random) -> Iterator[Case]:
 def _general_faces(planes: int) -> int:
     """Return the faces of planes with normals on the moment curve, any six of them independent."""
     curve = [[Fraction(t) ** k for k in range(6)] for t in range(planes)]
-    return sum(Arrangement(curve, dimension=6).f_vector())
+    return sum(Arrangement(curve, dimension=6).f_vector)
 
 
 def _slip_arrangement(grasp: Grasp) -> Arrangement:
@@ -160,8 +160,8 @@ CLAIMS = (
     Claim(
         id="boxes-change-verdicts",
         locator="our claim, on grasps in space",
-        statement="Bounds on the unknowns, every coordinate of the motion at most 5, every force at "
-        "most 200 and every torque at most 2,500, change no verdict.",
+        statement="Bounds on the unknowns, every coordinate of the motion at most 5, every force "
+        "at most 200 and every torque at most 2,500, change no verdict.",
         quantity="verdicts without the bounds and with them",
         routes=(
             Route("the solver; linear programs of both states", _boxed_by_programs),
@@ -171,15 +171,15 @@ CLAIMS = (
         sources=exhaustive("one instance for each of the three bounds", _fingers),
         expected=Verdict.REFUTED,
         explain=lambda finger, verdicts: f"resisted {verdicts[0]}, within the bounds {verdicts[1]}",
-        meaning="One contact pressed along its normal has one force and one depth. Each bound alone "
-        "refuses what the contact holds.",
+        meaning="One contact pressed along its normal has one force and one depth. Each bound "
+        "alone refuses what the contact holds.",
         rows=True,
     ),
     Claim(
         id="slip-states-in-space",
         locator="our claim, on grasps in space",
-        statement="m contacts in space, each with two tangent planes, have no more slip states than "
-        "2m planes in general position through the origin of space with six dimensions have faces.",
+        statement="m contacts in space, each with two tangent planes, have no more slip states "
+        "than 2m planes in general position through the origin of six dimensions have faces.",
         quantity="number of slip states, and of faces in general position",
         routes=(
             Route(
@@ -192,18 +192,16 @@ CLAIMS = (
             Route(
                 "Zaslavsky's theorem, for the grasp and for powers of the moment curve",
                 lambda grasp: (
-                    sum(_slip_arrangement(grasp).f_vector()),
+                    sum(_slip_arrangement(grasp).f_vector),
                     _general_faces(2 * len(grasp)),
                 ),
             ),
         ),
         judge=lambda grasp, numbers: numbers[0] <= numbers[1],
-        sources=sampled(
-            "1 to 4 random contacts, and two grasps with contacts in line", _slip_planes
-        ),
+        sources=sampled("1 to 4 random contacts, and two known grasps", _slip_planes),
         explain=lambda grasp, numbers: f"{numbers[0]} of at most {numbers[1]}",
-        meaning="Up to three contacts every choice of signs can occur; from four on the number grows "
-        "as the fifth power of m, no longer as 9^m.",
+        meaning="Up to three contacts every choice of signs can occur; from four on the number "
+        "grows as the fifth power of m, no longer as 9^m.",
         rows=True,
     ),
     Claim(
