@@ -156,7 +156,55 @@ def _zaslavsky_bound(planes: int, rank: int = 6) -> int:
     return 1 + sum(comb(planes, k) * regions(planes - k, rank - k) for k in range(rank))
 
 
+#: Two fingers and a load that pyramids of 4 edges hold, and finer ones and round cones do not.
+_TWO_FINGERS = Grasp(
+    [Contact([1, 1, 1], [0, -1, 0], 1), Contact([-1, 0, 0], [0, 0, -1], "1/2", preload=1)]
+)
+_LET_GO = (0, 1, 2, 0, 0, 1)
+#: Edges; None is the round cone.
+_FINER = (4, 8, None)
+
+
+def _pyramids(source: Random) -> Iterator[Case]:
+    del source
+    yield Case("two fingers, w = (0, 1, 2, 0, 0, 1)", _TWO_FINGERS, _TWO_FINGERS.to_dict())
+
+
+def _by_search(grasp: Grasp) -> tuple[bool, ...]:
+    return tuple(solve_in_space(grasp, _LET_GO, pyramid=edges).stable for edges in _FINER)
+
+
+def _by_proofs(grasp: Grasp) -> tuple[bool, ...]:
+    """What the checker says that the certificates prove."""
+    found = []
+    for edges in _FINER:
+        verdict = solve_in_space(grasp, _LET_GO, pyramid=edges)
+        assert verdict.verify()
+        assert verdict.certificate is not None
+        found.append(verdict.certificate.claim == "resisted")
+    return tuple(found)
+
+
 CLAIMS = (
+    Claim(
+        id="more-edges-hold-no-less",
+        locator="our claim, on grasps in space",
+        statement="A wrench that is resisted with friction pyramids of 4 edges is resisted with "
+        "pyramids of 8 that contain them, and with the round cones around both.",
+        quantity="verdicts with 4 edges, with 8, with round cones",
+        routes=(
+            Route("the solver", _by_search),
+            Route("certificates, read by the checker", _by_proofs),
+        ),
+        judge=lambda grasp, verdicts: list(verdicts) == sorted(verdicts),
+        sources=sampled("two fingers, found by a random search", _pyramids),
+        expected=Verdict.REFUTED,
+        explain=lambda grasp, verdicts: " ".join("yes" if v else "no" for v in verdicts),
+        meaning="Pyramids inside the cone let friction deviate from the slip; the round cone does "
+        "not. So verdicts of pyramids are no lower bound. One contact alone is no counterexample: "
+        "it need not slip.",
+        rows=True,
+    ),
     Claim(
         id="boxes-change-verdicts",
         locator="our claim, on grasps in space",
