@@ -149,7 +149,8 @@ def _zaslavsky_bound(planes: int, rank: int = 6) -> int:
     """
 
     def regions(n: int, d: int) -> int:
-        return 2 * sum(comb(n - 1, i) for i in range(d)) if n else 1
+        total: int = 2 * sum(comb(n - 1, i) for i in range(d))
+        return total if n else 1
 
     if planes <= rank:
         return 3**planes
@@ -181,7 +182,7 @@ def _by_proofs(grasp: Grasp) -> tuple[bool, ...]:
         verdict = solve_in_space(grasp, _LET_GO, pyramid=edges)
         assert verdict.verify()
         assert verdict.certificate is not None
-        found.append(verdict.certificate.claim == "resisted")
+        found.append(verdict.certificate.kind == "resisted")
     return tuple(found)
 
 
