@@ -153,7 +153,7 @@ def _zaslavsky_bound(planes: int, rank: int = 6) -> int:
         return total if n else 1
 
     if planes <= rank:
-        return 3**planes
+        return int(3**planes)
     return 1 + sum(comb(planes, k) * regions(planes - k, rank - k) for k in range(rank))
 
 
