@@ -1,4 +1,5 @@
 from . import counts as counts
+from .algebraic_number import AlgebraicNumber as AlgebraicNumber
 from .arrangement import Arrangement as Arrangement
 from .completeness import (
     CompletenessEvidence as CompletenessEvidence,
@@ -28,7 +29,7 @@ from .faces import Face as Face
 from .io.arrangements import read_arrangement as read_arrangement
 from .io.writing import write_text_atomically as write_text_atomically
 from .library import census as census, families as families
-from .number_field import AlgebraicNumber as AlgebraicNumber, NumberField as NumberField
+from .number_field import NumberField as NumberField
 from .planes import Planes as Planes
 from .polyhedra.dual import (
     DualPolygon as DualPolygon,

@@ -65,6 +65,12 @@ def _parser() -> terminal.Parser:
     )
     faces.set_defaults(command=_faces)
 
+    identify = commands.add_parser(
+        "identify", help="which combinatorial type it has, of those of at most eight planes"
+    )
+    _add_file(identify)
+    identify.set_defaults(command=_identify)
+
     bounds = commands.add_parser(
         "bounds", help="count faces of generic planes against the published bounds"
     )
@@ -103,7 +109,7 @@ def _parser() -> terminal.Parser:
     )
     page.set_defaults(command=_lab)
 
-    for command in (count, polynomial, faces, bounds, names, make, draw, page):
+    for command in (count, polynomial, faces, identify, bounds, names, make, draw, page):
         terminal.add_common_options(command)
     terminal.add_number_options(faces)
     return parser
@@ -240,6 +246,38 @@ def _faces(arguments: argparse.Namespace) -> int:
             )
         else:
             print(_line(face))
+    return terminal.YES
+
+
+def _identify(arguments: argparse.Namespace) -> int:
+    from .library.census import MOST_PLANES, identify
+
+    found = identify(_read(arguments))
+    if arguments.json:
+        terminal.print_json(asdict(found))
+        return terminal.YES
+    if found.type is None:
+        limit = f"it has rank 3 and up to {MOST_PLANES} distinct planes"
+        print(f"type             not in the catalogue; {limit}")
+    else:
+        names = f", {', '.join(found.names)}" if found.names else ""
+        print(f"type             {found.planes}.{found.type}{names}")
+    print(f"distinct planes  {found.planes}")
+    print(f"rank             {found.rank}")
+    print(f"f-vector         {' '.join(map(str, found.f_vector))}")
+    if found.t_vector:
+        points = ", ".join(f"t{k} = {number}" for k, number in found.t_vector.items())
+        print(f"points           {points}")
+    if found.automorphisms is not None:
+        print(f"automorphisms    {found.automorphisms}")
+    words = {"simple": found.is_simple, "simplicial": found.is_simplicial}
+    print(f"it is            {' and '.join(w if yes else f'not {w}' for w, yes in words.items())}")
+    if found.order:
+        planes = (
+            ("-" if side < 0 else "+") + str(k)
+            for k, side in zip(found.order, found.sides, strict=True)
+        )
+        print(f"as in the list   {' '.join(planes)}")
     return terminal.YES
 
 

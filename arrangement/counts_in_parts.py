@@ -18,6 +18,7 @@ import time
 import zlib
 from collections.abc import Iterator
 from dataclasses import dataclass
+from fractions import Fraction
 from functools import lru_cache
 from pathlib import Path
 from typing import Any
@@ -27,12 +28,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from . import workers
+from .algebraic_number import field_of, written
 from .counts.automorphisms import Automorphisms
 from .counts.configuration import Configuration, configuration
 from .counts.symmetric import Classes, Flats, classes, deadline_after
 from .errors import InputError, TimeLimitError, UnfinishedError
 from .exact import shown
 from .io.writing import reason, write_bytes_atomically
+from .number_field import NumberField
 from .planes import Planes
 from .progress import note, watched
 
@@ -128,9 +131,11 @@ def _final(known: list[int]) -> str:
 def _prepare(root: Path, config: Configuration, parts: int) -> None:
     """Write the plan of a new folder; refuse a folder that has another."""
     plan = root / "plan.json"
-    vectors = [list(map(str, v)) for v in config.vectors]
-    infinity = config.infinity and list(map(str, config.infinity))
+    vectors = [list(map(written, v)) for v in config.vectors]
+    infinity = config.infinity and list(map(written, config.infinity))
     record: dict[str, Any] = {"layout": _LAYOUT, "rank": config.rank}
+    if field := field_of(x for vector in config.vectors for x in vector):
+        record["field"] = field.to_dict()
     record |= {"vectors": vectors, "infinity": infinity}
     if not config.rank:
         raise InputError("there are no planes to count in parts")
@@ -171,8 +176,16 @@ class _Made:
 def _made(root: str) -> _Made:
     """Return what a folder is about; each process makes it once."""
     plan = json.loads((Path(root) / "plan.json").read_bytes())
-    vectors = tuple(tuple(map(int, vector)) for vector in plan["vectors"])
-    infinity = plan["infinity"] and tuple(map(int, plan["infinity"]))
+    field = NumberField(*plan["field"].values()) if "field" in plan else None
+
+    def vector(entries: list[Any]) -> tuple[Any, ...]:
+        return tuple(
+            field.number(list(map(Fraction, x))) if field and isinstance(x, list) else int(x)
+            for x in entries
+        )
+
+    vectors = tuple(map(vector, plan["vectors"]))
+    infinity = plan["infinity"] and vector(plan["infinity"])
     config = Configuration(vectors, infinity, plan["rank"])
     size = len(vectors) + (infinity is not None)
     generators = np.array(plan["generators"], dtype=np.intp).reshape(-1, size)

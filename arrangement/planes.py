@@ -12,6 +12,7 @@ from functools import cached_property
 from itertools import combinations
 from typing import TYPE_CHECKING, Any, Self
 
+from .algebraic_number import field_of, written
 from .errors import InputError
 from .exact import (
     IntegerVector,
@@ -25,7 +26,7 @@ from .exact import (
     unoriented,
 )
 from .linear import rank
-from .number_field import NumberField, field_of, written
+from .number_field import NumberField
 from .real_entries import entry, in_one_field, real_vector
 from .symbolic import equations_of, exact_matrix, planes_of
 

@@ -12,9 +12,11 @@ from collections.abc import Iterable, Sequence
 from fractions import Fraction
 from typing import TYPE_CHECKING, Any, cast
 
+from .algebraic_number import AlgebraicNumber, Real, field_of
 from .errors import InputError
 from .exact import quotient, rational, rational_vector, shown
-from .number_field import MAX_DEGREE, AlgebraicNumber, NumberField, Real, field_of
+from .number_field import NumberField
+from .polynomials import MAX_DEGREE
 
 if TYPE_CHECKING:
     import sympy

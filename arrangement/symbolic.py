@@ -10,9 +10,10 @@ from collections.abc import Iterable, Sequence
 from fractions import Fraction
 from typing import TYPE_CHECKING, Any
 
+from .algebraic_number import AlgebraicNumber, Real, field_of
 from .errors import InputError
 from .exact import IntegerVector, RationalVector, shown
-from .number_field import AlgebraicNumber, NumberField, Real, field_of
+from .number_field import NumberField
 
 if TYPE_CHECKING:
     import sympy

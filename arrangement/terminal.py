@@ -22,10 +22,10 @@ from pathlib import Path
 from typing import Any, NoReturn
 
 from . import number_form, progress
+from .algebraic_number import AlgebraicNumber, written
 from .entry import fault
 from .errors import InputError, MissingExtraError
 from .exact import rational, shown
-from .number_field import AlgebraicNumber, written
 
 YES = 0
 NO = 1

@@ -17,9 +17,10 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
+from arrangement.algebraic_number import field_of
 from arrangement.errors import InputError
 from arrangement.exact import largest, shown
-from arrangement.number_field import NumberField, field_of
+from arrangement.number_field import NumberField
 from arrangement.symbolic import entries, exact_matrix
 
 from .configuration import Configuration

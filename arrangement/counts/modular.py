@@ -26,8 +26,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from arrangement.algebraic_number import field_of
 from arrangement.exact import IntegerVector
-from arrangement.number_field import field_of
 
 Integers = NDArray[np.int64]
 #: Sums of so many bits are exact in int64, and in doubles.

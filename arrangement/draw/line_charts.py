@@ -12,6 +12,7 @@ from functools import cached_property
 
 import numpy as np
 
+from arrangement.algebraic_number import rational_near
 from arrangement.arrangement import Arrangement
 from arrangement.exact import (
     IntegerVector,
@@ -22,7 +23,6 @@ from arrangement.exact import (
     reduced,
     sign,
 )
-from arrangement.number_field import rational_near
 
 from .globe import Globe
 from .items import Floats

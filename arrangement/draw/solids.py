@@ -10,9 +10,9 @@ from typing import TypeAlias
 
 import numpy as np
 
+from arrangement.algebraic_number import rational_near
 from arrangement.exact import IntegerVector, dot
 from arrangement.linear import triple_product
-from arrangement.number_field import rational_near
 from arrangement.planes import Planes
 from arrangement.polyhedra.dual import DualPolyhedron, dual_polygon, dual_polyhedron, dual_segment
 from arrangement.polyhedra.inscribed import RepresentativeHull

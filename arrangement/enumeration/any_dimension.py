@@ -15,35 +15,24 @@ by arrays over one level at a time.
 
 Cost: polynomial in the output for fixed d. There are no more flats than faces; each flat is
 cut by at most m planes, and every (facet, face) pair is visited once, in arrays: 16 planes in R^6
-(289,000 faces) take about a second. Numbers are int64 wherever a bound of their size allows, else
-Python integers.
+(289,000 faces) take about a second. Numbers, of a field too, are int64 coefficients wherever a
+bound of their size allows, else Python integers: see `arrangement.coefficients`.
 """
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any, TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
 
-from arrangement.exact import IntegerVector
+from arrangement.coefficients import Coefficients, Integers, for_products, largest_entry, primitive
 from arrangement.linear import rank, unit_vectors
 from arrangement.planes import Planes
 
 from .packing import Words, grouped, pack, unpack
-from .sequence import (
-    Integers,
-    Level,
-    Rows,
-    Signs,
-    for_products,
-    integer_matrix,
-    largest_entry,
-    no_faces,
-    primitive_rows,
-)
+from .sequence import Level, Rows, Signs, no_faces
 
 Indices: TypeAlias = NDArray[np.intp]
 
@@ -57,11 +46,13 @@ def list_faces(planes: Planes) -> tuple[Level, ...]:
     d, m = planes.dimension, len(planes)
     if planes.is_central:
         vectors = [plane[:-1] for plane in first]
-        low, levels = d - planes.rank, central_levels(vectors, d, None)
+        low, n, half = d - planes.rank, d, None
     else:
         vectors = [(-plane[-1], *plane[:-1]) for plane in first] + [unit_vectors(d + 1)[0]]
-        low, levels = d - rank(vectors), central_levels(vectors, d + 1, len(first))
-    found = [_as_level(planes, faces) for faces in levels]
+        low, n, half = d - rank(vectors), d + 1, len(first)
+    numbers = Coefficients(vectors)
+    levels = central_levels(numbers, numbers.array(vectors, n), half)
+    found = [_as_level(planes, numbers, faces) for faces in levels]
     return (*[no_faces(m, d)] * low, *found[max(0, -low) :])
 
 
@@ -72,7 +63,7 @@ class CentralFaces:
     Attributes:
         words: (F, W); their signs: class k has bit 2k for + and bit 2k + 1 for -.
         flats: (F); the flat that each one spans.
-        points: (F, n); a point of each.
+        points: (F, n, c); a point of each.
     """
 
     words: Words
@@ -88,7 +79,7 @@ class _Rises:
         lower, upper: (P); the flats.
         words: (P, W); the signs, in the upper flat beside the lower one, of what contains the lower
             one and not the upper one.
-        vectors: (P, n); from the lower flat to that side.
+        vectors: (P, n, c); from the lower flat to that side.
     """
 
     lower: Indices
@@ -98,13 +89,13 @@ class _Rises:
 
 
 def central_levels(
-    vectors: Sequence[IntegerVector], n: int, half: int | None
+    numbers: Coefficients, vectors: Integers, half: int | None
 ) -> list[CentralFaces]:
-    """Return the faces of a central arrangement by rank, with integer witnesses.
+    """Return the faces of a central arrangement by rank, with integral witnesses.
 
     Args:
-        vectors: pairwise independent integer normals in R^n.
-        n: the dimension of the space.
+        numbers: the field.
+        vectors: (m, n, c); pairwise independent normals in R^n.
         half: index of a plane; only the faces not on its negative side are wanted.
 
     Returns:
@@ -113,8 +104,9 @@ def central_levels(
     positive = _unit_words(len(vectors))
     forbidden = positive[half] << _ONE if half is not None else np.zeros_like(positive[:1]).ravel()
     start = np.zeros((1, positive.shape[1]), np.uint64)
-    levels = [CentralFaces(start, np.zeros(1, np.intp), np.zeros((1, n), np.int64))]
-    for rises in reversed(_all_rises(vectors, n)):
+    origin = np.zeros((1, *vectors.shape[1:]), np.int64)
+    levels = [CentralFaces(start, np.zeros(1, np.intp), origin)]
+    for rises in reversed(_all_rises(numbers, vectors)):
         levels.append(_covers(levels[-1], rises, forbidden))
     return levels
 
@@ -144,22 +136,24 @@ def _covers(faces: CentralFaces, rises: _Rises, forbidden: Words) -> CentralFace
     return CentralFaces(words[first], rises.upper[rise[first]], points)
 
 
-def _all_rises(vectors: Sequence[IntegerVector], n: int) -> list[_Rises]:
+def _all_rises(numbers: Coefficients, normals: Integers) -> list[_Rises]:
     """Return the rises between flats of neighbouring dimensions, from the whole space downwards."""
-    normals = integer_matrix(vectors, n)
-    positive = _unit_words(len(vectors))
-    bases = integer_matrix(unit_vectors(n), n)[None]
+    m, n, c = normals.shape
+    positive = _unit_words(m)
+    bases = numbers.array(unit_vectors(n), n)[None]
     masks = np.zeros((1, positive.shape[1]), np.uint64)
+    matrix = numbers.forms(normals)
     levels: list[_Rises] = []
     while True:
-        forms = for_products(bases, n * largest_entry(normals)) @ normals.T
-        flat, plane = np.nonzero(forms.any(axis=1))
+        shape = bases.shape[:2]
+        joined = bases.reshape(*shape, n * c)
+        forms = (for_products(joined, n * c * largest_entry(matrix)) @ matrix).reshape(*shape, m, c)
+        flat, plane = np.nonzero(forms.any(axis=(1, 3)))
         if not len(flat):
             return levels
-        rows = primitive_rows(forms[flat, :, plane])
-        pivot = np.argmax(rows != 0, axis=1)
-        beside = np.take_along_axis(rows, pivot[:, None], axis=1) > 0
-        first, group = _grouped(np.column_stack([flat, np.where(beside, rows, -rows)]))
+        rows, pivot, sides = numbers.unoriented(forms[flat, :, plane])
+        beside = (sides > 0)[:, None]
+        first, group = _grouped(np.column_stack([flat, rows.reshape(len(flat), -1)]))
         shape = (len(first), positive.shape[1])
         words, members = np.zeros(shape, np.uint64), np.zeros(shape, np.uint64)
         np.bitwise_or.at(words, group, np.where(beside, positive[plane], positive[plane] << _ONE))
@@ -169,7 +163,7 @@ def _all_rises(vectors: Sequence[IntegerVector], n: int) -> list[_Rises]:
         upper, vectors_beside = flat[first], bases[flat[first], pivot[first]]
         levels.append(_both_sides(lower, upper, words, vectors_beside))
         masks, kept = members[chosen], first[chosen]
-        bases = _cut(bases[flat[kept]], rows[kept], pivot[kept])
+        bases = _cut(numbers, bases[flat[kept]], rows[kept], pivot[kept])
 
 
 def _both_sides(lower: Indices, upper: Indices, words: Words, vectors: Integers) -> _Rises:
@@ -185,28 +179,31 @@ def _both_sides(lower: Indices, upper: Indices, words: Words, vectors: Integers)
     )
 
 
-def _cut(bases: Integers, forms: Integers, pivot: Indices) -> Integers:
+def _cut(numbers: Coefficients, bases: Integers, forms: Integers, pivot: Indices) -> Integers:
     """Return bases of the subspaces, of those with the given bases, at which forms vanish.
 
     Args:
-        bases: (F, k, n).
-        forms: (F, k); the values at the basis vectors, not all 0.
-        pivot: (F); where one is not 0.
+        bases: (F, k, n, c).
+        forms: (F, k, c); the values at the basis vectors, not all 0.
+        pivot: (F); where one is not 0, but rational.
     """
     rows, k = np.arange(len(bases)), bases.shape[1]
     others = np.arange(k - 1) + (np.arange(k - 1) >= pivot[:, None])
-    bases = for_products(bases, 2 * largest_entry(forms))
-    top, base = forms[rows, pivot], bases[rows, pivot]
-    left = top[:, None, None] * bases[rows[:, None], others]
-    right = forms[rows[:, None], others][..., None] * base[:, None, :]
-    return primitive_rows(left - right)
+    factors = numbers.matrices(forms[rows[:, None], others])
+    bases = for_products(
+        bases, 2 * numbers.degree * max(largest_entry(forms), largest_entry(factors))
+    )
+    top, base = forms[rows, pivot, 0], bases[rows, pivot]
+    left = top[:, None, None, None] * bases[rows[:, None], others]
+    return primitive(left - base[:, None] @ factors)
 
 
-def _as_level(planes: Planes, faces: CentralFaces) -> Level:
+def _as_level(planes: Planes, numbers: Coefficients, faces: CentralFaces) -> Level:
     """Return the faces with signs over the input planes; of a cone, those with x_0 > 0."""
     words, points, classes = faces.words, faces.points, len(planes.distinct)
     if planes.is_central:
-        points = np.column_stack([points, np.ones(len(points), np.int64)])
+        ones = np.broadcast_to(numbers.one, (len(points), 1, numbers.degree))
+        points = np.concatenate([points, ones], axis=1)
     else:
         kept = (words & _unit_words(classes + 1)[-1]).any(axis=1)
         words, points = words[kept], np.roll(points[kept], -1, axis=1)
@@ -218,7 +215,7 @@ def _as_level(planes: Planes, faces: CentralFaces) -> Level:
         found: Signs = (bits[:, 0::2] - bits[:, 1::2])[:, columns] * orientation
         return found
 
-    return Level(len(words), signs, lambda rows: points[rows])
+    return Level(len(words), signs, lambda rows: numbers.numbers(points[rows]))
 
 
 def _unit_words(classes: int) -> Words:

@@ -18,10 +18,11 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from arrangement.coefficients import Integers, for_products, largest_entry
 from arrangement.linear import unit_vectors
 
 from .packing import Bits
-from .sequence import Integers, Signs, for_products, integer_matrix, largest_entry, primitive_rows
+from .sequence import Signs, integer_matrix, primitive_rows
 
 
 @dataclass(frozen=True, slots=True)

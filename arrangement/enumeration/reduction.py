@@ -12,10 +12,11 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from arrangement.coefficients import Integers
 from arrangement.linear import rank
 from arrangement.planes import Planes
 
-from .sequence import Integers, Level, Rows, no_faces
+from .sequence import Level, Rows, no_faces
 
 
 def cone(planes: Planes) -> Planes:

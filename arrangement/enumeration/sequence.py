@@ -15,6 +15,7 @@ from typing import Any, TypeAlias, overload
 import numpy as np
 from numpy.typing import NDArray
 
+from arrangement.coefficients import SAFE, Integers
 from arrangement.errors import InputError
 from arrangement.exact import (
     IntegerVector,
@@ -30,12 +31,8 @@ from arrangement.planes import Planes
 from arrangement.short_repr import Shown
 
 Signs: TypeAlias = NDArray[np.int8]
-#: int64 where all entries fit, else Python integers.
-Integers: TypeAlias = NDArray[Any]
 Rows: TypeAlias = "slice | NDArray[np.intp]"
 
-#: Sums and products below this bound are exact in int64.
-_SAFE = 1 << 62
 #: Faces made at once when a sequence is walked.
 _BLOCK = 4096
 
@@ -211,20 +208,7 @@ def primitive_rows(rows: Integers) -> Integers:
 def integer_matrix(rows: Iterable[IntegerVector], n: int) -> Integers:
     """Return an integer matrix with n columns, int64 where all entries fit."""
     listed = list(rows)
-    return np.array(listed, np.int64 if largest(listed) < _SAFE else object).reshape(len(listed), n)
-
-
-def for_products(array: Integers, factor: float) -> Integers:
-    """Return the array as Python integers unless `factor` times its entries stays in int64."""
-    exact = array.dtype == object or factor * max(1, largest_entry(array)) < _SAFE
-    return array if exact else array.astype(object)
-
-
-def largest_entry(array: Integers) -> float:
-    """Return the largest absolute value of an entry; those of int64 arrays are below 2^62."""
-    if array.dtype == object:
-        return largest([array.flat])
-    return int(np.abs(array).max(initial=0))
+    return np.array(listed, np.int64 if largest(listed) < SAFE else object).reshape(len(listed), n)
 
 
 def rational_points(points: Integers) -> Iterator[RationalVector]:

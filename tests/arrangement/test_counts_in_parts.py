@@ -35,6 +35,8 @@ def files(folder: Path) -> dict[str, bytes]:
         families.threshold_functions(3),
         families.random_integer(8, 5, seed=1),
         families.random_degenerate(8, 4, seed=2, affine=True),
+        families.h3(),
+        families.regular(14),
         families.coordinate(1),
         Arrangement([[1], [1], [2]], [0, 1, 2]),
     ],

@@ -213,3 +213,36 @@ def test_the_command_names_the_field(tmp_path: Any, capsys: pytest.CaptureFixtur
     assert main(["make", "h3", "-o", str(path)]) == 0
     assert main(["count", str(path)]) == 0
     assert "a^2 - 5 = 0" in capsys.readouterr().out
+
+
+@pytest.mark.campaign
+@pytest.mark.parametrize("seed", range(6))
+@pytest.mark.parametrize(
+    "root",
+    [sqrt(2), sqrt(5), 2 * cos(2 * pi / 7), 2 ** Rational(1, 3)],
+    ids=["sqrt 2", "sqrt 5", "cos(2 pi / 7)", "third root of 2"],
+)
+def test_engines_agree_over_fields_and_with_the_signs_of_sympy(root: Any, seed: int) -> None:
+    source = random.Random(seed)
+    largest = source.choice([1, 3, 10**9])  # from degenerate planes to sums beyond int64
+
+    def number() -> Any:
+        return source.randint(-largest, largest) + source.randint(-1, 1) * root
+
+    d = source.choice([2, 3, 3, 4])
+    rows = [[number() for _ in range(d)] for _ in range(6)]
+    rows.append([x + y for x, y in zip(*rows[:2], strict=True)])
+    affine = seed % 2
+    offsets = [affine * number() for _ in rows]
+    kept = [(row, b) for row, b in zip(rows, offsets, strict=True) if any(row)]
+    planes = Arrangement([row for row, _ in kept], [b for _, b in kept])
+    assert planes.certify_complete()
+    every = planes.faces(engine="any-dimension")
+    assert {face.signs for face in planes.faces()} == {face.signs for face in every}
+    assert counts.f_vector(planes) == every.f_vector
+    near = [[sympy.N(x, 200) for x in (*row, b)] for row, b in kept]
+    for face in source.sample(list(every), min(20, len(every))):
+        point = [*(sympy.N(to_sympy(x), 200) for x in face.witness), -1]
+        for row, sign in zip(near, face.signs, strict=True):
+            value = sum(map(mul, row, point))
+            assert sign == (0 if abs(value) < Rational(1, 10**120) else sympy.sign(value))

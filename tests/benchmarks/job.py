@@ -165,6 +165,28 @@ def polynomial(planes: int) -> Work:
     return lambda: abs(int(characteristic_polynomial(Arrangement(normals)).eval(-1)))
 
 
+def _asked(question: str, square: int, planes: int) -> Work:
+    """Ours: a question of `FIELD_QUESTIONS` to planes over Q, or over the field of a root."""
+    import sympy  # noqa: F401
+
+    from arrangement import Arrangement, NumberField
+    from arrangement.counts import characteristic_polynomial
+
+    root: Any = NumberField([-square, 0, 1], [0, square]).root if square else 0
+    pairs = zip(random_normals(planes, 9), random_normals(planes + 1, 9), strict=False)
+    normals = [[x + y * root for x, y in zip(*pair, strict=True)] for pair in pairs]
+    ask: dict[str, Callable[[Any], int]] = {
+        "great circles": lambda made: int(made.f_vector[-1]),
+        "all faces": lambda made: sum(1 for _ in made.faces()),
+        "any dimension": lambda made: len(made.faces(engine="any-dimension")),
+        "polynomial": lambda made: abs(int(characteristic_polynomial(made).eval(-1))),
+    }
+    return lambda: ask[question](Arrangement(normals))
+
+
+FIELD_QUESTIONS = ("great circles", "all faces", "any dimension", "polynomial")
+
+
 def _in_print(label: str) -> tuple[Any, int | None]:
     from arrangement.library.families.published import published_counts
 
@@ -338,6 +360,10 @@ JOBS: dict[str, Callable[[int], Work]] = {
         sage_polynomial,
         sign_vectors_topes,
     )
+} | {
+    f"{question} {square}": partial(_asked, question, square)
+    for question in FIELD_QUESTIONS
+    for square in (0, 5)
 }
 
 

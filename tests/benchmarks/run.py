@@ -19,7 +19,7 @@ import sys
 from collections.abc import Iterable
 
 from grasps import LIMIT, grasp_tables
-from job import COUNTED, random_normals
+from job import COUNTED, FIELD_QUESTIONS, random_normals
 from peers import Measured, cgal, install_peers, ours, peer, polymake
 from pictures import picture_table
 
@@ -106,6 +106,7 @@ def own_table() -> dict[tuple[str, int], Measured]:
     line("everything with all sign vectors", 9, ours("all_signs", 9))
     line("30-digit entries, with region signs", 100, ours("thirty_digits", 100))
     facade_table(found)
+    field_table()
     return found
 
 
@@ -127,6 +128,15 @@ def facade_table(own: dict[tuple[str, int], Measured]) -> None:
     )
     for planes in (12, 16):
         line("R^6: all faces with witnesses", planes, ours("six_dimensions", planes))
+
+
+def field_table() -> None:
+    """The same questions to planes over Q and over Q(sqrt(5))."""
+    head("Irrational planes in R^3, from normals: over Q, then over Q(sqrt(5)) in times of Q")
+    for question in FIELD_QUESTIONS:
+        rational = ours(f"{question} 0", 60)
+        line(f"{question}, over Q", 60, rational)
+        line(f"{question}, over Q(sqrt(5))", 60, ours(f"{question} 5", 60), rational)
 
 
 def exponent(found: dict[tuple[str, int], Measured], small: int, large: int) -> str:

@@ -7,8 +7,9 @@ from typing import TypeAlias
 
 import numpy as np
 
+from arrangement.coefficients import Integers
 from arrangement.enumeration.packing import Words, pack, unit_words, unpack
-from arrangement.enumeration.sequence import Integers, Level, Rows, Signs
+from arrangement.enumeration.sequence import Level, Rows, Signs
 from arrangement.planes import Planes
 
 from .faces_around_lines import faces_around

@@ -4,9 +4,10 @@ from __future__ import annotations
 
 import numpy as np
 
+from arrangement.coefficients import Integers
 from arrangement.enumeration import great_circles
 from arrangement.enumeration.reduction import from_dimension, in_dimension, joined
-from arrangement.enumeration.sequence import Integers, Level, Rows, Signs, no_faces
+from arrangement.enumeration.sequence import Level, Rows, Signs, no_faces
 from arrangement.exact import dot
 from arrangement.linear import cut, unit_vectors
 from arrangement.planes import Planes

@@ -2,9 +2,18 @@
 
 Two arrangements have the same type if one becomes the other by relabelling planes and exchanging
 their sides, as far as sign vectors are concerned. The list ships with the package;
-`arrangement.library.census.generate` makes it again, byte for byte.
+`arrangement.library.census.generate` makes it again, byte for byte. `extensions` finds the types
+of oriented matroids once more without coordinates, and tells them apart by other codes.
 """
 
 from .catalogue import MOST_PLANES, PUBLISHED, PUBLISHED_SIMPLE, census
+from .identify import Identification, identify
 
-__all__ = ["MOST_PLANES", "PUBLISHED", "PUBLISHED_SIMPLE", "census"]
+__all__ = [
+    "MOST_PLANES",
+    "PUBLISHED",
+    "PUBLISHED_SIMPLE",
+    "Identification",
+    "census",
+    "identify",
+]

@@ -25,6 +25,12 @@ def _document() -> dict[str, Any]:
     return document
 
 
+def normals(planes: int) -> list[list[list[int]]]:
+    """Return the rows of normals of every type of so many planes, as they are in the list."""
+    listed: list[list[list[int]]] = _document()["types"][str(planes)]
+    return listed
+
+
 @lru_cache(maxsize=2 * MOST_PLANES)
 def census(planes: int, *, simple: bool = False) -> tuple[Arrangement, ...]:
     """Return one arrangement of each combinatorial type of `planes` distinct planes of rank 3.
@@ -47,7 +53,7 @@ def census(planes: int, *, simple: bool = False) -> tuple[Arrangement, ...]:
     """
     if type(planes) is not int or not 3 <= planes <= MOST_PLANES:
         raise InputError(f"planes is {shown(planes)}; the census has types of 3 to {MOST_PLANES}")
-    listed = (Arrangement(normals) for normals in _document()["types"][str(planes)])
+    listed = map(Arrangement, normals(planes))
     if not simple:
         return tuple(listed)
     return tuple(arrangement for arrangement in listed if arrangement.is_simple)

@@ -4,9 +4,10 @@ from __future__ import annotations
 
 from itertools import combinations, permutations, product
 
+from arrangement.algebraic_number import AlgebraicNumber
 from arrangement.arrangement import Arrangement
 from arrangement.linear import unit_vectors
-from arrangement.number_field import AlgebraicNumber, NumberField
+from arrangement.number_field import NumberField
 
 from .checks import at_least
 

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from itertools import accumulate
 
+from arrangement.algebraic_number import Real
 from arrangement.arrangement import Arrangement
 from arrangement.errors import InputError
 from arrangement.exact import quotient
-from arrangement.number_field import Real
 from arrangement.real_entries import real_vector
 
 from .checks import at_least
@@ -26,7 +26,7 @@ def regular(planes: int) -> Arrangement:
 
     Raises:
         InputError: a number of planes that is neither even nor 4k + 1, or too small; or a cosine
-            of a degree above `arrangement.number_field.MAX_DEGREE`.
+            of a degree above `arrangement.polynomials.MAX_DEGREE`.
 
     >>> regular(10).f_vector
     (1, 32, 90, 60)

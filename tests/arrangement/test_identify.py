@@ -1,0 +1,197 @@
+"""Types told apart by chirotopes: codes, extensions without coordinates, proofs of having none."""
+
+from __future__ import annotations
+
+import itertools
+import json
+
+import numpy as np
+import pytest
+from hypothesis import given, settings, strategies as st
+
+from arrangement import Arrangement, InputError, cli
+from arrangement.counts import cone
+from arrangement.library import families
+from arrangement.library.census import PUBLISHED, census, generate, identify
+from arrangement.library.census.chirotopes import chirotope_of, extended, triples
+from arrangement.library.census.codes import canonical
+from arrangement.library.census.extensions import extensions
+from arrangement.library.census.final_polynomials import (
+    Comparison,
+    final_polynomial,
+    proves_no_coordinates,
+)
+
+
+def chirotopes(planes: int) -> np.ndarray:
+    return chirotope_of(np.array([a.normals for a in census(planes)], dtype=np.int64))
+
+
+def pseudoline_types(planes: int) -> int:
+    """Types of oriented matroids with one element more than the census's, by extension alone."""
+    larger = [extended(row, extensions(row, planes), planes) for row in chirotopes(planes)]
+    return len(np.unique(canonical(np.concatenate(larger), planes + 1).codes, axis=0))
+
+
+@pytest.mark.parametrize("planes", [3, 4, 5, 6])
+def test_extensions_without_coordinates_give_the_published_numbers(planes: int) -> None:
+    assert pseudoline_types(planes) == PUBLISHED[planes + 1]
+
+
+@pytest.mark.campaign
+def test_eight_pseudolines_have_the_published_number_of_types() -> None:
+    assert pseudoline_types(7) == PUBLISHED[8]
+
+
+@pytest.mark.parametrize("planes", range(3, 9))
+def test_codes_tell_the_types_of_the_census_apart(planes: int) -> None:
+    assert len(np.unique(canonical(chirotopes(planes), planes).codes, axis=0)) == PUBLISHED[planes]
+
+
+entries = st.integers(-4, 4)
+normals = st.tuples(entries, entries, entries).filter(any)
+
+
+@settings(max_examples=40, deadline=None)
+@given(st.lists(normals, min_size=3, max_size=7))
+def test_the_type_found_has_the_same_tope_graph_and_the_map_is_exact(rows: list) -> None:
+    arrangement = Arrangement(rows)
+    found = identify(arrangement)
+    assert found.planes == len(arrangement.distinct)
+    assert found.f_vector == arrangement.f_vector
+    if found.rank < 3:
+        assert found.type == 1
+        return
+    theirs = census(found.planes)[found.type - 1]
+    moved = [[s * x for x in rows[k]] for k, s in zip(found.order, found.sides, strict=True)]
+    one, other = (chirotope_of(np.array(x, dtype=np.int64)) for x in (moved, [*theirs.normals]))
+    assert (one == other).all() or (one == -other).all()
+    firsts = [rows[members[0]] for members in arrangement.distinct]
+    assert generate.canonical_form(Arrangement(firsts)) == generate.canonical_form(theirs)
+    points = sum(found.t_vector.values())
+    assert 2 * points == theirs.f_vector[1]
+
+
+@settings(max_examples=25, deadline=None)
+@given(st.data())
+def test_relabelling_sides_and_linear_maps_keep_the_type(data: st.DataObject) -> None:
+    planes = data.draw(st.integers(3, 8))
+    number = data.draw(st.integers(1, PUBLISHED[planes]))
+    order = data.draw(st.permutations(range(planes)))
+    sides = data.draw(st.lists(st.sampled_from([1, -1]), min_size=planes, max_size=planes))
+    shear = np.array([[1, *data.draw(st.tuples(entries, entries))], [0, 1, 2], [0, 0, 1]])
+    rows = np.array(census(planes)[number - 1].normals)[order] * np.array(sides)[:, None] @ shear
+    assert identify(Arrangement(rows.tolist())).type == number
+
+
+def automorphisms_by_force(arrangement: Arrangement) -> int:
+    n = len(arrangement)
+    signs = dict(zip(map(tuple, triples(n).tolist()), chirotope_of(
+        np.array(arrangement.normals, dtype=np.int64)), strict=True))  # fmt: skip
+    count = 0
+    for order in itertools.permutations(range(n)):
+        images = []
+        for i, j, k in signs:
+            a, b, c = order[i], order[j], order[k]
+            odd = (a > b) + (a > c) + (b > c)
+            images.append((-1) ** odd * signs[tuple(sorted((a, b, c)))])
+        for sides in itertools.product((1, -1), repeat=n - 1):
+            t = (1, *sides)
+            turned = [t[i] * t[j] * t[k] * x for (i, j, k), x in zip(signs, images, strict=True)]
+            plain = list(signs.values())
+            count += turned == plain or turned == [-x for x in plain]
+    return count
+
+
+@pytest.mark.parametrize("planes", [3, 4, 5])
+def test_orders_of_automorphism_groups_agree_with_all_relabellings(planes: int) -> None:
+    for arrangement in census(planes):
+        assert identify(arrangement).automorphisms == automorphisms_by_force(arrangement)
+
+
+@pytest.mark.parametrize(
+    ("arrangement", "name"),
+    [
+        (families.braid(4), "braid A3"),
+        (families.near_pencil(7), "near-pencil"),
+        (families.coordinate(3), "coordinate planes"),
+        (families.simplicial(7, 1), "A(7, 1)"),
+    ],
+)
+def test_usual_names(arrangement: Arrangement, name: str) -> None:
+    assert name in identify(arrangement).names
+
+
+def test_beyond_the_census_the_counts_remain() -> None:
+    found = identify(families.h3())
+    assert (found.type, found.t_vector) == (None, {2: 15, 3: 10, 5: 6})
+    assert (found.is_simplicial, found.is_simple) == (True, False)
+    assert identify(families.generic(6, 4)).type is None
+
+
+@pytest.mark.parametrize("rows", [[], [[1, 0, 0], [0, 1, 0]]])
+def test_what_has_no_type_is_refused(rows: list) -> None:
+    arrangement = Arrangement(rows, [1] * len(rows), dimension=3)
+    with pytest.raises(InputError):
+        identify(arrangement)
+
+
+def pappus(ninth: int) -> dict[tuple[int, int, int], int]:
+    """The signs of Pappus's nine points, with the ninth collinear triple given a sign."""
+    first, second = [(1, 0, 0), (1, 1, 0), (1, 3, 0)], [(1, 0, 1), (1, 2, 1), (1, 5, 1)]
+    crossings = [
+        np.cross(np.cross(first[i], second[j]), np.cross(first[j], second[i]))
+        for i, j in ((0, 1), (0, 2), (1, 2))
+    ]
+    signs = chirotope_of(np.array([*first, *second, *crossings], dtype=np.int64)).tolist()
+    found = dict(zip(map(tuple, triples(9).tolist()), signs, strict=True))
+    assert found[6, 7, 8] == 0
+    return found | {(6, 7, 8): ninth}
+
+
+def test_pappus_has_coordinates_and_non_pappus_a_proof_that_it_has_none() -> None:
+    assert final_polynomial(pappus(0), 9) is None
+    for sign in (1, -1):
+        proof = final_polynomial(pappus(sign), 9)
+        assert proof is not None
+        assert proves_no_coordinates(pappus(sign), proof)
+        assert not proves_no_coordinates(pappus(0), proof)
+
+
+def test_a_changed_proof_is_refused() -> None:
+    signs = pappus(1)
+    proof = final_polynomial(signs, 9)
+    assert proof is not None
+    for k, comparison in enumerate(proof):
+        for changed in (
+            comparison._replace(times=comparison.times + 1),
+            comparison._replace(smaller=comparison.larger, larger=comparison.smaller),
+            comparison._replace(relation=(*comparison.relation[:4], comparison.relation[0])),
+        ):
+            assert not proves_no_coordinates(signs, (*proof[:k], changed, *proof[k + 1 :]))
+    assert not proves_no_coordinates(signs, proof[:-1])
+    assert not proves_no_coordinates(signs, ())
+    assert not proves_no_coordinates(signs, [Comparison((0, 1, 2, 3, 4), 0, 3, 1)])
+
+
+@pytest.mark.parametrize("planes", [5, 6, 7])
+def test_no_type_with_coordinates_has_a_proof_that_it_has_none(planes: int) -> None:
+    rows = map(tuple, triples(planes).tolist())
+    keys = list(rows)
+    for signs in chirotopes(planes)[::7]:
+        assert final_polynomial(dict(zip(keys, signs.tolist(), strict=True)), planes) is None
+
+
+def test_the_command_prints_the_type(capsys: pytest.CaptureFixture[str]) -> None:
+    assert cli.main(["identify", "braid-a3", "--json"]) == 0
+    found = json.loads(capsys.readouterr().out)
+    assert (found["type"], found["automorphisms"], found["f_vector"]) == (3, 24, [1, 14, 36, 24])
+    assert cli.main(["identify", "reflection-b3"]) == 0
+    assert "not in the catalogue" in capsys.readouterr().out
+    assert cli.main(["identify", "shi-a2-affine"]) == 2
+    assert "cone" in capsys.readouterr().err
+
+
+def test_the_cone_of_affine_lines_has_a_type() -> None:
+    lines = Arrangement([[1, 0], [0, 1], [1, 1]], [0, 0, 1])
+    assert identify(cone(lines)).type == 2
