@@ -12,6 +12,8 @@ number of sliding-sticking modes depends on their choice.
 
 from __future__ import annotations
 
+import math
+import time
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from functools import cached_property
@@ -19,7 +21,9 @@ from typing import Any, Generic, TypeAlias, TypeVar
 
 import numpy as np
 
+from arrangement.counts.symmetric import deadline_after
 from arrangement.enumeration.fan import Fan
+from arrangement.errors import TimeLimitError
 from arrangement.exact import IntegerVector, primitive
 from arrangement.progress import watched
 from equilibrium.model.grasp import Grasp
@@ -59,15 +63,23 @@ class ContactModes:
         normals: m integer rows of length n: contact i does not move in where ``row . d >= 0``.
         tangents: for each contact the rows of its tangent planes, any number of them.
         n: the dimension of motions d: 3 for a body in the plane, 6 in space, more for more bodies.
+        deadline: of the monotonic clock; looked at before each cut by a plane.
+
+    Raises:
+        TimeLimitError: by any property, the deadline is over.
     """
 
     normals: tuple[IntegerVector, ...]
     tangents: tuple[tuple[IntegerVector, ...], ...]
     n: int
+    deadline: float = math.inf
 
     @classmethod
-    def of_grasp(cls, grasp: Grasp) -> ContactModes:
+    def of_grasp(cls, grasp: Grasp, *, time_limit: float | None = None) -> ContactModes:
         """Return the modes of the contacts of a grasp.
+
+        Args:
+            time_limit: in seconds from now.
 
         >>> from equilibrium import read_grasp
         >>> modes = ContactModes.of_grasp(read_grasp("box-1-wall"))
@@ -78,6 +90,7 @@ class ContactModes:
             tuple(primitive(c.normal_wrench) for c in grasp),
             tuple(tuple(primitive(row) for row in c.tangential_wrenches) for c in grasp),
             3 if grasp.dimension == 2 else 6,
+            deadline_after(time_limit),
         )
 
     @cached_property
@@ -100,8 +113,17 @@ class ContactModes:
     def _cone(self) -> Fan:
         cone = Fan.space(self.n)
         for row in self.normals:
-            cone = cone.cut(row, (0, 1))
+            cone = self._in_time(cone).cut(row, (0, 1))
         return cone.at(np.lexsort((*reversed(cone.signs.T), cone.dimensions)))
+
+    def _in_time(self, fan: Fan) -> Fan:
+        if time.monotonic() > self.deadline:
+            raise TimeLimitError(
+                f"the time is over before the modes of {len(self.normals)} contacts are all known; "
+                "give more time, or fewer contacts",
+                (),
+            )
+        return fan
 
     def _inside(self) -> Iterator[Fan]:
         """Yield the faces inside each face of the cone; their other signs are of its contacts."""
@@ -110,7 +132,7 @@ class ContactModes:
             fan = self._cone.boundary_and(face)
             for contact in np.flatnonzero(signs == 0):
                 for row in self.tangents[contact]:
-                    fan = fan.cut(row)
+                    fan = self._in_time(fan).cut(row)
             inside = fan.at(np.flatnonzero((fan.signs[:, :m] == signs).all(axis=1)))
             yield inside.at(np.lexsort((*reversed(inside.signs.T), inside.dimensions)))
 

@@ -179,6 +179,14 @@ def grasp_of(arguments: argparse.Namespace) -> Grasp:
     return grasp if preload is None else grasp.with_preload(preload)
 
 
+def seconds(text: str) -> float:
+    """Return a positive number of seconds."""
+    number = float(terminal.rational_argument(text))
+    if number <= 0:
+        raise argparse.ArgumentTypeError(f"{text} is not above 0; give a number of seconds")
+    return number
+
+
 def show(
     arguments: argparse.Namespace,
     document: dict[str, Any],

@@ -32,7 +32,7 @@ _WORDS = {True: "yes", False: "no", None: "-"}
 
 def add_commands(commands: Any) -> None:
     """Add compare, wrench-space and survey."""
-    text = "the verdicts of all methods (exit 0 if the complete model accepts, else 1)"
+    text = "the verdicts of all methods (exit 0 if the complete model accepts, 1 no, 3 undecided)"
     add_applied(add_command(commands, "compare", _compare, text))
 
     text = "Grasp Wrench Space: quality, slice, facets (exit 1: no force closure)"
@@ -62,7 +62,7 @@ def _compare(arguments: argparse.Namespace) -> int:
     grasp = grasp_of(arguments)
     found = compare(grasp, applied(arguments, grasp))
     lines = _comparison_lines(found)
-    return show(arguments, found.to_dict(), lines, found.stable, found.grasp)
+    return show(arguments, found.to_dict(), lines, found.answers[0].accepts, found.grasp)
 
 
 def _comparison_lines(found: Comparison) -> Iterator[str]:

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 from arrangement.number_form import vector
 from arrangement.progress import shown
 
-from .arguments import add_command, grasp_of, show
+from .arguments import add_command, grasp_of, seconds, show
 
 if TYPE_CHECKING:
     from equilibrium.modes import ContactModes, Slips
@@ -22,12 +22,15 @@ def add_commands(commands: Any) -> None:
     text = "contact modes: what rigid contacts can do, from kinematics alone"
     modes = add_command(commands, "modes", _modes, text, preload=False)
     modes.add_argument("--count", action="store_true", help="say how many there are, list none")
+    modes.add_argument(
+        "--time-limit", metavar="SECONDS", type=seconds, help="give up then (exit 2)"
+    )
 
 
 def _modes(arguments: argparse.Namespace) -> int:
     from equilibrium.modes import ContactModes
 
-    modes = ContactModes.of_grasp(grasp_of(arguments))
+    modes = ContactModes.of_grasp(grasp_of(arguments), time_limit=arguments.time_limit)
     with shown():
         return show(arguments, _document(modes, arguments), _lines(modes, arguments.count))
 

@@ -12,7 +12,7 @@ from arrangement.exact import dot
 from arrangement.number_form import vector
 
 from . import draw, inputs, lab, methods, modes, wrench_sets
-from .arguments import add_applied, add_command, applied, grasp_of, show
+from .arguments import add_applied, add_command, applied, grasp_of, seconds, show
 from .proof_words import proof_lines
 from .spatial_words import spatial_lines
 
@@ -54,7 +54,7 @@ def _parser() -> terminal.Parser:
     add_applied(solve)
     solve.add_argument("--certificate", metavar="OUT.json", help="write the certificate here")
     solve.add_argument(
-        "--time-limit", metavar="SECONDS", type=_seconds, help="give up then (exit 2; in space 3)"
+        "--time-limit", metavar="SECONDS", type=seconds, help="give up then (exit 2; in space 3)"
     )
     solve.add_argument(
         "--cone",
@@ -116,14 +116,6 @@ def _cone(text: str) -> int | None:
     if kind != "pyramid" or not count.isascii() or not count.isdigit() or len(count) > 3:
         raise argparse.ArgumentTypeError(f"{text[:60]!r} is no cone; give pyramid:K or round")
     return int(count)
-
-
-def _seconds(text: str) -> float:
-    """Return a positive number of seconds."""
-    seconds = float(terminal.rational_argument(text))
-    if seconds <= 0:
-        raise argparse.ArgumentTypeError(f"{text} is not above 0; give a number of seconds")
-    return seconds
 
 
 def _solve(arguments: argparse.Namespace) -> int:

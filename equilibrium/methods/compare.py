@@ -8,10 +8,10 @@ from typing import Any
 
 from arrangement.exact import RationalVector, to_text
 from arrangement.progress import watched
-from equilibrium.model.errors import GraspError
+from equilibrium.model.errors import GraspError, UndecidedError
 from equilibrium.model.grasp import Grasp, read_wrench
 
-from .registry import DECIDING, METHODS, method_named
+from .registry import DECIDING, DECIDING_IN_SPACE, METHODS, method_named
 
 
 @dataclass(frozen=True)
@@ -49,8 +49,14 @@ class Comparison:
 
     @property
     def stable(self) -> bool:
-        """The verdict of the complete model."""
-        return bool(self.answers[0])
+        """The verdict of the complete model.
+
+        Raises:
+            UndecidedError: in space it may be undecided.
+        """
+        if self.answers[0].accepts is None:
+            raise UndecidedError(f"the complete model: {self.answers[0].remark}")
+        return self.answers[0].accepts
 
     def __bool__(self) -> bool:
         """Return the verdict of the complete model."""
@@ -58,24 +64,29 @@ class Comparison:
 
     @property
     def disagreeing(self) -> tuple[str, ...]:
-        """The methods with another verdict than the complete model."""
+        """The methods with another verdict than the complete model; none where it has none."""
+        told = self.answers[0].accepts
         return tuple(
-            answer.method for answer in self.answers if answer.accepts is (not self.stable)
+            answer.method
+            for answer in self.answers
+            if None not in (told, answer.accepts) and answer.accepts is not told
         )
 
     def __getitem__(self, method: str) -> Answer:
         return next(answer for answer in self.answers if answer.method == method)
 
     def to_dict(self) -> dict[str, Any]:
-        """Return a JSON form; `agrees` is null where a method says nothing."""
+        """Return a JSON form; `agrees` is null where it or the complete model says nothing."""
         return {
-            "stable": self.stable,
+            "stable": self.answers[0].accepts,
             "methods": [
                 {
                     "method": answer.method,
                     "title": answer.title,
                     "accepts": answer.accepts,
-                    "agrees": None if answer.accepts is None else answer.accepts is self.stable,
+                    "agrees": None
+                    if None in (answer.accepts, self.answers[0].accepts)
+                    else answer.method not in self.disagreeing,
                     "remark": answer.remark,
                 }
                 for answer in self.answers
@@ -95,7 +106,7 @@ def compare(grasp: Grasp, wrench: Iterable[Any]) -> Comparison:
 
     Args:
         grasp: contacts.
-        wrench: applied, ``(f_x, f_y, tau)``.
+        wrench: applied, ``(f_x, f_y, tau)``, or six numbers in space, where fewer methods answer.
 
     Returns:
         All verdicts. The compliance methods start from tangential forces that balance the
@@ -106,9 +117,9 @@ def compare(grasp: Grasp, wrench: Iterable[Any]) -> Comparison:
     >>> compare(read_grasp("paper-three-contacts"), [0, -1, 0]).disagreeing
     ('linear-compliance',)
     """
-    applied = read_wrench(wrench)
+    applied = read_wrench(wrench, grasp.dimension)
     answers = [
         Answer(key, METHODS[key].title, *METHODS[key].outcome(grasp, applied))
-        for key in watched(DECIDING, "methods")
+        for key in watched(DECIDING if grasp.dimension == 2 else DECIDING_IN_SPACE, "methods")
     ]
     return Comparison(grasp, applied, tuple(answers))

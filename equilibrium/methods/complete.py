@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from arrangement.exact import RationalVector
 from equilibrium.model.grasp import Grasp
+from equilibrium.spatial_verdict import solve_in_space
 from equilibrium.verdict import Solver
 from equilibrium.wrench_sets.plane import resisted_region
 
@@ -17,10 +18,18 @@ def _decide(grasp: Grasp, wrench: RationalVector) -> Outcome:
     return found.stable, f"{len(found.equilibria)} maximal pieces of solutions"
 
 
+def _decide_in_space(grasp: Grasp, wrench: RationalVector) -> Outcome:
+    found = solve_in_space(grasp, wrench)
+    if not found.decided:
+        return None, f"undecided: {found.reason}"
+    return found.stable, "round cones, proved"
+
+
 COMPLETE = Method(
     "complete",
     "complete model (springs, cones, dissipation, detachment)",
     "complete model",
     _decide,
     resisted_region,
+    decide_in_space=_decide_in_space,
 )

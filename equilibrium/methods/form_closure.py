@@ -34,7 +34,7 @@ class FormClosure(Accepting):
             method says nothing of a single wrench.
         ray_value: Liu's optimum z, None when the wrenches do not span space.
         multipliers: with closure, numbers >= 1 with ``sum_i multipliers[i] w_i = 0``; the wrenches
-            then span all space with positive factors, as their rank is 3.
+            then span all space with positive factors, as their rank is full.
         free_motion: without closure, a motion d != 0 with ``w_i . d >= 0`` for all i.
     """
 
@@ -67,10 +67,10 @@ def _ray_value(wrenches: Sequence[RationalVector]) -> Fraction | None:
 
     None as well when their hull is flat, which shows as an unbounded program.
     """
-    if rank([primitive(w) for w in wrenches]) < 3:
+    if not wrenches or rank([primitive(w) for w in wrenches]) < len(wrenches[0]):
         return None
     number = len(wrenches)
-    centroid = [sum((w[k] for w in wrenches), Fraction(0)) / number for k in range(3)]
+    centroid = [sum(column, Fraction(0)) / number for column in zip(*wrenches, strict=True)]
     rows: list[Row] = [[*(p - x for x, p in zip(w, centroid, strict=True)), 1] for w in wrenches]
     answer = minimize(centroid, rows)
     return -answer.value if isinstance(answer, Optimal) else None
@@ -80,7 +80,7 @@ def _multipliers(wrenches: Sequence[RationalVector]) -> RationalVector:
     """Return numbers >= 1 whose combination of the wrenches vanishes."""
     n = len(wrenches)
     least = [[int(i == j) for j in range(n)] + [-1] for i in range(n)]
-    balance: list[Row] = [[*(w[k] for w in wrenches), 0] for k in range(3)]
+    balance: list[Row] = [[*column, 0] for column in zip(*wrenches, strict=True)]
     point = feasible_point(n, least, balance)
     assert not isinstance(point, Infeasible)
     return point
@@ -88,7 +88,9 @@ def _multipliers(wrenches: Sequence[RationalVector]) -> RationalVector:
 
 def _free_motion(wrenches: Sequence[RationalVector]) -> RationalVector:
     """Return d != 0 with ``w . d >= 0`` for all wrenches, which exists without closure."""
-    rays, lines = generators([primitive(w) for w in wrenches], [], 3)
+    rays, lines = generators(
+        [primitive(w) for w in wrenches], [], len(wrenches[0]) if wrenches else 3
+    )
     return tuple(map(Fraction, [*rays, *lines][0]))
 
 
@@ -97,4 +99,6 @@ def _decide(grasp: Grasp, _: RationalVector) -> Outcome:
     return closed, "every wrench" if closed else "no form closure: nothing follows for one wrench"
 
 
-FORM_CLOSURE = Method("form-closure", "form closure (Liu 1999)", "form closure", _decide)
+FORM_CLOSURE = Method(
+    "form-closure", "form closure (Liu 1999)", "form closure", _decide, decide_in_space=_decide
+)

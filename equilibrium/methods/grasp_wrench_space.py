@@ -3,7 +3,8 @@
 It is the set of wrenches that contact forces inside their cones can give together when their
 normal parts are bounded: by 1 in sum (norm "L1": the convex hull of the cone edges and the
 origin) or by 1 each (norm "Linf": the Minkowski sum of one triangle for each contact). In the
-plane a friction cone has two edges, so nothing is linearised. A wrench w is resisted, in the sense
+plane a friction cone has two edges, so nothing is linearised; in space a pyramid inside the round
+cone takes its place, and the hull has six dimensions. A wrench w is resisted, in the sense
 of this method, when a multiple of the space holds ``-w``. Springs, preload and slip play no part:
 this is the set of weakly stable loads.
 """
@@ -33,7 +34,7 @@ from arrangement.linprog import Infeasible, Optimal, Row, minimize
 from arrangement.polyhedra.polyhedron import Polyhedron, from_generators
 from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import Grasp, read_wrench
-from equilibrium.solver.contact_rows import friction_edges, sum_row, unit_row
+from equilibrium.solver.contact_rows import edge_directions, friction_edges, sum_row, unit_row
 from equilibrium.wrench_sets.plane import polygon_cycle
 
 from .method import Accepting, Method, Outcome, cut
@@ -68,6 +69,7 @@ class GraspWrenchSpace:
     Args:
         grasp: the contacts; only points, normals and friction count.
         norm: "L1" or "Linf" (see this module).
+        pyramid: edges of the friction pyramids of a grasp in space, see `pyramid_edges`.
         length: a length that torques are divided by, above 0. `volume` and `epsilon_squared`
             mix forces and torques, so they depend on it, and on the origin of the frame; force
             closure and verdicts do not.
@@ -81,6 +83,7 @@ class GraspWrenchSpace:
     grasp: Grasp
     norm: Norm = "L1"
     length: Fraction = Fraction(1)
+    pyramid: int = 4
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "length", rational(self.length, "length"))
@@ -92,8 +95,10 @@ class GraspWrenchSpace:
     @cached_property
     def polytope(self) -> Polyhedron:
         """The space with torques divided by `length`; flat where the forces are."""
-        edges = [[self._scaled(edge) for edge in friction_edges(c)] for c in self.grasp]
-        zero = (Fraction(0),) * 3
+        edges = [
+            [self._scaled(edge) for edge in friction_edges(c, self.pyramid)] for c in self.grasp
+        ]
+        zero = (Fraction(0),) * self._axes
         if self.norm == "L1":
             return _hull([zero, *(edge for pair in edges for edge in pair)])
         found = _hull([zero])
@@ -105,7 +110,7 @@ class GraspWrenchSpace:
     @property
     def facets(self) -> tuple[IntegerVector, ...]:
         """The conditions ``a . x + b >= 0`` of the facets; none where the space is flat."""
-        return self.polytope.inequalities if self.polytope.dimension == 3 else ()
+        return self.polytope.inequalities if self.polytope.dimension == self._axes else ()
 
     @property
     def force_closure(self) -> bool:
@@ -126,27 +131,40 @@ class GraspWrenchSpace:
 
     @property
     def volume(self) -> Fraction:
-        """The exact volume of the space; 0 where it is flat."""
+        """The exact volume of the space; 0 where it is flat.
+
+        Raises:
+            GraspError: a grasp in space.
+        """
+        self.grasp.require_plane()
         return _volume(self.polytope)
 
     def verdict(self, wrench: Iterable[Any]) -> WrenchSpaceVerdict:
         """Return whether the method counts a wrench as resisted; one exact linear program."""
-        load = read_wrench(wrench)
-        columns = [edge for contact in self.grasp for edge in friction_edges(contact)]
-        n = len(columns)
+        load = read_wrench(wrench, self.grasp.dimension)
+        directions = [edge_directions(contact, self.pyramid) for contact in self.grasp]
+        columns = [edge for c in self.grasp for edge in friction_edges(c, self.pyramid)]
+        n, k = len(columns), len(directions[0]) if directions else 2
         # Variables: a factor for each cone edge, then the bound on single normal forces.
         rows = [unit_row(j, n + 1) for j in range(n + 1)]
         if self.norm == "Linf":
-            edges = zip(rows[:n:2], rows[1:n:2], strict=True)
-            rows += [sum_row(rows[n], sum_row(one, other, 1), -1) for one, other in edges]
-        balance: list[Row] = [[*(c[k] for c in columns), Fraction(0), load[k]] for k in range(3)]
+            rows += [
+                tuple(x - sum(column) for x, *column in zip(rows[n], *rows[j : j + k], strict=True))
+                for j in range(0, n, k)
+            ]
+        balance: list[Row] = [
+            [*(c[i] for c in columns), Fraction(0), x] for i, x in enumerate(load)
+        ]
         objective = [0] * n + [1] if self.norm == "Linf" else [1] * n + [0]
         answer = minimize(objective, rows, balance)
         if isinstance(answer, Optimal):
-            parts = answer.point[:n]
             forces = tuple(
-                (a + b, contact.friction * (a - b))
-                for contact, a, b in zip(self.grasp, parts[::2], parts[1::2], strict=True)
+                (
+                    sum(parts),
+                    *(contact.friction * dot(parts, axis) for axis in zip(*edges, strict=True)),
+                )
+                for contact, edges, j in zip(self.grasp, directions, range(0, n, k), strict=True)
+                for parts in [answer.point[j : j + k]]
             )
             return WrenchSpaceVerdict(True, answer.value, forces, None)
         assert isinstance(answer, Infeasible)
@@ -166,6 +184,7 @@ class GraspWrenchSpace:
             two for a segment, one for a point, none if the plane misses it. The default plane
             holds the forces at zero torque, as in the paper's figure.
         """
+        self.grasp.require_plane()
         o, a, b = (rational_vector(v, "plane") for v in (origin, first, second))
         if not any(cross(a, b)):
             raise GraspError("first and second are parallel; give two that span a plane")
@@ -179,16 +198,23 @@ class GraspWrenchSpace:
     @cached_property
     def resisted(self) -> Polyhedron:
         """The wrenches that forces within the bounds balance."""
+        self.grasp.require_plane()
         s = self.length
         return _hull([(-x, -y, -s * torque) for x, y, torque in self.polytope.points])
 
     def _scaled(self, wrench: RationalVector) -> RationalVector:
-        return (wrench[0], wrench[1], wrench[2] / self.length)
+        forces = self.grasp.dimension
+        return (*wrench[:forces], *(torque / self.length for torque in wrench[forces:]))
+
+    @property
+    def _axes(self) -> int:
+        return 3 if self.grasp.dimension == 2 else 6
 
 
 def _hull(points: Iterable[RationalVector]) -> Polyhedron:
     """Return the convex hull of finitely many points, at least one."""
-    found = from_generators([primitive((*p, Fraction(1))) for p in points], (), 3)
+    rays = [primitive((*p, Fraction(1))) for p in points]
+    found = from_generators(rays, (), len(rays[0]) - 1)
     assert found is not None
     return found
 
@@ -222,12 +248,25 @@ def _decide(grasp: Grasp, wrench: RationalVector) -> Outcome:
     return True, f"total normal force at least {to_text(found.least_force)}"
 
 
+#: In six dimensions the hull of more contacts takes seconds and more.
+_MOST_IN_HULL = 4
+
+
+def _decide_in_space(grasp: Grasp, wrench: RationalVector) -> Outcome:
+    accepts, remark = _decide(grasp, wrench)
+    if len(grasp) <= _MOST_IN_HULL:
+        space = GraspWrenchSpace(grasp)
+        remark += f"; epsilon {space.epsilon:.4g}" if space.force_closure else "; no force closure"
+    return accepts, f"pyramids of 4 edges: {remark}"
+
+
 #: Without a bound of the forces.
 WRENCH_SPACE = Method(
     "wrench-space",
     "Grasp Wrench Space (Ferrari, Canny 1992)",
     "wrench space, unbounded",
     _decide,
+    decide_in_space=_decide_in_space,
 )
 WRENCH_SPACE_L1 = Method(
     "wrench-space-L1",

@@ -36,6 +36,7 @@ class Method:
         title, label: what it is; the same in a few words, for pictures.
         decide: its verdict on one wrench; None if it has only a region.
         find_region: the accepted wrenches of a plane; None if it has only verdicts.
+        decide_in_space: its verdict on a grasp in space; None if it knows the plane only.
         most_contacts: where more would take too long.
     """
 
@@ -45,6 +46,7 @@ class Method:
     decide: Decide | None = None
     find_region: FindRegion | None = None
     most_contacts: int | None = None
+    decide_in_space: Decide | None = None
 
     def tries(self, grasp: Grasp) -> bool:
         """Return whether the contacts are few enough."""
@@ -52,11 +54,12 @@ class Method:
 
     def outcome(self, grasp: Grasp, wrench: RationalVector) -> Outcome:
         """Return the verdict on one wrench, with what it rests on."""
-        if self.decide is None:
-            return None, "no verdict on one wrench"
+        decide = self.decide if grasp.dimension == 2 else self.decide_in_space
+        if decide is None:
+            return None, "no verdict on one wrench" + (" in space" if grasp.dimension > 2 else "")
         if not self.tries(grasp):
             return None, f"not tried: {len(grasp)} contacts, at most {self.most_contacts}"
-        return self.decide(grasp, wrench)
+        return decide(grasp, wrench)
 
     def region(
         self,

@@ -34,8 +34,12 @@ METHODS: dict[str, Method] = {
         FRICTIONLESS_SLIP,
     )
 }
-#: The keys of the methods that have a verdict on a single wrench, and of those with a region.
+#: The keys of the methods that have a verdict on a single wrench, in the plane and in space, and of
+#: those with a region.
 DECIDING = tuple(key for key, method in METHODS.items() if method.decide is not None)
+DECIDING_IN_SPACE = tuple(
+    key for key, method in METHODS.items() if method.decide_in_space is not None
+)
 WITH_REGION = tuple(key for key, method in METHODS.items() if method.find_region is not None)
 
 

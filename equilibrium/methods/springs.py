@@ -32,7 +32,7 @@ from equilibrium.solver.state_system import value
 #: The point zero as a homogeneous point; also the condition that a homogeneous point is one.
 APEX: IntegerVector = (0, 0, 0, 1)
 #: Normal and tangential force of each contact.
-Forces: TypeAlias = tuple[tuple[Fraction, Fraction], ...]
+Forces: TypeAlias = tuple[RationalVector, ...]
 
 
 def forces_at(pairs: Sequence[Pair], motion: RationalVector) -> Forces:

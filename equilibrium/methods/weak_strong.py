@@ -47,6 +47,7 @@ from equilibrium.solver.contact_rows import (
 
 from .grasp_wrench_space import GraspWrenchSpace
 from .method import Method, Outcome, cut
+from .round_cones import round_cones
 
 
 @dataclass(frozen=True)
@@ -86,6 +87,7 @@ def weak_strong(
         mass, inertia: above 0; the inertia is about the centre of mass.
         centre: of mass, in the object frame.
     """
+    grasp.require_plane()
     load = read_wrench(wrench)
     matrix = mass_matrix(mass, inertia, centre)
     frictionless = GraspWrenchSpace(grasp.with_friction(0)).verdict(load)
@@ -196,6 +198,14 @@ def _decide_weak(grasp: Grasp, wrench: RationalVector) -> Outcome:
     return GraspWrenchSpace(grasp).verdict(wrench).accepts, "forces inside the cones exist"
 
 
+def _decide_weak_in_space(grasp: Grasp, wrench: RationalVector) -> Outcome:
+    accepts = round_cones(grasp, wrench).accepts
+    if accepts is None:
+        return None, "undecided: the load is at the border of what round cones give"
+    verb = "exist" if accepts else "do not exist"
+    return accepts, f"forces inside the round cones {verb}, proved"
+
+
 def _decide_strong(grasp: Grasp, wrench: RationalVector) -> Outcome:
     found = weak_strong(grasp, wrench)
     if found.acceleration is None:
@@ -219,6 +229,7 @@ WEAK = Method(
     "weakly stable",
     _decide_weak,
     cut(lambda grasp: _balanced(edge for c in grasp for edge in friction_edges(c))),
+    decide_in_space=_decide_weak_in_space,
 )
 STRONG = Method("strong", "strongly stable (Pang, Trinkle 2000)", "strongly stable", _decide_strong)
 FRICTIONLESS = Method(
@@ -227,4 +238,5 @@ FRICTIONLESS = Method(
     "frictionless stable",
     _decide_frictionless,
     cut(lambda grasp: _balanced(c.normal_wrench for c in grasp)),
+    decide_in_space=_decide_frictionless,
 )

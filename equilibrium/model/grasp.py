@@ -166,7 +166,8 @@ _FORCES = {2: "f_x, f_y and tau", 3: "f_x, f_y, f_z, tau_x, tau_y and tau_z"}
 _PLACES = {2: "the plane", 3: "space"}
 _IN_SPACE = (
     "this grasp is in space (three coordinates), and what was asked is known for grasps in the "
-    "plane only; `equilibrium solve`, `limit`, `margin`, `compare` and `modes` take both"
+    "plane only; `equilibrium solve`, `verify`, `limit`, `margin`, `compare`, `modes` and some "
+    "views of `draw` take both"
 )
 
 

@@ -12,6 +12,7 @@ from typing import TypeAlias, TypeVar
 
 from arrangement.exact import RationalVector
 from equilibrium.model.grasp import Contact
+from equilibrium.model.pyramid import pyramid_edges
 
 #: Normal and tangential force.
 Pair: TypeAlias = tuple[RationalVector, RationalVector]
@@ -69,15 +70,29 @@ def balance_rows(
     return tuple(map(tuple, rows))
 
 
-def friction_edges(contact: Contact) -> Pair:
-    """Return the edges of the friction cone, ``N + friction T`` and ``N - friction T``."""
-    return _edge(contact, 1), _edge(contact, -1)
+def friction_edges(contact: Contact, pyramid: int = 4) -> tuple[RationalVector, ...]:
+    """Return the edges of the friction cone, ``N + friction T`` and ``N - friction T``.
+
+    In space those of a pyramid inside the round cone, see `edge_directions`.
+    """
+    return tuple(cone_edge(contact, along) for along in edge_directions(contact, pyramid))
+
+
+def edge_directions(contact: Contact, pyramid: int = 4) -> tuple[RationalVector, ...]:
+    """Return the directions of friction on `friction_edges`, in the frame of the tangents."""
+    if contact.dimension == 2:
+        return (Fraction(1),), (Fraction(-1),)
+    return pyramid_edges(pyramid)
+
+
+def cone_edge(contact: Contact, along: Iterable[Fraction]) -> RationalVector:
+    """Return the wrench of a unit normal force with friction along a vector of the tangents."""
+    edge = contact.normal_wrench
+    for tangential, x in zip(contact.tangential_wrenches, along, strict=True):
+        edge = sum_row(edge, tangential, contact.friction * x)
+    return edge
 
 
 def slip_edge(contact: Contact, state: str) -> RationalVector:
     """Return the wrench of a unit normal force with the friction of a slipping contact."""
-    return _edge(contact, DIRECTION[state])
-
-
-def _edge(contact: Contact, side: int) -> RationalVector:
-    return sum_row(contact.normal_wrench, contact.tangential_wrench, side * contact.friction)
+    return cone_edge(contact, (Fraction(DIRECTION[state]),))

@@ -24,6 +24,8 @@ from equilibrium.spatial_verdict import NOT_RESISTED, RESISTED, UNDECIDED, solve
 _POWERS = range(-6, 9)
 #: Bisection steps without progress because verdicts are undecided.
 _STUCK = 2
+#: A bracket this many times narrower than its relative width at the samples is left as it is.
+_FLOOR = 10**6
 #: Of the tree of a verdict.
 _NODES = 400
 
@@ -100,7 +102,8 @@ def spatial_magnitudes(
     """Bracket the magnitudes that a grasp in space resists along a direction.
 
     Args:
-        width: of a bracket, relative to its larger end.
+        width: of a bracket, relative to its larger end; where the verdict changes at 0, a millionth
+            of this share of the sample beyond.
         nodes: of the tree of each verdict, at most.
 
     Raises:
@@ -136,7 +139,9 @@ def _bracket(
     """Return a narrow bracket between two magnitudes of different verdicts."""
     low, high = first[0], second[0]
     undecided: list[Fraction] = []
-    while high - low > width * high:
+    # Where the verdict changes at 0 no width is small beside the larger end.
+    floor = width * high / _FLOOR
+    while high - low > max(width * high, floor):
         for t in _between(low, high):
             answer = verdict(t)
             if answer != UNDECIDED:

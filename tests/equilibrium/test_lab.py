@@ -21,6 +21,7 @@ from equilibrium.instances import paths
 from equilibrium.io.files import read_grasp
 from equilibrium.lab import lab_page
 from equilibrium.solver.contact_states import contact_states
+from equilibrium.verdict import Solver
 from tests.browser import Browser
 
 NORMALS = [(1, 0), (0, 1), (-1, 0), (0, -1), ("3/5", "4/5"), ("-5/13", "12/13"), ("-3/5", "-4/5")]
@@ -116,7 +117,7 @@ def test_its_answers_are_those_of_the_solver_and_its_proofs_are_accepted(opened:
         answer: dict[str, Any] = opened.run(
             "return lab.solve(arguments[0], arguments[1])", grasp.to_dict(), texts(wrench)
         )
-        found = solve(grasp, wrench)
+        found = Solver(grasp).solve(wrench)
         assert answer["stable"] == found.stable, (grasp, wrench)
         report = check(answer["certificate"], question=(grasp, tuple(wrench)))
         assert report, (report.problem, json.dumps(answer["certificate"]))

@@ -13,6 +13,7 @@ from equilibrium.model.grasp import Contact, Grasp
 from equilibrium.verdict import solve
 from equilibrium.wrench_sets.line import resisted_magnitudes
 from equilibrium.wrench_sets.space import StateImages, resisted_set
+from equilibrium.wrench_sets.spatial import spatial_magnitudes
 
 from .wrench_sets_strategies import directions, grasps, wrenches
 
@@ -149,3 +150,11 @@ def test_the_whole_set_in_json_has_strings_only():
     for piece in document["polyhedra"]:
         assert all(isinstance(x, str) for row in piece["inequalities"] for x in row)
         assert all(len(row) == 4 for row in piece["inequalities"])
+
+
+def test_a_border_at_zero_is_not_chased_to_the_smallest_float():
+    """The wedge gives no force off its plane: 0 is resisted, and nothing beyond."""
+    found = spatial_magnitudes(read_grasp("wedge"), (0, Fraction(3, 5), Fraction(-4, 5), 0, 0, 0))
+    (border,) = found.borders
+    assert border.resisted == 0
+    assert Fraction(1, 10**15) < border.refused < Fraction(1, 10**12)
