@@ -11,8 +11,8 @@ import pytest
 
 from arrangement.draw import DRAWINGS as OF_PLANES
 from arrangement.draw.output import PICTURES
-from arrangement.io import files
 from equilibrium.draw import DRAWINGS as OF_GRASPS
+from tests.instances import PLANAR
 
 #: Draws views of one instance in some formats and prints a digest of each file.
 SCRIPT = """
@@ -64,7 +64,7 @@ def test_pictures_do_not_depend_on_hashes() -> None:
 
 
 @pytest.mark.campaign
-@pytest.mark.parametrize("name", files.instances())
+@pytest.mark.parametrize("name", PLANAR)
 def test_all_pictures_of_all_instances_repeat(name: str) -> None:
     ends = PICTURES if name in WHOLE else (".svg",)
     one, other = (digests(name, VIEWS, seed, ends) for seed in ("3", "4"))

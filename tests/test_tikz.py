@@ -21,9 +21,9 @@ from arrangement.draw.registry import Drawings
 from arrangement.draw.scene import Scene
 from arrangement.draw.tex_text import tex_text
 from arrangement.draw.tikz import tikz
-from arrangement.io import files
 from equilibrium import read_grasp
 from equilibrium.draw import DRAWINGS as OF_GRASPS
+from tests.instances import PLANAR
 from tests.latex import RESOLUTION, Pixels, compiled, pages, unlike
 
 #: What a view cannot do without.
@@ -238,7 +238,7 @@ def test_one_document_of_each_view(drawings: Drawings, view: str, tmp_path: Path
 
 @pytest.mark.campaign
 @pytest.mark.usefixtures("latex")
-@pytest.mark.parametrize("name", files.instances())
+@pytest.mark.parametrize("name", PLANAR)
 def test_all_pictures_of_all_instances_compile(name: str, tmp_path: Path) -> None:
     """On pages of one document; what a view refuses has no picture."""
     found = []

@@ -122,6 +122,7 @@ class _Sheet:
         self.edges: dict[int, Floats] = {}
         self.vertices: dict[int, Floats] = {}
         self.arms: list[Floats] = []
+        self.rim: list[Floats] = []
         self.draw(width)
 
     def draw(self, width: float) -> None:
@@ -147,7 +148,7 @@ class _Sheet:
     def label_regions(self) -> None:
         """Write the names of the regions."""
         within = (0.0, 0.0, self.scene.width, self.scene.height)
-        lines = [*self.edges.values(), *self.arms]
+        lines = [*self.edges.values(), *self.rim, *self.arms]
         label_regions(self.scene, self.names, self.outlines, lines, self.arms, within)
 
     def label_faces(self) -> None:
@@ -259,7 +260,7 @@ class _Disc(_Sheet):
         chart = self.chart
         self.disc = alone(chart.globe, chart.drawn, self.names, width)
         self.scene = self.disc.scene
-        self.outlines = self.disc.curves(self.paint, both_ends=True)[0]
+        self.outlines, self.rim, _ = self.disc.curves(self.paint, both_ends=True)
         self.edges = {e: self._curve(e) for e in chart.edges}
         seen = {v: chart.globe.points[v] for v in chart.vertices}
         self.vertices = {v: self.disc.on_paper(p[:2] / (1 + p[2])) for v, p in seen.items()}

@@ -86,12 +86,18 @@ def test_symmetric_arrangements_get_the_angles_of_their_group(
 
 
 def test_what_is_symmetric_or_has_no_symmetry_stays_as_it_is() -> None:
-    for name in ("cube-diagonals", "reflection-b3", "near-pencil", "nine-generic-planes"):
+    for name in ("cube-diagonals", "reflection-b3", "near-pencil"):
         planes = read_arrangement(name)
         assert in_coordinates(None, planes) == (planes, None)
     assert symmetry(Arrangement([[1, t, t**3] for t in (0, 1, 3, 7, 12, 20)])) is None
     affine = Arrangement([[1, 0, 0], [1, 1, 0], [1, 1, 1]], [0, 0, 1])
     assert in_coordinates("symmetric", affine)[0] is affine
+
+
+def test_narrow_planes_without_symmetry_are_spread_unless_given_is_asked_for() -> None:
+    planes = read_arrangement("nine-generic-planes")
+    assert in_coordinates(None, planes)[0] != planes
+    assert in_coordinates("given", planes)[0] is planes
 
 
 def test_planes_of_motions_keep_their_coordinates_unless_asked() -> None:
@@ -114,7 +120,7 @@ def test_too_many_planes_are_drawn_as_given_and_that_is_said(
 ) -> None:
     planes = Arrangement([[1, t, t * t] for t in range(61)])
     with shown():
-        assert in_coordinates(None, planes)[0] is planes
+        assert in_coordinates("symmetric", planes)[0] is planes
     assert "no symmetry is looked for beyond 60 planes" in capsys.readouterr().err
 
 

@@ -22,7 +22,7 @@ from arrangement.draw.models import cells_model
 from arrangement.draw.scene import Scene
 from arrangement.draw.views import DRAWINGS, drawings_of
 from arrangement.io.arrangements import read_arrangement
-from arrangement.io.files import instances
+from tests.instances import PLANAR
 
 BRAID = read_arrangement("braid-a3-in-r4")
 #: An affine graphic arrangement of rank 2 in R^3, and a restriction of rank 3 in R^5.
@@ -114,7 +114,7 @@ def test_rank_four_has_its_lattice_only() -> None:
     assert next(iter(drawings_of(planes).views)) == "lattice"
 
 
-@pytest.mark.parametrize("name", instances())
+@pytest.mark.parametrize("name", PLANAR)
 def test_by_default_there_is_what_suits_the_planes(name: str, tmp_path: Path) -> None:
     planes = read_arrangement(name)
     found = drawings_of(planes)

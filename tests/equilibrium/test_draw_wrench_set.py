@@ -13,7 +13,6 @@ from arrangement.draw.items import Label
 from arrangement.draw.layout import laid_out
 from arrangement.draw.scene import Scene
 from arrangement.errors import InputError
-from arrangement.io.files import instances
 from equilibrium import Contact, GraspError, read_grasp
 from equilibrium.cli.program import main
 from equilibrium.draw.window import joint_window
@@ -23,10 +22,9 @@ from equilibrium.draw.wrench_set import draw_wrench_set
 from equilibrium.model.grasp import Grasp
 from equilibrium.wrench_sets import resisted_region, resisted_set
 from tests.arrangement.test_draw_boxes import offences
+from tests.instances import PLANAR
 
-GRASPS = [
-    name for name in instances() if "contact" in name or "interrupted" in name or "slip" in name
-]
+GRASPS = [name for name in PLANAR if any(w in name for w in ("contact", "interrupted", "slip"))]
 FLAT = ["opposed-contacts", "frictionless-opposed-contacts", "single-contact"]
 
 

@@ -13,6 +13,7 @@ import pytest
 from hypothesis import given, settings, strategies as st
 
 from arrangement.draw.items import Label, Path
+from arrangement.draw.layout import laid_out
 from arrangement.draw.measuring import area
 from arrangement.exact import dot
 from equilibrium import Contact, Grasp, GraspError, Solver, Verdict, check, read_grasp, solve
@@ -124,7 +125,7 @@ def test_a_proof_by_states_is_drawn_and_said_by_their_planes() -> None:
         proof_lines(verdict)
     )
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr("equilibrium.draw.proof_maps.solve", lambda *_: verdict)
+        patch.setattr(Solver, "solve", lambda *_: verdict)
         assert_filled(verdict)
         assert {len(regions(verdict, sense)) for sense in (1, 2)} == {2}
 
@@ -190,7 +191,7 @@ def test_no_label_covers_an_arrow_or_another_label(name: str, wrench: tuple[int,
 
 def test_beyond_eight_contacts_the_page_is_named_for_the_numbers() -> None:
     grasp = Grasp([c for c in random_grasp(60, 7) if c.normal[1] > 0][:9])
-    scene = unwrap(draw_proof)(grasp, wrench=(0, 50, 0))
+    scene = laid_out(unwrap(draw_proof)(grasp, wrench=(0, 50, 0)))
     texts = [item for item in scene.items if isinstance(item, Label)]
     assert not any("work-" in item.name or "number-" in item.name for item in texts)
     assert any("a page (.html) has them" in item.text for item in texts)
