@@ -9,6 +9,7 @@ INPUTS = {
     "fingers.csv": "x,y,normal_x,normal_y,friction\n-1,0,1,0,0.5\n1,0,-1,0,0.5\n",
     "wedge.json": '{"schema_version": 1, "polygon": [["0", "0"], ["4", "0"], ["0", "3"]], '
     '"places": [{"edge": 0, "at": "1/2", "friction": "1/4"}]}',
+    "corner.obj": "v 0 0 0\nv 4 0 0\nv 0 4 0\nv 0 0 4\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n",
     "lecture.py": "from proofs_check import exercise\n"
     "@exercise('Twice 7?')\ndef twice(answer):\n    return answer == 14\n",
     "answers.json": '{"schema_version": 1, "answers": {"twice": 14}}',
@@ -39,6 +40,7 @@ COMMANDS = (
     Command("arrangement faces coordinate-planes --json", 0, '"witness"'),
     Command("arrangement make shi --type D4 -o d4.json", 0, writes="d4.json"),
     Command("arrangement polynomial d4.json", 0, "(t - 6)**4"),
+    Command("arrangement identify braid-a3", 0, "6.3, braid A3"),
     Command("arrangement list --families", 0, "threshold-functions"),
     Command("arrangement bounds --largest 4", 0, "m 4  rays 12  facets 24  regions 14  states 51"),
     _needs("figures", "arrangement bounds -o no.pdf"),
@@ -65,10 +67,12 @@ COMMANDS = (
     Command("equilibrium gaps --contacts 2 --tries 1", 1, "0 found"),
     Command(f"equilibrium compare {_G} --wrench 0 1 0", 1, "complete model"),
     Command(f"equilibrium wrench-space {_G}", 0, "force closure"),
+    Command("equilibrium modes box-1-wall --count", 0, "196"),
     Command("equilibrium survey --number 2 --contacts 2", 0, "2 questions"),
     Command("equilibrium make csv fingers.csv", 0, '"contacts"'),
     Command("equilibrium make floats fingers.csv", 0, '"contacts"'),
     Command("equilibrium make polygon wedge.json", 0, '"contacts"'),
+    Command("equilibrium make mesh corner.obj --at 1 1 0 --friction 1/2", 0, '"contacts"'),
     Command("equilibrium make circle --angles 0 120 --friction 1/2", 0, '"contacts"'),
     Command("equilibrium make random --contacts 3", 0, '"contacts"'),
     Command(f"equilibrium draw {_G} -o grasp.html", 0, writes="grasp.html"),

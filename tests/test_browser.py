@@ -42,6 +42,7 @@ def pytest_run(folder: Path, choice: str | None, *options: str, present: bool = 
     return run(folder, choice, *base, *options, present=present).stdout
 
 
+@pytest.mark.campaign
 def test_without_a_browser_the_page_tests_are_left_out_and_the_run_says_so(tmp_path: Path) -> None:
     said = pytest_run(tmp_path, None)
     assert "1 passed, 1 deselected" in said, said
@@ -54,6 +55,7 @@ def test_with_a_browser_the_page_tests_are_collected(tmp_path: Path) -> None:
     assert "left out" not in said
 
 
+@pytest.mark.campaign
 def test_a_browser_that_is_demanded_and_missing_is_a_failure(tmp_path: Path) -> None:
     said = pytest_run(tmp_path, "1")
     assert "1 passed, 1 error" in said, said

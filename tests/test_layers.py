@@ -100,6 +100,7 @@ PLANTED = [
 ]
 
 
+@pytest.mark.campaign
 @pytest.mark.parametrize(("module", "statement", "contract"), PLANTED)
 def test_a_planted_import_is_caught(
     tmp_path: Path, module: str, statement: str, contract: str

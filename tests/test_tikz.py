@@ -156,6 +156,7 @@ def differences(folder: Path, scenes: list[Scene], texts: list[str]) -> Iterator
         yield unlike(drawn[:rows, :columns], expected)
 
 
+@pytest.mark.campaign
 @pytest.mark.usefixtures("latex")
 def test_tikz_shows_what_our_own_pictures_show(tmp_path: Path) -> None:
     """What is wrong is seen: of wide, pale, shifted and missing lines and of another fill."""

@@ -53,8 +53,8 @@ def forecast(arrangement: Planes, sample: int = SAMPLE) -> Iterator[RankForecast
     chapter 3 (Petersen's method).
 
     >>> from arrangement.library import families
-    >>> [(entry.classes, entry.exact) for entry in forecast(families.resonance(5))]
-    [(1, True), (3, True), (9, True), (18, True)]
+    >>> [(entry.rank, entry.exact) for entry in forecast(families.resonance(5))]
+    [(0, True), (1, True), (2, True), (3, True)]
     """
     config = configuration(arrangement)
     made = classes(config, Automorphisms(config).generators(), math.inf)

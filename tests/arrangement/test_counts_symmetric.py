@@ -71,6 +71,7 @@ def agree(planes: Arrangement) -> None:
         assert counts.first_whitney_numbers(planes, symmetry=found) == numbers
 
 
+@pytest.mark.campaign
 def test_classes_agree_with_the_lattice_on_random_planes() -> None:
     for planes in random_planes(0, 300):
         agree(planes)
@@ -118,6 +119,7 @@ def test_symmetric_planes_agree_with_the_lattice(planes: Arrangement) -> None:
     agree(planes)
 
 
+@pytest.mark.campaign
 def test_flats_and_faces_by_classes(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(class_sums, "_PLANES_IN_AN_ORBIT", 0)
     named = [
@@ -151,6 +153,7 @@ def test_a_prime_that_divides_a_moebius_value_is_replaced(monkeypatch: pytest.Mo
     assert class_sums.flats_and_faces(planes, configuration(planes), faces=True) == expected
 
 
+@pytest.mark.campaign
 def test_rays_of_e7_are_cosets_of_its_maximal_parabolic_subgroups() -> None:
     # D6, A6, A1 A5, A1 A2 A3, A4 A2, D5 A1, E6 (Humphreys, sections 1.15 and 2.11)
     orders = (23040, 5040, 2 * 720, 2 * 6 * 24, 120 * 6, 1920 * 2, 51840)
@@ -167,6 +170,7 @@ def test_few_symmetries_leave_flats_to_the_lattice() -> None:
     assert counts.f_vector(planes) == planes.f_vector
 
 
+@pytest.mark.campaign
 # Athanasiadis (2004): (mh + 1)^r regions, (mh - 1)^r of them bounded
 @pytest.mark.parametrize(
     ("planes", "h", "rank"),

@@ -76,6 +76,7 @@ def wrong_pairs(stage: Stage, facets: Sequence[Facet], samples: random.Random) -
     return wrong
 
 
+@pytest.mark.campaign
 @settings(max_examples=30, deadline=None)
 @given(
     spatial,
@@ -227,6 +228,7 @@ def sight_through(solid: Any, point: Any) -> tuple[float, float] | None:
     return (float(low), float(high)) if high - low > 1e-9 else None
 
 
+@pytest.mark.campaign
 @pytest.mark.parametrize("suffix", [".svg", ".pdf", ".png"])
 def test_pictures_of_planes_repeat_byte_for_byte(suffix: str, tmp_path: Path) -> None:
     planes = read_arrangement("four-generic-planes")

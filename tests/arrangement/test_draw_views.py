@@ -385,6 +385,7 @@ def test_all_faces_of_a_planar_drawing_are_convex() -> None:
 # Labels.
 
 
+@pytest.mark.campaign
 @pytest.mark.parametrize("name", [*NAMES, "nine-generic-planes"])
 @pytest.mark.parametrize("view", ["stereographic", "gnomonic", "dual", "graph", "lattice"])
 def test_labels_do_not_collide(view: str, name: str) -> None:
@@ -392,6 +393,7 @@ def test_labels_do_not_collide(view: str, name: str) -> None:
     assert overlaps(draw(read_arrangement(name))) == []
 
 
+@pytest.mark.campaign
 @pytest.mark.parametrize(
     ("draw", "options"),
     [
@@ -463,6 +465,7 @@ def test_the_palette_gets_darker_so_that_it_is_readable_in_grey() -> None:
 # Files and bad input.
 
 
+@pytest.mark.campaign
 @pytest.mark.parametrize("view", ["stereographic", "gnomonic", "dual", "graph", "lattice"])
 @pytest.mark.parametrize("suffix", [".svg", ".pdf", ".png"])
 def test_pictures_repeat_byte_for_byte(view: str, suffix: str, tmp_path: Path) -> None:

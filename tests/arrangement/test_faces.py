@@ -126,6 +126,7 @@ def test_sign_vectors_are_those_of_brute_force_in_higher_dimensions(planes: Arra
     assert sign_vectors(planes) == oracle.sign_vectors(planes)
 
 
+@pytest.mark.campaign
 @settings(max_examples=100, deadline=None)
 @given(arrangements(dimensions=(1, 5), planes=(0, 7)))
 def test_every_face_is_where_it_says(planes: Arrangement) -> None:

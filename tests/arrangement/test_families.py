@@ -82,6 +82,7 @@ def test_region_counts(name: str) -> None:
     assert [counts.region_count(family(first + i)) for i in range(len(known))] == known
 
 
+@pytest.mark.campaign
 @pytest.mark.parametrize(
     "entry",
     [entry for entry in published_counts() if entry.regions < 10**9],
@@ -95,6 +96,7 @@ EXPONENTS = {"A4": (1, 2, 3, 4), "B3": (1, 3, 5), "C4": (1, 3, 5, 7), "D5": (1, 
 EXPONENTS |= {"E6": (1, 4, 5, 7, 8, 11), "F4": (1, 5, 7, 11), "G2": (1, 5)}
 
 
+@pytest.mark.campaign
 # Orlik and Solomon (1980) for mirrors; Athanasiadis (2004) for Shi and Catalan planes
 @pytest.mark.parametrize("type", EXPONENTS)
 def test_polynomials_of_types(type: str) -> None:

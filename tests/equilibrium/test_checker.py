@@ -287,6 +287,7 @@ def leaf_holds(grasp: Grasp, wrench: Any, leaf: Any, region: Any, states: Any) -
     return not checker._leaf_problem(asked, reading.read_node(leaf, "leaf", len(grasp)), place)
 
 
+@pytest.mark.campaign
 def test_the_bounds_of_a_leaf_are_exact():
     source, found = Random("leaves"), Counter()
     for _ in range(8000):
@@ -530,6 +531,7 @@ def test_changes_of_every_kind(documents):
     assert min(found[kind] for kind in ("accepted", "refused", "malformed")) > 50
 
 
+@pytest.mark.campaign
 def test_nodes_moved_dropped_exchanged_and_given_twice(documents):
     found, source = Counter(), Random("nodes")
     for document in documents[: len(REFUTED) * len(TREES)]:
@@ -558,6 +560,7 @@ def test_nodes_moved_dropped_exchanged_and_given_twice(documents):
     assert found["exchanged", "refused"] > 50
 
 
+@pytest.mark.campaign
 def test_splits_on_other_contacts_and_indices(documents):
     found, source = Counter(), Random("splits")
     for document in documents[: len(REFUTED) * len(TREES) : 2]:
@@ -595,6 +598,7 @@ def test_no_tree_for_a_resisted_question_is_accepted(documents):
     assert tried > 100
 
 
+@pytest.mark.campaign
 def test_the_published_schema_is_as_strict_as_the_checker(documents):
     schema = certificate_schema()
     jsonschema.Draft202012Validator.check_schema(schema)

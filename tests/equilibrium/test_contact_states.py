@@ -48,6 +48,7 @@ def test_every_face_has_listed_states(grasp):
     assert_every_face_has_states(grasp)
 
 
+@pytest.mark.campaign
 @pytest.mark.parametrize("seed", range(0, 60, 3))
 def test_every_face_of_an_awkward_grasp_has_listed_states(seed):
     assert_every_face_has_states(question(seed).grasp)

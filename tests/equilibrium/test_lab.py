@@ -110,6 +110,7 @@ def enter(browser: Browser, name: str, text: str) -> None:
     browser.settled()
 
 
+@pytest.mark.campaign
 def test_its_answers_are_those_of_the_solver_and_its_proofs_are_accepted(opened: Browser) -> None:
     """A third route to the verdict: it shares nothing with the solver but the form of files."""
     seen = set()

@@ -132,6 +132,7 @@ def test_any_plane_of_wrenches(grasp, origin, point):
     assert region.contains(point) == solve(grasp, wrench).stable
 
 
+@pytest.mark.campaign
 @settings(max_examples=20)
 @given(grasps(least=2))
 def test_resistance_ends_at_the_border_and_nowhere_else(grasp):

@@ -217,6 +217,7 @@ def test_a_card_has_statement_formula_routes_picture_and_python(record: dict[str
         assert html.escape(python_lines(result)) in card
 
 
+@pytest.mark.campaign
 def test_the_python_of_a_card_gives_its_verdict(
     record: dict[str, Any], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -51,6 +51,7 @@ def test_the_code_does_not_see_labels_and_sides(index: int, rng: Random) -> None
     assert types._code(from_covectors(changed)) == types._code(from_covectors(plain))
 
 
+@pytest.mark.campaign
 @pytest.mark.parametrize("change", [lambda found: found[1:], lambda found: (*found[1:], found[1])])
 def test_a_missing_or_repeated_type_is_caught(
     change: object, monkeypatch: pytest.MonkeyPatch
