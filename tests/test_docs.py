@@ -9,6 +9,7 @@ import runpy
 from collections.abc import Callable
 from pathlib import Path
 from types import SimpleNamespace
+from typing import Any
 
 import pytest
 
@@ -46,7 +47,15 @@ def run(text: str) -> list[str]:
     return page.problems
 
 
-@pytest.mark.parametrize("page", [*PAGES, ROOT / "README.md"], ids=name)
+#: Pages with long runs, which are read in the campaign.
+LONG = ("own-claim", "checking", "cluster", "mesh", "gallery")
+
+
+def marked(page: Path) -> Any:
+    return pytest.param(page, marks=pytest.mark.campaign) if page.stem in LONG else page
+
+
+@pytest.mark.parametrize("page", [*map(marked, PAGES), ROOT / "README.md"], ids=name)
 def test_a_page_read_from_top_to_bottom_does_what_it_shows(page: Path, desk: Path) -> None:
     running = Page(page, page.read_text(encoding="utf-8"))
     running.run()

@@ -115,6 +115,7 @@ LARGE = {
 }
 
 
+@pytest.mark.campaign
 @pytest.mark.filterwarnings("error")
 @pytest.mark.parametrize("normals", LARGE.values(), ids=LARGE)
 @pytest.mark.parametrize("kind", ["view", "page", "model"])

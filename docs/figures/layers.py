@@ -35,8 +35,15 @@ def imports(package):
         parts = path.relative_to(ROOT).with_suffix("").parts
         home = list(parts[:-1])
         room = parts[1]
-        for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
-            if not isinstance(node, ast.ImportFrom):
+        tree = ast.parse(path.read_text(encoding="utf-8"))
+        for_types = {
+            node
+            for branch in ast.walk(tree)
+            if isinstance(branch, ast.If) and ast.unparse(branch.test) == "TYPE_CHECKING"
+            for node in ast.walk(branch)
+        }
+        for node in ast.walk(tree):
+            if not isinstance(node, ast.ImportFrom) or node in for_types:
                 continue
             base = home[: len(home) - node.level + 1] if node.level else []
             base = [*base, *(node.module or "").split(".")]

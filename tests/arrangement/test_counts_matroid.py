@@ -158,6 +158,7 @@ def is_supersolvable(planes: Arrangement) -> bool:
     return bool(ends)
 
 
+@pytest.mark.campaign
 @settings(max_examples=60)
 @given(CENTRAL)
 def test_no_chain_is_missed(planes: Arrangement) -> None:

@@ -119,6 +119,7 @@ def is_opaque(item: Path) -> bool:
     return filled and item.style.get("fill", True) and item.style.get("alpha", 1) == 1
 
 
+@pytest.mark.campaign
 @pytest.mark.parametrize("name", [*INSTANCES, *GRASPS])
 @pytest.mark.parametrize("view", DRAWINGS.views)
 def test_no_label_is_cut_off_or_covers_another_or_an_edge(view: str, name: str) -> None:

@@ -40,6 +40,7 @@ def data_of(page: str) -> dict[str, Any]:
     return data
 
 
+@pytest.mark.campaign
 @pytest.mark.parametrize("name", PLANES)
 @pytest.mark.parametrize("body", ["cube", "ball"])
 def test_some_face_of_every_cell_is_painted(name: str, body: str) -> None:

@@ -96,6 +96,7 @@ def test_mono_keeps_apart_what_colours_keep_apart() -> None:
     assert len(pairs) == len({a for a, _ in pairs}) == len({b for _, b in pairs}) >= 4
 
 
+@pytest.mark.campaign
 @pytest.mark.parametrize("suffix", [".svg", ".tex", ".pdf"])
 @pytest.mark.parametrize("theme", ["dark", "mono"])
 def test_themed_pictures_repeat_byte_for_byte(theme: str, suffix: str, tmp_path: File) -> None:

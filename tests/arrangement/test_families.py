@@ -186,6 +186,7 @@ def test_graphical_arrangements_have_the_chromatic_polynomial(graph: nx.Graph) -
 CONNECTED = [g for g in nx.graph_atlas_g()[2:] if len(g) <= 5 and nx.is_connected(g)]
 
 
+@pytest.mark.campaign
 @pytest.mark.parametrize("graph", CONNECTED, ids=lambda graph: str(graph.edges))
 def test_bigraphical_planes_have_their_tutte_polynomial(graph: nx.Graph) -> None:
     # Hopkins and Perkinson (2016): (-2)^(n-1) t T(1 - t/2, 1)

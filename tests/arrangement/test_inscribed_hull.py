@@ -88,6 +88,7 @@ def test_thin_regions_get_points_too() -> None:
     assert len(report.hull.points) == len(dual.signs)
 
 
+@pytest.mark.campaign
 @settings(max_examples=20, deadline=None)
 @given(rank_three)
 def test_hull_agrees_with_brute_force(planes: Arrangement) -> None:

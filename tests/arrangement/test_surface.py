@@ -5,6 +5,7 @@ from __future__ import annotations
 from itertools import pairwise, product
 
 import numpy as np
+import pytest
 from hypothesis import assume, given, settings, strategies as st
 
 from arrangement.draw.depth_tree import back_to_front, depth_tree
@@ -121,6 +122,7 @@ def test_flat_parts_stay_as_far_as_they_stick_out(
 POINTS = st.lists(st.tuples(*[st.integers(-4, 4)] * 3), min_size=4, max_size=6)
 
 
+@pytest.mark.campaign
 @settings(max_examples=40, deadline=None)
 @given(st.lists(POINTS, min_size=1, max_size=3), st.tuples(*[st.integers(-5, 5)] * 3))
 def test_nothing_is_hidden_by_what_is_painted_before_it(

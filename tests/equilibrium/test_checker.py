@@ -523,6 +523,7 @@ def test_every_number_changed(documents):
     assert min(found[kind] for kind in ("accepted", "refused", "malformed")) > 40
 
 
+@pytest.mark.campaign
 def test_changes_of_every_kind(documents):
     found = Counter()
     for seed, document in enumerate(documents):

@@ -311,6 +311,7 @@ def figures() -> Iterable[tuple[str, Figure]]:
     yield "compare narrow", draw_compare(FOUR, methods=["complete", "weak"], width=88.0)
 
 
+@pytest.mark.campaign
 def test_labels_keep_apart_and_inside_the_figure() -> None:
     for title, figure in figures():
         whole = figure.bbox
@@ -415,6 +416,7 @@ def test_methods_and_wrenches_are_a_table_of_the_comparisons() -> None:
             assert (f"differs-{i}-{j}" in fields) == (entry.method in answer.disagreeing)
 
 
+@pytest.mark.campaign
 @pytest.mark.parametrize(
     ("view", "suffix"),
     [

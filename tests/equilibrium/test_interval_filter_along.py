@@ -77,6 +77,7 @@ def test_the_intervals_are_the_same_without_the_screen(grasp, base, direction):
         assert resisted_magnitudes(grasp, direction, base).intervals == found
 
 
+@pytest.mark.campaign
 def test_most_choices_are_ruled_out():
     for seed in (0, 1, 2, 3):
         grasp = random_grasp(7, seed)

@@ -117,6 +117,7 @@ def test_there_are_twelve() -> None:
         assert len(exercise["hints"]) >= 3
 
 
+@pytest.mark.campaign
 @pytest.mark.parametrize("name", EXERCISES)
 def test_each_is_solved_by_an_answer_and_refuses_wrong_ones(
     name: str, page: Path, browser: Browser

@@ -38,6 +38,7 @@ def answers(asked: Question, regions: list[Region], motions: list[list[int]]) ->
     return found
 
 
+@pytest.mark.campaign
 @pytest.mark.parametrize("size", [1, 3, 10**12])
 def test_the_answer_is_that_of_a_naive_evaluation(size: int) -> None:
     source = Random(f"leaves {size}")

@@ -131,6 +131,7 @@ def test_the_page_draws_pieces_and_stays_silent(
     assert browser.outside() == []
 
 
+@pytest.mark.campaign
 @pytest.mark.parametrize("name", PAPER)
 def test_the_verdict_is_that_of_the_solver(name: str, browser: Browser, opened: Opened) -> None:
     grasp = opened(name)

@@ -35,6 +35,7 @@ def test_the_counts_grow_about_as_stated() -> None:
         assert abs(exponents[-1] - power) < 0.6
 
 
+@pytest.mark.campaign
 @pytest.mark.parametrize("id", ["step-1-time", "step-2-time", "step-3-time", "census-types"])
 def test_each_holds(id: str) -> None:
     assert evaluate(registry()[id], seed=2).verdict is Verdict.HOLDS
