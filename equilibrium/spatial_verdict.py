@@ -27,7 +27,7 @@ from .certificate.document import (
 from .certificate.reading import Enclosure
 from .model.errors import UndecidedError
 from .model.grasp import Grasp, read_wrench
-from .model.pyramid import pyramid_edges
+from .model.pyramid import pyramid_edges, pyramid_words
 from .solver.space.equilibria import Proposal, SpatialSolution
 from .solver.space.pyramid import PyramidSearch
 from .solver.space.tree import NODES, Open, SpatialSearch
@@ -49,6 +49,7 @@ class SpatialVerdict:
         reason: why it is undecided; else empty.
         residual: when undecided, the least force that is left over at the best motion found, as a
             share of the largest force given.
+        pyramid: edges of the friction pyramids asked for; None for round cones.
     """
 
     grasp: Grasp
@@ -58,10 +59,13 @@ class SpatialVerdict:
     certificate: Certificate | None = field(default=None, repr=False)
     reason: str = ""
     residual: float = 0.0
+    pyramid: int | None = None
 
     def __repr__(self) -> str:
         wrench = vector_text(self.wrench)
-        return f"<Verdict: {self.verdict}, wrench {wrench}, {len(self.grasp)} contacts in space>"
+        cones = pyramid_words(self.pyramid, before=", ")
+        number = f"{len(self.grasp)} contacts in space"
+        return f"<Verdict: {self.verdict}, wrench {wrench}, {number}{cones}>"
 
     @property
     def decided(self) -> bool:
@@ -111,7 +115,8 @@ class SpatialVerdict:
         """
         if self.certificate is None:
             raise UndecidedError(f"an undecided verdict has no certificate: {self.reason}")
-        return check(self.certificate.to_dict(), question=(self.grasp, self.wrench))
+        question = self.grasp, self.wrench
+        return check(self.certificate.to_dict(), question=question, pyramid=self.pyramid)
 
     def to_dict(self) -> dict[str, Any]:
         """Return a JSON form; exact numbers are strings of rationals.
@@ -120,6 +125,8 @@ class SpatialVerdict:
         certificate has the box that holds it.
         """
         document: dict[str, Any] = {"verdict": self.verdict}
+        if self.pyramid is not None:
+            document["pyramid"] = self.pyramid
         if self.solution is not None:
             exact = isinstance(self.solution, SpatialSolution)
             form: Any = to_text if exact else float
@@ -175,13 +182,20 @@ def _verdict(
 ) -> SpatialVerdict:
     if isinstance(found, Open):
         return SpatialVerdict(
-            grasp, applied, UNDECIDED, reason=found.reason, residual=found.residual
+            grasp,
+            applied,
+            UNDECIDED,
+            reason=found.reason,
+            residual=found.residual,
+            pyramid=pyramid,
         )
     if isinstance(found, (dict, list)):
         certificate = refuted_certificate(grasp, applied, found, pyramid)
-        return SpatialVerdict(grasp, applied, NOT_RESISTED, certificate=certificate)
+        return SpatialVerdict(
+            grasp, applied, NOT_RESISTED, certificate=certificate, pyramid=pyramid
+        )
     certificate = _certificate(grasp, applied, found, pyramid)
-    return SpatialVerdict(grasp, applied, RESISTED, found, certificate)
+    return SpatialVerdict(grasp, applied, RESISTED, found, certificate, pyramid=pyramid)
 
 
 def _certificate(

@@ -261,6 +261,8 @@ class _Disc(_Sheet):
         self.disc = alone(chart.globe, chart.drawn, self.names, width)
         self.scene = self.disc.scene
         self.outlines, self.rim, _ = self.disc.curves(self.paint, both_ends=True)
+        # What meets across the rim is one region, with the sides of both parts.
+        self.regions = [region for region, _ in self.outlines]
         self.edges = {e: self._curve(e) for e in chart.edges}
         seen = {v: chart.globe.points[v] for v in chart.vertices}
         self.vertices = {v: self.disc.on_paper(p[:2] / (1 + p[2])) for v, p in seen.items()}

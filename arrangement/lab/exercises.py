@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Callable, Collection, Mapping
+from importlib.resources.abc import Traversable
 from pathlib import Path
 from typing import Any, TypeAlias
 
@@ -18,7 +19,7 @@ _LONGEST = 2000
 
 
 def read_exercises(
-    path: str | Path, goals: Goals, fixed: Collection[str], read_start: Callable[[str], object]
+    path: str | Path | Traversable, goals: Goals, fixed: Collection[str], read_start: Callable[[str], object]
 ) -> list[dict[str, Any]]:
     """Return the exercises of a JSON file.
 
@@ -37,7 +38,8 @@ def read_exercises(
         InputError: no such form; the message names the exercise, the value and the rule.
     """
     try:
-        form = json.loads(Path(path).read_text(encoding="utf-8"))
+        source = Path(path) if isinstance(path, str) else path
+        form = json.loads(source.read_text(encoding="utf-8"))
     except OSError as error:
         raise InputError(f"exercises: cannot read {path}: {error.strerror}") from None
     except ValueError as error:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from importlib.resources import as_file, files
+from importlib.resources import files
 from pathlib import Path
 from typing import Any
 
@@ -32,10 +32,8 @@ def line_exercises(path: str | Path | None = None) -> list[dict[str, Any]]:
     Raises:
         InputError: the file holds no exercises; the message says which, and why.
     """
-    if path is None:
-        with as_file(files("arrangement.lab").joinpath("lines_exercises.json")) as own:
-            return line_exercises(own)
-    return read_exercises(path, _GOALS, FIXED, read_start)
+    own = files(__package__).joinpath("lines_exercises.json")
+    return read_exercises(own if path is None else path, _GOALS, FIXED, read_start)
 
 
 def _check_counts(value: Any) -> None:

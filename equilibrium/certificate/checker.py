@@ -25,7 +25,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from fractions import Fraction
 from itertools import product
 from typing import Any, NamedTuple
@@ -66,28 +66,36 @@ class Report:
         kind: "resisted" or "not resisted".
         problem: the first inequality that fails and its place; empty when all hold.
         leaves: of the tree.
+        pyramid: edges of the friction pyramids that it is about; None for cones.
     """
 
     kind: str
     problem: str
     leaves: int = 0
+    pyramid: int | None = None
 
     def __bool__(self) -> bool:
         return not self.problem
 
     def to_dict(self) -> dict[str, Any]:
         """Return a JSON form."""
-        found = {"problem": self.problem} if self.problem else {}
+        found: dict[str, Any] = {"problem": self.problem} if self.problem else {}
+        if self.pyramid is not None:
+            found["pyramid"] = self.pyramid
         return {"valid": bool(self), "certificate": self.kind, "leaves": self.leaves, **found}
 
 
 def check(
-    document: Mapping[str, Any], question: tuple[Grasp, RationalVector] | None = None
+    document: Mapping[str, Any],
+    question: tuple[Grasp, RationalVector] | None = None,
+    pyramid: int | None = None,
 ) -> Report:
     """Check a certificate, given as `Certificate.to_dict` or `read_certificate` returns it.
 
     Args:
         question: if given, the grasp and wrench that the certificate has to be about.
+        pyramid: with a question, the edges of the friction pyramids it has to be about; None for
+            cones, in space round ones.
 
     Raises:
         InputError: this is no certificate, whatever its numbers are: wrong keys or types, floats, a
@@ -103,8 +111,9 @@ def check(
         report = _walk(document["tree"], spatial, 3)
     else:
         report = _walk(document["tree"], _Question(grasp, wrench))
-    if question is not None and question != (grasp, wrench):
-        return Report(kind, "it is about another grasp or wrench", report.leaves)
+    report = replace(report, pyramid=document.get("pyramid"))
+    if question is not None and (question, pyramid) != ((grasp, wrench), report.pyramid):
+        return replace(report, problem="it is about another grasp, wrench or cone of friction")
     return report
 
 

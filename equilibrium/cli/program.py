@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 from arrangement import terminal
 from arrangement.exact import dot
 from arrangement.number_form import vector
+from equilibrium.model.pyramid import pyramid_words
 
 from . import draw, inputs, lab, methods, modes, wrench_sets
 from .arguments import add_applied, add_command, applied, grasp_of, seconds, show
@@ -200,6 +201,7 @@ def _verify(arguments: argparse.Namespace) -> int:
         report = verify(arguments.certificate)
         valid, document, speaker = bool(report), report.to_dict(), "Python"
         proof = f"{report.kind}, {report.leaves} leaves" if report.leaves else report.kind
+        proof += pyramid_words(report.pyramid, before=", with ")
         said = proof if valid else terminal.printable(report.problem)
     line = f"{'valid' if valid else 'not valid'}: {said} (by the {speaker} checker)"
     return show(arguments, {**document, "checker": speaker.lower()}, [line], valid)

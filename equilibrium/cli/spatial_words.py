@@ -5,7 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any
 
-from arrangement.number_form import DIGITS, vector
+from arrangement.exact import dot, rational_vector
+from arrangement.number_form import DIGITS, number, vector
+from equilibrium.model.pyramid import pyramid_words
 
 if TYPE_CHECKING:
     from equilibrium.spatial_verdict import SpatialVerdict
@@ -13,18 +15,24 @@ if TYPE_CHECKING:
 
 def spatial_lines(found: SpatialVerdict) -> Iterator[str]:
     """Yield the verdict, and the equilibrium or the proof in short."""
+    cones = pyramid_words(found.pyramid, before=", with ")
     if not found.decided:
-        yield f"undecided: neither an equilibrium nor a proof that there is none; {found.reason}"
+        yield f"undecided{cones}: neither an equilibrium nor a proof that there is none; {found.reason}"
         yield f"best motion found: {found.residual:.2g} of the largest force is left over"
         return
     if found.solution is None:
         leaves = found.verify().leaves
-        yield f"not resisted: proof with {leaves} {'leaf' if leaves == 1 else 'leaves'}"
+        yield f"not resisted{cones}: proof with {leaves} {'leaf' if leaves == 1 else 'leaves'}"
+        tree = found.certificate.to_dict()["tree"] if found.certificate else None
+        if isinstance(tree, list):
+            motion = rational_vector(tree, "the virtual motion")
+            yield f"  on the virtual motion {vector(motion)} the load does work"
+            yield f"  {number(dot(found.wrench, motion))}, and no contact less than 0, whatever it does"
         return
     from equilibrium.solver.space.equilibria import SpatialSolution
 
     exact = isinstance(found.solution, SpatialSolution)
-    yield "resisted: " + (
+    yield f"resisted{cones}: " + (
         "an exact equilibrium" if exact else "exactly one equilibrium lies in a box of intervals"
     )
     shown: Any = vector if exact else _floats

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from importlib.resources import as_file, files
+from importlib.resources import files
 from pathlib import Path
 from typing import Any, get_args
 
@@ -27,10 +27,8 @@ def slip_exercises(path: str | Path | None = None) -> list[dict[str, Any]]:
     Raises:
         InputError: the file holds no exercises; the message says which, and why.
     """
-    if path is None:
-        with as_file(files("equilibrium.lab").joinpath("exercises.json")) as own:
-            return slip_exercises(own)
-    return read_exercises(path, GOALS, FIXED, read_start)
+    own = files(__package__).joinpath("exercises.json")
+    return read_exercises(own if path is None else path, GOALS, FIXED, read_start)
 
 
 def read_start(text: str) -> tuple[Grasp, Any]:

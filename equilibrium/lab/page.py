@@ -77,9 +77,11 @@ def lab_page(
         exercises: a JSON file with exercises; if omitted, the twelve that come with the lab.
 
     Raises:
-        InputError: too many contacts or digits, no wrench, or no exercises in the file.
+        InputError: a grasp in space, too many contacts or digits, no wrench, or no exercises in
+            the file.
     """
     first = read_grasp(_EXAMPLES[0][1]) if grasp is None else grasp
+    first.require_plane()
     if len(first) > MAX_CONTACTS:
         raise InputError(f"{len(first)} contacts; the lab takes at most {MAX_CONTACTS}")
     heading = "The slip lab" if title is None else title

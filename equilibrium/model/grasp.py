@@ -311,7 +311,7 @@ class Grasp:
         The command `equilibrium lab` writes the page to a file.
 
         Raises:
-            InputError: more than 8 contacts.
+            InputError: more than 8 contacts, or contacts in space.
         """
         return inline_page("grasp-lab", self)
 

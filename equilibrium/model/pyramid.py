@@ -14,6 +14,11 @@ _TOLERANCE = "1/1000"
 _MOST = 64
 
 
+def pyramid_words(count: int | None, before: str = "") -> str:
+    """Return what an answer for pyramids in place of round cones has to say; else nothing."""
+    return "" if count is None else f"{before}friction pyramids of {count} edges"
+
+
 def pyramid_edges(count: int) -> tuple[RationalVector, ...]:
     """Return unit vectors along the edges, in the frame of the two tangents of a contact.
 

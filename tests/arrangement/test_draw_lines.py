@@ -164,3 +164,10 @@ def test_what_has_no_room_is_counted() -> None:
 def test_bad_options_are_refused(options: dict[str, Any], match: str) -> None:
     with pytest.raises(InputError, match=match):
         draw_lines(LESSON, **options)
+
+
+def test_the_key_of_the_projective_plane_has_the_colours_of_its_regions() -> None:
+    """Parts that meet across the rim are one region, with the sides of both."""
+    planes = read_arrangement("shi-a2-affine")
+    made = inspect.unwrap(draw_lines)(planes, projective=True, colour="sides")
+    assert [text for _, _, text in made.legend.keys[:2]] == ["3 sides", "4 sides"]

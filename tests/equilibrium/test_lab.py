@@ -518,6 +518,11 @@ def test_a_notebook_shows_it_in_a_frame(browser: Browser, tmp_path: Path) -> Non
     assert browser.outside() == []
 
 
+def test_a_grasp_in_space_is_refused() -> None:
+    with pytest.raises(InputError, match="in space"):
+        lab_page(read_grasp("two-opposed-fingers"))
+
+
 def test_too_many_contacts_or_digits_are_refused() -> None:
     with pytest.raises(InputError, match="9 contacts; the lab takes at most 8"):
         lab_page(Grasp([Contact([0, 0], [0, 1], 0)] * 9))

@@ -432,6 +432,7 @@ class TestPyramids:
         options = ["solve", "two-opposed-fingers", "--wrench", "0", "3/5", "4/5", "0", "0", "0"]
         assert main(options) == 0
         assert main([*options, "--cone", "pyramid:4"]) == 1
+        assert "not resisted, with friction pyramids of 4 edges" in capsys.readouterr().out
         assert main([*options, "--cone", "pyramid:5"]) == 2
         assert "even number" in capsys.readouterr().err
 
@@ -439,5 +440,11 @@ class TestPyramids:
         found = solve_in_space(FINGERS, across("3/5", "4/5"), pyramid=4)
         document = found.certificate.to_dict()
         assert check(document)
+        assert found.verify()
+        question = found.grasp, found.wrench
+        assert not check(document, question)
+        assert check(document, question, pyramid=4)
+        assert not check(document, question, pyramid=6)
         del document["pyramid"]
+        assert not check(document, question, pyramid=4)
         assert not check(document)

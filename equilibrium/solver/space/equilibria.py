@@ -255,15 +255,10 @@ class StateBalance:
                 * np.maximum(np.abs(point), np.abs(point[:p]).max(initial=0.0) if p else 0.0),
                 error,
             )
-            radii = np.maximum(radii, 1e-40)
+            radii = np.maximum(radii, _LEAST)
             yield Enclosed(
                 tuple(self.basis),
-                tuple(
-                    None if not t else () if s else tuple(self.share(i))
-                    for i, (t, s) in enumerate(
-                        zip(self.states.touching, self.states.slipping, strict=True)
-                    )
-                ),
+                tuple(map(self._named_share, range(len(self.states.touching)))),
                 self.pillars,
                 _short(point, 20),
                 _short(radii, 2),
