@@ -8,13 +8,14 @@ from .io.files import (
     write_certificate as write_certificate,
 )
 from .methods.printed_model import LiteralVerdict as LiteralVerdict, solve_literal as solve_literal
+from .model.contact import Contact as Contact
 from .model.errors import (
     CertificateError as CertificateError,
     EquilibriumError as EquilibriumError,
     GraspError as GraspError,
     TimeLimitError as TimeLimitError,
 )
-from .model.grasp import Contact as Contact, Grasp as Grasp
+from .model.grasp import Grasp as Grasp
 from .model.outline import Circle as Circle, Mesh as Mesh, Polygon as Polygon
 from .model.unit_normal import UnitNormal as UnitNormal, unit_normal as unit_normal
 from .model.units import Units as Units

@@ -19,7 +19,8 @@ from typing import Any
 from arrangement.arrangement import Arrangement
 from arrangement.exact import IntegerVector, primitive
 from arrangement.library.census import MOST_PLANES, census
-from equilibrium.model.grasp import Contact, Grasp
+from equilibrium.model.contact import Contact
+from equilibrium.model.grasp import Grasp
 
 from .instances.arrangements import smallest_arrangements
 from .instances.domains import contact_numbers, count, size

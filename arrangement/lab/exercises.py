@@ -19,7 +19,10 @@ _LONGEST = 2000
 
 
 def read_exercises(
-    path: str | Path | Traversable, goals: Goals, fixed: Collection[str], read_start: Callable[[str], object]
+    path: str | Path | Traversable,
+    goals: Goals,
+    fixed: Collection[str],
+    read_start: Callable[[str], object],
 ) -> list[dict[str, Any]]:
     """Return the exercises of a JSON file.
 

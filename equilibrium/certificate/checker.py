@@ -112,8 +112,10 @@ def check(
     else:
         report = _walk(document["tree"], _Question(grasp, wrench))
     report = replace(report, pyramid=document.get("pyramid"))
-    if question is not None and (question, pyramid) != ((grasp, wrench), report.pyramid):
-        return replace(report, problem="it is about another grasp, wrench or cone of friction")
+    if question is not None and question != (grasp, wrench):
+        return replace(report, problem="it is about another grasp or wrench")
+    if question is not None and pyramid != report.pyramid:
+        return replace(report, problem="it is about other cones of friction")
     return report
 
 

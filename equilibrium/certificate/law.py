@@ -10,7 +10,8 @@ from collections.abc import Sequence
 from fractions import Fraction
 
 from arrangement.exact import RationalVector, number_text
-from equilibrium.model.grasp import Contact, Grasp
+from equilibrium.model.contact import Contact
+from equilibrium.model.grasp import Grasp
 
 
 def unit_wrenches(contact: Contact) -> tuple[RationalVector, RationalVector]:

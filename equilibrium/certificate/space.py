@@ -24,8 +24,9 @@ from itertools import pairwise
 from typing import Any, NamedTuple, TypeAlias
 
 from arrangement.exact import IntegerVector, RationalVector, dot
+from equilibrium.model.contact import Contact
 from equilibrium.model.errors import CertificateError
-from equilibrium.model.grasp import Contact, Grasp
+from equilibrium.model.grasp import Grasp
 
 from .law import short
 from .reading import Leaf, Split

@@ -17,7 +17,10 @@ def spatial_lines(found: SpatialVerdict) -> Iterator[str]:
     """Yield the verdict, and the equilibrium or the proof in short."""
     cones = pyramid_words(found.pyramid, before=", with ")
     if not found.decided:
-        yield f"undecided{cones}: neither an equilibrium nor a proof that there is none; {found.reason}"
+        yield (
+            f"undecided{cones}: neither an equilibrium nor a proof that there is none; "
+            f"{found.reason}"
+        )
         yield f"best motion found: {found.residual:.2g} of the largest force is left over"
         return
     if found.solution is None:
@@ -27,7 +30,8 @@ def spatial_lines(found: SpatialVerdict) -> Iterator[str]:
         if isinstance(tree, list):
             motion = rational_vector(tree, "the virtual motion")
             yield f"  on the virtual motion {vector(motion)} the load does work"
-            yield f"  {number(dot(found.wrench, motion))}, and no contact less than 0, whatever it does"
+            work = number(dot(found.wrench, motion))
+            yield f"  {work}, and no contact less than 0, whatever it does"
         return
     from equilibrium.solver.space.equilibria import SpatialSolution
 

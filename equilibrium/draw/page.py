@@ -20,7 +20,8 @@ from arrangement.draw.registry import Wrench
 from arrangement.errors import InputError
 from arrangement.exact import IntegerVector, RationalVector, primitive, reduced, to_text
 from arrangement.lab.page import RATIONAL
-from equilibrium.model.grasp import Contact, Grasp, read_wrench
+from equilibrium.model.contact import Contact
+from equilibrium.model.grasp import Grasp, read_wrench
 from equilibrium.solver.contact_rows import DIRECTION
 from equilibrium.solver.elimination import gauss_jordan
 from equilibrium.solver.integer_contacts import IntegerContacts

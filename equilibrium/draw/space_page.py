@@ -16,7 +16,8 @@ from arrangement.draw.solid_page import Branch, Face, SolidPage
 from arrangement.errors import InputError
 from arrangement.io.meshes import Part, model_bytes
 from arrangement.polyhedra.surface import Patch, rounded
-from equilibrium.model.grasp import VALUES, Grasp
+from equilibrium.model.contact import VALUES
+from equilibrium.model.grasp import Grasp
 
 from .body_mesh import open_edges
 from .solid_grasp import INKS, Arrow, SolidGrasp, head_of

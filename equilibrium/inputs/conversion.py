@@ -8,8 +8,9 @@ from fractions import Fraction
 from typing import Any
 
 from arrangement.exact import RationalVector, from_floats, rational, shown, to_text
+from equilibrium.model.contact import VALUES, Contact
 from equilibrium.model.errors import GraspError
-from equilibrium.model.grasp import VALUES, Contact, Grasp
+from equilibrium.model.grasp import Grasp
 from equilibrium.model.outline import Outline
 from equilibrium.model.unit_normal import UnitNormal, unit_normal
 

@@ -18,8 +18,9 @@ from pathlib import Path
 from typing import Any
 
 from arrangement.exact import rational, shown
+from equilibrium.model.contact import VALUES
 from equilibrium.model.errors import GraspError
-from equilibrium.model.grasp import VALUES, Grasp
+from equilibrium.model.grasp import Grasp
 from equilibrium.model.unit_normal import unit_normal
 
 from .conversion import DEFAULT_TOLERANCE, Conversion, assembled

@@ -16,8 +16,8 @@ from typing import Any
 
 from arrangement.exact import RationalVector, rational, shown
 from arrangement.io.files import Source, check_keys, check_list, read_document
+from equilibrium.model.contact import VALUES
 from equilibrium.model.errors import GraspError
-from equilibrium.model.grasp import VALUES
 
 from .conversion import (
     DEFAULT_TOLERANCE,

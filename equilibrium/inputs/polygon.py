@@ -8,8 +8,8 @@ from typing import Any, NamedTuple
 
 from arrangement.exact import RationalVector, rational, rational_vector, shown, sign
 from arrangement.io.files import Source, check_keys, check_list, read_document
+from equilibrium.model.contact import VALUES
 from equilibrium.model.errors import GraspError
-from equilibrium.model.grasp import VALUES
 from equilibrium.model.outline import Polygon, coordinates
 
 from .conversion import DEFAULT_TOLERANCE, Conversion, assembled, contact_values, unit_normals

@@ -8,8 +8,9 @@ from random import Random
 from typing import Any
 
 from arrangement.exact import RationalVector
+from equilibrium.model.contact import Contact
 from equilibrium.model.errors import GraspError
-from equilibrium.model.grasp import Contact, Grasp
+from equilibrium.model.grasp import Grasp
 from equilibrium.model.outline import Polygon
 
 #: Denominator of the half-angle tangents, and of all other numbers.

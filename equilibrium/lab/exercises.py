@@ -9,7 +9,8 @@ from typing import Any, get_args
 from arrangement.errors import InputError
 from arrangement.exact import shown
 from arrangement.lab.exercises import read_exercises
-from equilibrium.model.grasp import Contact, Grasp, read_wrench
+from equilibrium.model.contact import Contact
+from equilibrium.model.grasp import Grasp, read_wrench
 from equilibrium.solver.state_system import State
 
 #: What an exercise may ask to stay as it starts.

@@ -47,7 +47,8 @@ class FormClosure(Accepting):
 def form_closure(grasp: Grasp, *, friction: bool = False) -> FormClosure:
     """Decide form closure (or force closure, `friction`) exactly.
 
-    >>> from equilibrium.model.grasp import Contact, Grasp
+    >>> from equilibrium.model.contact import Contact
+    >>> from equilibrium.model.grasp import Grasp
     >>> corner = [Contact([0, 0], n, 0) for n in ([1, 0], [-1, 0], [0, 1], [0, -1])]
     >>> form_closure(Grasp(corner)).free_motion
     (Fraction(0, 1), Fraction(0, 1), Fraction(1, 1))

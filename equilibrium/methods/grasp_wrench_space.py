@@ -74,7 +74,8 @@ class GraspWrenchSpace:
             mix forces and torques, so they depend on it, and on the origin of the frame; force
             closure and verdicts do not.
 
-    >>> from equilibrium.model.grasp import Contact, Grasp
+    >>> from equilibrium.model.contact import Contact
+    >>> from equilibrium.model.grasp import Grasp
     >>> squeeze = [Contact([-1, 0], [1, 0], 1), Contact([1, 0], [-1, 0], 1)]
     >>> GraspWrenchSpace(Grasp(squeeze)).force_closure
     True

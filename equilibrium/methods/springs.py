@@ -18,8 +18,9 @@ from arrangement.exact import (
 )
 from arrangement.linprog import Infeasible, feasible_point
 from arrangement.polyhedra.polyhedron import Polyhedron, from_generators
+from equilibrium.model.contact import Contact
 from equilibrium.model.errors import GraspError
-from equilibrium.model.grasp import Contact, Grasp
+from equilibrium.model.grasp import Grasp
 from equilibrium.solver.contact_rows import (
     Pair,
     balance_rows,

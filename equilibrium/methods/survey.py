@@ -17,7 +17,8 @@ from typing import Any
 from arrangement.exact import RationalVector, to_text
 from arrangement.progress import watched
 from equilibrium.inputs.random import random_grasp, random_wrench
-from equilibrium.model.grasp import Contact, Grasp
+from equilibrium.model.contact import Contact
+from equilibrium.model.grasp import Grasp
 
 from .compare import ask
 from .registry import DECIDING

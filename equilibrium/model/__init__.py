@@ -1,7 +1,8 @@
 """Contacts and grasps, exact: what a question is made of."""
 
+from .contact import Contact
 from .errors import CertificateError, EquilibriumError, GraspError
-from .grasp import Contact, Grasp, read_wrench
+from .grasp import Grasp, read_wrench
 from .outline import Circle, Mesh, Polygon
 from .unit_normal import UnitNormal, unit_normal
 from .units import Units

@@ -1,13 +1,4 @@
-"""Contacts and grasps of an object in the plane or in space, exact and frozen.
-
-Conventions (all in one object frame, counter-clockwise positive): the normal n points INTO the
-object; a force f at the point p has the wrench ``(f, p x f)``. In the plane the tangent is n turned
-by +90 degrees, ``t = (-n_y, n_x)``, ``a x b = a_x b_y - a_y b_x``, and a small motion
-``d = (x, y, r)`` moves the contact point by ``N . d`` along the normal and ``T . d`` along the
-tangent. In space a motion is ``d = (v, omega)``, and a contact has two tangents, t and ``n x t``;
-t is given, or is the x axis turned by the smallest rotation that takes the z axis to n (no turn
-where n is opposite to it).
-"""
+"""Grasps: contacts on one rigid object; `equilibrium.model.contact` has the conventions."""
 
 from __future__ import annotations
 
@@ -21,22 +12,12 @@ from typing import TYPE_CHECKING, Any
 
 # Its facade is loaded when a grasp is asked for its planes; the checker never does.
 import arrangement
-from arrangement.exact import (
-    RationalVector,
-    dot,
-    number_text,
-    rational,
-    rational_vector,
-    shown,
-    to_text,
-    vector_text,
-)
+from arrangement.exact import RationalVector, rational_vector, shown
 from arrangement.io.files import check_keys, check_list
 from arrangement.io.writing import write_text_atomically
-from arrangement.linear import cross
 from arrangement.plugins import InlinePage, display, inline_page
-from arrangement.short_repr import Shown
 
+from .contact import IN_SPACE, Contact, contact_of, wrench_at
 from .errors import GraspError
 from .outline import Circle, Mesh, Outline, Polygon, coordinates, read_outline
 from .units import Units
@@ -45,130 +26,11 @@ if TYPE_CHECKING:
     from arrangement import Arrangement
 
 
-@dataclass(frozen=True)
-class Contact(Shown):
-    """One frictional contact with a unilateral normal spring.
-
-    Args:
-        point: contact point p (length), two coordinates in the plane or three in space.
-        normal: exactly unit, rational, pointing into the object; see `unit_normal`.
-        friction: Coulomb coefficient, at least 0.
-        stiffness: of the normal spring (force per length), above 0.
-        preload: spring force at d = 0, at least 0.
-        tangent: in space it may be chosen, exactly unit and at a right angle to the normal: the
-            edges of friction pyramids and the planes of slip states start from it. In the plane
-            it follows from the normal, whatever is given.
-
-    Raises:
-        GraspError: a normal that is not unit, or a number out of range.
-        InputError: a float, or text that is not a number.
-
-    >>> Contact(["-1", 0], [1, 0], "1/2").tangential_wrench
-    (Fraction(0, 1), Fraction(1, 1), Fraction(-1, 1))
-    """
-
-    point: RationalVector
-    normal: RationalVector
-    friction: Fraction
-    stiffness: Fraction = Fraction(1)
-    preload: Fraction = Fraction(0)
-    tangent: RationalVector = ()
-
-    def __init__(
-        self,
-        point: Iterable[Any],
-        normal: Iterable[Any],
-        friction: Any,
-        stiffness: Any = 1,
-        preload: Any = 0,
-        tangent: Iterable[Any] | None = None,
-    ) -> None:
-        place, inward = coordinates(point, "point"), _unit(normal)
-        if len(place) != len(inward):
-            raise GraspError(
-                f"point has {len(place)} coordinates and normal has {len(inward)}; give two for "
-                "both, in the plane, or three, in space"
-            )
-        values = {
-            "point": place,
-            "normal": inward,
-            "friction": rational(friction, "friction"),
-            "stiffness": rational(stiffness, "stiffness"),
-            "preload": rational(preload, "preload"),
-            "tangent": _tangent(inward)
-            if tangent is None or len(inward) == 2
-            else _checked_tangent(inward, tangent),
-        }
-        for name, value in values.items():
-            object.__setattr__(self, name, value)
-        for name in ("friction", "preload"):
-            if getattr(self, name) < 0:
-                raise GraspError(f"{name} is {shown(getattr(self, name))}; it must be at least 0")
-        if self.stiffness <= 0:
-            raise GraspError(f"stiffness is {shown(self.stiffness)}; it must be above 0")
-
-    def __repr__(self) -> str:
-        values = ", ".join(f"{name} {number_text(getattr(self, name))}" for name in VALUES)
-        return (
-            f"<Contact: at {vector_text(self.point)}, normal {vector_text(self.normal)}, {values}>"
-        )
-
-    @property
-    def dimension(self) -> int:
-        """Two in the plane, three in space."""
-        return len(self.point)
-
-    @property
-    def tangents(self) -> tuple[RationalVector, ...]:
-        """The tangent, in space with ``n x t``: a right-handed frame with the normal last."""
-        if self.dimension == 2:
-            return (self.tangent,)
-        return self.tangent, cross(self.normal, self.tangent)
-
-    @cached_property
-    def normal_wrench(self) -> RationalVector:
-        """N, the wrench of a unit force along the normal."""
-        return _wrench(self.point, self.normal)
-
-    @cached_property
-    def tangential_wrench(self) -> RationalVector:
-        """T, the wrench of a unit force along the tangent, in the plane.
-
-        Raises:
-            GraspError: a contact in space; see `tangential_wrenches`.
-        """
-        if self.dimension != 2:
-            raise GraspError(_IN_SPACE)
-        return self.tangential_wrenches[0]
-
-    @cached_property
-    def tangential_wrenches(self) -> tuple[RationalVector, ...]:
-        """The wrenches of unit forces along `tangents`."""
-        return tuple(_wrench(self.point, tangent) for tangent in self.tangents)
-
-    def to_dict(self) -> dict[str, Any]:
-        """Return the file form of the contact; every number is a string."""
-        names = ["point", "normal"]
-        if self.tangent != _tangent(self.normal):
-            names.append("tangent")
-        vectors = {name: list(map(to_text, getattr(self, name))) for name in names}
-        return vectors | {name: to_text(getattr(self, name)) for name in VALUES}
-
-
-#: What a contact has besides its place.
-VALUES = ("friction", "stiffness", "preload")
-_REQUIRED, _OPTIONAL = ("point", "normal", "friction"), ("stiffness", "preload", "tangent")
-
 #: The coordinates of the space of motions, in the plane and in space.
 MOTIONS = ("x", "y", "r")
 SPATIAL_MOTIONS = ("x", "y", "z", "r_x", "r_y", "r_z")
 _FORCES = {2: "f_x, f_y and tau", 3: "f_x, f_y, f_z, tau_x, tau_y and tau_z"}
 _PLACES = {2: "the plane", 3: "space"}
-_IN_SPACE = (
-    "this grasp is in space (three coordinates), and what was asked is known for grasps in the "
-    "plane only; `equilibrium solve`, `verify`, `limit`, `margin`, `compare`, `modes` and some "
-    "views of `draw` take both"
-)
 
 
 @dataclass(frozen=True)
@@ -246,7 +108,7 @@ class Grasp:
             GraspError: the grasp is in space.
         """
         if self.dimension != 2:
-            raise GraspError(_IN_SPACE)
+            raise GraspError(IN_SPACE)
 
     def in_space(self) -> Grasp:
         """Return a planar grasp in the plane z = 0 of space, with the same tangents.
@@ -351,7 +213,7 @@ class Grasp:
         contacts = check_list(document["contacts"], "contacts")
         units = Units.from_dict(document["units"]) if "units" in document else None
         outline = read_outline(document["outline"]) if "outline" in document else None
-        return cls([_contact(entry, i) for i, entry in enumerate(contacts)], units, outline)
+        return cls([contact_of(entry, i) for i, entry in enumerate(contacts)], units, outline)
 
 
 def read_wrench(values: Iterable[Any], dimension: int = 2) -> RationalVector:
@@ -372,59 +234,4 @@ def wrench_of(
     """Return the wrench of a force at a point, the origin if none is given."""
     along = coordinates(force, "force", dimension)
     place = coordinates([0] * dimension if point is None else point, "point", dimension)
-    return _wrench(place, along)
-
-
-def _contact(entry: Any, index: int) -> Contact:
-    """Return one contact of a document; errors say which."""
-    name = f"contacts[{index}]"
-    check_keys(entry, _REQUIRED, _OPTIONAL, name)
-    try:
-        for key in ("point", "normal", "tangent"):
-            check_list(entry.get(key, []), key)
-        if "tangent" in entry and len(entry["normal"]) == 2:
-            raise GraspError("in the plane the tangent follows from the normal; leave it out")
-        return Contact(**entry)
-    except ValueError as error:
-        raise GraspError(f"{name}: {error}") from None
-
-
-def _unit(values: Iterable[Any], name: str = "normal") -> RationalVector:
-    """Return an exactly unit vector, or say how to get one."""
-    vector = coordinates(values, name)
-    if sum(x * x for x in vector) != 1:
-        written = ", ".join(to_text(x)[:40] for x in vector)
-        raise GraspError(
-            f"{name} is ({written}), whose squared length is not exactly 1; "
-            "unit_normal(direction, tolerance) returns an exactly unit rational vector, and the "
-            "commands take --round-normals"
-        )
-    return vector
-
-
-def _tangent(normal: RationalVector) -> RationalVector:
-    """Return the tangent of a contact that states none."""
-    if len(normal) == 2:
-        return (-normal[1], normal[0])
-    x, y, z = normal
-    if z == -1:
-        return (Fraction(1), Fraction(0), Fraction(0))
-    return (1 - x * x / (1 + z), -x * y / (1 + z), -x)
-
-
-def _checked_tangent(normal: RationalVector, values: Iterable[Any]) -> RationalVector:
-    """Return a stated tangent."""
-    tangent = _unit(values, "tangent")
-    if len(tangent) != len(normal) or dot(tangent, normal):
-        raise GraspError(
-            f"tangent is {vector_text(tangent)}, which is not at a right angle to the normal "
-            f"{vector_text(normal)}"
-        )
-    return tangent
-
-
-def _wrench(point: RationalVector, force: RationalVector) -> RationalVector:
-    """Return the wrench of a force at a point."""
-    if len(point) == 3:
-        return (*force, *cross(point, force))
-    return (force[0], force[1], point[0] * force[1] - point[1] * force[0])
+    return wrench_at(place, along)

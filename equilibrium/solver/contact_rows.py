@@ -11,7 +11,7 @@ from fractions import Fraction
 from typing import TypeAlias, TypeVar
 
 from arrangement.exact import RationalVector
-from equilibrium.model.grasp import Contact
+from equilibrium.model.contact import Contact
 from equilibrium.model.pyramid import pyramid_edges
 
 #: Normal and tangential force.

@@ -15,7 +15,8 @@ from typing import Any
 from arrangement.exact import RationalVector, to_text
 from arrangement.polyhedra.intervals import Interval, texts
 from arrangement.progress import watched
-from equilibrium.model.grasp import Contact, Grasp
+from equilibrium.model.contact import Contact
+from equilibrium.model.grasp import Grasp
 
 from .space import resisted_set
 

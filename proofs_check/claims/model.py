@@ -11,7 +11,8 @@ from math import comb
 
 from arrangement import counts
 from arrangement.linear import determinant
-from equilibrium.model.grasp import Contact, Grasp
+from equilibrium.model.contact import Contact
+from equilibrium.model.grasp import Grasp
 from proofs_check.routes.fourier_motzkin import Row, project
 from proofs_check.statement import Case, Claim, Route, Source, Verdict, proved, sampled
 

@@ -16,7 +16,8 @@ from arrangement.exact import RationalVector
 from arrangement.linprog import Infeasible, feasible_point
 from equilibrium.inputs.random import random_grasp
 from equilibrium.io.files import read_grasp
-from equilibrium.model.grasp import Contact, Grasp
+from equilibrium.model.contact import Contact
+from equilibrium.model.grasp import Grasp
 from equilibrium.spatial_verdict import solve_in_space
 from equilibrium.verdict import Solver
 from proofs_check.instances.grasps import grasp_case, grasp_of, paper_question

@@ -13,7 +13,8 @@ from typing import Any
 
 from arrangement.arrangement import Arrangement
 from arrangement.library import families
-from equilibrium.model.grasp import Contact, Grasp
+from equilibrium.model.contact import Contact
+from equilibrium.model.grasp import Grasp
 from proofs_check.errors import UnknownDomainError
 from proofs_check.routes.oracle import Question
 from proofs_check.statement import Case, Domain

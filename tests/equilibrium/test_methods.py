@@ -12,8 +12,9 @@ from equilibrium.methods.grasp_wrench_space import GraspWrenchSpace
 from equilibrium.methods.linear_compliance import linear_compliance
 from equilibrium.methods.springs import balancing_friction
 from equilibrium.methods.weak_strong import weak_strong
+from equilibrium.model.contact import Contact
 from equilibrium.model.errors import GraspError
-from equilibrium.model.grasp import Contact, Grasp
+from equilibrium.model.grasp import Grasp
 
 HALF = Fraction(1, 2)
 PLANE = [(0, 1, 0), (1, 1, 0), (-3, 7, 0), (0, -5, 0)]

@@ -16,7 +16,8 @@ from equilibrium.methods.form_closure import form_closure
 from equilibrium.methods.grasp_wrench_space import GraspWrenchSpace
 from equilibrium.methods.registry import DECIDING_IN_SPACE
 from equilibrium.methods.round_cones import round_cones
-from equilibrium.model.grasp import Contact, Grasp
+from equilibrium.model.contact import Contact
+from equilibrium.model.grasp import Grasp
 from equilibrium.solver.contact_rows import friction_edges
 
 LOADS = [(0, 1, 0), (1, 1, 0), (-3, 7, 1), (0, -5, 2)]

@@ -18,7 +18,8 @@ from equilibrium.cli.program import main
 from equilibrium.draw import resist_page
 from equilibrium.draw.page import MAX_CONTACTS
 from equilibrium.io.files import read_grasp
-from equilibrium.model.grasp import Contact, Grasp
+from equilibrium.model.contact import Contact
+from equilibrium.model.grasp import Grasp
 from tests.browser import Browser
 
 PAPER = (

@@ -15,8 +15,9 @@ from equilibrium.inputs import random_grasp
 from equilibrium.instances import paths
 from equilibrium.io.files import read_grasp
 from equilibrium.io.schemas import certificate_schema, grasp_schema
+from equilibrium.model.contact import Contact
 from equilibrium.model.errors import CertificateError, GraspError
-from equilibrium.model.grasp import Contact, Grasp
+from equilibrium.model.grasp import Grasp
 from equilibrium.model.outline import Circle, Polygon
 from equilibrium.model.units import Units
 from equilibrium.verdict import solve

@@ -15,8 +15,9 @@ from equilibrium.certificate.checker import check
 from equilibrium.cli.program import main
 from equilibrium.inputs import random_grasp, random_wrench, read_any
 from equilibrium.io.files import read_grasp
+from equilibrium.model.contact import Contact
 from equilibrium.model.errors import GraspError, UndecidedError
-from equilibrium.model.grasp import Contact, Grasp
+from equilibrium.model.grasp import Grasp
 from equilibrium.model.pyramid import pyramid_edges
 from equilibrium.model.unit_normal import unit_normal
 from equilibrium.spatial_verdict import solve_in_space

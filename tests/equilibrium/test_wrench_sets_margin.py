@@ -4,8 +4,9 @@ import pytest
 from hypothesis import given, settings, strategies as st
 
 from equilibrium.io.files import read_grasp
+from equilibrium.model.contact import Contact
 from equilibrium.model.errors import GraspError
-from equilibrium.model.grasp import Contact, Grasp
+from equilibrium.model.grasp import Grasp
 from equilibrium.verdict import solve
 from equilibrium.wrench_sets.friction import least_friction
 from equilibrium.wrench_sets.margin import margin, sufficient_preloads

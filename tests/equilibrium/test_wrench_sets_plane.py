@@ -7,8 +7,9 @@ from hypothesis import given, settings, strategies as st
 from arrangement.polyhedra.intervals import holds, remainder, union
 from arrangement.polyhedra.polyhedron import from_conditions
 from equilibrium.io.files import read_grasp
+from equilibrium.model.contact import Contact
 from equilibrium.model.errors import GraspError
-from equilibrium.model.grasp import Contact, Grasp
+from equilibrium.model.grasp import Grasp
 from equilibrium.verdict import solve
 from equilibrium.wrench_sets.directions import counter_clockwise, sectors
 from equilibrium.wrench_sets.outline import outline_of

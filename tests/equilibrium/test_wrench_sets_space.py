@@ -9,7 +9,8 @@ from arrangement.cones import generators
 from arrangement.exact import dot
 from arrangement.polyhedra.polyhedron import from_conditions, from_generators
 from equilibrium.io.files import read_grasp
-from equilibrium.model.grasp import Contact, Grasp
+from equilibrium.model.contact import Contact
+from equilibrium.model.grasp import Grasp
 from equilibrium.verdict import solve
 from equilibrium.wrench_sets.line import resisted_magnitudes
 from equilibrium.wrench_sets.space import StateImages, resisted_set

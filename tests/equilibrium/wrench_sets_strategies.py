@@ -4,7 +4,8 @@ from fractions import Fraction
 
 from hypothesis import strategies as st
 
-from equilibrium.model.grasp import Contact, Grasp
+from equilibrium.model.contact import Contact
+from equilibrium.model.grasp import Grasp
 
 UNITS = [(1, 0), (0, 1), (-1, 0), (0, -1)] + [
     (Fraction(a, 5), Fraction(b, 5)) for a in (3, -3) for b in (4, -4)

@@ -8,7 +8,8 @@ import pytest
 from hypothesis import given, settings, strategies as st
 
 from equilibrium.io.files import read_grasp
-from equilibrium.model.grasp import Contact, Grasp
+from equilibrium.model.contact import Contact
+from equilibrium.model.grasp import Grasp
 from proofs_check import Verdict, evaluate, registry
 from proofs_check.claims import model
 from tests.proofs_check.test_planted_bugs import dropped_region, plant

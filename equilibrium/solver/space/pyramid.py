@@ -16,7 +16,8 @@ from typing import Any, NamedTuple, TypeAlias
 
 from arrangement.exact import RationalVector, dot, to_text
 from arrangement.linprog import Infeasible, Program
-from equilibrium.model.grasp import Contact, Grasp
+from equilibrium.model.contact import Contact
+from equilibrium.model.grasp import Grasp
 
 from .equilibria import SpatialSolution
 from .tree import Open
