@@ -38,6 +38,8 @@ if TYPE_CHECKING:
 _BITS = 128
 #: Powers below this size could lose digits in products of floats.
 _SMALLEST = 2.0**-200
+#: Larger ones could leave the range of floats in products.
+_LARGEST = 2**200
 _UNIT = 2.0**-53
 
 
@@ -195,12 +197,14 @@ class NumberField:
     @cached_property
     def _largest(self) -> tuple[int, ...]:
         """Bounds of the sizes of the powers of all roots [Fujiwara1916]."""
+        from sympy import integer_nthroot
+
         *lower, _ = self.minimal_polynomial
         n = self.degree
-        bound = 2 * max(abs(c) ** (1 / (n - k)) for k, c in enumerate(lower) if c)
         if n == 2:
-            bound = math.sqrt(-lower[0])
-        return tuple(math.ceil((bound * (1 + 1e-9)) ** k) for k in range(n))
+            return 1, math.isqrt(-lower[0]) + 1
+        bound = 2 * max(integer_nthroot(abs(c), n - k)[0] + 1 for k, c in enumerate(lower) if c)
+        return tuple(bound**k for k in range(n))
 
     @cached_property
     def _tails(self) -> list[IntegerVector]:
@@ -265,7 +269,8 @@ class NumberField:
     @cached_property
     def float_powers(self) -> tuple[float, ...]:
         """The powers of the generator; infinite where floats cannot be trusted with them."""
-        powers = [p / (1 << _BITS) for p in self._scaled(_BITS)]
+        one = 1 << _BITS
+        powers = [p / one if abs(p) < _LARGEST * one else math.inf for p in self._scaled(_BITS)]
         return tuple(p if abs(p) >= _SMALLEST else math.inf for p in powers)
 
     def _scaled(self, bits: int) -> tuple[int, ...]:

@@ -15,6 +15,8 @@ from .exact import RationalVector, shown, to_text
 
 #: Largest degree of a field: a product takes as many steps as its square.
 MAX_DEGREE = 16
+#: Of a coefficient of a minimal polynomial.
+MAX_DIGITS = 100
 
 
 def checked_ends(given: RationalVector, ends: RationalVector) -> tuple[Fraction, Fraction]:
@@ -25,6 +27,10 @@ def checked_ends(given: RationalVector, ends: RationalVector) -> tuple[Fraction,
         raise InputError(
             f"the minimal polynomial is {text}; its coefficients stand from the constant term up, "
             f"the last one is not 0, and its degree is 2 to {MAX_DEGREE}"
+        )
+    if any(max(abs(x.numerator), x.denominator) >= 10**MAX_DIGITS for x in given):
+        raise InputError(
+            f"the minimal polynomial is {text}; its coefficients may have up to {MAX_DIGITS} digits"
         )
     if len(ends) != 2 or ends[0] >= ends[1]:
         raise InputError(

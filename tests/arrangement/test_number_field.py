@@ -72,6 +72,7 @@ def test_a_number_a_hair_beside_0_has_its_sign() -> None:
         ([1, 0, 1], [0, 1], "no real embedding"),
         ([-2, 0, 1], [2, 3], "no real root there"),
         ([-2, 0, 1], [-2, 2], "2 roots"),
+        ([-(10**100), 0, 0, 1], [0, 10**40], "up to 100 digits"),
         ([-4, 0, 1], [1, 3], "reducible"),
         ([2, -3, 1, 0, 0], [1, 3], "the last one is not 0"),
         ([-2, 1], [1, 3], "degree"),
