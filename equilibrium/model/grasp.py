@@ -26,9 +26,8 @@ if TYPE_CHECKING:
     from arrangement import Arrangement
 
 
-#: The coordinates of the space of motions, in the plane and in space.
+#: The coordinates of the space of motions in the plane.
 MOTIONS = ("x", "y", "r")
-SPATIAL_MOTIONS = ("x", "y", "z", "r_x", "r_y", "r_z")
 _FORCES = {2: "f_x, f_y and tau", 3: "f_x, f_y, f_z, tau_x, tau_y and tau_z"}
 _PLACES = {2: "the plane", 3: "space"}
 

@@ -14,6 +14,8 @@ from typing import TypeAlias
 import numpy as np
 from numpy.typing import NDArray
 
+from arrangement.errors import InputError
+
 Signs: TypeAlias = NDArray[np.int8]
 
 #: Entries up to this size have determinants that int64 holds: 6 * 10^18 < 2^63.
@@ -35,8 +37,11 @@ def pairs(n: int) -> NDArray[np.intp]:
 def chirotope_of(normals: NDArray[np.int64]) -> Signs:
     """Return the signs of the determinants of all triples of normals, shape (..., n, 3).
 
-    Entries have at most `LARGEST_ENTRY` in absolute value.
+    Raises:
+        InputError: an entry is larger than `LARGEST_ENTRY` in absolute value.
     """
+    if np.abs(normals).max(initial=0) > LARGEST_ENTRY:
+        raise InputError(f"entries of normals are at most {LARGEST_ENTRY} here")
     first, second, third = (normals[..., column, :] for column in triples(normals.shape[-2]).T)
     signs: Signs = np.sign((np.cross(first, second) * third).sum(-1)).astype(np.int8)
     return signs
