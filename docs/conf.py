@@ -8,7 +8,6 @@ import sys
 from pathlib import Path
 
 import matplotlib as mpl
-from docutils import nodes
 
 import arrangement
 
@@ -115,6 +114,8 @@ def fold_answers(app, tree, name):
     """Fold each answer to an exercise on the HTML pages: what starts with its number in bold."""
     if app.builder.format != "html":
         return
+    from docutils import nodes  # here, since tests read this file where Sphinx is not installed
+
     for section in tree.findall(nodes.section):
         if section.next_node(nodes.title).astext() != "Answers":
             continue
