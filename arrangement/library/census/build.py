@@ -28,9 +28,10 @@ from numpy.typing import NDArray
 from arrangement import workers
 from arrangement.errors import InputError
 from arrangement.io.writing import reason, write_bytes_atomically
+from arrangement.library.families import perles
 from arrangement.progress import note, watched
 
-from .catalogue import MOST_PLANES, normals, perles_chirotope
+from .catalogue import MOST_PLANES, exact_chirotope, normals
 from .chirotopes import Signs, Vectors, chirotope_of, extended, regions, triples
 from .codes import Coded, Integers, canonical, carried
 from .extensions import extensions
@@ -108,7 +109,7 @@ def build(folder: str, jobs: int = 1, planes: int = 9) -> Arrays:
             signs, proof = proofs[number] = _proof(plan, every, number)
             if proof:
                 found.parents[number] = _NEVER
-            elif planes == MOST_PLANES and _same(signs, perles_chirotope()):
+            elif planes == MOST_PLANES and _same(signs, exact_chirotope(perles())):
                 found.parents[number] = _OTHER  # its normals stay 0
         note(f"round {plan.round}: {np.sum(found.parents == _OPEN)} of {size} types are open")
         plan = plan._replace(round=plan.round + 1)
