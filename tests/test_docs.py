@@ -48,7 +48,7 @@ def run(text: str) -> list[str]:
 
 
 #: Pages with long runs, which are read in the campaign.
-LONG = ("own-claim", "checking", "cluster", "mesh", "gallery")
+LONG = ("own-claim", "checking", "cluster", "mesh", "gallery", "commands", "figure")
 
 
 def marked(page: Path) -> Any:
