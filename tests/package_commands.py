@@ -41,6 +41,8 @@ COMMANDS = (
     Command("arrangement make shi --type D4 -o d4.json", 0, writes="d4.json"),
     Command("arrangement polynomial d4.json", 0, "(t - 6)**4"),
     Command("arrangement identify braid-a3", 0, "6.3, braid A3"),
+    Command("arrangement convert braid-a3 -o braid.m2", 0, writes="braid.m2"),
+    Command("arrangement identify braid.m2", 0, "6.3, braid A3"),
     Command("arrangement list --families", 0, "threshold-functions"),
     Command("arrangement bounds --largest 4", 0, "m 4  rays 12  facets 24  regions 14  states 51"),
     _needs("figures", "arrangement bounds -o no.pdf"),
@@ -113,7 +115,7 @@ for name in ("arrangement", "equilibrium", "proofs_check"):
         if not module.name.endswith("__main__"):
             importlib.import_module(module.name)
 from arrangement.library.census import census
-from arrangement.io.arrangements import read_arrangement
+from arrangement.formats.table import read_arrangement
 from arrangement.library.instances import paths as arrangements
 from arrangement.io.schemas import arrangement_schema
 from equilibrium.io.files import read_grasp

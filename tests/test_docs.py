@@ -262,7 +262,7 @@ LIMITS = {
     "CSV file)": ("arrangement.io.files:MAX_BYTES", "equilibrium.inputs.csv_file:MAX_BYTES"),
     "a certificate": ("equilibrium.io.files:MAX_CERTIFICATE_BYTES",),
     "one number": ("arrangement.exact:MAX_TEXT_LENGTH",),
-    "space in a file": ("arrangement.io.arrangements:MAX_DIMENSION",),
+    "space in a file": ("arrangement.formats.documents:MAX_DIMENSION",),
     "interactive page": ("arrangement.draw.globe:MAX_CIRCLES", "arrangement.draw.page:MAX_CIRCLES"),
     "Hasse diagram": ("arrangement.draw.lattice:MAX_FLATS",),
     "resisted forces": ("equilibrium.draw.page:MAX_CONTACTS",),
