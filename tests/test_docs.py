@@ -48,7 +48,7 @@ def run(text: str) -> list[str]:
 
 
 #: Pages with long runs, which are read in the campaign.
-LONG = ("own-claim", "checking", "cluster", "mesh", "gallery")
+LONG = ("own-claim", "checking", "cluster", "mesh", "gallery", "formats")
 
 
 def marked(page: Path) -> Any:
@@ -271,6 +271,11 @@ LIMITS = {
     "is exponential": ("equilibrium.methods.frictionless_slip:MAX_CONTACTS",),
     "by points": ("arrangement.counts.points:MAX_SETS", "arrangement.counts.points:MAX_PAIRS"),
     "combinatorial types": ("arrangement.library.census.catalogue:MOST_PLANES",),
+    "tables of types": (
+        "arrangement.formats.chirotope:MOST_ELEMENTS",
+        "proofs_check.printed_table:MOST_PSEUDOLINES",
+    ),
+    "in ``import``": ("arrangement.formats.table:MAX_IMPORT_BYTES",),
     "after the other": ("proofs_check.sweep.sweep:MOST", "arrangement.terminal:MOST"),
     "of a proof": ("equilibrium.certificate.checker:MAX_DEPTH",),
 }

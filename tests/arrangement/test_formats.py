@@ -216,7 +216,7 @@ def test_signs_without_coordinates_are_refused() -> None:
     text = Arrangement(points).chirotope_string()
     assert text[-1] == "0"
     assert one("chirotope", text).chirotope_string() in (text, opposite(text))
-    with pytest.raises(InputError, match="no (coordinates were found|planes have)"):
+    with pytest.raises(InputError, match=r"no (coordinates were found|planes have)"):
         one("chirotope", text[:-1] + "+")
 
 
@@ -253,7 +253,8 @@ def test_graphs_have_the_numbers_of_the_arrangement() -> None:
     lattice = nx.parse_graphml(converted(planes, FORMATS["lattice-graphml"]))
     assert sorted(rank for _, rank in lattice.nodes(data="rank")).count(2) == 7
     dot = converted(AFFINE, FORMATS["dot"])
-    assert dot.count(" -- ") == AFFINE.f_vector[-2] and dot.startswith("graph {")
+    assert dot.startswith("graph {")
+    assert dot.count(" -- ") == AFFINE.f_vector[-2]
     assert len(re.findall(r"^  [0-9]+ \[", dot, re.M)) == AFFINE.f_vector[-1]
     flats = converted(AFFINE, FORMATS["lattice-dot"])
     assert flats.count("->") == 4 + 2 * 6
