@@ -55,8 +55,8 @@ COMMANDS = (
         for view in ("sphere", "planes", "stereographic", "gnomonic", "dual", "graph", "lattice")
     ),
     *(_needs("figures", f"arrangement draw braid-a3 -o no.{kind}") for kind in ("pdf", "png")),
-    Command(f"equilibrium solve {_G}-preload-1 --wrench 0 1 0", 0, "stable"),
-    Command(f"equilibrium solve {_G} --wrench 0 1 0 --certificate proof.json", 1, "not stable"),
+    Command(f"equilibrium solve {_G}-preload-1 --wrench 0 1 0", 0, "resisted"),
+    Command(f"equilibrium solve {_G} --wrench 0 1 0 --certificate proof.json", 1, "not resisted"),
     Command("equilibrium verify proof.json", 0, "valid"),
     Command("equilibrium lab -o lab.html", 0, writes="lab.html"),
     Command("arrangement lab braid-a3 -o lines.html", 0, writes="lines.html"),

@@ -48,7 +48,7 @@ def run(text: str) -> list[str]:
 
 
 #: Pages with long runs, which are read in the campaign.
-LONG = ("own-claim", "checking", "cluster", "mesh", "gallery", "formats")
+LONG = ("own-claim", "checking", "cluster", "mesh", "gallery", "commands", "figure", "formats")
 
 
 def marked(page: Path) -> Any:
