@@ -122,7 +122,10 @@ def test_its_answers_are_those_of_the_solver_and_its_proofs_are_accepted(opened:
     ]
     for grasp, wrench in [*questions(240, seed=7), *questions(8, 3, most=6), *named]:
         answer: dict[str, Any] = opened.run(
-            "return lab.solve(arguments[0], arguments[1])", grasp.to_dict(), texts(wrench)
+            "return Promise.all([lab.solve(...arguments), lab.equilibria(...arguments)])"
+            ".then(([answer, equilibria]) => ({ ...answer, equilibria }))",
+            grasp.to_dict(),
+            texts(wrench),
         )
         found = Solver(grasp).solve(wrench)
         assert answer["stable"] == found.stable, (grasp, wrench)

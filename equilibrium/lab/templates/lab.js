@@ -79,24 +79,28 @@ function begin() {
 
 // For lecturers and tests: questions as documents of the command line.
 
+const texts = (row) => row.map(textOf);
+
 Object.assign(window, { lab: {
-  solve(grasp, wrench) {
+  async solve(grasp, wrench) {
     const [contacts, applied] = [readGrasp(grasp), readWrench(wrench)];
-    const found = solve(contacts, applied);
-    const texts = (row) => row.map(textOf);
-    return {
-      stable: found.stable, certificate: certificateOf(contacts, applied, found),
-      equilibria: found.equilibria.map(({ states, motion, forces, ranges }) => ({ states, motion: texts(motion), forces: forces.map(texts), unique: !ranges })),
-    };
+    const found = firstOf(contacts, applied);
+    const certificate = certificateOf(contacts, applied, found);
+    /** @type {any} */
+    const { motion = null, forces = null, tree: proof = null } = certificate;
+    return { stable: found.stable, motion, forces, proof, certificate };
+  },
+  async equilibria(grasp, wrench) {
+    return allOf(readGrasp(grasp), readWrench(wrench))
+      .map(({ states, motion, forces, ranges }) => ({ states, motion: texts(motion), forces: forces.map(texts), unique: !ranges }));
   },
   check: checkDocument,
   says: (method, grasp, wrench) => saidBy(method, readGrasp(grasp), readWrench(wrench)),
   states: (grasp) => [...statesOf(readGrasp(grasp))].filter(Boolean).map(({ states }) => states),
   resists(grasp, torque, forces) {
     const contacts = readGrasp(grasp);
-    const turn = readNumber(torque);
-    const found = [...piecesOf(contacts, turn, [...statesOf(contacts)].filter(Boolean).map(({ states }) => states))];
-    return forces.map((force) => piecesAt(found, [...force.map(readNumber), turn, ONE]).length > 0);
+    const found = [...piecesOf(contacts, statesOf(contacts))].filter(Boolean);
+    return forces.map((force) => piecesAt(found, [...[...force, torque].map(readNumber), ONE]).length > 0);
   },
 } });
 
