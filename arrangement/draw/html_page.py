@@ -48,6 +48,7 @@ def one_page(
     data: Mapping[str, Any],
     buttons: Iterable[str] = (),
     worker: Iterable[Template] = (),
+    parts: Iterable[Template] = (),
 ) -> str:
     """Return a complete HTML page.
 
@@ -61,11 +62,15 @@ def one_page(
         buttons: of a head above the body, keys of `_BUTTONS`; without any the body has its own.
         worker: templates; a script of their own, ``decides``, before the other, which a worker can
             run as well.
+        parts: templates; ``<!-- NAME -->`` in the body stands for ``NAME.html``.
     """
+    whole = _text(body)
+    for part in parts:
+        whole = whole.replace(f"<!-- {part[1].removesuffix('.html')} -->", _text(part).rstrip())
     listed = "\n".join(f'    <button id="{name}"{_BUTTONS[name]}</button>' for name in buttons)
     return framed(
         title,
-        f"{_HEAD.format(listed) if listed else ''}{_text(body)}\n"
+        f"{_HEAD.format(listed) if listed else ''}{whole}\n"
         "<noscript><p>This page needs JavaScript; all of it is in this file.</p></noscript>\n"
         f'<script type="application/json" id="data">{embedded(data)}</script>',
         styles,

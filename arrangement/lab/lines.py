@@ -66,6 +66,7 @@ def lab_page(
     first = Arrangement(_FIRST) if arrangement is None else as_shown(arrangement)
     data: dict[str, Any] = {
         "title": "The arrangement lab" if title is None else title,
+        "summary": "Drag lines and great circles; every number is exact.",
         "most": MAX_PLANES,
         "arrangement": first.to_dict(),
         "examples": [

@@ -33,9 +33,11 @@ def lab(
     Args:
         title: of the window.
         body, styles, scripts: of the page; they come after the shared ones.
-        data: what the script finds, as for `one_page`; ``exercises`` lists the exercises.
+        data: what the script finds, as for `one_page`: ``title``, ``summary``, ``examples`` and
+            ``exercises`` are lists and texts of the panels that all labs have.
         decides: what needs no page, if a worker runs it as well; with `RATIONAL` and `LINEAR`.
     """
     common: list[Template] = [BASE_STYLE, (_OWN, "lab.css")]
     every = [BASE_SCRIPT, *SHARED, *scripts]
-    return one_page(title, body, [*common, *styles], every, data, worker=decides)
+    parts = [(_OWN, f"{name}.html") for name in ("header", "player", "exercises", "grid")]
+    return one_page(title, body, [*common, *styles], every, data, worker=decides, parts=parts)

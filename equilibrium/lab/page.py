@@ -92,6 +92,7 @@ def lab_page(
     heading = "The slip lab" if title is None else title
     data: dict[str, Any] = {
         "title": heading,
+        "summary": "Drag contacts, normals and the load; every answer is exact.",
         "most": MAX_CONTACTS,
         **_question(first, _EXAMPLES[0][2] if wrench is None else wrench),
         "examples": [
