@@ -22,6 +22,7 @@ from equilibrium.io.files import read_grasp
 from equilibrium.lab import lab_page
 from equilibrium.solver.contact_states import contact_states
 from equilibrium.verdict import Solver
+from equilibrium.wrench_sets import resisted_set
 from tests.browser import Browser
 from tests.instances import is_in_space
 from tests.labs import choose, enter, invalid, open_file, problem
@@ -149,16 +150,21 @@ def test_it_finds_the_contact_states_that_occur(opened: Browser) -> None:
         assert sorted(map(tuple, states)) == sorted(contact_states(grasp))
 
 
-def test_its_map_of_forces_is_that_of_the_solver(opened: Browser) -> None:
-    for grasp, (*_, torque) in questions(25, seed=13):
-        forces = [[Fraction(x, 2), Fraction(y, 2)] for x in (-3, 0, 1) for y in (-2, 0, 1)]
-        resisted = opened.run(
-            "return lab.resists(arguments[0], arguments[1], arguments[2])",
-            grasp.to_dict(),
-            str(torque),
-            [list(map(str, force)) for force in forces],
+def _full(piece: dict[str, Any]) -> list[list[str]]:
+    return [] if piece["equalities"] else sorted(piece["inequalities"])
+
+
+def test_its_pieces_of_wrenches_are_those_of_the_resisted_set(opened: Browser) -> None:
+    """As conditions; where they have equalities, those have no one form, and are counted."""
+    grasps = [grasp for grasp, _ in questions(40, seed=13)]
+    listed = opened.run("return arguments[0].map(lab.pieces)", [g.to_dict() for g in grasps])
+    for grasp, pieces in zip(grasps, listed, strict=True):
+        expected = [piece.polyhedron.to_dict() for piece in resisted_set(grasp).pieces]
+        found, due = (
+            sorted((len(one["equalities"]), _full(one)) for one in some)
+            for some in (pieces, expected)
         )
-        assert resisted == [solve(grasp, [*force, torque]).stable for force in forces]
+        assert found == due
 
 
 def test_the_border_is_met_exactly(opened: Browser) -> None:

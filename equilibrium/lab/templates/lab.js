@@ -84,10 +84,11 @@ Object.assign(window, { lab: {
   check: checkDocument,
   says: (method, grasp, wrench) => saidBy(method, readGrasp(grasp), readWrench(wrench)),
   states: (grasp) => [...statesOf(readGrasp(grasp))].filter(Boolean).map(({ states }) => states),
-  resists(grasp, torque, forces) {
+  pieces(grasp) {
     const contacts = readGrasp(grasp);
-    const found = [...piecesOf(contacts, statesOf(contacts))].filter(Boolean);
-    return forces.map((force) => piecesAt(found, [...[...force, torque].map(readNumber), ONE]).length > 0);
+    const rows = (list) => list.map(({ exact }) => texts(exact));
+    return maximal([...piecesOf(contacts, statesOf(contacts))].filter(Boolean))
+      .map(({ states, atLeast, equal }) => ({ states, inequalities: rows(atLeast), equalities: rows(equal) }));
   },
 } });
 
