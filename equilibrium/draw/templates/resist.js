@@ -23,8 +23,7 @@ function* allPieces() {
     const grasp = loaded(kind, ONE);
     const found = [];
     for (const piece of piecesOf(grasp, statesOf(grasp))) { if (piece) found.push(piece); yield null; }
-    sets.set(kind, maximal(found));
-    yield null;
+    sets.set(kind, yield* maximal(found));
   }
 }
 

@@ -5,30 +5,39 @@ function scaled(row) {
   return row.map((x) => x / largest);
 }
 
-// The exact sign of a form at a point; floats decide where they are far from doubt, else what `point` gives.
-function signOf(row, point, floats) {
+// The sign of a sum of products, where floats are far from doubt; else null.
+function sureSign(row, floats) {
   let [sum, size] = [0, 0];
-  row.float.forEach((x, i) => { sum += x * floats[i]; size += Math.abs(x * floats[i]); });
-  if (Math.abs(sum) > 1e-9 * size) return Math.sign(sum);
-  const value = dotted(row.exact, point()).n;
-  return value > 0n ? 1 : value < 0n ? -1 : 0;
+  for (let i = 0; i < row.length; i += 1) {
+    const share = row[i] * floats[i];
+    sum += share;
+    size += Math.abs(share);
+  }
+  return Math.abs(sum) > 1e-9 * size ? Math.sign(sum) : null;
 }
+
+// The exact sign of a form at a point.
+const signOf = (row, point, floats) => sureSign(row.float, floats) ?? order(dotted(row.exact, point), ZERO);
 
 function piecesAt(pieces, point) {
   const floats = point.map(near);
-  return pieces.filter((piece) => piece.equal.every((row) => signOf(row, () => point, floats) === 0)
-    && piece.atLeast.every((row) => signOf(row, () => point, floats) >= 0));
+  return pieces.filter((piece) => piece.equal.every((row) => signOf(row, point, floats) === 0)
+    && piece.atLeast.every((row) => signOf(row, point, floats) >= 0));
 }
 
-// The pieces that lie in no other one; of equal ones the first.
-function maximal(list) {
-  const floats = new Map(list.map((piece) => [piece, piece.ends.map((end) => ({ end, float: scaled(end.map((x) => near(ratio(x)))) }))]));
-  const within = (one, other) => floats.get(one).every(({ end, float }) => {
-    const exact = () => end.map((x) => ratio(x));
-    return other.equal.every((row) => signOf(row, exact, float) === 0) && other.atLeast.every((row) => signOf(row, exact, float) >= 0);
-  });
-  return list.reduce((left, piece) => (left.some((other) => within(piece, other)) ? left
-    : [...left.filter((other) => !within(other, piece)), piece]), []);
+// Returns the pieces that lie in no other one, of equal ones the first; yields null.
+function* maximal(list) {
+  const floats = new Map(list.map((piece) => [piece, piece.ends.map((end) => scaled(end.map((x) => near(ratio(x)))))]));
+  const within = (one, other) => {
+    const sign = (row, k) => sureSign(row.float, floats.get(one)[k]) ?? order(ratio(dotOf(row.whole, one.ends[k])), ZERO);
+    return one.ends.every((_, k) => other.equal.every((row) => sign(row, k) === 0) && other.atLeast.every((row) => sign(row, k) >= 0));
+  };
+  let left = [];
+  for (const piece of list) {
+    if (!left.some((other) => within(piece, other))) left = [...left.filter((other) => !within(other, piece)), piece];
+    yield null;
+  }
+  return left;
 }
 
 // What nine of ten corners do not exceed, by a size of (f_x, f_y, τ) at p = 1: few may be very far away.

@@ -31,7 +31,7 @@ function pieceFrom(grasp, { states, cone = null }, printed = false) {
   const hull = generators(4, ends, all.lines.map(image));
   const conditions = (list) => list.map((condition) => {
     const exact = condition.map((x) => ratio(x));
-    return { exact, float: scaled(exact.map(near)) };
+    return { whole: condition, exact, float: scaled(exact.map(near)) };
   });
   return { states, ends, atLeast: conditions(hull.rays.filter((one) => one.slice(0, 3).some((x) => x))), equal: conditions(hull.lines) };
 }

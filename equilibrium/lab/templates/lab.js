@@ -87,7 +87,7 @@ Object.assign(window, { lab: {
   pieces(grasp) {
     const contacts = readGrasp(grasp);
     const rows = (list) => list.map(({ exact }) => texts(exact));
-    return maximal([...piecesOf(contacts, statesOf(contacts))].filter(Boolean))
+    return drained(maximal([...piecesOf(contacts, statesOf(contacts))].filter(Boolean)))
       .map(({ states, atLeast, equal }) => ({ states, inequalities: rows(atLeast), equalities: rows(equal) }));
   },
 } });
