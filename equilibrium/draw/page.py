@@ -63,19 +63,20 @@ def resist_page(grasp: Grasp, *, wrench: Wrench | None = None, title: str | None
     applied = None if wrench is None else read_wrench(wrench)
     number = f"{len(grasp)} contact{'' if len(grasp) == 1 else 's'}"
     heading = title if title is not None else f"Forces that {number} resist"
-    names = ["f_x", "f_y"]
+    axes = ["f_x", "f_y"]
     data = {
         "title": heading,
         "summary": _summary(grasp),
         "grasp": grasp.to_dict(),
         "torque": to_text(applied[2]) if applied else "0",
         "force": [to_text(x) for x in applied[:2]] if applied else None,
-        "axes": [f"{n} ({grasp.units.force})" for n in names] if grasp.units else names,
+        "axes": [f"{axis} ({grasp.units.force})" for axis in axes] if grasp.units else axes,
         "most": MAX_CONTACTS,
         **_preloads(grasp),
         **grasp_data(grasp),
     }
-    styles: list[Template] = [BASE_STYLE, (_OWN, "sketch.css"), (_OWN, "resist.css")]
+    names = ("sketch", "plane", "resist")
+    styles = [BASE_STYLE, *((_OWN, f"{name}.css") for name in names)]
     buttons = ["home", "theme", "print"]
     return one_page(heading, (_OWN, "resist.html"), styles, SCRIPTS, data, buttons)
 

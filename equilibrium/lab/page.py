@@ -109,7 +109,7 @@ def lab_page(
         "origin": [0, 0],
         "exercises": slip_exercises(exercises),
     }
-    styles: list[Template] = [(_DRAW, "sketch.css"), (_OWN, "lab.css")]
+    styles = [(_DRAW, "sketch.css"), (_DRAW, "plane.css"), (_OWN, "lab.css")]
     return lab(heading, (_OWN, "lab.html"), styles, SCRIPTS, data, DECIDES)
 
 
