@@ -312,7 +312,7 @@ class TestAnswers:
             solve(FINGERS, [0] * length)
 
     def test_what_the_plane_alone_has_is_one_clear_error(self, capsys):
-        for command in (["region"], ["polyhedra"], ["wrench-space"]):
+        for command in (["region"], ["polyhedra"], ["map"]):
             assert main([command[0], "two-opposed-fingers", *command[1:]]) == 2
             error = capsys.readouterr().err
             assert "this grasp is in space" in error
