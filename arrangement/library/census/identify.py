@@ -17,7 +17,7 @@ from arrangement.planes import Planes
 
 from .catalogue import MOST_PLANES, chirotopes, exact_chirotope, normals, places
 from .chirotopes import Signs, t_vectors
-from .codes import canonical, carried
+from .codes import Coded, canonical, carried
 
 
 @dataclass(frozen=True)
@@ -86,12 +86,10 @@ def identify(arrangement: Planes) -> Identification:
         t_vector = {k: number for k, number in numbers if number}
         if m <= MOST_PLANES:
             mine = canonical(signs, m)
-            place = _place(signs[0], mine.codes[0], m)
-            theirs = canonical(chirotopes(m, slice(place, place + 1)), m)
+            place, orders, turned = found_type(signs, mine, m)
             number, automorphisms = place + 1, int(mine.automorphisms[0])
-            orders, turned = carried(mine, theirs)
-            order = tuple(firsts[k] for k in orders[0])
-            sides = tuple(turned[0].tolist())
+            order = tuple(firsts[k] for k in orders)
+            sides = tuple(turned.tolist())
             if is_simplicial:
                 names = tuple(name for name, known in _named(m) if _same(known, mine.codes[0]))
             elif not normals(m)[place].any():
@@ -118,14 +116,31 @@ def _catalogue(m: int) -> tuple[Signs, NDArray[np.intp]]:
     return signs, (signs == 0).sum(1)
 
 
+def found_type(signs: Signs, mine: Coded, m: int) -> tuple[int, NDArray[np.intp], Signs]:
+    """Return the place of a chirotope in the census, and how that type is carried onto it.
+
+    Element p of the representative is element ``order[p]``, multiplied by ``sides[p]``.
+
+    Args:
+        signs: (1, triples) for m elements, 3 to 9.
+        mine: their code.
+
+    Raises:
+        LookupError: no planes have these signs.
+    """
+    place = int(places(signs)[0]) if m == MOST_PLANES else _place(signs, mine.codes[0], m)
+    if place < 0:
+        raise LookupError("the code is not in the census")
+    order, sides = carried(mine, canonical(chirotopes(m, slice(place, place + 1)), m))
+    return place, order[0], sides[0]
+
+
 def _place(signs: Signs, code: NDArray[np.int64], m: int) -> int:
-    """Return the place in the census of the type with a chirotope and code."""
-    if m == MOST_PLANES:
-        return int(places(signs[None])[0])
+    """Return the place in the census of up to eight planes, -1 if there is none."""
     known, zeros = _catalogue(m)
     alike = np.flatnonzero(zeros == (signs == 0).sum())
-    (hit,) = np.flatnonzero((canonical(known[alike], m).codes == code).all(1))
-    return int(alike[hit])
+    hits = np.flatnonzero((canonical(known[alike], m).codes == code).all(1))
+    return int(alike[hits[0]]) if len(hits) else -1
 
 
 def _named(m: int) -> Iterator[tuple[str, Arrangement]]:
