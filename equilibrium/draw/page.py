@@ -19,7 +19,7 @@ from arrangement.draw.labels import flattened
 from arrangement.draw.registry import Wrench
 from arrangement.errors import InputError
 from arrangement.exact import to_text
-from arrangement.lab.page import BACKGROUND, LINEAR, RATIONAL
+from arrangement.lab.page import BACKGROUND, FIELDS, LINEAR, RATIONAL
 from equilibrium.model.contact import Contact
 from equilibrium.model.grasp import Grasp, read_wrench
 
@@ -38,6 +38,7 @@ SCRIPTS: tuple[Template, ...] = (
     RATIONAL,
     LINEAR,
     BACKGROUND,
+    FIELDS,
     *((_LAB, f"{name}.js") for name in ("law", "model", "motions", "forces")),
     *((_OWN, f"{name}.js") for name in _MODULES),
 )
