@@ -12,7 +12,7 @@ from typing import Any
 
 from arrangement.arrangement import Arrangement
 from arrangement.draw.html_page import Template
-from arrangement.io.arrangements import read_arrangement
+from arrangement.formats.table import read_arrangement
 from arrangement.library.census import census
 
 from .lines_exercises import line_exercises

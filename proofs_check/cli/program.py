@@ -71,6 +71,14 @@ def _parser() -> terminal.Parser:
     grade.add_argument(
         "answers", nargs="?", metavar="ANSWERS.json", help="(default: list the questions)"
     )
+    table = command(
+        "table",
+        "table.run_table",
+        "compare numbers in print with what is computed (exit 1 if some differ)",
+    )
+    table.add_argument(
+        "table", metavar="FILE.csv", help="columns arrangement, quantity, printed; - for stdin"
+    )
     new = command("new", "run.new_file", "write a file with claims of your own to begin with")
     new.add_argument("name", metavar="NAME", help="of the file; .py is added")
     return parser

@@ -14,7 +14,7 @@ import pytest
 from arrangement import Arrangement, InputError
 from arrangement.cli import main
 from arrangement.counts import characteristic_polynomial, t_vector
-from arrangement.io.arrangements import read_arrangement
+from arrangement.formats.table import read_arrangement
 from arrangement.lab.lines import lab_page
 from arrangement.lab.lines_input import MAX_PLANES
 from arrangement.library import families

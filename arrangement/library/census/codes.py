@@ -47,12 +47,14 @@ class Coded(NamedTuple):
         sides: (N, n); the sign by which element p of the canonical form was multiplied.
         automorphisms: (N,), the order of the group that keeps the chirotope up to sign, by
             relabelling and reorientation, all elements at once counting as nothing.
+        orbits: (N,), the number of orbits of elements under that group.
     """
 
     codes: Integers
     orders: NDArray[np.intp]
     sides: Signs
     automorphisms: Integers
+    orbits: Integers
 
 
 def canonical(signs: Signs, n: int) -> Coded:
@@ -86,7 +88,11 @@ def _canonical(chi: Signs, n: int) -> Coded:
         kept = word == least[of]
         of, order, sides, start = of[kept], order[kept], sides[kept], start[kept]
     _, first, number = np.unique(of, return_index=True, return_counts=True)
-    return Coded(np.stack(words, 1), order[first], sides[first, :n], number)
+    # The flags with the least text are one orbit, so what they have at one place is one too.
+    least = np.full((total, n), n)
+    np.minimum.at(least, of, order)
+    orbits = (np.diff(np.sort(least, axis=1), axis=1) > 0).sum(1) + 1
+    return Coded(np.stack(words, 1), order[first], sides[first, :n], number, orbits)
 
 
 def _parts(rows: NDArray[np.intp]) -> list[NDArray[np.intp]]:
