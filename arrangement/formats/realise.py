@@ -87,13 +87,15 @@ def _attempts(signs: Signs, m: int) -> Iterator[list[IntegerVector] | None]:
 def _of_census(signs: Signs, m: int) -> list[IntegerVector] | None:
     mine = canonical(signs[None], m)
     try:
-        place, theirs = found_type(signs, mine.codes[0], m)
+        place, order, sides = found_type(signs[None], mine, m)
     except LookupError:
         return None
-    back = np.argsort(theirs.orders[0])
-    order, sides = mine.orders[0][back], (mine.sides[0] * theirs.sides[0])[back]
+    if not normals(m)[place].any():
+        raise InputError(
+            "planes with these signs need sqrt(5): they are `arrangement make perles`, relabelled"
+        )
     found: list[IntegerVector] = [()] * m
-    for element, side, normal in zip(order, sides, normals(m)[place], strict=True):
+    for element, side, normal in zip(order, sides, normals(m)[place].tolist(), strict=True):
         found[element] = tuple(int(side) * x for x in normal)
     common = 1 if _signs(found) == tuple(signs.tolist()) else -1
     return [tuple(common * x for x in vector) for vector in found]
