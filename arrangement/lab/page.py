@@ -11,8 +11,6 @@ _OWN = "arrangement.lab"
 #: Exact rationals, and exact linear algebra: they need no page.
 RATIONAL: Template = (_OWN, "rational.js")
 LINEAR: Template = (_OWN, "linear.js")
-#: Long work in short parts.
-BACKGROUND: Template = (_OWN, "background.js")
 #: Fields of exact numbers.
 FIELDS: Template = (_OWN, "fields.js")
 SHARED: tuple[Template, ...] = (

@@ -43,7 +43,9 @@ Opened = Callable[..., Grasp]
 
 def ready(browser: Browser) -> None:
     """Wait until the page has found all pieces."""
-    while browser.run("return document.querySelector('#verdict[aria-busy]')"):
+    for _ in range(1000):
+        if not browser.run("return document.querySelector('#verdict[aria-busy]')"):
+            break
         time.sleep(0.02)
     browser.settled()
 
