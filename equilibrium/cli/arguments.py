@@ -68,6 +68,26 @@ def add_applied(
     add_force(parser, ways)
 
 
+def add_cone(parser: argparse.ArgumentParser) -> None:
+    """Add the choice of friction cones in space: None is round, else edges of a pyramid."""
+    parser.add_argument(
+        "--cone",
+        metavar="pyramid:K",
+        type=_cone,
+        default="round",
+        help="in space: friction pyramids of K edges, K even, in place of round cones",
+    )
+
+
+def _cone(text: str) -> int | None:
+    if text == "round":
+        return None
+    kind, _, count = text.partition(":")
+    if kind != "pyramid" or not count.isascii() or not count.isdigit() or len(count) > 3:
+        raise argparse.ArgumentTypeError(f"{text[:60]!r} is no cone; give pyramid:K or round")
+    return int(count)
+
+
 def add_force(parser: argparse.ArgumentParser, ways: Any) -> None:
     """Add a force or a weight at a point, to the ways in which a wrench can be given."""
     rational = terminal.rational_argument
