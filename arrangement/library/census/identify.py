@@ -87,7 +87,7 @@ def identify(arrangement: Planes) -> Identification:
         t_vector = _points(signs[0], m)
         if m <= MOST_PLANES:
             mine = canonical(signs, m)
-            place, theirs = found_type(signs[0], mine.codes[0], m)
+            place, theirs = _found(signs[0], mine.codes[0], m)
             back = np.argsort(theirs.orders[0])
             number, automorphisms = place + 1, int(mine.automorphisms[0])
             order = tuple(firsts[k] for k in mine.orders[0][back])
@@ -122,19 +122,12 @@ def _catalogue(m: int) -> tuple[Signs, NDArray[np.intp]]:
     return signs, (signs == 0).sum(1)
 
 
-def found_type(signs: Signs, code: NDArray[np.int64], m: int) -> tuple[int, Coded]:
-    """Return the place of a code in the census, and how that representative becomes canonical.
-
-    Raises:
-        LookupError: no planes have these signs.
-    """
+def _found(signs: Signs, code: NDArray[np.int64], m: int) -> tuple[int, Coded]:
+    """Return the place of a code in the census, and how that representative becomes canonical."""
     known, zeros = _catalogue(m)
     places = np.flatnonzero(zeros == (signs == 0).sum())
     theirs = canonical(known[places], m)
-    hits = np.flatnonzero((theirs.codes == code).all(1))
-    if not len(hits):
-        raise LookupError("the code is not in the census")
-    (hit,) = hits
+    (hit,) = np.flatnonzero((theirs.codes == code).all(1))
     return int(places[hit]), canonical(known[places[hit : hit + 1]], m)
 
 
