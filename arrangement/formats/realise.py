@@ -59,8 +59,8 @@ def realise(signs: Signs, n: int) -> list[IntegerVector]:
     if len(firsts) <= _LOOKED_UP:
         raise InputError("no planes have these signs: the census has all types of so many planes")
     raise InputError(
-        f"no coordinates were found for these {len(firsts)} planes; types of up to {_LOOKED_UP} "
-        "are in the census. Give a file with coordinates"
+        f"no coordinates were found for these {len(firsts)} planes; up to {_LOOKED_UP} "
+        "are looked up in the census. Give a file with coordinates"
     )
 
 
