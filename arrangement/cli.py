@@ -66,10 +66,13 @@ def _parser() -> terminal.Parser:
     faces.set_defaults(command=_faces)
 
     identify = commands.add_parser(
-        "identify", help="which combinatorial type it has, of those of at most eight planes"
+        "identify", help="which combinatorial type it has, of those of at most nine planes"
     )
     _add_file(identify)
     identify.set_defaults(command=_identify)
+
+    types = commands.add_parser("census", help="the list of all types of up to nine planes")
+    types.later = lambda: _add_census(types)
 
     bounds = commands.add_parser(
         "bounds", help="count faces of generic planes against the published bounds"
@@ -339,6 +342,12 @@ def _add_draw_options(draw: argparse.ArgumentParser) -> None:
     from .draw.views import DRAWINGS
 
     add_options(draw, DRAWINGS)
+
+
+def _add_census(types: argparse.ArgumentParser) -> None:
+    from .library.census.command import add_commands
+
+    add_commands(types)
 
 
 def _draw(arguments: argparse.Namespace) -> int:

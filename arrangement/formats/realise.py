@@ -1,6 +1,6 @@
 """Integer normals for a chirotope of rank 3.
 
-Up to eight elements they are those of the census's representative, relabelled and reoriented. Of
+Up to the size of the census they are those of its representative, relabelled and reoriented. Of
 more elements one is taken away and put back: where the others stand, its signs are linear
 conditions, which an exact linear program decides. Others may have to stand elsewhere for that, so
 each element is tried; that none fits proves nothing.
@@ -9,21 +9,19 @@ each element is tried; that none fits proves nothing.
 from __future__ import annotations
 
 from collections.abc import Iterator
-from functools import lru_cache
 from itertools import islice
 
 import numpy as np
 
 from arrangement.errors import InputError
 from arrangement.exact import IntegerVector, primitive
-from arrangement.library.census.catalogue import normals
-from arrangement.library.census.chirotopes import Signs, alternating, chirotope_of, triples
+from arrangement.library.census.catalogue import MOST_PLANES, normals
+from arrangement.library.census.chirotopes import Signs, alternating, triples
 from arrangement.library.census.codes import canonical
+from arrangement.library.census.identify import found_type
 from arrangement.linear import determinant
 from arrangement.linprog import Infeasible, feasible_point
 
-#: Elements of chirotopes that are looked up in the census.
-_LOOKED_UP = 8
 #: Linear programs that are tried for more elements than the census has.
 _TRIES = 200
 
@@ -56,11 +54,11 @@ def realise(signs: Signs, n: int) -> list[IntegerVector]:
             result.append(tuple(side * x for x in where[like]))
         if _signs(result) in (tuple(signs.tolist()), tuple((-signs).tolist())):
             return result
-    if len(firsts) <= _LOOKED_UP:
+    if len(firsts) <= MOST_PLANES:
         raise InputError("no planes have these signs: the census has all types of so many planes")
     raise InputError(
-        f"no coordinates were found for these {len(firsts)} planes; up to {_LOOKED_UP} "
-        "are looked up in the census. Give a file with coordinates"
+        f"no coordinates were found for these {len(firsts)} planes; types of up to {MOST_PLANES} "
+        "are in the census. Give a file with coordinates"
     )
 
 
@@ -74,7 +72,7 @@ def _attempts(signs: Signs, m: int) -> Iterator[list[IntegerVector] | None]:
     if not signs.any():
         yield None
         return
-    if m <= _LOOKED_UP:
+    if m <= MOST_PLANES:
         yield _of_census(signs, m)
         return
     chi = alternating(signs[None], m)[0]
@@ -86,23 +84,19 @@ def _attempts(signs: Signs, m: int) -> Iterator[list[IntegerVector] | None]:
             yield None if vector is None else [*found[:last], vector, *found[last:]]  # type: ignore[index]
 
 
-@lru_cache(maxsize=_LOOKED_UP)
-def _census(m: int) -> Signs:
-    return chirotope_of(np.array(normals(m), dtype=np.int64))
-
-
 def _of_census(signs: Signs, m: int) -> list[IntegerVector] | None:
-    listed, mine = _census(m), canonical(signs[None], m)
-    alike = np.flatnonzero((listed == 0).sum(1) == (signs == 0).sum())
-    theirs = canonical(listed[alike], m)
-    hits = np.flatnonzero((theirs.codes == mine.codes).all(1))
-    if not len(hits):
+    mine = canonical(signs[None], m)
+    try:
+        place, order, sides = found_type(signs[None], mine, m)
+    except LookupError:
         return None
-    back = np.argsort(theirs.orders[hits[0]])
-    order, sides = mine.orders[0][back], (mine.sides[0] * theirs.sides[hits[0]])[back]
+    if not normals(m)[place].any():
+        raise InputError(
+            "planes with these signs need sqrt(5): they are `arrangement make perles`, relabelled"
+        )
     found: list[IntegerVector] = [()] * m
-    for element, side, normal in zip(order, sides, normals(m)[alike[hits[0]]], strict=True):
-        found[element] = tuple(int(side) * int(x) for x in normal)
+    for element, side, normal in zip(order, sides, normals(m)[place].tolist(), strict=True):
+        found[element] = tuple(int(side) * x for x in normal)
     common = 1 if _signs(found) == tuple(signs.tolist()) else -1
     return [tuple(common * x for x in vector) for vector in found]
 

@@ -40,7 +40,7 @@ def _parser() -> terminal.Parser:
         command(
             "sweep",
             "sweep.run_sweep",
-            "check one claim on very many random instances; can be interrupted",
+            "check one claim on very many instances; can be interrupted",
         )
     )
     status = command("status", "sweep.run_status", "say how far a sweep is, also while it runs")
@@ -129,19 +129,24 @@ def _add_own(parser: argparse.ArgumentParser) -> argparse._ArgumentGroup:
 
 def _add_sweep(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("claim", metavar="ID", help="a claim, FILE.py, or FILE.py:ID")
-    parser.add_argument(
+    instances = parser.add_mutually_exclusive_group(required=True)
+    instances.add_argument(
         "--planes",
         type=_range,
-        required=True,
         metavar="LOW..HIGH",
-        help="numbers of planes, or of contacts",
+        help="numbers of planes, or of contacts, of random instances",
+    )
+    instances.add_argument(
+        "--types",
+        type=_range,
+        metavar="LOW..HIGH",
+        help="numbers of planes, 3 to 9: every combinatorial type of rank 3, no random ones",
     )
     parser.add_argument(
         "--samples",
         type=terminal.integer_argument,
-        required=True,
         metavar="N",
-        help="instances in all",
+        help="random instances in all",
     )
     _add_seed(parser)
     parser.add_argument(

@@ -461,6 +461,7 @@ def test_commands_take_tables_and_round_normals_on_demand(capsys, tmp_path):
     out = json.loads(capsys.readouterr().out)
     assert main(["solve", "paper-three-contacts-preload-1", "--wrench", "0,1,0", "--json"]) == 0
     assert out == json.loads(capsys.readouterr().out)
+    assert main(["lab", str(table), "-o", str(tmp_path / "lab.html")]) == 0
     assert main(["solve", str(slanted), "--wrench", "0,0,0"]) == 2
     assert "--round-normals" in capsys.readouterr().err
     assert main(["solve", str(slanted), "--wrench", "0,0,0", "--round-normals"]) in (0, 1)

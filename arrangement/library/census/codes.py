@@ -69,6 +69,18 @@ def canonical(signs: Signs, n: int) -> Coded:
     return Coded(*(np.concatenate(columns) for columns in zip(*parts, strict=True)))
 
 
+def carried(mine: Coded, theirs: Coded) -> tuple[NDArray[np.intp], Signs]:
+    """Return how chirotopes of the same codes are carried onto others: orders and sides, (N, n).
+
+    Element p of theirs is element ``order[p]`` of mine, multiplied by ``sides[p]``.
+    """
+    back = np.argsort(theirs.orders, axis=1)
+    shape = np.broadcast_shapes(mine.orders.shape, back.shape)
+    back = np.broadcast_to(back, shape)
+    order = np.take_along_axis(mine.orders, back, axis=1)
+    return order, np.take_along_axis(mine.sides * theirs.sides, back, axis=1)
+
+
 def _canonical(chi: Signs, n: int) -> Coded:
     total = len(chi)
     code, flags = _along_first_lines(chi, n)

@@ -20,7 +20,7 @@ FAMILIES: Mapping[str, Callable[..., Arrangement]] = {
     for function in (
         *(classical.generic, classical.pencil, classical.near_pencil, classical.coordinate),
         *(classical.braid, classical.type_b, classical.type_d, coxeter),
-        *(classical.h3, classical.h4, regular),
+        *(classical.h3, classical.h4, classical.perles, regular),
         *(deformations.shi, deformations.catalan, deformations.linial, deformations.semiorder),
         *(deformations.ish, deformations.ish_b),
         *(graphs.graphical, graphs.bigraphical, graphs.signed_graphical),
