@@ -128,8 +128,8 @@ class _Motions:
             forces = [_combined(known, row) for row in each_force(system)]
         return {
             "states": list(states),
-            "inequalities": [[str(x) for x in row] for row in shape.inequalities],
-            "equalities": [[str(x) for x in row] for row in shape.equalities],
+            "inequalities": [list(map(to_text, row)) for row in shape.inequalities],
+            "equalities": [list(map(to_text, row)) for row in shape.equalities],
             "motion": list(map(_texts, known[:3])),
             "resting": list(map(_texts, known[3:])),
             "forces": None if fixed else list(map(_texts, forces)),
@@ -158,7 +158,7 @@ class _Motions:
 
 
 def _texts(form: IntegerVector | None) -> list[str] | None:
-    return None if form is None else [str(x) for x in form]
+    return None if form is None else list(map(to_text, form))
 
 
 def _combined(forms: Sequence[IntegerVector | None], row: RationalVector) -> IntegerVector | None:
