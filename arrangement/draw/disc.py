@@ -9,6 +9,8 @@ from typing import Any
 
 import numpy as np
 
+from arrangement.exact import dot
+
 from .colours import DrawnRegion, Painter
 from .globe import Globe
 from .items import Box, Floats
@@ -108,7 +110,7 @@ class Disc:
             if circle == globe.limb:
                 colour = colour if is_plane else "black"
                 style |= {"ec": colour, "lw": 1.6 if is_plane else 0.6, "gid": f"limb-{arc}"}
-            elif globe.cut.arc_signs(arc)[-1] > 0:
+            elif dot(globe.cut.arc_witness(arc), globe.direction) > 0:
                 thick = 1.3 if self.ink is not None else 0.9
                 style |= {"ec": colour, "lw": thick, "gid": f"front-{arc}"}
             else:

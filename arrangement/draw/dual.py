@@ -10,7 +10,6 @@ import numpy as np
 from arrangement.arrangement import Arrangement
 from arrangement.exact import IntegerVector
 from arrangement.polyhedra.dual import dual_polyhedron
-from arrangement.polyhedra.inscribed import representative_hull
 
 from .colours import BLUE, VERMILION, DrawnRegion, Painter, plane_colour
 from .coordinates import in_coordinates
@@ -86,6 +85,8 @@ def draw_dual(
         globe = Globe(arrangement, _oblique_direction(globe))
     colours = globe.colouring(colour, antipodes)
     if hull:
+        from arrangement.polyhedra.inscribed import representative_hull
+
         found = representative_hull(dual_polyhedron(arrangement))
         solid = hull_solid(found, globe.direction, globe.axes)
         points = np.array([[float(x) for x in p] for p in found.hull.points]) @ globe.axes.T
