@@ -11,7 +11,7 @@ import numpy as np
 
 from arrangement.exact import dot
 
-from .colours import DrawnRegion, Painter
+from .colours import DrawnRegion, Painter, letter_colour
 from .globe import Globe
 from .items import Box, Floats
 from .labels import SIZES, flattened, keep_off, spread, turn, write_inside
@@ -139,7 +139,7 @@ class Disc:
             leader = self.on_paper(ends_at * [[1.0], [1 + 2.6 / self.radius]])
             colour = self.ink(circle) if self.ink is not None else "black"
             self.scene.line(leader, ec=colour, lw=0.4, zorder=2)
-            self._name(ends_at[1], text, colour)
+            self._name(ends_at[1], text, letter_colour(circle) if self.ink else "black")
 
     def _name(self, outward: Floats, text: str, colour: str) -> None:
         for size in (7.0, 6.0, 5.0):

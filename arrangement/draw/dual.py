@@ -11,7 +11,7 @@ from arrangement.arrangement import Arrangement
 from arrangement.exact import IntegerVector
 from arrangement.polyhedra.dual import dual_polyhedron
 
-from .colours import BLUE, VERMILION, DrawnRegion, Painter, plane_colour
+from .colours import BLUE, VERMILION, DrawnRegion, Painter, letter_colour, plane_colour
 from .coordinates import in_coordinates
 from .disc import HIDDEN, Disc, front, plane_names, rim_width
 from .essential import shown_as
@@ -237,7 +237,7 @@ class _Picture:
             text = plane_names(classes[c])
             for _, e in sorted(edges):
                 ends = self.places[list(solid.edges[e][:2])]
-                ink = {"color": plane_colour(c), "style": "italic"}
+                ink = {"color": letter_colour(c), "style": "italic"}
                 if write_along(self.scene, ends, text, 6.0, blocked, **ink):
                     break
 

@@ -54,12 +54,14 @@ def figure(scene: Scene) -> Figure:
     axes.set(xlim=(0, scene.width), ylim=(0, scene.height))
     axes.set_axis_off()
     runs = groupby(sorted(scene.items, key=lambda item: item.height), key=type)
-    for k, (kind, items) in enumerate(runs):
-        if kind is Path:
-            axes.add_artist(Paths(items)).set_zorder(k)
-        else:
-            for item in items:
+    for k, (_, items) in enumerate(runs):
+        paths = []
+        for item in items:
+            if isinstance(item, Path):
+                paths.append(item)
+            else:
                 _draw(axes, item, {**item.style, "zorder": k})
+        axes.add_artist(Paths(paths)).set_zorder(k)
     return made
 
 
