@@ -22,7 +22,7 @@ from arrangement.draw.colours import DrawnRegion, colouring
 from arrangement.draw.figure import figure
 from arrangement.draw.output import picture_bytes
 from arrangement.draw.scene import Scene
-from arrangement.io.arrangements import read_arrangement
+from arrangement.formats.table import read_arrangement
 from tests.drawn import paths
 
 NAMES = ["four-generic-planes", "braid-a3", "reflection-b3", "pencil", "coincident-planes"]

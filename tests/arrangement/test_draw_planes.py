@@ -21,7 +21,7 @@ from arrangement.draw import write_drawing
 from arrangement.draw.exploded_cells import lifted_cells
 from arrangement.draw.painting import Facet, Stage
 from arrangement.draw.planes import draw_planes
-from arrangement.io.arrangements import read_arrangement
+from arrangement.formats.table import read_arrangement
 from arrangement.polyhedra.cells import cut_cells
 from tests.drawn import paths
 

@@ -37,7 +37,7 @@ from arrangement.draw.projections import Chart, stereographic
 from arrangement.draw.scene import Scene
 from arrangement.draw.solids import dual_solid
 from arrangement.draw.tutte import tutte_places
-from arrangement.io.arrangements import read_arrangement
+from arrangement.formats.table import read_arrangement
 from arrangement.polyhedra.dual import dual_polyhedron
 from arrangement.polyhedra.inscribed import representative_hull
 from tests.drawn import paths

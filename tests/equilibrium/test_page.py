@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+import time
 from collections.abc import Callable, Sequence
 from dataclasses import replace
 from fractions import Fraction
@@ -39,6 +40,13 @@ MIXED = Grasp(
 Opened = Callable[..., Grasp]
 
 
+def ready(browser: Browser) -> None:
+    """Wait until the page has found all pieces."""
+    while browser.run("return document.querySelector('#verdict[aria-busy]')"):
+        time.sleep(0.02)
+    browser.settled()
+
+
 @pytest.fixture
 def opened(browser: Browser, tmp_path: Path) -> Opened:
     """Return a function that writes the page of a grasp and opens it."""
@@ -48,7 +56,7 @@ def opened(browser: Browser, tmp_path: Path) -> Opened:
         path = tmp_path / "page.html"
         path.write_text(resist_page(grasp, **options), encoding="utf-8")
         browser.open(path)
-        browser.settled()
+        ready(browser)
         return grasp
 
     return open_page
@@ -333,7 +341,7 @@ def test_nothing_sticks_out_of_the_window(width: int, browser: Browser, tmp_path
     path = tmp_path / "page.html"
     path.write_text(resist_page(MIXED), encoding="utf-8")
     browser.open(path, width=width)
-    browser.settled()
+    ready(browser)
     assert browser.run("return document.documentElement.scrollWidth") <= width
     assert browser.messages() == []
 

@@ -12,6 +12,7 @@ from scipy.optimize import linprog
 
 from arrangement.errors import InputError
 from equilibrium.certificate.checker import check
+from equilibrium.certificate.document import resisted_certificate
 from equilibrium.cli.program import main
 from equilibrium.inputs import random_grasp, random_wrench, read_any
 from equilibrium.io.files import read_grasp
@@ -20,8 +21,10 @@ from equilibrium.model.errors import GraspError, UndecidedError
 from equilibrium.model.grasp import Grasp
 from equilibrium.model.pyramid import pyramid_edges
 from equilibrium.model.unit_normal import unit_normal
+from equilibrium.solver.space.equilibria import SpatialSolution
 from equilibrium.spatial_verdict import solve_in_space
 from equilibrium.verdict import Solver, solve
+from equilibrium.wrench_sets.known_loads import KnownLoads, KnownMagnitudes, blends
 from equilibrium.wrench_sets.spatial import spatial_magnitudes
 
 HAIR = 1 + Fraction(1, 10**6)
@@ -71,6 +74,44 @@ class TestBorders:
     def test_limits_are_brackets_of_two_proofs(self):
         (border,) = spatial_magnitudes(FINGERS, across("3/5", "4/5"), width="1/100").borders
         assert border.resisted == 1 < border.refused <= Fraction(100, 99)
+
+
+class TestKnownLoads:
+    def known(self, grasp, along):
+        return KnownMagnitudes(KnownLoads(grasp, 100), tuple(map(Fraction, along)), (0,) * 6)
+
+    def test_a_tree_refutes_the_magnitudes_between_its_edges_and_no_other(self):
+        known = self.known(FINGERS, across("3/5", "4/5"))
+        assert known.verdict(Fraction(2)) == "not resisted"
+        low, high = known.refuting(Fraction(2))
+        assert (1 <= low < 2, high) == (True, None)
+        tree = solve_in_space(FINGERS, [2 * x for x in known.along]).certificate.to_dict()
+        for t, valid in ((low, False), (low + Fraction(1, 10**9), True), (10**9, True)):
+            wrench = [str(t * x) for x in known.along]
+            assert bool(check({**tree, "wrench": wrench})) == valid
+
+    def test_between_equilibria_that_blend_there_are_equilibria(self):
+        loads = [on_the_table("1/8", 0), on_the_table(0, "1/4"), on_the_table("1/16", "1/8", 1)]
+        one, *others = [solve_in_space(FEET, load) for load in loads]
+        for other in others:
+            share, (a, b) = Fraction(1, 3), (one.solution, other.solution)
+            assert blends(FEET, a, b)
+            middle = [mixed(share, *pair) for pair in zip(a.forces, b.forces, strict=True)]
+            load = mixed(share, one.wrench, other.wrench)
+            proof = resisted_certificate(FEET, load, mixed(share, a.motion, b.motion), middle)
+            assert proof.verify()
+
+    def test_contacts_that_do_something_else_do_not_blend(self):
+        motions = [(1, 0, -1), (2, 0, -1), (-1, 0, -1), (0, 1, -1), (0, 0, -1), (0, 1, 1)]
+        forces = ((Fraction(0),) * 3,) * 4
+        found = [SpatialSolution((*map(Fraction, v), *[Fraction(0)] * 3), forces) for v in motions]
+        slip, further, *others = found
+        assert blends(FEET, slip, further)
+        assert not any(blends(FEET, slip, other) for other in others)
+
+
+def mixed(share, one, other):
+    return tuple(share * x + (1 - share) * y for x, y in zip(one, other, strict=True))
 
 
 def in_space(wrench):
@@ -271,7 +312,7 @@ class TestAnswers:
             solve(FINGERS, [0] * length)
 
     def test_what_the_plane_alone_has_is_one_clear_error(self, capsys):
-        for command in (["region"], ["polyhedra"], ["wrench-space"]):
+        for command in (["region"], ["polyhedra"], ["map"]):
             assert main([command[0], "two-opposed-fingers", *command[1:]]) == 2
             error = capsys.readouterr().err
             assert "this grasp is in space" in error

@@ -48,7 +48,7 @@ function nextStates() {
 }
 
 function goHome() {
-  Object.assign(state, { middle: [0, 0], half: data.half });
+  Object.assign(state, { middle: [0, 0], half: state.home });
   refresh();
 }
 
@@ -149,7 +149,7 @@ function begin() {
   }));
   field("torque", setTorque);
   field("preload", setFactor);
-  slider("torque-slider", data.torque_reach, -data.torque_reach, setTorque);
+  slider("torque-slider", 1, -1, setTorque);
   slider("preload-slider", data.preload_reach, 0, setFactor);
   at("preload-kind-row").hidden = !sets.has("own");
   const nameIt = () => { at("preload-name").textContent = state.kind === "own" ? "factor" : "preload"; };
@@ -160,9 +160,24 @@ function begin() {
   at("print").addEventListener("click", () => window.print());
   at("home").addEventListener("click", goHome);
   listen();
-  legend();
+  at("verdict").setAttribute("aria-busy", "true");
+  inSlices(allPieces(), () => {
+    at("verdict").removeAttribute("aria-busy");
+    firstView();
+    legend();
+    goHome();
+  }, { first: 80 });
   new ResizeObserver(fit).observe(at("plane"));
   fit();
+}
+
+// How much of the plane is shown at first, and how far the torque can be moved.
+function firstView() {
+  const own = pieces();
+  const reach = (sizeOf, load, room, least) => room * Math.max(typical(own, sizeOf) * near(state.factor), ...load.map((x) => Math.abs(near(x)))) || least;
+  state.home = reach(([x, y]) => Math.max(x, y), state.kept ?? [], 1.4, 2);
+  const far = reach(([,, z]) => z, [state.torque], 1.2, 1);
+  Object.assign(at("torque-slider"), { min: -far, max: far, step: far / 40 });
 }
 
 begin();
