@@ -19,7 +19,7 @@ from arrangement.draw.labels import flattened
 from arrangement.draw.registry import Wrench
 from arrangement.errors import InputError
 from arrangement.exact import to_text
-from arrangement.lab.page import BACKGROUND, LINEAR, RATIONAL
+from arrangement.lab.page import FIELDS, LINEAR, RATIONAL
 from equilibrium.model.contact import Contact
 from equilibrium.model.grasp import Grasp, read_wrench
 
@@ -37,8 +37,8 @@ SCRIPTS: tuple[Template, ...] = (
     POLYGON,
     RATIONAL,
     LINEAR,
-    BACKGROUND,
-    *((_LAB, f"{name}.js") for name in ("law", "model", "motions", "forces")),
+    FIELDS,
+    *((_LAB, f"{name}.js") for name in ("background", "law", "model", "motions", "forces")),
     *((_OWN, f"{name}.js") for name in _MODULES),
 )
 
