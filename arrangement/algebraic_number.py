@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from fractions import Fraction
 from functools import total_ordering
 from typing import TYPE_CHECKING, Any, TypeAlias
@@ -205,6 +205,19 @@ def field_of(values: Any) -> NumberField | None:
             elif value.field is not found:
                 check_same_field(found, value.field)
     return found
+
+
+def residues(rows: Iterable[Sequence[Any]], prime: int) -> list[list[int]]:
+    """Return integral vectors modulo a prime that has an image of their field, if they have one."""
+
+    def residue(x: int | AlgebraicNumber) -> int:
+        if isinstance(x, int):
+            return x % prime
+        root = x.field.root_modulo(prime)
+        assert root is not None
+        return x.residue(prime, root)
+
+    return [list(map(residue, row)) for row in rows]
 
 
 def sum_of_powers(terms: Iterable[tuple[int, Any]]) -> str:

@@ -99,7 +99,7 @@ class Coefficients:
         return found
 
     def unoriented(self, rows: Integers) -> tuple[Integers, NDArray[np.intp], Signs]:
-        """Return one vector for each line of vectors that are not 0.
+        """Return one vector for each line of vectors; vectors that are 0 stay.
 
         Args:
             rows: (N, k, c).
@@ -121,7 +121,7 @@ class Coefficients:
         return primitive(rows @ factors), pivot, sides
 
     def _inverses(self, array: Integers) -> Integers:
-        """Return positive rational multiples of 1 / x, for numbers x that are not 0."""
+        """Return positive rational multiples of 1 / x for numbers x, and 0 for 0."""
         assert self.field is not None
         if self.degree == 2:
             conjugate = array * np.array([1, -1])
@@ -131,7 +131,7 @@ class Coefficients:
             return positive
         made = self.field.made
         listed = list(map(tuple, array.tolist()))
-        known = {x: quotient(1, made(x, 1)).numerator for x in set(listed)}
+        known = {x: quotient(1, made(x, 1)).numerator if any(x) else 0 for x in set(listed)}
         return self.array([[known[x]] for x in listed], 1)[:, 0]
 
     @property

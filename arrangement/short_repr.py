@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import fields, is_dataclass
 from enum import Enum
 from fractions import Fraction
@@ -29,22 +29,30 @@ class Shown:
     shown_fields: ClassVar[tuple[str, ...]] = ()
 
     def __repr__(self) -> str:
-        text = ", ".join(f"{name} {text}" for name, text in _rows(self, IN_LINE))
+        text = ", ".join(f"{name} {text}" for name, text in _rows(self, _names(self), IN_LINE))
         text = text if len(text) <= WIDTH else f"{text[: WIDTH - 3]}..."
         return f"<{type(self).__name__}: {text}>" if text else f"<{type(self).__name__}>"
 
     def _repr_html_(self) -> str | None:
-        cells = "".join(
-            f"<tr><th>{escape(name)}</th><td>{escape(text)}</td></tr>"
-            for name, text in _rows(self, IN_TABLE)
-        )
-        return f"<table><caption>{type(self).__name__}</caption>{cells}</table>"
+        return table(self, _names(self))
 
 
-def _rows(value: Shown, most: int) -> Iterator[tuple[str, str]]:
-    names = value.shown_fields
-    if not names and is_dataclass(value):
-        names = tuple(field.name for field in fields(value) if not field.name.startswith("_"))
+def table(value: object, names: Iterable[str]) -> str:
+    """Return attributes of a value as an HTML table, without those that are empty."""
+    cells = "".join(
+        f"<tr><th>{escape(name)}</th><td>{escape(text)}</td></tr>"
+        for name, text in _rows(value, names, IN_TABLE)
+    )
+    return f"<table><caption>{type(value).__name__}</caption>{cells}</table>"
+
+
+def _names(value: Shown) -> tuple[str, ...]:
+    if value.shown_fields or not is_dataclass(value):
+        return value.shown_fields
+    return tuple(field.name for field in fields(value) if not field.name.startswith("_"))
+
+
+def _rows(value: object, names: Iterable[str], most: int) -> Iterator[tuple[str, str]]:
     for name in names:
         entry = getattr(value, name)
         if not (entry is None or isroutine(entry) or isinstance(entry, partial) or _empty(entry)):

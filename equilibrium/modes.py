@@ -26,6 +26,7 @@ from arrangement.enumeration.fan import Fan
 from arrangement.errors import TimeLimitError
 from arrangement.exact import IntegerVector, primitive
 from arrangement.progress import watched
+from arrangement.short_repr import Shown
 from equilibrium.model.grasp import Grasp
 
 Contacts: TypeAlias = tuple[int, ...]
@@ -36,7 +37,7 @@ S = TypeVar("S")
 
 
 @dataclass(frozen=True, slots=True)
-class Mode(Generic[S]):
+class Mode(Shown, Generic[S]):
     """A contacting-separating or a sliding-sticking mode.
 
     Attributes:
@@ -55,8 +56,8 @@ class Mode(Generic[S]):
         return {"signs": self.signs, "dimension": self.dimension, "motion": self.motion}
 
 
-@dataclass(frozen=True, eq=False)
-class ContactModes:
+@dataclass(frozen=True, eq=False, repr=False)
+class ContactModes(Shown):
     """The modes of rigid contacts, each once, from the smallest dimension up.
 
     Args:
@@ -69,6 +70,7 @@ class ContactModes:
         TimeLimitError: by any property, the deadline is over.
     """
 
+    shown_fields = ("n", "normals", "tangents")
     normals: tuple[IntegerVector, ...]
     tangents: tuple[tuple[IntegerVector, ...], ...]
     n: int

@@ -15,13 +15,14 @@ from functools import cached_property
 from arrangement.errors import InputError
 from arrangement.exact import IntegerVector, bits, unoriented
 from arrangement.planes import Planes
+from arrangement.short_repr import Shown
 
 from .configuration import Configuration, configuration
 from .low_rank import WhitneyMatrix, rank_two_groups
 
 
 @dataclass(frozen=True, slots=True)
-class Flat:
+class Flat(Shown):
     """An intersection of planes.
 
     Attributes:
@@ -36,7 +37,7 @@ class Flat:
 
 
 @dataclass(eq=False)
-class IntersectionLattice:
+class IntersectionLattice(Shown):
     """All nonempty intersections of planes, ordered by reverse inclusion.
 
     For a central arrangement a geometric lattice; for an affine one a semilattice, each of whose
@@ -48,6 +49,7 @@ class IntersectionLattice:
         covers: for each flat, positions in the next level of the flats that cover it.
     """
 
+    shown_fields = ("arrangement",)
     arrangement: Planes
     masks: tuple[tuple[int, ...], ...] = field(repr=False)
     covers: tuple[tuple[tuple[int, ...], ...], ...] = field(repr=False)

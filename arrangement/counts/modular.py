@@ -26,7 +26,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from arrangement.algebraic_number import field_of
+from arrangement.algebraic_number import field_of, residues
 from arrangement.exact import IntegerVector
 
 Integers = NDArray[np.int64]
@@ -166,12 +166,7 @@ class ModularVectors:
         )
 
     def _reduced(self, prime: int) -> Integers:
-        rows = self._vectors
-        if self._field is not None:
-            root = self._field.root_modulo(prime)
-            assert root is not None
-            rows = [[x if isinstance(x, int) else x.residue(prime, root) for x in r] for r in rows]
-        return np.array([[x % prime for x in row] for row in rows], dtype=np.int64)
+        return np.array(residues(self._vectors, prime), dtype=np.int64)
 
     def _grouped(self, labels: Integers, members: NDArray[np.bool_]) -> Covers:
         """Group the vectors beside each flat by equal labels."""

@@ -4,9 +4,12 @@ For a prime q of good reduction, chi(q) is the number of points of F_q^d on none
 modulo q [CrapoRota1970], [Athanasiadis1996]. As chi has degree d and begins with t^d, d such
 numbers determine it.
 
-Reduction is good when planes meet modulo q as they do over the rationals. With the vectors (n, b)
+Reduction is good when planes meet modulo q as they do over the reals. With the vectors (n, b)
 of the planes and infinity (0, ..., 0, 1), that is: every basis of their span stays independent.
 Then so does every independent set, which some basis contains, and no set becomes independent.
+
+Entries in a field Q(a) are reduced modulo primes q at which the minimal polynomial of a has a root
+in F_q, which stands for a: integral vectors are over Z[a], which F_q is then an image of.
 """
 
 from __future__ import annotations
@@ -14,10 +17,11 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 from itertools import combinations, count, islice
 from math import comb, gcd
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from arrangement.algebraic_number import residues
 from arrangement.errors import InputError
 from arrangement.exact import IntegerVector, shown
 from arrangement.linear import determinant, rank
@@ -40,8 +44,8 @@ def by_points(arrangement: Planes, primes: Iterable[int] | None = None) -> sympy
         primes: d or more different primes of good reduction; if omitted, the smallest d.
 
     Raises:
-        InputError: a number that is no prime, a prime of bad reduction, too few primes, or planes
-            that are too many.
+        InputError: a number that is no prime, a prime of bad reduction or without an image of the
+            field of the entries, too few primes, or planes that are too many.
 
     Complexity: C(m + 1, r) determinants for m planes of rank r (of the cone, if affine), and
     q^(d-1) m log m operations for each prime q.
@@ -59,10 +63,11 @@ def by_points(arrangement: Planes, primes: Iterable[int] | None = None) -> sympy
     needed = max(1, d)
     minors = list(_minors(arrangement))
     if primes is None:
-        good = (q for q in map(int, map(sympy.prime, count(1))) if all(g % q for g, _ in minors))
+        usable = (q for q in map(int, map(sympy.prime, count(1))) if _has_image(arrangement, q))
+        good = (q for q in usable if not any(_vanish(g, q) for g, _ in minors))
         chosen = list(islice(good, needed))
     else:
-        chosen = sorted({_checked(q, minors) for q in primes})
+        chosen = sorted({_checked(q, arrangement, minors) for q in primes})
     if len(chosen) < needed:
         raise InputError(f"there are {len(chosen)} different primes; give at least {needed}")
     values = {q: points_off(arrangement, q) - q**d for q in chosen}
@@ -76,19 +81,14 @@ def points_off(arrangement: Planes, prime: int) -> int:
     Along each line in the last direction, the points on planes are counted.
 
     Raises:
-        InputError: a number that is no prime, or too large.
+        InputError: a number that is no prime, or too large, or has no image of the field.
 
     >>> from arrangement import Arrangement
     >>> points_off(Arrangement([[1, 0], [0, 1], [1, 1]]), 5)
     12
     """
     d = arrangement.dimension
-    _check_prime(prime)
-    if arrangement.field is not None:
-        raise InputError(
-            f"the planes have entries in {arrangement.field!r}; points over finite fields are "
-            "counted for rational planes, so use characteristic_polynomial"
-        )
+    _check_prime(prime, arrangement)
     if not d:
         return 1
     if prime ** (d - 1) * max(1, len(arrangement)) > MAX_PAIRS or d * prime**2 >= 1 << 63:
@@ -96,8 +96,7 @@ def points_off(arrangement: Planes, prime: int) -> int:
             f"{len(arrangement)} planes modulo {prime} in dimension {d} take too many steps; "
             "use characteristic_polynomial"
         )
-    planes = np.array([[x % prime for x in row] for row in arrangement.integer_planes])
-    planes = planes.reshape(-1, d + 1)
+    planes = np.array(residues(arrangement.integer_planes, prime)).reshape(-1, d + 1)
     along, across = planes[planes[:, d - 1] == 0], planes[planes[:, d - 1] != 0]
     scale = np.array([pow(int(x), -1, prime) for x in across[:, d - 1]], dtype=np.int64)
     across = across * scale[:, None] % prime
@@ -115,17 +114,15 @@ def points_off(arrangement: Planes, prime: int) -> int:
     return found
 
 
-def _minors(arrangement: Planes) -> Iterator[tuple[int, tuple[int, ...]]]:
-    """Yield for each basis, as indices of planes, the divisor of all its minors of full order."""
+def _minors(arrangement: Planes) -> Iterator[tuple[list[Any], tuple[int, ...]]]:
+    """Yield for each basis, as indices of planes, the minors of full order.
+
+    Rational ones are given as their divisor, and bases left out where that is 1.
+    """
     rows: list[IntegerVector] = [arrangement.integer_planes[p[0]] for p in arrangement.distinct]
     if not arrangement.is_central:
         rows.append((0,) * arrangement.dimension + (1,))
     order = rank(rows)
-    if arrangement.field is not None:
-        raise InputError(
-            f"the planes have entries in {arrangement.field!r}; points over finite fields are "
-            "counted for rational planes, so use characteristic_polynomial"
-        )
     if comb(len(rows), order) > MAX_SETS:
         raise InputError(
             f"{len(arrangement)} planes of rank {arrangement.rank} have over {MAX_SETS} bases to "
@@ -133,32 +130,47 @@ def _minors(arrangement: Planes) -> Iterator[tuple[int, tuple[int, ...]]]:
         )
     columns = [c for c in range(arrangement.dimension + 1) if any(row[c] for row in rows)]
     for chosen in combinations(range(len(rows)), order):
-        divisor = 0
+        divisor, others = 0, []
         for kept in combinations(columns, order):
-            divisor = gcd(divisor, determinant([[rows[i][c] for c in kept] for i in chosen]))
+            minor: Any = determinant([[rows[i][c] for c in kept] for i in chosen])
+            if isinstance(minor, int):
+                divisor = gcd(divisor, minor)
+            else:
+                others.append(minor)
             if divisor == 1:
                 break
-        if divisor > 1:
-            yield (
-                divisor,
-                tuple(arrangement.distinct[i][0] for i in chosen if i < len(arrangement.distinct)),
-            )
+        if divisor > 1 or (others and not divisor):
+            planes = [arrangement.distinct[i][0] for i in chosen if i < len(arrangement.distinct)]
+            yield [divisor, *others], tuple(planes)
 
 
-def _checked(q: int, minors: list[tuple[int, tuple[int, ...]]]) -> int:
+def _vanish(minors: list[Any], q: int) -> bool:
+    return not any(residues([minors], q)[0])
+
+
+def _has_image(arrangement: Planes, q: int) -> bool:
+    return arrangement.field is None or arrangement.field.root_modulo(q) is not None
+
+
+def _checked(q: int, arrangement: Planes, minors: list[tuple[list[Any], tuple[int, ...]]]) -> int:
     """Return a prime of good reduction, or refuse the number."""
-    _check_prime(q)
-    for divisor, planes in minors:
-        if divisor % q == 0:
+    _check_prime(q, arrangement)
+    for divisors, planes in minors:
+        if _vanish(divisors, q):
             raise InputError(
                 f"{q} is a prime of bad reduction: modulo {q} the planes {list(planes)} meet "
-                "otherwise than over the rationals; leave it out"
+                "otherwise than over the reals; leave it out"
             )
     return q
 
 
-def _check_prime(q: int) -> None:
+def _check_prime(q: int, arrangement: Planes) -> None:
     from sympy import isprime
 
     if type(q) is not int or not isprime(q):
         raise InputError(f"{shown(q)} is no prime; give prime numbers")
+    if not _has_image(arrangement, q):
+        raise InputError(
+            f"the entries in {arrangement.field!r} have no image modulo {q}: the polynomial has no "
+            "root there; give other primes, or none"
+        )

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, NamedTuple
 
 from arrangement.errors import InputError
 from arrangement.planes import Planes
+from arrangement.short_repr import table
 
 from .class_sums import flats_and_faces
 from .configuration import configuration
@@ -27,6 +28,9 @@ class WhitneyNumbers(NamedTuple):
 
     first: tuple[int, ...]
     second: tuple[int, ...]
+
+    def _repr_html_(self) -> str:
+        return table(self, self._fields)
 
 
 def doubly_indexed_whitney_numbers(arrangement: Planes) -> WhitneyMatrix:

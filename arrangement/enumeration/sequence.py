@@ -15,7 +15,7 @@ from typing import Any, TypeAlias, overload
 import numpy as np
 from numpy.typing import NDArray
 
-from arrangement.coefficients import SAFE, Integers
+from arrangement.coefficients import SAFE, Coefficients, Integers
 from arrangement.errors import InputError
 from arrangement.exact import (
     IntegerVector,
@@ -23,7 +23,6 @@ from arrangement.exact import (
     fraction,
     largest,
     quotient,
-    reduced,
     shown,
 )
 from arrangement.faces import Face
@@ -196,10 +195,10 @@ def _part(level: Level, chosen: NDArray[np.intp]) -> Level:
 def primitive_rows(rows: Integers) -> Integers:
     """Return vectors along the last axis, each divided by its greatest common divisor."""
     if rows.dtype == object and not all(isinstance(x, int) for x in rows.flat):
-        found = np.empty_like(rows)
-        for at in np.ndindex(rows.shape[:-1]):
-            found[at] = reduced(rows[at].tolist())
-        return found
+        flat = rows.reshape(-1, rows.shape[-1]).tolist()
+        numbers = Coefficients(flat)
+        lines, _, sides = numbers.unoriented(numbers.array(flat, rows.shape[-1]))
+        return numbers.numbers(lines * sides[:, None, None]).reshape(rows.shape)
     divisor = np.abs(np.gcd.reduce(rows, axis=-1, keepdims=True))  # of one object: with its sign
     whole: Integers = rows // np.maximum(divisor, 1)
     return whole

@@ -31,6 +31,7 @@ from itertools import product
 from typing import Any, NamedTuple
 
 from arrangement.exact import IntegerVector, RationalVector
+from arrangement.short_repr import Shown
 from equilibrium.model.errors import CertificateError
 from equilibrium.model.grasp import Grasp
 from equilibrium.model.pyramid import pyramid_edges
@@ -58,8 +59,8 @@ from .space import (
 MAX_DEPTH = 300
 
 
-@dataclass(frozen=True)
-class Report:
+@dataclass(frozen=True, repr=False)
+class Report(Shown):
     """What a check found; it is true exactly when the proof holds.
 
     Attributes:

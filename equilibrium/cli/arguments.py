@@ -31,14 +31,20 @@ def add_command(
     text: str,
     *,
     grasp: bool = True,
+    optional: bool = False,
     preload: bool = True,
     numbers: bool = True,
 ) -> argparse.ArgumentParser:
-    """Add a subcommand; most take a grasp, and a preload in place of its own, and print numbers."""
+    """Add a subcommand; most take a grasp, and a preload in place of its own, and print numbers.
+
+    Args:
+        optional: whether the grasp may be left out.
+    """
     parser: argparse.ArgumentParser = commands.add_parser(name, help=text)
     if grasp:
         text = "a path (JSON, or .csv with one contact a line), - for stdin, or a built-in name"
-        parser.add_argument("grasp", metavar="GRASP", help=text)
+        number: Any = "?" if optional else None
+        parser.add_argument("grasp", metavar="GRASP", nargs=number, help=text)
         text = "take normals of any length: the nearest exact unit vector, with the change reported"
         parser.add_argument("--round-normals", action="store_true", help=text)
     if grasp and preload:

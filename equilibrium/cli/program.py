@@ -143,15 +143,15 @@ def _solve(arguments: argparse.Namespace) -> int:
 
 def _verdict_lines(pieces: Sequence[Equilibrium], grasp: Grasp) -> Iterator[str]:
     if not pieces:
-        yield "not stable: no contact state admits an equilibrium"
+        yield "not resisted: no contact state admits an equilibrium"
         return
-    yield f"stable: {len(pieces)} " + ("equilibrium" if len(pieces) == 1 else "equilibria")
+    yield f"resisted: {len(pieces)} " + ("equilibrium" if len(pieces) == 1 else "equilibria")
     for piece in pieces:
         yield from _equilibrium_lines(grasp, piece, piece.states, _freedom(piece))
 
 
 def _one_of_many(found: Verdict) -> Iterator[str]:
-    yield "stable: the equilibrium found is below; there may be others, and --all lists them"
+    yield "resisted: the equilibrium found is below; there may be others, and --all lists them"
     if found.solution is not None:
         yield from _equilibrium_lines(found.grasp, found.solution, found.states)
 

@@ -9,6 +9,7 @@ import numpy as np
 
 from arrangement.draw.colours import BLACK, GREY, VERMILION
 from arrangement.draw.items import Floats
+from arrangement.draw.legend import Legend
 from arrangement.draw.measuring import POINTS
 from arrangement.draw.scene import Scene
 from arrangement.exact import shown
@@ -60,9 +61,10 @@ def _drawn(
     names: tuple[str, str],
     width: float,
 ) -> Scene:
-    ends = [float(max(b.resisted, b.refused)) for _, m in spokes for b in m.borders]
-    reach = 1.25 * (4 * float(np.median(ends)) if ends else 1.0)
-    reach = min(reach, 1.25 * max(ends, default=1.0)) or 1.0
+    # Of a border at 0 only the width of its bracket is seen, which says nothing about the scale.
+    borders = [b for _, m in spokes for b in m.borders if b.resisted > 0]
+    ends = [float(max(b.resisted, b.refused)) for b in borders]
+    reach = 1.25 * min(4 * float(np.median(ends)), max(ends)) if ends else 1.0
     scene = Scene(width, width)
     middle, scale = np.full(2, width * POINTS / 2), (width * POINTS / 2 - _MARGIN) / reach
     refuted = _refuted(scene, middle, scale, reach, trees)
@@ -88,11 +90,7 @@ def _drawn(
         else:
             rim.append(middle + (reach if known.samples[0][1] == RESISTED else 0) * scale * way)
     scene.polygon(rim, fc=SHADE, ec="none", zorder=0.5, gid="region-1", role="region")
-    scene.legend.key(symbol(_HELD), "proved to be resisted at the samples, from 0 to the border")
-    if refuted:
-        scene.legend.key(symbol(_REFUTED), "proved not to be resisted (white: left open here)")
-    scene.legend.key(symbol("missed"), "between the two proofs (thick: tried, undecided)")
-    scene.legend.line(f"{len(spokes)} directions; the shade between them is a guide, no proof")
+    _explain(scene.legend, spokes, bool(ends), refuted)
     return scene
 
 
@@ -143,3 +141,17 @@ def _refuted(
             corners, fc=_REFUTED, ec="none", zorder=0.4, gid=f"refuted-{k}", role="region"
         )
     return bool(parts)
+
+
+def _explain(
+    legend: Legend, spokes: list[tuple[Floats, SpatialMagnitudes]], ends: bool, refuted: bool
+) -> None:
+    """Say what is drawn, if there are borders beyond 0 or not."""
+    legend.key(symbol(_HELD), "proved to be resisted at the samples, from 0 to the border")
+    if refuted:
+        legend.key(symbol(_REFUTED), "proved not to be resisted (white: left open here)")
+    if ends:
+        legend.key(symbol("missed"), "between the two proofs (thick: tried, undecided)")
+    elif all(known.borders for _, known in spokes):
+        legend.line("nothing is resisted in these directions, 0 aside")
+    legend.line(f"{len(spokes)} directions; the shade between them is a guide, no proof")

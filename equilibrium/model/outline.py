@@ -9,12 +9,13 @@ from typing import Any, ClassVar, TypeAlias
 
 from arrangement.exact import RationalVector, rational, rational_vector, shown, to_text
 from arrangement.io.files import check_keys, check_list
+from arrangement.short_repr import Shown
 
 from .errors import GraspError
 
 
-@dataclass(frozen=True)
-class Polygon:
+@dataclass(frozen=True, repr=False)
+class Polygon(Shown):
     """An object with straight edges.
 
     Args:
@@ -40,8 +41,8 @@ class Polygon:
         return [[to_text(x) for x in corner] for corner in self.corners]
 
 
-@dataclass(frozen=True)
-class Circle:
+@dataclass(frozen=True, repr=False)
+class Circle(Shown):
     """A round object.
 
     Args:
@@ -69,8 +70,8 @@ class Circle:
         return {"centre": [to_text(x) for x in self.centre], "radius": to_text(self.radius)}
 
 
-@dataclass(frozen=True)
-class Mesh:
+@dataclass(frozen=True, repr=False)
+class Mesh(Shown):
     """An object in space with flat faces.
 
     Args:

@@ -14,6 +14,7 @@ from typing import Any, NamedTuple
 
 from arrangement.exact import RationalVector, dot, from_floats
 from arrangement.linear import cross
+from arrangement.short_repr import table
 
 from .errors import GraspError
 
@@ -31,6 +32,9 @@ class UnitNormal(NamedTuple):
 
     normal: RationalVector
     angle_error: Fraction
+
+    def _repr_html_(self) -> str:
+        return table(self, self._fields)
 
 
 def unit_normal(direction: Iterable[Any], tolerance: Any = Fraction(1, 10**6)) -> UnitNormal:

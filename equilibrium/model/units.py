@@ -11,14 +11,15 @@ from typing import Any
 
 from arrangement.exact import shown
 from arrangement.io.files import check_keys
+from arrangement.short_repr import Shown
 
 from .errors import GraspError
 
 _MAX_LENGTH = 20
 
 
-@dataclass(frozen=True)
-class Units:
+@dataclass(frozen=True, repr=False)
+class Units(Shown):
     """The units of length and of force, in the user's words.
 
     >>> Units("mm", "N").torque

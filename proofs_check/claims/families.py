@@ -11,7 +11,6 @@ from arrangement import counts
 from arrangement.arrangement import Arrangement
 from arrangement.library.families.published import PublishedCount, published_counts
 from arrangement.library.families.simplicial import (
-    MISSING,
     printed_vectors,
     simplicial,
     simplicial_entries,
@@ -111,10 +110,8 @@ CLAIMS = (
             ),
         ),
         judge=lambda planes, vectors: vectors == _vectors_in_print(planes),
-        sources=exhaustive(f"{119 - len(MISSING)} of 119 known entries", _entries_of_catalogue),
-        meaning="They are simplicial. Not here are "
-        + ", ".join(f"A{entry}" for entry in MISSING)
-        + ".",
+        sources=exhaustive("all known entries", _entries_of_catalogue),
+        meaning="They are simplicial: the catalogue and the five found after it, 119 in all.",
     ),
     Claim(
         id="regions-in-print",

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import pytest
 from hypothesis import given, settings
+from sympy import sqrt
 
 from arrangement import Arrangement, InputError, counts
 from arrangement.library import families
@@ -25,6 +26,9 @@ from .strategies import arrangements
         families.random_degenerate(9, 3, seed=5, affine=True),
         Arrangement([], dimension=2),
         Arrangement([[1, 0], [-2, 0]]),
+        families.h3(),
+        families.simplicial(15, 5),
+        Arrangement([[sqrt(2), 1], [1, sqrt(2)], [1, 0]], [0, sqrt(2), 5]),
     ],
     ids=str,
 )
@@ -51,3 +55,7 @@ def test_primes_of_bad_reduction_are_refused() -> None:
     with pytest.raises(InputError, match="too many steps"):
         counts.points_off(planes, 2**61 - 1)
     assert counts.by_points(planes, [3, 5]) == counts.characteristic_polynomial(planes)
+    with pytest.raises(InputError, match="no image modulo 7"):
+        counts.by_points(families.h3(), [7, 11, 19])
+    with pytest.raises(InputError, match="bad reduction: modulo 2"):
+        counts.by_points(families.simplicial(17, 8), [2, 7, 17])

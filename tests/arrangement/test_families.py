@@ -17,7 +17,7 @@ import sympy
 from arrangement import Arrangement, InputError, counts
 from arrangement.library import families
 from arrangement.library.families.published import PublishedCount, published_counts
-from arrangement.library.families.simplicial import MISSING, printed_vectors
+from arrangement.library.families.simplicial import printed_vectors
 
 T = sympy.Symbol("t")
 
@@ -318,18 +318,23 @@ def test_catalogue_has_every_rational_entry_up_to_13_planes() -> None:
     assert set(CATALOGUE) <= set(families.simplicial_entries())
 
 
-def test_catalogue_has_all_known_entries_but_the_missing_ones() -> None:
-    assert len(families.simplicial_entries()) == 119 - len(MISSING)
-    assert not set(MISSING) & set(families.simplicial_entries())
+def test_catalogue_has_all_known_entries() -> None:
+    assert len(families.simplicial_entries()) == 119
 
 
-@pytest.mark.parametrize("entry", MISSING[:2])
-def test_missing_entries_say_so(entry: tuple[int, int]) -> None:
-    with pytest.raises(InputError, match="normals are not known here"):
-        families.simplicial(*entry)
+def test_entries_with_the_same_vectors_are_different() -> None:
+    def meets(entry: tuple[int, int]) -> Counter[tuple[int, ...]]:
+        flats = counts.intersection_lattice(families.simplicial(*entry)).flats[2]
+        vertices = Counter(plane for flat in flats for plane in flat.planes)
+        return Counter(tuple(sorted(vertices[p] for p in flat.planes)) for flat in flats)
+
+    assert printed_vectors(19, 4) == printed_vectors(19, 5)
+    assert meets((19, 4)) != meets((19, 5))
 
 
-@pytest.mark.parametrize("entry", [(10, 1), (14, 4), (16, 1), (18, 4), (31, 1)], ids=str)
+@pytest.mark.parametrize(
+    "entry", [(10, 1), (13, 4), (15, 5), (16, 1), (18, 4), (31, 1), (35, 1)], ids=str
+)
 def test_irrational_entries_have_triangles_and_the_printed_vectors(
     entry: tuple[int, int],
 ) -> None:

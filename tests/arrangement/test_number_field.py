@@ -181,8 +181,6 @@ def test_operations_over_a_field() -> None:
     restricted = counts.restriction(h3, 0)
     assert len(restricted.distinct) == 6
     assert counts.cone(counts.deletion(h3, 0)).rank == 4
-    with pytest.raises(InputError, match="rational planes"):
-        counts.by_points(h3)
 
 
 @pytest.mark.parametrize(

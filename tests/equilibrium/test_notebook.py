@@ -12,7 +12,10 @@ from hypothesis import given, settings
 
 from arrangement.exact import to_text
 from equilibrium import Contact, Grasp, Units, read_grasp, solve
+from equilibrium.certificate.checker import Report
 from equilibrium.draw.notebook import MOST_PIECES
+from equilibrium.model import unit_normal
+from equilibrium.model.outline import Circle, Polygon
 
 from .strategies import grasps, wrenches
 
@@ -62,3 +65,22 @@ def test_a_grasp_shows_its_picture(monkeypatch: pytest.MonkeyPatch) -> None:
     assert ET.fromstring(picture).tag.endswith("svg")
     monkeypatch.setitem(sys.modules, "matplotlib", None)
     assert grasp._repr_svg_() is None
+
+
+@pytest.mark.parametrize(
+    ("value", "cells"),
+    [
+        (Units("mm", "N"), ["mm", "N"]),
+        (unit_normal((3, 4)), ["(3/5, 4/5)", "0"]),
+        (Circle((0, 1), "1/2"), ["(0, 1)", "1/2"]),
+        (Polygon([(0, 0), (1, 0), (0, 1)]), ["((0, 0), (1, 0), (0, 1))"]),
+        (
+            Report("resisted", "the force of contact 1", 0),
+            ["resisted", "the force of contact 1", "0"],
+        ),
+    ],
+    ids=lambda value: type(value).__name__,
+)
+def test_small_values_show_a_table(value: Any, cells: list[str]) -> None:
+    assert [cell.text for cell in ET.fromstring(value._repr_html_()).iter("td")] == cells
+    assert len(repr(value)) < 110

@@ -145,9 +145,10 @@ def test_a_cluster_counts_flats_in_parts(
 ) -> None:
     monkeypatch.setattr(counts_in_parts, "_FEW", 0)
     address = json.loads(cluster[0].read_text(encoding="utf-8"))["address"]
-    planes = families.resonance(5)
-    spread = counts_in_parts.first_whitney_numbers_in_parts(planes, tmp_path / "s", dask=address)
-    assert spread == counts.first_whitney_numbers(planes)
+    for planes in (families.resonance(5), families.h4(), families.simplicial(35, 1)):
+        folder = tmp_path / str(len(planes))
+        spread = counts_in_parts.first_whitney_numbers_in_parts(planes, folder, dask=address)
+        assert spread == counts.first_whitney_numbers(planes)
 
 
 @pytest.mark.slow

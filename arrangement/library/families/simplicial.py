@@ -2,14 +2,15 @@
 
 A central arrangement of rank 3 is simplicial when every region has three facets. A(n, k) is the
 k-th entry with n planes in the catalogue, to which four finds of Cuntz and the one of 35 planes
-came later; the near-pencils A(n, 0) are an infinite family and in `near_pencil`. Of the 119 known
-ones with up to 37 planes 106 are here. Not here are `MISSING`: a search did not come upon them, or
-their fields have no number to start from.
+came later; the near-pencils A(n, 0) are an infinite family and in `near_pencil`. All 119 known
+ones with up to 37 planes are here.
 
-The normals were found by search: from a few planes, the plane through vertices that brings t_2
-nearest to 3 + sum of (k - 3) t_k is added, over Q and the square roots of 2, 3 and 5; the members
-of the families of regular polygons are made by `regular`. Entries are told apart by their vectors
-t and r as printed, and those that have these in common by their graphs of regions.
+The normals were found by search: from a few planes, or the orbits of a few under a group, the
+plane or orbit through vertices that brings t_2 nearest to 3 + sum of (k - 3) t_k is added; over Q,
+the square roots of 2, 3 and 5, and modulo primes, from where the numbers were lifted to the fields
+of the roots of a^3 - a - 1 and a^4 - 3a^3 + 3a^2 - 3a + 1. The members of the families of regular
+polygons are made by `regular`. Entries are told apart by their vectors t and r as printed, and
+those that have these in common by their graphs of regions or their symmetries.
 
 Sources: B. Gruenbaum, A catalogue of simplicial arrangements in the real projective plane, Ars
 Mathematica Contemporanea 2 (2009); M. Cuntz, Simplicial arrangements with up to 27 lines,
@@ -32,12 +33,6 @@ from arrangement.number_field import NumberField
 
 from .polygons import regular
 
-#: The known entries without normals here.
-MISSING = (
-    *((13, 4), (14, 3), (15, 5), (17, 8), (19, 4), (21, 7), (22, 5), (23, 2), (24, 4), (25, 3)),
-    *((25, 8), (26, 2), (35, 1)),
-)
-
 
 @cache
 def _document() -> dict[tuple[int, int], dict[str, Any]]:
@@ -53,7 +48,7 @@ def simplicial(planes: int, number: int) -> Arrangement:
     (k - 3) t_k, which is equality in Melchior's inequality; 3/2 as many facets as regions.
 
     Raises:
-        InputError: for an entry that is unknown, or not here.
+        InputError: for an entry that is not known.
 
     >>> simplicial(13, 2).f_vector, simplicial(31, 1).f_vector
     ((1, 50, 144, 96), (1, 242, 720, 480))
@@ -61,9 +56,9 @@ def simplicial(planes: int, number: int) -> Arrangement:
     entry = _entry(planes, number)
     if "normals" not in entry:
         return regular(planes)
-    if "root" not in entry:
+    if "field" not in entry:
         return Arrangement(entry["normals"])
-    field = NumberField([-entry["root"], 0, 1], [0, entry["root"]])
+    field = NumberField(*entry["field"])
     rows = [[x if isinstance(x, int) else field.number(x) for x in row] for row in entry["normals"]]
     return Arrangement(rows)
 
@@ -83,11 +78,6 @@ def simplicial_entries() -> tuple[tuple[int, int], ...]:
 
 def _entry(planes: int, number: int) -> dict[str, Any]:
     entry = (planes, number)
-    if entry in MISSING:
-        raise InputError(
-            f"A{entry} is in the catalogue, but its normals are not known here; give them as an "
-            "arrangement of your own"
-        )
     if entry not in _document():
         known = ", ".join(f"A{key}" for key in _document() if key[0] == planes) or "A(6, 1), ..."
         raise InputError(
