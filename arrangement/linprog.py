@@ -13,13 +13,14 @@ exponential, as for every known simplex rule; the certificates make each answer 
 from __future__ import annotations
 
 import math
+import time
 from collections.abc import Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from typing import TypeAlias
 
 from .errors import ArrangementError
-from .exact import RationalVector, primitive
+from .exact import IntegerVector, RationalVector, primitive
 
 Row: TypeAlias = Sequence[Fraction | int]
 
@@ -64,16 +65,24 @@ class Program:
         n: the number of variables.
         inequalities: rows of n + 1 rationals, constant last, each ``>= 0``.
         equalities: rows of n + 1 rationals, constant last, each ``= 0``.
+        deadline: on the clock `time.monotonic`.
 
     Raises:
         ArrangementError: a row has the wrong length.
+        TimeoutError: the deadline has passed.
     """
 
-    def __init__(self, n: int, inequalities: Sequence[Row], equalities: Sequence[Row] = ()) -> None:
+    def __init__(
+        self,
+        n: int,
+        inequalities: Sequence[Row],
+        equalities: Sequence[Row] = (),
+        deadline: float = math.inf,
+    ) -> None:
         for row in (*inequalities, *equalities):
             if len(row) != n + 1:
                 raise ArrangementError(f"a row has {len(row)} entries; {n} variables need {n + 1}")
-        self._dictionary = _Dictionary(n, inequalities, equalities)
+        self._dictionary = _Dictionary(n, inequalities, equalities, deadline)
         conflict = self._dictionary.eliminate_equalities()
         if conflict is None:
             self._dictionary.eliminate_variables()
@@ -125,11 +134,13 @@ class _Dictionary:
     `unit`: so constants with long denominators leave the other entries short.
     """
 
-    def __init__(self, n: int, inequalities: Sequence[Row], equalities: Sequence[Row]) -> None:
-        self.variables = n
+    def __init__(
+        self, n: int, inequalities: Sequence[Row], equalities: Sequence[Row], deadline: float
+    ) -> None:
+        self.variables, self.deadline = n, deadline
         self.first_equality = n + len(inequalities)
         constraints = [*inequalities, *equalities]
-        integers = [primitive(row[:-1]) for row in constraints]
+        integers = list(map(self._whole, constraints))
         self.scales = [_scale(row, whole) for row, whole in zip(constraints, integers, strict=True)]
         ends = [Fraction(row[-1]) / t for row, t in zip(constraints, self.scales, strict=True)]
         self.unit = math.lcm(*(end.denominator for end in ends))
@@ -139,6 +150,14 @@ class _Dictionary:
         self.cost = [0] * (n + 1)
         self.cost_scale = Fraction(1)
         self.denominator = 1
+
+    def _whole(self, row: Row) -> IntegerVector:
+        self._keep_to_time()
+        return primitive(row[:-1])
+
+    def _keep_to_time(self) -> None:
+        if time.monotonic() > self.deadline:
+            raise TimeoutError("the time is over")
 
     def set_cost(self, objective: Row) -> None:
         """Write an objective as a row over the present columns."""
@@ -155,6 +174,7 @@ class _Dictionary:
 
     def pivot(self, r: int, c: int) -> None:
         """Exchange row r and column c."""
+        self._keep_to_time()
         pivot_row = self.rows[r]
         p, d = pivot_row[c], self.denominator
         flip = 1 if p > 0 else -1

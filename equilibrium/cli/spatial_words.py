@@ -5,12 +5,17 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any
 
-from arrangement.exact import dot, rational_vector
+from arrangement.exact import RationalVector, dot
 from arrangement.number_form import DIGITS, number, vector
+from equilibrium.certificate.spatial_leaves import SpatialLeaf, spatial_leaves
 from equilibrium.model.pyramid import pyramid_words
 
 if TYPE_CHECKING:
     from equilibrium.spatial_verdict import SpatialVerdict
+
+
+#: Longer proofs are only counted.
+_MOST = 3
 
 
 def spatial_lines(found: SpatialVerdict) -> Iterator[str]:
@@ -26,12 +31,9 @@ def spatial_lines(found: SpatialVerdict) -> Iterator[str]:
     if found.solution is None:
         leaves = found.verify().leaves
         yield f"not resisted{cones}: proof with {leaves} {'leaf' if leaves == 1 else 'leaves'}"
-        tree = found.certificate.to_dict()["tree"] if found.certificate else None
-        if isinstance(tree, list):
-            motion = rational_vector(tree, "the virtual motion")
-            yield f"  on the virtual motion {vector(motion)} the load does work"
-            work = number(dot(found.wrench, motion))
-            yield f"  {work}, and no contact less than 0, whatever it does"
+        if leaves <= _MOST and found.certificate:
+            for leaf in spatial_leaves(found.grasp, found.certificate.to_dict()["tree"]):
+                yield from _leaf_lines(found.wrench, leaf)
         return
     from equilibrium.solver.space.equilibria import SpatialSolution
 
@@ -46,6 +48,14 @@ def spatial_lines(found: SpatialVerdict) -> Iterator[str]:
     forces = zip(found.states, found.solution.forces, strict=True)
     for i, (state, force) in enumerate(forces, 1):
         yield f"    contact {i}  {state:<8}  force {shown(force)}"
+
+
+def _leaf_lines(wrench: RationalVector, leaf: SpatialLeaf) -> Iterator[str]:
+    states = ", ".join(f"contact {i + 1} {words}" for i, words in sorted(leaf.states.items()))
+    yield f"  {states or 'whatever the contacts do'}:"
+    yield f"    on the virtual motion {vector(leaf.motion)} the load does work"
+    work = number(dot(wrench, leaf.motion))
+    yield f"    {work}, and all contacts together at least {number(leaf.least)}"
 
 
 def _floats(numbers: Any) -> str:

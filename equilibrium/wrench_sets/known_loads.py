@@ -14,7 +14,7 @@ from itertools import pairwise
 from typing import TypeAlias
 
 from arrangement.exact import RationalVector, dot
-from equilibrium.certificate.reading import Leaf, read_node
+from equilibrium.certificate.spatial_leaves import spatial_leaves
 from equilibrium.model.contact import Contact
 from equilibrium.model.grasp import Grasp
 from equilibrium.solver.space.equilibria import SpatialSolution
@@ -44,8 +44,11 @@ class KnownLoads:
         """Decide one load, and remember its proof."""
         found = solve_in_space(self.grasp, wrench, nodes=self.nodes)
         if found.verdict == NOT_RESISTED and found.certificate is not None:
-            self.trees.append(leaf_works(self.grasp, found.certificate.to_dict()["tree"]))
+            self.trees.append(self._works(found.certificate.to_dict()["tree"]))
         return found
+
+    def _works(self, tree: object) -> Works:
+        return tuple((leaf.motion, leaf.least) for leaf in spatial_leaves(self.grasp, tree))
 
 
 class KnownMagnitudes:
@@ -107,26 +110,6 @@ class KnownMagnitudes:
             else:
                 high = end if high is None else min(high, end)
         return None if low is not None and high is not None and low >= high else (low, high)
-
-
-def leaf_works(grasp: Grasp, tree: object) -> Works:
-    """Return for each leaf of a tree that the checker accepted its motion, and ``sum alpha q``.
-
-    The work of load and contacts is ``motion . w`` plus that; where it is above 0 for all leaves,
-    the tree refutes the load w.
-    """
-    found, waiting = [], [tree]
-    while waiting:
-        node = read_node(waiting.pop(), "tree", len(grasp), grasp.dimension)
-        if isinstance(node, Leaf):
-            rest = sum(
-                (row[0] * grasp.contacts[i].preload for i, row in node.multipliers.items()),
-                Fraction(0),
-            )
-            found.append((node.motion, rest))
-        else:
-            waiting += [child for _, child in node.children]
-    return tuple(found)
 
 
 def blends(grasp: Grasp, one: SpatialSolution, other: SpatialSolution) -> bool:

@@ -571,3 +571,13 @@ class TestPyramids:
         del document["pyramid"]
         assert not check(document, question, pyramid=4)
         assert not check(document)
+
+
+@pytest.mark.parametrize("cone", ["round", "pyramid:8"])
+def test_a_time_limit_holds_inside_programs_of_many_contacts(cone, tmp_path, capsys):
+    contacts = [c for c in random_grasp(200, 1, dimension=3) if c.point[2] > 0]
+    path = tmp_path / "many.json"
+    path.write_text(json.dumps(Grasp(contacts).to_dict()))
+    load = ["--wrench", "1", "0", "-1", "0", "0", "1", "--time-limit", "1/10", "--cone", cone]
+    assert main(["solve", str(path), *load]) == 3
+    assert "the time is over after" in capsys.readouterr().out

@@ -67,11 +67,12 @@ class PyramidSearch:
         waiting = [(["undecided"] * len(self.grasp), top, 0)]
         nodes = 0
         while waiting:
-            if time.monotonic() > self.deadline:
-                return Open(f"the time is over after {nodes} nodes", 1.0)
             states, parent, position = waiting.pop()
+            try:
+                found = _Node(self, states).solve()
+            except TimeoutError:
+                return Open(f"the time is over after {nodes} nodes", 1.0)
             nodes += 1
-            found = _Node(self, states).solve()
             if not isinstance(found, tuple):
                 parent[position] = found
                 continue
@@ -141,6 +142,8 @@ class _Node:
         rows.append(row)
 
     def _add_contact(self, i: int, contact: Contact, state: _State) -> None:
+        if time.monotonic() > self.search.deadline:
+            raise TimeoutError
         zero = [Fraction(0)] * 6
         gap = [contact.stiffness * x for x in contact.normal_wrench]
         if state == "detached":
@@ -178,7 +181,7 @@ class _Node:
 
     def solve(self) -> RationalVector | Any:
         """Return a point, or the leaf that shows that there is none."""
-        found = Program(self.search.size, self.least, self.equal).point()
+        found = Program(self.search.size, self.least, self.equal, self.search.deadline).point()
         if not isinstance(found, Infeasible):
             return found
         motion = [to_text(-x) for x in found.equality_multipliers[:6]]

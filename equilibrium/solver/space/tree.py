@@ -71,6 +71,8 @@ class SpatialSearch:
         self.contacts, self.wrench = contacts, wrench
         self.accept, self.deadline, self.nodes = accept, deadline, nodes
         self.relaxation = Relaxation(contacts, wrench)
+        if math.isfinite(deadline):
+            self.relaxation.settings.time_limit = max(0.01, deadline - time.monotonic())
         self.smooth = SpatialContinuation(contacts, wrench)
         self.tried: set[object] = set()
         self.residual = 1.0
@@ -98,6 +100,8 @@ class SpatialSearch:
     def _near(self, motion: Floats, sharpness: float) -> Proposal | None:
         """Return an equilibrium that the smoothed balance leads to."""
         for end, eps in self.smooth.path(motion, sharpness):
+            if time.monotonic() > self.deadline:
+                break
             found = self._equilibrium(end, smooth_states(self.contacts, end, eps))
             if found is not None:
                 return found
@@ -133,18 +137,19 @@ class SpatialSearch:
         """Search depth first; a node is filled in when all below it are closed."""
         top: list[Any] = [None]
         waiting: list[tuple[tuple[State, ...], list[Any], int]] = [(root, top, 0)]
-        nodes, idle, patience, failed = 0, 0, _PATIENCE, 0
+        nodes, idle, patience, leaves = 0, 0, _PATIENCE, 0
         while waiting:
             if nodes == most:
                 return Open(f"after {nodes} nodes the tree is not closed", self.residual)
             if time.monotonic() > self.deadline:
-                return Open(f"the time is over after {nodes} nodes", self.residual)
+                closed = f"the time is over after {nodes} nodes, {leaves} of them closed"
+                return Open(closed, self.residual)
             states, parent, position = waiting.pop()
             nodes, idle = nodes + 1, idle + 1
             found = self.relaxation.solve(states)
             leaf = self._leaf(states, found)
             if leaf is not None:
-                parent[position], idle = leaf, 0
+                parent[position], idle, leaves = leaf, 0, leaves + 1
                 continue
             split = None
             if isinstance(found, Point):
@@ -164,7 +169,6 @@ class SpatialSearch:
                     split = self._split(states, values, found)
             split = split or self._any_split(states)
             if split is None:
-                failed += 1
                 return Open("a relaxation neither closes nor splits further", self.residual)
             node, children, parts = split
             parent[position] = node
