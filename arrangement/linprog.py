@@ -12,6 +12,7 @@ exponential, as for every known simplex rule; the certificates make each answer 
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 from fractions import Fraction
@@ -120,16 +121,19 @@ class _Dictionary:
     """Every symbol outside the basis is a column; every other one is a row over the columns.
 
     Symbols are numbered: variables ``0..n-1``, then inequality slacks, then equality slacks. Row r
-    reads ``symbol_r = (sum_j row[j] * column_j + row[-1]) / denominator``.
+    reads ``symbol_r = (sum_j row[j] * column_j + row[-1]) / denominator``. Points are counted in
+    `unit`: so constants with long denominators leave the other entries short.
     """
 
     def __init__(self, n: int, inequalities: Sequence[Row], equalities: Sequence[Row]) -> None:
         self.variables = n
         self.first_equality = n + len(inequalities)
         constraints = [*inequalities, *equalities]
-        integers = [primitive([Fraction(x) for x in row]) for row in constraints]
+        integers = [primitive(row[:-1]) for row in constraints]
         self.scales = [_scale(row, whole) for row, whole in zip(constraints, integers, strict=True)]
-        self.rows = [list(row) for row in integers]
+        ends = [Fraction(row[-1]) / t for row, t in zip(constraints, self.scales, strict=True)]
+        self.unit = math.lcm(*(end.denominator for end in ends))
+        self.rows = [[*w, int(end * self.unit)] for w, end in zip(integers, ends, strict=True)]
         self.symbols = list(range(n, n + len(self.rows)))
         self.columns = list(range(n))
         self.cost = [0] * (n + 1)
@@ -249,7 +253,7 @@ class _Dictionary:
         values = [Fraction(0)] * self.variables
         for row, symbol in zip(self.rows, self.symbols, strict=True):
             if self.is_variable(symbol):
-                values[symbol] = Fraction(row[-1], self.denominator)
+                values[symbol] = Fraction(row[-1], self.denominator * self.unit)
         return tuple(values)
 
     def unbounded(self, c: int, direction: int) -> Unbounded:
@@ -265,20 +269,20 @@ class _Dictionary:
     def optimal(self) -> Optimal:
         scale = self.cost_scale / self.denominator
         terms = {s: x * scale for s, x in zip(self.columns, self.cost, strict=False)}
-        value = self.cost[-1] * scale
+        value = self.cost[-1] * scale / self.unit
         return Optimal(self.point(), value, *self.multipliers(terms))
 
     def infeasible(self, r: int) -> Infeasible:
         """Read the Farkas certificate off a row that cannot hold."""
         row = self.rows[r]
-        scale = Fraction(1, abs(row[-1]))
+        scale = Fraction(self.unit, abs(row[-1]))
         flip = 1 if row[-1] < 0 else -1  # only an equality row may have a positive constant
         terms = {s: -flip * x * scale for s, x in zip(self.columns, row, strict=False)}
         terms[self.symbols[r]] = flip * self.denominator * scale
         return Infeasible(*self.multipliers(terms))
 
     def multipliers(self, terms: dict[int, Fraction]) -> tuple[RationalVector, RationalVector]:
-        """Return multipliers of the given rows from multipliers of their integer multiples."""
+        """Return multipliers of the given rows from those of rows with coprime coefficients."""
         values = [
             terms.get(self.variables + i, Fraction(0)) / scale
             for i, scale in enumerate(self.scales)
@@ -288,8 +292,8 @@ class _Dictionary:
 
 
 def _scale(row: Row, integers: Sequence[int]) -> Fraction:
-    """Return t > 0 with ``row = t * integers``."""
-    for x, whole in zip(row, integers, strict=True):
+    """Return t > 0 with ``row = t * integers`` but for the constant."""
+    for x, whole in zip(row, integers, strict=False):
         if whole:
             return Fraction(x) / whole
     return Fraction(1)

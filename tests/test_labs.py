@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 from arrangement.cli import main as arrangement_main
-from arrangement.io.arrangements import read_arrangement
+from arrangement.formats.table import read_arrangement
 from arrangement.lab.lines import lab_page as lines_page
 from equilibrium.cli.program import main
 from equilibrium.io.files import read_grasp

@@ -1,7 +1,8 @@
-"""Graphs of an arrangement for Graphviz (DOT) and everybody else (GraphML); written only.
+"""Graphs of an arrangement as DOT and GraphML, and its dual polyhedron as OFF; written only.
 
 The dual graph has the regions with their signs, and the planes between them on its edges; the
-intersection lattice has the flats with their planes, and edges upwards.
+intersection lattice has the flats with their planes, and edges upwards. The dual polyhedron has
+integer vertices, which OFF holds exactly.
 """
 
 from __future__ import annotations
@@ -67,19 +68,32 @@ def _graphml(graph: nx.Graph[int]) -> str:
     return '<?xml version="1.0" encoding="UTF-8"?>\n' + "\n".join(nx.generate_graphml(graph)) + "\n"
 
 
+def _off(arrangement: Arrangement) -> str:
+    from arrangement.polyhedra.dual import dual_polyhedron
+
+    dual = dual_polyhedron(arrangement)
+    vertices, edges, faces = dual.f_vector
+    rows = [*dual.integer_vertices, *((len(face), *face) for face in dual.faces)]
+    lines = ["OFF", f"{vertices} {faces} {edges}", *(" ".join(map(str, row)) for row in rows)]
+    return "\n".join(lines) + "\n"
+
+
 def _writer(
     graph: Callable[[Arrangement], nx.Graph[int]], text: Callable[[nx.Graph[int]], str]
 ) -> Callable[[Arrangement], str]:
     return lambda arrangement: text(graph(arrangement))
 
 
-_LOST = "a graph holds no coordinates; it cannot be read back"
-FORMATS = tuple(
-    Format(name, what, endings, write=_writer(graph, text), loses=lambda _: _LOST)
-    for name, what, endings, graph, text in (
-        ("dot", "the dual graph for Graphviz", (".dot", ".gv"), _dual, _dot),
-        ("graphml", "the dual graph", (".graphml",), _dual, _graphml),
-        ("lattice-dot", "the intersection lattice for Graphviz", (), _lattice, _dot),
-        ("lattice-graphml", "the intersection lattice", (), _lattice, _graphml),
-    )
+_LOST = "the planes themselves; it cannot be read back"
+FORMATS = (
+    Format("off", "the dual polyhedron, exact", (".off",), write=_off, loses=lambda _: _LOST),
+    *(
+        Format(name, what, endings, write=_writer(graph, text), loses=lambda _: _LOST)
+        for name, what, endings, graph, text in (
+            ("dot", "the dual graph for Graphviz", (".dot", ".gv"), _dual, _dot),
+            ("graphml", "the dual graph", (".graphml",), _dual, _graphml),
+            ("lattice-dot", "the intersection lattice for Graphviz", (), _lattice, _dot),
+            ("lattice-graphml", "the intersection lattice", (), _lattice, _graphml),
+        )
+    ),
 )

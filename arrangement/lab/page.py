@@ -11,12 +11,12 @@ _OWN = "arrangement.lab"
 #: Exact rationals, and exact linear algebra: they need no page.
 RATIONAL: Template = (_OWN, "rational.js")
 LINEAR: Template = (_OWN, "linear.js")
-#: Long work in short parts.
-BACKGROUND: Template = (_OWN, "background.js")
+#: Fields of exact numbers.
+FIELDS: Template = (_OWN, "fields.js")
 SHARED: tuple[Template, ...] = (
     POLYGON,
-    *((_OWN, f"{name}.js") for name in ("keep", "history", "fields", "links")),
-    *((_OWN, f"{name}.js") for name in ("player", "exercises")),
+    FIELDS,
+    *((_OWN, f"{name}.js") for name in ("keep", "history", "links", "player", "exercises")),
 )
 
 

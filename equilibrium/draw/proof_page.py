@@ -116,7 +116,7 @@ def _part(maps: ProofMaps, part: Part) -> dict[str, Any]:
     total = done.load + done.least
     return {
         "motion": maps.ranks[part.leaf.motion],
-        "cone": [f"({', '.join(map(str, generator))})" for generator in part.region],
+        "cone": [f"({', '.join(map(to_text, generator))})" for generator in part.region],
         "states": [f"contact {i + 1} {state}" for i, state in part.states.items()],
         "works": [number(value) for value in (done.load, done.least, total)],
         "exact": [to_text(value) for value in (done.load, done.least, total)],

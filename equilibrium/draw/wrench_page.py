@@ -11,7 +11,7 @@ from arrangement.draw.globe import picture_axes
 from arrangement.draw.registry import Exact, Wrench
 from arrangement.draw.solid_page import Branch, Face, SolidPage
 from arrangement.errors import InputError
-from arrangement.exact import IntegerVector, primitive
+from arrangement.exact import IntegerVector, number_text, primitive
 from arrangement.io.meshes import Part, model_bytes
 from arrangement.polyhedra.surface import Patch, facets, rounded
 from equilibrium.model.grasp import Grasp, read_wrench
@@ -92,12 +92,12 @@ def _told(box: WrenchBox, patch: Patch, wall: bool) -> tuple[str, list[tuple[str
     row = [Fraction(a) / h for a, h in zip(normal, box.half, strict=True)]
     scaled = primitive([*row, -offset + sum(a * m for a, m in zip(row, box.middle, strict=True))])
     left = " ".join(
-        f"{'-' if a < 0 else '+'} {'' if abs(a) == 1 else f'{abs(a)} '}{name}"
+        f"{'-' if a < 0 else '+'} {'' if abs(a) == 1 else f'{number_text(abs(a))} '}{name}"
         for a, name in zip(scaled, NAMES, strict=False)
         if a
     ).removeprefix("+ ")
     name = "Wall of the box" if wall else "Sheet of the set" if patch.sheet else "Face of the set"
-    return name, [("condition", f"{left} {'=' if patch.sheet else '≤'} {scaled[3]}")]
+    return name, [("condition", f"{left} {'=' if patch.sheet else '≤'} {number_text(scaled[3])}")]
 
 
 def wrench_set_model(

@@ -16,7 +16,7 @@ from arrangement.draw.html_page import Template
 from arrangement.draw.registry import Wrench
 from arrangement.errors import InputError
 from arrangement.exact import to_text
-from arrangement.lab.page import BACKGROUND, LINEAR, RATIONAL, lab
+from arrangement.lab.page import LINEAR, RATIONAL, lab
 from equilibrium.io.files import read_grasp
 from equilibrium.model.grasp import Grasp, read_wrench
 
@@ -47,14 +47,13 @@ _EXAMPLES: tuple[tuple[str, str, tuple[int | str, ...]], ...] = (
 )
 _OWN, _DRAW = "equilibrium.lab", "equilibrium.draw"
 _DECIDES = (
-    *("law", "model", "check", "guide", "solve", "motions", "forces", "methods"),
+    *("background", "law", "model", "check", "guide", "solve", "motions", "forces", "methods"),
     "questions",
 )
 #: What decides: it needs no page.
 DECIDES: tuple[Template, ...] = (
     RATIONAL,
     LINEAR,
-    BACKGROUND,
     (_DRAW, "resisted.js"),
     *((_OWN, f"{name}.js") for name in _DECIDES),
 )

@@ -17,7 +17,7 @@ from typing import Any
 
 import numpy as np
 
-from arrangement.exact import IntegerVector, RationalVector
+from arrangement.exact import IntegerVector, RationalVector, to_text
 from arrangement.float_filter import Floats
 from equilibrium.model.errors import TimeLimitError
 
@@ -162,7 +162,7 @@ class MotionRegions:
             across = np.abs(c.tangent.dot(motion) * c.friction)
             work = sum(int(x) * w for x, w in zip(motion, self.wrench, strict=True))
             if work > 0 and (c.normal.dot(motion) * c.friction_unit >= across).all():
-                return [str(x) for x in motion]
+                return [to_text(x) for x in motion]
         return None
 
     def _scaled(self, regions: Sequence[Sequence[IntegerVector]]) -> tuple[Floats, Floats]:
@@ -194,7 +194,7 @@ class MotionRegions:
         done = set()
         for n, motion, good in zip(hopeful, exact, tested, strict=True):
             if good:
-                regions[n].close([str(x) for x in motion])
+                regions[n].close([to_text(x) for x in motion])
                 done.add(n)
         return [region for n, region in enumerate(regions) if n not in done]
 
@@ -254,7 +254,7 @@ class MotionRegions:
         common = math.gcd(*middle)
         vector = tuple(x // common for x in middle)
         children: list[Node] = [None, None]
-        at = {} if p == q == 1 else {"at": [str(p), str(q)]}
+        at = {} if p == q == 1 else {"at": [to_text(p), to_text(q)]}
         region.close({"edge": [j, k], **at, "children": children})
         return [
             _Region((*g[:n], vector, *g[n + 1 :]), (children, place), region.depth + 1)

@@ -15,7 +15,7 @@ from typing import Any, TypeAlias
 import numpy as np
 
 from arrangement import linprog
-from arrangement.exact import IntegerVector, RationalVector, dot, primitive
+from arrangement.exact import IntegerVector, RationalVector, dot, primitive, to_text
 
 from .integer_contacts import IntegerContacts, product
 from .state_equilibrium import Solution
@@ -192,13 +192,13 @@ class PartProgram:
     def _leaf(self, numbers: Sequence[Fraction]) -> Node:
         """Return the leaf, with the smallest integers found that still close the part."""
         tried = next(filter(self._closes, self._integers(numbers)))
-        motion = [str(x) for x in tried[:3]]
+        motion = [to_text(x) for x in tried[:3]]
         given = {}
         for i, column in self.alpha.items():
             alpha, h = tried[column], tried[self.h[i]] if i in self.h else 0
             # A detached contact without multipliers has these.
             if alpha or h or self.states.get(i) != "detached":
-                given[str(i)] = [str(alpha), *([str(h)] if h else [])]
+                given[str(i)] = [to_text(alpha), *([to_text(h)] if h else [])]
         return {"virtual_motion": motion, "multipliers": given} if given else motion
 
     def _integers(self, numbers: Sequence[Fraction]) -> Iterator[Sequence[int]]:

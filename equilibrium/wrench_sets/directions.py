@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
 
-from arrangement.exact import IntegerVector
+from arrangement.exact import IntegerVector, to_text
 
 _AXES: tuple[IntegerVector, ...] = ((1, 0), (0, 1), (-1, 0), (0, -1))
 
@@ -31,7 +31,7 @@ class Sector:
 
     def to_dict(self) -> dict[str, Any]:
         """Return a JSON form."""
-        ends = {"start": list(map(str, self.start)), "end": list(map(str, self.end))}
+        ends = {"start": list(map(to_text, self.start)), "end": list(map(to_text, self.end))}
         flags = {"has_start": self.has_start, "has_end": self.has_end, "whole": self.whole}
         return {**ends, **flags}
 

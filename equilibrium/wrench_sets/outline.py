@@ -49,7 +49,7 @@ class Segment:
         return {
             "start": _point_text(self.start),
             "end": _point_text(self.end),
-            "direction": [str(x) for x in self.direction],
+            "direction": [to_text(x) for x in self.direction],
         }
 
 

@@ -7,8 +7,9 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+import sympy
 
-from arrangement import Arrangement, cli
+from arrangement import Arrangement, cli, families, identify
 from arrangement.library.census import (
     PSEUDOLINES,
     PUBLISHED,
@@ -46,6 +47,28 @@ def test_numbers_with_and_without_coordinates_make_up_all_pseudolines() -> None:
     names = list(map(tuple, triples(9).tolist()))
     for row, proof in proofs[::5]:
         assert proves_no_coordinates(dict(zip(names, row.tolist(), strict=True)), proof)
+
+
+def test_the_one_type_without_normals_is_that_of_perles_and_has_no_rational_ones() -> None:
+    (place,) = np.flatnonzero(~catalogue.normals(9).any((1, 2)))
+    planes = families.perles()
+    assert census(9)[place] == planes
+    assert (identify(planes).type, identify(planes).names) == (place + 1, ("Perles",))
+    x, y, z = sympy.symbols("x y z")
+    forced = [
+        (0, 1, 0),
+        (1, 0, x),
+        (1, 1, 1),
+        (1, y, 0),
+        (0, 1, 1),
+        (1, 0, 0),
+        (1, 1, 0),
+        (1, z, 1),
+    ]
+    rows = [*forced, (0, 0, 1)]
+    zero = triples(9)[catalogue.exact_chirotope(planes) == 0].tolist()
+    equations = [sympy.Matrix([rows[k] for k in three]).det() for three in zero]
+    assert sympy.groebner(equations, y, z, x).exprs[-1] == x**2 + x - 1
 
 
 def test_every_type_stands_where_its_code_is_looked_for() -> None:

@@ -252,6 +252,10 @@ def test_graphs_have_the_numbers_of_the_arrangement() -> None:
     assert (len(graph), graph.number_of_edges()) == (24, 36)
     lattice = nx.parse_graphml(converted(planes, FORMATS["lattice-graphml"]))
     assert sorted(rank for _, rank in lattice.nodes(data="rank")).count(2) == 7
+    off = converted(planes, FORMATS["off"]).splitlines()
+    assert off[:2] == ["OFF", "24 14 36"]
+    assert len({*off[2:26]}) == 24
+    assert sum(int(row.split()[0]) for row in off[26:]) == 2 * 36
     dot = converted(AFFINE, FORMATS["dot"])
     assert dot.startswith("graph {")
     assert dot.count(" -- ") == AFFINE.f_vector[-2]

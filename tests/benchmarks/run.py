@@ -109,6 +109,11 @@ def own_table() -> dict[tuple[str, int], Measured]:
         )
     overall = exponent(found, 100, SIZES[-1])
     print(f"  growth from 100 to {SIZES[-1]} planes: {overall}")
+    for planes in (1000, 2000):
+        least = ours("bare_sort", planes).seconds
+        times = found["incidence", planes].seconds / least
+        print(f"  {planes} planes take {times:.0f} times what NumPy takes to sort as many numbers")
+    line("great circles, incidence", 5000, ours("incidence", 5000))
     line("everything with all sign vectors", 9, ours("all_signs", 9))
     line("30-digit entries, with region signs", 100, ours("thirty_digits", 100))
     facade_table(found)

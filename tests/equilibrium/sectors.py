@@ -86,26 +86,27 @@ def least_left_over(contacts, load, states):
     return found.obj_val if "Solved" in str(found.status) else 0.0
 
 
-def resisted(contacts, load):
-    """Return whether narrow sectors leave nothing over, and how many programs that took."""
+def resisted(grasp, load):
+    """Return whether narrow sectors leave nothing over."""
+    values = ("point", "normal", "tangent", "friction", "stiffness", "preload")
+    contacts = [Contact(*(getattr(c, name) for name in values)) for c in grasp]
     load = np.array([float(w) for w in load])
     size = np.abs(load).max() + sum(contact.preload for contact in contacts)
     turn = 2 * math.pi / SECTORS
     sectors = [(k * turn, (k + 1) * turn) for k in range(SECTORS)]
-    waiting, programs = [], 0
+    waiting = []
     for states in itertools.product(("apart", "stuck", *sectors), repeat=len(contacts)):
         waiting.append((0, states))
     while waiting:
         cuts, states = waiting.pop()
-        programs += 1
         if least_left_over(contacts, load, states) > NOTHING * size:
             continue
         slips = [state for state in states if isinstance(state, tuple)]
         if cuts == CUTS or not slips:
-            return True, programs
+            return True
         halves = [
             [(s[0], (s[0] + s[1]) / 2), ((s[0] + s[1]) / 2, s[1])] if isinstance(s, tuple) else [s]
             for s in states
         ]
         waiting += [(cuts + 1, parts) for parts in itertools.product(*halves)]
-    return False, programs
+    return False

@@ -460,6 +460,24 @@ def test_an_equilibrium_is_shown_while_others_are_still_listed(
     assert browser.messages() == []
 
 
+@pytest.mark.parametrize("broken", ["", "delete window.Worker", "window.Worker = BROKEN"])
+def test_it_answers_in_a_worker_and_without_one(
+    broken: str, browser: Browser, tmp_path: Path
+) -> None:
+    path = tmp_path / "lab.html"
+    path.write_text(lab_page(read_grasp("several-equilibria"), wrench=[-1, 0, 0]), encoding="utf-8")
+    fails = "class { postMessage() { setTimeout(() => this.onerror(), 0); } }"
+    ahead = {"source": broken.replace("BROKEN", fails)}
+    name = browser.driver.execute_cdp_cmd("Page.addScriptToEvaluateOnNewDocument", ahead)
+    try:
+        browser.open(path)
+        assert verdict(browser).startswith("Resisted 2 equilibria, exact")
+    finally:
+        browser.driver.execute_cdp_cmd("Page.removeScriptToEvaluateOnNewDocument", name)
+    assert any(url.startswith("blob:") for url in browser.requests()) == (not broken)
+    assert browser.messages() == []
+
+
 def test_a_notebook_shows_it_in_a_frame(browser: Browser, tmp_path: Path) -> None:
     grasp = read_grasp("several-equilibria")
     cell = grasp.lab()._repr_html_()

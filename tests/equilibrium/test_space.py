@@ -2,6 +2,7 @@
 
 import json
 import math
+from collections import Counter
 from fractions import Fraction
 from itertools import product
 from random import Random
@@ -26,6 +27,8 @@ from equilibrium.spatial_verdict import solve_in_space
 from equilibrium.verdict import Solver, solve
 from equilibrium.wrench_sets.known_loads import KnownLoads, KnownMagnitudes, blends
 from equilibrium.wrench_sets.spatial import spatial_magnitudes
+
+from . import sectors
 
 HAIR = 1 + Fraction(1, 10**6)
 FINGERS, FEET = read_grasp("two-opposed-fingers"), read_grasp("box-on-a-table")
@@ -286,6 +289,35 @@ class TestChecker:
         with pytest.raises(InputError, match="enclosure"):
             check({**self.tree, "certificate": "resisted", "enclosure": given})
 
+    def test_two_contacts_have_an_enclosure_but_for_a_turn_about_their_line(self):
+        grasp = random_grasp(2, 1, dimension=3)
+        found = solve_in_space(grasp, balanced(Random(1), grasp))
+        document = found.certificate.to_dict()
+        given, third = document["enclosure"], random_grasp(3, 1, dimension=3).to_dict()
+        (turn,) = given["idle"]
+        assert check(document)
+        felt = {
+            **document["grasp"],
+            "contacts": [*document["grasp"]["contacts"], *third["contacts"]],
+        }
+        changes = [
+            {"enclosure": {**given, "idle": []}},
+            {"enclosure": {**given, "idle": [["1", *turn[1:]]]}},
+            {"enclosure": {**given, "idle": [[*turn[:6], "1000"]]}},
+            {
+                "wrench": [
+                    str(Fraction(x) + Fraction(y))
+                    for x, y in zip(document["wrench"], turn[:6], strict=True)
+                ]
+            },
+            {
+                "grasp": felt,
+                "enclosure": {**given, "friction": [*given["friction"], *["slip"] * 3]},
+            },
+        ]
+        for change in changes:
+            assert not check({**document, **change}), change
+
 
 class TestAnswers:
     def test_an_undecided_verdict_is_neither_yes_nor_no(self):
@@ -426,6 +458,55 @@ def loaded(source, grasp):
         for force, row in zip((normal, *friction), rows, strict=True):
             wrench = [w - force * x for w, x in zip(wrench, row, strict=True)]
     return tuple(Fraction(round(64 * w), 64) if len(grasp) > 2 else w for w in wrench)
+
+
+def balanced(source, grasp):
+    """Return a load that forces inside the cones balance; with preload not far from it."""
+    wrench = (Fraction(0),) * 6
+    for contact in grasp:
+        size = contact.preload or Fraction(source.randint(0, 4), 2)
+        normal = size * Fraction(source.randint(8, 20), 16)
+        share = [Fraction(source.randint(-9, 9), 11) for _ in range(2)]
+        forces = normal, *(x * contact.friction * normal for x in share)
+        rows = contact.normal_wrench, *contact.tangential_wrenches
+        for force, row in zip(forces, rows, strict=True):
+            wrench = tuple(w - force * x for w, x in zip(wrench, row, strict=True))
+    return wrench
+
+
+def agrees_with_sectors(contacts, seeds, load):
+    """Compare verdicts with those of brute force over sectors; return the three numbers."""
+    found = Counter()
+    for seed in seeds:
+        grasp = random_grasp(contacts, seed, dimension=3)
+        wrench = load(Random(seed), grasp)
+        answer = solve_in_space(grasp, wrench)
+        found[answer.verdict] += 1
+        if answer.decided:
+            assert answer.verify(), seed
+            assert answer.stable == sectors.resisted(grasp, wrench), seed
+    return found
+
+
+def test_verdicts_on_round_cones_are_those_of_narrow_sectors():
+    few = agrees_with_sectors(2, range(6), balanced) + agrees_with_sectors(3, range(2), loaded)
+    assert min(few["resisted"], few["not resisted"]) > 0
+    assert not few["undecided"]
+
+
+@pytest.mark.campaign
+def test_many_verdicts_on_round_cones_are_those_of_narrow_sectors():
+    found = sum(
+        (
+            agrees_with_sectors(2, range(100, 230), balanced),
+            agrees_with_sectors(2, range(230, 250), loaded),
+            agrees_with_sectors(3, range(100, 124), balanced),
+            agrees_with_sectors(3, range(124, 142), loaded),
+        ),
+        Counter(),
+    )
+    assert min(found["resisted"], found["not resisted"]) > 20
+    assert found["undecided"] <= 4
 
 
 def agrees_with_all_states(contacts, seeds):

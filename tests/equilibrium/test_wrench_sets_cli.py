@@ -179,3 +179,9 @@ def test_polyhedra_hold_the_known_wrenches(capsys):
 
 def _dot(row, point):
     return sum(Fraction(a) * b for a, b in zip(row, point, strict=True))
+
+
+def test_borders_with_thousands_of_digits_are_written(capsys):
+    code, region = answer(capsys, "region", "opposed-contacts", "--preload", "1." + "1" * 4400)
+    assert code == 0
+    assert max(len(x) for border in region["outline"]["border"] for x in border["direction"]) > 4300

@@ -50,7 +50,13 @@ def test_both_values_are_printed_and_the_exit_code_is_no(
         "agree         coxeter type=E6, regions: printed 51,840, computed 51,840",
         "1 differ, 1 agree",
     ]
-    path = table(tmp_path, "1 14 36 24,braid-a3,f-vector", "t3=4 t2=3,braid-a3,t-vector")
+    path = table(
+        tmp_path,
+        "1 14 36 24,braid-a3,f-vector",
+        "t3=4 t2=3,braid-a3,t-vector",
+        "43,lines n=6,affine-simple-types",
+        "4,pseudolines n=6,simple-types",
+    )
     assert main(["table", path]) == 0
 
 

@@ -28,11 +28,12 @@ from numpy.typing import NDArray
 from arrangement import workers
 from arrangement.errors import InputError
 from arrangement.io.writing import reason, write_bytes_atomically
+from arrangement.library.families import perles
 from arrangement.progress import note, watched
 
-from .catalogue import MOST_PLANES, normals, perles_chirotope
+from .catalogue import MOST_PLANES, exact_chirotope, normals
 from .chirotopes import Signs, Vectors, chirotope_of, extended, regions, triples
-from .codes import Coded, Integers, canonical, carried
+from .codes import Integers, canonical, carried
 from .extensions import extensions
 from .final_polynomials import Comparison, final_polynomial
 from .realizations import box, keys, smallest_vectors
@@ -108,11 +109,13 @@ def build(folder: str, jobs: int = 1, planes: int = 9) -> Arrays:
             signs, proof = proofs[number] = _proof(plan, every, number)
             if proof:
                 found.parents[number] = _NEVER
-            elif planes == MOST_PLANES and _same(signs, perles_chirotope()):
+            elif planes == MOST_PLANES and _same(signs, exact_chirotope(perles())):
                 found.parents[number] = _OTHER  # its normals stay 0
         note(f"round {plan.round}: {np.sum(found.parents == _OPEN)} of {size} types are open")
         plan = plan._replace(round=plan.round + 1)
-    return _arrays(plan, found, [proofs[k] for k in np.flatnonzero(found.parents == _NEVER)])
+    return _arrays(
+        plan, found, [proofs[k] for k in np.flatnonzero(found.parents == _NEVER).tolist()]
+    )
 
 
 def _every_extension(plan: _Plan, jobs: int) -> _Extensions:
@@ -213,11 +216,11 @@ def _with_other_coordinates(basis: Vectors, larger: Vectors) -> Vectors:
     n = basis.shape[1]
     larger = larger[larger.any((1, 2))]
     less = np.concatenate([basis, *(np.delete(larger, k, axis=1) for k in range(n))])
-    theirs = canonical(chirotope_of(less), n)
-    mine = Coded(*(column[:1] for column in theirs))
+    theirs, mine = (canonical(chirotope_of(rows), n) for rows in (less, basis))
     order, sides = carried(theirs, mine)
-    moved: Vectors = np.take_along_axis(less, order[..., None], axis=1) * sides[..., None]
-    return moved[(theirs.codes == mine.codes).all(1)]
+    moved = np.take_along_axis(less, order[..., None], axis=1) * sides[..., None]
+    alike: Vectors = moved[(theirs.codes == mine.codes).all(1)]
+    return alike
 
 
 def _proof(plan: _Plan, every: _Extensions, number: int) -> _Proof:
@@ -267,5 +270,5 @@ def _read(file: Path) -> Arrays:
 
 def _write(file: Path, arrays: Arrays) -> None:
     stream = io.BytesIO()
-    np.savez(stream, **arrays)
+    np.savez(stream, **arrays)  # type: ignore[arg-type]
     write_bytes_atomically(file, stream.getvalue())

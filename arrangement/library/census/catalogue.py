@@ -7,6 +7,7 @@ from bisect import bisect
 from collections.abc import Sequence
 from functools import lru_cache
 from importlib.resources import files
+from itertools import combinations
 from typing import Any, overload
 
 import numpy as np
@@ -15,8 +16,9 @@ from numpy.typing import NDArray
 from arrangement.arrangement import Arrangement
 from arrangement.counts.oriented_matroid import chirotope
 from arrangement.errors import InputError
-from arrangement.exact import shown
+from arrangement.exact import shown, sign
 from arrangement.library.families import perles
+from arrangement.linear import triple_product
 
 from .chirotopes import Signs, chirotope_of, regions
 from .codes import Integers, canonical
@@ -29,6 +31,8 @@ PUBLISHED = {3: 1, 4: 2, 5: 4, 6: 17, 7: 143, 8: 4890, 9: 460_779}
 PUBLISHED_SIMPLE = {3: 1, 4: 1, 5: 1, 6: 4, 7: 11, 8: 135, 9: 4381}
 #: Published number of types of nine pseudolines ([FinschiFukuda2002]).
 PSEUDOLINES = 461_053
+#: Types that a search in the list looks at together.
+_AT_ONCE = 31
 
 
 @lru_cache(maxsize=1)
@@ -62,15 +66,19 @@ def chirotopes(planes: int, chosen: slice | NDArray[np.intp] = slice(None)) -> S
     """Return the chirotopes of some types of so many planes, (types, triples)."""
     rows = normals(planes)[chosen]
     signs = chirotope_of(rows)
-    if planes == MOST_PLANES:
-        signs[~rows.any((1, 2))] = perles_chirotope()
+    irrational = np.flatnonzero(~rows.any((1, 2)))
+    if len(irrational):
+        signs[irrational] = exact_chirotope(perles())
     return signs
 
 
-@lru_cache(maxsize=1)
-def perles_chirotope() -> Signs:
-    """Return the chirotope of `families.perles`."""
-    return np.array([*chirotope(perles()).values()], dtype=np.int8)
+def exact_chirotope(arrangement: Arrangement) -> Signs:
+    """Return the chirotope of distinct planes of rank 3, of any size and field."""
+    if arrangement.dimension > 3:
+        return np.array([*chirotope(arrangement).values()], dtype=np.int8)
+    rows = [plane[:-1] for plane in arrangement.integer_planes]
+    signs = [sign(triple_product(*three)) for three in combinations(rows, 3)]
+    return np.array(signs, dtype=np.int8)
 
 
 class Types(Sequence[Arrangement]):
@@ -142,15 +150,21 @@ def places(signs: Signs) -> NDArray[np.intp]:
 
     The list is in the order of numbers of regions, then of codes, so each is found by bisection.
     """
-    wanted, total = place_keys(signs), PUBLISHED[MOST_PLANES]
+    total, at_once = PUBLISHED[MOST_PLANES], max(1, _AT_ONCE // len(signs))
+    wanted = place_keys(signs)
     low, high = np.zeros(len(signs), dtype=np.intp), np.full(len(signs), total)
     while (low < high).any():
-        middle = (low + high) // 2
-        keys = place_keys(chirotopes(MOST_PLANES, middle.clip(max=total - 1)))
-        differ = keys != wanted
-        first = np.arange(len(keys)), differ.argmax(1)
-        after = (low < high) & differ.any(1) & (keys[first] < wanted[first])
-        low, high = np.where(after, middle + 1, low), np.where(after, high, middle)
+        steps = low[:, None] + (high - low)[:, None] * np.arange(1, at_once + 1) // (at_once + 1)
+        keys = place_keys(chirotopes(MOST_PLANES, steps.ravel().clip(max=total - 1)))
+        keys = keys.reshape(*steps.shape, -1)
+        differ = keys != wanted[:, None]
+        first = differ.argmax(2)[..., None]
+        smaller = np.take_along_axis(keys < wanted[:, None], first, axis=2)[..., 0]
+        before = (smaller & differ.any(2)).sum(1)  # as the steps rise, these come first
+        ends = np.column_stack([low - 1, steps, high])
+        rows, going = np.arange(len(signs)), low < high
+        low = np.where(going, ends[rows, before] + 1, low)
+        high = np.where(going, ends[rows, before + 1], high)
     found = place_keys(chirotopes(MOST_PLANES, low.clip(max=total - 1)))
     return np.where((found == wanted).all(1), low, -1)
 

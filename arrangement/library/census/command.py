@@ -31,7 +31,7 @@ def add_commands(parser: argparse.ArgumentParser) -> None:
         metavar="N",
         help="types of eight planes to extend (default: 20)",
     )
-    check.add_argument("--seed", type=terminal.integer_argument, default=0, help="of their choice")
+    check.add_argument("--seed", type=terminal.count_argument, default=0, help="of their choice")
     check.set_defaults(command=_check)
 
     build = commands.add_parser("build", help="build the list of types again")

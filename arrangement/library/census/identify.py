@@ -10,13 +10,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from arrangement.arrangement import Arrangement
-from arrangement.counts.oriented_matroid import chirotope
 from arrangement.errors import InputError
-from arrangement.library.families import braid, coordinate, near_pencil, perles, simplicial, type_b
+from arrangement.library.families import braid, coordinate, near_pencil, simplicial, type_b
 from arrangement.library.families.simplicial import simplicial_entries
 from arrangement.planes import Planes
 
-from .catalogue import MOST_PLANES, chirotopes, places
+from .catalogue import MOST_PLANES, chirotopes, exact_chirotope, normals, places
 from .chirotopes import Signs, t_vectors
 from .codes import Coded, canonical, carried
 
@@ -76,12 +75,13 @@ def identify(arrangement: Planes) -> Identification:
     distinct = Arrangement([arrangement.normals[k] for k in firsts])
     m, rank, f_vector = len(firsts), distinct.rank, distinct.f_vector
     facets, regions = f_vector[-2], f_vector[-1]
+    is_simplicial = 2 * facets == rank * regions
     number, automorphisms, names = None, None, tuple[str, ...]()
     order, sides, t_vector = tuple[int, ...](), tuple[int, ...](), dict[int, int]()
     if rank < 3:
         number, names = 1, ("pencil",) if rank == 2 and m > 2 else ()
     elif rank == 3:
-        signs = np.array([*chirotope(distinct).values()], dtype=np.int8)[None]
+        signs = exact_chirotope(distinct)[None]
         numbers = enumerate(t_vectors(signs, m)[0].tolist())
         t_vector = {k: number for k, number in numbers if number}
         if m <= MOST_PLANES:
@@ -90,7 +90,10 @@ def identify(arrangement: Planes) -> Identification:
             number, automorphisms = place + 1, int(mine.automorphisms[0])
             order = tuple(firsts[k] for k in orders)
             sides = tuple(turned.tolist())
-            names = tuple(name for name, known in _named(m) if _same(known, mine.codes[0]))
+            if is_simplicial:
+                names = tuple(name for name, known in _named(m) if _same(known, mine.codes[0]))
+            elif not normals(m)[place].any():
+                names = ("Perles",)
     return Identification(
         planes=m,
         rank=rank,
@@ -99,7 +102,7 @@ def identify(arrangement: Planes) -> Identification:
         t_vector=t_vector,
         automorphisms=automorphisms,
         is_simple=distinct.is_simple,
-        is_simplicial=2 * facets == rank * regions,
+        is_simplicial=is_simplicial,
         names=names,
         order=order,
         sides=sides,
@@ -141,7 +144,7 @@ def _place(signs: Signs, code: NDArray[np.int64], m: int) -> int:
 
 
 def _named(m: int) -> Iterator[tuple[str, Arrangement]]:
-    """Yield the arrangements of m planes of rank 3 that have usual names."""
+    """Yield the simplicial arrangements of m planes of rank 3 that have usual names."""
     if m == 3:
         yield "coordinate planes", coordinate(3)
     else:
@@ -149,12 +152,12 @@ def _named(m: int) -> Iterator[tuple[str, Arrangement]]:
     if m == 6:
         yield "braid A3", braid(4)
     if m == 9:
-        yield from (("reflection B3", type_b(3)), ("Perles", perles()))
+        yield "reflection B3", type_b(3)
     for planes, number in simplicial_entries():
         if planes == m:
             yield f"A({planes}, {number})", simplicial(planes, number)
 
 
 def _same(known: Arrangement, code: NDArray[np.int64]) -> bool:
-    signs = np.array([*chirotope(known).values()], dtype=np.int8)[None]
-    return bool((canonical(signs, len(known)).codes[0] == code).all())
+    codes = canonical(exact_chirotope(known)[None], len(known)).codes
+    return bool((codes[0] == code).all())

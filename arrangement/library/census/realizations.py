@@ -27,7 +27,8 @@ def box(size: int) -> Vectors:
     first = vectors[np.arange(len(vectors)), (vectors != 0).argmax(1)]
     vectors = vectors[first > 0]
     sizes = np.abs(vectors)
-    return vectors[np.lexsort((*vectors.T[::-1], sizes.sum(1), sizes.max(1)))]
+    ordered: Vectors = vectors[np.lexsort((*vectors.T[::-1], sizes.sum(1), sizes.max(1)))]
+    return ordered
 
 
 def keys(localizations: Signs) -> Integers:

@@ -195,3 +195,28 @@ const areaOf = (corners) => Math.abs(corners.reduce((sum, p, i) => {
   const q = corners[(i + 1) % corners.length];
   return sum + p[0] * q[1] - p[1] * q[0];
 }, 0)) / 2;
+
+// A place of the plane under the pointer, and the nearest round decimals: so the force there is exact.
+function worldAt(event) {
+  const [x, y] = place(at("plane"), event);
+  return [state.middle[0] + x / scale(), state.middle[1] + y / scale()];
+}
+
+function forceStep() {
+  const [digit, exponent] = niceStep(1.6 / scale());
+  return exponent >= 0 ? ratio(BigInt(digit) * 10n ** BigInt(exponent)) : ratio(BigInt(digit), 10n ** BigInt(-exponent));
+}
+
+function rounded(value) {
+  const step = forceStep();
+  return times(step, ratio(BigInt(Math.round(value / near(step)))));
+}
+
+// The plane fills its frame, whatever its shape.
+function fit() {
+  const { width, height } = at("plane").getBoundingClientRect();
+  const least = Math.min(width, height) || 1;
+  [WIDE, HIGH] = [(SIDE * (width || 1)) / least, (SIDE * (height || 1)) / least];
+  at("plane").setAttribute("viewBox", `${-WIDE} ${-HIGH} ${2 * WIDE} ${2 * HIGH}`);
+  refresh();
+}

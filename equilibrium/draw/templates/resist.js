@@ -70,7 +70,7 @@ function describe(point) {
   }
   facts(at("facts"), list);
   listForces(piece);
-  writeInputs();
+  writeFields();
   at("plane-caption").textContent =
     `forces at torque ${decimal(state.torque)}, ${preloadWords()}`;
 }
@@ -111,15 +111,10 @@ function listForces(piece) {
   });
 }
 
-function writeInputs() {
+function writeFields() {
   const force = shownForce();
   const values = { "force-x": force?.[0], "force-y": force?.[1], torque: state.torque, preload: state.factor };
-  for (const [id, value] of Object.entries(values)) {
-    const box = at(id);
-    if (box === document.activeElement) continue;
-    box.value = value ? decimal(value) : "";
-    box.classList.remove("wrong");
-  }
+  for (const [id, value] of Object.entries(values)) writeText(id, value ? decimal(value) : "");
   at("torque-slider").value = near(state.torque);
   at("preload-slider").value = near(state.factor);
 }

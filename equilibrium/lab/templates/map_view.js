@@ -68,21 +68,3 @@ function zoom(factor) {
   state.half = Math.min(1e9, Math.max(1e-6, state.half * factor));
   refresh();
 }
-
-// A force at a place of the plane, as a round decimal: so the force under the pointer is exact.
-function forceUnder(event) {
-  const [x, y] = place(at("plane"), event);
-  const [digit, exponent] = niceStep(1.6 / scale());
-  return [x, y].map((value, k) => {
-    const steps = BigInt(Math.round((state.middle[k] + value / scale()) / (digit * 10 ** exponent))) * BigInt(digit);
-    return exponent >= 0 ? ratio(steps * 10n ** BigInt(exponent)) : ratio(steps, 10n ** BigInt(-exponent));
-  });
-}
-
-function fit() {
-  const { width, height } = at("plane").getBoundingClientRect();
-  const least = Math.min(width, height) || 1;
-  [WIDE, HIGH] = [(SIDE * (width || 1)) / least, (SIDE * (height || 1)) / least];
-  at("plane").setAttribute("viewBox", `${-WIDE} ${-HIGH} ${2 * WIDE} ${2 * HIGH}`);
-  if (state.found) refresh();
-}
