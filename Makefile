@@ -91,10 +91,10 @@ verify: $(VENV)/.stamp-install
 	$(BIN)/proofs-check run --report report/verdicts.html
 
 test: $(VENV)/.stamp-test
-	$(BIN)/python -m pytest -n $(JOBS) $(ARGS)
+	$(BIN)/python -m pytest -n $(JOBS) --dist worksteal $(ARGS)
 
 campaign: $(VENV)/.stamp-test
-	$(BIN)/python -m pytest -n $(JOBS) -m campaign $(ARGS)
+	$(BIN)/python -m pytest -n $(JOBS) --dist worksteal -m campaign $(ARGS)
 
 lint: $(VENV)/.stamp-check
 	$(BIN)/ruff check .
@@ -107,8 +107,8 @@ scripts: $(VENV)/.stamp-test
 	$(BIN)/python tests/javascript/check.py
 
 check: lint types scripts
-	SYMPY_GROUND_TYPES=python $(BIN)/python -m pytest -n $(JOBS) $(ARGS)
-	SYMPY_GROUND_TYPES=flint $(BIN)/python -m pytest -n $(JOBS) -m ground_types $(ARGS)
+	SYMPY_GROUND_TYPES=python $(BIN)/python -m pytest -n $(JOBS) --dist worksteal $(ARGS)
+	SYMPY_GROUND_TYPES=flint $(BIN)/python -m pytest -n $(JOBS) --dist worksteal -m ground_types $(ARGS)
 	$(MAKE) docs-check
 
 mutants: $(VENV)/.stamp-test

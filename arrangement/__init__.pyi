@@ -26,9 +26,10 @@ from .exact import (
     to_text as to_text,
 )
 from .faces import Face as Face
-from .io.arrangements import read_arrangement as read_arrangement
+from .formats.table import read_arrangement as read_arrangement
 from .io.writing import write_text_atomically as write_text_atomically
 from .library import census as census, families as families
+from .library.census import Identification as Identification, identify as identify
 from .number_field import NumberField as NumberField
 from .planes import Planes as Planes
 from .polyhedra.dual import (

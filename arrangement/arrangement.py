@@ -166,6 +166,16 @@ class Arrangement(Planes):
         """The number of faces of dimension 0, 1, ..., d, by enumeration."""
         return self._faces.f_vector
 
+    def chirotope_string(self, order: str = "reverse-lexicographic") -> str:
+        """Return the chirotope as a text of ``+``, ``-``, ``0``; see `counts.chirotope_string`.
+
+        >>> Arrangement([[1, 0, 0], [0, 1, 0], [0, 0, 1], [1, 1, 1]]).chirotope_string()
+        '+++-'
+        """
+        from .counts import chirotope_string
+
+        return chirotope_string(self, order)
+
     def sphere(self) -> SphereArrangement:
         """Return the great circles of a central arrangement in R^3, with their full incidence."""
         return sphere_arrangement(self)

@@ -66,10 +66,13 @@ def _parser() -> terminal.Parser:
     faces.set_defaults(command=_faces)
 
     identify = commands.add_parser(
-        "identify", help="which combinatorial type it has, of those of at most eight planes"
+        "identify", help="which combinatorial type it has, of those of at most nine planes"
     )
     _add_file(identify)
     identify.set_defaults(command=_identify)
+
+    types = commands.add_parser("census", help="the list of all types of up to nine planes")
+    types.later = lambda: _add_census(types)
 
     bounds = commands.add_parser(
         "bounds", help="count faces of generic planes against the published bounds"
@@ -93,6 +96,21 @@ def _parser() -> terminal.Parser:
     make.later = lambda: _add_families(make)
     make.set_defaults(command=_make)
 
+    convert = commands.add_parser("convert", help="write it in the language of another program")
+    _add_file(convert)
+    convert.add_argument("-o", "--output", metavar="PATH", help="(default: print it; needs --to)")
+    convert.add_argument("--to", metavar="FORMAT", help="(default: what the ending of PATH says)")
+    convert.set_defaults(command=_convert)
+
+    imported = commands.add_parser("import", help="list a file of others, or take one out of it")
+    imported.add_argument("format", metavar="FORMAT", help="such as christ or chirotope")
+    imported.add_argument("file", metavar="FILE", help="a path, or - for standard input")
+    imported.add_argument(
+        "--number", type=terminal.count_argument, metavar="K", help="take this one, from 1 on"
+    )
+    imported.add_argument("-o", "--output", metavar="PATH", help="a file (default: print it)")
+    imported.set_defaults(command=_import)
+
     draw = commands.add_parser("draw", help="draw pictures and pages, or export models to hold")
     _add_file(draw)
     draw.later = lambda: _add_draw_options(draw)
@@ -109,7 +127,19 @@ def _parser() -> terminal.Parser:
     )
     page.set_defaults(command=_lab)
 
-    for command in (count, polynomial, faces, identify, bounds, names, make, draw, page):
+    for command in (
+        count,
+        polynomial,
+        faces,
+        identify,
+        bounds,
+        names,
+        make,
+        convert,
+        imported,
+        draw,
+        page,
+    ):
         terminal.add_common_options(command)
     terminal.add_number_options(faces)
     return parser
@@ -120,12 +150,13 @@ def _add_file(parser: argparse.ArgumentParser, *, needed: bool = True) -> None:
         "file",
         metavar="FILE",
         nargs=None if needed else "?",
-        help="an arrangement or a grasp: a path, - for standard input, or a built-in name",
+        help="an arrangement or a grasp: a path, - for standard input, or a built-in name; in any "
+        "format of `arrangement convert`",
     )
 
 
 def _read(arguments: argparse.Namespace) -> Arrangement:
-    from .io.arrangements import read_arrangement
+    from .formats.table import read_arrangement
 
     return read_arrangement(arguments.file)
 
@@ -313,6 +344,12 @@ def _add_draw_options(draw: argparse.ArgumentParser) -> None:
     add_options(draw, DRAWINGS)
 
 
+def _add_census(types: argparse.ArgumentParser) -> None:
+    from .library.census.command import add_commands
+
+    add_commands(types)
+
+
 def _draw(arguments: argparse.Namespace) -> int:
     from .draw.command import given_options, write
     from .draw.views import drawings_of
@@ -341,15 +378,62 @@ def _add_families(make: argparse.ArgumentParser) -> None:
 
 
 def _make(arguments: argparse.Namespace) -> int:
-    from .io.writing import write_text_atomically
     from .library.families.making import document
 
-    text = document(arguments)
-    if arguments.output:
-        write_text_atomically(arguments.output, text)
+    _write_or_print(arguments.output, document(arguments))
+    return terminal.YES
+
+
+def _convert(arguments: argparse.Namespace) -> int:
+    from .formats.table import converted, format_named, format_of_file
+    from .progress import note
+
+    if arguments.to is None and arguments.output is None:
+        raise InputError("say where to or how: -o PATH, or --to FORMAT")
+    form = format_named(arguments.to) if arguments.to else format_of_file(arguments.output)
+    arrangement = _read(arguments)
+    text, lost = converted(arrangement, form), form.loses(arrangement)
+    _write_or_print(arguments.output, text)
+    if arguments.json and arguments.output:
+        terminal.print_json({"output": arguments.output, "format": form.name, "lost": lost})
+    if lost:
+        note(f"lost in {form.name}: {lost}")
+    return terminal.YES
+
+
+def _import(arguments: argparse.Namespace) -> int:
+    from .counts import cone
+    from .formats.table import FORMATS, Entries, converted
+    from .library.census import identify
+    from .progress import watched
+
+    found = Entries.of_file(arguments.format, arguments.file)
+    if arguments.number is not None or (len(found) == 1 and arguments.output):
+        text = converted(found[arguments.number or 1], FORMATS["json"])
+        _write_or_print(arguments.output, text)
+        return terminal.YES
+    if arguments.output is not None:
+        raise InputError(f"there are {len(found)} arrangements; choose one with --number K")
+    for number in watched(range(1, len(found) + 1), "arrangements", len(found)):
+        planes = found[number]
+        known = identify(planes if planes.is_central else cone(planes))
+        name = "-" if known.type is None else f"{known.planes}.{known.type}"
+        row = {"number": number, "planes": len(planes), "central": planes.is_central, "type": name}
+        if arguments.json:
+            terminal.print_json(row)
+        else:
+            kind = "planes through 0" if planes.is_central else "lines"
+            print(f"{number:>6}  {len(planes)} {kind}  type {name}")
+    return terminal.YES
+
+
+def _write_or_print(output: str | None, text: str) -> None:
+    from .io.writing import write_text_atomically
+
+    if output:
+        write_text_atomically(output, text)
     else:
         print(text, end="")
-    return terminal.YES
 
 
 def _list(arguments: argparse.Namespace) -> int:

@@ -204,6 +204,12 @@ def _certificate(
     if isinstance(found, SpatialSolution):
         return resisted_certificate(grasp, wrench, found.motion, found.forces, pyramid)
     box = Enclosure(
-        found.basis, found.friction, found.pillars, found.centre, found.radius, found.inverse
+        found.basis,
+        found.friction,
+        found.pillars,
+        found.centre,
+        found.radius,
+        found.inverse,
+        found.idle,
     )
     return enclosed_certificate(grasp, wrench, box)

@@ -31,7 +31,7 @@ from .solver.part_program import Node
 from .solver.resistance import resistance
 from .solver.state_equilibrium import Solution
 from .solver.state_system import States, state_system
-from .spatial_verdict import SpatialVerdict, solve_in_space
+from .spatial_verdict import NOT_RESISTED, RESISTED, SpatialVerdict, solve_in_space
 
 #: With more contacts all equilibria are listed only when asked for: their search takes long.
 MOST_LISTED = 20
@@ -39,7 +39,7 @@ MOST_LISTED = 20
 
 @dataclass(frozen=True)
 class Verdict:
-    """The answer for one grasp and wrench, true when stable, with what is needed to check it.
+    """The answer for one grasp and wrench, true when resisted, with what is needed to check it.
 
     Attributes:
         grasp, wrench: the question.
@@ -53,8 +53,13 @@ class Verdict:
     _proof: Node = field(default=None, repr=False, compare=False)
 
     def __repr__(self) -> str:
-        answer = "resisted" if self.stable else "not resisted"
-        return f"<Verdict: {answer}, wrench {vector_text(self.wrench)}, {len(self.grasp)} contacts>"
+        wrench = vector_text(self.wrench)
+        return f"<Verdict: {self.verdict}, wrench {wrench}, {len(self.grasp)} contacts>"
+
+    @property
+    def verdict(self) -> str:
+        """The answer in words, "resisted" or "not resisted"."""
+        return RESISTED if self.stable else NOT_RESISTED
 
     @property
     def stable(self) -> bool:
@@ -109,6 +114,7 @@ class Verdict:
         else:
             listed = [{"states": list(self.states), **self.solution.to_dict()}]
         return {
+            "verdict": self.verdict,
             "stable": self.stable,
             "equilibria": listed,
             **({} if complete else {"complete": False}),

@@ -23,7 +23,7 @@ from typing import Any
 from arrangement.arrangement import Arrangement
 from arrangement.errors import InputError
 from arrangement.exact import rational, rational_vector, shown
-from arrangement.io.arrangements import read_arrangement
+from arrangement.formats.table import read_arrangement
 from arrangement.io.files import Source, check_keys, check_list, read_document
 from arrangement.short_repr import Shown
 from equilibrium.certificate.checker import Report, check

@@ -18,7 +18,7 @@ from typing import Any
 
 from arrangement.arrangement import Arrangement
 from arrangement.exact import IntegerVector, primitive
-from arrangement.library.census import MOST_PLANES, census
+from arrangement.library.census import census
 from equilibrium.model.contact import Contact
 from equilibrium.model.grasp import Grasp
 
@@ -72,7 +72,7 @@ def smallest_case(cases: list[Case], fails: Callable[[Any], bool]) -> tuple[Case
     return Case(f"m = {count(subject)}, from {start.label}", subject, subject.to_dict()), searched
 
 
-def smaller_instances(planes: int, most: int = MOST_PLANES - 1) -> Iterator[Arrangement]:
+def smaller_instances(planes: int, most: int = 7) -> Iterator[Arrangement]:
     """Yield arrangements with fewer planes than given, smallest numbers of planes first.
 
     For each number: all arrangements with entries -1, 0, 1 (up to 4 planes), then one of each
@@ -81,7 +81,7 @@ def smaller_instances(planes: int, most: int = MOST_PLANES - 1) -> Iterator[Arra
     for m in range(1, planes):
         if m <= _ALL_SMALL:
             yield from (case.subject for case in smallest_arrangements(range(m, m + 1), 1))
-        if 3 <= m <= min(most, MOST_PLANES):
+        if 3 <= m <= most:
             yield from census(m)
 
 

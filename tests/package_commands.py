@@ -12,6 +12,8 @@ INPUTS = {
     "corner.obj": "v 0 0 0\nv 4 0 0\nv 0 4 0\nv 0 0 4\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n",
     "lecture.py": "from proofs_check import exercise\n"
     "@exercise('Twice 7?')\ndef twice(answer):\n    return answer == 14\n",
+    "five.chi": "++++++++++\n+++0++++++\n",
+    "printed.csv": "arrangement,quantity,printed\nbraid-a3,f-vector,1 14 36 24\n",
     "answers.json": '{"schema_version": 1, "answers": {"twice": 14}}',
 }
 
@@ -41,6 +43,10 @@ COMMANDS = (
     Command("arrangement make shi --type D4 -o d4.json", 0, writes="d4.json"),
     Command("arrangement polynomial d4.json", 0, "(t - 6)**4"),
     Command("arrangement identify braid-a3", 0, "6.3, braid A3"),
+    Command("arrangement convert braid-a3 -o braid.m2", 0, writes="braid.m2"),
+    Command("arrangement identify braid.m2", 0, "6.3, braid A3"),
+    Command("arrangement import chirotope five.chi", 0, "type 5.3"),
+    Command("proofs-check table printed.csv", 0, "agree"),
     Command("arrangement list --families", 0, "threshold-functions"),
     Command("arrangement bounds --largest 4", 0, "m 4  rays 12  facets 24  regions 14  states 51"),
     _needs("figures", "arrangement bounds -o no.pdf"),
@@ -53,8 +59,8 @@ COMMANDS = (
         for view in ("sphere", "planes", "stereographic", "gnomonic", "dual", "graph", "lattice")
     ),
     *(_needs("figures", f"arrangement draw braid-a3 -o no.{kind}") for kind in ("pdf", "png")),
-    Command(f"equilibrium solve {_G}-preload-1 --wrench 0 1 0", 0, "stable"),
-    Command(f"equilibrium solve {_G} --wrench 0 1 0 --certificate proof.json", 1, "not stable"),
+    Command(f"equilibrium solve {_G}-preload-1 --wrench 0 1 0", 0, "resisted"),
+    Command(f"equilibrium solve {_G} --wrench 0 1 0 --certificate proof.json", 1, "not resisted"),
     Command("equilibrium verify proof.json", 0, "valid"),
     Command("equilibrium lab -o lab.html", 0, writes="lab.html"),
     Command("arrangement lab braid-a3 -o lines.html", 0, writes="lines.html"),
@@ -113,7 +119,7 @@ for name in ("arrangement", "equilibrium", "proofs_check"):
         if not module.name.endswith("__main__"):
             importlib.import_module(module.name)
 from arrangement.library.census import census
-from arrangement.io.arrangements import read_arrangement
+from arrangement.formats.table import read_arrangement
 from arrangement.library.instances import paths as arrangements
 from arrangement.io.schemas import arrangement_schema
 from equilibrium.io.files import read_grasp

@@ -17,6 +17,7 @@ from .operations import (
 from .oriented_matroid import (
     bases,
     chirotope,
+    chirotope_string,
     circuits,
     cocircuits,
     covectors,
@@ -47,6 +48,7 @@ __all__ = [
     "by_points",
     "characteristic_polynomial",
     "chirotope",
+    "chirotope_string",
     "circuits",
     "cocircuits",
     "cone",

@@ -12,7 +12,7 @@ from collections.abc import Mapping
 from itertools import combinations
 
 from arrangement.errors import InputError
-from arrangement.exact import sign
+from arrangement.exact import shown, sign
 from arrangement.linear import determinant
 from arrangement.planes import Planes
 
@@ -20,6 +20,8 @@ from .configuration import pivot_columns
 from .operations import cone
 
 SignVector = tuple[int, ...]
+#: In which order bases are listed.
+ORDERS = ("reverse-lexicographic", "lexicographic")
 #: A sign vector as two masks: the planes with sign +, the planes with sign -.
 _Masks = tuple[int, int]
 
@@ -48,6 +50,29 @@ def chirotope(arrangement: Planes) -> Mapping[tuple[int, ...], int]:
         chosen: sign(determinant([rows[i] for i in chosen]))
         for chosen in combinations(range(len(rows)), len(columns))
     }
+
+
+def chirotope_string(arrangement: Planes, order: str = "reverse-lexicographic") -> str:
+    """Return the chirotope as a text of ``+``, ``-`` and ``0``, one for each r planes.
+
+    In reverse lexicographic order (123, 124, 134, 234, 125, ...), as Finschi and Fukuda have it, or
+    lexicographic (123, 124, 125, ...), as TOPCOM and polymake have it. Of an affine arrangement it
+    is that of its `cone`, with the plane at infinity last.
+
+    Source: [FinschiFukuda2002].
+
+    Raises:
+        InputError: another order.
+
+    >>> from arrangement import Arrangement
+    >>> chirotope_string(Arrangement([[1, 0, 0], [0, 1, 0], [0, 0, 1], [1, 1, 1], [1, 2, 3]]))
+    '+++-++-++-'
+    """
+    if order not in ORDERS:
+        raise InputError(f"the order is {shown(order)}; known are {' and '.join(ORDERS)}")
+    values = chirotope(arrangement if arrangement.is_central else cone(arrangement))
+    rows = sorted(values, key=lambda row: row[::-1]) if order == ORDERS[0] else values
+    return "".join("0+-"[values[row]] for row in rows)
 
 
 def cocircuits(arrangement: Planes) -> frozenset[SignVector]:

@@ -190,6 +190,15 @@ def fill_colour(label: int) -> str:
     return PLANE_COLOURS[label % len(PLANE_COLOURS)]
 
 
+def letter_colour(label: int) -> str:
+    """Return the colour of a class of planes, dark enough for letters on white (4.5 to 1, WCAG)."""
+    channels = [int(plane_colour(label)[k : k + 2], 16) / 255 for k in (1, 3, 5)]
+    weights = 0.2126, 0.7152, 0.0722
+    while sum(w * x**2.2 for w, x in zip(weights, channels, strict=True)) > 0.18:
+        channels = [0.95 * x for x in channels]
+    return "#" + "".join(f"{round(255 * x):02x}" for x in channels)
+
+
 def pale(colour: str, white: float = 0.42) -> str:
     """Return a colour ``#rrggbb`` mixed with a share of white."""
     channels = (int(colour[k : k + 2], 16) for k in (1, 3, 5))

@@ -9,7 +9,9 @@ from typing import Any
 
 import numpy as np
 
-from .colours import DrawnRegion, Painter
+from arrangement.exact import dot
+
+from .colours import DrawnRegion, Painter, letter_colour
 from .globe import Globe
 from .items import Box, Floats
 from .labels import SIZES, flattened, keep_off, spread, turn, write_inside
@@ -108,7 +110,7 @@ class Disc:
             if circle == globe.limb:
                 colour = colour if is_plane else "black"
                 style |= {"ec": colour, "lw": 1.6 if is_plane else 0.6, "gid": f"limb-{arc}"}
-            elif globe.cut.arc_signs(arc)[-1] > 0:
+            elif dot(globe.cut.arc_witness(arc), globe.direction) > 0:
                 thick = 1.3 if self.ink is not None else 0.9
                 style |= {"ec": colour, "lw": thick, "gid": f"front-{arc}"}
             else:
@@ -137,7 +139,7 @@ class Disc:
             leader = self.on_paper(ends_at * [[1.0], [1 + 2.6 / self.radius]])
             colour = self.ink(circle) if self.ink is not None else "black"
             self.scene.line(leader, ec=colour, lw=0.4, zorder=2)
-            self._name(ends_at[1], text, colour)
+            self._name(ends_at[1], text, letter_colour(circle) if self.ink else "black")
 
     def _name(self, outward: Floats, text: str, colour: str) -> None:
         for size in (7.0, 6.0, 5.0):

@@ -10,9 +10,8 @@ import numpy as np
 from arrangement.arrangement import Arrangement
 from arrangement.exact import IntegerVector
 from arrangement.polyhedra.dual import dual_polyhedron
-from arrangement.polyhedra.inscribed import representative_hull
 
-from .colours import BLUE, VERMILION, DrawnRegion, Painter, plane_colour
+from .colours import BLUE, VERMILION, DrawnRegion, Painter, letter_colour, plane_colour
 from .coordinates import in_coordinates
 from .disc import HIDDEN, Disc, front, plane_names, rim_width
 from .essential import shown_as
@@ -86,6 +85,8 @@ def draw_dual(
         globe = Globe(arrangement, _oblique_direction(globe))
     colours = globe.colouring(colour, antipodes)
     if hull:
+        from arrangement.polyhedra.inscribed import representative_hull
+
         found = representative_hull(dual_polyhedron(arrangement))
         solid = hull_solid(found, globe.direction, globe.axes)
         points = np.array([[float(x) for x in p] for p in found.hull.points]) @ globe.axes.T
@@ -236,7 +237,7 @@ class _Picture:
             text = plane_names(classes[c])
             for _, e in sorted(edges):
                 ends = self.places[list(solid.edges[e][:2])]
-                ink = {"color": plane_colour(c), "style": "italic"}
+                ink = {"color": letter_colour(c), "style": "italic"}
                 if write_along(self.scene, ends, text, 6.0, blocked, **ink):
                     break
 

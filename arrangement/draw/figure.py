@@ -4,11 +4,12 @@ from __future__ import annotations
 
 import functools
 from collections.abc import Callable
+from itertools import groupby
 from typing import TYPE_CHECKING, Any, ParamSpec
 
 import numpy as np
 
-from .items import SHADES, Ball, Box, Item, Label, Mark, Path, Place
+from .items import SHADES, Ball, Item, Label, Mark, Path
 from .layout import laid_out
 from .measuring import DPI
 from .output import require_matplotlib
@@ -20,9 +21,6 @@ if TYPE_CHECKING:
 P = ParamSpec("P")
 #: Size of the image of a ball.
 _PIXELS = 256
-_HATCH = {"hatch.linewidth": 0.35}
-#: By their short names matplotlib sets styles of a path twice, first to defaults.
-_FULL_NAMES = {"fc": "facecolor", "ec": "edgecolor", "lw": "linewidth", "ls": "linestyle"}
 
 
 def picture(view: Callable[P, Scene]) -> Callable[P, Figure]:
@@ -45,58 +43,45 @@ def figure(scene: Scene) -> Figure:
     Raises:
         MissingExtraError: matplotlib is absent.
     """
-    mpl = require_matplotlib()
+    require_matplotlib()
     from matplotlib.figure import Figure
+
+    from .path_artist import Paths
 
     width, height = scene.paper
     made = Figure(figsize=(width / 25.4, height / 25.4), dpi=DPI)
     axes: Any = made.add_axes((0.0, 0.0, 1.0, 1.0))
     axes.set(xlim=(0, scene.width), ylim=(0, scene.height))
     axes.set_axis_off()
-    with mpl.rc_context(_HATCH):
-        for item in scene.items:
-            _draw(axes, item)
+    runs = groupby(sorted(scene.items, key=lambda item: item.height), key=type)
+    for k, (_, items) in enumerate(runs):
+        paths = []
+        for item in items:
+            if isinstance(item, Path):
+                paths.append(item)
+            else:
+                _draw(axes, item, {**item.style, "zorder": k})
+        axes.add_artist(Paths(paths)).set_zorder(k)
     return made
 
 
-def _draw(axes: Any, item: Item) -> None:
-    style: dict[str, Any] = dict(item.style)
-    if item.order is not None:
-        style["zorder"] = item.order
+def _draw(axes: Any, item: Item, style: dict[str, Any]) -> None:
     if item.name:
         style["gid"] = item.name
     if isinstance(item, Label):
         _write(axes, item, style)
-        return
-    if isinstance(item, Mark):
-        (artist,) = axes.plot(
+    elif isinstance(item, Mark):
+        axes.plot(
             *([x] for x in item.place), item.sign, ms=item.size, ls="none", clip_on=False, **style
         )
     elif isinstance(item, Ball):
-        artist = _shade(axes, item, style)
-    elif isinstance(item, Path):
-        artist = axes.add_artist(_patch(item, style))
-    _clip(axes, artist, item)
+        _shade(axes, item, style)
 
 
-def _patch(item: Path, style: dict[str, Any]) -> Any:
-    from matplotlib import patches, path
-
-    style = {_FULL_NAMES.get(key, key): value for key, value in {"fc": "none", **style}.items()}
-    if item.kind == "circle":
-        x, y = item.points.tolist()
-        return patches.Circle((x, y), item.radius, **style)
-    if item.kind == "polygon":
-        return patches.Polygon(item.points, closed=True, **style)
-    if item.kind == "line":
-        return patches.PathPatch(path.Path(item.points), fill=False, **style)
-    codes = [path.Path.MOVETO] + [path.Path.CURVE4] * (len(item.points) - 1)
-    return patches.PathPatch(path.Path(item.points, codes), **style)
-
-
-def _shade(axes: Any, item: Ball, style: dict[str, Any]) -> Any:
+def _shade(axes: Any, item: Ball, style: dict[str, Any]) -> None:
     """Add a ball as a small image under its disc; neighbouring pixels differ by one shade."""
     from matplotlib.colors import to_rgba
+    from matplotlib.patches import Circle
 
     middle = (np.arange(_PIXELS) + 0.5) / _PIXELS * 2 - 1
     x, y = np.meshgrid(middle, middle)
@@ -111,10 +96,9 @@ def _shade(axes: Any, item: Ball, style: dict[str, Any]) -> Any:
     (cx, cy), r = item.centre, item.radius
     image = axes.imshow(
         near + share * (far - near), extent=(cx - r, cx + r, cy - r, cy + r), origin="lower",
-        aspect="auto", interpolation="none", **{"zorder": 1, **style},
+        aspect="auto", interpolation="none", **style,
     )  # fmt: skip
-    _cut(axes, image, (item.centre, r))
-    return image
+    image.set_clip_path(Circle(item.centre, r, transform=axes.transData))
 
 
 def _write(axes: Any, item: Label, style: dict[str, Any]) -> None:
@@ -131,21 +115,3 @@ def _write(axes: Any, item: Label, style: dict[str, Any]) -> None:
         effects = []
     effects = [*effects, Normal()] if effects else effects
     axes.text(*item.place, item.text, **place, linespacing=1.0, path_effects=effects, **style)
-
-
-def _clip(axes: Any, artist: Any, item: Item) -> None:
-    """Cut what is drawn; a ball is cut to its own disc alone."""
-    if item.clip is not None and not isinstance(item, Ball):
-        _cut(axes, artist, item.clip)
-
-
-def _cut(axes: Any, artist: Any, clip: Box | tuple[Place, float]) -> None:
-    from matplotlib.patches import Circle, Rectangle
-
-    if len(clip) == 2:
-        (x, y), radius = clip
-        shape: Any = Circle((x, y), radius, transform=axes.transData)
-    else:
-        left, low, right, high = clip
-        shape = Rectangle((left, low), right - left, high - low, transform=axes.transData)
-    artist.set_clip_path(shape)

@@ -14,7 +14,8 @@ import numpy as np
 import numpy.typing as npt
 
 from arrangement.arrangement import Arrangement
-from arrangement.enumeration.great_circles import sphere_arrangement
+from arrangement.enumeration.great_circles import SphereArrangement, sphere_arrangement
+from arrangement.enumeration.great_circles.signs import unpack
 from arrangement.errors import InputError
 from arrangement.exact import IntegerVector, primitive, rational_vector, shown
 from arrangement.planes import Planes
@@ -68,16 +69,13 @@ class Globe:
     def regions(self) -> tuple[DrawnRegion, ...]:
         """All regions of `whole`, in its order."""
         degrees = self.whole.incidence.region_degree.tolist()
-        return tuple(
-            DrawnRegion(self.whole.region_signs(r), degrees[r])
-            for r in range(self.whole.region_count)
-        )
+        return tuple(map(DrawnRegion, _region_signs(self.whole), degrees))
 
     @cached_property
     def front(self) -> dict[int, DrawnRegion]:
         """The regions of `cut` on the near side, each with the region of which it is a part."""
         sides = {region.signs: region for region in self.regions}
-        cut = ((piece, self.cut.region_signs(piece)) for piece in range(self.cut.region_count))
+        cut = enumerate(_region_signs(self.cut))
         return {piece: sides[signs[:-1]] for piece, signs in cut if signs[-1] > 0}
 
     def colouring(self, colour: str | Painter | None, antipodes: str | None) -> Colouring:
@@ -91,6 +89,13 @@ class Globe:
     def limb(self) -> int:
         """The circle of the limb."""
         return int(self.cut.plane_circle[-1])
+
+
+def _region_signs(sphere: SphereArrangement) -> list[tuple[int, ...]]:
+    """Return the sign vectors of all regions."""
+    positive = sphere.packed_region_signs
+    signs = unpack(positive, ~positive, len(sphere.arrangement))
+    return [tuple(row) for row in signs.tolist()]
 
 
 def view_direction(direction: Sequence[object]) -> IntegerVector:

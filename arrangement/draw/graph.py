@@ -12,7 +12,15 @@ from arrangement.arrangement import Arrangement
 from arrangement.errors import InputError
 from arrangement.polyhedra.dual import dual_polygon, dual_polyhedron, dual_segment
 
-from .colours import CHECKERS, Colouring, DrawnRegion, Painter, colouring, plane_colour
+from .colours import (
+    CHECKERS,
+    Colouring,
+    DrawnRegion,
+    Painter,
+    colouring,
+    letter_colour,
+    plane_colour,
+)
 from .coordinates import symmetry
 from .disc import plane_names
 from .essential import shown_as
@@ -191,7 +199,7 @@ class _Picture:
             if self.lengths[e] < 2 * self.size + 10:
                 break
             text = plane_names(self.arrangement.distinct[c])
-            ink = {"color": plane_colour(c), "style": "italic"}
+            ink = {"color": letter_colour(c), "style": "italic"}
             if write_along(self.scene, self.segments[e], text, 6.0, dots, **ink):
                 named.add(c)
 

@@ -47,10 +47,12 @@ def one_page(
     scripts: Iterable[Template],
     data: Mapping[str, Any],
     buttons: Iterable[str] = (),
+    worker: Iterable[Template] = (),
+    parts: Iterable[Template] = (),
 ) -> str:
     """Return a complete HTML page.
 
-    The browser is told to run this one script and to load nothing else. Texts from files reach
+    The browser is told to run its own scripts and to load nothing else. Texts from files reach
     the page as JSON only, in which nothing can end the element that holds it.
 
     Args:
@@ -58,20 +60,32 @@ def one_page(
         body, styles, scripts: templates; the scripts run as one, in strict mode.
         data: what the script finds, as JSON, in the element ``data``.
         buttons: of a head above the body, keys of `_BUTTONS`; without any the body has its own.
+        worker: templates; a script of their own, ``decides``, before the other, which a worker can
+            run as well.
+        parts: templates; ``<!-- NAME -->`` in the body stands for ``NAME.html``.
     """
+    whole = _text(body)
+    for part in parts:
+        whole = whole.replace(f"<!-- {part[1].removesuffix('.html')} -->", _text(part).rstrip())
     listed = "\n".join(f'    <button id="{name}"{_BUTTONS[name]}</button>' for name in buttons)
     return framed(
         title,
-        f"{_HEAD.format(listed) if listed else ''}{_text(body)}\n"
+        f"{_HEAD.format(listed) if listed else ''}{whole}\n"
         "<noscript><p>This page needs JavaScript; all of it is in this file.</p></noscript>\n"
         f'<script type="application/json" id="data">{embedded(data)}</script>',
         styles,
         scripts,
+        worker="".join(map(_text, worker)),
     )
 
 
 def framed(
-    title: str, body: str, styles: Iterable[Template], scripts: Iterable[Template], policy: str = ""
+    title: str,
+    body: str,
+    styles: Iterable[Template],
+    scripts: Iterable[Template],
+    policy: str = "",
+    worker: str = "",
 ) -> str:
     """Return a complete HTML page with a body that is HTML already.
 
@@ -80,12 +94,18 @@ def framed(
         body: in which every text is escaped.
         styles, scripts: templates; the scripts run as one, in strict mode, after the body.
         policy: what the page may do besides.
+        worker: a script that a worker can run as well, as for `one_page`.
     """
     style = "".join(map(_text, styles))
     script = '"use strict";\n(() => {\n' + "".join(map(_text, scripts)) + "})();\n"
+    allowed = f"'{_hash(script)}'"
+    if worker:
+        worker = f'"use strict";\n{worker}'
+        allowed += f" '{_hash(worker)}'; worker-src blob:"
+        body += f'\n<script id="decides">{worker}</script>'
     policy = (
         f"default-src 'none'; img-src data:; style-src '{_hash(style)}'; "
-        f"script-src '{_hash(script)}'; base-uri 'none'; form-action 'none'{policy}"
+        f"script-src {allowed}; base-uri 'none'; form-action 'none'{policy}"
     )
     return "\n".join(
         [

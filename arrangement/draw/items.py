@@ -62,7 +62,7 @@ class Item:
     Attributes:
         name: of the element, such as ``region-3``; may be empty.
         role: one of `ROLES`.
-        order: what is higher is painted later; if None, lines over fills over nothing.
+        order: what is higher is painted later; if None, marks over paths.
         clip: the box, or the disc (centre and radius), outside which it is not seen.
         style: see the module.
     """
@@ -72,6 +72,11 @@ class Item:
     order: float | None = None
     clip: Box | tuple[Place, float] | None = None
     style: Mapping[str, Any] = field(default_factory=dict)
+
+    @property
+    def height(self) -> float:
+        """The order in which all items of a scene are painted; equal ones as they were added."""
+        return self.order if self.order is not None else 2.0 if isinstance(self, Mark) else 1.0
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -67,8 +67,12 @@ def write_inside(
         shapely.box(*box) for box in scene.boxes
         if box[0] < right and box[2] > left and box[1] < high and box[3] > low
     ]  # fmt: skip
-    near = [] if off is None else off.geometries.take(off.query(free))
-    free = shapely.difference(free, shapely.union_all([*boxes, *near]))
+    near = np.array([]) if off is None else off.geometries.take(off.query(free, "dwithin", 0.5))
+    lines = shapely.get_dimensions(near) == 1
+    # Of merged lines one buffer has fewer corners than those of many segments.
+    merged = shapely.line_merge(shapely.multilinestrings(near[lines]))
+    kept = shapely.buffer([merged, *near[~lines]], 0.5, quad_segs=2)
+    free = shapely.difference(free, shapely.union_all([*boxes, *kept]))
     if free.is_empty:
         return False
     unit = shapely.transform(free, lambda points: points / (w, h))
@@ -105,8 +109,7 @@ def keep_off(lines: Sequence[Floats], areas: Sequence[Floats] = ()) -> Any:
     import shapely
 
     segments = shapely.linestrings(segments_of(lines))
-    shapes = [*segments, *(shapely.Polygon(area) for area in areas)]
-    return shapely.STRtree(shapely.buffer(shapes, 0.5))
+    return shapely.STRtree([*segments, *(shapely.Polygon(area) for area in areas)])
 
 
 def write_beside(
@@ -139,7 +142,9 @@ def write_beside(
         style: goes to matplotlib.
     """
     x, y = float(point[0]), float(point[1])
-    close = segments[segments_meet((x - 60, y - 60, x + 60, y + 60), segments)]
+    widest = max(max(scene.measure(text, sizes[0])) for text in texts) if texts else 0.0
+    far = 2 * distance + widest
+    close = segments[segments_meet((x - far, y - far, x + far, y + far), segments)]
     directions = np.array(list(around(away)))[:turns]
     for size, text, beyond in product(sizes, texts, (1.0, 2.0)):
         half = np.array(scene.measure(text, size)) / 2

@@ -9,7 +9,6 @@ from typing import Any
 import numpy as np
 
 from arrangement.errors import InputError
-from arrangement.exact import shown
 
 from .items import Floats
 from .output import millimetres, require_matplotlib
@@ -85,5 +84,5 @@ def checked_width(width: object, least: float = 40.0) -> float:
     """Return a width in millimetres, or refuse it."""
     length = millimetres(width, "the width")
     if length < least:
-        raise NarrowError(f"the width is {shown(width)}; give at least {least:g} millimetres")
+        raise NarrowError(f"the width is {length:.4g}; give at least {least:g} millimetres")
     return length

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from math import isqrt
-from typing import TypeAlias
+from typing import TYPE_CHECKING, TypeAlias
 
 import numpy as np
 
@@ -15,9 +15,11 @@ from arrangement.exact import IntegerVector, dot
 from arrangement.linear import triple_product
 from arrangement.planes import Planes
 from arrangement.polyhedra.dual import DualPolyhedron, dual_polygon, dual_polyhedron, dual_segment
-from arrangement.polyhedra.inscribed import RepresentativeHull
 
 from .items import Floats
+
+if TYPE_CHECKING:
+    from arrangement.polyhedra.inscribed import RepresentativeHull
 
 #: Vertex, vertex, and class of planes.
 Edge: TypeAlias = tuple[int, int, int]

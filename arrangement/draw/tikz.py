@@ -81,7 +81,7 @@ class _Writer:
         self.scene = scene
         self.colours: dict[str, str] = {"000000": "black", "FFFFFF": "white"}
         self.shadings: list[str] = []
-        items = sorted(scene.items, key=_order)
+        items = sorted(scene.items, key=lambda item: item.height)
         self.written = [written for item in items for written in self._item(item)]
         self.styles = self._styles()
 
@@ -297,11 +297,6 @@ class _Writer:
 
 _NUMBER = re.compile(r"\$([0-9{},]+)\$")
 _UNBROKEN: dict[str, Any] = {"break_long_words": False, "break_on_hyphens": False}
-
-
-def _order(item: Item) -> float:
-    """Return the height of an item on the sheet, as matplotlib has it."""
-    return item.order if item.order is not None else 2.0 if isinstance(item, Mark) else 1.0
 
 
 def _rgba(colour: Any) -> tuple[float, float, float, float]:

@@ -64,8 +64,15 @@ def read_document(
         document: Any = dict(source)
         name = "the document"
     else:
-        name = "standard input" if source == "-" else shown(_path_text(source))
-        document = _parse(_read_bytes(source, name, max_bytes), name, floats)
+        text, name = read_text(source, max_bytes)
+        document = parse_json(text, name, floats=floats)
+    return check_document(document, kinds, name, versions)
+
+
+def check_document(
+    document: Any, kinds: Collection[str], name: str, versions: Collection[int] = (SCHEMA_VERSION,)
+) -> dict[str, Any]:
+    """Check that a JSON value is a document of exactly one of the kinds; return it."""
     if not isinstance(document, dict):
         raise InputError(f"{name} holds {kind_of(document)}; a document is a JSON object")
     _check_kind(document, kinds, name, versions)
@@ -129,6 +136,19 @@ def _path_text(source: Any) -> str:
     return os.fsdecode(source)
 
 
+def read_text(source: str | os.PathLike[str], max_bytes: int = MAX_BYTES) -> tuple[str, str]:
+    """Return the UTF-8 text of stdin, a built-in document or a file, and its name for messages.
+
+    Raises:
+        InputError: it cannot be read, is longer than `max_bytes`, or is not UTF-8.
+    """
+    name = "standard input" if source == "-" else shown(_path_text(source))
+    try:
+        return _read_bytes(source, name, max_bytes).decode("utf-8-sig"), name
+    except UnicodeDecodeError as error:
+        raise InputError(f"{name} is not UTF-8 text (byte {error.start} is wrong)") from None
+
+
 def _read_bytes(source: str | os.PathLike[str], name: str, max_bytes: int) -> bytes:
     """Return the content of stdin, a built-in document or a file, with a limit on its length."""
     try:
@@ -159,11 +179,11 @@ def _limited(stream: BinaryIO, name: str, max_bytes: int) -> bytes:
     return content
 
 
-def _parse(content: bytes, name: str, floats: bool) -> Any:
-    """Parse strict JSON: UTF-8, no duplicate keys, no floats unless wanted, no NaN, flat."""
+def parse_json(text: str, name: str, *, floats: bool = False) -> Any:
+    """Parse strict JSON: no duplicate keys, no floats unless wanted, no NaN, flat."""
     try:
         return json.loads(
-            content.decode("utf-8-sig"),
+            text,
             object_pairs_hook=_without_duplicates,
             parse_int=_parse_integer,
             parse_float=float if floats else _refuse_float,
@@ -171,8 +191,6 @@ def _parse(content: bytes, name: str, floats: bool) -> Any:
         )
     except InputError as error:
         raise InputError(f"{name}: {error}") from None
-    except UnicodeDecodeError as error:
-        raise InputError(f"{name} is not UTF-8 text (byte {error.start} is wrong)") from None
     except json.JSONDecodeError as error:
         raise InputError(
             f"{name} is not valid JSON: {error.msg} (line {error.lineno}, column {error.colno})"

@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+import json
 import os
+from collections.abc import Mapping
 from pathlib import Path
+from typing import Any
 
 from arrangement.errors import InputError
 from arrangement.exact import shown
@@ -36,6 +39,14 @@ def write_bytes_atomically(path: str | os.PathLike[str], content: bytes) -> None
             _replace(target, content)
     except (OSError, ValueError, RuntimeError) as error:  # RuntimeError: a loop of links
         raise InputError(f"cannot write {shown(str(path))}: {reason(error)}") from None
+
+
+def document_text(document: Mapping[str, Any]) -> str:
+    """Return the file form of an arrangement (`to_dict`) as JSON, one plane a line."""
+    rows = [f"    {json.dumps(row)}" for row in document["planes"]]
+    rest = [f"  {json.dumps(k)}: {json.dumps(v)}" for k, v in document.items() if k != "planes"]
+    planes = ",\n".join(rows)
+    return "{\n" + ",\n".join([*rest, f'  "planes": [\n{planes}\n  ]']) + "\n}\n"
 
 
 def reason(error: Exception) -> str:

@@ -12,12 +12,12 @@ from typing import Any
 
 from arrangement.arrangement import Arrangement
 from arrangement.draw.html_page import Template
-from arrangement.io.arrangements import read_arrangement
+from arrangement.formats.table import read_arrangement
 from arrangement.library.census import census
 
 from .lines_exercises import line_exercises
 from .lines_input import MAX_PLANES, as_shown
-from .page import lab
+from .page import LINEAR, RATIONAL, lab
 
 #: Planes up to which types have names.
 NAMED_PLANES = 6
@@ -39,6 +39,8 @@ _COUNTS = ("circles", "counts", "types", "document")
 _DRAWS = ("words", "charts", "state", "plane_view", "ball_view", "numbers")
 _MOVES = ("moves", "drags", "planes", "goals", "page")
 SCRIPTS: tuple[Template, ...] = (
+    RATIONAL,
+    LINEAR,
     ("arrangement.draw", "ball.js"),
     *((_OWN, f"lines/{name}.js") for name in (*_COUNTS, *_DRAWS, *_MOVES)),
 )
@@ -64,6 +66,7 @@ def lab_page(
     first = Arrangement(_FIRST) if arrangement is None else as_shown(arrangement)
     data: dict[str, Any] = {
         "title": "The arrangement lab" if title is None else title,
+        "summary": "Drag lines and great circles; every number is exact.",
         "most": MAX_PLANES,
         "arrangement": first.to_dict(),
         "examples": [

@@ -11,12 +11,12 @@ _OWN = "arrangement.lab"
 #: Exact rationals, and exact linear algebra: they need no page.
 RATIONAL: Template = (_OWN, "rational.js")
 LINEAR: Template = (_OWN, "linear.js")
+#: Fields of exact numbers.
+FIELDS: Template = (_OWN, "fields.js")
 SHARED: tuple[Template, ...] = (
     POLYGON,
-    RATIONAL,
-    LINEAR,
-    *((_OWN, f"{name}.js") for name in ("background", "keep", "history", "fields", "links")),
-    *((_OWN, f"{name}.js") for name in ("player", "exercises")),
+    FIELDS,
+    *((_OWN, f"{name}.js") for name in ("keep", "history", "links", "player", "exercises")),
 )
 
 
@@ -26,13 +26,18 @@ def lab(
     styles: Iterable[Template],
     scripts: Iterable[Template],
     data: Mapping[str, Any],
+    decides: Iterable[Template] = (),
 ) -> str:
     """Return an interactive page, complete in itself.
 
     Args:
         title: of the window.
         body, styles, scripts: of the page; they come after the shared ones.
-        data: what the script finds, as for `one_page`; ``exercises`` lists the exercises.
+        data: what the script finds, as for `one_page`: ``title``, ``summary``, ``examples`` and
+            ``exercises`` are lists and texts of the panels that all labs have.
+        decides: what needs no page, if a worker runs it as well; with `RATIONAL` and `LINEAR`.
     """
     common: list[Template] = [BASE_STYLE, (_OWN, "lab.css")]
-    return one_page(title, body, [*common, *styles], [BASE_SCRIPT, *SHARED, *scripts], data)
+    every = [BASE_SCRIPT, *SHARED, *scripts]
+    parts = [(_OWN, f"{name}.html") for name in ("header", "player", "exercises", "grid")]
+    return one_page(title, body, [*common, *styles], every, data, worker=decides, parts=parts)

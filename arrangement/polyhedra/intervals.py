@@ -32,19 +32,21 @@ def where_positive(rows: Iterable[tuple[Fraction | int, Fraction | int]]) -> Int
     >>> where_positive([(1, -2), (-1, 5)])
     (Fraction(2, 1), Fraction(5, 1))
     """
-    low: Fraction | None = None
-    high: Fraction | None = None
+    # Ends as numerator and positive denominator: most are no ends in the end, and need no gcd.
+    low: tuple[Fraction | int, Fraction | int] | None = None
+    high: tuple[Fraction | int, Fraction | int] | None = None
     for slope, constant in rows:
-        if slope == 0:
-            if constant < 0:
-                return None
-            continue
-        end = Fraction(-constant, slope)
         if slope > 0:
-            low = end if low is None else max(low, end)
-        else:
-            high = end if high is None else min(high, end)
-    return None if low is not None and high is not None and low > high else (low, high)
+            if low is None or -constant * low[1] > low[0] * slope:
+                low = -constant, slope
+        elif slope < 0:
+            if high is None or constant * high[1] < high[0] * -slope:
+                high = constant, -slope
+        elif constant < 0:
+            return None
+    if low is not None and high is not None and low[0] * high[1] > high[0] * low[1]:
+        return None
+    return low and Fraction(*low), high and Fraction(*high)
 
 
 def union(intervals: Iterable[Interval]) -> tuple[Interval, ...]:

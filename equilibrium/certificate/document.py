@@ -68,6 +68,8 @@ def enclosed_certificate(grasp: Grasp, wrench: RationalVector, enclosure: Enclos
         "radius": _texts(enclosure.radius),
         "inverse": list(map(_texts, enclosure.inverse)),
     }
+    if enclosure.idle:
+        form["idle"] = list(map(_texts, enclosure.idle))
     return _certificate("resisted", grasp, wrench, enclosure=form)
 
 

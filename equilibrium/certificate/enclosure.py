@@ -11,6 +11,10 @@ let F be the sum of all wrenches. The test of Krawczyk: if for a box X with cent
 Y ``K = m - Y F(m) + (I - Y F'(X)) (X - m)`` lies inside X, then F has exactly one zero in X. There
 all conditions of the law hold, if they hold for all of X. Intervals have integer ends over 2^192
 and are rounded outwards.
+
+Motions that move no attached contact, and on which the load does no work ("idle"), leave d open,
+and F misses them. Then F + sum v (v . d - x) over idle motions v with numbers x takes the place of
+F. Its zeros are zeros of F: its products with idle motions are those of the sum, so that is 0.
 """
 
 from __future__ import annotations
@@ -94,6 +98,12 @@ def enclosure_problem(grasp: Grasp, wrench: RationalVector, given: Enclosure) ->
     for i, _ in given.pillars:
         if not given.friction[i]:
             return f"contact {i + 1} is a pillar and does not stick"
+    attached = [
+        c for c, friction in zip(grasp, given.friction, strict=True) if friction is not None
+    ]
+    felt = [wrench, *(row for contact in attached for row in frame(contact))]
+    if any(dot(row, motion[:6]) for motion in given.idle for row in felt):
+        return "an idle motion moves an attached contact, or the load does work on it"
     if any(r <= 0 for r in given.radius):
         return "a radius of the enclosure is not above 0"
     box = [
@@ -176,6 +186,9 @@ def _balance(
             forces = [limit.times(x).by(-1) for x in _unit(i, moved[1:])]
         for force, row in zip((normal, *forces), rows, strict=True):
             sums = [one.plus(force.by(x)) if x else one for one, x in zip(sums, row, strict=True)]
+    for *motion, x in given.idle:
+        turned = _along(tuple(motion), given.basis, box).plus(_Linear(interval(-x), zeros))
+        sums = [one.plus(turned.by(x)) for one, x in zip(sums, motion, strict=True)]
     return [one.value for one in sums], [one.slopes for one in sums]
 
 

@@ -83,6 +83,7 @@ class Enclosure(NamedTuple):
         pillars: (contact, 0 or 1): tangents along which a sticking contact has one more force.
         centre, radius: six intervals, of the combination and of the forces of pillars.
         inverse: (6, 6), about the inverse of the derivative of the balance in the centre.
+        idle: motions that no loaded contact feels, as turns about the line of two, with a number.
     """
 
     basis: tuple[RationalVector, ...]
@@ -91,6 +92,7 @@ class Enclosure(NamedTuple):
     centre: RationalVector
     radius: RationalVector
     inverse: tuple[RationalVector, ...]
+    idle: tuple[RationalVector, ...] = ()
 
 
 def read_question(document: Any) -> tuple[str, Grasp, RationalVector]:
@@ -136,7 +138,7 @@ def read_equilibrium(
 
 def read_enclosure(content: Any, contacts: int) -> Enclosure:
     """Return an enclosure; whether it shows anything is not looked at."""
-    check_keys(content, _ENCLOSURE, (), "enclosure")
+    check_keys(content, _ENCLOSURE, ("idle",), "enclosure")
     centre, radius = (_rationals(content[key], 6, f"enclosure.{key}") for key in _ENCLOSURE[3:5])
     inverse = _rows(content, "inverse", 6)
     basis = _rows(content, "basis", None)
@@ -151,12 +153,15 @@ def read_enclosure(content: Any, contacts: int) -> Enclosure:
             friction.append(None if entry == "detached" else ())
         else:
             friction.append(_rationals(entry, 2, f"enclosure.friction[{i}]"))
-    return Enclosure(basis, tuple(friction), tuple(pillars), centre, radius, inverse)
+    idle = _rows(content, "idle", None, 7) if "idle" in content else ()
+    return Enclosure(basis, tuple(friction), tuple(pillars), centre, radius, inverse, idle)
 
 
-def _rows(content: Mapping[str, Any], key: str, count: int | None) -> tuple[RationalVector, ...]:
+def _rows(
+    content: Mapping[str, Any], key: str, count: int | None, size: int = 6
+) -> tuple[RationalVector, ...]:
     rows = check_list(content[key], f"enclosure.{key}", count)
-    return tuple(_rationals(row, 6, f"enclosure.{key}[{i}]") for i, row in enumerate(rows))
+    return tuple(_rationals(row, size, f"enclosure.{key}[{i}]") for i, row in enumerate(rows))
 
 
 def read_node(content: Any, path: str, contacts: int, dimension: int = 2) -> Leaf | Split:

@@ -31,14 +31,20 @@ def add_command(
     text: str,
     *,
     grasp: bool = True,
+    optional: bool = False,
     preload: bool = True,
     numbers: bool = True,
 ) -> argparse.ArgumentParser:
-    """Add a subcommand; most take a grasp, and a preload in place of its own, and print numbers."""
+    """Add a subcommand; most take a grasp, and a preload in place of its own, and print numbers.
+
+    Args:
+        optional: whether the grasp may be left out.
+    """
     parser: argparse.ArgumentParser = commands.add_parser(name, help=text)
     if grasp:
         text = "a path (JSON, or .csv with one contact a line), - for stdin, or a built-in name"
-        parser.add_argument("grasp", metavar="GRASP", help=text)
+        number: Any = "?" if optional else None
+        parser.add_argument("grasp", metavar="GRASP", nargs=number, help=text)
         text = "take normals of any length: the nearest exact unit vector, with the change reported"
         parser.add_argument("--round-normals", action="store_true", help=text)
     if grasp and preload:
@@ -66,6 +72,26 @@ def add_applied(
     ways: Any = parser.add_mutually_exclusive_group(required=required)
     add_wrench(ways, name, text, None)
     add_force(parser, ways)
+
+
+def add_cone(parser: argparse.ArgumentParser) -> None:
+    """Add the choice of friction cones in space: None is round, else edges of a pyramid."""
+    parser.add_argument(
+        "--cone",
+        metavar="pyramid:K",
+        type=_cone,
+        default="round",
+        help="in space: friction pyramids of K edges, K even, in place of round cones",
+    )
+
+
+def _cone(text: str) -> int | None:
+    if text == "round":
+        return None
+    kind, _, count = text.partition(":")
+    if kind != "pyramid" or not count.isascii() or not count.isdigit() or len(count) > 3:
+        raise argparse.ArgumentTypeError(f"{text[:60]!r} is no cone; give pyramid:K or round")
+    return int(count)
 
 
 def add_force(parser: argparse.ArgumentParser, ways: Any) -> None:

@@ -7,19 +7,13 @@ from typing import Any
 
 from arrangement import terminal
 
-from .arguments import add_applied, add_command, force_given
+from .arguments import add_applied, add_command, force_given, grasp_of
 
 
 def add_commands(commands: Any) -> None:
     """Add lab."""
     text = "a page in which contacts and load are dragged, with exact answers"
-    lab = add_command(commands, "lab", _lab, text, grasp=False, numbers=False)
-    lab.add_argument(
-        "grasp",
-        metavar="GRASP",
-        nargs="?",
-        help="at first: a path, - for stdin, or a built-in name",
-    )
+    lab = add_command(commands, "lab", _lab, text, optional=True, numbers=False)
     lab.add_argument("-o", "--output", metavar="PATH", required=True, help="the page (.html)")
     text = "at first: applied force (f_x, f_y) and torque tau"
     add_applied(lab, text=text, required=False)
@@ -31,10 +25,9 @@ def add_commands(commands: Any) -> None:
 
 def _lab(arguments: argparse.Namespace) -> int:
     from arrangement.io.writing import write_text_atomically
-    from equilibrium.io.files import read_grasp
     from equilibrium.lab import lab_page
 
-    grasp = None if arguments.grasp is None else read_grasp(arguments.grasp)
+    grasp = None if arguments.grasp is None else grasp_of(arguments)
     wrench = force_given(arguments) or arguments.wrench
     page = lab_page(grasp, wrench=wrench, title=arguments.title, exercises=arguments.exercises)
     write_text_atomically(arguments.output, page)

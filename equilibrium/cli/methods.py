@@ -10,10 +10,12 @@ from typing import TYPE_CHECKING, Any
 
 from arrangement.exact import IntegerVector, rational
 from arrangement.number_form import number, vector
+from equilibrium.model.pyramid import pyramid_words
 
 from .arguments import (
     add_applied,
     add_command,
+    add_cone,
     add_count,
     add_number,
     applied,
@@ -26,6 +28,7 @@ if TYPE_CHECKING:
     from equilibrium.methods.compare import Comparison
     from equilibrium.methods.grasp_wrench_space import GraspWrenchSpace
     from equilibrium.methods.survey import Example, Survey
+    from equilibrium.model.grasp import Grasp
 
 _WORDS = {True: "yes", False: "no", None: "-"}
 
@@ -33,11 +36,14 @@ _WORDS = {True: "yes", False: "no", None: "-"}
 def add_commands(commands: Any) -> None:
     """Add compare, wrench-space and survey."""
     text = "the verdicts of all methods (exit 0 if the complete model accepts, 1 no, 3 undecided)"
-    add_applied(add_command(commands, "compare", _compare, text))
+    comparison = add_command(commands, "compare", _compare, text)
+    add_applied(comparison)
+    add_cone(comparison)
 
     text = "Grasp Wrench Space: quality, slice, facets (exit 1: no force closure)"
     space = add_command(commands, "wrench-space", _wrench_space, text)
     space.add_argument("--norm", choices=("L1", "Linf"), default="L1", help="default: L1")
+    add_cone(space)
     add_number(space, "--length", 1, "that torques are divided by, in units of the grasp", "Q")
     add_number(space, "--torque", 0, "applied torque of the slice", "TAU")
 
@@ -60,7 +66,7 @@ def _compare(arguments: argparse.Namespace) -> int:
     from equilibrium.methods.compare import compare
 
     grasp = grasp_of(arguments)
-    found = compare(grasp, applied(arguments, grasp))
+    found = compare(grasp, applied(arguments, grasp), pyramid=arguments.cone)
     lines = _comparison_lines(found)
     return show(arguments, found.to_dict(), lines, found.answers[0].accepts, found.grasp)
 
@@ -74,38 +80,68 @@ def _comparison_lines(found: Comparison) -> Iterator[str]:
 def _wrench_space(arguments: argparse.Namespace) -> int:
     from equilibrium.methods.grasp_wrench_space import GraspWrenchSpace
 
-    space = GraspWrenchSpace(grasp_of(arguments), arguments.norm, arguments.length)
-    corners = space.slice(origin=(0, 0, arguments.torque))
-    document = {
+    grasp = grasp_of(arguments)
+    edges = _edges(arguments, grasp)
+    space = GraspWrenchSpace(grasp, arguments.norm, arguments.length, edges)
+    document: dict[str, Any] = {
         "norm": space.norm,
         "length": space.length,
         "force_closure": space.force_closure,
         "epsilon_squared": space.epsilon_squared,
-        "volume": space.volume,
         "vertices": sorted(space.polytope.points),
         "facets": sorted(map(_outward, space.facets)),
-        "slice": {"torque": arguments.torque, "corners": corners},
     }
-    lines = [*_space_lines(space, arguments.torque), *(f"  {vector(c)}" for c in corners)]
-    return show(arguments, document, lines, space.force_closure, space.grasp)
+    lines = list(_space_lines(space))
+    if grasp.dimension == 2:
+        torque = arguments.torque
+        corners = space.slice(origin=(0, 0, torque))
+        document |= {"volume": space.volume, "slice": {"torque": torque, "corners": corners}}
+        cube, turn = (
+            (f" {grasp.units.force}^3", f" {grasp.units.torque}") if grasp.units else ("", "")
+        )
+        lines.insert(3, f"volume           {number(space.volume)}{cube}")
+        lines.append(f"resisted forces at torque {number(torque)}{turn}:")
+        lines += (f"  {vector(c)}" for c in corners)
+    else:
+        document["pyramid"] = edges
+        lines.append(f"cones            {pyramid_words(edges)}, inside the round ones")
+    return show(arguments, document, lines, space.force_closure, grasp)
 
 
-def _space_lines(space: GraspWrenchSpace, torque: Fraction) -> Iterator[str]:
+def _edges(arguments: argparse.Namespace, grasp: Grasp) -> int:
+    """Return the edges of the pyramids of a hull; refuse what would take minutes."""
+    from equilibrium.methods.grasp_wrench_space import MOST_IN_HULL
+    from equilibrium.model.errors import GraspError
+    from equilibrium.model.pyramid import FLAT, pyramid_edges
+
+    edges: int = arguments.cone or 4
+    if grasp.dimension == 2:
+        if arguments.cone is not None:
+            raise GraspError(FLAT)
+        return edges
+    if arguments.torque:
+        raise GraspError("--torque is for slices in the plane; omit it in space")
+    pyramid_edges(edges)
+    if len(grasp) * edges > MOST_IN_HULL:
+        raise GraspError(
+            f"the hull of {len(grasp)} contacts with {edges} edges each in six dimensions takes "
+            f"too long; up to {MOST_IN_HULL} edges in all are tried, and `compare` tells whether "
+            "one wrench is in it"
+        )
+    return edges
+
+
+def _space_lines(space: GraspWrenchSpace) -> Iterator[str]:
     units = space.grasp.units
-    # With torques divided by a length all three axes are forces.
-    force, square, cube, turn = (
-        (f" {units.force}", f" {units.force}^2", f" {units.force}^3", f" {units.torque}")
-        if units
-        else ("",) * 4
-    )
+    # With torques divided by a length all axes are forces.
+    force, square = (f" {units.force}", f" {units.force}^2") if units else ("", "")
     root = number(space.epsilon_squared) + square
     yield f"force closure    {_WORDS[space.force_closure]}"
     length = f"{number(space.length)} {units.length}" if units else number(space.length)
     yield f"epsilon          {space.epsilon:.6g}{force}  (its square is {root})"
-    yield f"torques over     {length}  (epsilon and volume depend on it; --length)"
-    yield f"volume           {number(space.volume)}{cube}"
+    what = "epsilon and volume depend" if space.grasp.dimension == 2 else "epsilon depends"
+    yield f"torques over     {length}  ({what} on it; --length)"
     yield f"facets           {len(space.facets)}"
-    yield f"resisted forces at torque {number(torque)}{turn}:"
 
 
 def _outward(row: IntegerVector) -> list[Fraction]:

@@ -13,7 +13,7 @@ from arrangement.number_form import vector
 from equilibrium.model.pyramid import pyramid_words
 
 from . import draw, inputs, lab, methods, modes, wrench_sets
-from .arguments import add_applied, add_command, applied, grasp_of, seconds, show
+from .arguments import add_applied, add_command, add_cone, applied, grasp_of, seconds, show
 from .proof_words import proof_lines
 from .spatial_words import spatial_lines
 
@@ -57,13 +57,7 @@ def _parser() -> terminal.Parser:
     solve.add_argument(
         "--time-limit", metavar="SECONDS", type=seconds, help="give up then (exit 2; in space 3)"
     )
-    solve.add_argument(
-        "--cone",
-        metavar="pyramid:K",
-        type=_cone,
-        default="round",
-        help="in space: friction pyramids of K edges, K even, in place of round cones",
-    )
+    add_cone(solve)
     solve.add_argument(
         "--shorten", action="store_true", help="look longer for a smaller proof of a no"
     )
@@ -109,20 +103,11 @@ def _list(arguments: argparse.Namespace) -> int:
     return terminal.print_names(described("contacts"), arguments.json)
 
 
-def _cone(text: str) -> int | None:
-    """Return the edges of a pyramid, None for round cones."""
-    if text == "round":
-        return None
-    kind, _, count = text.partition(":")
-    if kind != "pyramid" or not count.isascii() or not count.isdigit() or len(count) > 3:
-        raise argparse.ArgumentTypeError(f"{text[:60]!r} is no cone; give pyramid:K or round")
-    return int(count)
-
-
 def _solve(arguments: argparse.Namespace) -> int:
     from equilibrium.io.files import write_certificate
     from equilibrium.methods.printed_model import solve_literal
     from equilibrium.model.errors import GraspError
+    from equilibrium.model.pyramid import FLAT
     from equilibrium.spatial_verdict import SpatialVerdict, solve_in_space
     from equilibrium.verdict import solve
 
@@ -138,7 +123,7 @@ def _solve(arguments: argparse.Namespace) -> int:
     if arguments.cone is None:
         found = solve(grasp, wrench, **limits)
     elif grasp.dimension == 2:
-        raise GraspError("in the plane the friction cone has two edges; omit --cone")
+        raise GraspError(FLAT)
     else:
         limit = arguments.time_limit
         found = solve_in_space(grasp, wrench, time_limit=limit, pyramid=arguments.cone)
@@ -158,15 +143,15 @@ def _solve(arguments: argparse.Namespace) -> int:
 
 def _verdict_lines(pieces: Sequence[Equilibrium], grasp: Grasp) -> Iterator[str]:
     if not pieces:
-        yield "not stable: no contact state admits an equilibrium"
+        yield "not resisted: no contact state admits an equilibrium"
         return
-    yield f"stable: {len(pieces)} " + ("equilibrium" if len(pieces) == 1 else "equilibria")
+    yield f"resisted: {len(pieces)} " + ("equilibrium" if len(pieces) == 1 else "equilibria")
     for piece in pieces:
         yield from _equilibrium_lines(grasp, piece, piece.states, _freedom(piece))
 
 
 def _one_of_many(found: Verdict) -> Iterator[str]:
-    yield "stable: the equilibrium found is below; there may be others, and --all lists them"
+    yield "resisted: the equilibrium found is below; there may be others, and --all lists them"
     if found.solution is not None:
         yield from _equilibrium_lines(found.grasp, found.solution, found.states)
 

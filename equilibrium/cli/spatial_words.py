@@ -39,6 +39,8 @@ def spatial_lines(found: SpatialVerdict) -> Iterator[str]:
     yield f"resisted{cones}: " + (
         "an exact equilibrium" if exact else "exactly one equilibrium lies in a box of intervals"
     )
+    if not isinstance(found.solution, SpatialSolution) and found.solution.idle:
+        yield "  (but for motions that no attached contact feels, as a turn about the line of two)"
     shown: Any = vector if exact else _floats
     yield f"  motion {shown(found.solution.motion)}"
     forces = zip(found.states, found.solution.forces, strict=True)

@@ -37,7 +37,7 @@ def draw_methods(grasp: Grasp, *, wrenches: Iterable[Wrench], width: float = 88.
         GraspError: no wrench, or too many.
         MissingExtraError: matplotlib is absent.
     """
-    questions = [read_wrench(wrench) for wrench in wrenches]
+    questions = [read_wrench(wrench, grasp.dimension) for wrench in wrenches]
     if not 1 <= len(questions) <= MAX_WRENCHES:
         raise GraspError(f"{len(questions)} wrenches; give 1 to {MAX_WRENCHES}")
     answers = [compare(grasp, wrench) for wrench in questions]

@@ -34,15 +34,17 @@ def verdict_html(verdict: Verdict) -> str:
     units = f"<p>{escape(str(stated))}</p>" if stated else ""
     applied = f"w = {_vector(verdict.wrench)}"
     if not verdict.stable:
-        return f"<div>{units}<p><b>no equilibrium</b> under {applied}</p></div>"
+        return (
+            f"<div>{units}<p><b>not resisted</b> under {applied}: there is no equilibrium</p></div>"
+        )
     if not verdict.lists_all():
         assert verdict.solution is not None
         table = _table(verdict.states, verdict.solution)
         note = "one equilibrium, and there may be others"
-        return f"<div>{units}<p><b>stable</b> under {applied}: {note}</p>{table}</div>"
+        return f"<div>{units}<p><b>resisted</b> under {applied}: {note}</p>{table}</div>"
     equilibria = verdict.equilibria
     number = len(equilibria)
-    heading = f"<b>stable</b> under {applied}: {number} " + (
+    heading = f"<b>resisted</b> under {applied}: {number} " + (
         "equilibrium" if number == 1 else "equilibria"
     )
     tables = "".join(

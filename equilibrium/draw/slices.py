@@ -29,7 +29,7 @@ def draw_slice(
     preload: Exact | None = None,
     extent: Exact | None = None,
     axes: str = "",
-    directions: int = 24,
+    directions: int = 16,
     width: float = 180.0,
 ) -> Scene:
     """Draw the resisted forces three times in the same plane, with the same axes.
@@ -41,6 +41,7 @@ def draw_slice(
 
     In space, one picture: the wrenches along directions of a plane of two coordinates, from 0 to
     the borders, with both ends of each bracket; thick where magnitudes between stayed undecided.
+    Shaded outside is all that the proofs found refute: each refutes a convex part of the plane.
 
     Args:
         grasp: contacts.

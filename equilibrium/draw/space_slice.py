@@ -9,6 +9,7 @@ import numpy as np
 
 from arrangement.draw.colours import BLACK, GREY, VERMILION
 from arrangement.draw.items import Floats
+from arrangement.draw.legend import Legend
 from arrangement.draw.measuring import POINTS
 from arrangement.draw.scene import Scene
 from arrangement.exact import shown
@@ -17,6 +18,7 @@ from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import Grasp
 from equilibrium.model.unit_normal import unit_normal
 from equilibrium.spatial_verdict import RESISTED
+from equilibrium.wrench_sets.known_loads import KnownLoads
 from equilibrium.wrench_sets.spatial import SpatialMagnitudes, spatial_magnitudes
 
 from .keys import symbol
@@ -25,9 +27,9 @@ from .style import SHADE, nice
 NAMES = ("fx", "fy", "fz", "tx", "ty", "tz")
 _LABELS = ("$f_x$", "$f_y$", "$f_z$", "τ_x", "τ_y", "τ_z")
 #: Relative width of the brackets, and nodes of each tree: finer ones cannot be seen.
-_WIDTH, _NODES = Fraction(1, 1000), 200
+_WIDTH, _NODES, _EVERY = Fraction(1, 40), 20, 2
 _MARGIN = 22.0
-_HELD = "#5f93bd"
+_HELD, _REFUTED = "#5f93bd", "#f6e3d3"
 
 
 def slice_in_space(grasp: Grasp, axes: str, directions: int, width: float) -> Scene:
@@ -38,36 +40,35 @@ def slice_in_space(grasp: Grasp, axes: str, directions: int, width: float) -> Sc
     if not 3 <= directions <= 360:
         raise GraspError(f"directions is {directions}; give 3 to 360")
     first, second = map(NAMES.index, chosen)
-    spokes = []
+    spokes, loads = [], KnownLoads(grasp, _NODES)
     for k in watched(range(directions), "directions"):
         angle = 2 * math.pi * k / directions
         way = unit_normal((math.cos(angle), math.sin(angle)), Fraction(1, 100)).normal
         load = [Fraction(0)] * 6
         load[first], load[second] = way
-        known = spatial_magnitudes(grasp, load, width=_WIDTH, nodes=_NODES)
+        known = spatial_magnitudes(grasp, load, width=_WIDTH, loads=loads, every=_EVERY)
         spokes.append((np.array([float(x) for x in way]), known))
-    return _drawn(spokes, (_LABELS[first], _LABELS[second]), width)
+    rows = [
+        [(float(v[first]), float(v[second]), float(rest)) for v, rest in tree]
+        for tree in loads.trees
+    ]
+    return _drawn(spokes, rows, (_LABELS[first], _LABELS[second]), width)
 
 
 def _drawn(
-    spokes: list[tuple[Floats, SpatialMagnitudes]], names: tuple[str, str], width: float
+    spokes: list[tuple[Floats, SpatialMagnitudes]],
+    trees: list[list[tuple[float, float, float]]],
+    names: tuple[str, str],
+    width: float,
 ) -> Scene:
-    ends = [float(max(b.resisted, b.refused)) for _, m in spokes for b in m.borders]
-    reach = 1.25 * (4 * float(np.median(ends)) if ends else 1.0)
-    reach = min(reach, 1.25 * max(ends, default=1.0)) or 1.0
+    # Of a border at 0 only the width of its bracket is seen, which says nothing about the scale.
+    borders = [b for _, m in spokes for b in m.borders if b.resisted > 0]
+    ends = [float(max(b.resisted, b.refused)) for b in borders]
+    reach = 1.25 * min(4 * float(np.median(ends)), max(ends)) if ends else 1.0
     scene = Scene(width, width)
     middle, scale = np.full(2, width * POINTS / 2), (width * POINTS / 2 - _MARGIN) / reach
-    for way in (np.array([1.0, 0.0]), np.array([0.0, 1.0])):
-        ends_of = [middle - reach * scale * way, middle + reach * scale * way]
-        scene.line(ends_of, ec=GREY, lw=0.4, zorder=1, role="axis")
-    step = nice(0.5 * reach)
-    for k in (-2, -1, 1, 2):
-        for way in (np.array([1.0, 0.0]), np.array([0.0, 1.0])):
-            if abs(k * float(step)) < reach:
-                scene.write(middle + k * float(step) * scale * way - 6 * way[::-1],
-                            f"{float(k * step):g}".replace("-", "−"), 5.5, color=GREY)  # fmt: skip
-    for name, out in zip(names, ((1, 0), (0, 1)), strict=True):
-        scene.write(middle + (reach * scale + 9) * np.array(out), name)
+    refuted = _refuted(scene, middle, scale, reach, trees)
+    _axes(scene, middle, scale, reach, names)
     rim = []
     for i, (way, known) in enumerate(spokes):
         held, start = known.samples[0][1] == RESISTED, 0.0
@@ -89,7 +90,68 @@ def _drawn(
         else:
             rim.append(middle + (reach if known.samples[0][1] == RESISTED else 0) * scale * way)
     scene.polygon(rim, fc=SHADE, ec="none", zorder=0.5, gid="region-1", role="region")
-    scene.legend.key(symbol(_HELD), "proved to be resisted at the samples, from 0 to the border")
-    scene.legend.key(symbol("missed"), "between the two proofs (thick: tried, undecided)")
-    scene.legend.line(f"{len(spokes)} directions; the shade between them is a guide, no proof")
+    _explain(scene.legend, spokes, bool(ends), refuted)
     return scene
+
+
+def _clipped(polygon: Floats, rows: list[tuple[float, float, float]]) -> Floats:
+    """Return the part of a convex polygon where all ``a x + b y + c`` are at least 0."""
+    for a, b, c in rows:
+        values = polygon @ (a, b) + c
+        corners = []
+        for k in range(len(polygon)):
+            here, last = values[k], values[k - 1]
+            if here * last < 0:
+                corners.append((polygon[k] * last - polygon[k - 1] * here) / (last - here))
+            if here >= 0:
+                corners.append(polygon[k])
+        if len(corners) < 3:
+            return np.zeros((0, 2))
+        polygon = np.array(corners)
+    return polygon
+
+
+def _axes(scene: Scene, middle: Floats, scale: float, reach: float, names: tuple[str, str]) -> None:
+    for way in (np.array([1.0, 0.0]), np.array([0.0, 1.0])):
+        axis = [middle - reach * scale * way, middle + reach * scale * way]
+        scene.line(axis, ec=GREY, lw=0.4, zorder=1, role="axis")
+    step = nice(0.5 * reach)
+    for k in (-2, -1, 1, 2):
+        for way in (np.array([1.0, 0.0]), np.array([0.0, 1.0])):
+            if abs(k * float(step)) < reach:
+                scene.write(middle + k * float(step) * scale * way - 6 * way[::-1],
+                            f"{float(k * step):g}".replace("-", "−"), 5.5, color=GREY)  # fmt: skip
+    for name, out in zip(names, ((1, 0), (0, 1)), strict=True):
+        scene.write(middle + (reach * scale + 9) * np.array(out), name)
+
+
+def _refuted(
+    scene: Scene,
+    middle: Floats,
+    scale: float,
+    reach: float,
+    trees: list[list[tuple[float, float, float]]],
+) -> bool:
+    """Paint what each tree refutes; return whether any of it is in view."""
+    window = reach * np.array([(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)])
+    parts = [part for tree in trees if len(part := _clipped(window, tree)) > 2]
+    for k, part in enumerate(parts):
+        corners = list(middle + scale * part)
+        scene.polygon(
+            corners, fc=_REFUTED, ec="none", zorder=0.4, gid=f"refuted-{k}", role="region"
+        )
+    return bool(parts)
+
+
+def _explain(
+    legend: Legend, spokes: list[tuple[Floats, SpatialMagnitudes]], ends: bool, refuted: bool
+) -> None:
+    """Say what is drawn, if there are borders beyond 0 or not."""
+    legend.key(symbol(_HELD), "proved to be resisted at the samples, from 0 to the border")
+    if refuted:
+        legend.key(symbol(_REFUTED), "proved not to be resisted (white: left open here)")
+    if ends:
+        legend.key(symbol("missed"), "between the two proofs (thick: tried, undecided)")
+    elif all(known.borders for _, known in spokes):
+        legend.line("nothing is resisted in these directions, 0 aside")
+    legend.line(f"{len(spokes)} directions; the shade between them is a guide, no proof")

@@ -29,7 +29,11 @@ DRAWINGS = Drawings(
     },
 )
 #: What is drawn of grasps in space; and what of these alone.
-_IN_SPACE = {"views": ("grasp", "proof", "slice"), "models": ("grasp",), "pages": ("grasp",)}
+_IN_SPACE = {
+    "views": ("grasp", "proof", "slice", "methods"),
+    "models": ("grasp",),
+    "pages": ("grasp",),
+}
 _IN_SPACE_ONLY = {"views": (), "models": ("grasp",), "pages": ("grasp",)}
 
 

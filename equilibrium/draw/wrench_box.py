@@ -27,7 +27,7 @@ _ROOM = Fraction(2, 5)
 #: Corners farther out than so many times the median do not count.
 _FAR = 4
 #: What is resisted, and where the box cuts it.
-SOLID, CUT = "#5f93bd", "#eef2f5"
+SOLID, CUT = "#5f93bd", "#e3ecf3"
 NAMES = ("f_x", "f_y", "τ")
 #: The walls of the box as outward rows.
 WALLS = tuple((*(s * int(i == j) for j in range(3)), -1) for i in range(3) for s in (1, -1))

@@ -5,6 +5,7 @@ from __future__ import annotations
 import inspect
 import math
 from collections.abc import Iterable
+from functools import cached_property
 from itertools import product
 from typing import Any
 
@@ -136,7 +137,8 @@ class _Solid:
     def _describe(self, legend: Legend, applied: Any) -> None:
         if not self.box.shapes:
             legend.line("nothing is resisted")
-        legend.line(box_text(self.grasp, self.box))
+        text = box_text(self.grasp, self.box)
+        legend.line(text.replace("f_x", "$f_x$").replace("f_y", "$f_y$"))
         if applied is not None:
             held = any(piece.polyhedron.contains(applied) for piece in self.box.pieces)
             legend.key(symbol("resisted" if held else "refused"), f"w = {vector(applied)}")
@@ -191,13 +193,28 @@ class _Solid:
         self.scene.polygon(corners, fc=fill, ec=fill, lw=0.3, zorder=z, joinstyle="round",
                            gid=f"{'wall' if wall else 'facet'}-{count}", role="region")  # fmt: skip
 
+    @cached_property
+    def _cuts(self) -> dict[tuple[int, ...], list[tuple[int, int]]]:
+        """The walls, as axis and side, that cut what the set has in each plane."""
+        found: dict[tuple[int, ...], list[Floats]] = {}
+        for patch in (p for node in self.box.tree for p in node.patches if len(p.corners) > 2):
+            found.setdefault(patch.row, []).append(rounded(patch.corners))
+        corners = {row: np.concatenate(parts) for row, parts in found.items()}
+        sides = list(product(range(3), (1, -1)))
+        return {
+            row: [
+                (axis, side) for axis, side in sides
+                if (side * at[:, axis]).max() > 1 - 1e-9
+                and (side * at[:, axis]).min() <= 1 - _FADE
+            ]
+            for row, at in corners.items()
+        }  # fmt: skip
+
     def _fade(self, patch: Patch, z: float) -> None:
-        """Let a face turn white towards each wall that cuts it."""
+        """Let a face turn white towards each wall that cuts its plane."""
         corners = rounded(patch.corners)
-        for axis, side in product(range(3), (1, -1)):
+        for axis, side in self._cuts[patch.row]:
             depth = side * corners[:, axis]
-            if depth.max() < 1 - 1e-9 or depth.min() > 1 - _FADE:
-                continue
             for k in range(_STEPS):
                 part = _beyond(corners, depth, 1 - _FADE * (1 - k / _STEPS))
                 if len(part) > 2:

@@ -1,10 +1,11 @@
 """Grasps from CSV files: one contact a line, strictly read.
 
-The first line names the columns: ``x``, ``y``, ``normal_x``, ``normal_y``, ``friction`` and, if
-wanted, ``stiffness`` and ``preload``, in any order, separated by commas, semicolons or tabs; short
-names are ``nx``, ``ny``, ``mu``, ``k`` and ``q``. Empty lines and lines that begin with ``#`` say
-nothing. Numbers are exact decimals or ratios, as ``-0.25`` and ``7/3``. A normal may have any
-length; one of irrational length is replaced by a near unit vector and the error reported.
+The first line names the columns: ``x``, ``y``, ``normal_x``, ``normal_y``, ``friction``, in space
+also ``z`` and ``normal_z``, and, if wanted, ``stiffness`` and ``preload``, in any order. They are
+separated by commas, semicolons or tabs; short names are ``nx``, ``ny``, ``nz``, ``mu``, ``k`` and
+``q``. Empty lines and lines that begin with ``#`` say nothing. Numbers are decimals or ratios,
+as ``-0.25``, ``7/3``. A normal may have any length; one of irrational length is replaced by a
+near unit vector and the error reported.
 """
 
 from __future__ import annotations
@@ -15,7 +16,7 @@ import os
 from collections.abc import Callable, Iterator
 from fractions import Fraction
 from pathlib import Path
-from typing import Any
+from typing import Any, TypeVar
 
 from arrangement.exact import rational, shown
 from equilibrium.model.contact import VALUES
@@ -26,10 +27,16 @@ from equilibrium.model.unit_normal import unit_normal
 from .conversion import DEFAULT_TOLERANCE, Conversion, assembled
 
 _REQUIRED = ("x", "y", "normal_x", "normal_y", VALUES[0])
-_OPTIONAL = VALUES[1:]
-_SHORT = {"nx": "normal_x", "ny": "normal_y", "mu": "friction", "k": "stiffness", "q": "preload"}
+_IN_SPACE = ("z", "normal_z")
+_KNOWN = (*_REQUIRED, *_IN_SPACE, *VALUES[1:])
+_SHORT = {"nx": "normal_x", "ny": "normal_y", "nz": "normal_z"} | {
+    "mu": "friction",
+    "k": "stiffness",
+    "q": "preload",
+}
 _SEPARATORS = (",", ";", "\t")
 MAX_BYTES = 4 * 2**20
+T = TypeVar("T")
 
 
 def read_csv(
@@ -54,11 +61,18 @@ def parse_csv(text: str, *, angle_tolerance: Any = DEFAULT_TOLERANCE) -> Convers
 
     def contact(row: dict[str, str]) -> Conversion:
         numbers = {name: rational(entry, name) for name, entry in row.items()}
-        normal = unit_normal((numbers["normal_x"], numbers["normal_y"]), angle_tolerance)
-        place = ((numbers["x"], numbers["y"]), Fraction(0))
-        return assembled([place], [normal], [{x: numbers[x] for x in VALUES if x in numbers}])
+        point, direction, values = parts_of(numbers)
+        normal = unit_normal(direction, angle_tolerance)
+        return assembled([(point, Fraction(0))], [normal], [values])
 
     return each_line(text, contact)
+
+
+def parts_of(row: dict[str, T]) -> tuple[tuple[T, ...], tuple[T, ...], dict[str, T]]:
+    """Return point, normal and values of a contact, from its entries by column."""
+    axes = ("x", "y", "z") if "z" in row else ("x", "y")
+    values = {name: row[name] for name in VALUES if name in row}
+    return tuple(row[x] for x in axes), tuple(row[f"normal_{x}"] for x in axes), values
 
 
 def each_line(text: str, contact: Callable[[dict[str, str]], Conversion]) -> Conversion:
@@ -98,16 +112,18 @@ def _rows(text: str) -> Iterator[tuple[int, dict[str, str]]]:
 
 def _check_header(header: list[str]) -> None:
     """Refuse missing, unknown and repeated columns."""
-    missing = [name for name in _REQUIRED if name not in header]
+    in_space = any(name in header for name in _IN_SPACE)
+    required = (*_REQUIRED, *_IN_SPACE) if in_space else _REQUIRED
+    missing = [name for name in required if name not in header]
     if missing:
+        where = ", for contacts in space" if in_space else ""
         raise GraspError(
-            f"the first line must name the columns {', '.join(_REQUIRED)}; {missing[0]} is missing"
+            f"the first line must name the columns {', '.join(required)}{where}; {missing[0]} is "
+            "missing"
         )
     for name in header:
-        if name not in (*_REQUIRED, *_OPTIONAL):
-            raise GraspError(
-                f"the column {shown(name)} is unknown; known are {', '.join(_REQUIRED + _OPTIONAL)}"
-            )
+        if name not in _KNOWN:
+            raise GraspError(f"the column {shown(name)} is unknown; known are {', '.join(_KNOWN)}")
         if header.count(name) > 1:
             raise GraspError(f"the column {name} appears twice; keep one")
 

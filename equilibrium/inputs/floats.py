@@ -27,7 +27,7 @@ from .conversion import (
     snapped,
     unit_normals,
 )
-from .csv_file import csv_text, each_line
+from .csv_file import csv_text, each_line, parts_of
 
 _DECIMAL = re.compile(r"[+-]?([0-9]{1,400}\.?[0-9]{0,400}|\.[0-9]{1,400})([eE][+-]?[0-9]{1,4})?")
 
@@ -48,8 +48,8 @@ def from_float_data(
     contacts that were meant to be aligned are aligned.
 
     Args:
-        points: (m, 2) contact points.
-        normals: (m, 2) directions into the object, of any length.
+        points: (m, 2) contact points, (m, 3) in space.
+        normals: (m, 2) or (m, 3) directions into the object, of any length.
         friction, stiffness, preload: one for all or one for each contact.
         tolerance: largest change of a coordinate or value.
         angle_tolerance: largest tangent of the change of a normal's direction.
@@ -76,8 +76,8 @@ def from_float_data(
 def _place(point: Any, tolerance: Any, index: int) -> tuple[RationalVector, Fraction]:
     """Return a snapped point and its largest change."""
     coordinates = [snapped(x, tolerance) for x in point]
-    if len(coordinates) != 2:
-        raise GraspError(f"points[{index}] has {len(coordinates)} coordinates; give two")
+    if len(coordinates) not in (2, 3):
+        raise GraspError(f"points[{index}] has {len(coordinates)} coordinates; give two or three")
     return tuple(x for x, _ in coordinates), max(abs(change) for _, change in coordinates)
 
 
@@ -97,7 +97,7 @@ def read_float_data(
     check_keys(document, required, (*VALUES[1:], "description"), "the document")
     points, normals = (
         [
-            [_plain(x, f"{key}[{i}]") for x in check_list(pair, f"{key}[{i}]", 2)]
+            [_plain(x, f"{key}[{i}]") for x in check_list(pair, f"{key}[{i}]")]
             for i, pair in enumerate(check_list(document[key], key))
         ]
         for key in ("points", "normals")
@@ -120,8 +120,7 @@ def _plain(value: Any, where: str) -> Any:
 def _contact(row: dict[str, str], tolerances: dict[str, Any]) -> Conversion:
     """Return one contact, from a line of a CSV file."""
     numbers = {name: _number(entry, name) for name, entry in row.items()}
-    point, normal = [numbers["x"], numbers["y"]], [numbers["normal_x"], numbers["normal_y"]]
-    values = {name: numbers[name] for name in VALUES if name in numbers}
+    point, normal, values = parts_of(numbers)
     return from_float_data([point], [normal], **values, **tolerances)
 
 

@@ -16,7 +16,7 @@ from arrangement.draw.html_page import Template
 from arrangement.draw.registry import Wrench
 from arrangement.errors import InputError
 from arrangement.exact import to_text
-from arrangement.lab.page import lab
+from arrangement.lab.page import LINEAR, RATIONAL, lab
 from equilibrium.io.files import read_grasp
 from equilibrium.model.grasp import Grasp, read_wrench
 
@@ -46,16 +46,20 @@ _EXAMPLES: tuple[tuple[str, str, tuple[int | str, ...]], ...] = (
     ("Opposed contacts without friction", "frictionless-opposed-contacts", (0, -1, 0)),
 )
 _OWN, _DRAW = "equilibrium.lab", "equilibrium.draw"
-_DECIDES = ("law", "model", "check", "guide", "solve", "motions", "forces", "methods")
+_DECIDES = (
+    *("background", "law", "model", "check", "guide", "solve", "motions", "forces", "methods"),
+    "questions",
+)
 #: What decides: it needs no page.
 DECIDES: tuple[Template, ...] = (
+    RATIONAL,
+    LINEAR,
     (_DRAW, "resisted.js"),
     *((_OWN, f"{name}.js") for name in _DECIDES),
 )
 _VIEWS = ("grasp_view", "motion_view", "map_view", "answer", "steps")
 _SHOWS = ("state", *_VIEWS, "fields", "controls", "judge", "lab")
 SCRIPTS: tuple[Template, ...] = (
-    *DECIDES,
     *((_DRAW, f"{name}.js") for name in ("sketch", "plane")),
     *((_OWN, f"{name}.js") for name in _SHOWS),
 )
@@ -87,6 +91,7 @@ def lab_page(
     heading = "The slip lab" if title is None else title
     data: dict[str, Any] = {
         "title": heading,
+        "summary": "Drag contacts, normals and the load; every answer is exact.",
         "most": MAX_CONTACTS,
         **_question(first, _EXAMPLES[0][2] if wrench is None else wrench),
         "examples": [
@@ -103,8 +108,8 @@ def lab_page(
         "origin": [0, 0],
         "exercises": slip_exercises(exercises),
     }
-    styles: list[Template] = [(_DRAW, "sketch.css"), (_OWN, "lab.css")]
-    return lab(heading, (_OWN, "lab.html"), styles, SCRIPTS, data)
+    styles = [(_DRAW, "sketch.css"), (_DRAW, "plane.css"), (_OWN, "lab.css")]
+    return lab(heading, (_OWN, "lab.html"), styles, SCRIPTS, data, DECIDES)
 
 
 def _question(grasp: Grasp, wrench: Any) -> dict[str, Any]:

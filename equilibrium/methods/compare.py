@@ -10,6 +10,7 @@ from arrangement.exact import RationalVector, to_text
 from arrangement.progress import watched
 from equilibrium.model.errors import GraspError, UndecidedError
 from equilibrium.model.grasp import Grasp, read_wrench
+from equilibrium.model.pyramid import FLAT, pyramid_edges
 
 from .registry import DECIDING, DECIDING_IN_SPACE, METHODS, method_named
 
@@ -41,11 +42,16 @@ class Answer:
 
 @dataclass(frozen=True)
 class Comparison:
-    """The verdicts of all methods on one question; the complete model comes first."""
+    """The verdicts of all methods on one question; the complete model comes first.
+
+    Attributes:
+        pyramid: edges of the friction pyramids asked for; None for round cones, or in the plane.
+    """
 
     grasp: Grasp
     wrench: RationalVector
     answers: tuple[Answer, ...]
+    pyramid: int | None = None
 
     @property
     def stable(self) -> bool:
@@ -77,7 +83,8 @@ class Comparison:
 
     def to_dict(self) -> dict[str, Any]:
         """Return a JSON form; `agrees` is null where it or the complete model says nothing."""
-        return {
+        asked = {} if self.pyramid is None else {"pyramid": self.pyramid}
+        return asked | {
             "stable": self.answers[0].accepts,
             "methods": [
                 {
@@ -101,12 +108,17 @@ def ask(method: str, grasp: Grasp, wrench: RationalVector) -> bool | None:
     return method_named(method).outcome(grasp, wrench)[0]
 
 
-def compare(grasp: Grasp, wrench: Iterable[Any]) -> Comparison:
+def compare(grasp: Grasp, wrench: Iterable[Any], *, pyramid: int | None = None) -> Comparison:
     """Put one question to every method.
 
     Args:
         grasp: contacts.
         wrench: applied, ``(f_x, f_y, tau)``, or six numbers in space, where fewer methods answer.
+        pyramid: in space, edges of friction pyramids in place of the round cones, for the complete
+            model and all methods with friction; see `equilibrium.model.pyramid`.
+
+    Raises:
+        GraspError: a wrench of the wrong length, or a pyramid in the plane or of no such number.
 
     Returns:
         All verdicts. The compliance methods start from tangential forces that balance the
@@ -118,8 +130,12 @@ def compare(grasp: Grasp, wrench: Iterable[Any]) -> Comparison:
     ('linear-compliance',)
     """
     applied = read_wrench(wrench, grasp.dimension)
+    if pyramid is not None:
+        pyramid_edges(pyramid)
+        if grasp.dimension == 2:
+            raise GraspError(FLAT)
     answers = [
-        Answer(key, METHODS[key].title, *METHODS[key].outcome(grasp, applied))
+        Answer(key, METHODS[key].title, *METHODS[key].outcome(grasp, applied, pyramid))
         for key in watched(DECIDING if grasp.dimension == 2 else DECIDING_IN_SPACE, "methods")
     ]
-    return Comparison(grasp, applied, tuple(answers))
+    return Comparison(grasp, applied, tuple(answers), pyramid)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from arrangement.exact import RationalVector
 from equilibrium.model.grasp import Grasp
+from equilibrium.model.pyramid import pyramid_words
 from equilibrium.spatial_verdict import solve_in_space
 from equilibrium.verdict import Solver
 from equilibrium.wrench_sets.plane import resisted_region
@@ -18,11 +19,11 @@ def _decide(grasp: Grasp, wrench: RationalVector) -> Outcome:
     return found.stable, f"{len(found.equilibria)} maximal pieces of solutions"
 
 
-def _decide_in_space(grasp: Grasp, wrench: RationalVector) -> Outcome:
-    found = solve_in_space(grasp, wrench)
+def _decide_in_space(grasp: Grasp, wrench: RationalVector, pyramid: int | None) -> Outcome:
+    found = solve_in_space(grasp, wrench, pyramid=pyramid)
     if not found.decided:
         return None, f"undecided: {found.reason}"
-    return found.stable, "round cones, proved"
+    return found.stable, f"{pyramid_words(pyramid) or 'round cones'}, proved"
 
 
 COMPLETE = Method(

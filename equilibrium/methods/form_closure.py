@@ -95,7 +95,8 @@ def _free_motion(wrenches: Sequence[RationalVector]) -> RationalVector:
     return tuple(map(Fraction, [*rays, *lines][0]))
 
 
-def _decide(grasp: Grasp, _: RationalVector) -> Outcome:
+def _decide(grasp: Grasp, _: RationalVector, pyramid: int | None = None) -> Outcome:
+    del pyramid
     closed = form_closure(grasp).accepts
     return closed, "every wrench" if closed else "no form closure: nothing follows for one wrench"
 

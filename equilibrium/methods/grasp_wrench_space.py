@@ -242,23 +242,24 @@ def _volume(polytope: Polyhedron) -> Fraction:
     return total / 6
 
 
-def _decide(grasp: Grasp, wrench: RationalVector) -> Outcome:
-    found = GraspWrenchSpace(grasp).verdict(wrench)
+def _decide(grasp: Grasp, wrench: RationalVector, pyramid: int = 4) -> Outcome:
+    found = GraspWrenchSpace(grasp, pyramid=pyramid).verdict(wrench)
     if found.least_force is None:
         return False, "no forces inside the cones balance it"
     return True, f"total normal force at least {to_text(found.least_force)}"
 
 
-#: In six dimensions the hull of more contacts takes seconds and more.
-_MOST_IN_HULL = 4
+#: In six dimensions the hull of more edges takes seconds and more.
+MOST_IN_HULL = 16
 
 
-def _decide_in_space(grasp: Grasp, wrench: RationalVector) -> Outcome:
-    accepts, remark = _decide(grasp, wrench)
-    if len(grasp) <= _MOST_IN_HULL:
-        space = GraspWrenchSpace(grasp)
+def _decide_in_space(grasp: Grasp, wrench: RationalVector, pyramid: int | None) -> Outcome:
+    edges = pyramid or 4
+    accepts, remark = _decide(grasp, wrench, edges)
+    if edges * len(grasp) <= MOST_IN_HULL:
+        space = GraspWrenchSpace(grasp, pyramid=edges)
         remark += f"; epsilon {space.epsilon:.4g}" if space.force_closure else "; no force closure"
-    return accepts, f"pyramids of 4 edges: {remark}"
+    return accepts, f"pyramids of {edges} edges: {remark}"
 
 
 #: Without a bound of the forces.

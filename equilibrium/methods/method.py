@@ -15,6 +15,8 @@ from equilibrium.wrench_sets.plane import FORCES, Region, region_of
 #: Whether a method accepts (None: it says nothing), and what the answer rests on.
 Outcome: TypeAlias = tuple[bool | None, str]
 Decide: TypeAlias = Callable[[Grasp, RationalVector], Outcome]
+#: The same in space, with edges of friction pyramids; None for round cones.
+DecideInSpace: TypeAlias = Callable[[Grasp, RationalVector, int | None], Outcome]
 FindRegion: TypeAlias = Callable[[Grasp, Sequence[Iterable[Any]], Iterable[Any]], Region]
 
 
@@ -46,20 +48,25 @@ class Method:
     decide: Decide | None = None
     find_region: FindRegion | None = None
     most_contacts: int | None = None
-    decide_in_space: Decide | None = None
+    decide_in_space: DecideInSpace | None = None
 
     def tries(self, grasp: Grasp) -> bool:
         """Return whether the contacts are few enough."""
         return self.most_contacts is None or len(grasp) <= self.most_contacts
 
-    def outcome(self, grasp: Grasp, wrench: RationalVector) -> Outcome:
-        """Return the verdict on one wrench, with what it rests on."""
-        decide = self.decide if grasp.dimension == 2 else self.decide_in_space
-        if decide is None:
-            return None, "no verdict on one wrench" + (" in space" if grasp.dimension > 2 else "")
+    def outcome(self, grasp: Grasp, wrench: RationalVector, pyramid: int | None = None) -> Outcome:
+        """Return the verdict on one wrench, with what it rests on.
+
+        Args:
+            pyramid: in space, edges of friction pyramids in place of the round cones.
+        """
         if not self.tries(grasp):
             return None, f"not tried: {len(grasp)} contacts, at most {self.most_contacts}"
-        return decide(grasp, wrench)
+        if grasp.dimension == 2:
+            return self.decide(grasp, wrench) if self.decide else (None, "no verdict on one wrench")
+        if self.decide_in_space is None:
+            return None, "no verdict on one wrench in space"
+        return self.decide_in_space(grasp, wrench, pyramid)
 
     def region(
         self,

@@ -35,6 +35,7 @@ from arrangement.polyhedra.polyhedron import Polyhedron, from_generators
 from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import Grasp, read_wrench
 from equilibrium.model.outline import coordinates
+from equilibrium.model.pyramid import pyramid_words
 from equilibrium.solver.contact_rows import (
     balance_rows,
     cone_rows,
@@ -198,7 +199,10 @@ def _decide_weak(grasp: Grasp, wrench: RationalVector) -> Outcome:
     return GraspWrenchSpace(grasp).verdict(wrench).accepts, "forces inside the cones exist"
 
 
-def _decide_weak_in_space(grasp: Grasp, wrench: RationalVector) -> Outcome:
+def _decide_weak_in_space(grasp: Grasp, wrench: RationalVector, pyramid: int | None) -> Outcome:
+    if pyramid is not None:
+        held = GraspWrenchSpace(grasp, pyramid=pyramid).verdict(wrench).accepts
+        return held, f"{'' if held else 'no '}forces inside {pyramid_words(pyramid)}"
     accepts = round_cones(grasp, wrench).accepts
     if accepts is None:
         return None, "undecided: the load is at the border of what round cones give"
@@ -213,7 +217,10 @@ def _decide_strong(grasp: Grasp, wrench: RationalVector) -> Outcome:
     return False, f"may start with acceleration ({', '.join(map(to_text, found.acceleration))})"
 
 
-def _decide_frictionless(grasp: Grasp, wrench: RationalVector) -> Outcome:
+def _decide_frictionless(
+    grasp: Grasp, wrench: RationalVector, pyramid: int | None = None
+) -> Outcome:
+    del pyramid
     return GraspWrenchSpace(grasp.with_friction(0)).verdict(wrench).accepts, "normal forces alone"
 
 

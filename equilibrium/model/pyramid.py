@@ -12,6 +12,8 @@ from .unit_normal import unit_normal
 #: Largest tangent of the angle between an edge and where a regular polygon has it.
 _TOLERANCE = "1/1000"
 _MOST = 64
+#: Why a pyramid is refused in the plane.
+FLAT = "in the plane the friction cone has two edges, and a pyramid is for grasps in space; omit it"
 
 
 def pyramid_words(count: int | None, before: str = "") -> str:

@@ -8,7 +8,7 @@ not looked at.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable
 from dataclasses import dataclass
 from fractions import Fraction
 from itertools import pairwise
@@ -18,12 +18,16 @@ from arrangement.exact import RationalVector, to_text
 from equilibrium.inputs.conversion import simplest_between
 from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import Grasp, read_wrench
-from equilibrium.spatial_verdict import NOT_RESISTED, RESISTED, UNDECIDED, solve_in_space
+from equilibrium.spatial_verdict import NOT_RESISTED, RESISTED, UNDECIDED
+
+from .known_loads import KnownLoads, KnownMagnitudes
 
 #: Powers of two of the sampled magnitudes, times the largest preload or 1.
 _POWERS = range(-6, 9)
-#: Bisection steps without progress because verdicts are undecided.
-_STUCK = 2
+#: The ends of what stays undecided are found to a share of one over this.
+_SHARP = 4
+#: After so many steps that leave an end of a bracket where it is one looks close to it.
+_STAYS = 4
 #: A bracket this many times narrower than its relative width at the samples is left as it is.
 _FLOOR = 10**6
 #: Of the tree of a verdict.
@@ -98,6 +102,8 @@ def spatial_magnitudes(
     *,
     width: Any = Fraction(1, 10**6),
     nodes: int = _NODES,
+    loads: KnownLoads | None = None,
+    every: int = 1,
 ) -> SpatialMagnitudes:
     """Bracket the magnitudes that a grasp in space resists along a direction.
 
@@ -105,6 +111,8 @@ def spatial_magnitudes(
         width: of a bracket, relative to its larger end; where the verdict changes at 0, a millionth
             of this share of the sample beyond.
         nodes: of the tree of each verdict, at most.
+        loads: what is known of the grasp already, which grows; with its own number of nodes.
+        every: which of the sampled magnitudes are taken: each, every other, ...
 
     Raises:
         GraspError: the direction is zero.
@@ -118,47 +126,83 @@ def spatial_magnitudes(
     if not any(along):
         raise GraspError("the direction is zero; give one that is not")
 
-    def verdict(t: Fraction) -> str:
-        wrench = [b + t * x for b, x in zip(start, along, strict=True)]
-        return solve_in_space(grasp, wrench, nodes=nodes).verdict
-
+    known = KnownMagnitudes(loads or KnownLoads(grasp, nodes), along, start)
     unit = max((c.preload for c in grasp), default=Fraction(0)) or Fraction(1)
-    samples = [(t, verdict(t)) for t in (Fraction(0), *(unit * Fraction(2) ** k for k in _POWERS))]
-    known = [(t, answer) for t, answer in samples if answer != UNDECIDED]
+    tried = [Fraction(0), *(unit * Fraction(2) ** k for k in _POWERS[::every])]
+    found = {k: known.verdict(tried[k]) for k in _ends_first(len(tried))}
+    samples = [(t, found[k]) for k, t in enumerate(tried)]
+    decided = [(t, answer) for t, answer in samples if answer != UNDECIDED]
     borders = tuple(
-        _bracket(verdict, first, second, Fraction(width))
-        for first, second in pairwise(known)
+        _bracket(known, first, second, Fraction(width))
+        for first, second in pairwise(decided)
         if first[1] != second[1]
     )
     return SpatialMagnitudes(along, start, tuple(samples), borders)
 
 
+def _ends_first(count: int) -> list[int]:
+    """Return all indices: both ends, then the middles of what they leave."""
+    found, parts = [0, count - 1], [(0, count - 1)]
+    for low, high in parts:
+        middle = (low + high) // 2
+        if low < middle:
+            found.append(middle)
+            parts += [(low, middle), (middle, high)]
+    return found
+
+
 def _bracket(
-    verdict: Any, first: tuple[Fraction, str], second: tuple[Fraction, str], width: Fraction
+    known: KnownMagnitudes,
+    first: tuple[Fraction, str],
+    second: tuple[Fraction, str],
+    width: Fraction,
 ) -> Border:
     """Return a narrow bracket between two magnitudes of different verdicts."""
     low, high = first[0], second[0]
     undecided: list[Fraction] = []
     # Where the verdict changes at 0 no width is small beside the larger end.
     floor = width * high / _FLOOR
-    while high - low > max(width * high, floor):
-        for t in _between(low, high):
-            answer = verdict(t)
-            if answer != UNDECIDED:
-                break
-            undecided.append(t)
-        else:
+    stays = [0, 0]
+    while high - low > (enough := max(width * high, floor)):
+        inner = [low, *undecided, high]
+        parts = [inner[:2], inner[-2:]]
+        start, end = max(parts, key=lambda part: part[1] - part[0])
+        if undecided and end - start <= max(enough, (high - low) / _SHARP):
             break
-        low, high = (t, high) if answer == first[1] else (low, t)
+        third = (end - start) / 3
+        t = simplest_between(start + third, end - third)
+        # An end that stays may be the border itself.
+        if stays[0] == _STAYS:
+            t = simplest_between(low + enough / 2, low + enough)
+        elif stays[1] == _STAYS:
+            t = simplest_between(high - enough, high - enough / 2)
+        answer, ends = known.verdict(t), (low, high)
+        if answer == UNDECIDED:
+            undecided = sorted([*undecided, t])
+        elif answer == first[1]:
+            low = t
+        else:
+            high = t
+        if answer == NOT_RESISTED:
+            low, high = _to_the_edge(known, t, low, high, enough / 4)
+        undecided = [t for t in undecided if low < t < high]
+        pairs = zip(stays, ends, (low, high), strict=True)
+        stays = [0 if old != new else count + 1 for count, old, new in pairs]
     ends = (low, high) if first[1] == RESISTED else (high, low)
-    return Border(*ends, tuple(sorted(t for t in undecided if low < t < high)))
+    return Border(*ends, tuple(undecided))
 
 
-def _between(low: Fraction, high: Fraction) -> Iterator[Fraction]:
-    """Yield simple numbers in the middle third, then nearer to both ends."""
-    third = (high - low) / 3
-    yield simplest_between(low + third, high - third)
-    for k in range(1, _STUCK):
-        part = third / 4**k
-        yield simplest_between(low + part / 2, low + part)
-        yield simplest_between(high - part, high - part / 2)
+def _to_the_edge(
+    known: KnownMagnitudes, t: Fraction, low: Fraction, high: Fraction, near: Fraction
+) -> tuple[Fraction, Fraction]:
+    """Move the refused end to the edge of what the tree refutes, as near as is asked for."""
+    around = known.refuting(t)
+    if around is None:
+        return low, high
+    # The other end is resisted, so the tree ends before it.
+    start, end = around
+    if t == high and start is not None and high - start > near:
+        high = simplest_between(start + near / 2, start + near)
+    if t == low and end is not None and end - low > near:
+        low = simplest_between(end - near, end - near / 2)
+    return low, high

@@ -40,7 +40,7 @@ def _parser() -> terminal.Parser:
         command(
             "sweep",
             "sweep.run_sweep",
-            "check one claim on very many random instances; can be interrupted",
+            "check one claim on very many instances; can be interrupted",
         )
     )
     status = command("status", "sweep.run_status", "say how far a sweep is, also while it runs")
@@ -70,6 +70,14 @@ def _parser() -> terminal.Parser:
     grade.add_argument("exercises", metavar="FILE.py", help="the exercises; it is run as a program")
     grade.add_argument(
         "answers", nargs="?", metavar="ANSWERS.json", help="(default: list the questions)"
+    )
+    table = command(
+        "table",
+        "table.run_table",
+        "compare numbers in print with what is computed (exit 1 if some differ)",
+    )
+    table.add_argument(
+        "table", metavar="FILE.csv", help="columns arrangement, quantity, printed; - for stdin"
     )
     new = command("new", "run.new_file", "write a file with claims of your own to begin with")
     new.add_argument("name", metavar="NAME", help="of the file; .py is added")
@@ -121,19 +129,24 @@ def _add_own(parser: argparse.ArgumentParser) -> argparse._ArgumentGroup:
 
 def _add_sweep(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("claim", metavar="ID", help="a claim, FILE.py, or FILE.py:ID")
-    parser.add_argument(
+    instances = parser.add_mutually_exclusive_group(required=True)
+    instances.add_argument(
         "--planes",
         type=_range,
-        required=True,
         metavar="LOW..HIGH",
-        help="numbers of planes, or of contacts",
+        help="numbers of planes, or of contacts, of random instances",
+    )
+    instances.add_argument(
+        "--types",
+        type=_range,
+        metavar="LOW..HIGH",
+        help="numbers of planes, 3 to 9: every combinatorial type of rank 3, no random ones",
     )
     parser.add_argument(
         "--samples",
         type=terminal.integer_argument,
-        required=True,
         metavar="N",
-        help="instances in all",
+        help="random instances in all",
     )
     _add_seed(parser)
     parser.add_argument(

@@ -11,6 +11,7 @@ from arrangement.errors import InputError
 from arrangement.io.files import read_document
 from arrangement.io.writing import write_text_atomically
 from arrangement.progress import Bar, duration, shown
+from proofs_check.errors import SweepError
 from proofs_check.reports import forms
 from proofs_check.reports.text import verdict
 from proofs_check.sweep import report as sweepreport, store
@@ -25,9 +26,10 @@ _SQLITE = b"SQLite format 3\x00"
 
 def run_sweep(arguments: argparse.Namespace) -> int:
     """Do what is left of a sweep, then say what it found."""
-    plan = plan_sweep(
-        arguments.claim, arguments.planes, arguments.samples, arguments.seed, arguments.chunk
-    )
+    if (arguments.types is None) == (arguments.samples is None):
+        raise SweepError("give --samples N with --planes; with --types every type is one instance")
+    planes = arguments.types or arguments.planes
+    plan = plan_sweep(arguments.claim, planes, arguments.samples, arguments.seed, arguments.chunk)
     bar = Bar(None, "samples")
 
     def show(done: int, due: int) -> None:

@@ -9,7 +9,7 @@ from typing import Any
 from arrangement.draw.output import require_matplotlib
 from arrangement.draw.views import DRAWINGS as OF_PLANES
 from arrangement.errors import MissingExtraError
-from arrangement.io.arrangements import read_arrangement
+from arrangement.formats.table import read_arrangement
 from equilibrium.draw.views import DRAWINGS as OF_GRASPS
 from equilibrium.model.grasp import Grasp
 from equilibrium.verdict import solve

@@ -36,7 +36,7 @@ def record(opened: Store) -> dict[str, Any]:
     worst = next((k for k in ("broken", "fails", "excused") if k in sums.smallest), None)
     result = {
         **claim["record"],
-        "evidence_kind": Kind.SAMPLED.value,
+        "evidence_kind": (Kind.EXHAUSTIVE if plan.types else Kind.SAMPLED).value,
         "over": _over(plan, claim),
         "verdict": found.value if found else None,
         "as_expected": consistent(found, expected),
@@ -54,6 +54,8 @@ def record(opened: Store) -> dict[str, Any]:
 
 def _over(plan: Plan, claim: dict[str, Any]) -> str:
     numbers = f"{plan.low}" if plan.low == plan.high else f"{plan.low} to {plan.high}"
+    if plan.types:
+        return f"all types of {numbers} distinct planes of rank 3"
     return f"random {claim['domain']} with {numbers} {claim['unit']}"
 
 
@@ -69,7 +71,8 @@ def _evidence(plan: Plan, claim: dict[str, Any], sums: Total, found: Verdict | N
     done = (
         str(plan.samples) if sums.samples == plan.samples else f"{sums.samples} of {plan.samples}"
     )
-    parts = [f"{done} samples: {_over(plan, claim)}, seed {plan.seed}: {', '.join(numbers)}"]
+    over = _over(plan, claim) if plan.types else f"samples: {_over(plan, claim)}, seed {plan.seed}"
+    parts = [f"{done} {over}: {', '.join(numbers)}"]
     expected = Verdict(claim["record"]["expected"])
     if found is not None and found is not expected and consistent(found, expected):
         parts.append(f"on other instances the verdict is: {expected.value}")

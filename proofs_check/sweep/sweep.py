@@ -1,6 +1,7 @@
-"""Sweeps: one claim on very many random instances, in numbered chunks that can be done anywhere.
+"""Sweeps: one claim on very many instances, in numbered chunks that can be done anywhere.
 
-Instance number k depends on the seed, the claim and k alone. So neither the number of workers, nor
+Instances are random, or the combinatorial types of the census, one after another. Random instance
+number k depends on the seed, the claim and k alone. So neither the number of workers, nor
 the order of the chunks, nor any interruption can change what a sweep finds.
 """
 
@@ -14,7 +15,9 @@ from pathlib import Path
 from typing import Any
 
 from arrangement import workers
+from arrangement.arrangement import Arrangement
 from arrangement.exact import shown
+from arrangement.library.census import MOST_PLANES, PUBLISHED, census
 from proofs_check.claim_file import file_digest
 from proofs_check.errors import DamagedStoreError, SweepError
 from proofs_check.evidence import OUTCOMES, check
@@ -46,6 +49,7 @@ class Plan:
         samples: number of instances.
         seed: of all of them.
         chunk: instances in one chunk.
+        types: the instances are all types of the census, not random ones.
         source: the name under which the claim is found here: ID, or FILE.py:ID.
     """
 
@@ -56,6 +60,7 @@ class Plan:
     samples: int
     seed: int
     chunk: int = CHUNK
+    types: bool = False
     source: str = field(default="", compare=False)
 
     @property
@@ -72,19 +77,26 @@ class Plan:
         """Return the plan for JSON; where the claim is found is no part of it."""
         entries = asdict(self)
         del entries["source"]
+        if not self.types:
+            del entries["types"]
         return entries
 
 
 def plan_sweep(
-    source: str, planes: tuple[int, int], samples: int, seed: int = 0, chunk: int = CHUNK
+    source: str,
+    planes: tuple[int, int],
+    samples: int | None,
+    seed: int = 0,
+    chunk: int = CHUNK,
 ) -> Plan:
     """Return the plan for a claim.
 
     Args:
         source: an id of the registry, FILE.py, or FILE.py:ID.
-        planes: smallest and largest number of planes or contacts; instance k has
+        planes: smallest and largest number of planes or contacts; random instance k has
             ``low + k mod (high - low + 1)`` of them.
-        samples, seed, chunk: see `Plan`.
+        samples: how many random instances; if None, every type of the census is one.
+        seed, chunk: see `Plan`.
 
     Raises:
         SweepError: a number out of range, or a claim that cannot be swept.
@@ -97,18 +109,32 @@ def plan_sweep(
             f"planes is {low}..{high}; {domain.text} need at least {domain.least}, "
             "and the smaller number stands first"
         )
+    if samples is None:
+        if domain.unit != "planes" or low < 3 or high > MOST_PLANES:
+            raise SweepError(
+                f"types is {low}..{high} for {domain.text}; "
+                f"there are types of 3 to {MOST_PLANES} planes, and of nothing else"
+            )
+        samples, types = sum(PUBLISHED[m] for m in range(low, high + 1)), True
+    else:
+        types = False
     for name, value, most in (("samples", samples, MOST), ("chunk", chunk, samples)):
         if not 1 <= value <= max(most, CHUNK):
             raise SweepError(f"{name} is {shown(value)}; give 1 to {max(most, CHUNK)}")
     file, _ = split(source)
     digest = file_digest(file) if file else ""
     name = f"{Path(file).resolve()}:{chosen.id}" if file else chosen.id
-    return Plan(chosen.id, digest, low, high, samples, seed, chunk, name)
+    return Plan(chosen.id, digest, low, high, samples, seed, chunk, types, name)
 
 
 def instance(plan: Plan, index: int) -> Any:
-    """Return the random instance with a number."""
-    return _target(plan).draw(plan.seed, index, (plan.low, plan.high))
+    """Return the instance with a number."""
+    if not plan.types:
+        return _target(plan).draw(plan.seed, index, (plan.low, plan.high))
+    planes = plan.low
+    while index >= PUBLISHED[planes]:
+        index, planes = index - PUBLISHED[planes], planes + 1
+    return Arrangement(census(planes)[index].normals)
 
 
 @lru_cache(maxsize=4)
@@ -130,9 +156,9 @@ def run_chunk(plan: Plan, number: int) -> Chunk:
     counts: dict[str, list[int]] = {}
     smallest: dict[str, dict[str, Any]] = {}
     for index in plan.indices(number):
-        subject = claim.draw(plan.seed, index, (plan.low, plan.high))
+        subject = instance(plan, index)
         row = counts.setdefault(str(count(subject)), [0] * len(OUTCOMES))
-        if not claim.includes(subject):
+        if (plan.types and not domain_of(claim).contains(subject)) or not claim.includes(subject):
             row[OUTCOMES.index("outside")] += 1
             continue
         record = check(claim, Case(f"sample {index}", subject, subject.to_dict()))

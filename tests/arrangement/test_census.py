@@ -116,5 +116,5 @@ def test_an_interrupted_run_goes_on_and_gives_the_same_list(tmp_path, monkeypatc
 
 @pytest.mark.parametrize("planes", [2, MOST_PLANES + 1, 5.0, "5", True])
 def test_numbers_outside_the_census_are_refused(planes: object) -> None:
-    with pytest.raises(InputError, match="3 to 8"):
+    with pytest.raises(InputError, match="3 to 9"):
         census(planes)  # type: ignore[arg-type]

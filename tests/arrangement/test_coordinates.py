@@ -20,7 +20,7 @@ from arrangement.draw.coordinates import (
     symmetry,
 )
 from arrangement.draw.graph import planar_graph
-from arrangement.io.arrangements import read_arrangement
+from arrangement.formats.table import read_arrangement
 from arrangement.library.families import generic, near_pencil, simplicial, type_b
 from arrangement.progress import shown
 

@@ -22,7 +22,8 @@ from arrangement.draw.colours import DrawnRegion, colouring
 from arrangement.draw.figure import figure
 from arrangement.draw.output import picture_bytes
 from arrangement.draw.scene import Scene
-from arrangement.io.arrangements import read_arrangement
+from arrangement.formats.table import read_arrangement
+from tests.drawn import paths
 
 NAMES = ["four-generic-planes", "braid-a3", "reflection-b3", "pencil", "coincident-planes"]
 VIEW = (5, 3, 4)
@@ -33,7 +34,7 @@ def test_elements_drawn_are_those_counted_with_the_limb(name: str) -> None:
     """The limb is one more plane; half of all regions face the viewer (Zaslavsky counts them)."""
     planes = read_arrangement(name)
     figure = draw_sphere(planes, direction=VIEW)
-    names = [patch.get_gid() or "" for patch in figure.axes[0].patches]
+    names = [path.name for path in paths(figure)]
     kinds = {kind: sum(x.startswith(kind) for x in names) for kind in ("region", "front", "back")}
     _, _, arcs, regions = f_vector(Arrangement([*planes.normals, VIEW]))
     limb = sum(x.startswith("limb") for x in names)
@@ -77,8 +78,8 @@ def test_model_suffix_exports_the_dual(tmp_path: Path) -> None:
 def test_colouring_by_a_function_of_the_region() -> None:
     planes = read_arrangement("coordinate-planes")
     figure = draw_sphere(planes, colour=lambda region: "red" if region.signs[0] > 0 else "blue")
-    fills = {patch.get_facecolor() for patch in figure.axes[0].patches if patch.get_fill()}
-    assert fills == {(1.0, 0.0, 0.0, 1.0), (0.0, 0.0, 1.0, 1.0)}
+    fills = {x.style["fc"] for x in paths(figure) if x.style.get("fc", "none") != "none"}
+    assert fills == {"red", "blue"}
 
 
 @pytest.mark.parametrize("library", ["matplotlib", "shapely"])

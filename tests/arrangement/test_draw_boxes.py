@@ -19,7 +19,7 @@ from arrangement.draw.layout import laid_out
 from arrangement.draw.measuring import measure
 from arrangement.draw.output import own_settings
 from arrangement.draw.scene import Scene
-from arrangement.io.arrangements import read_arrangement
+from arrangement.formats.table import read_arrangement
 
 INSTANCES = [
     "braid-a3", "braid-a3-in-r4", "coincident-planes", "coordinate-planes", "cube-diagonals",

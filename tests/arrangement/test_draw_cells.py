@@ -18,7 +18,7 @@ from arrangement.cli import main
 from arrangement.draw import cells_page, draw_cells
 from arrangement.draw.cells import MOST
 from arrangement.draw.scene import Scene
-from arrangement.io.arrangements import read_arrangement
+from arrangement.formats.table import read_arrangement
 from tests.browser import Browser
 
 SIMPLEX = Arrangement([[1, 0, 0], [0, 1, 0], [0, 0, 1], [1, 1, 1]], [0, 0, 0, 1])

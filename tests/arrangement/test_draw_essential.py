@@ -21,7 +21,7 @@ from arrangement.draw.layout import laid_out
 from arrangement.draw.models import cells_model
 from arrangement.draw.scene import Scene
 from arrangement.draw.views import DRAWINGS, drawings_of
-from arrangement.io.arrangements import read_arrangement
+from arrangement.formats.table import read_arrangement
 from tests.instances import PLANAR
 
 BRAID = read_arrangement("braid-a3-in-r4")

@@ -19,7 +19,7 @@ from arrangement.draw.layout import laid_out
 from arrangement.draw.line_charts import LinesChart
 from arrangement.draw.measuring import area
 from arrangement.draw.scene import Scene
-from arrangement.io.arrangements import read_arrangement
+from arrangement.formats.table import read_arrangement
 
 LESSON = Arrangement([[0, 1], [-4, -3], [4, -3]], [0, -12, -12])
 LINES = {

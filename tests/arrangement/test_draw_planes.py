@@ -21,8 +21,9 @@ from arrangement.draw import write_drawing
 from arrangement.draw.exploded_cells import lifted_cells
 from arrangement.draw.painting import Facet, Stage
 from arrangement.draw.planes import draw_planes
-from arrangement.io.arrangements import read_arrangement
+from arrangement.formats.table import read_arrangement
 from arrangement.polyhedra.cells import cut_cells
+from tests.drawn import paths
 
 from .strategies import arrangements
 
@@ -161,8 +162,7 @@ def section_area(normal: Any, offset: float) -> float:
 
 def painted(figure: Any, start: str) -> dict[str, float]:
     """Return the names that begin with `start` and when they are painted."""
-    patches = figure.axes[0].patches
-    return {p.get_gid(): p.get_zorder() for p in patches if (p.get_gid() or "").startswith(start)}
+    return {path.name: path.height for path in paths(figure) if path.name.startswith(start)}
 
 
 @pytest.mark.parametrize("body", ["ball", "cube"])

@@ -17,7 +17,7 @@ from arrangement.draw.items import Ball, Label, Path
 from arrangement.draw.output import own_settings
 from arrangement.draw.scene import Scene
 from arrangement.draw.themes import _from_oklab, _oklab, themed
-from arrangement.io.arrangements import read_arrangement
+from arrangement.formats.table import read_arrangement
 from equilibrium.draw import DRAWINGS as OF_GRASPS
 from equilibrium.io.files import read_grasp
 

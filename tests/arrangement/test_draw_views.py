@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import inspect
 import math
+from collections import Counter
 from fractions import Fraction
 from itertools import combinations, pairwise
 from pathlib import Path
@@ -36,9 +37,10 @@ from arrangement.draw.projections import Chart, stereographic
 from arrangement.draw.scene import Scene
 from arrangement.draw.solids import dual_solid
 from arrangement.draw.tutte import tutte_places
-from arrangement.io.arrangements import read_arrangement
+from arrangement.formats.table import read_arrangement
 from arrangement.polyhedra.dual import dual_polyhedron
 from arrangement.polyhedra.inscribed import representative_hull
+from tests.drawn import paths
 
 NAMES = [
     "coordinate-planes",
@@ -62,11 +64,9 @@ SPHERICAL = {
 
 def elements(figure: Any) -> dict[str, int]:
     """Count the named elements of a figure by the part of the name before the first dash."""
-    found: dict[str, int] = {}
-    for artist in figure.axes[0].get_children():
-        kind = (artist.get_gid() or "").split("-")[0]
-        found[kind] = found.get(kind, 0) + 1
-    return found
+    others = (artist.get_gid() or "" for artist in figure.axes[0].get_children())
+    names = [*(path.name for path in paths(figure)), *others]
+    return Counter(name.split("-")[0] for name in names)
 
 
 def texts(figure: Any) -> list[Any]:
@@ -128,7 +128,7 @@ def test_dual_picture_has_the_faces_of_the_dual(name: str) -> None:
     planes = read_arrangement(name)
     _, rays, facets, regions = f_vector(planes)
     figure = draw_dual(planes)
-    names = [p.get_gid() or "" for p in figure.axes[0].patches]
+    names = [path.name for path in paths(figure)]
     assert sum(x.startswith("vertex") for x in names) == regions
     assert sum(x.startswith("edge") for x in names) == facets
     assert sum(x.startswith("face") for x in names) == rays // 2
@@ -192,15 +192,15 @@ def test_sign_vectors_stand_in_their_regions() -> None:
         planes, direction=direction, whole=True, labels="numbers", coordinates="given"
     )
     axes, regions = figure.axes[0], planes.regions()
-    limb = next(patch for patch in axes.patches if patch.get_gid() == "limb")
+    limb = next(path for path in paths(figure) if path.name == "limb")
     ahead = np.array(direction) / math.sqrt(41)
     right = np.array([-3.0, 4.0, 0.0]) / 5
     frame = np.array([right, np.cross(ahead, right), ahead])
-    leaders = {tuple(np.round(c.center, 2)) for c in axes.patches if c.get_gid() == "leader"
-               and hasattr(c, "center")}  # fmt: skip
+    leaders = {tuple(np.round(path.points, 2)) for path in paths(figure)
+               if path.name == "leader" and path.kind == "circle"}  # fmt: skip
     checked = 0
     for text in axes.texts:
-        u = (np.array(text.get_position()) - limb.center) / limb.radius
+        u = (np.array(text.get_position()) - limb.points) / limb.radius
         if text.get_style() == "italic" or not text.get_text().isdigit():
             continue
         place = np.array([2 * u[0], 2 * u[1], 1 - u @ u]) @ frame
@@ -254,13 +254,13 @@ def test_a_plane_at_infinity_is_named() -> None:
 
 
 def test_gnomonic_lines_are_straight_between_two_ends_named_alike() -> None:
-    axes = draw_gnomonic(read_arrangement("five-generic-planes")).axes[0]
-    for patch in axes.patches:
-        if (patch.get_gid() or "").startswith("front"):
-            a, *_, d = patch.get_path().vertices
-            for b in patch.get_path().vertices[1:-1]:
+    figure = draw_gnomonic(read_arrangement("five-generic-planes"))
+    for path in paths(figure):
+        if path.name.startswith("front"):
+            a, *_, d = path.points
+            for b in path.points[1:-1]:
                 assert abs(np.linalg.det([d - a, b - a])) < 1e-6
-    names = [text.get_text() for text in axes.texts if text.get_style() == "italic"]
+    names = [text.get_text() for text in figure.axes[0].texts if text.get_style() == "italic"]
     assert all(names.count(str(k)) == 2 for k in range(1, 6))
 
 

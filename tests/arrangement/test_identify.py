@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import itertools
 import json
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -75,7 +76,7 @@ def test_the_type_found_has_the_same_tope_graph_and_the_map_is_exact(rows: list)
 @settings(max_examples=25, deadline=None)
 @given(st.data())
 def test_relabelling_sides_and_linear_maps_keep_the_type(data: st.DataObject) -> None:
-    planes = data.draw(st.integers(3, 8))
+    planes = data.draw(st.integers(3, 9))
     number = data.draw(st.integers(1, PUBLISHED[planes]))
     order = data.draw(st.permutations(range(planes)))
     sides = data.draw(st.lists(st.sampled_from([1, -1]), min_size=planes, max_size=planes))
@@ -120,6 +121,12 @@ def test_orders_of_automorphism_groups_agree_with_all_relabellings(planes: int) 
 )
 def test_usual_names(arrangement: Arrangement, name: str) -> None:
     assert name in identify(arrangement).names
+
+
+def test_the_nine_mirrors_of_the_cube_have_their_name() -> None:
+    found = identify(families.type_b(3))
+    assert found.names == ("reflection B3", "A(9, 1)")
+    assert (found.automorphisms, found.t_vector) == (24, {2: 6, 3: 4, 4: 3})
 
 
 def test_beyond_the_census_the_counts_remain() -> None:
@@ -182,11 +189,13 @@ def test_no_type_with_coordinates_has_a_proof_that_it_has_none(planes: int) -> N
         assert final_polynomial(dict(zip(keys, signs.tolist(), strict=True)), planes) is None
 
 
-def test_the_command_prints_the_type(capsys: pytest.CaptureFixture[str]) -> None:
+def test_the_command_prints_the_type(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:
     assert cli.main(["identify", "braid-a3", "--json"]) == 0
     found = json.loads(capsys.readouterr().out)
     assert (found["type"], found["automorphisms"], found["f_vector"]) == (3, 24, [1, 14, 36, 24])
-    assert cli.main(["identify", "reflection-b3"]) == 0
+    ten = tmp_path / "ten.json"
+    ten.write_text(json.dumps(families.generic(10).to_dict()))
+    assert cli.main(["identify", str(ten)]) == 0
     assert "not in the catalogue" in capsys.readouterr().out
     assert cli.main(["identify", "shi-a2-affine"]) == 2
     assert "cone" in capsys.readouterr().err

@@ -14,13 +14,14 @@ import pytest
 from arrangement import Arrangement, InputError
 from arrangement.cli import main
 from arrangement.counts import characteristic_polynomial, t_vector
-from arrangement.io.arrangements import read_arrangement
+from arrangement.formats.table import read_arrangement
 from arrangement.lab.lines import lab_page
 from arrangement.lab.lines_input import MAX_PLANES
 from arrangement.library import families
 from arrangement.library.census import census
 from arrangement.regions import walls
 from tests.browser import Browser
+from tests.labs import checked, choose, enter, invalid, open_file, problem
 
 Rows = Sequence[Sequence[int]]
 
@@ -284,31 +285,15 @@ def test_what_is_under_the_pointer_is_marked_in_all_views(opened: Browser) -> No
     assert said.endswith(f"{signs}.")
 
 
-def enter(browser: Browser, name: str, text: str) -> None:
-    browser.run(
-        "const box = document.getElementById(arguments[0]); box.focus(); box.value = arguments[1];"
-        "box.dispatchEvent(new Event('input'));",
-        name,
-        text,
-    )
-    browser.settled()
-
-
-def problem(browser: Browser) -> str:
-    text: str = browser.run("return document.getElementById('problem').textContent")
-    return text
-
-
 def test_what_is_no_number_is_marked_and_changes_nothing(opened: Browser) -> None:
     before = shown(opened)
-    invalid = "return document.querySelectorAll('[aria-invalid=\"true\"]').length"
     for text in ["1/0", "abc", "", "0x1", "1.5/2", "-"]:
         enter(opened, "row-a", text)
-        assert opened.run(invalid) == 1
+        assert invalid(opened) == 1
         assert "3/4" in problem(opened)
         assert shown(opened) == before
     enter(opened, "row-a", "-1e-3")
-    assert opened.run(invalid) == 0
+    assert invalid(opened) == 0
     assert shown(opened) == Arrangement([["-1/1000", 1, -1], *before.normals[1:]])
     assert_right(opened)
 
@@ -341,11 +326,6 @@ def test_a_wrong_address_is_explained_and_the_page_still_works(
 
 
 def test_a_file_that_is_no_arrangement_is_explained(opened: Browser) -> None:
-    choose = (
-        "const files = new DataTransfer(); files.items.add(new File([arguments[0]], 'a.json'));"
-        "const box = document.getElementById('file'); box.files = files.files;"
-        "box.dispatchEvent(new Event('change'))"
-    )
     before = shown(opened)
     for text, why in [
         ("{", "JSON"),
@@ -354,23 +334,18 @@ def test_a_file_that_is_no_arrangement_is_explained(opened: Browser) -> None:
         ('{"schema_version": 1, "planes": [["0.5", 0.5, "0"]]}', "plane 1"),
         ('{"schema_version": 1, "planes": [["1", "0", "0"]], "offsets": ["1"]}', "origin"),
     ]:
-        opened.run(choose, text)
-        opened.settled()
+        open_file(opened, text)
         assert why in problem(opened)
         assert shown(opened) == before
     lines = read_arrangement("shi-a2-affine")
-    opened.run(choose, json.dumps(lines.to_dict()))
-    opened.settled()
+    open_file(opened, json.dumps(lines.to_dict()))
     assert shown(opened) == lines
     assert_right(opened)
     assert fact(opened, "regions") == "16, 4 bounded"
 
 
 def test_one_plane_after_another_with_deletion_and_restriction(opened: Browser) -> None:
-    opened.run(
-        "const box = document.getElementById('algorithm'); box.value = 'planes';"
-        "box.dispatchEvent(new Event('change'))"
-    )
+    choose(opened, "algorithm", "planes")
     planes = shown(opened)
     for k in range(1, 6):
         opened.settled()
@@ -403,21 +378,14 @@ def test_every_exercise_is_solved_by_its_solution_and_by_no_other(opened: Browse
     solved = solutions()
     assert [name.partition(". ")[2] for name in names] == list(solved)
     assert len(names) >= 8
-    check = "document.getElementById('exercise-check').click();"
-    verdict = "return document.getElementById('exercise-said').className"
     for k, name in enumerate(solved):
-        choose = (
-            f"const box = document.getElementById('exercise'); box.value = '{k}';"
-            "box.dispatchEvent(new Event('change'));"
-        )
-        opened.run(choose)
-        assert opened.run(f"{check} {verdict}") == "bad", name
+        choose(opened, "exercise", k)
+        assert checked(opened)[0] == "✗", name
         for link in (list(solved.values())[k - 1], solved[name]):
-            opened.run(choose)
+            choose(opened, "exercise", k)
             opened.run("location.hash = arguments[0]", link)
             opened.settled()
-            right = link == solved[name]
-            assert opened.run(f"{check} {verdict}") == ("ok" if right else "bad"), name
+            assert checked(opened)[0] == ("✓" if link == solved[name] else "✗"), name
     done = opened.run("return document.getElementById('exercise-done').textContent")
     assert done == f"{len(solved)} of {len(solved)} solved"
     assert opened.messages() == []
@@ -427,15 +395,10 @@ def test_every_exercise_is_solved_by_its_solution_and_by_no_other(opened: Browse
 def test_a_theorem_that_closes_closes_for_every_attempt(name: str, opened: Browser) -> None:
     """The last three lines meet, by the exact determinant, whenever the attempt is valid."""
     k = list(solutions()).index(name)
-    opened.run(
-        f"const box = document.getElementById('exercise'); box.value = '{k}';"
-        "box.dispatchEvent(new Event('change'));"
-        f"location.hash = {json.dumps(solutions()[name])}"
-    )
+    choose(opened, "exercise", k)
+    opened.run("location.hash = arguments[0]", solutions()[name])
     opened.settled()
-    opened.run("document.getElementById('exercise-check').click()")
-    said = opened.run("return document.getElementById('exercise-said').textContent")
-    assert "meet in a point again" in said
+    assert "meet in a point again" in checked(opened)
 
 
 def test_its_command_line_repeats_the_counts(
@@ -480,33 +443,6 @@ def test_unusual_arrangements_are_shown(browser: Browser, page: Path) -> None:
         assert browser.messages() == []
 
 
-@pytest.mark.parametrize("width", [390, 1280])
-def test_it_fits_and_needs_nothing_from_outside(width: int, browser: Browser, page: Path) -> None:
-    browser.open(page, width, 900)
-    browser.settled()
-    assert browser.run("return document.documentElement.scrollWidth") <= width
-    assert browser.messages() == []
-    assert browser.outside() == []
-    assert page.stat().st_size < 400_000
-
-
-def test_text_of_a_title_stays_text(browser: Browser, tmp_path: Path) -> None:
-    title = "</script><script>document.title = 'gone'</script>"
-    path = tmp_path / "lab.html"
-    path.write_text(lab_page(title=title), encoding="utf-8")
-    browser.open(path)
-    assert browser.run("return document.title") == title
-
-
-def test_the_command_writes_it(tmp_path: Path) -> None:
-    path = tmp_path / "lab.html"
-    assert main(["lab", "-o", str(path)]) == 0
-    assert path.read_text(encoding="utf-8") == lab_page()
-    assert main(["lab", "reflection-b3", "-o", str(path), "--title", "A"]) == 0
-    mirrors = read_arrangement("reflection-b3")
-    assert path.read_text(encoding="utf-8") == lab_page(mirrors, title="A")
-
-
 @pytest.mark.parametrize(
     ("change", "why"),
     [
@@ -536,16 +472,11 @@ def test_exercises_that_are_none_are_refused(
 def test_what_must_stay_must_stay(opened: Browser) -> None:
     name = "Few ordinary points"
     k = list(solutions()).index(name)
-    opened.run(
-        f"const box = document.getElementById('exercise'); box.value = '{k}';"
-        "box.dispatchEvent(new Event('change'));"
-        # the same arrangement, but line 1 turned into line 2
-        f"location.hash = {json.dumps(exchanged(solutions()[name]))}"
-    )
+    choose(opened, "exercise", k)
+    # the same arrangement, but line 1 turned into line 2
+    opened.run("location.hash = arguments[0]", exchanged(solutions()[name]))
     opened.settled()
-    opened.run("document.getElementById('exercise-check').click()")
-    said = opened.run("return document.getElementById('exercise-said').textContent")
-    assert said.startswith("✗ Not yet. Line 1 must stay")
+    assert checked(opened).startswith("✗ Not yet. Line 1 must stay")
 
 
 def exchanged(text: str) -> str:

@@ -20,7 +20,7 @@ from arrangement import Arrangement, ArrangementError, InputError
 from arrangement.cli import main
 from arrangement.counts import region_count
 from arrangement.draw import write_drawing
-from arrangement.io.arrangements import read_arrangement
+from arrangement.formats.table import read_arrangement
 from arrangement.io.meshes import Part, model_bytes
 from arrangement.polyhedra.body import body_around
 from arrangement.polyhedra.cells import Cells, cut_cells

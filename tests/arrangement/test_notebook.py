@@ -13,7 +13,7 @@ from xml.etree import ElementTree as ET
 import pytest
 
 from arrangement import Arrangement
-from arrangement.io.arrangements import read_arrangement
+from arrangement.formats.table import read_arrangement
 from arrangement.short_repr import Shown
 
 AFFINE = Arrangement([[1, 0], [0, 1], [1, 1]], [0, 0, 1])

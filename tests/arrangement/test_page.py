@@ -14,7 +14,7 @@ from arrangement import Arrangement, InputError
 from arrangement.cli import main
 from arrangement.draw import arrangement_page
 from arrangement.draw.page import MAX_CIRCLES
-from arrangement.io.arrangements import read_arrangement
+from arrangement.formats.table import read_arrangement
 from arrangement.polyhedra.dual import dual_polyhedron
 from tests.browser import Browser
 

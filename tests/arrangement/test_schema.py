@@ -6,7 +6,7 @@ import jsonschema
 import pytest
 
 from arrangement.errors import InputError
-from arrangement.io.arrangements import read_arrangement
+from arrangement.formats.table import read_arrangement
 from arrangement.io.schemas import arrangement_schema
 from arrangement.library.instances import paths
 

@@ -71,10 +71,12 @@ def _seeds(contacts: int, count: int = 0) -> Sequence[int]:
     return range(count or COUNT.get(contacts, 32))
 
 
-def run(job: str, contacts: int, seeds: Iterable[int], limit: float) -> list[Found]:
-    """Run a job of `graspjob.py` in a process of its own; return what it printed in time."""
+def run(
+    job: str, contacts: int, seeds: Iterable[int], limit: float, script: str = "graspjob.py"
+) -> list[Found]:
+    """Run a job of a script in a process of its own; return what it printed in time."""
     listed = [str(seed) for seed in seeds]
-    command = [sys.executable, str(HERE / "graspjob.py"), job, str(contacts), *listed]
+    command = [sys.executable, str(HERE / script), job, str(contacts), *listed]
     try:
         done = subprocess.run(command, capture_output=True, text=True, timeout=limit, check=False)
         output, problem = done.stdout, done.stderr if done.returncode else ""

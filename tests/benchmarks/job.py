@@ -38,6 +38,22 @@ def incidence(planes: int) -> Work:
     return _sphere(random_normals(planes), lambda made: None)
 
 
+def bare_sort(planes: int) -> Work:
+    """The least of any such method: NumPy's order of random numbers, a row for each circle."""
+    import numpy as np
+
+    from arrangement.enumeration.great_circles.crossings import BLOCK
+
+    rows = np.random.default_rng(planes).standard_normal((max(1, BLOCK // planes), planes - 1))
+
+    def work() -> int:
+        for _ in range(-(-planes // len(rows))):
+            np.argsort(rows, axis=1)
+        return planes
+
+    return work
+
+
 def region_signs(planes: int) -> Work:
     """Ours: the same, and packed sign vectors of all regions."""
     return _sphere(random_normals(planes), lambda made: made.packed_region_signs)
@@ -335,6 +351,7 @@ JOBS: dict[str, Callable[[int], Work]] = {
     job.__name__: job
     for job in (
         incidence,
+        bare_sort,
         region_signs,
         all_signs,
         thirty_digits,

@@ -34,7 +34,7 @@ class Answer:
     forces: tuple[tuple[float, float], ...] = ()
 
 
-class _Rows:
+class Rows:
     """Rows ``low <= a . z <= high``, collected entry by entry."""
 
     def __init__(self) -> None:
@@ -65,7 +65,7 @@ def solve_milp(
     """Ask HiGHS whether the grasp has an equilibrium with a motion within the bound."""
     m = len(grasp)
     size = 3 + 6 * m
-    rows = _Rows()
+    rows = Rows()
     for axis in range(3):
         terms = [
             term
@@ -85,18 +85,26 @@ def solve_milp(
     whole = np.zeros(size)
     for i in range(m):
         whole[_state(i, 0) : _state(i, 4)] = 1
+    found, taken = solved(rows, low, high, whole, seconds, presolve)
+    return _answer(found, taken, m)
+
+
+def solved(
+    rows: Rows, low: Any, high: Any, whole: Any, seconds: float, presolve: bool = True
+) -> tuple[Any, float]:
+    """Ask HiGHS for any point between bounds, and how long that took."""
     start = time.process_time()
     found = milp(
-        np.zeros(size),
+        np.zeros(len(low)),
         integrality=whole,
         bounds=Bounds(low, high),
-        constraints=rows.constraint(size),
+        constraints=rows.constraint(len(low)),
         options={"time_limit": seconds, "presolve": presolve},
     )
-    return _answer(found, time.process_time() - start, m)
+    return found, time.process_time() - start
 
 
-def _contact_rows(rows: _Rows, i: int, contact: Any, bound: float) -> None:
+def _contact_rows(rows: Rows, i: int, contact: Any, bound: float) -> None:
     """Add the conditions of one contact; those of a state bind when its binary is 1."""
     along_n = [float(contact.stiffness * x) for x in contact.normal_wrench]
     along_t = [float(x) for x in contact.tangential_wrench]

@@ -7,6 +7,7 @@ work on the machine still moves the times; the ratios within one run are what to
     run.py --peers     the slow peers too (minutes; several gigabytes for CGAL at 2000)
     run.py --install   first create .bench-venv with the peers that pip can install
     run.py --only grasps [--contacts 10,20]        verdicts alone; see grasps.py
+    run.py --only space [--contacts 3,4]           verdicts in space; see space.py
     run.py --only planes                          arrangements alone
     run.py --only pictures                        pictures and pages alone
 """
@@ -22,7 +23,9 @@ from grasps import LIMIT, grasp_tables
 from job import COUNTED, FIELD_QUESTIONS, random_normals
 from peers import Measured, cgal, install_peers, ours, peer, polymake
 from pictures import picture_table
+from space import SIZES as SPATIAL, space_tables
 
+CONTACTS = (10, 20, 50, 100, 1000)
 SIZES = (9, 50, 100, 200, 500, 1000, 2000)
 B3 = (
     *((1, 0, 0), (0, 1, 0), (0, 0, 1)),
@@ -35,20 +38,19 @@ def main() -> None:
     parser.add_argument("--peers", action="store_true", help="run the slow peers too")
     parser.add_argument("--install", action="store_true", help="create .bench-venv first")
     parser.add_argument(
-        "--only", choices=("planes", "grasps", "pictures"), help="some of the tables"
+        "--only", choices=("planes", "grasps", "space", "pictures"), help="some of the tables"
     )
-    parser.add_argument(
-        "--contacts", default="10,20,50,100,1000", help="sizes of the random grasps"
-    )
+    parser.add_argument("--contacts", type=_sizes, help="sizes of the random grasps")
     parser.add_argument("--grasps", type=int, default=0, help="grasps of each size")
     parser.add_argument("--limit", type=float, default=LIMIT, help="seconds for grasps of one size")
     options = parser.parse_args()
     if options.only in (None, "pictures"):
         picture_table()
     if options.only in (None, "grasps"):
-        sizes = [int(m) for m in options.contacts.split(",")]
-        grasp_tables(sizes, options.limit, options.grasps)
-    if options.only in ("grasps", "pictures"):
+        grasp_tables(options.contacts or CONTACTS, options.limit, options.grasps)
+    if options.only in (None, "space"):
+        space_tables(options.contacts or SPATIAL, options.grasps)
+    if options.only not in (None, "planes"):
         return
     if options.install and (reason := install_peers()):
         print(f"peers not installed: {reason}")
@@ -58,6 +60,10 @@ def main() -> None:
     against_published(options.peers)
     against_sage(options.peers)
     against_polymake(options.peers)
+
+
+def _sizes(text: str) -> list[int]:
+    return [int(m) for m in text.split(",")]
 
 
 def counting_table() -> None:
@@ -103,6 +109,11 @@ def own_table() -> dict[tuple[str, int], Measured]:
         )
     overall = exponent(found, 100, SIZES[-1])
     print(f"  growth from 100 to {SIZES[-1]} planes: {overall}")
+    for planes in (1000, 2000):
+        least = ours("bare_sort", planes).seconds
+        times = found["incidence", planes].seconds / least
+        print(f"  {planes} planes take {times:.0f} times what NumPy takes to sort as many numbers")
+    line("great circles, incidence", 5000, ours("incidence", 5000))
     line("everything with all sign vectors", 9, ours("all_signs", 9))
     line("30-digit entries, with region signs", 100, ours("thirty_digits", 100))
     facade_table(found)

@@ -44,6 +44,7 @@ from equilibrium.methods.compare import compare
 from equilibrium.methods.registry import WITH_REGION
 from equilibrium.model.outline import Circle, Polygon
 from equilibrium.wrench_sets import gaps, resisted_region, search_map
+from tests.drawn import paths
 
 from .strategies import grasps, wrenches
 
@@ -72,8 +73,9 @@ QUESTIONS: list[tuple[Grasp, tuple[Any, ...]]] = [
 
 def names(figure: Figure) -> list[str]:
     """The names of all elements, repeats included."""
-    artists = [a for axes in figure.axes for a in (*axes.patches, *axes.lines, *axes.texts)]
-    return [name for a in artists if (name := a.get_gid())]
+    artists = [a for axes in figure.axes for a in (*axes.lines, *axes.texts)]
+    gids = [*(path.name for path in paths(figure)), *(a.get_gid() for a in artists)]
+    return [name for name in gids if name]
 
 
 def count(figure: Figure, kind: str) -> int:
@@ -100,7 +102,7 @@ def test_every_contact_has_its_elements(grasp: Grasp, wrench: tuple[Any, ...]) -
 def test_forces_are_drawn_to_one_scale_in_their_directions() -> None:
     """Table I, row (0, 1, 0) with preload 1: f1 = (1, -1/2), f3 = (1, 1/2), f2 = 0."""
     figure = draw_grasp(THREE.with_preload(1), wrench=(0, 1, 0))
-    found = {p.get_gid(): p.get_path().vertices for p in figure.axes[0].patches}
+    found = {path.name: path.points for path in paths(figure)}
     arms = {
         name: found[name][3] - (found[name][0] + found[name][6]) / 2
         for name in ("force-1", "force-3", "wrench-force")
@@ -125,18 +127,18 @@ def test_marks_tell_the_states_of_the_motion_by_shape(
 ) -> None:
     """The tables of the paper give the motions: (0, -1, 0), (0, 1, 0), (0, -1/4, 1/4) and 0."""
     figure = draw_grasp(grasp, wrench=wrench)
-    marks = {p.get_gid(): p for p in figure.axes[0].patches if "mark-" in (p.get_gid() or "")}
+    marks = {path.name: path for path in paths(figure) if "mark-" in path.name}
     corners = {3: "slip", 4: "stick"}
     for i, state in enumerate(expected, 1):
         shape = marks[f"mark-{i}"]
-        circle = type(shape).__name__ == "Circle"
-        assert state == ("detached" if circle else corners[len(shape.get_path().vertices) - 1])
+        circle = shape.kind == "circle"
+        assert state == ("detached" if circle else corners[len(shape.points)])
 
 
 def test_slipping_marks_point_where_the_object_slips() -> None:
     """Under (0, 1, 0) the object moves up, along +t at contact 1 and along -t at contact 3."""
     figure = draw_grasp(THREE.with_preload(1), wrench=(0, 1, 0))
-    found = {p.get_gid(): p.get_path().vertices for p in figure.axes[0].patches}
+    found = {path.name: path.points for path in paths(figure)}
     for name in ("mark-1", "mark-3"):
         tip, *base = found[name][:3]
         assert all(tip[1] > corner[1] for corner in base)
@@ -145,7 +147,7 @@ def test_slipping_marks_point_where_the_object_slips() -> None:
 def test_a_given_outline_is_drawn_through_its_corners() -> None:
     corners = [(-1, -1), (1, -1), (1, 2), (-1, 2)]
     figure = draw_grasp(THREE, outline=corners)
-    drawn = {p.get_gid(): p.get_path().vertices for p in figure.axes[0].patches}
+    drawn = {path.name: path.points for path in paths(figure)}
     places = [drawn[f"pad-{i}"].mean(axis=0) for i in (1, 2, 3)]
     points = np.array([[*map(float, c.point), 1.0] for c in THREE])
     onto = np.linalg.solve(points, np.array(places))

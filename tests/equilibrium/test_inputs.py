@@ -148,7 +148,7 @@ class TestFloatFiles:
         ("change", "word"),
         [
             ({"points": [[0, 0]]}, "2 normals for 1 points"),
-            ({"points": [[0, 0, 0], [1, 1, 1]]}, "3 entries"),
+            ({"points": [[0, 0, 0], [1, 1, 1]]}, "three, in space"),
             ({"points": [[[0], 0], [1, 1]]}, "expected a number"),
             ({"points": [[float("nan"), 0], [1, 1]]}, "NaN"),
             ({"normals": [[0, 0], [1, 1]]}, r"normals\[0\]"),
@@ -360,6 +360,16 @@ class TestCsv:
         plain = "x,y,normal_x,normal_y,friction,preload,stiffness\n0,1/2,0,-1,1/2,1,20\n"
         assert found.grasp == parse_csv(plain).grasp
 
+    def test_with_a_third_coordinate_the_grasp_is_in_space(self, tmp_path):
+        table = "x,y,z,nx,ny,nz,mu\n0,0,0.5,0,3,4,0.5\n"
+        found = parse_csv(table).grasp
+        assert found.contacts[0].point == (0, 0, Fraction(1, 2))
+        assert found.contacts[0].normal == (0, Fraction(3, 5), Fraction(4, 5))
+        (tmp_path / "data.csv").write_text(table)
+        measured = {"points": [[0, 0, 0.5]], "normals": [[0.0, 3, 4]], "friction": 0.5}
+        assert read_float_data(tmp_path / "data.csv").grasp == found
+        assert read_float_data({"schema_version": 1, **measured}).grasp == found
+
     def test_irrational_normals_report_their_angle(self):
         found = parse_csv(f"{HEADER}\n0,0,1,1,1\n")
         assert 0 < abs(found.angle_errors[0]) <= Fraction(1, 10**6)
@@ -371,6 +381,8 @@ class TestCsv:
             ("x,y,normal_x,normal_y\n", "friction is missing"),
             (f"{HEADER},colour\n", "colour"),
             (f"{HEADER},x\n", "twice"),
+            (f"{HEADER},z\n", "in space; normal_z is missing"),
+            (f"{HEADER},nz\n", "in space; z is missing"),
             (f"{HEADER}\n0,0,1,0\n", "line 2 has 4 entries"),
             (f"{HEADER}\n0,0,1,0,1e99999\n", "line 2: .*1e99999"),
             (f"# remark\n\n{HEADER}\n0,0,1,0\n", "line 4 has 4 entries"),
@@ -449,6 +461,7 @@ def test_commands_take_tables_and_round_normals_on_demand(capsys, tmp_path):
     out = json.loads(capsys.readouterr().out)
     assert main(["solve", "paper-three-contacts-preload-1", "--wrench", "0,1,0", "--json"]) == 0
     assert out == json.loads(capsys.readouterr().out)
+    assert main(["lab", str(table), "-o", str(tmp_path / "lab.html")]) == 0
     assert main(["solve", str(slanted), "--wrench", "0,0,0"]) == 2
     assert "--round-normals" in capsys.readouterr().err
     assert main(["solve", str(slanted), "--wrench", "0,0,0", "--round-normals"]) in (0, 1)

@@ -22,8 +22,10 @@ from equilibrium.io.files import read_grasp
 from equilibrium.lab import lab_page
 from equilibrium.solver.contact_states import contact_states
 from equilibrium.verdict import Solver
+from equilibrium.wrench_sets import resisted_set
 from tests.browser import Browser
 from tests.instances import is_in_space
+from tests.labs import choose, enter, invalid, open_file, problem
 
 NORMALS = [(1, 0), (0, 1), (-1, 0), (0, -1), ("3/5", "4/5"), ("-5/13", "12/13"), ("-3/5", "-4/5")]
 Question = tuple[Grasp, list[Fraction]]
@@ -100,16 +102,6 @@ def grip(browser: Browser, name: str) -> tuple[float, float]:
     return x, y
 
 
-def enter(browser: Browser, name: str, text: str) -> None:
-    browser.run(
-        "const box = document.getElementById(arguments[0]); box.focus(); box.value = arguments[1];"
-        "box.dispatchEvent(new Event('input'));",
-        name,
-        text,
-    )
-    browser.settled()
-
-
 @pytest.mark.campaign
 def test_its_answers_are_those_of_the_solver_and_its_proofs_are_accepted(opened: Browser) -> None:
     """A third route to the verdict: it shares nothing with the solver but the form of files."""
@@ -122,7 +114,10 @@ def test_its_answers_are_those_of_the_solver_and_its_proofs_are_accepted(opened:
     ]
     for grasp, wrench in [*questions(240, seed=7), *questions(8, 3, most=6), *named]:
         answer: dict[str, Any] = opened.run(
-            "return lab.solve(arguments[0], arguments[1])", grasp.to_dict(), texts(wrench)
+            "return Promise.all([lab.solve(...arguments), lab.equilibria(...arguments)])"
+            ".then(([answer, equilibria]) => ({ ...answer, equilibria }))",
+            grasp.to_dict(),
+            texts(wrench),
         )
         found = Solver(grasp).solve(wrench)
         assert answer["stable"] == found.stable, (grasp, wrench)
@@ -155,16 +150,21 @@ def test_it_finds_the_contact_states_that_occur(opened: Browser) -> None:
         assert sorted(map(tuple, states)) == sorted(contact_states(grasp))
 
 
-def test_its_map_of_forces_is_that_of_the_solver(opened: Browser) -> None:
-    for grasp, (*_, torque) in questions(25, seed=13):
-        forces = [[Fraction(x, 2), Fraction(y, 2)] for x in (-3, 0, 1) for y in (-2, 0, 1)]
-        resisted = opened.run(
-            "return lab.resists(arguments[0], arguments[1], arguments[2])",
-            grasp.to_dict(),
-            str(torque),
-            [list(map(str, force)) for force in forces],
+def _full(piece: dict[str, Any]) -> list[list[str]]:
+    return [] if piece["equalities"] else sorted(piece["inequalities"])
+
+
+def test_its_pieces_of_wrenches_are_those_of_the_resisted_set(opened: Browser) -> None:
+    """As conditions; where they have equalities, those have no one form, and are counted."""
+    grasps = [grasp for grasp, _ in questions(40, seed=13)]
+    listed = opened.run("return arguments[0].map(lab.pieces)", [g.to_dict() for g in grasps])
+    for grasp, pieces in zip(grasps, listed, strict=True):
+        expected = [piece.polyhedron.to_dict() for piece in resisted_set(grasp).pieces]
+        found, due = (
+            sorted((len(one["equalities"]), _full(one)) for one in some)
+            for some in (pieces, expected)
         )
-        assert resisted == [solve(grasp, [*force, torque]).stable for force in forces]
+        assert found == due
 
 
 def test_the_border_is_met_exactly(opened: Browser) -> None:
@@ -265,12 +265,11 @@ def test_undo_and_redo_lead_through_all_states(opened: Browser) -> None:
 def test_what_is_no_number_is_marked_and_changes_nothing(text: str, opened: Browser) -> None:
     before = question(opened)
     enter(opened, "c-x", text)
-    invalid = "return document.querySelectorAll('[aria-invalid=\"true\"]').length"
-    assert opened.run(invalid) == 1
-    assert "3/4" in opened.run("return document.getElementById('problem').textContent")
+    assert invalid(opened) == 1
+    assert "3/4" in problem(opened)
     assert question(opened) == before
     enter(opened, "c-x", "-3/4")
-    assert opened.run(invalid) == 0
+    assert invalid(opened) == 0
     assert question(opened)[0].contacts[0].point[0] == Fraction(-3, 4)
 
 
@@ -281,7 +280,7 @@ def test_what_is_no_number_is_marked_and_changes_nothing(text: str, opened: Brow
 def test_numbers_out_of_range_are_refused(name: str, text: str, why: str, opened: Browser) -> None:
     before = question(opened)
     enter(opened, name, text)
-    assert why in opened.run("return document.getElementById('problem').textContent")
+    assert why in problem(opened)
     assert question(opened) == before
 
 
@@ -313,7 +312,7 @@ def test_a_wrong_address_is_explained_and_the_page_still_works(
 ) -> None:
     opened.open(f"{(tmp_path / 'lab.html').as_uri()}#{address}")
     opened.settled()
-    assert why in opened.run("return document.getElementById('problem').textContent")
+    assert why in problem(opened)
     assert verdict(opened).startswith("Resisted")
     assert opened.messages() == []
 
@@ -328,21 +327,14 @@ def test_a_wrong_address_is_explained_and_the_page_still_works(
     ],
 )
 def test_a_file_that_is_no_grasp_is_explained(text: str, why: str, opened: Browser) -> None:
-    choose = (
-        "const files = new DataTransfer(); files.items.add(new File([arguments[0]], 'a.json'));"
-        "const box = document.getElementById('file'); box.files = files.files;"
-        "box.dispatchEvent(new Event('change'))"
-    )
     before = question(opened)
-    opened.run(choose, text)
-    opened.settled()
-    assert why in opened.run("return document.getElementById('problem').textContent")
+    open_file(opened, text)
+    assert why in problem(opened)
     assert question(opened) == before
     grasp = read_grasp("several-equilibria")
-    opened.run(choose, json.dumps(grasp.to_dict()))
-    opened.settled()
+    open_file(opened, json.dumps(grasp.to_dict()))
     assert question(opened)[0] == grasp
-    assert not opened.run("return document.getElementById('problem').textContent")
+    assert not problem(opened)
     assert_right(opened)
 
 
@@ -385,16 +377,12 @@ def test_a_cell_of_motions_is_shown_on_the_grasp(opened: Browser) -> None:
 
 def test_the_algorithms_can_be_stepped(opened: Browser) -> None:
     time.sleep(0.5)
-    choose = (
-        "const box = document.getElementById('algorithm'); box.value = arguments[0];"
-        "box.dispatchEvent(new Event('change'))"
-    )
     told = "return document.getElementById('told').textContent"
-    opened.run(choose, "planes")
+    choose(opened, "algorithm", "planes")
     for expected in ("2", "4", "8"):
         assert opened.run("return document.querySelector('#told b').textContent") == expected
         opened.run("document.getElementById('step').click()")
-    opened.run(choose, "states")
+    choose(opened, "algorithm", "states")
     grasp, wrench = question(opened)
     accepted = []
     for _ in contact_states(grasp):
@@ -426,18 +414,6 @@ def test_its_command_line_repeats_the_answer(
     words = rest.replace(" - ", f" {path} ").split()
     assert main([*words, "--json"]) == 0
     assert json.loads(capsys.readouterr().out)["stable"]
-
-
-@pytest.mark.parametrize("width", [390, 1280])
-def test_it_fits_and_needs_nothing_from_outside(
-    width: int, opened: Browser, tmp_path: Path
-) -> None:
-    opened.open(tmp_path / "lab.html", width, 900)
-    verdict(opened)
-    assert opened.run("return document.documentElement.scrollWidth") <= width
-    assert opened.messages() == []
-    assert opened.outside() == []
-    assert (tmp_path / "lab.html").stat().st_size < 400_000
 
 
 @pytest.mark.parametrize(
@@ -484,22 +460,22 @@ def test_an_equilibrium_is_shown_while_others_are_still_listed(
     assert browser.messages() == []
 
 
-def test_text_of_a_title_stays_text(browser: Browser, tmp_path: Path) -> None:
-    title = "</script><script>document.title = 'gone'</script>"
+@pytest.mark.parametrize("broken", ["", "delete window.Worker", "window.Worker = BROKEN"])
+def test_it_answers_in_a_worker_and_without_one(
+    broken: str, browser: Browser, tmp_path: Path
+) -> None:
     path = tmp_path / "lab.html"
-    path.write_text(lab_page(title=title), encoding="utf-8")
-    browser.open(path)
-    assert browser.run("return document.title") == title
-
-
-def test_the_command_writes_it(tmp_path: Path) -> None:
-    path = tmp_path / "lab.html"
-    assert main(["lab", "-o", str(path)]) == 0
-    assert path.read_text(encoding="utf-8") == lab_page()
-    command = ["lab", "several-equilibria", "-o", str(path), "--wrench", "0,-1,0", "--title", "A"]
-    assert main(command) == 0
-    grasp = read_grasp("several-equilibria")
-    assert path.read_text(encoding="utf-8") == lab_page(grasp, wrench=[0, -1, 0], title="A")
+    path.write_text(lab_page(read_grasp("several-equilibria"), wrench=[-1, 0, 0]), encoding="utf-8")
+    fails = "class { postMessage() { setTimeout(() => this.onerror(), 0); } }"
+    ahead = {"source": broken.replace("BROKEN", fails)}
+    name = browser.driver.execute_cdp_cmd("Page.addScriptToEvaluateOnNewDocument", ahead)
+    try:
+        browser.open(path)
+        assert verdict(browser).startswith("Resisted 2 equilibria, exact")
+    finally:
+        browser.driver.execute_cdp_cmd("Page.removeScriptToEvaluateOnNewDocument", name)
+    assert any(url.startswith("blob:") for url in browser.requests()) == (not broken)
+    assert browser.messages() == []
 
 
 def test_a_notebook_shows_it_in_a_frame(browser: Browser, tmp_path: Path) -> None:

@@ -16,7 +16,6 @@ from typing import Any
 
 import pytest
 
-from arrangement.lab.page import LINEAR, RATIONAL
 from equilibrium import Contact, Grasp, solve
 from equilibrium.certificate.checker import check
 from equilibrium.lab import lab_page
@@ -43,7 +42,7 @@ return { answers: questions.map(([grasp, wrench]) => attempt(() => (method
 @pytest.fixture
 def ask(request: pytest.FixtureRequest, tmp_path: Path) -> Ask:
     """Return what puts questions and certificates to the modules of the page."""
-    modules = [str(path.resolve()) for path in paths([RATIONAL, LINEAR, *DECIDES])]
+    modules = [str(path.resolve()) for path in paths(DECIDES)]
     opened = None
     if not node():
         opened = request.getfixturevalue("browser")

@@ -14,6 +14,7 @@ from equilibrium.cli.program import main
 from equilibrium.lab import lab_page
 from equilibrium.lab.exercises import read_start, slip_exercises
 from tests.browser import Browser
+from tests.labs import checked, choose, enter, problem
 
 EXERCISES = {exercise["name"]: exercise for exercise in slip_exercises()}
 THREE = "-1,0,1,0,1/2,1,{0};0,-1,0,1,1/2,1,{0};1,0,-1,0,1/2,1,{0}"
@@ -93,21 +94,15 @@ def page(tmp_path_factory: pytest.TempPathFactory) -> Path:
 def begin(browser: Browser, page: Path, name: str) -> None:
     browser.open(page)
     browser.settled()
-    browser.run(
-        "const box = document.getElementById('exercise'); box.value = arguments[0];"
-        "box.dispatchEvent(new Event('change'))",
-        str(list(EXERCISES).index(name)),
-    )
+    choose(browser, "exercise", list(EXERCISES).index(name))
 
 
 def answer(browser: Browser, link: str) -> str:
     """Change the page to a link, press check, and return what it says."""
     browser.run("location.hash = arguments[0]", link)
     browser.settled()
-    assert not browser.run("return document.getElementById('problem').textContent")
-    browser.run("document.getElementById('exercise-check').click()")
-    said: str = browser.run("return document.getElementById('exercise-said').textContent")
-    return said
+    assert not problem(browser)
+    return checked(browser)
 
 
 def test_there_are_twelve() -> None:
@@ -144,13 +139,8 @@ def test_a_refuting_motion_is_one_that_the_checker_takes(page: Path, browser: Br
     assert browser.run("return document.querySelector('.work')") is None
     said = {}
     for motion in ("1, -1, 1", "0, 0, 1", "0, 0, -1", "1, 0, 0", "-1, 1, 1", "0, 1, 1", "-3, 3, 1"):
-        browser.run(
-            "const box = document.getElementById('motion'); box.value = arguments[0];"
-            "box.dispatchEvent(new Event('input'));"
-            "document.getElementById('exercise-check').click()",
-            motion,
-        )
-        said[motion] = browser.run("return document.getElementById('exercise-said').textContent")
+        enter(browser, "motion", motion)
+        said[motion] = checked(browser)
     proof = {"schema_version": 3, "certificate": "not resisted", "grasp": grasp.to_dict()}
     for motion, text in said.items():
         document = {**proof, "wrench": list(map(str, wrench)), "tree": motion.split(", ")}
@@ -188,10 +178,7 @@ def test_a_lecturer_brings_own_exercises(browser: Browser, tmp_path: Path) -> No
     assert main(["lab", "-o", str(path), "--exercises", str(source)]) == 0
     browser.open(path)
     browser.settled()
-    browser.run(
-        "const box = document.getElementById('exercise'); box.value = '0';"
-        "box.dispatchEvent(new Event('change'))"
-    )
+    choose(browser, "exercise", 0)
     assert "<b>Mine</b>" in browser.run("return document.getElementById('exercise').textContent")
     assert answer(browser, f"1|{THREE.format('1')}|0,1,0").startswith("✓")
     assert browser.messages() == []

@@ -1,5 +1,6 @@
 """The other methods in space: hulls against scipy, proofs of round cones by substitution."""
 
+import inspect
 import json
 from fractions import Fraction
 
@@ -9,6 +10,7 @@ from scipy.spatial import ConvexHull
 
 from arrangement.exact import dot
 from equilibrium.cli.program import main
+from equilibrium.draw.methods import draw_methods
 from equilibrium.inputs.random import random_grasp
 from equilibrium.io.files import read_grasp
 from equilibrium.methods.compare import compare
@@ -115,5 +117,37 @@ def test_the_command_takes_a_grasp_in_space(capsys):
     found = json.loads(capsys.readouterr().out)
     assert found["stable"] is False
     assert [entry["method"] for entry in found["methods"]] == list(DECIDING_IN_SPACE)
-    assert main(["wrench-space", "two-opposed-fingers"]) == 2
-    assert "`compare`" in capsys.readouterr().err
+
+
+def test_pyramids_are_for_all_methods_with_friction(capsys):
+    between = ["--wrench", "0", "7/10", "7/10", "0", "0", "0"]
+    assert main(["compare", "two-opposed-fingers", *between]) == 0
+    capsys.readouterr()
+    assert main(["compare", "two-opposed-fingers", *between, "--cone", "pyramid:4", "--json"]) == 1
+    found = json.loads(capsys.readouterr().out)
+    assert (found["pyramid"], found["stable"]) == (4, False)
+    fingers, load = read_grasp("two-opposed-fingers"), (0, "7/10", "7/10", 0, 0, 0)
+    assert compare(fingers, load, pyramid=16).stable
+    assert compare(fingers, load, pyramid=16)["weak"].accepts
+    for name, options in (("two-opposed-fingers", between), ("paper-three-contacts", "123")):
+        edges = "pyramid:7" if options == between else "pyramid:8"
+        wrench = between if options == between else ["--wrench", "0", "1", "0"]
+        assert main(["compare", name, *wrench, "--cone", edges]) == 2
+        assert capsys.readouterr().err.count("\n") == 1
+
+
+def test_the_wrench_space_in_space_has_a_radius_and_no_slice(capsys):
+    assert main(["wrench-space", "box-held-by-four", "--json"]) == 0
+    found = json.loads(capsys.readouterr().out)
+    assert (found["epsilon_squared"], found["pyramid"]) == ("4/25", 4)
+    assert not {"volume", "slice"} & set(found)
+    for options in (["--torque", "1"], ["--cone", "pyramid:6"]):
+        assert main(["wrench-space", "box-held-by-four", *options]) == 2
+        assert capsys.readouterr().err.count("\n") == 1
+
+
+def test_the_table_of_methods_is_drawn_in_space_too():
+    questions = [(0, 1, 0, 0, 0, 0), (0, 0, 0, 1, 0, 0)]
+    scene = inspect.unwrap(draw_methods)(read_grasp("two-opposed-fingers"), wrenches=questions)
+    cells = {item.name for item in scene.items if item.name.startswith("cell")}
+    assert len(cells) == 2 * len(DECIDING_IN_SPACE)

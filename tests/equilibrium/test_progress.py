@@ -28,7 +28,7 @@ def arguments(command: str, tmp_path: Path) -> list[str]:
     if command in ALONE:
         return [command, *ALONE[command], "--json"]
     path = tmp_path / "grasp.json"
-    path.write_text(json.dumps(random_grasp(4, seed=1).to_dict()))
+    path.write_text(json.dumps(random_grasp(3, seed=1).to_dict()))
     return [command, str(path), *LONG[command], "--json"]
 
 

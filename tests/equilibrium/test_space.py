@@ -2,6 +2,7 @@
 
 import json
 import math
+from collections import Counter
 from fractions import Fraction
 from itertools import product
 from random import Random
@@ -12,6 +13,7 @@ from scipy.optimize import linprog
 
 from arrangement.errors import InputError
 from equilibrium.certificate.checker import check
+from equilibrium.certificate.document import resisted_certificate
 from equilibrium.cli.program import main
 from equilibrium.inputs import random_grasp, random_wrench, read_any
 from equilibrium.io.files import read_grasp
@@ -20,9 +22,13 @@ from equilibrium.model.errors import GraspError, UndecidedError
 from equilibrium.model.grasp import Grasp
 from equilibrium.model.pyramid import pyramid_edges
 from equilibrium.model.unit_normal import unit_normal
+from equilibrium.solver.space.equilibria import SpatialSolution
 from equilibrium.spatial_verdict import solve_in_space
 from equilibrium.verdict import Solver, solve
+from equilibrium.wrench_sets.known_loads import KnownLoads, KnownMagnitudes, blends
 from equilibrium.wrench_sets.spatial import spatial_magnitudes
+
+from . import sectors
 
 HAIR = 1 + Fraction(1, 10**6)
 FINGERS, FEET = read_grasp("two-opposed-fingers"), read_grasp("box-on-a-table")
@@ -71,6 +77,44 @@ class TestBorders:
     def test_limits_are_brackets_of_two_proofs(self):
         (border,) = spatial_magnitudes(FINGERS, across("3/5", "4/5"), width="1/100").borders
         assert border.resisted == 1 < border.refused <= Fraction(100, 99)
+
+
+class TestKnownLoads:
+    def known(self, grasp, along):
+        return KnownMagnitudes(KnownLoads(grasp, 100), tuple(map(Fraction, along)), (0,) * 6)
+
+    def test_a_tree_refutes_the_magnitudes_between_its_edges_and_no_other(self):
+        known = self.known(FINGERS, across("3/5", "4/5"))
+        assert known.verdict(Fraction(2)) == "not resisted"
+        low, high = known.refuting(Fraction(2))
+        assert (1 <= low < 2, high) == (True, None)
+        tree = solve_in_space(FINGERS, [2 * x for x in known.along]).certificate.to_dict()
+        for t, valid in ((low, False), (low + Fraction(1, 10**9), True), (10**9, True)):
+            wrench = [str(t * x) for x in known.along]
+            assert bool(check({**tree, "wrench": wrench})) == valid
+
+    def test_between_equilibria_that_blend_there_are_equilibria(self):
+        loads = [on_the_table("1/8", 0), on_the_table(0, "1/4"), on_the_table("1/16", "1/8", 1)]
+        one, *others = [solve_in_space(FEET, load) for load in loads]
+        for other in others:
+            share, (a, b) = Fraction(1, 3), (one.solution, other.solution)
+            assert blends(FEET, a, b)
+            middle = [mixed(share, *pair) for pair in zip(a.forces, b.forces, strict=True)]
+            load = mixed(share, one.wrench, other.wrench)
+            proof = resisted_certificate(FEET, load, mixed(share, a.motion, b.motion), middle)
+            assert proof.verify()
+
+    def test_contacts_that_do_something_else_do_not_blend(self):
+        motions = [(1, 0, -1), (2, 0, -1), (-1, 0, -1), (0, 1, -1), (0, 0, -1), (0, 1, 1)]
+        forces = ((Fraction(0),) * 3,) * 4
+        found = [SpatialSolution((*map(Fraction, v), *[Fraction(0)] * 3), forces) for v in motions]
+        slip, further, *others = found
+        assert blends(FEET, slip, further)
+        assert not any(blends(FEET, slip, other) for other in others)
+
+
+def mixed(share, one, other):
+    return tuple(share * x + (1 - share) * y for x, y in zip(one, other, strict=True))
 
 
 def in_space(wrench):
@@ -245,6 +289,35 @@ class TestChecker:
         with pytest.raises(InputError, match="enclosure"):
             check({**self.tree, "certificate": "resisted", "enclosure": given})
 
+    def test_two_contacts_have_an_enclosure_but_for_a_turn_about_their_line(self):
+        grasp = random_grasp(2, 1, dimension=3)
+        found = solve_in_space(grasp, balanced(Random(1), grasp))
+        document = found.certificate.to_dict()
+        given, third = document["enclosure"], random_grasp(3, 1, dimension=3).to_dict()
+        (turn,) = given["idle"]
+        assert check(document)
+        felt = {
+            **document["grasp"],
+            "contacts": [*document["grasp"]["contacts"], *third["contacts"]],
+        }
+        changes = [
+            {"enclosure": {**given, "idle": []}},
+            {"enclosure": {**given, "idle": [["1", *turn[1:]]]}},
+            {"enclosure": {**given, "idle": [[*turn[:6], "1000"]]}},
+            {
+                "wrench": [
+                    str(Fraction(x) + Fraction(y))
+                    for x, y in zip(document["wrench"], turn[:6], strict=True)
+                ]
+            },
+            {
+                "grasp": felt,
+                "enclosure": {**given, "friction": [*given["friction"], *["slip"] * 3]},
+            },
+        ]
+        for change in changes:
+            assert not check({**document, **change}), change
+
 
 class TestAnswers:
     def test_an_undecided_verdict_is_neither_yes_nor_no(self):
@@ -271,7 +344,7 @@ class TestAnswers:
             solve(FINGERS, [0] * length)
 
     def test_what_the_plane_alone_has_is_one_clear_error(self, capsys):
-        for command in (["region"], ["polyhedra"], ["wrench-space"]):
+        for command in (["region"], ["polyhedra"], ["map"]):
             assert main([command[0], "two-opposed-fingers", *command[1:]]) == 2
             error = capsys.readouterr().err
             assert "this grasp is in space" in error
@@ -385,6 +458,55 @@ def loaded(source, grasp):
         for force, row in zip((normal, *friction), rows, strict=True):
             wrench = [w - force * x for w, x in zip(wrench, row, strict=True)]
     return tuple(Fraction(round(64 * w), 64) if len(grasp) > 2 else w for w in wrench)
+
+
+def balanced(source, grasp):
+    """Return a load that forces inside the cones balance; with preload not far from it."""
+    wrench = (Fraction(0),) * 6
+    for contact in grasp:
+        size = contact.preload or Fraction(source.randint(0, 4), 2)
+        normal = size * Fraction(source.randint(8, 20), 16)
+        share = [Fraction(source.randint(-9, 9), 11) for _ in range(2)]
+        forces = normal, *(x * contact.friction * normal for x in share)
+        rows = contact.normal_wrench, *contact.tangential_wrenches
+        for force, row in zip(forces, rows, strict=True):
+            wrench = tuple(w - force * x for w, x in zip(wrench, row, strict=True))
+    return wrench
+
+
+def agrees_with_sectors(contacts, seeds, load):
+    """Compare verdicts with those of brute force over sectors; return the three numbers."""
+    found = Counter()
+    for seed in seeds:
+        grasp = random_grasp(contacts, seed, dimension=3)
+        wrench = load(Random(seed), grasp)
+        answer = solve_in_space(grasp, wrench)
+        found[answer.verdict] += 1
+        if answer.decided:
+            assert answer.verify(), seed
+            assert answer.stable == sectors.resisted(grasp, wrench), seed
+    return found
+
+
+def test_verdicts_on_round_cones_are_those_of_narrow_sectors():
+    few = agrees_with_sectors(2, range(6), balanced) + agrees_with_sectors(3, range(2), loaded)
+    assert min(few["resisted"], few["not resisted"]) > 0
+    assert not few["undecided"]
+
+
+@pytest.mark.campaign
+def test_many_verdicts_on_round_cones_are_those_of_narrow_sectors():
+    found = sum(
+        (
+            agrees_with_sectors(2, range(100, 230), balanced),
+            agrees_with_sectors(2, range(230, 250), loaded),
+            agrees_with_sectors(3, range(100, 124), balanced),
+            agrees_with_sectors(3, range(124, 142), loaded),
+        ),
+        Counter(),
+    )
+    assert min(found["resisted"], found["not resisted"]) > 20
+    assert found["undecided"] <= 4
 
 
 def agrees_with_all_states(contacts, seeds):

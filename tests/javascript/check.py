@@ -28,7 +28,7 @@ from equilibrium.lab import page as slip
 HERE = Path(__file__).parent
 #: The modules of each page, in their order.
 PAGES: dict[str, Sequence[Template]] = {
-    "slip lab": [BASE_SCRIPT, *SHARED, *slip.SCRIPTS],
+    "slip lab": [*slip.DECIDES, BASE_SCRIPT, *SHARED, *slip.SCRIPTS],
     "resisted forces": resist.SCRIPTS,
     "arrangement lab": [BASE_SCRIPT, *SHARED, *lines.SCRIPTS],
 }

@@ -5,16 +5,15 @@ import { runInThisContext } from "node:vm";
 
 const { modules, questions, certificates, method } = JSON.parse(readFileSync(0, "utf8"));
 const sources = modules.map((path) => readFileSync(path, "utf8"));
-const core = runInThisContext(`"use strict"; (() => { const data = { sets: [], most: 8 };
-  const tuple = (values) => \`(\${values.join(", ")})\`;
+const core = runInThisContext(`"use strict"; (() => {
   ${sources.join("\n")}
-  return { solve, readGrasp, readWrench, certificateOf, checkDocument, saidBy }; })()`);
+  return { firstOf, readGrasp, readWrench, certificateOf, checkDocument, saidBy }; })()`);
 
 const attempt = (action) => { try { return action(); } catch (error) { return { error: error.message }; } };
 const answers = questions.map(([form, texts]) => attempt(() => {
   const [grasp, wrench] = [core.readGrasp(form), core.readWrench(texts)];
   if (method) return { stable: core.saidBy(method, grasp, wrench) };
-  const found = core.solve(grasp, wrench);
+  const found = core.firstOf(grasp, wrench);
   return { stable: found.stable, certificate: core.certificateOf(grasp, wrench, found) };
 }));
 const reports = certificates.map((document) => attempt(() => core.checkDocument(document)));

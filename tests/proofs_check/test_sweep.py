@@ -44,6 +44,26 @@ def test_two_processes_find_what_one_finds(tmp_path: Path) -> None:
     assert report(one) == report(two)
 
 
+def test_a_sweep_over_types_takes_each_of_them_once(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    plan = plan_sweep("state-formula", (3, 6), None, chunk=9)
+    sums = total(run_chunk(plan, number) for number in range(plan.chunks))
+    assert {m: sum(row) for m, row in sums.counts.items()} == {3: 1, 4: 2, 5: 4, 6: 17}
+    assert sums.outcomes["holds"] == 7  # the simple ones; the others are outside
+    assert sums.outcomes["outside"] == 17
+    every = plan_sweep("euler", (3, 9), None)
+    assert every.samples == 1 + 2 + 4 + 17 + 143 + 4890 + 460_779
+    assert [len(instance(every, k).distinct) for k in (0, 1, 5056, 5057, every.samples - 1)] == [
+        *(3, 4, 8, 9, 9)
+    ]
+    record = ["sweep", "euler", "--types", "3..5", "--store", str(tmp_path / "s.sqlite")]
+    assert main(record) == 0
+    assert "7 all types of 3 to 5 distinct planes of rank 3: 7 that hold" in capsys.readouterr().out
+    assert main([*record, "--samples", "3"]) == 2
+    assert main(["sweep", "euler", "--types", "8..10", "--store", str(tmp_path / "t")]) == 2
+
+
 def test_shards_merged_are_the_whole(tmp_path: Path) -> None:
     whole = tmp_path / "whole.sqlite"
     sweep(small_plan(), str(whole))

@@ -24,13 +24,14 @@ from .predicates import (
     ExactSigns,
     FilteredSigns,
     Integers,
+    along_rows,
     cross_products,
     exact_slope_terms,
     slope_terms,
 )
 
 #: Entries handled at once: temporary arrays this small stay in the cache and are used again.
-BLOCK = 1 << 12
+BLOCK = 1 << 14
 
 
 @dataclass(frozen=True, slots=True)
@@ -74,8 +75,10 @@ def _sort_block(signs: ExactSigns | FilteredSigns, block: slice, found: Crossing
     directions = cross_products(signs.numbers[block], signs.numbers)
     turn = signs.turns(directions, block)
     proposal = _proposal(signs.numbers[block], directions, turn)
-    proposal[np.arange(len(proposal)), np.arange(block.start, block.stop)] = np.nan
-    order = np.argsort(proposal, axis=1)[:, :-1]  # NaN, the circle itself, comes last
+    # Without NaN numpy sorts several numbers at a time, three times as fast.
+    order = np.argsort(proposal, axis=1)
+    own = np.arange(block.start, block.stop)[:, None]
+    order = order[order != own].reshape(len(order), -1)
     ascents, sorted_turn = _ascents(signs, directions, turn, order, block)
     failed = np.nonzero((ascents < 0).any(axis=1))[0]
     if len(failed):
@@ -108,7 +111,7 @@ def _ascents(
     block: slice,
 ) -> tuple[Signs, Signs]:
     """Return ``sign det(n_i, n_j, n_k) turn_ij turn_ik`` of neighbours, and the sorted turns."""
-    sorted_turn = np.take_along_axis(turn, order, axis=1)
+    sorted_turn = along_rows(turn, order)
     here, there = order[:, :-1], order[:, 1:]
     found = signs.determinants(directions, block, here, there)
     return found * sorted_turn[:, :-1] * sorted_turn[:, 1:], sorted_turn

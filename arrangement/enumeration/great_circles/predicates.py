@@ -166,11 +166,18 @@ class FilteredSigns(ExactSigns):
         return b * z + c * y, c * x + a * z, a * y + b * x
 
 
+def along_rows(values: NDArray[Any], columns: Indices) -> NDArray[Any]:
+    """Return the entries of each row at its columns, as `numpy.take_along_axis`, twice as fast."""
+    starts = np.arange(len(values))[:, None] * values.shape[1]
+    found: NDArray[Any] = values.take(columns + starts)
+    return found
+
+
 def _determinants(
     normals: Integers, directions: Components, here: Indices, there: Indices
 ) -> Integers:
-    x, y, z = (np.take_along_axis(part, here, axis=1) for part in directions)
-    n = [np.ascontiguousarray(normals[:, k])[there] for k in range(3)]
+    x, y, z = (along_rows(part, here) for part in directions)
+    n = [np.ascontiguousarray(normals[:, k]).take(there) for k in range(3)]
     determinants: Integers = n[0] * x + n[1] * y + n[2] * z
     return determinants
 

@@ -92,7 +92,8 @@ class SignPacker:
             places = leading[begin - 1 : end - 1] - 2 * incidence.circle_offsets[circle]
             turned = begin + int(np.searchsorted(places, size))
             states = self._half_circle(circle)
-            np.take(states, places % size, axis=0, out=rows[begin:end])
+            # The mode "raise" would fill a copy first.
+            np.take(states, places % size, axis=0, out=rows[begin:end], mode="clip")
             rows[turned:end] ^= self._all ^ self._mask[circle]
         return self._bytes(rows)
 

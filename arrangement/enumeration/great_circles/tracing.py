@@ -136,8 +136,8 @@ class _Ring:
         line_slots = np.empty_like(rank)
         for slots in chunks(len(rank), CHUNK):
             lines = slot_line[slots]
-            size[slots] = multiplicity[lines]
-            place[slots] = line_offsets[lines] + rank[slots]
+            size[slots] = multiplicity.take(lines)
+            place[slots] = line_offsets.take(lines) + rank[slots]
             line_slots[place[slots]] = np.arange(slots.start, slots.stop, dtype=np.int32)
         return cls(rank, size, place, line_slots)
 
@@ -145,8 +145,8 @@ class _Ring:
         """Return which slots are first, the slots before them, which are last, those after."""
         rank, size, place = self.rank[slots], self.size[slots], self.place[slots]
         first, last = rank == 0, rank == size - _ONE
-        before = self.line_slots[place + np.where(first, size, 0) - _ONE]
-        after = self.line_slots[place - np.where(last, size, 0) + _ONE]
+        before = self.line_slots.take(place + np.where(first, size, 0) - _ONE)
+        after = self.line_slots.take(place - np.where(last, size, 0) + _ONE)
         return first, before, last, after
 
 
@@ -176,10 +176,10 @@ def _next(ends: _Ends, ring: _Ring) -> tuple[Indices, _Flags]:
     for slots in chunks(len(ring.rank), CHUNK):
         first, before, last, after = ring.around(slots)
         leaving, opposite = ends.leaving[slots], ends.leaving_antipode[slots]
-        onward, back = 2 * ends.leaving[before], 2 * ends.entering[before] + _ONE
+        onward, back = 2 * ends.leaving.take(before), 2 * ends.entering.take(before) + _ONE
         after_forward[ends.entering[slots]] = np.where(first, onward, back)
         after_backward[leaving] = np.where(first, back, onward)
-        onward = 2 * ends.leaving_antipode[after]
+        onward = 2 * ends.leaving_antipode.take(after)
         back = onward - _ONE
         after_forward[opposite - _ONE] = np.where(last, onward, back)
         after_backward[opposite] = np.where(last, back, onward)
@@ -214,9 +214,9 @@ def _walk(following: Indices, region: Indices, start: Indices, number: int) -> N
     current = start
     while len(current):
         region[current] = numbers
-        current = following[current]
-        unfinished = current != start
-        current, start, numbers = current[unfinished], start[unfinished], numbers[unfinished]
+        current = following.take(current)
+        left = np.flatnonzero(current != start)
+        current, start, numbers = current.take(left), start.take(left), numbers.take(left)
 
 
 def chunks(total: int, size: int) -> Iterator[slice]:

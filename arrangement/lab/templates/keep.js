@@ -45,9 +45,21 @@ function svgText(view) {
   return new XMLSerializer().serializeToString(whole);
 }
 
+// The head of a page; `open` gets the example that is chosen.
+function listenToHead(open) {
+  at("title").textContent = data.title;
+  at("summary").textContent = data.summary;
+  const box = at("example");
+  make("option", { value: "", disabled: "", selected: "" }, box, "examples …");
+  data.examples.forEach(({ name }, k) => make("option", { value: k }, box, name));
+  box.addEventListener("change", () => open(data.examples[Number(box.value)]));
+  themeButton(at("theme"));
+}
+
 // Buttons with data-svg save the picture of that id, under the name in data-name; copy-link copies
-// the address; open-file gives the text of a chosen file to `open`.
-function listenToKeep(open) {
+// the address, copy-command what `commandOf` returns; open-file gives the text of a chosen file to `open`.
+function listenToKeep(open, commandOf) {
+  at("copy-command").addEventListener("click", () => copy(commandOf()));
   at("copy-link").addEventListener("click", () => copy(`${location.href.split("#")[0]}#${snapshot()}`));
   document.querySelectorAll("[data-svg]").forEach((/** @type {HTMLElement} */ button) => button.addEventListener("click", () => {
     download(button.dataset.name, "image/svg+xml", svgText(at(button.dataset.svg)));

@@ -135,40 +135,42 @@ class Dictionary {
   }
 }
 
-// Lines and rays that generate { x : row . x >= 0, equal . x = 0 } (double description).
+// A cone by what generates it: lines, and rays with the cuts (bits) on which each is 0.
+/** @typedef {{ lines: bigint[][], rays: { v: bigint[], zeros: bigint }[], bit: bigint }} Cone */
+/** @type {(n: number) => Cone} */
+const wholeCone = (n) => ({ lines: Array.from({ length: n }, (_, i) => Array.from({ length: n }, (_, j) => BigInt(i === j))), rays: [], bit: 1n });
+
+// What of a cone has row . x >= 0, or row . x = 0 (double description).
+/** @type {(cone: Cone, row: bigint[], keep?: boolean) => Cone} */
+function cutCone({ lines, rays, bit }, row, keep = true) {
+  const value = (x) => dotOf(row, x);
+  const next = bit << 1n;
+  const k = lines.findIndex(value);
+  if (k >= 0) {
+    const line = value(lines[k]) > 0n ? lines[k] : lines[k].map((x) => -x);
+    const step = value(line);
+    const flat = (x) => primitive(x.map((v, i) => step * v - value(x) * line[i]));
+    const level = rays.map((ray) => ({ v: flat(ray.v), zeros: ray.zeros | bit }));
+    return { lines: lines.filter((_, i) => i !== k).map(flat), rays: keep ? [...level, { v: line, zeros: bit - 1n }] : level, bit: next };
+  }
+  const values = rays.map((ray) => value(ray.v));
+  const side = (sign) => rays.map((ray, i) => ({ ray, h: values[i] })).filter(({ h }) => (sign ? h * sign > 0n : h === 0n));
+  const [above, below] = [side(1n), side(-1n)];
+  const found = side(0n).map(({ ray }) => ({ v: ray.v, zeros: ray.zeros | bit }));
+  for (const one of above) {
+    for (const other of below) {
+      const zeros = one.ray.zeros & other.ray.zeros;
+      const between = rays.some((ray) => ray !== one.ray && ray !== other.ray && (ray.zeros & zeros) === zeros);
+      if (!between) found.push({ v: primitive(one.ray.v.map((x, i) => one.h * other.ray.v[i] - other.h * x)), zeros: zeros | bit });
+    }
+  }
+  return { lines, rays: keep ? [...above.map(({ ray }) => ray), ...found] : found, bit: next };
+}
+
+// Lines and rays that generate { x : row . x >= 0, equal . x = 0 }.
 /** @type {(n: number, atLeast: bigint[][], equal?: bigint[][]) => { lines: bigint[][], rays: bigint[][] }} */
 function generators(n, atLeast, equal = []) {
-  let lines = Array.from({ length: n }, (_, i) => Array.from({ length: n }, (_, j) => BigInt(i === j)));
-  /** @type {{ v: bigint[], zeros: bigint }[]} */
-  let rays = [];
-  let bit = 1n;
-  const against = (row, keep) => {
-    const value = (x) => dotOf(row, x);
-    const k = lines.findIndex((line) => value(line));
-    if (k >= 0) {
-      const line = value(lines[k]) > 0n ? lines[k] : lines[k].map((x) => -x);
-      const step = value(line);
-      const flat = (x) => primitive(x.map((v, i) => step * v - value(x) * line[i]));
-      lines = lines.filter((_, i) => i !== k).map(flat);
-      rays = rays.map((ray) => ({ v: flat(ray.v), zeros: ray.zeros | bit }));
-      if (keep) rays.push({ v: line, zeros: bit - 1n });
-    } else {
-      const values = rays.map((ray) => value(ray.v));
-      const side = (sign) => rays.map((ray, i) => ({ ray, h: values[i] })).filter(({ h }) => (sign ? h * sign > 0n : h === 0n));
-      const [above, below] = [side(1n), side(-1n)];
-      const found = side(0n).map(({ ray }) => ({ v: ray.v, zeros: ray.zeros | bit }));
-      for (const one of above) {
-        for (const other of below) {
-          const zeros = one.ray.zeros & other.ray.zeros;
-          const between = rays.some((ray) => ray !== one.ray && ray !== other.ray && (ray.zeros & zeros) === zeros);
-          if (!between) found.push({ v: primitive(one.ray.v.map((x, i) => one.h * other.ray.v[i] - other.h * x)), zeros: zeros | bit });
-        }
-      }
-      rays = keep ? [...above.map(({ ray }) => ray), ...found] : found;
-    }
-    bit <<= 1n;
-  };
-  for (const row of equal) against(row, false);
-  for (const row of atLeast) against(row, true);
-  return { lines, rays: rays.map((ray) => ray.v) };
+  const level = equal.reduce((cone, row) => cutCone(cone, row, false), wholeCone(n));
+  const { lines, rays } = atLeast.reduce((cone, row) => cutCone(cone, row), level);
+  return { lines, rays: rays.map(({ v }) => v) };
 }

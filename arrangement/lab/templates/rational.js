@@ -95,4 +95,4 @@ const dotted = (a, b) => a.reduce((sum, x, i) => plus(sum, times(x, b[i])), ZERO
 /** @type {(row: Row) => Row} */
 const minusRow = (row) => row.map(minus);
 /** @type {(v: Row) => string} */
-const vectorText = (v) => tuple(v.map(shortText));
+const vectorText = (v) => `(${v.map(shortText).join(", ")})`;

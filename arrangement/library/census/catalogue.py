@@ -3,19 +3,36 @@
 from __future__ import annotations
 
 import json
+from bisect import bisect
+from collections.abc import Sequence
 from functools import lru_cache
 from importlib.resources import files
-from typing import Any
+from itertools import combinations
+from typing import Any, overload
+
+import numpy as np
+from numpy.typing import NDArray
 
 from arrangement.arrangement import Arrangement
+from arrangement.counts.oriented_matroid import chirotope
 from arrangement.errors import InputError
-from arrangement.exact import shown
+from arrangement.exact import shown, sign
+from arrangement.library.families import perles
+from arrangement.linear import triple_product
+
+from .chirotopes import Signs, chirotope_of, regions
+from .codes import Integers, canonical
+from .final_polynomials import Comparison
 
 #: The largest number of planes in the shipped list.
-MOST_PLANES = 8
-#: Published numbers of types, all and simple ([FinschiFukuda2002]; all realisable for m <= 8).
-PUBLISHED = {3: 1, 4: 2, 5: 4, 6: 17, 7: 143, 8: 4890}
-PUBLISHED_SIMPLE = {3: 1, 4: 1, 5: 1, 6: 4, 7: 11, 8: 135}
+MOST_PLANES = 9
+#: Published numbers of types, all and simple ([FinschiFukuda2002]).
+PUBLISHED = {3: 1, 4: 2, 5: 4, 6: 17, 7: 143, 8: 4890, 9: 460_779}
+PUBLISHED_SIMPLE = {3: 1, 4: 1, 5: 1, 6: 4, 7: 11, 8: 135, 9: 4381}
+#: Published number of types of nine pseudolines ([FinschiFukuda2002]).
+PSEUDOLINES = 461_053
+#: Types that a search in the list looks at together.
+_AT_ONCE = 31
 
 
 @lru_cache(maxsize=1)
@@ -25,35 +42,134 @@ def _document() -> dict[str, Any]:
     return document
 
 
-def normals(planes: int) -> list[list[list[int]]]:
-    """Return the rows of normals of every type of so many planes, as they are in the list."""
-    listed: list[list[list[int]]] = _document()["types"][str(planes)]
-    return listed
+@lru_cache(maxsize=1)
+def _extensions() -> dict[str, NDArray[Any]]:
+    """Return the arrays of the types of nine planes; see `build`."""
+    with files(__package__).joinpath("types9.npz").open("rb") as stream, np.load(stream) as arrays:
+        return dict(arrays)
+
+
+@lru_cache(maxsize=MOST_PLANES)
+def normals(planes: int) -> NDArray[np.int8]:
+    """Return the normals of every type of so many planes, (types, planes, 3), 3 to 9 planes.
+
+    Those of `families.perles` are 0, as that type has no rational coordinates.
+    """
+    if planes < MOST_PLANES:
+        return np.array(_document()["types"][str(planes)], dtype=np.int8)
+    arrays = _extensions()
+    bases = np.concatenate([normals(planes - 1), arrays["bases"]])[arrays["parents"]]
+    return np.concatenate([bases, arrays["vectors"][:, None]], axis=1)
+
+
+def chirotopes(planes: int, chosen: slice | NDArray[np.intp] = slice(None)) -> Signs:
+    """Return the chirotopes of some types of so many planes, (types, triples)."""
+    rows = normals(planes)[chosen]
+    signs = chirotope_of(rows)
+    irrational = np.flatnonzero(~rows.any((1, 2)))
+    if len(irrational):
+        signs[irrational] = exact_chirotope(perles())
+    return signs
+
+
+def exact_chirotope(arrangement: Arrangement) -> Signs:
+    """Return the chirotope of distinct planes of rank 3, of any size and field."""
+    if arrangement.dimension > 3:
+        return np.array([*chirotope(arrangement).values()], dtype=np.int8)
+    rows = [plane[:-1] for plane in arrangement.integer_planes]
+    signs = [sign(triple_product(*three)) for three in combinations(rows, 3)]
+    return np.array(signs, dtype=np.int8)
+
+
+class Types(Sequence[Arrangement]):
+    """Types of one number of planes; each arrangement is made anew when it is asked for."""
+
+    def __init__(self, rows: NDArray[np.int8]) -> None:
+        self._rows = rows
+
+    def __len__(self) -> int:
+        return len(self._rows)
+
+    @overload
+    def __getitem__(self, index: int) -> Arrangement: ...
+    @overload
+    def __getitem__(self, index: slice) -> Types: ...
+    def __getitem__(self, index: int | slice) -> Arrangement | Types:
+        rows = self._rows[index]
+        if isinstance(index, slice):
+            return Types(rows)
+        return Arrangement(rows.tolist()) if rows.any() else perles()
 
 
 @lru_cache(maxsize=2 * MOST_PLANES)
-def census(planes: int, *, simple: bool = False) -> tuple[Arrangement, ...]:
+def census(planes: int, *, simple: bool = False) -> Sequence[Arrangement]:
     """Return one arrangement of each combinatorial type of `planes` distinct planes of rank 3.
 
-    Types are up to relabelling of planes and exchange of their sides. All are central, in R^3,
-    with small integer normals. Complete: the numbers are the published ones, 1, 2, 4, 17, 143,
-    4890 for 3 to 8 planes (1, 1, 1, 4, 11, 135 simple), and no two have the same type.
+    Types are up to relabelling of planes and exchange of their sides. All are central, in R^3, with
+    small integer normals, but for `families.perles`, which needs sqrt(5). Complete: the numbers are
+    the published ones, 1, 2, 4, 17, 143, 4890, 460,779 for 3 to 9 planes (1, 1, 1, 4, 11, 135, 4381
+    simple), and no two have the same type. Those of nine planes are made when they are asked for.
 
     Args:
-        planes: 3 to 8.
+        planes: 3 to 9.
         simple: only the types in general position.
 
     Raises:
         InputError: another number of planes.
 
-    Source: the counts, [FinschiFukuda2002]; the representatives, `generate`.
+    Source: the counts, [FinschiFukuda2002]; the representatives, `generate` and `build`.
 
-    >>> [len(census(m)) for m in (3, 4, 5, 6, 7)]
-    [1, 2, 4, 17, 143]
+    >>> [len(census(m)) for m in (3, 4, 5, 6, 7, 9)]
+    [1, 2, 4, 17, 143, 460779]
     """
     if type(planes) is not int or not 3 <= planes <= MOST_PLANES:
         raise InputError(f"planes is {shown(planes)}; the census has types of 3 to {MOST_PLANES}")
-    listed = map(Arrangement, normals(planes))
-    if not simple:
-        return tuple(listed)
-    return tuple(arrangement for arrangement in listed if arrangement.is_simple)
+    types = Types(normals(planes))
+    if planes == MOST_PLANES:  # in the order of numbers of regions: the simple ones come last
+        places = range(len(types))
+        return types[bisect(places, False, key=lambda k: types[k].is_simple) :] if simple else types
+    return tuple(arrangement for arrangement in types if arrangement.is_simple or not simple)
+
+
+def without_coordinates() -> list[tuple[Signs, tuple[Comparison, ...]]]:
+    """Return the types of nine pseudolines that no planes have, each with a proof.
+
+    Their number and that of ``census(9)`` make up that of all types of nine pseudolines,
+    `PSEUDOLINES`. `final_polynomials.proves_no_coordinates` checks a proof.
+    """
+    arrays = _extensions()
+    steps = np.searchsorted(arrays["proofs"][:, 0], range(1, len(arrays["without"])))
+    return [
+        (signs, tuple(Comparison(tuple(row[1:6]), *row[6:]) for row in proof.tolist()))
+        for signs, proof in zip(arrays["without"], np.split(arrays["proofs"], steps), strict=True)
+    ]
+
+
+def places(signs: Signs) -> NDArray[np.intp]:
+    """Return the place in ``census(9)`` of each chirotope of nine elements, -1 if it has none.
+
+    The list is in the order of numbers of regions, then of codes, so each is found by bisection.
+    """
+    total, at_once = PUBLISHED[MOST_PLANES], max(1, _AT_ONCE // len(signs))
+    wanted = place_keys(signs)
+    low, high = np.zeros(len(signs), dtype=np.intp), np.full(len(signs), total)
+    while (low < high).any():
+        steps = low[:, None] + (high - low)[:, None] * np.arange(1, at_once + 1) // (at_once + 1)
+        keys = place_keys(chirotopes(MOST_PLANES, steps.ravel().clip(max=total - 1)))
+        keys = keys.reshape(*steps.shape, -1)
+        differ = keys != wanted[:, None]
+        first = differ.argmax(2)[..., None]
+        smaller = np.take_along_axis(keys < wanted[:, None], first, axis=2)[..., 0]
+        before = (smaller & differ.any(2)).sum(1)  # as the steps rise, these come first
+        ends = np.column_stack([low - 1, steps, high])
+        rows, going = np.arange(len(signs)), low < high
+        low = np.where(going, ends[rows, before] + 1, low)
+        high = np.where(going, ends[rows, before + 1], high)
+    found = place_keys(chirotopes(MOST_PLANES, low.clip(max=total - 1)))
+    return np.where((found == wanted).all(1), low, -1)
+
+
+def place_keys(signs: Signs) -> Integers:
+    """Return the rows by which the list is sorted: regions, then code."""
+    codes = canonical(signs, MOST_PLANES).codes
+    return np.column_stack([regions(signs, MOST_PLANES), codes])

@@ -9,7 +9,8 @@ from __future__ import annotations
 
 import itertools
 from functools import lru_cache
-from typing import TypeAlias
+from math import comb
+from typing import Any, TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
@@ -17,6 +18,7 @@ from numpy.typing import NDArray
 from arrangement.errors import InputError
 
 Signs: TypeAlias = NDArray[np.int8]
+Vectors: TypeAlias = NDArray[np.int64]
 
 #: Entries up to this size have determinants that int64 holds: 6 * 10^18 < 2^63.
 LARGEST_ENTRY = 10**6
@@ -34,7 +36,7 @@ def pairs(n: int) -> NDArray[np.intp]:
     return np.array(list(itertools.combinations(range(n), 2)), dtype=np.intp).reshape(-1, 2)
 
 
-def chirotope_of(normals: NDArray[np.int64]) -> Signs:
+def chirotope_of(normals: NDArray[np.integer[Any]]) -> Signs:
     """Return the signs of the determinants of all triples of normals, shape (..., n, 3).
 
     Raises:
@@ -42,7 +44,8 @@ def chirotope_of(normals: NDArray[np.int64]) -> Signs:
     """
     if np.abs(normals).max(initial=0) > LARGEST_ENTRY:
         raise InputError(f"entries of normals are at most {LARGEST_ENTRY} here")
-    first, second, third = (normals[..., column, :] for column in triples(normals.shape[-2]).T)
+    large = normals.astype(np.int64)
+    first, second, third = (large[..., column, :] for column in triples(normals.shape[-2]).T)
     signs: Signs = np.sign((np.cross(first, second) * third).sum(-1)).astype(np.int8)
     return signs
 
@@ -70,3 +73,17 @@ def extended(signs: Signs, localizations: Signs, n: int) -> Signs:
     result[:, ~last] = signs
     result[:, last] = localizations
     return result
+
+
+def t_vectors(signs: Signs, n: int) -> NDArray[np.int64]:
+    """Return how many points lie on k elements, for k = 0 to n: (N, n + 1)."""
+    i, j = pairs(n).T
+    through = (alternating(signs, n)[:, i, j] == 0).sum(2)  # both elements of the pair among them
+    on = [(through == k).sum(1) // max(comb(k, 2), 1) for k in range(n + 1)]
+    return np.stack(on, 1)
+
+
+def regions(signs: Signs, n: int) -> NDArray[np.int64]:
+    """Return how many regions each arrangement of pseudolines has, by Euler's formula: (N,)."""
+    counts: NDArray[np.int64] = 2 + 2 * t_vectors(signs, n)[:, 2:] @ np.arange(1, n)
+    return counts

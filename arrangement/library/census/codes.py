@@ -47,12 +47,14 @@ class Coded(NamedTuple):
         sides: (N, n); the sign by which element p of the canonical form was multiplied.
         automorphisms: (N,), the order of the group that keeps the chirotope up to sign, by
             relabelling and reorientation, all elements at once counting as nothing.
+        orbits: (N,), the number of orbits of elements under that group.
     """
 
     codes: Integers
     orders: NDArray[np.intp]
     sides: Signs
     automorphisms: Integers
+    orbits: Integers
 
 
 def canonical(signs: Signs, n: int) -> Coded:
@@ -65,6 +67,18 @@ def canonical(signs: Signs, n: int) -> Coded:
         for low in range(0, len(signs), _TOGETHER)
     ]
     return Coded(*(np.concatenate(columns) for columns in zip(*parts, strict=True)))
+
+
+def carried(mine: Coded, theirs: Coded) -> tuple[NDArray[np.intp], Signs]:
+    """Return how chirotopes of the same codes are carried onto others: orders and sides, (N, n).
+
+    Element p of theirs is element ``order[p]`` of mine, multiplied by ``sides[p]``.
+    """
+    back = np.argsort(theirs.orders, axis=1)
+    shape = np.broadcast_shapes(mine.orders.shape, back.shape)
+    back = np.broadcast_to(back, shape)
+    order = np.take_along_axis(mine.orders, back, axis=1)
+    return order, np.take_along_axis(mine.sides * theirs.sides, back, axis=1)
 
 
 def _canonical(chi: Signs, n: int) -> Coded:
@@ -86,7 +100,11 @@ def _canonical(chi: Signs, n: int) -> Coded:
         kept = word == least[of]
         of, order, sides, start = of[kept], order[kept], sides[kept], start[kept]
     _, first, number = np.unique(of, return_index=True, return_counts=True)
-    return Coded(np.stack(words, 1), order[first], sides[first, :n], number)
+    # The flags with the least text are one orbit, so what they have at one place is one too.
+    least = np.full((total, n), n)
+    np.minimum.at(least, of, order)
+    orbits = (np.diff(np.sort(least, axis=1), axis=1) > 0).sum(1) + 1
+    return Coded(np.stack(words, 1), order[first], sides[first, :n], number, orbits)
 
 
 def _parts(rows: NDArray[np.intp]) -> list[NDArray[np.intp]]:

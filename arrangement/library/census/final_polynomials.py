@@ -17,16 +17,19 @@ from __future__ import annotations
 import itertools
 from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
-from fractions import Fraction
 from math import lcm
 from typing import NamedTuple, TypeAlias
 
 import numpy as np
 
+from arrangement.linprog import Infeasible, feasible_point
+
 from .chirotopes import triples
 
 Triple: TypeAlias = tuple[int, int, int]
 Product: TypeAlias = tuple[Triple, Triple]
+#: Weights in floats from here down are 0.
+_TINY = 1e-9
 
 
 class Comparison(NamedTuple):
@@ -68,14 +71,22 @@ def final_polynomial(signs: Mapping[Triple, int], n: int) -> tuple[Comparison, .
     right = np.zeros(len(column) + 1)
     right[-1] = 1
     bounds = [(0, None) if strict else (None, None) for _, strict in rows]
-    found = linprog(np.zeros(len(rows)), A_eq=exponents, b_eq=right, bounds=bounds, method="highs")
+    found = linprog(
+        np.zeros(len(rows)), A_eq=exponents, b_eq=right, bounds=bounds, method="highs-ds"
+    )
     if found.x is None:
         return None
-    weights = [Fraction(x).limit_denominator(10**4) for x in found.x]
-    scale = lcm(*(w.denominator for w in weights))
+    # The method ends at a vertex: the few comparisons that it uses have exact weights.
+    used = np.flatnonzero(np.abs(found.x) > _TINY)
+    equations = np.unique(np.c_[exponents[:, used], -right].astype(int), axis=0).tolist()
+    units = np.eye(len(used), len(used) + 1, dtype=int)
+    weights = feasible_point(len(used), units[[rows[k][1] for k in used]].tolist(), equations)
+    if isinstance(weights, Infeasible):
+        return None
+    scale = lcm(*(weight.denominator for weight in weights))
     proof = tuple(
-        row._replace(times=int(weight * scale))
-        for (row, _), weight in zip(rows, weights, strict=True)
+        rows[k][0]._replace(times=int(weight * scale))
+        for k, weight in zip(used, weights, strict=True)
         if weight
     )
     return proof if proves_no_coordinates(signs, proof) else None

@@ -2,25 +2,22 @@
 
 from __future__ import annotations
 
-from collections import Counter
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from functools import lru_cache
-from math import comb
 
 import numpy as np
 from numpy.typing import NDArray
 
 from arrangement.arrangement import Arrangement
-from arrangement.counts.oriented_matroid import chirotope
 from arrangement.errors import InputError
-from arrangement.library.families import braid, coordinate, near_pencil, simplicial
+from arrangement.library.families import braid, coordinate, near_pencil, simplicial, type_b
 from arrangement.library.families.simplicial import simplicial_entries
 from arrangement.planes import Planes
 
-from .catalogue import MOST_PLANES, normals
-from .chirotopes import Signs, alternating, chirotope_of
-from .codes import Coded, canonical
+from .catalogue import MOST_PLANES, chirotopes, exact_chirotope, normals, places
+from .chirotopes import Signs, t_vectors
+from .codes import Coded, canonical, carried
 
 
 @dataclass(frozen=True)
@@ -78,21 +75,25 @@ def identify(arrangement: Planes) -> Identification:
     distinct = Arrangement([arrangement.normals[k] for k in firsts])
     m, rank, f_vector = len(firsts), distinct.rank, distinct.f_vector
     facets, regions = f_vector[-2], f_vector[-1]
+    is_simplicial = 2 * facets == rank * regions
     number, automorphisms, names = None, None, tuple[str, ...]()
     order, sides, t_vector = tuple[int, ...](), tuple[int, ...](), dict[int, int]()
     if rank < 3:
         number, names = 1, ("pencil",) if rank == 2 and m > 2 else ()
     elif rank == 3:
-        signs = np.array([*chirotope(distinct).values()], dtype=np.int8)[None]
-        t_vector = _points(signs[0], m)
+        signs = exact_chirotope(distinct)[None]
+        numbers = enumerate(t_vectors(signs, m)[0].tolist())
+        t_vector = {k: number for k, number in numbers if number}
         if m <= MOST_PLANES:
             mine = canonical(signs, m)
-            place, theirs = _found(signs[0], mine.codes[0], m)
-            back = np.argsort(theirs.orders[0])
+            place, orders, turned = found_type(signs, mine, m)
             number, automorphisms = place + 1, int(mine.automorphisms[0])
-            order = tuple(firsts[k] for k in mine.orders[0][back])
-            sides = tuple((mine.sides[0] * theirs.sides[0])[back].tolist())
-            names = tuple(name for name, known in _named(m) if _same(known, mine.codes[0]))
+            order = tuple(firsts[k] for k in orders)
+            sides = tuple(turned.tolist())
+            if is_simplicial:
+                names = tuple(name for name, known in _named(m) if _same(known, mine.codes[0]))
+            elif not normals(m)[place].any():
+                names = ("Perles",)
     return Identification(
         planes=m,
         rank=rank,
@@ -101,49 +102,62 @@ def identify(arrangement: Planes) -> Identification:
         t_vector=t_vector,
         automorphisms=automorphisms,
         is_simple=distinct.is_simple,
-        is_simplicial=2 * facets == rank * regions,
+        is_simplicial=is_simplicial,
         names=names,
         order=order,
         sides=sides,
     )
 
 
-def _points(signs: Signs, m: int) -> dict[int, int]:
-    """Return how many points lie on k planes, for each k that occurs."""
-    through = (alternating(signs[None], m)[0] == 0).sum(2)  # both planes of the pair among them
-    pairs_on = Counter(int(through[i, j]) for j in range(m) for i in range(j))
-    return {k: number // comb(k, 2) for k, number in sorted(pairs_on.items())}
-
-
 @lru_cache(maxsize=MOST_PLANES)
 def _catalogue(m: int) -> tuple[Signs, NDArray[np.intp]]:
     """Return the chirotopes of all types of m planes, and how many triples of each are 0."""
-    signs = chirotope_of(np.array(normals(m), dtype=np.int64))
+    signs = chirotopes(m)
     return signs, (signs == 0).sum(1)
 
 
-def _found(signs: Signs, code: NDArray[np.int64], m: int) -> tuple[int, Coded]:
-    """Return the place of a code in the census, and how that representative becomes canonical."""
+def found_type(signs: Signs, mine: Coded, m: int) -> tuple[int, NDArray[np.intp], Signs]:
+    """Return the place of a chirotope in the census, and how that type is carried onto it.
+
+    Element p of the representative is element ``order[p]``, multiplied by ``sides[p]``.
+
+    Args:
+        signs: (1, triples) for m elements, 3 to 9.
+        mine: their code.
+
+    Raises:
+        LookupError: no planes have these signs.
+    """
+    place = int(places(signs)[0]) if m == MOST_PLANES else _place(signs, mine.codes[0], m)
+    if place < 0:
+        raise LookupError("the code is not in the census")
+    order, sides = carried(mine, canonical(chirotopes(m, slice(place, place + 1)), m))
+    return place, order[0], sides[0]
+
+
+def _place(signs: Signs, code: NDArray[np.int64], m: int) -> int:
+    """Return the place in the census of up to eight planes, -1 if there is none."""
     known, zeros = _catalogue(m)
-    places = np.flatnonzero(zeros == (signs == 0).sum())
-    theirs = canonical(known[places], m)
-    (hit,) = np.flatnonzero((theirs.codes == code).all(1))
-    return int(places[hit]), canonical(known[places[hit : hit + 1]], m)
+    alike = np.flatnonzero(zeros == (signs == 0).sum())
+    hits = np.flatnonzero((canonical(known[alike], m).codes == code).all(1))
+    return int(alike[hits[0]]) if len(hits) else -1
 
 
 def _named(m: int) -> Iterator[tuple[str, Arrangement]]:
-    """Yield the arrangements of m planes of rank 3 that have usual names."""
+    """Yield the simplicial arrangements of m planes of rank 3 that have usual names."""
     if m == 3:
         yield "coordinate planes", coordinate(3)
     else:
         yield "near-pencil", near_pencil(m)
     if m == 6:
         yield "braid A3", braid(4)
+    if m == 9:
+        yield "reflection B3", type_b(3)
     for planes, number in simplicial_entries():
         if planes == m:
             yield f"A({planes}, {number})", simplicial(planes, number)
 
 
 def _same(known: Arrangement, code: NDArray[np.int64]) -> bool:
-    signs = np.array([*chirotope(known).values()], dtype=np.int8)[None]
-    return bool((canonical(signs, len(known)).codes[0] == code).all())
+    codes = canonical(exact_chirotope(known)[None], len(known)).codes
+    return bool((codes[0] == code).all())

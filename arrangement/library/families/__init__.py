@@ -4,7 +4,18 @@ The counts in the docstrings are statements of the literature. No function uses 
 compare them with what `arrangement.counts` and the enumerators find.
 """
 
-from .classical import braid, coordinate, generic, h3, h4, near_pencil, pencil, type_b, type_d
+from .classical import (
+    braid,
+    coordinate,
+    generic,
+    h3,
+    h4,
+    near_pencil,
+    pencil,
+    perles,
+    type_b,
+    type_d,
+)
 from .combinatorial import resonance, threshold, threshold_functions
 from .deformations import catalan, ish, ish_b, linial, semiorder, shi
 from .graphs import bigraphical, graphical, signed_graphical
@@ -30,6 +41,7 @@ __all__ = [
     "linial",
     "near_pencil",
     "pencil",
+    "perles",
     "random_degenerate",
     "random_integer",
     "random_sphere",

@@ -138,6 +138,24 @@ def h3() -> Arrangement:
     )
 
 
+def perles() -> Arrangement:
+    """Return the nine planes of Perles, over Q(sqrt(5)): their type has no rational coordinates.
+
+    They are dual to nine of the eleven points of a regular pentagon, its diagonals' crossings and
+    its centre. With (1, 0, 0), (0, 1, 0), (0, 0, 1) and (1, 1, 1) among the normals, the lines that
+    lie on three planes or more force h h + h = 1 on the others.
+
+    Known counts: lines on 2, 3, 4 planes: 6, 8, 1. Source: B. Gruenbaum, Convex Polytopes (1967),
+    section 5.5 (M. Perles).
+
+    >>> perles().f_vector
+    (1, 30, 80, 52)
+    """
+    _, h = golden_ratio()
+    first = [(0, 1, 0), (1, 0, h), (1, 1, 1), (1, -h, 0)]
+    return Arrangement([*first, (0, 1, 1), (1, 0, 0), (1, 1, 0), (1, -h, 1), (0, 0, 1)])
+
+
 def h4() -> Arrangement:
     """Return the 60 mirrors of type H_4, the symmetries of the 600-cell, over Q(sqrt(5)).
 

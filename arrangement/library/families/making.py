@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import argparse
 import inspect
-import json
 from collections.abc import Callable, Mapping
 
 from arrangement.arrangement import Arrangement
+from arrangement.io.writing import document_text
 
 from . import classical, combinatorial, deformations, graphs, points, randoms
 from .polygons import regular
@@ -20,7 +20,7 @@ FAMILIES: Mapping[str, Callable[..., Arrangement]] = {
     for function in (
         *(classical.generic, classical.pencil, classical.near_pencil, classical.coordinate),
         *(classical.braid, classical.type_b, classical.type_d, coxeter),
-        *(classical.h3, classical.h4, regular),
+        *(classical.h3, classical.h4, classical.perles, regular),
         *(deformations.shi, deformations.catalan, deformations.linial, deformations.semiorder),
         *(deformations.ish, deformations.ish_b),
         *(graphs.graphical, graphs.bigraphical, graphs.signed_graphical),
@@ -68,10 +68,7 @@ def document(arguments: argparse.Namespace) -> str:
     given = ", ".join(f"{key} = {value}" for key, value in values.items())
     made = FAMILIES[arguments.family](**values).to_dict()
     made["description"] = f"{arguments.family}, {given}" if given else arguments.family
-    rows = [f"    {json.dumps(row)}" for row in made.pop("planes")]
-    rest = [f"  {json.dumps(key)}: {json.dumps(value)}" for key, value in made.items()]
-    planes = ",\n".join(rows)
-    return "{\n" + ",\n".join([*rest, f'  "planes": [\n{planes}\n  ]']) + "\n}\n"
+    return document_text(made)
 
 
 def _parameters(name: str) -> list[inspect.Parameter]:

@@ -6,9 +6,8 @@ import os
 from collections.abc import Iterable
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
-import networkx as nx
 import numpy as np
 import numpy.typing as npt
 
@@ -20,6 +19,9 @@ from arrangement.short_repr import Shown
 from .flat import _REMEDIES, DualPolygon, DualSegment, dual_polygon, dual_segment
 from .generators import Generators, generators, require_rank
 from .incidence import dual_incidence
+
+if TYPE_CHECKING:
+    import networkx as nx
 
 
 @dataclass(frozen=True, eq=False)
@@ -77,6 +79,8 @@ class DualPolyhedron(Shown):
         It is planar, bipartite (a step across one class changes the parity) and 3-connected
         (Balinski's theorem).
         """
+        import networkx as nx
+
         graph = nx.Graph()
         graph.add_nodes_from(range(len(self.integer_vertices)))
         graph.add_edges_from(

@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any
 
-import networkx as nx
 import numpy as np
 
 from arrangement.errors import ArrangementError
@@ -33,6 +32,8 @@ def check(dual: DualPolyhedron) -> None:
 
 def _check_surface(dual: DualPolyhedron) -> None:
     """The faces form a closed, connected, oriented surface of Euler number 2."""
+    import networkx as nx
+
     directed = set(_steps(dual.faces))
     if len(directed) != sum(map(len, dual.faces)):
         raise ArrangementError("an edge is used twice in the same direction")

@@ -3,10 +3,9 @@ function paintGrasp() {
   const view = at("grasp");
   view.replaceChildren();
   const piece = state.found[state.choice];
-  const point = wrenchPoint();
-  const motion = piece?.motion && point ? piece.motion.map((row) => near(dotted(row, point))) : null;
-  const forces = piece && point
-    ? forcesOf(piece).map((pair) => pair.map((row) => row && near(dotted(row, point)))) : null;
+  const floats = (list) => list.map((x) => x && near(x));
+  const motion = state.fixed?.motion.every(Boolean) ? floats(state.fixed.motion) : null;
+  const forces = state.fixed?.forces.map(floats) ?? null;
   if (data.outline) {
     paintBody(view);
     if (motion) paintMotion(view, motion);

@@ -154,3 +154,69 @@ function paintHere() {
   if (state.found.length) draw("circle", { class: "here dot", cx: fixed(x), cy: fixed(y), r: 3.4 }, state.overlay);
   else draw("path", { class: "here", d: `M${fixed(x - 3)},${fixed(y - 3)}l6,6m0,-6l-6,6` }, state.overlay);
 }
+
+// The part of a piece in a rectangle of the plane of forces, as corners: a polygon, two or one.
+function slice(piece, torque, factor, box) {
+  const floats = [0, 0, near(torque), near(factor)];
+  const line = (row) => [row.float[0], row.float[1], row.float[2] * floats[2] + row.float[3] * floats[3]];
+  let corners = box;
+  const tolerance = 1e-9 * Math.max(...box.flat().map(Math.abs));
+  for (const row of piece.equal) {
+    if (same(row.exact[0], ZERO) && same(row.exact[1], ZERO)) {
+      if (dotted(row.exact, [ZERO, ZERO, torque, factor]).n !== 0n) return [];
+      continue;
+    }
+    corners = onLine(corners, line(row));
+  }
+  for (const row of piece.atLeast) corners = cut(corners, line(row), tolerance);
+  return corners;
+}
+
+// Where a line meets a convex polygon: two ends, or one.
+/** @type {(corners: number[][], row: number[]) => number[][]} */
+function onLine(corners, [a, b, c]) {
+  const length = Math.hypot(a, b);
+  /** @type {(p: number[]) => number} */
+  const height = ([x, y]) => (a * x + b * y + c) / length;
+  const found = [];
+  corners.forEach((p, i) => {
+    const q = corners[(i + 1) % corners.length];
+    const [s, t] = [height(p), height(q)];
+    if (Math.abs(s) < 1e-9) found.push(p);
+    else if (s * t < 0 && Math.abs(t) >= 1e-9) {
+      const share = s / (s - t);
+      found.push([p[0] + share * (q[0] - p[0]), p[1] + share * (q[1] - p[1])]);
+    }
+  });
+  return found.filter((p, i) => found.findIndex((q) => Math.hypot(p[0] - q[0], p[1] - q[1]) < 1e-9) === i).slice(0, 2);
+}
+
+const areaOf = (corners) => Math.abs(corners.reduce((sum, p, i) => {
+  const q = corners[(i + 1) % corners.length];
+  return sum + p[0] * q[1] - p[1] * q[0];
+}, 0)) / 2;
+
+// A place of the plane under the pointer, and the nearest round decimals: so the force there is exact.
+function worldAt(event) {
+  const [x, y] = place(at("plane"), event);
+  return [state.middle[0] + x / scale(), state.middle[1] + y / scale()];
+}
+
+function forceStep() {
+  const [digit, exponent] = niceStep(1.6 / scale());
+  return exponent >= 0 ? ratio(BigInt(digit) * 10n ** BigInt(exponent)) : ratio(BigInt(digit), 10n ** BigInt(-exponent));
+}
+
+function rounded(value) {
+  const step = forceStep();
+  return times(step, ratio(BigInt(Math.round(value / near(step)))));
+}
+
+// The plane fills its frame, whatever its shape.
+function fit() {
+  const { width, height } = at("plane").getBoundingClientRect();
+  const least = Math.min(width, height) || 1;
+  [WIDE, HIGH] = [(SIDE * (width || 1)) / least, (SIDE * (height || 1)) / least];
+  at("plane").setAttribute("viewBox", `${-WIDE} ${-HIGH} ${2 * WIDE} ${2 * HIGH}`);
+  refresh();
+}

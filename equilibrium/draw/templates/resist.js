@@ -1,14 +1,31 @@
 // What is chosen, and what the page says about it.
+const given = readGrasp(data.grasp);
 const state = {
   torque: readNumber(data.torque), factor: readNumber(data.factor), kind: data.kind,
-  middle: [0, 0], half: data.half, kept: data.force && data.force.map(readNumber), under: null,
-  found: [], choice: 0, wanted: null, slices: [], overlay: null,
+  middle: [0, 0], half: 2, home: 2, kept: data.force && data.force.map(readNumber), under: null,
+  found: [], choice: 0, wanted: null, fixed: null, slices: [], overlay: null,
 };
+// The pieces without preload, with preload 1, and with the preloads of the file.
+/** @type {Map<string, any[]>} */
+const sets = new Map(data.kinds.map((kind) => [kind, []]));
 const refresh = oncePerFrame(() => { paintPlane(); answer(); });
 const follow = oncePerFrame(answer);
 
 const pieces = () => sets.get(state.factor.n === 0n ? "none" : state.kind);
 const shownForce = () => state.under ?? state.kept;
+
+// The grasp with preloads of a kind times a factor.
+const loaded = (kind, factor) => given.map((contact) => ({ ...contact,
+  preload: kind === "own" ? times(contact.preload, factor) : kind === "uniform" ? factor : ZERO }));
+
+function* allPieces() {
+  for (const kind of sets.keys()) {
+    const grasp = loaded(kind, ONE);
+    const found = [];
+    for (const piece of piecesOf(grasp, statesOf(grasp))) { if (piece) found.push(piece); yield null; }
+    sets.set(kind, yield* maximal(found));
+  }
+}
 
 function wrenchPoint() {
   const force = shownForce();
@@ -21,6 +38,8 @@ function answer() {
   state.found = point ? piecesAt(pieces(), point) : [];
   const again = state.found.findIndex((piece) => codeOf(piece.states) === state.wanted);
   state.choice = Math.max(0, again);
+  const piece = state.found[state.choice];
+  state.fixed = piece ? fixedBy(loaded(state.kind, state.factor), piece.states, point.slice(0, 3)) : null;
   paintHere();
   paintGrasp();
   describe(point);
@@ -30,8 +49,9 @@ function describe(point) {
   const verdict = at("verdict");
   at("start").hidden = Boolean(point);
   const resisted = state.found.length > 0;
-  verdict.textContent = !point ? "No force chosen" : resisted ? "Resisted" : "Not resisted";
-  verdict.className = !point ? "" : resisted ? "yes" : "no";
+  const busy = verdict.getAttribute("aria-busy") === "true";
+  verdict.textContent = busy ? "Being computed …" : !point ? "No force chosen" : resisted ? "Resisted" : "Not resisted";
+  verdict.className = busy || !point ? "" : resisted ? "yes" : "no";
   const piece = state.found[state.choice];
   at("choices").replaceChildren();
   if (state.found.length > 1) {
@@ -45,25 +65,25 @@ function describe(point) {
   if (piece) {
     list.push(["states", piece.states.join(", ")]);
     if (state.found.length > 1) list.push(["", `${state.found.length} choices of states resist it`]);
-    list.push(["motion (x, y, r)", piece.motion ? tuple(piece.motion.map((row) => textOf(dotted(row, point)))) : "not fixed by the states", Boolean(piece.motion)]);
+    list.push(["motion (x, y, r)", state.fixed.motion.every(Boolean) ? tuple(state.fixed.motion.map(textOf)) : "not fixed by the states", state.fixed.motion.every(Boolean)]);
     if (state.kept && !state.under) list.push(["piece", conditions(piece), true]);
   }
   facts(at("facts"), list);
-  listForces(piece, point);
-  writeInputs();
+  listForces(piece);
+  writeFields();
   at("plane-caption").textContent =
     `forces at torque ${decimal(state.torque)}, ${preloadWords()}`;
 }
 
 // The exact conditions of a piece, in the wrench (f_x, f_y, τ) and the preload factor p.
 function conditions(piece) {
-  const words = (row) => row.map((text, i) => {
+  const words = ({ exact }) => exact.map(textOf).map((text, i) => {
     const size = text.replace("-", "");
     if (size === "0") return "";
     return `${text.startsWith("-") ? "- " : "+ "}${size === "1" ? "" : `${size} `}${["f_x", "f_y", "τ", "p"][i]}`;
   }).filter(Boolean).join(" ").replace(/^\+ /, "").replace(/^- /, "-");
-  return [...piece.raw.inequalities.map((row) => `${words(row)} ≥ 0`),
-    ...piece.raw.equalities.map((row) => `${words(row)} = 0`)].join("\n") || "all wrenches";
+  return [...piece.atLeast.map((row) => `${words(row)} ≥ 0`),
+    ...piece.equal.map((row) => `${words(row)} = 0`)].join("\n") || "all wrenches";
 }
 
 function preloadWords() {
@@ -71,11 +91,11 @@ function preloadWords() {
   return state.kind === "own" ? `preloads of the file times ${decimal(state.factor)}` : `preload ${decimal(state.factor)}`;
 }
 
-function listForces(piece, point) {
+function listForces(piece) {
   const table = at("forces");
   table.replaceChildren();
   at("forces-hint").textContent = !piece ? "Choose a force that is resisted."
-    : forcesOf(piece).flat().every(Boolean) ? "Normal and tangential component; exact."
+    : state.fixed.forces.flat().every(Boolean) ? "Normal and tangential component; exact."
       : "Normal and tangential component; exact. Where dots stand, these states allow more than one force.";
   if (!piece) return;
   const head = make("tr", {}, table);
@@ -85,22 +105,16 @@ function listForces(piece, point) {
     make("td", {}, row, String(i + 1));
     make("td", {}, row, `${CODES[what]} ${what}`);
     for (const k of [0, 1]) {
-      const form = forcesOf(piece)[i][k];
-      const text = form ? textOf(dotted(form, point)) : "…";
-      make("td", { class: "exact" }, row, text);
+      const force = state.fixed.forces[i][k];
+      make("td", { class: "exact" }, row, force ? textOf(force) : "…");
     }
   });
 }
 
-function writeInputs() {
+function writeFields() {
   const force = shownForce();
   const values = { "force-x": force?.[0], "force-y": force?.[1], torque: state.torque, preload: state.factor };
-  for (const [id, value] of Object.entries(values)) {
-    const box = at(id);
-    if (box === document.activeElement) continue;
-    box.value = value ? decimal(value) : "";
-    box.classList.remove("wrong");
-  }
+  for (const [id, value] of Object.entries(values)) writeText(id, value ? decimal(value) : "");
   at("torque-slider").value = near(state.torque);
   at("preload-slider").value = near(state.factor);
 }

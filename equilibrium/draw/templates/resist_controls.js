@@ -1,21 +1,4 @@
 // Pointer, touch, keys and input fields.
-function worldAt(event) {
-  const [x, y] = place(at("plane"), event);
-  return [state.middle[0] + x / scale(), state.middle[1] + y / scale()];
-}
-
-// The nearest round decimal: so the force under the pointer is an exact number, and its answer too.
-function rounded(value) {
-  const [digit, exponent] = niceStep(1.6 / scale());
-  const steps = BigInt(Math.round(value / (digit * 10 ** exponent))) * BigInt(digit);
-  return exponent >= 0 ? ratio(steps * 10n ** BigInt(exponent)) : ratio(steps, 10n ** BigInt(-exponent));
-}
-
-function ratioStep() {
-  const [digit, exponent] = niceStep(1.6 / scale());
-  return exponent >= 0 ? ratio(BigInt(digit) * 10n ** BigInt(exponent)) : ratio(BigInt(digit), 10n ** BigInt(-exponent));
-}
-
 function zoom(factor, about = state.middle) {
   const half = Math.min(1e9, Math.max(1e-6, state.half * factor)) * 1;
   const share = half / state.half;
@@ -36,8 +19,8 @@ function keep(force) {
 }
 
 function move(dx, dy) {
-  const step = ratioStep();
-  const [x, y] = state.kept ?? [ratio(0n), ratio(0n)];
+  const step = forceStep();
+  const [x, y] = state.kept ?? [ZERO, ZERO];
   keep([plus(x, times(step, ratio(BigInt(dx)))), plus(y, times(step, ratio(BigInt(dy))))]);
 }
 
@@ -48,7 +31,7 @@ function nextStates() {
 }
 
 function goHome() {
-  Object.assign(state, { middle: [0, 0], half: data.half });
+  Object.assign(state, { middle: [0, 0], half: state.home });
   refresh();
 }
 
@@ -107,28 +90,10 @@ function listen() {
   });
 }
 
-// A field takes exact numbers; what is none is marked and changes nothing.
-function field(id, accept) {
-  at(id).addEventListener("input", () => {
-    const value = readNumber(at(id).value);
-    const good = value !== null && accept(value) !== false;
-    at(id).classList.toggle("wrong", !good);
-  });
-}
-
 function slider(id, reach, low, accept) {
   const element = at(id);
   Object.assign(element, { min: low, max: reach, step: reach / 40 });
   element.addEventListener("input", () => accept(readNumber(Number(element.value).toFixed(6))));
-}
-
-// The plane fills its frame, whatever its shape.
-function fit() {
-  const { width, height } = at("plane").getBoundingClientRect();
-  const least = Math.min(width, height) || 1;
-  [WIDE, HIGH] = [(SIDE * (width || 1)) / least, (SIDE * (height || 1)) / least];
-  at("plane").setAttribute("viewBox", `${-WIDE} ${-HIGH} ${2 * WIDE} ${2 * HIGH}`);
-  refresh();
 }
 
 function begin() {
@@ -136,20 +101,20 @@ function begin() {
   at("summary").textContent = data.summary;
   at("grasp-caption").textContent = data.stated ? "the object and its contacts"
     : data.outline ? "dashed: an outline that fits the contacts, only indicative" : "the contacts";
-  const setTorque = (value) => { state.torque = value; refresh(); };
+  const setTorque = (value) => { state.torque = value; refresh(); return ""; };
   const setFactor = (value) => {
-    if (value.n < 0n) return false;
+    if (value.n < 0n) return "preload: it must be at least 0.";
     state.factor = value;
     refresh();
-    return true;
+    return "";
   };
-  [0, 1].forEach((k) => field(k ? "force-y" : "force-x", (value) => {
-    const [x, y] = state.kept ?? [ratio(0n), ratio(0n)];
-    keep(k ? [x, value] : [value, y]);
+  ["force-x", "force-y"].forEach((id, k) => field(null, id, `force f_${"xy"[k]}`, (value) => {
+    keep((state.kept ?? [ZERO, ZERO]).with(k, value));
+    return "";
   }));
-  field("torque", setTorque);
-  field("preload", setFactor);
-  slider("torque-slider", data.torque_reach, -data.torque_reach, setTorque);
+  field(null, "torque", "torque τ", setTorque);
+  field(null, "preload", "preload", setFactor);
+  slider("torque-slider", 1, -1, setTorque);
   slider("preload-slider", data.preload_reach, 0, setFactor);
   at("preload-kind-row").hidden = !sets.has("own");
   const nameIt = () => { at("preload-name").textContent = state.kind === "own" ? "factor" : "preload"; };
@@ -160,9 +125,24 @@ function begin() {
   at("print").addEventListener("click", () => window.print());
   at("home").addEventListener("click", goHome);
   listen();
-  legend();
+  at("verdict").setAttribute("aria-busy", "true");
+  inSlices(allPieces(), () => {
+    at("verdict").removeAttribute("aria-busy");
+    firstView();
+    legend();
+    goHome();
+  }, { first: 80 });
   new ResizeObserver(fit).observe(at("plane"));
   fit();
+}
+
+// How much of the plane is shown at first, and how far the torque can be moved.
+function firstView() {
+  const own = pieces();
+  const reach = (sizeOf, load, room, least) => room * Math.max(typical(own, sizeOf) * near(state.factor), ...load.map((x) => Math.abs(near(x)))) || least;
+  state.home = reach(([x, y]) => Math.max(x, y), state.kept ?? [], 1.4, 2);
+  const far = reach(([,, z]) => z, [state.torque], 1.2, 1);
+  Object.assign(at("torque-slider"), { min: -far, max: far, step: far / 40 });
 }
 
 begin();

@@ -9,12 +9,11 @@ function describe() {
   const verdict = at("verdict");
   verdict.className = found.stable ? "yes" : "no";
   const n = found.equilibria.length;
-  const more = found.more && Boolean(state.searching);
   verdict.textContent = found.stable ? "Resisted " : "Not resisted ";
-  make("small", {}, verdict, found.stable ? `${count(n, "equilibrium", "equilibria")}${more ? " so far" : ""}, exact`
+  make("small", {}, verdict, found.stable ? `${count(n, "equilibrium", "equilibria")}${found.more ? " so far" : ""}, exact`
     : `${count(leavesOf(found.tree).length, "virtual motion proves it", "virtual motions prove it")}`);
-  verdict.classList.toggle("stale", Boolean(state.searching) && (found.grasp !== state.grasp || found.wrench !== state.wrench));
-  verdict.setAttribute("aria-busy", String(Boolean(state.searching)));
+  verdict.classList.toggle("stale", state.searching && (found.grasp !== state.grasp || found.wrench !== state.wrench));
+  verdict.setAttribute("aria-busy", String(state.searching));
   at("choices").replaceChildren();
   const box = at("answer");
   const kept = box.querySelector(".proof")?.scrollTop ?? 0;
@@ -58,7 +57,6 @@ function describeEquilibrium(box) {
     : "Forces on the object at each contact; with these states there is no other solution.");
 }
 
-const isPoint = ([low, high]) => low && high && same(low, high);
 const rangeText = ([low, high]) => `${low ? `[${shortText(low)}` : "(−∞"}, ${high ? `${shortText(high)}]` : "∞)"}`;
 
 function motionWords([x, y, r]) {

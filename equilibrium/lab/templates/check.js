@@ -95,7 +95,7 @@ function leafProblem({ scale, wrench, contacts }, region, states, leaf) {
     else if (state === "undecided" && kappa < 0n) add(({ e }) => (e[i] > 0n ? kappa * e[i] : 0n));
   }
   const bad = least.findIndex((work, g) => work < 0n || (work === 0n && region[g].v[0] !== 0n));
-  return bad < 0 ? "" : `at the generator ${tuple(region[bad].v)} the work of load and contacts is not above 0`;
+  return bad < 0 ? "" : `at the generator (${region[bad].v.join(", ")}) the work of load and contacts is not above 0`;
 }
 
 // A certificate as a document: { valid, certificate, leaves, problem }. What is no certificate is an Error.

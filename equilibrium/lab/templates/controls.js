@@ -100,7 +100,7 @@ function chooseMotion(motion) {
 
 function dragPlane() {
   const view = at("plane");
-  const move = (event) => edit(() => { state.wrench = [...forceUnder(event), state.wrench[2]]; });
+  const move = (event) => edit(() => { state.wrench = [...worldAt(event).map(rounded), state.wrench[2]]; });
   view.addEventListener("pointerdown", (event) => {
     if (event.button) return;
     view.setPointerCapture(event.pointerId);

@@ -15,6 +15,8 @@ function frameGrasp() {
       data.size = Math.max(...span.map(([low, high], k) => (high - low) / [2, 2.3][k])) || 1;
       placeGrasp();
     }
+    // Names stand outside of contacts, above and below too.
+    data.size *= Math.max(1, ...data.contacts.map(({ place: [, y], normal: [, n] }) => (y * n < 0 ? Math.abs(y) / (1.5 - 0.66 * Math.abs(n)) : 0)));
   }
   placeGrasp();
 }

@@ -25,6 +25,7 @@ class Guide {
   places = new Int32Array(0);
   /** @type {Set<number> | null} */
   blamed = null;
+  root = true;
 
   static root(grasp, wrench) {
     const [far, force, stiff] = [grasp.flatMap((c) => c.point), [...wrench, ...grasp.map((c) => c.preload)], grasp.map((c) => c.stiffness)]
@@ -70,7 +71,7 @@ class Guide {
   // What holds in a further state of a contact.
   child(i, state) {
     const found = new Guide();
-    Object.assign(found, this, { t: this.t.map((row) => row.slice()), basic: [...this.basic], columns: [...this.columns], kinds: this.kinds.slice(), places: this.places.slice(), blamed: null });
+    Object.assign(found, this, { t: this.t.map((row) => row.slice()), basic: [...this.basic], columns: [...this.columns], kinds: this.kinds.slice(), places: this.places.slice(), blamed: null, root: false });
     found.ask(i, state);
     return found;
   }

@@ -29,11 +29,11 @@ const GOALS = {
     return { solved: stable === wanted, words: stable ? "The grasp resists this load." : "The grasp does not resist this load." };
   },
   equilibria(least) {
-    const { length } = solve(state.grasp, state.wrench).equilibria;
+    const { length } = allOf(state.grasp, state.wrench);
     return { solved: length >= least, words: `This load has ${count(length, "equilibrium", "equilibria")}.` };
   },
   states(wanted) {
-    const found = solve(state.grasp, state.wrench).equilibria.map(({ states }) => states);
+    const found = allOf(state.grasp, state.wrench).map(({ states }) => states);
     const solved = found.some((states) => states.length === wanted.length && states.every((s, i) => [s, "any"].includes(wanted[i])));
     return { solved, words: found.length ? `The states are ${found.map((states) => states.join(", ")).join("; or ")}.` : "The grasp does not resist this load." };
   },
@@ -88,7 +88,7 @@ function refutationBy(motion) {
 }
 
 function judge({ start, fixed, goal }) {
-  const moved = movedFrom(readState(start), fixed);
+  const moved = movedFrom(readState(start, data.most), fixed);
   if (moved) return { solved: false, words: moved };
   const [[kind, value]] = Object.entries(goal);
   return GOALS[kind](value);
@@ -96,7 +96,7 @@ function judge({ start, fixed, goal }) {
 
 function beginExercise({ start }) {
   state.motion = null;
-  load(readState(start));
+  load(readState(start, data.most));
 }
 
 // While a refutation is looked for, the page does not show its own.

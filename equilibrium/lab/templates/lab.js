@@ -2,8 +2,7 @@
 const commandOf = () => `echo '${JSON.stringify(documentOf(state.grasp, state.outline))}' | equilibrium solve - --wrench ${state.wrench.map(textOf).join(" ")}`;
 
 function keepButtons() {
-  listenToKeep(openText);
-  at("copy-command").addEventListener("click", () => copy(commandOf()));
+  listenToKeep(openText, commandOf);
   at("save-grasp").addEventListener("click", () => downloadJson("grasp.json", documentOf(state.grasp, state.outline)));
   at("save-certificate").addEventListener("click", () => {
     downloadJson("certificate.json", certificateOf(state.grasp, state.wrench, firstOf(state.grasp, state.wrench)));
@@ -15,16 +14,6 @@ function openText(text) {
   const grasp = readGrasp(document);
   if (grasp.length > data.most) throw new Error(`${grasp.length} contacts; this page takes ${data.most}`);
   load({ grasp, wrench: state.wrench, outline: readOutline(document.outline) });
-}
-
-function examples() {
-  const box = at("example");
-  make("option", { value: "", disabled: "", selected: "" }, box, "examples …");
-  data.examples.forEach(({ name }, k) => make("option", { value: k }, box, name));
-  box.addEventListener("change", () => {
-    const { grasp, wrench } = data.examples[Number(box.value)];
-    load({ grasp: readGrasp(grasp), wrench: readWrench(wrench), outline: readOutline(grasp.outline) });
-  });
 }
 
 function turns() {
@@ -48,8 +37,7 @@ function turns() {
 }
 
 function begin() {
-  at("title").textContent = data.title;
-  examples();
+  listenToHead(({ grasp, wrench }) => load({ grasp: readGrasp(grasp), wrench: readWrench(wrench), outline: readOutline(grasp.outline) }));
   ["w-x", "w-y", "w-t"].forEach((id, k) => field(at("load"), id, ["force f_x", "force f_y", "torque τ"][k], (value) => {
     edit(() => { state.wrench = state.wrench.with(k, value); });
     return "";
@@ -67,7 +55,6 @@ function begin() {
   document.addEventListener("keydown", (event) => {
     if (event.key === "Escape") { state.motion = state.leaf = null; refresh(); }
   });
-  themeButton(at("theme"));
   const first = { grasp: readGrasp(data.grasp), wrench: readWrench(data.wrench), outline: readOutline(data.grasp.outline) };
   Object.assign(state, first, { chosen: first.grasp.length ? 0 : null });
   readHash();
@@ -79,24 +66,29 @@ function begin() {
 
 // For lecturers and tests: questions as documents of the command line.
 
+const texts = (row) => row.map(textOf);
+
 Object.assign(window, { lab: {
-  solve(grasp, wrench) {
+  async solve(grasp, wrench) {
     const [contacts, applied] = [readGrasp(grasp), readWrench(wrench)];
-    const found = solve(contacts, applied);
-    const texts = (row) => row.map(textOf);
-    return {
-      stable: found.stable, certificate: certificateOf(contacts, applied, found),
-      equilibria: found.equilibria.map(({ states, motion, forces, ranges }) => ({ states, motion: texts(motion), forces: forces.map(texts), unique: !ranges })),
-    };
+    const found = firstOf(contacts, applied);
+    const certificate = certificateOf(contacts, applied, found);
+    /** @type {any} */
+    const { motion = null, forces = null, tree: proof = null } = certificate;
+    return { stable: found.stable, motion, forces, proof, certificate };
+  },
+  async equilibria(grasp, wrench) {
+    return allOf(readGrasp(grasp), readWrench(wrench))
+      .map(({ states, motion, forces, ranges }) => ({ states, motion: texts(motion), forces: forces.map(texts), unique: !ranges }));
   },
   check: checkDocument,
   says: (method, grasp, wrench) => saidBy(method, readGrasp(grasp), readWrench(wrench)),
   states: (grasp) => [...statesOf(readGrasp(grasp))].filter(Boolean).map(({ states }) => states),
-  resists(grasp, torque, forces) {
+  pieces(grasp) {
     const contacts = readGrasp(grasp);
-    const turn = readNumber(torque);
-    const found = [...piecesOf(contacts, turn, [...statesOf(contacts)].filter(Boolean).map(({ states }) => states))];
-    return forces.map((force) => piecesAt(found, [...force.map(readNumber), turn, ONE]).length > 0);
+    const rows = (list) => list.map(({ exact }) => texts(exact));
+    return drained(maximal([...piecesOf(contacts, statesOf(contacts))].filter(Boolean)))
+      .map(({ states, atLeast, equal }) => ({ states, inequalities: rows(atLeast), equalities: rows(equal) }));
   },
 } });
 

@@ -62,7 +62,7 @@ function partOf(contact, state, printed = false) {
 }
 
 // Contacts never change, so what follows from one is kept with it: its part, and the wrench of its forces
-// as three rows in (d, own unknowns, 1).
+// as three rows in (d, own unknowns, 1), also as integers over one scale, in (d, 1, own unknowns).
 const kept = new WeakMap();
 function keptPart(contact, state, printed) {
   if (!kept.has(contact)) kept.set(contact, new Map());
@@ -72,6 +72,9 @@ function keptPart(contact, state, printed) {
     const part = partOf(contact, state, printed);
     const { N, T } = wrenchesOf(contact);
     part.wrench = [0, 1, 2].map((j) => added(scaledBy(part.normal, N[j]), scaledBy(part.tangential, T[j])));
+    const turned = (row) => [...row.slice(0, 3), row.at(-1), ...row.slice(3, -1)];
+    part.whole = integers(part.wrench.flatMap(turned));
+    part.cuts = ["equal", "atLeast"].flatMap((kind) => part[kind].map(({ row }) => ({ keep: kind === "atLeast", row: integers(turned(row)).row })));
     parts.set(key, part);
   }
   return parts.get(key);

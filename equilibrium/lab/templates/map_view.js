@@ -43,7 +43,7 @@ function paintDifference(view, tiny) {
 // What both say of the load, exactly.
 function comparedWords() {
   const say = (yes) => (yes ? "accepts" : "refuses");
-  const other = saidBy(state.other, state.grasp, state.wrench);
+  const other = piecesAt(state.others, [...state.wrench, ONE]).length > 0;
   const right = state.fits ? ` The complete model ${say(state.found.stable)} the load, this method ${say(other)} it.` : "";
   return `Compared with ${METHODS[state.other].name}. Red stripes: it accepts what is not resisted; blue: it refuses what is.${right}`;
 }
@@ -53,38 +53,18 @@ function listenToMethods() {
   for (const [key, { name }] of Object.entries(METHODS)) make("option", { value: key === "complete" ? "" : key }, box, key === "complete" ? "nothing" : name);
   box.addEventListener("change", () => {
     state.other = box.value;
-    findPieces();
-    refresh();
+    search();
   });
 }
 
 // A window that shows nearly all corners, and the load.
 function fitPlane() {
-  const ends = state.pieces.flatMap(({ corners }) => corners.map((p) => Math.max(...floatsOf(p).map(Math.abs)))).filter((x) => x).toSorted((a, b) => a - b);
-  const typical = ends.length ? ends[Math.floor(0.9 * (ends.length - 1))] : 0;
+  const most = typical(state.pieces, ([x, y]) => Math.max(x, y));
   const load = Math.max(...floatsOf(state.wrench.slice(0, 2)).map(Math.abs));
-  Object.assign(state, { middle: [0, 0], half: Math.max(1.4 * typical, 1.5 * load) || 2 });
+  Object.assign(state, { middle: [0, 0], half: Math.max(1.4 * most, 1.5 * load) || 2 });
 }
 
 function zoom(factor) {
   state.half = Math.min(1e9, Math.max(1e-6, state.half * factor));
   refresh();
-}
-
-// A force at a place of the plane, as a round decimal: so the force under the pointer is exact.
-function forceUnder(event) {
-  const [x, y] = place(at("plane"), event);
-  const [digit, exponent] = niceStep(1.6 / scale());
-  return [x, y].map((value, k) => {
-    const steps = BigInt(Math.round((state.middle[k] + value / scale()) / (digit * 10 ** exponent))) * BigInt(digit);
-    return exponent >= 0 ? ratio(steps * 10n ** BigInt(exponent)) : ratio(steps, 10n ** BigInt(-exponent));
-  });
-}
-
-function fit() {
-  const { width, height } = at("plane").getBoundingClientRect();
-  const least = Math.min(width, height) || 1;
-  [WIDE, HIGH] = [(SIDE * (width || 1)) / least, (SIDE * (height || 1)) / least];
-  at("plane").setAttribute("viewBox", `${-WIDE} ${-HIGH} ${2 * WIDE} ${2 * HIGH}`);
-  if (state.found) refresh();
 }

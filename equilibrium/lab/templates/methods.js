@@ -11,7 +11,8 @@ const METHODS = {
 function* printedChoices(grasp) {
   const thin = rankOf(grasp.map((contact) => wrenchesOf(contact).T)) < 3;
   for (const one of statesOf(grasp, ["slip+", "slip-", "stick"])) {
-    if (!one || thin || one.states.some((state) => state !== "stick")) yield one;
+    if (!one) yield null;
+    else if (thin || one.states.some((state) => state !== "stick")) yield { states: one.states };
   }
 }
 
@@ -23,28 +24,18 @@ const rankOf = (rows) => {
 // As printed Eq. 4 carries no preload.
 const asked = (grasp, method) => (METHODS[method].printed ? grasp.map((contact) => ({ ...contact, preload: ZERO })) : grasp);
 
-function* piecesBy(method, grasp, torque) {
+function piecesBy(method, grasp) {
   const posed = asked(grasp, method);
-  for (const one of METHODS[method].choices(posed)) {
-    if (!one) yield null;
-    else yield* piecesOf(posed, torque, [one.states], METHODS[method].printed);
-  }
+  return piecesOf(posed, METHODS[method].choices(posed), METHODS[method].printed);
 }
 
 // Whether a method says that a wrench is resisted.
 function saidBy(method, grasp, wrench) {
   const posed = asked(grasp, method);
   for (const one of METHODS[method].choices(posed)) {
-    if (one && solutionsOf(posed, one.states, loadOf(wrench), METHODS[method].printed).feasible()) return true;
+    if (one && solutionsOf(posed, one.states, wrench, { printed: METHODS[method].printed }).found.feasible()) return true;
   }
   return false;
-}
-
-function solutionsOf(grasp, states, load, printed = false, free = 0) {
-  const system = systemOf(grasp, states, load, { free, printed });
-  const rows = (list) => list.map(({ row }) => row);
-  const watched = free ? [Array.from({ length: system.n + 1 }, (_, j) => (j === 3 ? ONE : ZERO))] : [];
-  return new Dictionary(system.n, [...system.balance, ...rows(system.equal)], rows(system.atLeast), watched);
 }
 
 // The multiples of a wrench that are resisted: closed intervals [low, high], null without end, in order.
@@ -53,7 +44,7 @@ function intervalsOf(grasp, wrench) {
   for (const one of statesOf(grasp)) {
     if (!one) continue;
     const ends = [-1n, 1n].map((way) => {
-      const all = solutionsOf(grasp, one.states, wrench.map((x) => [x, ZERO]), false, 1);
+      const { found: all } = solutionsOf(grasp, one.states, wrench, { load: wrench.map((x) => [x, ZERO]), watched: [3] });
       return all.feasible() ? all.extreme(0, way) : undefined;
     });
     if (ends[0] !== undefined) found.push(ends);

@@ -96,7 +96,7 @@ function hashOf(grasp, wrench, outline = null) {
   return [VERSION, contacts.join(";"), wrench.map(textOf).join(","), ...shape].join("|");
 }
 
-function readState(text) {
+function readState(text, most) {
   const [version, contacts, wrench, shape, ...rest] = text.split("|");
   if (version !== VERSION) throw new Error(`the link is of version ${version.slice(0, 9)}; this page reads ${VERSION}`);
   if (wrench === undefined || rest.length) throw new Error("the link is not whole");
@@ -104,7 +104,7 @@ function readState(text) {
     const [x, y, nx, ny, friction, stiffness, preload] = one.split(",");
     return { point: [x, y], normal: [nx, ny], friction, stiffness, preload };
   }) : [];
-  if (list.length > data.most) throw new Error(`${list.length} contacts; this page takes ${data.most}`);
+  if (list.length > most) throw new Error(`${list.length} contacts; this page takes ${most}`);
   const places = shape?.split(";").map((one) => one.split(","));
   const outline = places?.length === 1 ? { centre: places[0].slice(0, 2), radius: places[0][2] } : places;
   return { grasp: readGrasp({ schema_version: 1, contacts: list }), wrench: readWrench(wrench.split(",")), outline: readOutline(outline) };

@@ -3,83 +3,80 @@
 // states decided and a solution is an equilibrium. All numbers are exact.
 const SPLITS = { undecided: ["attachment", ["detached", "attached"]], attached: ["slip", ["stick", "slip+", "slip-"]] };
 
-// Yields null, and once the first equilibrium: { stable, equilibria, tree: null, nodes }.
+// Returns { stable, equilibria: one or none, tree: the proof or null }; yields null now and then.
 function* treeOf(grasp, wrench) {
-  let equilibria = [];
-  const [load, question] = [loadOf(wrench), inIntegers(grasp, wrench)];
+  let equilibrium = null;
+  const question = inIntegers(grasp, wrench);
   const whole = wholeSpace(question);
-  let nodes = 0;
-  let announced = false;
-  const exactly = (states) => {
-    const system = systemOf(grasp, states, load);
-    const rows = (list) => list.map(({ row }) => row);
-    const found = new Dictionary(system.n, [...system.balance, ...rows(system.equal)], rows(system.atLeast));
-    return { system, found, leaf: found.feasible() ? null : leafOf(grasp, wrench, states, system, found.refuted) };
-  };
-  function* add(states, { system, found }) {
-    const piece = yield* pieceOf(grasp, states, system, found);
-    const problem = lawProblem(grasp, wrench, piece.motion, piece.forces);
-    // Nothing is shown that the checker does not confirm.
-    if (problem) throw new Error(`fault of this page: ${problem}`);
-    equilibria = joined(grasp, equilibria, piece);
-    if (!announced) yield { stable: true, equilibria, tree: null, nodes, more: true };
-    announced = true;
-  }
   function* node(states, guide) {
-    nodes += 1;
+    const root = guide.root;
     const open = states.some((state) => state in SPLITS);
     if (!guide.feasible()) {
       const leaf = blamedLeaf(grasp, wrench, states, guide);
       if (leaf && !leafProblem(question, whole, states, leaf)) return leaf;
     }
-    if (nodes === 1 || !open || guide.blamed) {
-      const exact = exactly(states);
-      if (exact.leaf) return exact.leaf;
+    if (root || !open || guide.blamed) {
+      const { system, found } = solutionsOf(grasp, states, wrench);
+      if (!found.feasible()) return leafOf(grasp, wrench, states, system, found.refuted);
       if (!open) {
-        yield* add(states, exact);
+        equilibrium = yield* equilibriaWith(grasp, states, wrench);
         return null;
       }
     }
     yield null;
     const places = guide.contacts(grasp, states);
-    if (!announced && places.every(({ broken }) => broken < 1e-6)) {
+    if (places.every(({ broken }) => broken < 1e-6)) {
       // Floats seem to obey the law of all contacts.
       const guess = places.map(({ state }) => state);
-      const exact = exactly(guess);
-      if (!exact.leaf) yield* add(guess, exact);
+      if (solutionsOf(grasp, guess, wrench).found.feasible()) {
+        equilibrium = yield* equilibriaWith(grasp, guess, wrench);
+        return null;
+      }
     }
     const i = mostBroken(states, places);
     const [kind, names] = SPLITS[states[i]];
     const children = {};
-    let resists = false;
     // First the state in which floats see the contact.
     const here = places[i].state;
-    const due = names.toSorted((a, b) => Number(b === here) - Number(a === here));
-    for (const name of due) {
+    for (const name of names.toSorted((a, b) => Number(b === here) - Number(a === here))) {
       children[name] = yield* node(states.with(i, name), guide.child(i, name));
-      resists ||= children[name] === null;
+      if (equilibrium) return null;
     }
-    return resists ? null : { contact: i, [kind]: Object.fromEntries(names.map((name) => [name, children[name]])) };
+    return { contact: i, [kind]: Object.fromEntries(names.map((name) => [name, children[name]])) };
   }
   const tree = yield* node(grasp.map(() => "undecided"), Guide.root(grasp, wrench));
-  const problem = equilibria.length ? "" : treeProblem(grasp, wrench, tree).problem;
+  // Nothing is shown that the checker does not confirm.
+  const problem = equilibrium ? "" : treeProblem(grasp, wrench, tree).problem;
   if (problem) throw new Error(`fault of this page: ${problem}`);
-  return { stable: equilibria.length > 0, equilibria, tree, nodes };
+  return { stable: Boolean(equilibrium), equilibria: equilibrium ? [equilibrium] : [], tree };
 }
 
-function solve(grasp, wrench) {
-  const search = treeOf(grasp, wrench);
+// All equilibria under a wrench, by the pieces of all choices of states that occur.
+function* equilibriaOf(grasp, wrench, pieces) {
+  let found = [];
+  for (const { states } of piecesAt(pieces, [...wrench, ONE])) {
+    found = joined(grasp, found, yield* equilibriaWith(grasp, states, wrench));
+    yield null;
+  }
+  return found;
+}
+
+// What a generator returns.
+function drained(search) {
   let step = search.next();
   while (!step.done) step = search.next();
   return step.value;
 }
 
-// The verdict with one equilibrium, or with its proof.
-function firstOf(grasp, wrench) {
-  const search = treeOf(grasp, wrench);
-  let step = search.next();
-  while (!step.done && !step.value) step = search.next();
-  return step.value;
+const firstOf = (grasp, wrench) => drained(treeOf(grasp, wrench));
+const allOf = (grasp, wrench) => drained(equilibriaOf(grasp, wrench, [...piecesOf(grasp, statesOf(grasp))].filter(Boolean)));
+
+// The closed linear system of a choice of states; `free` is how many unknowns the load has.
+function solutionsOf(grasp, states, wrench, { printed = false, load = loadOf(wrench), watched = [] } = {}) {
+  const system = systemOf(grasp, states, load, { free: load[0].length - 1, printed });
+  const rows = (list) => list.map(({ row }) => row);
+  const wide = watched.map((k) => Array.from({ length: system.n + 1 }, (_, j) => (j === k ? ONE : ZERO)));
+  return { system, found: new Dictionary(system.n, [...system.balance, ...rows(system.equal)], rows(system.atLeast), wide) };
 }
 
 // The contact to decide next: the one whose law floats break most.
@@ -125,15 +122,19 @@ function shortened(grasp, motion, pairs, wrench) {
   return { motion: scaled, multipliers, work, room };
 }
 
-// All solutions with one choice of states: a point, or a polyhedron with the range of each component.
+// All equilibria with one choice of states: a point, or a polyhedron with the range of each component.
 // Of a polyhedron a middle one is shown: component by component, half way between its ends.
-function* pieceOf(grasp, states, system, found) {
+function* equilibriaWith(grasp, states, wrench) {
+  const { system, found } = solutionsOf(grasp, states, wrench);
+  found.feasible();
   const at = (z) => (row) => dotted(row, [...z, ONE]);
   const shape = (z) => ({ motion: z.slice(0, 3), forces: system.forces.map((pair) => pair.map(at(z))) });
-  if (found.single) {
-    const { motion, forces } = shape(found.point());
+  const one = ({ motion, forces }) => {
+    const problem = lawProblem(grasp, wrench, motion, forces);
+    if (problem) throw new Error(`fault of this page: ${problem}`);
     return { states: grasp.map((contact) => contactAt(contact, motion).state), motion, forces, ranges: null, points: [{ motion, forces }] };
-  }
+  };
+  if (found.single) return one(shape(found.point()));
   const units = [0, 1, 2].map((k) => Array.from({ length: system.n + 1 }, (_, j) => (j === k ? ONE : ZERO)));
   const watched = [...units, ...system.forces.flat()];
   const rows = (list) => list.map(({ row }) => row);
@@ -153,19 +154,20 @@ function* pieceOf(grasp, states, system, found) {
     }));
     yield null;
   }
+  if (ranges.every(([low, high]) => low && high && same(low, high))) return one(points[0]);
   const fixed = [];
   for (const [k, row] of watched.entries()) {
-    const left = within(fixed);
-    const value = middleOf(left.extreme(k, -1n), left.extreme(k, 1n));
-    fixed.push(row.with(-1, less(row.at(-1), value)));
-    yield null;
+    if (!isPoint(ranges[k])) {
+      const left = within(fixed);
+      fixed.push(row.with(-1, less(row.at(-1), middleOf(left.extreme(k, -1n), left.extreme(k, 1n)))));
+      yield null;
+    }
   }
-  const z = within(fixed).point();
-  const decided = ranges.every(([low, high]) => low && high && same(low, high));
-  const { motion, forces } = shape(z);
-  return { states: decided ? grasp.map((contact) => contactAt(contact, motion).state) : states, closed: states, motion, forces,
-    ranges: decided ? null : ranges, points };
+  const { motion, forces } = one(shape(within(fixed).point()));
+  return { states, motion, forces, ranges, points };
 }
+
+const isPoint = ([low, high]) => low && high && same(low, high);
 
 function middleOf(low, high) {
   if (low && high) return times(plus(low, high), ratio(1n, 2n));
@@ -191,8 +193,8 @@ function holds(grasp, piece, motion, forces) {
     const { spring, slip } = contactAt(contact, motion);
     const [normal, tangential] = forces[i];
     /** @type {bigint | undefined} */
-    const way = { "slip+": 1n, "slip-": -1n }[piece.closed[i]];
-    if (piece.closed[i] === "detached") return spring.n <= 0n && !normal.n && !tangential.n;
+    const way = { "slip+": 1n, "slip-": -1n }[piece.states[i]];
+    if (piece.states[i] === "detached") return spring.n <= 0n && !normal.n && !tangential.n;
     if (!same(normal, spring)) return false;
     if (!way) return slip.n === 0n;
     return slip.n * way >= 0n && same(tangential, times(times(ratio(-way), contact.friction), normal));

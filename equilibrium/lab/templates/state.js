@@ -1,9 +1,9 @@
-// What is chosen, and how a change leads to new answers. Long searches run in slices of a few
-// milliseconds, so that dragging never stutters; until they end, older answers are shown pale.
+// What is chosen, and how a change leads to new answers. A worker looks for them, so that dragging never
+// stutters; until they come, older ones are shown pale.
 const state = {
   grasp: [], wrench: [ZERO, ZERO, ZERO], outline: null, chosen: null, turn: ONE, turnChosen: false,
-  found: null, choice: 0, leaf: null, motion: null, open: new Map(), searching: null,
-  states: [], pieces: [], mapped: "", mapping: null, other: "", others: [], turnOf: 0, focus: null,
+  found: null, choice: 0, leaf: null, motion: null, open: new Map(), searching: false,
+  states: [], pieces: [], mapped: "", other: "", others: [], turnOf: 0, focus: null,
   // The plane of forces, as `plane.js` reads it.
   middle: [0, 0], half: 2, torque: ZERO, factor: ONE, slices: [], overlay: null,
   turnSize() { return this.turn.n ? size(this.turn) : ONE; },
@@ -40,30 +40,39 @@ const refresh = oncePerFrame(() => {
 // After the grasp or the wrench has changed.
 function changed() {
   Object.assign(state, { torque: state.wrench[2], leaf: null, motion: null, turnChosen: false });
-  state.searching?.();
-  const { grasp, wrench } = state;
-  let ended = false;
-  let first = null;
-  const show = (found) => {
-    const choice = first ? found.equilibria.findIndex((piece) => holds(grasp, piece, first.motion, first.forces)) : 0;
-    Object.assign(state, { found: { ...found, grasp, wrench }, choice: Math.max(0, choice), leaf: null, open: new Map() });
-    refresh();
-    if (first) return;
-    first = found.equilibria[0];
-    chooseTurn();
-    findPieces();
-    if (!dragging()) say(sayVerdict());
-  };
-  // The first equilibrium is shown as soon as it is found; the others are listed after it.
-  const stop = inSlices(treeOf(grasp, wrench), (found) => {
-    ended = true;
-    state.searching = null;
-    show(found);
-  }, dragging() ? 6 : 80, show);
-  state.searching = ended ? null : stop;
-  if (!ended) refresh();
+  search();
   if (!dragging()) writeHash();
 }
+
+function search() {
+  state.searching = true;
+  at("verdict").setAttribute("aria-busy", "true");
+  const { grasp, wrench, other } = state;
+  ask({ grasp, wrench, other, key: graspKey(), shown: state.mapped });
+  refresh();
+}
+
+// Parts of an answer; while something is dragged, to a question a little earlier.
+const ask = asking(answersTo, ({ found, map }, { grasp, wrench, key, other }) => {
+  if (map) {
+    const fresh = state.mapped.split("@")[0] !== key;
+    Object.assign(state, { ...map, mapped: `${key}@${other}` });
+    if (fresh && !dragging()) fitPlane();
+    showStep();
+  }
+  if (found) {
+    const shown = state.found;
+    const before = shown?.more && shown.grasp === grasp && shown.wrench === wrench ? shown.equilibria[state.choice] : null;
+    const choice = before ? found.equilibria.findIndex((piece) => holds(grasp, piece, before.motion, before.forces)) : 0;
+    Object.assign(state, { found: { ...found, grasp, wrench }, choice: Math.max(0, choice) });
+    if (!before) {
+      Object.assign(state, { leaf: null, open: new Map() });
+      chooseTurn();
+      if (!dragging()) say(sayVerdict());
+    }
+  }
+  refresh();
+}, () => { state.searching = false; refresh(); });
 
 // Unless an angle was chosen: that of the equilibrium, else one at which springs begin to let go.
 function chooseTurn() {
@@ -74,42 +83,13 @@ function chooseTurn() {
   state.turn = reach.length ? ratio(BigInt(Math.max(1, Math.round((64 * Math.min(...reach)) / (data.size || 1) / 2))), 64n) : ONE;
 }
 
-const mapKey = () => `${graspKey()}@${textOf(state.torque)}@${state.other}`;
-
-// The states that occur, then the pieces of the plane of forces, also by the compared method: when
-// nothing has moved for a while.
-function findPieces() {
-  const key = mapKey();
-  if (state.mapped === key) return;
-  const sameGrasp = state.mapped.split("@")[0] === graspKey();
-  state.mapping?.();
-  const wait = setTimeout(() => {
-    const search = (function* all() {
-      if (!sameGrasp) {
-        const list = [];
-        for (const one of statesOf(state.grasp)) { if (one) list.push(one); yield null; }
-        state.states = list;
-      }
-      const [found, others] = [[], []];
-      for (const piece of piecesOf(state.grasp, state.torque, state.states.map(({ states }) => states))) { found.push(piece); yield null; }
-      if (state.other) for (const piece of piecesBy(state.other, state.grasp, state.torque)) { if (piece) others.push(piece); yield null; }
-      return { pieces: found, others };
-    })();
-    state.mapping = inSlices(search, (found) => {
-      Object.assign(state, { ...found, mapped: key, mapping: null });
-      if (!sameGrasp && !dragging()) fitPlane();
-      showStep();
-      refresh();
-    });
-  }, dragging() ? 90 : 0);
-  state.mapping = () => clearTimeout(wait);
-}
+const mapKey = () => `${graspKey()}@${state.other}`;
 
 // The whole state as a text: the address, and what undo keeps.
 const snapshot = () => hashOf(state.grasp, state.wrench, state.outline);
 
 function reinstate(text) {
-  const read = readState(text);
+  const read = readState(text, data.most);
   const chosen = state.chosen !== null && state.chosen < read.grasp.length ? state.chosen : null;
   Object.assign(state, read, { chosen });
 }

@@ -9,7 +9,7 @@ proposals, which `equilibrium.certificate` checks.
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from typing import TypeAlias
@@ -58,6 +58,7 @@ class Enclosed:
     centre: RationalVector
     radius: RationalVector
     inverse: tuple[RationalVector, ...]
+    idle: tuple[RationalVector, ...]
     motion: Floats
     forces: Floats
 
@@ -115,6 +116,11 @@ class StateBalance:
         rows = [row for i in self.sticking for row in grasp.contacts[i].tangential_wrenches]
         self.basis = _null_space(rows)
         self.pillars = self._pillars(6 - len(self.basis))
+        # Motions that no touching contact feels; balance does not tell them.
+        touching = [c for c, near in zip(grasp, states.touching, strict=True) if near]
+        self.unfelt = _null_space(
+            [row for c in touching for row in (c.normal_wrench, *c.tangential_wrenches)]
+        )
 
     def _pillars(self, count: int) -> tuple[tuple[int, int], ...]:
         """Return tangents of sticking contacts that span all of them; strong contacts first."""
@@ -225,13 +231,17 @@ class StateBalance:
         basis, point = self._float_basis(), np.zeros(6)
         point[:p] = self._coordinates(motion)
         load = np.array([nearest(w) for w in self.wrench])
+        idle = [
+            (*v, *_short(np.array([nearest(x) for x in v]) @ motion[:, None], 9))
+            for v in self.unfelt
+        ]
         size_of = float(np.abs(load).max()) + float(np.abs(self.contacts.preload).max(initial=0.0))
         for k, (i, j) in enumerate(self.pillars, p):
             c = self.contacts
             force = max(0.0, float(c.spring[i, 0] + c.spring[i, 1:] @ motion))
             point[k] = c.friction[i] * force * self.states.ratio[i, j]
         for _ in range(_STEPS):
-            value, derivative, _ = self._balance(basis, point, load)
+            value, derivative, _ = self._balance(basis, point, load, idle)
             try:
                 step = np.linalg.solve(derivative, value)
             except np.linalg.LinAlgError:
@@ -241,7 +251,7 @@ class StateBalance:
             point = point - step
             if np.abs(step).max() <= 1e-15 * np.abs(point).max():
                 break
-        value, derivative, forces = self._balance(basis, point, load)
+        value, derivative, forces = self._balance(basis, point, load, idle)
         if not np.abs(value).max() <= _CLOSE * size_of or not np.isfinite(derivative).all():
             return
         try:
@@ -263,6 +273,7 @@ class StateBalance:
                 _short(point, 20),
                 _short(radii, 2),
                 tuple(_short(row, 9) for row in inverse),
+                tuple(idle),
                 basis @ point[:p] if p else np.zeros(6),
                 forces,
             )
@@ -273,7 +284,9 @@ class StateBalance:
             return None
         return () if self.states.slipping[i] else tuple(self.share(i))
 
-    def _balance(self, basis: Floats, point: Floats, load: Floats) -> tuple[Floats, Floats, Floats]:
+    def _balance(
+        self, basis: Floats, point: Floats, load: Floats, idle: Sequence[RationalVector]
+    ) -> tuple[Floats, Floats, Floats]:
         """Return the sum of all wrenches, its derivative, and the forces."""
         c, p = self.contacts, basis.shape[1]
         motion = basis @ point[:p]
@@ -303,6 +316,10 @@ class StateBalance:
             value = value + normal * c.normal[i] + friction @ c.tangents[i]
             derivative += np.outer(c.normal[i], slope) + c.tangents[i].T @ change
             forces[i] = normal, *friction
+        for *row, x in idle:
+            turn = np.array([nearest(y) for y in row])
+            value = value + turn * (turn @ motion - nearest(x))
+            derivative[:, :p] += np.outer(turn, turn @ basis)
         return value, derivative, forces
 
 

@@ -21,7 +21,7 @@ from .relaxation import Point, Ray, Relaxation, Sector, State
 
 #: Nodes of a tree, if not told otherwise, and random starts of the first search.
 NODES, _STARTS = 4000, 3
-#: Nodes of a tree that is tried before the random starts.
+#: Nodes of a tree that is tried before the random starts; whoever asks for no more gets none.
 _FEW = 20
 #: After how many nodes without a leaf, at first, an equilibrium is looked for near a relaxation.
 _PATIENCE = 6
@@ -84,13 +84,14 @@ class SpatialSearch:
             leaf = leaf or self._leaf(root, self.relaxation.solve(root))
             if leaf is not None:
                 return leaf
-            for i, motion in enumerate(self.smooth.starts(_STARTS)):
+            few = self.nodes <= _FEW
+            for i, motion in enumerate(self.smooth.starts(0 if few else _STARTS)):
                 near = self._near(motion, 1.0)
                 if near is not None:
                     return near
                 if not i:
                     found = self._tree(root, min(_FEW, self.nodes))
-                    if not isinstance(found, Open):
+                    if few or not isinstance(found, Open):
                         return found
             return self._tree(root, self.nodes)
 

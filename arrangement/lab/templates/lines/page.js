@@ -55,16 +55,8 @@ function arranged() {
 const commandOf = () => `echo '${JSON.stringify(documentOf(state))}' | arrangement count -`;
 
 function keepButtons() {
-  listenToKeep((text) => load(readArrangement(JSON.parse(text))));
-  at("copy-command").addEventListener("click", () => copy(commandOf()));
+  listenToKeep((text) => load(readArrangement(JSON.parse(text))), commandOf);
   at("save").addEventListener("click", () => downloadJson("arrangement.json", documentOf(state)));
-}
-
-function examples() {
-  const box = at("example");
-  make("option", { value: "", disabled: "", selected: "" }, box, "examples …");
-  data.examples.forEach(({ name }, k) => make("option", { value: k }, box, name));
-  box.addEventListener("change", () => load(readArrangement(data.examples[Number(box.value)].arrangement)));
 }
 
 function chooseColour(name) {
@@ -73,7 +65,7 @@ function chooseColour(name) {
 }
 
 function begin() {
-  at("title").textContent = data.title;
+  listenToHead(({ arrangement }) => load(readArrangement(arrangement)));
   for (const [name, chart] of Object.entries(CHARTS)) make("option", { value: name }, at("chart"), chart.name);
   at("chart").addEventListener("change", () => { state.chart = at("chart").value; fitPlane(); chooseAxes(); refresh(); });
   at("shape").addEventListener("change", () => { chooseAxes(); refresh(); });
@@ -83,9 +75,7 @@ function begin() {
   listenToHistory();
   listenToPlayer();
   keepButtons();
-  examples();
   listenToExercises();
-  themeButton(at("theme"));
   Object.assign(state, readArrangement(data.arrangement));
   state.chosen = state.rows.length ? 0 : null;
   readHash();

@@ -1,4 +1,4 @@
-"""Reading arrangements from files, names or mappings; `files` has the rules of all documents.
+"""Documents, the own form of files; `arrangement.io.files` has the rules of all documents.
 
 An arrangement::
 
@@ -24,33 +24,29 @@ from typing import Any
 from arrangement.arrangement import Arrangement
 from arrangement.errors import InputError
 from arrangement.exact import rational_vector
+from arrangement.io.files import check_document, check_keys, check_list, kind_of
+from arrangement.io.writing import document_text
 from arrangement.number_field import NumberField
 from arrangement.plugins import announced
 
-from .files import Source, check_keys, check_list, kind_of, read_document
+from .form import Format
 
 #: Largest dimension that a file may name for an arrangement (rows of planes speak for themselves).
 MAX_DIMENSION = 1000
 
 
-def read_arrangement(source: Source) -> Arrangement:
-    """Read an arrangement from a path, ``"-"`` (stdin), a built-in name or a mapping.
-
-    A grasp file (or name) is accepted too, when the package that knows grasps is installed: its
-    tangential planes are meant.
+def arrangement_of(document: Any, name: str) -> Arrangement:
+    """Return the arrangement that a document called `name` stands for.
 
     Raises:
-        InputError: for anything that is not exactly a valid document (see this module and `files`).
-
-    >>> read_arrangement({"schema_version": 1, "planes": [["0", "1", "-1"], ["0", "-1", "-1"]]})
-    <Arrangement: 2 planes (2 distinct) in R^3, rank 2, central>
+        InputError: for anything that is not exactly a valid document.
     """
     readers: dict[str, Callable[[], Callable[[Mapping[str, Any]], Arrangement]]]
     readers = {point.name: point.load for point in announced("documents")}
     readers["planes"] = lambda: _planes
-    document = read_document(source, readers)
-    kind = next(key for key in readers if key in document)
-    return readers[kind]()(document)
+    found = check_document(document, readers, name)
+    kind = next(key for key in readers if key in found)
+    return readers[kind]()(found)
 
 
 def _planes(document: Mapping[str, Any]) -> Arrangement:
@@ -102,3 +98,11 @@ def _dimension(value: Any) -> int:
             f"dimension is {kind_of(value)}; expected an integer from 0 to {MAX_DIMENSION}"
         )
     return value
+
+
+FORMAT = Format(
+    "json",
+    "documents of this package",
+    (".json",),
+    write=lambda arrangement: document_text(arrangement.to_dict()),
+)

@@ -1,0 +1,112 @@
+"""Source text of SageMath: ``H.<x,y> = HyperplaneArrangements(QQ)`` and ``A = H(x, y, x + y - 1)``.
+
+Read are also hyperplanes as ``[(1, 0), 2]`` (normal, constant) and ``[2, 1, 0]`` (constant first),
+lists of hyperplanes, ``x | y``, what Sage prints (``Arrangement <y | x>``), and sessions with
+prompts. A constant c means ``n . x + c = 0``.
+"""
+
+from __future__ import annotations
+
+import re
+from typing import Any, TypeAlias
+
+from arrangement.arrangement import Arrangement
+from arrangement.errors import InputError
+from arrangement.exact import rational, shown
+
+from .form import Format, one, rational_planes
+from .linear_forms import form_text, inside, read_form, split_outside, without_remarks
+
+#: Nested lists of texts.
+_Item: TypeAlias = "str | list[_Item]"
+#: Of lists in lists: all hyperplanes, one of them, its normal.
+_DEPTH = 3
+_SPACE = re.compile(
+    r"\b(\w+)(?:\.<([\w\s,]+)>)?\s*=\s*HyperplaneArrangements\(\s*(\w+(?:\([^()]*\))?)\s*(?:,\s*([^\n]*))?\)"
+)
+
+
+def _recognises(text: str) -> bool:
+    return "HyperplaneArrangements(" in text
+
+
+def _read(text: str) -> Arrangement:
+    plain = re.sub(r"(?m)^\s*(?:sage:|\.\.\.\.:)", "", without_remarks(text, "#"))
+    space = _SPACE.search(plain)
+    if space is None:
+        raise InputError("there is no line such as H.<x,y> = HyperplaneArrangements(QQ)")
+    if space[3] not in ("QQ", "ZZ"):
+        raise InputError(f"the field is {shown(space[3])}; entries over QQ are read")
+    names = re.findall(r"\w+", space[2] or "") or re.findall(r"['\"](\w+)['\"]", space[4] or "")
+    rest = plain[space.end() :]
+    rows = [_plane(item, names) for item in _items(rest, space[1])]
+    offsets = [-row[-1] for row in rows]
+    return Arrangement([row[:-1] for row in rows], offsets, dimension=len(names))
+
+
+def _items(text: str, space: str) -> list[_Item]:
+    """Return the hyperplanes that the first arrangement of a text consists of."""
+    call = re.search(rf"\b{re.escape(space)}\s*\(", text)
+    if call is not None:
+        items = [_nested(p) for p in split_outside(inside(text, call.end() - 1, "()"))]
+        first = items[0] if items else ""
+        is_list = isinstance(first, list) and not (
+            all(isinstance(x, str) and _is_number(x) for x in first)
+            or (len(first) == 2 and isinstance(first[0], list) and isinstance(first[1], str))
+        )
+        return first if len(items) == 1 and is_list else items  # type: ignore[return-value]
+    joined = re.search(r"<([^<>]+)>", text) or re.search(r"=([^=<>()\n]*\|[^=<>()\n]*)", text)
+    if joined is None:
+        raise InputError(f"there is no arrangement such as A = {space}(x, y, x + y - 1)")
+    return [part.strip() for part in joined[1].split("|")]
+
+
+def _nested(text: str, depth: int = 0) -> _Item:
+    if depth > _DEPTH:
+        raise InputError(f"{shown(text)} is nested too deeply; no hyperplane needs that")
+    if text[:1] in ("(", "["):
+        content = inside(text, 0, "()" if text[0] == "(" else "[]")
+        if len(content) + 2 == len(text):
+            return [_nested(part, depth + 1) for part in split_outside(content)]
+    return text
+
+
+def _is_number(text: str) -> bool:
+    return re.fullmatch(r"-?\s*[0-9]+(?:/[0-9]+)?", text) is not None
+
+
+def _plane(item: _Item, names: list[str]) -> list[Any]:
+    """Return the normal and the constant."""
+    if isinstance(item, str):
+        return [*read_form(item, names)]
+    if len(item) == 2 and isinstance(item[0], list):
+        numbers = [*item[0], item[1]]
+    else:
+        numbers = [*item[1:], *item[:1]]
+    if len(numbers) != len(names) + 1:
+        raise InputError(f"the hyperplane {shown(item)} is not one in {', '.join(names)}")
+    return [rational(x.replace(" ", ""), "an entry") if isinstance(x, str) else x for x in numbers]
+
+
+def _write(arrangement: Arrangement) -> str:
+    d = arrangement.dimension
+    names = ["x", "y", "z"][:d] if d <= 3 else [f"x{k}" for k in range(1, d + 1)]
+    forms = "".join(f"    {form_text(p, names)},\n" for p in rational_planes(arrangement))
+    return f"H.<{','.join(names)}> = HyperplaneArrangements(QQ)\nA = H(\n{forms})\n"
+
+
+def _loses(arrangement: Arrangement) -> str:
+    if len(arrangement.distinct) < len(arrangement):
+        return "Sage sorts the planes, and keeps one of those that coincide"
+    return "Sage sorts the planes"
+
+
+FORMAT = Format(
+    "sage",
+    "source text of SageMath",
+    (".sage",),
+    recognises=_recognises,
+    entries=one(_read),
+    write=_write,
+    loses=_loses,
+)

@@ -1,0 +1,117 @@
+"""The commands of the census: show its numbers, check the list, build the types of nine planes."""
+
+from __future__ import annotations
+
+import argparse
+import io
+from dataclasses import asdict
+
+import numpy as np
+
+from arrangement import terminal
+from arrangement.errors import InputError
+from arrangement.io.writing import write_bytes_atomically
+
+from .catalogue import MOST_PLANES, PUBLISHED, PUBLISHED_SIMPLE
+
+
+def add_commands(parser: argparse.ArgumentParser) -> None:
+    """Add ``show``, ``check`` and ``build``."""
+    commands = parser.add_subparsers(required=True, metavar="WHAT")
+
+    show = commands.add_parser("show", help="how many types have so many regions, or such points")
+    show.add_argument("planes", type=terminal.integer_argument, metavar="M", help="3 to 9")
+    show.set_defaults(command=_show)
+
+    check = commands.add_parser("check", help="check the list of nine planes without coordinates")
+    check.add_argument(
+        "--sample",
+        type=terminal.count_argument,
+        default=20,
+        metavar="N",
+        help="types of eight planes to extend (default: 20)",
+    )
+    check.add_argument("--seed", type=terminal.count_argument, default=0, help="of their choice")
+    check.set_defaults(command=_check)
+
+    build = commands.add_parser("build", help="build the list of types again")
+    build.add_argument("planes", type=terminal.integer_argument, metavar="M", help="4 to 9")
+    build.add_argument("-o", "--output", metavar="FILE.npz", required=True, help="the list")
+    build.add_argument(
+        "--store",
+        metavar="FOLDER",
+        required=True,
+        help="keeps what is done; the same command goes on with it",
+    )
+    build.add_argument(
+        "--jobs", type=terminal.integer_argument, default=1, metavar="N", help="processes"
+    )
+    build.set_defaults(command=_build)
+
+    for command in (show, check, build):
+        terminal.add_common_options(command)
+
+
+def _planes(arguments: argparse.Namespace, least: int) -> int:
+    planes: int = arguments.planes
+    if not least <= planes <= MOST_PLANES:
+        raise InputError(f"M is {planes}; give {least} to {MOST_PLANES} planes")
+    return planes
+
+
+def _show(arguments: argparse.Namespace) -> int:
+    from .tables import table
+
+    planes = _planes(arguments, 3)
+    found = table(planes)
+    if arguments.json:
+        record = asdict(found)
+        points = [{"t": row, "types": number} for row, number in found.by_points.items()]
+        terminal.print_json({**record, "by_points": points})
+        return terminal.YES
+    print(f"types            {found.types:,} (published {PUBLISHED[planes]:,})")
+    print(f"simple           {found.simple:,} (published {PUBLISHED_SIMPLE[planes]:,})")
+    print(f"simplicial       {found.simplicial}")
+    print(f"SHA-256          {found.digest}")
+    print("regions          types")
+    for regions, number in found.by_regions.items():
+        print(f"{regions:>7}  {number:>13,}")
+    print(f"points           {len(found.by_points)} t-vectors; --json lists them")
+    return terminal.YES
+
+
+def _check(arguments: argparse.Namespace) -> int:
+    from .tables import check
+
+    if not 0 <= arguments.sample <= PUBLISHED[MOST_PLANES - 1]:
+        raise InputError(f"--sample is {arguments.sample}; give 0 to {PUBLISHED[MOST_PLANES - 1]}")
+    found = check(arguments.sample, arguments.seed)
+    if arguments.json:
+        terminal.print_json({**asdict(found), "holds": found.holds})
+    else:
+        words = "all different" if found.different else "NOT in order: some may be the same"
+        print(f"the list's types are {words}")
+        print(f"{found.proofs} types have none, by proofs that hold")
+        print(
+            f"{found.parents} types of eight planes have {found.extensions:,} extensions: "
+            f"{found.listed:,} in the list, {found.without} without coordinates, "
+            f"{found.extensions - found.listed - found.without} missing"
+        )
+    return terminal.YES if found.holds else terminal.NO
+
+
+def _build(arguments: argparse.Namespace) -> int:
+    from .build import build
+
+    arrays = build(arguments.store, arguments.jobs, _planes(arguments, 4))
+    stream = io.BytesIO()
+    np.savez_compressed(stream, **arrays)  # type: ignore[arg-type]
+    write_bytes_atomically(arguments.output, stream.getvalue())
+    numbers = {"types": len(arrays["parents"]), "without_coordinates": len(arrays["without"])}
+    if arguments.json:
+        terminal.print_json(numbers)
+    else:
+        print(
+            f"{numbers['types']:,} types, {numbers['without_coordinates']} more without coordinates"
+        )
+    return terminal.YES

@@ -1,0 +1,152 @@
+"""Verdicts on the loads of one grasp in space, and what the proof of each tells of other loads.
+
+The load enters a tree in one place: the works of its leaves, ``lambda . w + sum alpha q``. So a
+tree refutes every load for which all of them are above 0, an open convex set. And where two exact
+equilibria have contacts that do the same, all between them are equilibria too: springs and cones
+are convex, and a slip in one direction has one friction force.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from fractions import Fraction
+from itertools import pairwise
+from typing import TypeAlias
+
+from arrangement.exact import RationalVector, dot
+from equilibrium.certificate.reading import Leaf, read_node
+from equilibrium.model.contact import Contact
+from equilibrium.model.grasp import Grasp
+from equilibrium.solver.space.equilibria import SpatialSolution
+from equilibrium.spatial_verdict import NOT_RESISTED, RESISTED, SpatialVerdict, solve_in_space
+
+#: The works of the leaves of a tree: of each a virtual motion, and what the preloads add.
+Works: TypeAlias = tuple[tuple[RationalVector, Fraction], ...]
+#: Magnitudes, without the ends; None where there is no end.
+Range: TypeAlias = tuple[Fraction | None, Fraction | None]
+
+
+class KnownLoads:
+    """What is proved of the loads of one grasp.
+
+    Args:
+        nodes: of the tree of each verdict, at most.
+
+    Attributes:
+        trees: the works of the leaves of each proof of a "no".
+    """
+
+    def __init__(self, grasp: Grasp, nodes: int) -> None:
+        self.grasp, self.nodes = grasp, nodes
+        self.trees: list[Works] = []
+
+    def ask(self, wrench: RationalVector) -> SpatialVerdict:
+        """Decide one load, and remember its proof."""
+        found = solve_in_space(self.grasp, wrench, nodes=self.nodes)
+        if found.verdict == NOT_RESISTED and found.certificate is not None:
+            self.trees.append(leaf_works(self.grasp, found.certificate.to_dict()["tree"]))
+        return found
+
+
+class KnownMagnitudes:
+    """What is proved of the loads ``base + t along``, t >= 0."""
+
+    def __init__(self, known: KnownLoads, along: RationalVector, base: RationalVector) -> None:
+        self.known, self.along, self.base = known, along, base
+        self.refuted = [found for tree in known.trees if (found := self._range(tree)) is not None]
+        self.held: list[tuple[Fraction, Fraction]] = []
+        self._equilibria: list[tuple[Fraction, SpatialSolution]] = []
+
+    def verdict(self, t: Fraction) -> str:
+        """Return what follows from earlier proofs, or decide."""
+        if self.refuting(t) is not None:
+            return NOT_RESISTED
+        if any(low <= t <= high for low, high in self.held):
+            return RESISTED
+        wrench = tuple(b + t * x for b, x in zip(self.base, self.along, strict=True))
+        found = self.known.ask(wrench)
+        if found.verdict == NOT_RESISTED and (around := self._range(self.known.trees[-1])):
+            self.refuted.append(around)
+        if isinstance(found.solution, SpatialSolution):
+            self._hold(t, found.solution)
+        return found.verdict
+
+    def _hold(self, t: Fraction, solution: SpatialSolution) -> None:
+        """Remember an equilibrium, and what lies between it and its neighbours."""
+        new = (t, solution)
+        self._equilibria = sorted([*self._equilibria, new], key=lambda x: x[0])
+        k = self._equilibria.index(new)
+        for low, high in pairwise(self._equilibria[max(0, k - 1) : k + 2]):
+            if blends(self.known.grasp, low[1], high[1]):
+                self.held.append((low[0], high[0]))
+
+    def refuting(self, t: Fraction) -> Range | None:
+        """Return the magnitudes that a tree refutes together with this one, if one does."""
+        return next(
+            (
+                (low, high)
+                for low, high in self.refuted
+                if (low is None or low < t) and (high is None or t < high)
+            ),
+            None,
+        )
+
+    def _range(self, works: Works) -> Range | None:
+        """Return for which magnitudes all works are above 0; None if for none."""
+        low: Fraction | None = None
+        high: Fraction | None = None
+        for motion, rest in works:
+            start, slope = dot(motion, self.base) + rest, dot(motion, self.along)
+            if not slope:
+                if start <= 0:
+                    return None
+                continue
+            end = Fraction(-start) / slope
+            if slope > 0:
+                low = end if low is None else max(low, end)
+            else:
+                high = end if high is None else min(high, end)
+        return None if low is not None and high is not None and low >= high else (low, high)
+
+
+def leaf_works(grasp: Grasp, tree: object) -> Works:
+    """Return for each leaf of a tree that the checker accepted its motion, and ``sum alpha q``.
+
+    The work of load and contacts is ``motion . w`` plus that; where it is above 0 for all leaves,
+    the tree refutes the load w.
+    """
+    found, waiting = [], [tree]
+    while waiting:
+        node = read_node(waiting.pop(), "tree", len(grasp), grasp.dimension)
+        if isinstance(node, Leaf):
+            rest = sum(
+                (row[0] * grasp.contacts[i].preload for i, row in node.multipliers.items()),
+                Fraction(0),
+            )
+            found.append((node.motion, rest))
+        else:
+            waiting += [child for _, child in node.children]
+    return tuple(found)
+
+
+def blends(grasp: Grasp, one: SpatialSolution, other: SpatialSolution) -> bool:
+    """Return whether all that is between two equilibria is one, as each contact does the same."""
+    return all(
+        _same(contact, [(x.motion, x.forces[i]) for x in (one, other)])
+        for i, contact in enumerate(grasp)
+    )
+
+
+def _same(contact: Contact, both: Sequence[tuple[RationalVector, RationalVector]]) -> bool:
+    """Return whether a contact is on one side of its spring, and slips in one direction or not."""
+    springs = [
+        contact.preload - contact.stiffness * dot(contact.normal_wrench, motion)
+        for motion, _ in both
+    ]
+    if max(springs) <= 0:
+        return True
+    (a, b), (c, d) = (
+        tuple(dot(row, motion) for row in contact.tangential_wrenches) for motion, _ in both
+    )
+    one_way = a * d == b * c and a * c + b * d >= 0 and any((a, b)) == any((c, d))
+    return min(springs) >= 0 and one_way

@@ -1,0 +1,316 @@
+"""Formats of others: each is read back as it was written, and read as the others write it."""
+
+from __future__ import annotations
+
+import json
+import re
+from pathlib import Path
+from typing import Any
+
+import networkx as nx
+import numpy as np
+import pytest
+from hypothesis import given, settings, strategies as st
+
+from arrangement import Arrangement, InputError, census, counts, families, read_arrangement
+from arrangement.cli import main
+from arrangement.formats.table import FORMATS, Entries, converted
+from arrangement.library.census import identify
+
+CENTRAL = Arrangement([[1, 0, 0], [0, 1, 0], [2, -3, 5], [-4, 6, -10], ["1/2", "1/3", -1]])
+AFFINE = Arrangement([[1, 0], [0, -1], [1, 1], [2, "-1/2"]], [0, "3/2", -4, 7])
+FIVE = Arrangement([[1, 0, 0, 0, -1], [0, 1, 0, 0, 0]], [0, 1])
+READ_BACK = ("json", "matrix", "polymake", "oscar", "sage", "macaulay2")
+
+
+def one(name: str, text: str) -> Arrangement:
+    (form,) = [next(form for form in FORMATS.values() if form.recognises(text))]
+    assert form.name == name
+    return Entries(form, text, "the text").only()
+
+
+@pytest.mark.parametrize("name", READ_BACK)
+@pytest.mark.parametrize("planes", [CENTRAL, AFFINE, FIVE], ids=["central", "affine", "R^5"])
+def test_what_is_written_is_read_back(name: str, planes: Arrangement, tmp_path: Path) -> None:
+    if name == "oscar" and not planes.is_central:
+        with pytest.raises(InputError, match="no offsets"):
+            converted(planes, FORMATS[name])
+        return
+    path = tmp_path / "planes"
+    path.write_text(converted(planes, FORMATS[name]), encoding="utf-8")
+    assert read_arrangement(path) == planes
+
+
+@pytest.mark.parametrize("name", ["json", "polymake", "sage", "macaulay2"])
+def test_no_planes_are_read_back(name: str, tmp_path: Path) -> None:
+    path = tmp_path / "planes"
+    path.write_text(converted(Arrangement([], dimension=3), FORMATS[name]), encoding="utf-8")
+    assert read_arrangement(path) == Arrangement([], dimension=3)
+
+
+def opposite(text: str) -> str:
+    return text.translate(str.maketrans("+-", "-+"))
+
+
+entries = st.integers(-3, 3)
+normals = st.tuples(entries, entries, entries).filter(any)
+
+
+@settings(max_examples=10, deadline=None)
+@given(st.lists(normals, min_size=3, max_size=7), st.sampled_from(["chirotope", "topcom"]))
+def test_a_chirotope_gets_coordinates_of_that_chirotope(rows: list[Any], name: str) -> None:
+    planes = Arrangement(rows)
+    if planes.rank < 3:
+        with pytest.raises(InputError, match="chirotopes of rank 3"):
+            converted(planes, FORMATS[name])
+        return
+    found = one(name, converted(planes, FORMATS[name])).chirotope_string()
+    assert planes.chirotope_string() in (found, opposite(found))
+
+
+def test_reverse_lexicographic_order_has_the_last_element_last() -> None:
+    planes = census.census(6)[7]
+    fewer = Arrangement(planes.normals[:5])
+    assert planes.chirotope_string().startswith(fewer.chirotope_string())
+    values = counts.chirotope(planes)
+    assert planes.chirotope_string("lexicographic") == "".join("0+-"[v] for v in values.values())
+    assert len(AFFINE.chirotope_string()) == 10
+
+
+#: In the forms of the manuals: SageMath (hyperplane arrangements), Macaulay2
+#: (HyperplaneArrangements, MRDI), polymake (schema data.json; sparse rows as braid_arrangement has
+#: them), TOPCOM (chirotopes), and Christ's page.
+SAMPLES = {
+    "a session of Sage": (
+        "sage",
+        "sage: H.<u,v> = HyperplaneArrangements(QQ)\n"
+        "sage: A = H([(1, 0), 2], [(1, -3), 0],  # normal, constant\n....:       [5, 0, 1]); A\n"
+        "Arrangement <u + 2 | v + 5 | u - 3*v>\n",
+        Arrangement([[1, 0], [1, -3], [0, 1]], [-2, 0, -5]),
+    ),
+    "what Sage prints": (
+        "sage",
+        "H = HyperplaneArrangements(QQ, ('u', 'v'))\nArrangement <2*u - 3/4*v + 1 | v/2 - u>\n",
+        Arrangement([[2, "-3/4"], [-1, "1/2"]], [-1, 0]),
+    ),
+    "joined in Sage": (
+        "sage",
+        "H.<u,v> = HyperplaneArrangements(QQ)\nbox = u | v | u - 2 | v - 2\n",
+        Arrangement([[1, 0], [0, 1], [1, 0], [0, 1]], [0, 0, 2, 2]),
+    ),
+    "a list of forms in Sage": (
+        "sage",
+        "H.<u,v> = HyperplaneArrangements(QQ)\nA = H([u, v, u + v])\n",
+        Arrangement([[1, 0], [0, 1], [1, 1]]),
+    ),
+    "forms of Macaulay2": (
+        "macaulay2",
+        "R = QQ[a..c]; -- three\nA = arrangement {a, b-c, 2*a+3*c}\n",
+        Arrangement([[1, 0, 0], [0, 1, -1], [2, 0, 3]]),
+    ),
+    "a matrix of Macaulay2": (
+        "macaulay2",
+        "A = arrangement(matrix {{1,0,1,2}, {0,1,1,-5}}, R)",
+        Arrangement([[1, 0], [0, 1], [1, 1], [2, -5]]),
+    ),
+    "numbered variables": (
+        "macaulay2",
+        "R = QQ[x_1 .. x_3]\narrangement({x_1 - x_2, x_2 - x_3, x_3 - 1}, R)",
+        Arrangement([[1, -1, 0], [0, 1, -1], [0, 0, 1]], [0, 0, 1]),
+    ),
+    "sparse rows of polymake": (
+        "polymake",
+        '{"HYPERPLANES": [{"0": "1", "2": "-1"}, {"1": "3/2", "2": "1"}, {"cols": 3}], "_ns": '
+        '{"polymake": ["https://polymake.org", "4.6"]}, "N_HYPERPLANES": 2, "_id": "planes", '
+        '"_type": "fan::HyperplaneArrangement<Rational>"}',
+        Arrangement([[1, 0, -1], [0, "3/2", 1]]),
+    ),
+    "a matrix of OSCAR": (
+        "oscar",
+        '{"_ns":{"Oscar":["https://github.com/oscar-system/Oscar.jl","1.4.0"]},"_type":{"name":'
+        '"MatElem","params":"a-b"},"data":[["1//2","0"],["3","-4"]],"_refs":{"a-b":{"_type":{'
+        '"name":"MatSpace","params":{"_type":"QQField"}},"data":{"ncols":"2","nrows":"2"}}}}',
+        Arrangement([["1/2", 0], [3, -4]]),
+    ),
+    "a matrix as Sage prints it": (
+        "matrix",
+        "[   1    0 -1/2]\n[   0    3    1]\n",
+        Arrangement([[1, 0, "-1/2"], [0, 3, 1]]),
+    ),
+    "commas, remarks, decimals": (
+        "matrix",
+        "# x, y\n1,0.25\n-2e1, 1  # the second\n",
+        Arrangement([[1, "1/4"], [-20, 1]]),
+    ),
+    "a chirotope of TOPCOM": (
+        "topcom",
+        "3,3:\n+\n",
+        Arrangement([[1, 0, 0], [0, 1, 0], [0, 0, 1]]),
+    ),
+}
+
+
+@pytest.mark.parametrize(("name", "text", "planes"), SAMPLES.values(), ids=SAMPLES.keys())
+def test_what_others_write_is_read(name: str, text: str, planes: Arrangement) -> None:
+    assert one(name, text) == planes
+
+
+REFUSED = {
+    "another field": ("H.<x> = HyperplaneArrangements(GF(5))\nA = H(x)", r"GF\(5\)"),
+    "code": ("H.<x> = HyperplaneArrangements(QQ)\nA = H(exit())", "has 'exit'"),
+    "a product": ("H.<x,y> = HyperplaneArrangements(QQ)\nA = H(x*y)", "no linear form"),
+    "an unknown variable": ("H.<x> = HyperplaneArrangements(QQ)\nA = H(x, y)", "has 'y'"),
+    "division by zero": ("H.<x> = HyperplaneArrangements(QQ)\nA = H(3/0*x)", "zero"),
+    "nesting": (f"H.<x> = HyperplaneArrangements(QQ)\nA = H({'[' * 9999}x)", "never closed"),
+    "deep lists": (
+        f"H.<x> = HyperplaneArrangements(QQ)\nA = H({'[' * 9999}x{']' * 9999})",
+        "too deeply",
+    ),
+    "no ring": ("A = arrangement {x, y}", "no ring"),
+    "a finite field": ("R = ZZ/7[x]\nA = arrangement {x}", "ZZ/7"),
+    "endless variables": ("R = QQ[x_1..x_999999]\nA = arrangement {x_1}", "write x, y, z"),
+    "ragged columns": ("A = arrangement matrix {{1,0},{1}}", "one length"),
+    "a fan": (
+        '{"_ns": {"polymake": []}, "_type": "fan::PolyhedralFan<Rational>"}',
+        "PolyhedralFan",
+    ),
+    "floats of polymake": (
+        '{"_ns": {"polymake": []}, "_type": "fan::HyperplaneArrangement<Rational>", '
+        '"HYPERPLANES": [[0.5, 1]]}',
+        "float",
+    ),
+    "a support": (
+        '{"_ns": {"polymake": []}, "_type": "fan::HyperplaneArrangement<Rational>", '
+        '"HYPERPLANES": [["1", "1"]], "SUPPORT": {"INPUT_RAYS": [["1", "0"]]}}',
+        "SUPPORT",
+    ),
+    "no matrix": ('{"_ns": {"Oscar": []}, "_type": "QQField"}', "no matrix"),
+    "rank 4": ("5,4:+++++", "rank 3"),
+    "a wrong length": ("++-+-", "C\\(n, 3\\)"),
+    "a loop": ("+000", "element 4"),
+    "two bars": ("1 0 | 2 3\n0 1 | 1\n", "several offsets"),
+    "several": ("+++-\n++++\n", "there are 2 arrangements; choose one"),
+    "other coordinates": ("+++0\n1 0 0\n0 1 0\n1 1 -3\n", "another chirotope"),
+    "too few lines": ("+++-\n1 0 0\n0 1 0\n", "expected 3 lines"),
+}
+
+
+@pytest.mark.parametrize(("text", "message"), REFUSED.values(), ids=REFUSED.keys())
+def test_what_is_wrong_is_refused(text: str, message: str, tmp_path: Path) -> None:
+    path = tmp_path / "wrong"
+    path.write_text(text, encoding="utf-8")
+    with pytest.raises(InputError, match=message) as caught:
+        read_arrangement(path)
+    assert len(str(caught.value)) < 600
+
+
+def test_signs_without_coordinates_are_refused() -> None:
+    with pytest.raises(InputError, match="no planes have these signs"):
+        one("chirotope", "++++++++-+")
+    # Pappus's theorem puts the last three points on one line.
+    line, other = [(0, 0, 1), (1, 0, 1), (4, 0, 1)], [(0, 1, 1), (2, 1, 1), (3, 1, 1)]
+    points = [*line, *other]
+    for i, j in ((0, 1), (0, 2), (1, 2)):
+        crossed = np.cross(np.cross(line[i], other[j]), np.cross(line[j], other[i]))
+        points.append(tuple(crossed.tolist()))
+    text = Arrangement(points).chirotope_string()
+    assert text[-1] == "0"
+    assert one("chirotope", text).chirotope_string() in (text, opposite(text))
+    with pytest.raises(InputError, match=r"no (coordinates were found|planes have)"):
+        one("chirotope", text[:-1] + "+")
+
+
+def lines_of_christ(planes: Arrangement, sides: list[int]) -> str:
+    """Return an entry of Christ's files, with the signs of some equations changed."""
+    rows = zip(planes.normals, planes.offsets, sides, strict=True)
+    equations = [f"{s * n[0]} {s * n[1]} {-s * b}" for n, b, s in rows]
+    return "\n".join([planes.chirotope_string(), *equations, ""])
+
+
+@settings(max_examples=10, deadline=None)
+@given(st.lists(st.sampled_from([1, -1]), min_size=4, max_size=4), st.booleans())
+def test_lines_of_christ_get_the_signs_that_the_chirotope_says(
+    sides: list[int], turned: bool
+) -> None:
+    text = lines_of_christ(AFFINE, sides)
+    if turned:
+        text = opposite(text[:10]) + text[10:]
+    found = one("christ", text)
+    assert found.has_same_planes(AFFINE)
+    assert found.chirotope_string() in (text[:10], opposite(text[:10]))
+
+
+def test_points_of_christ_are_normals() -> None:
+    found = one("christ", "+++-\n0 0 1 0 0 1 5 5\n".replace("+++-", "++++"))
+    assert identify(found).f_vector == (1, 12, 24, 14)
+    assert found.chirotope_string() in ("++++", "----")
+
+
+def test_graphs_have_the_numbers_of_the_arrangement() -> None:
+    planes = read_arrangement("braid-a3")
+    graph = nx.parse_graphml(converted(planes, FORMATS["graphml"]))
+    assert (len(graph), graph.number_of_edges()) == (24, 36)
+    lattice = nx.parse_graphml(converted(planes, FORMATS["lattice-graphml"]))
+    assert sorted(rank for _, rank in lattice.nodes(data="rank")).count(2) == 7
+    off = converted(planes, FORMATS["off"]).splitlines()
+    assert off[:2] == ["OFF", "24 14 36"]
+    assert len({*off[2:26]}) == 24
+    assert sum(int(row.split()[0]) for row in off[26:]) == 2 * 36
+    dot = converted(AFFINE, FORMATS["dot"])
+    assert dot.startswith("graph {")
+    assert dot.count(" -- ") == AFFINE.f_vector[-2]
+    assert len(re.findall(r"^  [0-9]+ \[", dot, re.M)) == AFFINE.f_vector[-1]
+    flats = converted(AFFINE, FORMATS["lattice-dot"])
+    assert flats.count("->") == 4 + 2 * 6
+
+
+def test_convert_goes_by_endings_and_says_what_is_lost(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    for ending in (".hyar", ".mrdi", ".sage", ".m2", ".txt", ".json"):
+        path = str(tmp_path / f"planes{ending}")
+        assert main(["convert", "braid-a3", "-o", path]) == 0
+        assert read_arrangement(path) == read_arrangement("braid-a3")
+    capsys.readouterr()
+    assert main(["convert", "braid-a3", "--to", "chirotope"]) == 0
+    out, err = capsys.readouterr()
+    assert out == read_arrangement("braid-a3").chirotope_string() + "\n"
+    assert "no coordinates" in err
+    assert main(["convert", "braid-a3", "-o", str(tmp_path / "x.sage"), "--json"]) == 0
+    assert json.loads(capsys.readouterr()[0])["lost"] == "Sage sorts the planes"
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        ["convert", "braid-a3"],
+        ["convert", "braid-a3", "-o", "no.xyz"],
+        ["convert", "braid-a3", "-o", "no.txt", "--to", "xyz"],
+        ["convert", "braid-a3", "-o", "no.txt", "--to", "christ"],
+        ["convert", "h3.json", "-o", "no.m2"],
+        ["import", "dot", "braid-a3"],
+    ],
+)
+def test_what_cannot_be_converted_leaves_no_file(
+    words: list[str], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    if "h3.json" in words:
+        Path("h3.json").write_text(json.dumps(families.h3().to_dict()), encoding="utf-8")
+    assert main(words) == 2
+    assert not list(tmp_path.glob("no.*"))
+
+
+def test_import_lists_and_takes_one(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    path = tmp_path / "lines"
+    other = Arrangement([[1, 0], [0, 1], [1, 1], [2, -1]], [0, 0, 1, 1])
+    path.write_text(
+        lines_of_christ(AFFINE, [1] * 4) + lines_of_christ(other, [1] * 4), encoding="utf-8"
+    )
+    assert main(["import", "christ", str(path), "--json"]) == 0
+    rows = [json.loads(line) for line in capsys.readouterr()[0].splitlines()]
+    assert [row["number"] for row in rows] == [1, 2]
+    assert rows[0]["type"] == f"5.{identify(counts.cone(AFFINE)).type}"
+    taken = str(tmp_path / "two.json")
+    assert main(["import", "christ", str(path), "--number", "2", "-o", taken]) == 0
+    assert read_arrangement(taken) == other
