@@ -57,10 +57,12 @@ def resist_page(grasp: Grasp, *, wrench: Wrench | None = None, title: str | None
 
     Raises:
         InputError: too many contacts, or no wrench.
+        OverflowError: a number is beyond floats.
     """
     if len(grasp) > MAX_CONTACTS:
         raise InputError(f"{len(grasp)} contacts; a page shows at most {MAX_CONTACTS}")
     applied = None if wrench is None else read_wrench(wrench)
+    sum(map(float, applied or ()))  # OverflowError: beyond floats there is no place in the picture
     number = f"{len(grasp)} contact{'' if len(grasp) == 1 else 's'}"
     heading = title if title is not None else f"Forces that {number} resist"
     axes = ["f_x", "f_y"]
