@@ -118,6 +118,9 @@ class Parser(argparse.ArgumentParser):
         misspelt = (word for word in options if word not in self._option_string_actions)
         if "required" in message and (word := next(misspelt, None)):
             message = self._unknown(word)
+        for action in self._actions:
+            if action.choices and message.endswith(f"required: {action.metavar}"):
+                message += f"; known are {', '.join(map(str, action.choices))}"
         self.exit(_BAD_INPUT, f"error: {printable(message)} ({self.prog} --help tells more)\n")
 
 
