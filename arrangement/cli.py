@@ -393,10 +393,12 @@ def _convert(arguments: argparse.Namespace) -> int:
     form = format_named(arguments.to) if arguments.to else format_of_file(arguments.output)
     arrangement = _read(arguments)
     text, lost = converted(arrangement, form), form.loses(arrangement)
-    _write_or_print(arguments.output, text)
-    if arguments.json and arguments.output:
-        terminal.print_json({"output": arguments.output, "format": form.name, "lost": lost})
-    if lost:
+    if arguments.output or not arguments.json:
+        _write_or_print(arguments.output, text)
+    if arguments.json:
+        where = {"output": arguments.output} if arguments.output else {"text": text}
+        terminal.print_json({**where, "format": form.name, "lost": lost})
+    elif lost:
         note(f"lost in {form.name}: {lost}")
     return terminal.YES
 

@@ -59,6 +59,7 @@ class Parser(argparse.ArgumentParser):
         self.later: Callable[[], None] | None = None
         #: Options that take so many numbers or more, as many as there are.
         self.growing: list[argparse.Action] = []
+        self._words: Sequence[str] = ()
 
     def parse_known_args(self, args: Any = None, namespace: Any = None) -> Any:
         """Parse, with all options; ``--help`` comes through here too."""
@@ -66,11 +67,10 @@ class Parser(argparse.ArgumentParser):
         if later is not None:
             later()
         words = sys.argv[1:] if args is None else args
+        self._words = words
         found, rest = super().parse_known_args(list(self._separated(words)), namespace)
         for word in rest:
-            kind = "option" if word.startswith("-") else "place for"
-            near = _meant(word, self._option_string_actions)
-            self.error(f"there is no {kind} {shown(word)}{near}")
+            self.error(self._unknown(word))
         for action in self._actions:
             if getattr(found, action.dest, None) == "" and action.dest != "title":
                 name = "/".join(action.option_strings) or action.metavar
@@ -105,8 +105,19 @@ class Parser(argparse.ArgumentParser):
             text = f"there is no {shown(value)}; known are {', '.join(known)}{_meant(value, known)}"
             raise argparse.ArgumentError(action, text)
 
+    def _unknown(self, word: str) -> str:
+        kind = "option" if word.startswith("-") else "place for"
+        return f"there is no {kind} {shown(word)}{_meant(word, self._option_string_actions)}"
+
     def error(self, message: str) -> NoReturn:
-        """Print one line with the error to stderr; exit with 2."""
+        """Print one line with the error to stderr; exit with 2.
+
+        Where something is missing, an option that is misspelt may be it.
+        """
+        options = (word.partition("=")[0] for word in self._words if word[:2] == "--" != word)
+        misspelt = (word for word in options if word not in self._option_string_actions)
+        if "required" in message and (word := next(misspelt, None)):
+            message = self._unknown(word)
         self.exit(_BAD_INPUT, f"error: {printable(message)} ({self.prog} --help tells more)\n")
 
 

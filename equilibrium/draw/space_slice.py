@@ -117,10 +117,11 @@ def _axes(scene: Scene, middle: Floats, scale: float, reach: float, names: tuple
         scene.line(axis, ec=GREY, lw=0.4, zorder=1, role="axis")
     step = nice(0.5 * reach)
     for k in (-2, -1, 1, 2):
-        for way in (np.array([1.0, 0.0]), np.array([0.0, 1.0])):
+        for way, anchor in ((np.array([1.0, 0.0]), (0.5, 1.0)), (np.array([0.0, 1.0]), (1.0, 0.5))):
             if abs(k * float(step)) < reach:
-                scene.write(middle + k * float(step) * scale * way - 6 * way[::-1],
-                            f"{float(k * step):g}".replace("-", "−"), 5.5, color=GREY)  # fmt: skip
+                at = middle + k * float(step) * scale * way - 3 * way[::-1]
+                text = f"{float(k * step):g}".replace("-", "−")
+                scene.write(at, text, 5.5, anchor=anchor, color=GREY)
     for name, out in zip(names, ((1, 0), (0, 1)), strict=True):
         scene.write(middle + (reach * scale + 9) * np.array(out), name)
 

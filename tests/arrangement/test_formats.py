@@ -276,6 +276,8 @@ def test_convert_goes_by_endings_and_says_what_is_lost(
     out, err = capsys.readouterr()
     assert out == read_arrangement("braid-a3").chirotope_string() + "\n"
     assert "no coordinates" in err
+    assert main(["convert", "braid-a3", "--to", "chirotope", "--json"]) == 0
+    assert json.loads(capsys.readouterr()[0])["text"] == out
     assert main(["convert", "braid-a3", "-o", str(tmp_path / "x.sage"), "--json"]) == 0
     assert json.loads(capsys.readouterr()[0])["lost"] == "Sage sorts the planes"
 

@@ -133,6 +133,7 @@ def test_several_numbers_may_be_written_in_any_usual_way(words: list[str]) -> No
         (["gather"], "there is no 'gather'; known are go "),
         (["go", "--speet", "1"], "did you mean --speed?"),
         (["go", "there"], "no place for 'there'"),
+        (["--speet=1"], "there is no option '--speet'"),
         (["go", "--speed", ""], "argument --speed: it is empty"),
         (["go", "--number", "50mm"], "'50mm' has a unit"),
         (["go", "--many", "9" * 5000], "no whole number of up to 18 digits"),
