@@ -170,7 +170,7 @@ class Arrangement(Planes):
         """Return the chirotope as a text of ``+``, ``-``, ``0``; see `counts.chirotope_string`.
 
         >>> Arrangement([[1, 0, 0], [0, 1, 0], [0, 0, 1], [1, 1, 1]]).chirotope_string()
-        '+++-'
+        '++-+'
         """
         from .counts import chirotope_string
 

@@ -43,6 +43,7 @@ COMMANDS = (
     Command("arrangement make shi --type D4 -o d4.json", 0, writes="d4.json"),
     Command("arrangement polynomial d4.json", 0, "(t - 6)**4"),
     Command("arrangement identify braid-a3", 0, "6.3, braid A3"),
+    Command("arrangement census show 7", 0, "143"),
     Command("arrangement convert braid-a3 -o braid.m2", 0, writes="braid.m2"),
     Command("arrangement identify braid.m2", 0, "6.3, braid A3"),
     Command("arrangement import chirotope five.chi", 0, "type 5.3"),

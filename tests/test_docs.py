@@ -48,7 +48,10 @@ def run(text: str) -> list[str]:
 
 
 #: Pages with long runs, which are read in the campaign.
-LONG = ("own-claim", "checking", "cluster", "mesh", "gallery", "commands", "figure", "formats")
+LONG = (
+    "own-claim", "checking", "cluster", "mesh", "gallery", "commands", "figure", "families",
+    "formats", "census", "03-arrangements-and-sign-vectors", "10-paper-and-truth",
+)  # fmt: skip
 
 
 def marked(page: Path) -> Any:

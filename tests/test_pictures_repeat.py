@@ -62,13 +62,6 @@ def digests(names: Sequence[str], whole: Sequence[str], views: list[str], seed: 
     return sorted(done.stdout.splitlines())
 
 
-def test_pictures_do_not_depend_on_hashes() -> None:
-    grasp = ["paper-three-contacts"]
-    one, other = (digests(grasp, grasp, ["resist"], seed) for seed in ("1", "2"))
-    assert len(one) == 4
-    assert one == other
-
-
 @pytest.mark.campaign
 @pytest.mark.parametrize("part", range(4))
 def test_all_pictures_of_all_instances_repeat(part: int) -> None:

@@ -66,7 +66,7 @@ def chirotope_string(arrangement: Planes, order: str = "reverse-lexicographic") 
 
     >>> from arrangement import Arrangement
     >>> chirotope_string(Arrangement([[1, 0, 0], [0, 1, 0], [0, 0, 1], [1, 1, 1], [1, 2, 3]]))
-    '+++-++-++-'
+    '++-++-++-+'
     """
     if order not in ORDERS:
         raise InputError(f"the order is {shown(order)}; known are {' and '.join(ORDERS)}")

@@ -29,6 +29,7 @@ def test_covectors_and_topes_are_the_faces_and_regions(planes: Arrangement) -> N
     assert len(counts.topes(planes)) == counts.region_count(planes)
 
 
+@pytest.mark.campaign
 @settings(max_examples=40, deadline=None)
 @given(arrangements(dimensions=(1, 4), planes=(0, 6), central=True))
 def test_cocircuits_are_the_nonzero_covectors_of_least_support(planes: Arrangement) -> None:

@@ -43,6 +43,7 @@ def test_elements_drawn_are_those_counted_with_the_limb(name: str) -> None:
     assert kinds["back"] == len(planes.distinct)
 
 
+@pytest.mark.campaign
 @pytest.mark.parametrize("suffix", [".svg", ".pdf", ".png"])
 def test_pictures_repeat_byte_for_byte(suffix: str, tmp_path: Path) -> None:
     planes = read_arrangement("four-generic-planes")

@@ -127,6 +127,7 @@ def test_no_label_is_cut_off_or_covers_another_or_an_edge(view: str, name: str) 
         assert offences(scene_of(view, name)) == []
 
 
+@pytest.mark.campaign
 @pytest.mark.parametrize(("view", "name", "options"), OTHER_OPTIONS)
 def test_nor_with_other_options(view: str, name: str, options: dict[str, Any]) -> None:
     assert offences(scene_of(view, name, **options)) == []

@@ -103,6 +103,7 @@ def test_no_cell_apart_is_painted_over_one_that_is_nearer(
             )
 
 
+@pytest.mark.campaign
 @pytest.mark.parametrize("name", ["simplex", "one", "none"])
 def test_the_page_opens_turns_and_tells(name: str, browser: Browser, tmp_path: Path) -> None:
     (tmp_path / "a.html").write_text(cells_page(PLANES[name]), encoding="utf-8")

@@ -34,6 +34,7 @@ def texts(figure: Any) -> list[str]:
     return [text.get_text() for text in figure.axes[0].texts]
 
 
+@pytest.mark.campaign
 @pytest.mark.parametrize("view", [*SPACES, "lattice"])
 def test_braids_in_four_dimensions_are_drawn_and_the_caption_says_how(
     view: str, tmp_path: Path
@@ -114,6 +115,7 @@ def test_rank_four_has_its_lattice_only() -> None:
     assert next(iter(drawings_of(planes).views)) == "lattice"
 
 
+@pytest.mark.campaign
 @pytest.mark.parametrize("name", PLANAR)
 def test_by_default_there_is_what_suits_the_planes(name: str, tmp_path: Path) -> None:
     planes = read_arrangement(name)

@@ -422,6 +422,7 @@ def link(planes: Arrangement) -> str:
     return f"1|{planes.dimension}|{';'.join(','.join(map(str, row)) for row in rows)}"
 
 
+@pytest.mark.campaign
 def test_unusual_arrangements_are_shown(browser: Browser, page: Path) -> None:
     for planes in (
         made(3, []),

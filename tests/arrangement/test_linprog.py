@@ -96,6 +96,7 @@ def by_elimination(problem: Problem) -> Any:
     return max((-rest / slope for slope, rest in rows if slope > 0), default="unbounded")
 
 
+@pytest.mark.campaign
 @settings(max_examples=250, deadline=None)
 @given(problems())
 def test_every_answer_proves_itself(problem: Problem) -> None:

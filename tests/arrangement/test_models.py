@@ -128,6 +128,7 @@ def shells(path: Path) -> list[Any]:
     return list(loaded(path).split(only_watertight=False))
 
 
+@pytest.mark.campaign
 @pytest.mark.parametrize("body", ["ball", "cube"])
 @pytest.mark.parametrize("name", CASES)
 def test_the_shells_of_an_stl_are_closed_and_together_as_large_as_the_body(
@@ -207,6 +208,7 @@ def test_parts_move_outward_by_the_stated_factor(tmp_path: Path) -> None:
     assert centres[2] == sorted((20.0 * x, 20.0 * y, 20.0 * z) for x, y, z in signs)
 
 
+@pytest.mark.campaign
 @pytest.mark.parametrize("model", ["cells", "dual"])
 @pytest.mark.parametrize("suffix", [".stl", ".glb", ".obj"])
 def test_models_repeat_byte_for_byte(model: str, suffix: str, tmp_path: Path) -> None:

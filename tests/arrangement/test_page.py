@@ -138,6 +138,7 @@ def test_pointing_at_a_region_tells_its_signs_and_an_inner_point(
     assert facts(browser) == {}
 
 
+@pytest.mark.campaign
 @pytest.mark.parametrize("name", ["braid-a3", "pencil", "coincident-planes"])
 def test_every_region_of_the_list_is_told_exactly(
     name: str, browser: Browser, opened: Opened
@@ -188,6 +189,7 @@ def untick(browser: Browser, plane: int) -> None:
     browser.click_at(*centre(browser, f"#planes li:nth-child({plane + 1}) input"))
 
 
+@pytest.mark.campaign
 @pytest.mark.parametrize("name", ["braid-a3", "reflection-b3", "coincident-planes", "near-pencil"])
 def test_a_plane_taken_away_leaves_the_arrangement_of_the_others(
     name: str, browser: Browser, opened: Opened

@@ -513,6 +513,7 @@ def _may_be(contact: Contact, motion: list[Fraction], state: str) -> bool:
     return force < 0 if state == "detached" else force >= 0 and slips.get(state, True)
 
 
+@pytest.mark.campaign
 def test_every_number_changed(documents):
     found, source = Counter(), Random("steps")
     for document in documents[::3]:

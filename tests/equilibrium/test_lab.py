@@ -261,7 +261,12 @@ def test_undo_and_redo_lead_through_all_states(opened: Browser) -> None:
         assert question(opened) == expected
 
 
-@pytest.mark.parametrize("text", ["1/0", "abc", "", "0x1", "1e", "--1", ".", "1.5/2", "-"])
+UNUSUAL = ["", "0x1", "1e", "--1", ".", "1.5/2", "-"]
+
+
+@pytest.mark.parametrize(
+    "text", ["1/0", "abc", *(pytest.param(text, marks=pytest.mark.campaign) for text in UNUSUAL)]
+)
 def test_what_is_no_number_is_marked_and_changes_nothing(text: str, opened: Browser) -> None:
     before = question(opened)
     enter(opened, "c-x", text)
@@ -296,6 +301,7 @@ def test_the_address_holds_the_state(opened: Browser, tmp_path: Path) -> None:
     assert_right(opened)
 
 
+@pytest.mark.campaign
 @pytest.mark.parametrize(
     ("address", "why"),
     [
@@ -317,6 +323,7 @@ def test_a_wrong_address_is_explained_and_the_page_still_works(
     assert opened.messages() == []
 
 
+@pytest.mark.campaign
 @pytest.mark.parametrize(
     ("text", "why"),
     [
@@ -416,6 +423,7 @@ def test_its_command_line_repeats_the_answer(
     assert json.loads(capsys.readouterr().out)["stable"]
 
 
+@pytest.mark.campaign
 @pytest.mark.parametrize(
     "grasp",
     [
