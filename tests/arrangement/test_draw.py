@@ -43,16 +43,6 @@ def test_elements_drawn_are_those_counted_with_the_limb(name: str) -> None:
     assert kinds["back"] == len(planes.distinct)
 
 
-@pytest.mark.campaign
-@pytest.mark.parametrize("suffix", [".svg", ".pdf", ".png"])
-def test_pictures_repeat_byte_for_byte(suffix: str, tmp_path: Path) -> None:
-    planes = read_arrangement("four-generic-planes")
-    for name in "ab":
-        write_drawing(planes, tmp_path / f"{name}{suffix}")
-    assert (tmp_path / f"a{suffix}").read_bytes() == (tmp_path / f"b{suffix}").read_bytes()
-    assert len(list(tmp_path.iterdir())) == 2
-
-
 def test_sign_vectors_that_fit_are_written_once() -> None:
     axes = draw_sphere(read_arrangement("coordinate-planes"), direction=(4, 5, 3)).axes[0]
     written = [text.get_text().replace("\u200a", "") for text in axes.texts]

@@ -17,7 +17,6 @@ from hypothesis import given, settings, strategies as st
 from arrangement import Arrangement, InputError
 from arrangement.cli import main
 from arrangement.counts import f_vector
-from arrangement.draw import write_drawing
 from arrangement.draw.exploded_cells import lifted_cells
 from arrangement.draw.painting import Facet, Stage
 from arrangement.draw.planes import draw_planes
@@ -226,15 +225,6 @@ def sight_through(solid: Any, point: Any) -> tuple[float, float] | None:
         else:
             low = max(low, free / normal[2])
     return (float(low), float(high)) if high - low > 1e-9 else None
-
-
-@pytest.mark.campaign
-@pytest.mark.parametrize("suffix", [".svg", ".pdf", ".png"])
-def test_pictures_of_planes_repeat_byte_for_byte(suffix: str, tmp_path: Path) -> None:
-    planes = read_arrangement("four-generic-planes")
-    for name in "ab":
-        write_drawing(planes, tmp_path / f"{name}{suffix}", "planes", lift=["++++"])
-    assert (tmp_path / f"a{suffix}").read_bytes() == (tmp_path / f"b{suffix}").read_bytes()
 
 
 def test_numbers_name_the_planes_and_coincident_ones_share_a_place() -> None:

@@ -24,7 +24,6 @@ from arrangement.draw import (
     draw_graph,
     draw_lattice,
     draw_stereographic,
-    write_drawing,
 )
 from arrangement.draw.colours import PALETTE
 from arrangement.draw.figure import figure
@@ -386,14 +385,6 @@ def test_all_faces_of_a_planar_drawing_are_convex() -> None:
 
 
 @pytest.mark.campaign
-@pytest.mark.parametrize("name", [*NAMES, "nine-generic-planes"])
-@pytest.mark.parametrize("view", ["stereographic", "gnomonic", "dual", "graph", "lattice"])
-def test_labels_do_not_collide(view: str, name: str) -> None:
-    draw = {**SPHERICAL, "graph": draw_graph, "lattice": draw_lattice}[view]
-    assert overlaps(draw(read_arrangement(name))) == []
-
-
-@pytest.mark.campaign
 @pytest.mark.parametrize(
     ("draw", "options"),
     [
@@ -463,16 +454,6 @@ def test_the_palette_gets_darker_so_that_it_is_readable_in_grey() -> None:
 
 
 # Files and bad input.
-
-
-@pytest.mark.campaign
-@pytest.mark.parametrize("view", ["stereographic", "gnomonic", "dual", "graph", "lattice"])
-@pytest.mark.parametrize("suffix", [".svg", ".pdf", ".png"])
-def test_pictures_repeat_byte_for_byte(view: str, suffix: str, tmp_path: Path) -> None:
-    planes = read_arrangement("five-generic-planes")
-    for name in "ab":
-        write_drawing(planes, tmp_path / f"{name}{suffix}", view)
-    assert (tmp_path / f"a{suffix}").read_bytes() == (tmp_path / f"b{suffix}").read_bytes()
 
 
 @pytest.mark.parametrize("view", ["stereographic", "gnomonic", "dual", "graph"])

@@ -36,8 +36,8 @@ def test_random_degenerate_arrangements_have_the_faces_of_brute_force_and_theore
 
 
 @pytest.mark.campaign
-@pytest.mark.parametrize("seed", range(100, 110))
-def test_ten_thousand_random_degenerate_arrangements(seed):
+@pytest.mark.parametrize("seed", range(100, 104))
+def test_thousands_of_random_degenerate_arrangements(seed):
     generator = random.Random(seed)
     for _ in range(1000):
         check_all(degenerate(generator))

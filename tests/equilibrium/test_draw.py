@@ -31,7 +31,6 @@ from equilibrium.draw import (
     draw_proof,
     draw_resist,
     draw_slice,
-    write_drawing,
 )
 from equilibrium.draw.body import body, frame_of
 from equilibrium.draw.layout import layout_of
@@ -416,26 +415,6 @@ def test_methods_and_wrenches_are_a_table_of_the_comparisons() -> None:
         for i, entry in enumerate(answer.answers):
             assert lines[f"cell-{i}-{j}"] == markers[entry.accepts]
             assert (f"differs-{i}-{j}" in fields) == (entry.method in answer.disagreeing)
-
-
-@pytest.mark.campaign
-@pytest.mark.parametrize(
-    ("view", "suffix"),
-    [
-        *((view, ".svg") for view in DRAWINGS.views),
-        ("grasp", ".png"),
-        ("resist", ".pdf"),
-        ("slice", ".pdf"),
-    ],
-)
-def test_files_repeat_byte_for_byte(view: str, suffix: str, tmp_path: Path) -> None:
-    for name in "ab":
-        loads = [(0, 1, 0), (0, -1, 0)]
-        options: dict[str, Any] = {"wrenches": loads} if view == "methods" else {}
-        options |= {"wrench": loads[0]} if view == "proof" else {}
-        write_drawing(THREE, tmp_path / f"{name}{suffix}", view, **options)
-    assert (tmp_path / f"a{suffix}").read_bytes() == (tmp_path / f"b{suffix}").read_bytes()
-    assert len(list(tmp_path.iterdir())) == 2
 
 
 BAD = [
