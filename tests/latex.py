@@ -9,6 +9,7 @@ failure. ``TEX_TESTS=0`` leaves them out on purpose.
 from __future__ import annotations
 
 import os
+import re
 import shutil
 import subprocess
 from pathlib import Path
@@ -51,6 +52,12 @@ def compiled(source: Path) -> Path:
     words = ("Warning", "Overfull", "Missing character")
     assert [x for x in done.stdout.splitlines() if any(word in x for word in words)] == []
     return source.with_suffix(".pdf")
+
+
+def page_count(pdf: Path) -> int:
+    """Return how many pages there are."""
+    done = subprocess.run(["pdfinfo", str(pdf)], check=True, capture_output=True, text=True)
+    return int(re.search(r"^Pages:\s*(\d+)$", done.stdout, re.MULTILINE)[1])  # type: ignore[index]
 
 
 def pages(pdf: Path) -> list[Pixels]:

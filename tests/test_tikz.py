@@ -24,7 +24,7 @@ from arrangement.draw.tikz import tikz
 from equilibrium import read_grasp
 from equilibrium.draw import DRAWINGS as OF_GRASPS
 from tests.instances import PLANAR
-from tests.latex import RESOLUTION, Pixels, compiled, pages, unlike
+from tests.latex import RESOLUTION, Pixels, compiled, page_count, pages, unlike
 
 #: What a view cannot do without.
 NEEDED: dict[str, dict[str, Any]] = {
@@ -248,4 +248,4 @@ def test_all_pictures_of_all_instances_compile(name: str, tmp_path: Path) -> Non
             found.append(scene(drawings, view, name))
     source = document(tmp_path, found, [tikz(made, fragment=True) for made in found])
     assert found
-    assert len(pages(compiled(source))) == len(found)
+    assert page_count(compiled(source)) == len(found)
