@@ -107,6 +107,7 @@ COMMANDS = (
 #: Run in the environment: all modules import, all data files are read, rich display does not fail.
 PROBE = """
 import importlib, importlib.util, pkgutil
+import arrangement.errors
 from importlib.resources import files
 for absent in ("matplotlib", "igraph", "joblib", "dask", "pytest"):
     assert importlib.util.find_spec(absent) is None, absent + " is no dependency"
@@ -118,7 +119,10 @@ for name in ("arrangement", "equilibrium", "proofs_check"):
         getattr(package, exported)
     for module in pkgutil.walk_packages(package.__path__, name + "."):
         if not module.name.endswith("__main__"):
-            importlib.import_module(module.name)
+            try:
+                importlib.import_module(module.name)
+            except arrangement.errors.MissingExtraError as error:
+                assert "figures" in str(error)
 from arrangement.library.census import census
 from arrangement.formats.table import read_arrangement
 from arrangement.library.instances import paths as arrangements

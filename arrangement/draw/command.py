@@ -9,9 +9,8 @@ from typing import Any
 from arrangement import terminal
 from arrangement.errors import InputError
 
-from .layout import LEGENDS
+from .output import LEGENDS, THEMES
 from .registry import LENGTHS, LETTERS, Drawings, Option
-from .themes import THEMES
 
 _KINDS: dict[str, dict[str, Any]] = {
     "str": {"metavar": "NAME"},

@@ -11,7 +11,6 @@ from .legend import Key, Legend
 from .measuring import POINTS, measure, wrapped
 from .scene import Scene
 
-LEGENDS = ("below", "right", "none")
 #: The share of the width for a legend at the right, and of the height for keys and lines below.
 BESIDE, BELOW = 0.32, 1 / 6
 #: Sizes of letters that are tried, so that a legend takes no more than its share.

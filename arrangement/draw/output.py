@@ -21,6 +21,9 @@ PICTURES = (".pdf", ".png", ".svg")
 TIKZ = (".tex",)
 MODELS = (".glb", ".obj", ".stl")
 PAGES = (".html",)
+#: The first one is the default.
+LEGENDS = ("below", "right", "none")
+THEMES = ("light", "dark", "mono")
 
 #: What makes files repeat: fixed identifiers, no dates, letters as outlines.
 _STYLE = {"svg.hashsalt": "arrangement", "svg.fonttype": "path", "font.size": 7.0}

@@ -9,12 +9,18 @@ from collections.abc import Iterable
 from typing import Any
 
 import numpy as np
-from matplotlib.artist import Artist
-from matplotlib.colors import to_rgba
-from matplotlib.path import Path as Outline
-from matplotlib.transforms import Affine2D, Bbox, TransformedPath
 
 from .items import Box, Path, Place
+from .output import require_matplotlib
+
+try:
+    from matplotlib.artist import Artist
+    from matplotlib.colors import to_rgba
+    from matplotlib.path import Path as Outline
+    from matplotlib.transforms import Affine2D, Bbox, TransformedPath
+except ImportError:
+    require_matplotlib()  # says which extra brings it
+    raise
 
 _HATCH_WIDTH = 0.35
 

@@ -18,19 +18,18 @@ from dataclasses import dataclass
 from functools import cache
 from importlib.resources import files
 from pathlib import Path
-from typing import Any, TypeAlias
+from typing import TYPE_CHECKING, Any, TypeAlias
 
 from arrangement.errors import InputError, refusal
 from arrangement.exact import shown
 from arrangement.io.writing import write_bytes_atomically, write_text_atomically
 
-from .figure import figure
-from .layout import LEGENDS, laid_out, picture_width
-from .measuring import FONT, NarrowError
 from .output import (
+    LEGENDS,
     MODELS,
     PAGES,
     PICTURES,
+    THEMES,
     TIKZ,
     ending,
     millimetres,
@@ -39,9 +38,9 @@ from .output import (
     points,
     svg_text,
 )
-from .scene import Scene
-from .themes import THEMES, themed
-from .tikz import tikz
+
+if TYPE_CHECKING:
+    from .scene import Scene
 
 #: The kinds of options, for signatures; `command` tells how each is written on a command line.
 Vector: TypeAlias = Sequence[object]
@@ -156,6 +155,10 @@ class Drawings:
         suffix = Path(path).suffix.lower()
         _check_form(kind, suffix, font_size, theme, legend, text, fragment)
         if kind == "view":
+            from .layout import laid_out, picture_width
+            from .measuring import FONT, NarrowError
+            from .themes import themed
+
             scale = 1.0 if font_size is None else points(font_size, "the font size") / FONT
             width = options.get("width", known["width"].default)
             place = legend or LEGENDS[0]
@@ -252,9 +255,13 @@ def write_scene(
     """
     suffix = ending(path, (*PICTURES, *TIKZ))
     if suffix in TIKZ:
+        from .tikz import tikz
+
         with own_settings():
             write_text_atomically(path, tikz(make(), fragment=fragment))
     else:
+        from .figure import figure
+
         content = picture_bytes(suffix, lambda: figure(make()), letters=letters)
         write_bytes_atomically(path, content)
 

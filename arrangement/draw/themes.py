@@ -16,7 +16,6 @@ import numpy as np
 from .items import Ball, Floats, Item, Label, Path
 from .scene import Scene
 
-THEMES = ("light", "dark", "mono")
 #: The lightness of the darkest and of the lightest colour of the dark theme.
 _NIGHT, _DAY = 0.19, 0.95
 #: The least lightness of coloured lines and letters in it.
