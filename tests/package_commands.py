@@ -136,7 +136,10 @@ for name in arrangements():
     planes = read_arrangement(name)
     planes._repr_svg_(), planes._repr_html_()
 for name in grasps():
-    read_arrangement(name), read_grasp(name)._repr_svg_()
+    grasp = read_grasp(name)
+    grasp._repr_svg_()
+    if grasp.dimension == 2:
+        read_arrangement(name)
 """
 
 #: Prints every command line that answers --help.
