@@ -1,3 +1,5 @@
 """Arrangements by name: families with parameters, built-in instances, and the census of types."""
 
-from . import census as census, families as families
+from arrangement.lazy_names import attach_stub
+
+__getattr__, __dir__, __all__ = attach_stub(__name__, __file__)

@@ -1,0 +1,1 @@
+from . import census as census, families as families
