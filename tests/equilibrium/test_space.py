@@ -532,7 +532,8 @@ def test_verdicts_on_pyramids_are_those_of_all_states():
     ("m", "seeds"), [(2, range(100, 250)), *((3, range(k, k + 10)) for k in range(0, 50, 10))]
 )
 def test_many_verdicts_on_pyramids_are_those_of_all_states(m, seeds):
-    assert agrees_with_all_states(m, seeds) > 0
+    # No load of these on two contacts is resisted.
+    assert (agrees_with_all_states(m, seeds) > 0) == (m == 3)
 
 
 class TestPyramids:
