@@ -49,7 +49,9 @@ class Comparison(NamedTuple):
 
 
 def final_polynomial(signs: Mapping[Triple, int], n: int) -> tuple[Comparison, ...] | None:
-    """Return a proof that no vectors of R^3 have these signs; None when none of this kind exists.
+    """Return a proof that no vectors of R^3 have these signs; None when none was found.
+
+    The search is in floats, so None proves nothing; what is returned is checked in integers.
 
     Args:
         signs: the sign of each triple i < j < k.
