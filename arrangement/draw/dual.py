@@ -98,7 +98,7 @@ def draw_dual(
     size = scene.width / 2 if beside else scene.width
     first = (size / 2, scene.height - size / 2)
     second = (size * 1.5, first[1]) if beside else (size / 2, first[1] - size)
-    radius = size / 2 - rim_width(scene, globe)
+    radius = size / 2 - rim_width(scene, globe, names)
     disc = Disc(scene, first, radius, globe, front(globe, orthographic), names, _ink(hull), True)
     _sphere(disc, colours.paint, points, (0.0, first[1] - size / 2, size, scene.height))
     picture = _Picture(scene, globe, solid, [colours.paint(r) for r in _regions(globe, solid)],

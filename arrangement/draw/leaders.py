@@ -74,6 +74,7 @@ class Leaders:
         crossed = np.bincount(self.segments.query(tracks, "intersects")[0], minlength=len(tracks))
         cost = 6.0 * crossed + reach[:, 0]
         cost[np.unique(self.areas.query(boxes, "intersects")[0])] += 15.0
+        cost[np.unique(written.query(boxes, "dwithin", 3.0)[0])] += 8.0
         for k in np.argsort(cost, kind="stable").tolist():
             if free[k] and self.scene.write(centres[k], text, size):
                 self.drawn.append(tracks[k])

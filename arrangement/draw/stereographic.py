@@ -112,7 +112,7 @@ class _Whole:
         self.normals = unit_vectors(globe.whole.circle_normals).reshape(-1, 3) @ globe.axes.T
         low, high = self._extent()
         self.middle = (low + high) / 2
-        self.scale = (self.half - rim_width(scene, globe)) / max(float((high - low).max()) / 2, 1.0)
+        self.scale = (self.half - rim_width(scene, globe, names)) / max(float((high - low).max()) / 2, 1.0)
         rays = [globe.whole.ray(v) for v in range(globe.whole.vertex_count)]
         points = unit_vectors(rays) @ globe.axes.T if rays else np.empty((0, 3))
         self.drawn = Drawn(globe.whole, points, self.normals, stereographic)
