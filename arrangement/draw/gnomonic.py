@@ -19,6 +19,7 @@ from .essential import shown_as
 from .figure import picture
 from .globe import Globe, best_direction, picture_axes, unit_vectors
 from .items import Floats
+from .labels import ring
 from .measuring import checked_width
 from .projections import Chart, Drawn, StraightChart, orthographic
 from .regionlabels import RegionLabels
@@ -65,9 +66,7 @@ def draw_gnomonic(
             one in which the crossings spread evenly.
         colour, antipodes, labels: as for `draw_sphere`.
         width: of the figure, in millimetres.
-        coordinates: "symmetric": after a linear map that shows the symmetry of the planes and
-            changes no sign vector; "even": after one that spreads the normals evenly; "given". If
-            omitted, symmetric (narrow planes: even), but for planes of motions.
+        coordinates: as for `draw_sphere`.
 
     Raises:
         InputError: another space, planes off the origin, too many circles, unknown colouring.
@@ -86,8 +85,7 @@ def draw_gnomonic(
         inner = disc.drawn.projection.inner
         style = {"lw": 0.5, "ls": (0, (1, 2)), "zorder": 2, "gid": "to-scale", "role": "line"}
         disc.scene.circle(disc.centre, disc.radius * inner, fill=False, ec="black", **style)
-        at = np.linspace(0, 2 * math.pi, 200)
-        dotted = [disc.on_paper(inner * np.stack([np.cos(at), np.sin(at)], axis=1))]
+        dotted = [ring(disc.centre, disc.radius * inner)]
     disc.draw(colours.paint, both_ends=globe.whole.circle_count <= _BOTH_ENDS, avoid=dotted)
     explain_regions(disc.scene, colours, names, globe.front.values())
     disc.scene.legend.line(_note(globe))

@@ -64,10 +64,7 @@ def draw_planes(
             where the coordinates have a meaning, as x, y, r of the motions of a grasp.
         sides: mark the positive side of each plane by an arrow.
         width: of the figure, in millimetres.
-        coordinates: "symmetric": after a linear map that shows the symmetry of the planes and
-            changes no sign vector; "even": after one that spreads the normals evenly; "given". If
-            omitted, symmetric (narrow planes: even), but for planes of motions, with axes, and
-            where the body has a given place.
+        coordinates: as for `draw_sphere`; "given" if omitted and the body has a given place.
 
     Raises:
         InputError: another space, too many planes, no such cell, lifted cells that hide each
