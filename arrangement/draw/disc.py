@@ -14,7 +14,7 @@ from arrangement.exact import dot
 from .colours import DrawnRegion, Painter, letter_colour
 from .globe import Globe
 from .items import Box, Floats
-from .labels import SIZES, flattened, keep_off, spread, turn, write_inside
+from .labels import SIZES, along, flattened, keep_off, spread, turn, write_inside
 from .leaders import Leaders
 from .projections import Drawn, Projection
 from .regionlabels import RegionLabels
@@ -100,7 +100,7 @@ class Disc:
                 ink = self.ink(circle) if self.ink is not None else "black"
                 style = {**HIDDEN, "lw": HIDDEN["lw"] * thinner(globe.whole.circle_count)}
                 self.scene.curve(curve, fill=False, ec=ink, gid=f"back-{circle}", **style)
-                found.append(_closed(flattened(curve, 8), curve))
+                found.append(along(curve))
         return found
 
     def _arcs(self) -> list[Floats]:
@@ -121,7 +121,7 @@ class Disc:
                 continue
             curve = self.on_paper(drawn.arc(arc))
             self.scene.curve(curve, **style)
-            found.append(_closed(flattened(curve, 8), curve))
+            found.append(along(curve))
         return found
 
     def _names(self, both_ends: bool) -> None:
@@ -162,10 +162,6 @@ def thinner(count: int) -> float:
 
 def _corner(scene: Scene) -> tuple[float, float]:
     return scene.width, scene.height
-
-
-def _closed(points: Floats, curve: Floats) -> Floats:
-    return np.vstack([points, curve[-1:]])
 
 
 def label_regions(

@@ -115,7 +115,10 @@ def _chart(globe: Globe) -> Drawn:
     few = globe.whole.circle_count <= _OPEN and max(at_rim, default=2) == 2
     if few and farthest <= 5 * typical + 1e-9:
         chart = Drawn(globe.cut, globe.points, globe.normals, orthographic)
-        reach = max(1.35 * farthest, *_distances(globe, middle))
+        # No line is to pass by near the rim or beyond it.
+        a, b, c = np.delete(globe.normals, limb, axis=0).T
+        gaps = np.abs(c + a * middle[0] + b * middle[1]) / np.hypot(a, b)
+        reach = max(0.5, 1.35 * farthest, 1.3 * float(gaps.max(initial=0.0)))
         return StraightChart(**vars(chart), limb=limb, middle=middle, reach=reach)
     return front(globe, _even_chart(np.linalg.norm(places, axis=1)))
 
@@ -123,15 +126,6 @@ def _chart(globe: Globe) -> Drawn:
 def _even_chart(spans: Floats) -> Chart:
     """Return a chart that is to scale for most points at these distances from its middle."""
     return Chart(max(0.3, float(np.quantile(spans, 0.7))))
-
-
-def _distances(globe: Globe, middle: Floats) -> tuple[float, ...]:
-    """Return reaches that are enough for no line to pass by near the rim or beyond it."""
-    found = [0.5]
-    for circle, (a, b, c) in enumerate(globe.normals.tolist()):
-        if circle != globe.limb:
-            found.append(1.3 * abs(c + a * middle[0] + b * middle[1]) / math.hypot(a, b))
-    return tuple(found)
 
 
 def _upright(globe: Globe) -> Globe:

@@ -34,6 +34,11 @@ def flattened(curve: Floats, steps: int = 24) -> Floats:
     return flat
 
 
+def along(curve: Floats, steps: int = 8) -> Floats:
+    """Return points along cubic curves with both ends."""
+    return np.vstack([flattened(curve, steps), curve[-1:]])
+
+
 def write_inside(
     scene: Scene,
     edge: Floats,

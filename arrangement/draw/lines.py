@@ -17,7 +17,7 @@ from .disc import alone, label_regions, plane_names
 from .essential import shown_as
 from .figure import picture
 from .items import Floats
-from .labels import SIZES, covering, flattened, keep_off, sign_text, write_beside
+from .labels import SIZES, along, covering, keep_off, sign_text, write_beside
 from .line_charts import LinesChart
 from .measuring import POINTS, checked_width
 from .regionlabels import RegionLabels
@@ -283,8 +283,7 @@ class _Disc(_Sheet):
         return np.array([2 * x, 2 * y, 1 - x * x - y * y])
 
     def _curve(self, edge: int) -> Floats:
-        curve = self.disc.on_paper(self.chart.drawn.arc(edge))
-        return np.vstack([flattened(curve, 12), curve[-1:]])
+        return along(self.disc.on_paper(self.chart.drawn.arc(edge)), 12)
 
 
 def _along(points: Floats, share: float) -> Floats:

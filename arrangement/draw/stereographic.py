@@ -19,7 +19,7 @@ from .essential import shown_as
 from .figure import picture
 from .globe import Globe, best_direction, unit_vectors
 from .items import Floats
-from .labels import flattened, keep_off, ring, write_beside, write_inside
+from .labels import along, flattened, keep_off, ring, write_beside, write_inside
 from .measuring import checked_width
 from .projections import Drawn, stereographic
 from .regionlabels import RegionLabels
@@ -131,7 +131,7 @@ class _Whole:
         for arc in range(self.globe.whole.arc_count):
             curve = self.on_paper(self.drawn.arc(arc))
             self.scene.curve(curve, fill=False, ec="black", lw=0.9, zorder=3, gid=f"arc-{arc}")
-            lines.append(np.vstack([flattened(curve, 8), curve[-1:]]))
+            lines.append(along(curve))
         limb = self.on_paper(np.zeros((1, 2)))[0]
         self.scene.circle(limb, self.scale, fill=False, ec="black", gid="limb", **HIDDEN)
         corners = self._corners()
