@@ -13,22 +13,18 @@ from arrangement.errors import InputError
 from arrangement.exact import shown
 
 from .documents import MAX_DIMENSION
-from .form import Format, one, rational_planes
+from .form import rational_planes
 from .linear_forms import form_text, inside, read_form, split_outside, without_remarks
 
 _RING = re.compile(r"\b([A-Z]\w*(?:/[0-9]+)?)\s*\[([^\]]*)\]")
-_ARRANGEMENT = re.compile(
-    r"\barrangement\s*(?:\(\s*)?(matrix\s*(?:\(\s*)?(?:(\w+)\s*,\s*)?)?(?=\{)"
-)
+#: Where an arrangement begins.
+ARRANGEMENT = re.compile(r"\barrangement\s*(?:\(\s*)?(matrix\s*(?:\(\s*)?(?:(\w+)\s*,\s*)?)?(?=\{)")
 
 
-def _recognises(text: str) -> bool:
-    return _ARRANGEMENT.search(text) is not None
-
-
-def _read(text: str) -> Arrangement:
+def read(text: str) -> Arrangement:
+    """Read the first arrangement of a text."""
     plain = without_remarks(text, "--")
-    found = _ARRANGEMENT.search(plain)
+    found = ARRANGEMENT.search(plain)
     if found is None:
         raise InputError("there is no arrangement {...} outside remarks")
     content = inside(plain, found.end(), "{}")
@@ -65,20 +61,11 @@ def _variables(part: str) -> list[str]:
     return [f"{ends[1]}_{k}" for k in range(int(ends[2]), int(ends[3]) + 1)]
 
 
-def _write(arrangement: Arrangement) -> str:
+def write(arrangement: Arrangement) -> str:
+    """Write lines that make the arrangement in Macaulay2."""
     names = [f"x_{k}" for k in range(1, arrangement.dimension + 1)]
     forms = ",\n".join(f"    {form_text(p, names)}" for p in rational_planes(arrangement))
     return (
         f'needsPackage "HyperplaneArrangements"\nR = QQ[{",".join(names)}]\n'
         f"A = arrangement({{\n{forms}\n    }}, R)\n"
     )
-
-
-FORMAT = Format(
-    "macaulay2",
-    "source text of Macaulay2",
-    (".m2",),
-    recognises=_recognises,
-    entries=one(_read),
-    write=_write,
-)

@@ -15,17 +15,14 @@ from arrangement.errors import InputError
 from arrangement.exact import rational, shown
 from arrangement.io.files import check_list, kind_of, parse_json
 
-from .form import Format, one, rational_planes
+from .form import rational_planes
 
 _TYPE = "fan::HyperplaneArrangement"
 _NAMESPACE = {"polymake": ["https://polymake.org", "4.0"]}
 
 
-def _recognises(text: str) -> bool:
-    return text.lstrip()[:1] == "{" and '"_ns"' in text and '"polymake"' in text
-
-
-def _read(text: str) -> Arrangement:
+def read(text: str) -> Arrangement:
+    """Read an object of the type HyperplaneArrangement."""
     data = parse_json(text, "the file", floats=True)
     kind = str(data.get("_type"))
     if not kind.startswith(_TYPE):
@@ -76,7 +73,8 @@ def _is_half_space(support: Any) -> bool:
     return bool(cuts)
 
 
-def _write(arrangement: Arrangement) -> str:
+def write(arrangement: Arrangement) -> str:
+    """Write an object of the type HyperplaneArrangement."""
     planes = rational_planes(arrangement)
     data: dict[str, Any] = {"_ns": _NAMESPACE, "_type": f"{_TYPE}<Rational>"}
     if arrangement.is_central:
@@ -88,13 +86,3 @@ def _write(arrangement: Arrangement) -> str:
     data["HYPERPLANE_AMBIENT_DIM"] = arrangement.dimension + (not arrangement.is_central)
     data["HYPERPLANES"] = [[str(x) for x in row] for row in rows]
     return json.dumps(data) + "\n"
-
-
-FORMAT = Format(
-    "polymake",
-    "data files of polymake, which OSCAR loads too",
-    (".hyar",),
-    recognises=_recognises,
-    entries=one(_read),
-    write=_write,
-)

@@ -14,25 +14,23 @@ from arrangement.arrangement import Arrangement
 from arrangement.errors import InputError
 from arrangement.exact import rational, shown
 
-from .form import Format, one, rational_planes
+from .form import rational_planes
 from .linear_forms import form_text, inside, read_form, split_outside, without_remarks
 
 #: Nested lists of texts.
 _Item: TypeAlias = "str | list[_Item]"
 #: Of lists in lists: all hyperplanes, one of them, its normal.
 _DEPTH = 3
-_SPACE = re.compile(
+#: Where a space of arrangements is named.
+SPACE = re.compile(
     r"\b(\w+)(?:\.<([\w\s,]+)>)?\s*=\s*HyperplaneArrangements\(\s*(\w+(?:\([^()]*\))?)\s*(?:,\s*([^\n]*))?\)"
 )
 
 
-def _recognises(text: str) -> bool:
-    return "HyperplaneArrangements(" in text
-
-
-def _read(text: str) -> Arrangement:
+def read(text: str) -> Arrangement:
+    """Read the first arrangement of a text."""
     plain = re.sub(r"(?m)^\s*(?:sage:|\.\.\.\.:)", "", without_remarks(text, "#"))
-    space = _SPACE.search(plain)
+    space = SPACE.search(plain)
     if space is None:
         raise InputError("there is no line such as H.<x,y> = HyperplaneArrangements(QQ)")
     if space[3] not in ("QQ", "ZZ"):
@@ -88,25 +86,16 @@ def _plane(item: _Item, names: list[str]) -> list[Any]:
     return [rational(x.replace(" ", ""), "an entry") if isinstance(x, str) else x for x in numbers]
 
 
-def _write(arrangement: Arrangement) -> str:
+def write(arrangement: Arrangement) -> str:
+    """Write lines that make the arrangement in Sage."""
     d = arrangement.dimension
     names = ["x", "y", "z"][:d] if d <= 3 else [f"x{k}" for k in range(1, d + 1)]
     forms = "".join(f"    {form_text(p, names)},\n" for p in rational_planes(arrangement))
     return f"H.<{','.join(names)}> = HyperplaneArrangements(QQ)\nA = H(\n{forms})\n"
 
 
-def _loses(arrangement: Arrangement) -> str:
+def loses(arrangement: Arrangement) -> str:
+    """Say what Sage changes when it runs the text."""
     if len(arrangement.distinct) < len(arrangement):
         return "Sage sorts the planes, and keeps one of those that coincide"
     return "Sage sorts the planes"
-
-
-FORMAT = Format(
-    "sage",
-    "source text of SageMath",
-    (".sage",),
-    recognises=_recognises,
-    entries=one(_read),
-    write=_write,
-    loses=_loses,
-)
