@@ -24,8 +24,10 @@ _SIGNS = re.compile(r"[-+0]+")
 #: What lists of Finschi have beside signs: the elements of each basis above, a name in each line.
 _HEAD = re.compile(r"^[ \t]*[0-9]+[ \t]*$", re.MULTILINE)
 _NAME = re.compile(r"^[ \t]*IC\([ 0-9]+,([ 0-9]+),[ 0-9]+\)[ \t]*=", re.MULTILINE)
-#: A chirotope as TOPCOM writes it: elements, rank, signs.
-TOPCOM = re.compile(r"\s*([0-9]{1,4})\s*,\s*([0-9]{1,4})\s*:([-+0\s]*)", re.ASCII)
+#: A chirotope as TOPCOM writes it: elements, rank, signs, and perhaps generators of its symmetries.
+TOPCOM = re.compile(
+    r"\s*([0-9]{1,4})\s*,\s*([0-9]{1,4})\s*:([-+0\s]*)(?:\[[\[\]0-9,\s]*)?", re.ASCII
+)
 #: Elements of a chirotope that is read.
 MOST_ELEMENTS = 12
 

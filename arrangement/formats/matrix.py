@@ -15,9 +15,11 @@ from arrangement.exact import shown
 from .form import rational_planes
 
 _REMARK = re.compile(r"#.*")
-_MATRIX = re.compile(r"[-+0-9./eE,;|()\[\]\s]+")
+_MATRIX = re.compile(r"(?=[^0-9]*[0-9])[-+0-9./eE,;|()\[\]\s]+")
 #: A number or a list of JSON, where there would be one row here.
-_VALUE = re.compile(r"\[.*|[-+0-9./eE]+")
+_VALUE = re.compile(r"\[[^[]*|[-+0-9./eE]+")
+#: Between two rows of one line.
+_BETWEEN = re.compile(r"[\])][\s,;]*[\[(]")
 
 
 def recognises(text: str) -> bool:
@@ -36,7 +38,8 @@ def numbers(line: str) -> list[str]:
 
 def read(text: str) -> Arrangement:
     """Read a normal from each line."""
-    lines = [line for line in _REMARK.sub("", text).splitlines() if line.strip(" \t()[],;")]
+    plain = _BETWEEN.sub("\n", _REMARK.sub("", text))
+    lines = [line for line in plain.splitlines() if line.strip(" \t()[],;")]
     parts = [line.partition("|") for line in lines]
     rows = [numbers(normal) for normal, _, _ in parts]
     if not any(bar for _, bar, _ in parts):

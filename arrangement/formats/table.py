@@ -28,7 +28,7 @@ FORMATS: dict[str, Format] = {
         Format("json", (".json",), read=documents.read, write=documents.write),
         Format("polymake", (".hyar",), _names("polymake"), polymake.read, polymake.write),
         Format("oscar", (".mrdi",), _names("Oscar"), oscar.read, oscar.write),
-        Format("sage", (".sage",), sage.SPACE.search, sage.read, sage.write, loses=sage.loses),
+        Format("sage", (".sage",), sage.SAGE.search, sage.read, sage.write, loses=sage.loses),
         Format(
             "macaulay2", (".m2",), macaulay2.ARRANGEMENT.search, macaulay2.read, macaulay2.write
         ),
@@ -82,10 +82,23 @@ def read_arrangement(source: Source) -> Arrangement:
     if isinstance(source, Mapping):
         return documents.arrangement_of(dict(source), "the document")
     text, name = read_text(source)
-    form = next((form for form in FORMATS.values() if form.recognises(text)), None)
-    if form is None:
+    form = _form_of(text, Path(source).suffix.lower())
+    if form.name == "json":
+        if text.strip() and text.lstrip()[0] not in '{["' and not str(source).endswith(".json"):
+            raise InputError(f"{name} is in none of the formats that are read: {_named('read')}")
         return documents.arrangement_of(parse_json(text, name), name)
     return Entries(form, text, name).only()
+
+
+def _named(what: str) -> str:
+    return ", ".join(form.name for form in FORMATS.values() if getattr(form, what))
+
+
+def _form_of(text: str, ending: str) -> Format:
+    """Return the format of a text, by its content; where that says nothing, by its ending."""
+    forms = FORMATS.values()
+    known = next((form for form in forms if form.recognises(text)), None)
+    return known or next((form for form in forms if ending in form.endings), FORMATS["json"])
 
 
 class Entries:
@@ -93,8 +106,7 @@ class Entries:
 
     def __init__(self, form: Format, text: str, name: str) -> None:
         if form.read is None:
-            known = ", ".join(form.name for form in FORMATS.values() if form.read)
-            raise InputError(f"the format {form.name} is only written; {known} are read")
+            raise InputError(f"the format {form.name} is only written; {_named('read')} are read")
         self._where = f"{name}, read as {form.name}"
         self._read, self._form = form.read, form.name
         try:
@@ -145,7 +157,8 @@ def format_of_file(path: str) -> Format:
             return form
     known = ", ".join(e for form in FORMATS.values() for e in form.endings)
     raise InputError(
-        f"the file name ends in {shown(ending)}; known are {known}. Or write --to NAME"
+        f"the file name ends in {shown(ending)}; known are {known}. Or write --to NAME; pictures "
+        "and models are made by arrangement draw"
     )
 
 
@@ -156,8 +169,7 @@ def converted(arrangement: Arrangement, form: Format) -> str:
         InputError: the format is only read, or cannot hold this arrangement.
     """
     if form.write is None:
-        known = ", ".join(form.name for form in FORMATS.values() if form.write)
-        raise InputError(f"the format {form.name} is only read; {known} are written")
+        raise InputError(f"the format {form.name} is only read; {_named('write')} are written")
     try:
         return form.write(arrangement)
     except InputError as error:
