@@ -4,10 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from typing import Any
 
 from arrangement.arrangement import Arrangement
 from arrangement.errors import InputError
 from arrangement.exact import IntegerVector
+from arrangement.io.files import kind_of, parse_json
 
 
 @dataclass(frozen=True)
@@ -29,6 +31,14 @@ class Format:
     write: Callable[[Arrangement], str] | None = None
     split: Callable[[str], Sequence[str]] = lambda text: [text]
     loses: Callable[[Arrangement], str] = lambda _: ""
+
+
+def json_object(text: str) -> dict[str, Any]:
+    """Parse a JSON object, which may have floats where they are passed over."""
+    data = parse_json(text, "the file", floats=True)
+    if not isinstance(data, dict):
+        raise InputError(f"the file holds {kind_of(data)}; expected a JSON object")
+    return data
 
 
 def rational_planes(arrangement: Arrangement) -> tuple[IntegerVector, ...]:

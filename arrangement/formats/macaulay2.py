@@ -67,8 +67,8 @@ def _variables(text: str) -> list[str]:
         ends = re.fullmatch(r"(\w+)_([0-9]{1,6})\.\.\1_([0-9]{1,6})", f"{first}..{last}", re.ASCII)
         if "=>" in part:
             break
-        if not last:
-            names.append(first)
+        if re.fullmatch(r"\w+", part):
+            names.append(part)
         elif len(first) == len(last) == 1 and ord(last) - ord(first) < MAX_DIMENSION:
             names += map(chr, range(ord(first), ord(last) + 1))
         elif ends is None or int(ends[3]) - int(ends[2]) >= MAX_DIMENSION:

@@ -10,9 +10,9 @@ import uuid
 
 from arrangement.arrangement import Arrangement
 from arrangement.errors import InputError
-from arrangement.io.files import check_list, parse_json
+from arrangement.io.files import check_list
 
-from .form import rational_planes
+from .form import json_object, rational_planes
 
 _ADDRESS = "https://github.com/oscar-system/Oscar.jl"
 _VERSION = "1.8.2"
@@ -21,7 +21,7 @@ _RINGS = ('"QQField"', '"ZZRing"')
 
 def read(text: str) -> Arrangement:
     """Read a matrix of normals."""
-    data = parse_json(text, "the file", floats=True)
+    data = json_object(text)
     kind = json.dumps([data.get("_type"), data.get("_refs")])
     if '"MatElem"' not in kind:
         raise InputError("the object is no matrix; save the matrix of normals")

@@ -23,7 +23,7 @@ _Item: TypeAlias = "str | list[_Item]"
 _DEPTH = 3
 _OPTION = re.compile(r"\s*\w+\s*=")
 #: What a text in this language has.
-SAGE = re.compile(r"HyperplaneArrangements\(|\bHyperplane [^,]*[+-]")
+SAGE = re.compile(r"HyperplaneArrangements\(|[\[(]Hyperplane ")
 _SPACE = re.compile(
     r"\b(\w+)(?:\.<([\w\s,]+)>)?\s*=\s*(?:Ordered)?HyperplaneArrangements\(\s*(\w+(?:\([^()]*\))?)\s*(?:,\s*([^\n]*))?\)"
 )
