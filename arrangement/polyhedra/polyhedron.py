@@ -13,7 +13,7 @@ from functools import cached_property
 from math import lcm
 from typing import Any
 
-from arrangement.cones import Generators, generators
+from arrangement.cones import Generators, both_ways
 from arrangement.exact import IntegerVector, RationalVector, dot, primitive, reduced, to_text
 from arrangement.linear import cross
 
@@ -128,35 +128,29 @@ def from_conditions(
     inequalities: Iterable[Sequence[int]], equalities: Iterable[Sequence[int]], dimension: int
 ) -> Polyhedron | None:
     """Return the polyhedron of conditions ``(a, b)``; None when they have no solution."""
-    rays, lines = generators(inequalities, equalities, dimension + 1, finite=True)
-    return from_generators(rays, lines, dimension, extreme=not lines)
+    return _polyhedron(*both_ways(inequalities, equalities, dimension + 1, finite=True))
 
 
 def from_generators(
-    rays: Iterable[IntegerVector],
-    lines: Iterable[IntegerVector],
-    dimension: int,
-    *,
-    extreme: bool = False,
+    rays: Iterable[IntegerVector], lines: Iterable[IntegerVector], dimension: int
 ) -> Polyhedron | None:
     """Return the polyhedron that homogeneous generators span; None when none is a point.
 
     Args:
         rays, lines: may be redundant. The last entry of each is at least 0, and 0 for lines.
-        extreme: the rays come from `generators`, and there are no lines.
     """
-    listed = list(rays)
-    if not any(ray[-1] for ray in listed):
-        return None
-    facets, equalities = generators(listed, lines, dimension + 1)
-    kept: Generators = (tuple(listed), ())
-    if not extreme:
-        kept = generators(facets, equalities, dimension + 1)
+    conditions, kept = both_ways(rays, lines, dimension + 1)
+    return _polyhedron(kept, conditions)
+
+
+def _polyhedron(kept: Generators, conditions: Generators) -> Polyhedron | None:
     finite = [ray for ray in kept[0] if ray[-1]]
+    if not finite:
+        return None
     return Polyhedron(
         # A facet without a point is the one at infinity, which says nothing about points.
-        tuple(facet for facet in facets if any(dot(facet, ray) == 0 for ray in finite)),
-        equalities,
+        tuple(row for row in conditions[0] if any(dot(row, ray) == 0 for ray in finite)),
+        conditions[1],
         tuple(tuple(Fraction(x, ray[-1]) for x in ray[:-1]) for ray in finite),
         tuple(ray[:-1] for ray in kept[0] if not ray[-1]),
         tuple(line[:-1] for line in kept[1]),
