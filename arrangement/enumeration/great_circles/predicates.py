@@ -123,8 +123,8 @@ class ExactSigns:
 
         An infinite slope, and that of a circle with itself, is plus or minus `VERTICAL`.
         """
-        numerators = self._numerators[block] @ self._columns
-        denominators = self._denominators[block] @ self._columns
+        numerators = _products(self._numerators[block], self._columns)
+        denominators = _products(self._denominators[block], self._columns)
         backward: Booleans = denominators < 0  # it is the first coordinate that is not 0
         vertical = np.flatnonzero(denominators == 0)  # else the numerator has its sign
         upper = self._upper[block].take(vertical // denominators.shape[1])
@@ -193,6 +193,15 @@ class FilteredSigns(ExactSigns):
             self._least[i] * self._least[j] * self._least[k],
             lambda at: _determinants([self.normals[c[at]] for c in circles]),
         )
+
+
+def _products(rows: Numbers, columns: Numbers) -> Numbers:
+    """Return the matrix product of (r, 3) and (3, c) in NumPy alone, not in a library."""
+    a, b, c = rows[:, :, None].transpose(1, 0, 2)
+    found: Numbers = a * columns[0]
+    found += b * columns[1]
+    found += c * columns[2]
+    return found
 
 
 def _determinants(rows: Sequence[Numbers], sign: int = -1) -> Numbers:
