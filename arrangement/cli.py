@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import argparse
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import asdict
 from importlib import import_module
 from typing import TYPE_CHECKING, Any
@@ -142,14 +142,17 @@ def _count(arguments: argparse.Namespace) -> int:
     if arguments.json:
         terminal.print_json(counts)
         return terminal.YES
-    print(f"planes           {counts['planes']}")
-    print(f"distinct planes  {counts['distinct_planes']}")
-    print(f"rank             {counts['rank']}")
-    if arrangement.field is not None:
-        print(f"entries in       {arrangement.field!r}")
-    for dimension, number in enumerate(faces.f_vector):
-        print(f"faces of dim {dimension}   {number}")
-    print(f"states           {counts['states']}")
+    rows = {"planes": len(arrangement), "distinct planes": len(arrangement.distinct)}
+    field = {} if arrangement.field is None else {"entries in": repr(arrangement.field)}
+    dimensions = {f"faces of dim {k}": number for k, number in enumerate(faces.f_vector)}
+    return _print_rows(
+        {**rows, "rank": arrangement.rank, **field, **dimensions, "states": len(faces)}
+    )
+
+
+def _print_rows(rows: Mapping[str, object]) -> int:
+    for name, value in rows.items():
+        print(f"{name:<17}{value}")
     return terminal.YES
 
 
@@ -168,11 +171,8 @@ def _polynomial(arguments: argparse.Namespace) -> int:
 
     zeros = [0] * (arrangement.dimension + 1 - len(numbers))
     chi = Poly([*numbers, *zeros], Symbol("t"))
-    print(f"chi(t)           {chi.as_expr()}")
-    print(f"factors          {chi.as_expr().factor()}")
-    print(f"regions          {regions}")
-    print(f"bounded regions  {bounded}")
-    return terminal.YES
+    rows = {"chi(t)": chi.as_expr(), "factors": chi.as_expr().factor()}
+    return _print_rows({**rows, "regions": regions, "bounded regions": bounded})
 
 
 def _primes(text: str) -> list[int]:
@@ -254,29 +254,22 @@ def _identify(arguments: argparse.Namespace) -> int:
     if arguments.json:
         terminal.print_json(asdict(found))
         return terminal.YES
-    if found.type is None:
-        limit = f"it has rank 3 and up to {MOST_PLANES} distinct planes"
-        print(f"type             not in the catalogue; {limit}")
-    else:
-        names = f", {', '.join(found.names)}" if found.names else ""
-        print(f"type             {found.planes}.{found.type}{names}")
-    print(f"distinct planes  {found.planes}")
-    print(f"rank             {found.rank}")
-    print(f"f-vector         {' '.join(map(str, found.f_vector))}")
-    if found.t_vector:
-        points = ", ".join(f"t{k} = {number}" for k, number in found.t_vector.items())
-        print(f"points           {points}")
-    if found.automorphisms is not None:
-        print(f"automorphisms    {found.automorphisms}")
+    name = f"not in the catalogue; it has rank 3 and up to {MOST_PLANES} distinct planes"
+    if found.type is not None:
+        name = ", ".join([f"{found.planes}.{found.type}", *found.names])
     words = {"simple": found.is_simple, "simplicial": found.is_simplicial}
-    print(f"it is            {' and '.join(w if yes else f'not {w}' for w, yes in words.items())}")
-    if found.order:
-        planes = (
-            ("-" if side < 0 else "+") + str(k)
-            for k, side in zip(found.order, found.sides, strict=True)
-        )
-        print(f"as in the list   {' '.join(planes)}")
-    return terminal.YES
+    order = zip(found.order or (), found.sides or (), strict=True)
+    rows = {
+        "type": name,
+        "distinct planes": found.planes,
+        "rank": found.rank,
+        "f-vector": " ".join(map(str, found.f_vector)),
+        "points": ", ".join(f"t{k} = {number}" for k, number in (found.t_vector or {}).items()),
+        "automorphisms": found.automorphisms,
+        "it is": " and ".join(w if yes else f"not {w}" for w, yes in words.items()),
+        "as in the list": " ".join(("-" if side < 0 else "+") + str(k) for k, side in order),
+    }
+    return _print_rows({k: value for k, value in rows.items() if value not in ("", None)})
 
 
 def _bounds(arguments: argparse.Namespace) -> int:
