@@ -17,7 +17,6 @@ from .number_form import vector
 
 if TYPE_CHECKING:
     from .arrangement import Arrangement
-    from .faces import Face
 
 _Command = Callable[[argparse.Namespace], int]
 _FILE = (
@@ -105,7 +104,7 @@ def _parser() -> terminal.Parser:
     add_format_commands(add)
 
     draw = add("draw", _draw, "draw pictures and pages, or export models to hold")
-    draw.later = lambda: _add_draw_options(draw)
+    draw.later = lambda: _later("draw.command").add_options(draw, _later("draw.views").DRAWINGS)
 
     text = "a page in which lines and great circles are dragged, counted at once"
     page = add("lab", _lab, text, file="?")
@@ -243,7 +242,8 @@ def _faces(arguments: argparse.Namespace) -> int:
                 {"signs": face.signs, "dimension": face.dimension, "witness": face.witness}
             )
         else:
-            print(_line(face))
+            signs = "".join(_SYMBOLS[sign] for sign in face.signs)
+            print(f"{signs}  dim {face.dimension}  {vector(face.witness)}")
     return terminal.YES
 
 
@@ -290,18 +290,6 @@ def _bounds(arguments: argparse.Namespace) -> int:
     for row in table:
         print("  ".join(f"{name} {value}" for name, value in row.items()))
     return terminal.YES
-
-
-def _line(face: Face) -> str:
-    signs = "".join(_SYMBOLS[sign] for sign in face.signs)
-    return f"{signs}  dim {face.dimension}  {vector(face.witness)}"
-
-
-def _add_draw_options(draw: argparse.ArgumentParser) -> None:
-    from .draw.command import add_options
-    from .draw.views import DRAWINGS
-
-    add_options(draw, DRAWINGS)
 
 
 def _draw(arguments: argparse.Namespace) -> int:

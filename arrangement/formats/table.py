@@ -70,6 +70,7 @@ FORMATS: dict[str, Format] = {
         ),
     )
 }
+_BY_ENDING = {ending: form for form in FORMATS.values() for ending in form.endings}
 #: Largest file of many arrangements that is read.
 MAX_IMPORT_BYTES = 64 * 2**20
 
@@ -110,9 +111,8 @@ def _named(what: str) -> str:
 
 def _form_of(text: str, ending: str) -> Format:
     """Return the format of a text, by its content; where that says nothing, by its ending."""
-    forms = FORMATS.values()
-    known = next((form for form in forms if form.recognises(text)), None)
-    return known or next((form for form in forms if ending in form.endings), FORMATS["json"])
+    known = next((form for form in FORMATS.values() if form.recognises(text)), None)
+    return known or _BY_ENDING.get(ending, FORMATS["json"])
 
 
 class Entries:
@@ -161,14 +161,12 @@ def format_named(name: str) -> Format:
 def format_of_file(path: str) -> Format:
     """Return the format that the ending of a file's name means."""
     ending = Path(path).suffix.lower()
-    for form in FORMATS.values():
-        if ending in form.endings:
-            return form
-    known = ", ".join(e for form in FORMATS.values() for e in form.endings)
-    raise InputError(
-        f"the file name ends in {shown(ending)}; known are {known}. Or write --to NAME; pictures "
-        "and models are made by arrangement draw"
-    )
+    if ending not in _BY_ENDING:
+        raise InputError(
+            f"the file name ends in {shown(ending)}; known are {', '.join(_BY_ENDING)}. Or write "
+            "--to NAME; pictures and models are made by arrangement draw"
+        )
+    return _BY_ENDING[ending]
 
 
 def converted(arrangement: Arrangement, form: Format) -> str:
