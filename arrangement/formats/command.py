@@ -25,7 +25,7 @@ def add_format_commands(add: Callable[..., argparse.ArgumentParser]) -> None:
     for command, otherwise in ((convert, "print it; needs --to"), (imported, "print it")):
         command.add_argument("-o", "--output", metavar="PATH", help=f"(default: {otherwise})")
         command.add_argument(
-            "--to", metavar="FORMAT", help="(default: what the ending of PATH says)"
+            "--to", metavar="FORMAT", help="such as sage (default: what the ending of PATH says)"
         )
 
 
