@@ -4,11 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from pathlib import Path
+from typing import cast
 
 from arrangement.arrangement import Arrangement
 from arrangement.errors import InputError
 from arrangement.exact import shown
 from arrangement.io.files import Source, parse_json, read_text
+from arrangement.plugins import announced
 
 from . import chirotope, christ, documents, graphs, macaulay2, matrix, oscar, polymake, sage
 from .documents import arrangement_of
@@ -37,8 +39,9 @@ MAX_IMPORT_BYTES = 64 * 2**20
 def read_arrangement(source: Source) -> Arrangement:
     """Read an arrangement from a path, ``"-"`` (stdin), a built-in name or a mapping.
 
-    Which of the formats a text is in is seen from the text. A grasp file (or name) is accepted
-    too, when the package that knows grasps is installed: its tangential planes are meant.
+    Which of the formats a text is in is seen from the text. A grasp file (or name,
+    or table of contacts) is accepted too, when the package that knows grasps is installed: its
+    tangential planes are meant.
 
     Raises:
         InputError: for anything that is not exactly a valid text of one arrangement.
@@ -51,6 +54,10 @@ def read_arrangement(source: Source) -> Arrangement:
     text, name = read_text(source)
     form = next((form for form in FORMATS.values() if form.recognises(text)), None)
     if form is None:
+        if not text.lstrip().startswith(("{", "[")):
+            tables = (point.load()(text) for point in announced("tables"))
+            if (found := next((x for x in tables if x is not None), None)) is not None:
+                return cast(Arrangement, found)
         return arrangement_of(parse_json(text, name), name)
     return Entries(form, text, name).only()
 
