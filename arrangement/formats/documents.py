@@ -25,12 +25,11 @@ from arrangement.arrangement import Arrangement
 from arrangement.errors import InputError
 from arrangement.exact import rational_vector
 from arrangement.io.files import check_document, check_keys, check_list, kind_of
-from arrangement.io.writing import document_text
 from arrangement.number_field import NumberField
 from arrangement.plugins import announced
 
-from .form import Format
-
+#: Of a document of the kind "planes"; the first two are needed.
+KEYS = ("schema_version", "planes", "offsets", "dimension", "description", "field")
 #: Largest dimension that a file may name for an arrangement (rows of planes speak for themselves).
 MAX_DIMENSION = 1000
 
@@ -51,8 +50,7 @@ def arrangement_of(document: Any, name: str) -> Arrangement:
 
 def _planes(document: Mapping[str, Any]) -> Arrangement:
     """Read a document of the kind "planes"."""
-    optional = ("offsets", "dimension", "description", "field")
-    check_keys(document, ("schema_version", "planes"), optional, "the arrangement")
+    check_keys(document, KEYS[:2], KEYS[2:], "the arrangement")
     field = _field(document["field"]) if "field" in document else None
 
     def numbers(value: Any, where: str) -> list[Any]:
@@ -98,11 +96,3 @@ def _dimension(value: Any) -> int:
             f"dimension is {kind_of(value)}; expected an integer from 0 to {MAX_DIMENSION}"
         )
     return value
-
-
-FORMAT = Format(
-    "json",
-    "documents of this package",
-    (".json",),
-    write=lambda arrangement: document_text(arrangement.to_dict()),
-)

@@ -25,6 +25,19 @@ def between(p: IntegerVector, q: IntegerVector, at_p: int, at_q: int) -> Integer
     return reduced([s * x + t * y for x, y in zip(p, q, strict=True)])
 
 
+def clipped(loop: Sequence[IntegerVector], values: Sequence[int]) -> Loop:
+    """Return the part of a convex polygon where a linear form, known at its corners, is not < 0."""
+    kept: Loop = []
+    for k, (p, at) in enumerate(zip(loop, values, strict=True)):
+        if at * values[k - 1] < 0:
+            cut = between(loop[k - 1], p, values[k - 1], at)
+            if cut not in kept:
+                kept.append(cut)
+        if at >= 0:
+            kept.append(p)
+    return kept
+
+
 def _dropped(row: IntegerVector) -> int:
     """Return the coordinate that is left out of points in a plane."""
     return max(range(3), key=lambda k: abs(row[k]))
