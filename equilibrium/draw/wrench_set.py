@@ -89,6 +89,11 @@ def draw_wrench_set(
     return scene
 
 
+def _maths(text: str) -> str:
+    """Return a text with the names of wrenches as formulas."""
+    return re.sub("f_[xy]|τ", lambda found: f"${found[0]}$".replace("τ", r"\tau"), text)
+
+
 def _lit(normal: Floats) -> str:
     """Return the colour of a face of the set, by the angle to the light."""
     return pale(SOLID, 0.45 * max(0.0, float(TO_LIGHT @ normal)))
@@ -128,7 +133,7 @@ class _Solid:
     def _describe(self, legend: Legend, applied: Any) -> None:
         if not self.box.shapes:
             legend.line("nothing is resisted")
-        legend.line(re.sub("f_[xy]|τ", r"$\g<0>$", box_text(self.grasp, self.box)))
+        legend.line(_maths(box_text(self.grasp, self.box)))
         if applied is not None:
             held = any(piece.polyhedron.contains(applied) for piece in self.box.pieces)
             legend.key(symbol("resisted" if held else "refused"), f"w = {vector(applied)}")
@@ -236,7 +241,7 @@ class _Solid:
             unit = self.grasp.units and (
                 self.grasp.units.torque if axis == 2 else self.grasp.units.force
             )
-            text = f"${name}$" + (f" ({unit})" if unit else "")
+            text = _maths(name) + (f" ({unit})" if unit else "")
             self.scene.text(self.at(ends).mean(axis=0) + 19 * out, text)
 
     def _ruler(self, axis: int) -> tuple[Floats, Floats]:
