@@ -128,7 +128,8 @@ def _is_hatched(item: Item) -> bool:
 
 def _is_seam(item: Item) -> bool:
     """Return whether the edge of a shape only closes the gap to the next one of its colour."""
-    return item.style.get("ec", "none") == item.style.get("fc", "none") != "none"
+    edge, fill = (str(item.style.get(key, "none")) for key in ("ec", "fc"))
+    return edge == fill != "none"
 
 
 def _rgba(colour: Any) -> Rgba:

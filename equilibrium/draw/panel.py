@@ -19,6 +19,7 @@ from equilibrium.solver.state_system import States
 from equilibrium.wrench_sets import Region
 
 from .keys import MARKS
+from .shapes import Labels
 from .style import FILLS, SHADE, SYMBOLS, rounded, ticks
 from .window import ZERO, Window, roomiest
 
@@ -144,13 +145,13 @@ class Panel:
         filled = [(i, shape, states) for size, i, shape, states in parts if size or i in alone]
         if by_states:
             self._codes([(shape, states) for i, shape, states in filled if i not in alone])
+            labels = Labels(self.scene)
+            labels.avoid(*self.axes(), *(self.at(line) for line in whiskers))
             for i, shape, states in filled:
                 if i in alone:
-                    along = (shape[1] - shape[0]) / float(np.linalg.norm(shape[1] - shape[0]))
-                    across = np.array([-along[1], along[0]]) * (1 if along[0] > 0.5 else -1)
-                    beyond = 6 + abs(across[0]) * self.scene.measure(code(states))[0] / 2
-                    place = self.at(shape.mean(axis=0)) + beyond * across
-                    self.scene.text(place, code(states), zorder=1.6, gid=self.gid("code", i))
+                    middle, along = self.at(shape.mean(axis=0)), shape[1] - shape[0]
+                    side = np.array([-along[1], along[0]]) * (1 if along[0] > 0 else -1)
+                    labels.beside(code(states), middle, side, zorder=1.6, gid=self.gid("code", i))
         return [states for _, _, states in filled]
 
     def _piece(

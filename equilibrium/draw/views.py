@@ -29,7 +29,7 @@ DRAWINGS = Drawings(
     },
 )
 #: What is not drawn of grasps in the plane, and in space.
-_NOT = {
+_NOT: dict[int, dict[str, tuple[str, ...]]] = {
     2: {"models": ("grasp",), "pages": ("grasp",)},
     3: {
         "views": ("resist", "polar", "compare", "wrench-set"),
