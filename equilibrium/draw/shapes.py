@@ -16,6 +16,8 @@ from arrangement.draw.projections import joined
 from arrangement.draw.scene import Scene
 
 _NOTHING = np.empty((0, 2, 2))
+#: How far from the wanted direction labels are tried: ahead and aside first, then behind.
+_TURNS = (0, 0.5, -0.5, 1, -1, 1.6, -1.6, 2.3, -2.3, 3.1)
 
 
 def arrow(
@@ -132,10 +134,14 @@ class Labels:
     def beside(self, text: str, at: Floats, out: Floats, **style: Any) -> None:
         """Write a text near a point, in a direction if that is free."""
         start, half = math.atan2(out[1], out[0]), self.scene.measure(text)[0] / 2
-        angles = start + np.array((0, 0.5, -0.5, 1, -1, 1.6, -1.6, 2.3, -2.3, 3.1))
+        angles = start + np.array(_TURNS)
         ways = np.stack([np.cos(angles), np.sin(angles)], axis=1)
         wider = np.stack([np.copysign(max(0.0, half - 3), ways[:, 0]), 0 * angles], axis=1)
-        wanted = [at + reach * ways + wider for reach in (8, 11, 15, 20, 26, 34)]
+        wanted = [
+            at + reach * ways[part] + wider[part]
+            for part in (slice(0, 7), slice(7, None))
+            for reach in (8, 11, 15, 20, 26, 34)
+        ]
         place = self.place(text, np.concatenate(wanted))
         self.scene.text(place, text, **{"halo": (1.5, "white"), "zorder": 7, **style})
 

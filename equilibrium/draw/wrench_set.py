@@ -55,9 +55,9 @@ def draw_wrench_set(
 
     The set is a union of polyhedra, one for each choice of contact states, and need not be
     convex. Its surface is exact, and painted back to front in an exact order. Lines are its true
-    edges. Pale faces are where the box cuts what goes on; other faces fade towards them. Parts
-    without volume are drawn as sheets and segments. Axes have their own scales; the numbers stand
-    at the edges of the box.
+    edges. Pale hatched faces are where the box cuts what goes on; other faces fade towards them.
+    Parts without volume are drawn as sheets and segments. Axes have their own scales; the numbers
+    stand at the edges of the box.
 
     Elements: ``facet-3`` of the set, ``wall-4`` where the box cuts it, ``edge-5``, ``box-2``.
 
