@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Iterable, Iterator
 from typing import Any
 
@@ -25,7 +24,7 @@ from .keys import bar, explain_grasp, symbol
 from .layout import ARC, FORCE, Layout, displaced, layout_of
 from .shapes import Labels, arrow, fitted, mark, turning_arrow
 from .space_grasp import drawn_in_space, solved_in_space
-from .style import CONE_EDGE, CONE_FILL, nice, number, rounded, vector
+from .style import CONE_EDGE, CONE_FILL, nice_near, number, vector
 
 
 @picture
@@ -230,8 +229,7 @@ def _bar(layout: Layout, scale: float) -> tuple[float, str] | None:
     """Return the length in points of the bar for a round force, and its label."""
     if not layout.reference:
         return None
-    largest = rounded(layout.reference)
-    force = nice(largest) if largest and math.isfinite(largest) else layout.reference
+    force = nice_near(layout.reference)
     share = float(force / layout.reference) / layout.longest
     unit = f" {layout.grasp.units.force}" if layout.grasp.units else ""
     return share * FORCE * scale, f"force {number(force)}{unit}"

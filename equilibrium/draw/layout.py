@@ -23,7 +23,7 @@ from equilibrium.solver.state_system import States
 from equilibrium.verdict import Verdict
 
 from .body import Frame, body, frame_of, free_lengths, stated_body
-from .style import nice, rounded
+from .style import nice_near, rounded
 
 #: Lengths on paper, where the contacts fill [-1, 1]: cones, the largest force, its torque arc.
 CONE, FORCE, ARC = 0.42, 0.65, 0.2
@@ -164,9 +164,7 @@ def _step(motion: RationalVector, frame: Frame, grasp: Grasp) -> Fraction | None
     largest = max(shifts, default=Fraction(0))
     if not largest:
         return None
-    wanted = Fraction(MOVED) * frame.size / largest
-    near = rounded(wanted)
-    return nice(near) if near and math.isfinite(near) else wanted
+    return nice_near(Fraction(MOVED) * frame.size / largest)
 
 
 def shift_at(motion: RationalVector, point: RationalVector) -> RationalVector:

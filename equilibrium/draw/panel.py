@@ -12,6 +12,7 @@ import numpy as np
 
 from arrangement.draw.colours import BLACK, GREY
 from arrangement.draw.items import Box, Floats, Place
+from arrangement.draw.labels import segments_meet
 from arrangement.draw.measuring import FONT, POINTS, area
 from arrangement.draw.scene import Scene
 from arrangement.exact import RationalVector
@@ -133,11 +134,12 @@ class Panel:
                 parts.append((area(shape), i, shape, piece.states))
         parts.sort(key=lambda part: (-part[0], part[1]))
         found = map(self.window.stretch, region.outline.whiskers)
-        whiskers = [line for line in found if line is not None]
-        alone = {
-            i for _, i, shape, _ in parts
-            if len(shape) == 2 and any(_holds(line, shape.mean(axis=0)) for line in whiskers)
-        }  # fmt: skip
+        whiskers = np.array([line for line in found if line is not None]).reshape(-1, 2, 2)
+        alone = set()
+        for _, i, shape, _ in parts:
+            middle = np.tile(shape.mean(axis=0), 2)
+            if len(shape) == 2 and segments_meet(middle, whiskers, 1e-9).any():
+                alone.add(i)
         with self.scene.clipped(clip or self.box):
             for _, i, shape, states in parts:
                 self._piece(i, self.at(shape), states, by_states, i in alone)
@@ -146,7 +148,7 @@ class Panel:
         if by_states:
             self._codes([(shape, states) for i, shape, states in filled if i not in alone])
             labels = Labels(self.scene)
-            labels.avoid(*self.axes(), *(self.at(line) for line in whiskers))
+            labels.avoid(*self.axes(), *self.at(whiskers))
             for i, shape, states in filled:
                 if i in alone:
                     middle, along = self.at(shape.mean(axis=0)), shape[1] - shape[0]
@@ -220,13 +222,6 @@ class Panel:
         edge = {"mec": "white", "mew": 0.7} if resisted else {}
         place = self.at(self.window.paper(point))
         self.scene.mark(place, sign, size, zorder=6, gid=f"{self.name}wrench", **style, **edge)
-
-
-def _holds(line: Floats, place: Floats) -> bool:
-    """Return whether a place lies on a segment."""
-    step, away = line[1] - line[0], place - line[0]
-    off = abs(float(step[0] * away[1] - step[1] * away[0]))
-    return off < 1e-9 and 0 <= float(step @ away) <= float(step @ step)
 
 
 def fill_of(states: States) -> str:

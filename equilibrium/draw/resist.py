@@ -6,7 +6,6 @@ from arrangement.draw.figure import picture
 from arrangement.draw.legend import Legend
 from arrangement.draw.registry import Exact, Wrench
 from arrangement.draw.scene import Scene
-from arrangement.exact import RationalVector
 from equilibrium.model.grasp import Grasp
 from equilibrium.solver.state_system import States
 from equilibrium.wrench_sets import Region, resisted_region
@@ -46,14 +45,14 @@ def draw_resist(
         MissingExtraError: matplotlib is absent.
     """
     question = Question(wrench, extent)
-    applied, half, torque = question.wrench, question.half, question.torque
+    half, torque = question.half, question.torque
     region = resisted_region(grasp, origin=(0, 0, torque))
     window = joint_window([region], question.marked, half, pieces=True)
     scene, (panel,) = row_of_panels(1, window, width, grasp)
     unit = f" {grasp.units.torque}" if grasp.units else ""
     panel.title(f"resisted forces at torque {number(torque)}{unit}")
     states = panel.region(region)
-    _describe(grasp, region, states, applied, scene.legend, fades=half is None)
+    _describe(grasp, region, states, question, scene.legend)
     if half is None:
         panel.fade()
     for point in question.marked:
@@ -62,14 +61,9 @@ def draw_resist(
 
 
 def _describe(
-    grasp: Grasp,
-    region: Region,
-    states: list[States],
-    applied: RationalVector | None,
-    legend: Legend,
-    *,
-    fades: bool,
+    grasp: Grasp, region: Region, states: list[States], question: Question, legend: Legend
 ) -> None:
+    applied = question.wrench
     if not region.polygons:
         legend.line("nothing in this plane is resisted")
     if applied is not None:
@@ -82,7 +76,7 @@ def _describe(
         legend.key(symbol(fill_of(example)), f"{count}{' or more' if more else ''} stick")
     if any("detached" in p.states for p in region.polygons if p.polyhedron.dimension == 2):
         legend.key(symbol("#ffffff hatched"), "some detached")
-    explain_borders(legend, [region], fades)
+    explain_borders(legend, [region], question.half is None)
     if states and len(grasp):
         found = [s for s in SYMBOLS if any(s in x for x in states)]
         shown = ", ".join(f"{SYMBOLS[s]} {s.replace('-', '−')}" for s in found)

@@ -347,8 +347,5 @@ def _flat(
 def _plane(p: IntegerVector, q: IntegerVector, r: IntegerVector) -> IntegerVector | None:
     """Return the row of the plane of a triangle, positive outside; None if it has no area."""
     a, b, c = ([Fraction(x, point[3]) for x in point[:3]] for point in (p, q, r))
-    first, second = ([y - x for x, y in zip(a, end, strict=True)] for end in (b, c))
-    normal = cross(first, second)
-    if not any(normal):
-        return None
-    return primitive((*normal, -sum(x * y for x, y in zip(normal, a, strict=True))))
+    normal = cross(*([y - x for x, y in zip(a, end, strict=True)] for end in (b, c)))
+    return primitive((*normal, -dot(normal, a))) if any(normal) else None

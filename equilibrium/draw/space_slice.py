@@ -97,7 +97,8 @@ def _drawn(
             held, start = not held, far
         end = min(stops[0][0] / reach, 1.0) if stops else 1.0
         rim.append(panel.at((end if starts_held else 0.0) * way))
-    scene.polygon(rim, fc=SHADE, ec="none", zorder=0.5, gid="region-1", role="region")
+    if np.ptp(rim, axis=0).any():
+        scene.polygon(rim, fc=SHADE, ec="none", zorder=0.5, gid="region-1", role="region")
     _explain(scene.legend, spokes, bool(ends), bool(refuted))
     return scene
 

@@ -82,3 +82,9 @@ def nice(value: float) -> Fraction:
             if float(factor * unit) <= value * (1 + 1e-12):
                 return factor * unit
     return Fraction(10) ** power
+
+
+def nice_near(value: Fraction) -> Fraction:
+    """Return such a number for a positive value, itself where it is beyond floats."""
+    near = rounded(value)
+    return nice(near) if near and math.isfinite(near) else value
