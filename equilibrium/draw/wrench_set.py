@@ -29,7 +29,7 @@ from .keys import MARKS, symbol
 from .layout import layout_of
 from .row import read_extent
 from .shapes import fitted
-from .style import ticks, vector
+from .style import ticks, wrench_text
 from .window import clipped
 from .wrench_box import CUT, NAMES, SOLID, WALLS, WrenchBox, box_edges, box_text, wrench_box
 
@@ -136,7 +136,9 @@ class _Solid:
         legend.line(_maths(box_text(self.grasp, self.box)))
         if applied is not None:
             held = any(piece.polyhedron.contains(applied) for piece in self.box.pieces)
-            legend.key(symbol("resisted" if held else "refused"), f"w = {vector(applied)}")
+            legend.key(
+                symbol("resisted" if held else "refused"), wrench_text(applied, self.grasp.units)
+            )
         solid = any(shape.dimension > 1 for shape in self.box.shapes)
         if self.box.filled:
             legend.key(symbol(CUT), "every wrench in the box is resisted, and the set goes on")
@@ -189,7 +191,7 @@ class _Solid:
         self.scene.polygon(corners, fc=fill, ec=fill, lw=0.3, zorder=z, joinstyle="round",
                            gid=f"{'wall' if wall else 'facet'}-{count}", role="region")  # fmt: skip
         if wall:
-            self.scene.polygon(corners, fc="none", ec="#a9bfd2", lw=0, hatch="///", zorder=z)
+            self.scene.polygon(corners, fc="none", ec="#b5bcc3", lw=0, hatch="///", zorder=z)
 
     @cached_property
     def _cuts(self) -> dict[tuple[int, ...], list[tuple[int, int]]]:
@@ -242,7 +244,10 @@ class _Solid:
                 self.grasp.units.torque if axis == 2 else self.grasp.units.force
             )
             text = _maths(name) + (f" ({unit})" if unit else "")
-            self.scene.text(self.at(ends).mean(axis=0) + 19 * out, text)
+            upright = 90.0 if unit and axis == 2 else 0.0
+            beyond = max(0.0, self.scene.measure(text, rotation=upright)[0] / 2 - 6)
+            place = self.at(ends).mean(axis=0) + 19 * out + (out[0] * beyond, 0)
+            self.scene.text(place, text, rotation=upright)
 
     def _ruler(self, axis: int) -> tuple[Floats, Floats]:
         """Return the ends of the numbered edge, and the direction on paper away from the box."""
