@@ -10,7 +10,7 @@ import numpy as np
 from arrangement.draw.colours import BLACK, BLUE, GREY, PALE, VERMILION
 from arrangement.draw.figure import picture
 from arrangement.draw.items import Floats
-from arrangement.draw.labels import crosses, flattened
+from arrangement.draw.labels import flattened, ring
 from arrangement.draw.legend import Legend
 from arrangement.draw.measuring import checked_width
 from arrangement.draw.registry import Corner, Vector, Wrench
@@ -191,7 +191,7 @@ class Picture:
                 again = seen[contact.point] = seen.get(contact.point, -1) + 1
                 place = p - 7.5 * again * n
                 mark(scene, layout.states[i], place, t, gid=f"mark-{i + 1}", zorder=6)
-                labels.avoid(*crosses(place[None], 4.0))
+                labels.avoid(ring(place, 4.0, 13), place + np.array([[-4, 0], [4, 0]]))
 
     def wrench(self) -> None:
         """Draw the origin and the applied wrench."""
@@ -210,7 +210,7 @@ class Picture:
         if torque:
             turn = 1 if torque > 0 else -1
             turning_arrow(scene, o, reach, turn, color=VERMILION, gid="wrench-torque", zorder=5)
-            labels.avoid(*crosses(o[None], reach))
+            labels.avoid(ring(o, reach, 25), o + reach * np.array([[-1, 0], [1, 0]]))
             self.ends += [o + reach * np.array(way) for way in ((0, 1), (0, -1), (1, 0), (-1, 0))]
 
     def letter(self) -> None:

@@ -12,7 +12,7 @@ import numpy as np
 
 from arrangement.draw.colours import BLACK, GREY
 from arrangement.draw.items import Box, Floats, Place
-from arrangement.draw.labels import segments_meet
+from arrangement.draw.labels import covering, keep_off
 from arrangement.draw.measuring import FONT, POINTS, area
 from arrangement.draw.scene import Scene
 from arrangement.exact import RationalVector
@@ -137,8 +137,8 @@ class Panel:
         whiskers = np.array([line for line in found if line is not None]).reshape(-1, 2, 2)
         alone = set()
         for _, i, shape, _ in parts:
-            middle = np.tile(shape.mean(axis=0), 2)
-            if len(shape) == 2 and segments_meet(middle, whiskers, 1e-9).any():
+            middle = np.tile(shape.mean(axis=0), (1, 2))
+            if len(shape) == 2 and covering(keep_off(whiskers), middle, 1e-9).any():
                 alone.add(i)
         with self.scene.clipped(clip or self.box):
             for _, i, shape, states in parts:

@@ -10,12 +10,11 @@ import numpy as np
 
 from arrangement.draw.colours import VERMILION
 from arrangement.draw.items import Floats
-from arrangement.draw.labels import segments_meet, segments_of
+from arrangement.draw.labels import keep_off
 from arrangement.draw.measuring import FONT, POINTS
 from arrangement.draw.projections import joined
 from arrangement.draw.scene import Scene
 
-_NOTHING = np.empty((0, 2, 2))
 #: How far from the wanted direction labels are tried: ahead and aside first, then behind.
 _TURNS = (0, 0.5, -0.5, 1, -1, 1.6, -1.6, 2.3, -2.3, 3.1)
 
@@ -109,14 +108,18 @@ class Labels:
     def __init__(self, scene: Scene) -> None:
         self.scene = scene
         self._boxes: list[Floats] = []
-        self._segments: list[Floats] = []
+        self._lines: list[Floats] = []
+        self._tree: Any = None
 
     def avoid(self, *lines: Any) -> None:
         """Keep labels off lines through points (k, 2)."""
-        self._segments.append(segments_of([np.asarray(line) for line in lines]))
+        self._lines += map(np.asarray, lines)
+        self._tree = None
 
     def place(self, text: str, wanted: Any) -> Floats:
         """Return the first wanted centre that is free, else the one that covers least."""
+        import shapely
+
         half = np.array([self.scene.measure(text)[0] / 2 + 1, FONT / 2 + 0.5])
         centres = np.asarray(wanted)
         low, high = centres - half, centres + half
@@ -124,8 +127,10 @@ class Labels:
         shared = np.minimum(high[:, None], others[:, 1]) - np.maximum(low[:, None], others[:, 0])
         paper = np.array([self.scene.width, self.scene.height])
         off = np.maximum(-low, 0).sum(axis=1) + np.maximum(high - paper, 0).sum(axis=1)
-        met = segments_meet(np.hstack([low, high]), np.concatenate(self._segments or [_NOTHING]))
-        taken = met.sum(axis=1) + 1000 * (np.maximum(shared, 0).prod(axis=2).sum(axis=1) + off)
+        self._tree = self._tree or keep_off(self._lines)
+        rooms = shapely.box(*(low - 0.6).T, *(high + 0.6).T)
+        met = np.bincount(self._tree.query(rooms, "intersects")[0], minlength=len(rooms))
+        taken = met + 1000 * (np.maximum(shared, 0).prod(axis=2).sum(axis=1) + off)
         best = int(np.argmin(taken))
         self._boxes.append(np.array([low[best], high[best]]))
         found: Floats = centres[best]

@@ -16,7 +16,7 @@ from arrangement.draw.depth_tree import Node, depth_tree
 from arrangement.draw.items import Floats
 from arrangement.exact import IntegerVector, RationalVector, dot, primitive
 from arrangement.polyhedra.polyhedron import Polyhedron, from_conditions
-from arrangement.polyhedra.surface import Patch, rounded, surface
+from arrangement.polyhedra.surface import Patch, surface
 from equilibrium.inputs.conversion import simplest_between
 from equilibrium.model.grasp import Grasp
 from equilibrium.wrench_sets import Piece, resisted_set
@@ -105,7 +105,7 @@ class WrenchBox:
 
 def _area(patch: Patch) -> Floats:
     """Return the outward normal of a patch with the length of its area."""
-    corners = rounded(patch.corners)
+    corners = np.array([[x / p[3] for x in p[:3]] for p in patch.corners])
     steps = corners[1:] - corners[0]
     normal: Floats = np.cross(steps[:-1], steps[1:]).sum(axis=0) / 2
     outward = float(normal @ np.array(patch.row[:3], dtype=float))

@@ -44,7 +44,7 @@ def test_in_print_wrenches_are_black_and_one_set_has_a_hatching() -> None:
         scene = scene_of(OF_GRASPS, "equilibrium", view, grasp, wrench=wrench)
         made = themed(scene, "mono").items
         if view == "grasp":
-            fills = {x.name: x.style["fc"] for x in made if x.name.startswith("wrench-")}
+            fills = {x.name: x.style.get("fc") for x in made if x.name.startswith("wrench-")}
             assert fills["wrench-force"] == fills["wrench-torque-head"] == "#000000"
         else:
             sets = [x for x in made if "polygon" in x.name]
