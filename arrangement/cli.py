@@ -293,6 +293,8 @@ def _identify(arguments: argparse.Namespace) -> int:
     else:
         names = f", {', '.join(found.names)}" if found.names else ""
         print(f"type             {found.planes}.{found.type}{names}")
+    if found.finschi_fukuda is not None:
+        print(f"Finschi-Fukuda   IC({found.planes},3,{found.finschi_fukuda})")
     print(f"distinct planes  {found.planes}")
     print(f"rank             {found.rank}")
     print(f"f-vector         {' '.join(map(str, found.f_vector))}")
@@ -345,7 +347,7 @@ def _add_draw_options(draw: argparse.ArgumentParser) -> None:
 
 
 def _add_census(types: argparse.ArgumentParser) -> None:
-    from .library.census.command import add_commands
+    from .library.census_command import add_commands
 
     add_commands(types)
 
@@ -372,13 +374,13 @@ def _lab(arguments: argparse.Namespace) -> int:
 
 
 def _add_families(make: argparse.ArgumentParser) -> None:
-    from .library.families.making import add_families
+    from .library.making import add_families
 
     add_families(make)
 
 
 def _make(arguments: argparse.Namespace) -> int:
-    from .library.families.making import document
+    from .library.making import document
 
     _write_or_print(arguments.output, document(arguments))
     return terminal.YES
@@ -440,7 +442,7 @@ def _write_or_print(output: str | None, text: str) -> None:
 
 def _list(arguments: argparse.Namespace) -> int:
     if arguments.families:
-        from .library.families.making import described
+        from .library.making import described
 
         return terminal.print_names(described(), arguments.json)
     return terminal.print_names(files.described("planes"), arguments.json)
