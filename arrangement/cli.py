@@ -3,13 +3,15 @@
 from __future__ import annotations
 
 import argparse
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import asdict
-from typing import TYPE_CHECKING
+from importlib import import_module
+from typing import TYPE_CHECKING, Any
 
 from . import terminal
 from .errors import InputError
 from .exact import shown
+from .formats.command import add_format_commands
 from .io import files
 from .number_form import vector
 
@@ -17,6 +19,11 @@ if TYPE_CHECKING:
     from .arrangement import Arrangement
     from .faces import Face
 
+_Command = Callable[[argparse.Namespace], int]
+_FILE = (
+    "an arrangement or a grasp: a path, - for standard input, or a built-in name; in any format of "
+    "`arrangement convert`"
+)
 _SYMBOLS = {1: "+", 0: "0", -1: "-"}
 
 
@@ -31,14 +38,22 @@ def _parser() -> terminal.Parser:
     )
     commands = parser.add_subparsers(required=True, metavar="COMMAND")
 
-    count = commands.add_parser("count", help="count planes and faces")
-    _add_file(count)
-    count.set_defaults(command=_count)
+    def add(name: str, function: _Command, help: str, *, file: str | None = "") -> terminal.Parser:
+        """Add a command; it takes a FILE, and need not where `file` is "?"."""
+        added: terminal.Parser = commands.add_parser(name, help=help)
+        if file is not None:
+            added.add_argument("file", metavar="FILE", nargs=file or None, help=_FILE)
+        terminal.add_common_options(added)
+        added.set_defaults(command=function)
+        return added
 
-    polynomial = commands.add_parser(
-        "polynomial", help="characteristic polynomial and numbers of regions, without listing any"
+    add("count", _count, "count planes and faces")
+
+    polynomial = add(
+        "polynomial",
+        _polynomial,
+        "characteristic polynomial and numbers of regions, without listing any",
     )
-    _add_file(polynomial)
     polynomial.add_argument(
         "--time-limit",
         type=terminal.length_argument,
@@ -56,27 +71,20 @@ def _parser() -> terminal.Parser:
         "--primes", type=_primes, metavar="P,Q,...", help="count points modulo these primes instead"
     )
     terminal.add_worker_options(polynomial)
-    polynomial.set_defaults(command=_polynomial)
 
-    faces = commands.add_parser("faces", help="list sign vectors with dimension and witness")
-    _add_file(faces)
+    faces = add("faces", _faces, "list sign vectors with dimension and witness")
     faces.add_argument(
         "--dimension", type=terminal.integer_argument, metavar="K", help="only faces of dimension K"
     )
-    faces.set_defaults(command=_faces)
+    terminal.add_number_options(faces)
 
-    identify = commands.add_parser(
-        "identify", help="which combinatorial type it has, of those of at most nine planes"
-    )
-    _add_file(identify)
-    identify.set_defaults(command=_identify)
+    add("identify", _identify, "which combinatorial type it has, of those of at most nine planes")
 
     types = commands.add_parser("census", help="the list of all types of up to nine planes")
-    types.later = lambda: _add_census(types)
+    types.later = lambda: _later("library.census_command").add_commands(types)
 
-    bounds = commands.add_parser(
-        "bounds", help="count faces of generic planes against the published bounds"
-    )
+    text = "count faces of generic planes against the published bounds"
+    bounds = add("bounds", _bounds, text, file=None)
     bounds.add_argument(
         "--largest",
         type=terminal.integer_argument,
@@ -86,73 +94,32 @@ def _parser() -> terminal.Parser:
     )
     bounds.add_argument("-o", "--output", metavar="PATH", help="a picture: .svg, .pdf, .png")
     bounds.add_argument("--width", metavar="LENGTH", help="of the picture (default 180mm)")
-    bounds.set_defaults(command=_bounds)
 
-    names = commands.add_parser("list", help="list the built-in arrangements")
+    names = add("list", _list, "list the built-in arrangements", file=None)
     names.add_argument("--families", action="store_true", help="list what `make` can make")
-    names.set_defaults(command=_list)
 
-    make = commands.add_parser("make", help="make a member of a family, such as shi --type E6")
-    make.later = lambda: _add_families(make)
-    make.set_defaults(command=_make)
+    text = "make a member of a family, such as shi --type E6"
+    make = add("make", _make, text, file=None)
+    make.later = lambda: _later("library.making").add_families(make)
 
-    convert = commands.add_parser("convert", help="write it in the language of another program")
-    _add_file(convert)
-    convert.add_argument("-o", "--output", metavar="PATH", help="(default: print it; needs --to)")
-    convert.add_argument("--to", metavar="FORMAT", help="(default: what the ending of PATH says)")
-    convert.set_defaults(command=_convert)
+    add_format_commands(add)
 
-    imported = commands.add_parser("import", help="list a file of others, or take one out of it")
-    imported.add_argument("format", metavar="FORMAT", help="such as christ or chirotope")
-    imported.add_argument("file", metavar="FILE", help="a path, or - for standard input")
-    imported.add_argument(
-        "--number", type=terminal.count_argument, metavar="K", help="take this one, from 1 on"
-    )
-    imported.add_argument("-o", "--output", metavar="PATH", help="a file (default: print it)")
-    imported.set_defaults(command=_import)
-
-    draw = commands.add_parser("draw", help="draw pictures and pages, or export models to hold")
-    _add_file(draw)
+    draw = add("draw", _draw, "draw pictures and pages, or export models to hold")
     draw.later = lambda: _add_draw_options(draw)
-    draw.set_defaults(command=_draw)
 
-    page = commands.add_parser(
-        "lab", help="a page in which lines and great circles are dragged, counted at once"
-    )
-    _add_file(page, needed=False)
+    text = "a page in which lines and great circles are dragged, counted at once"
+    page = add("lab", _lab, text, file="?")
     page.add_argument("-o", "--output", metavar="PATH", required=True, help="the page (.html)")
     page.add_argument("--title", metavar="TEXT", help="a heading")
     page.add_argument(
         "--exercises", metavar="FILE", help="JSON with own exercises, in place of the built-in ones"
     )
-    page.set_defaults(command=_lab)
-
-    for command in (
-        count,
-        polynomial,
-        faces,
-        identify,
-        bounds,
-        names,
-        make,
-        convert,
-        imported,
-        draw,
-        page,
-    ):
-        terminal.add_common_options(command)
-    terminal.add_number_options(faces)
     return parser
 
 
-def _add_file(parser: argparse.ArgumentParser, *, needed: bool = True) -> None:
-    parser.add_argument(
-        "file",
-        metavar="FILE",
-        nargs=None if needed else "?",
-        help="an arrangement or a grasp: a path, - for standard input, or a built-in name; in any "
-        "format of `arrangement convert`",
-    )
+def _later(module: str) -> Any:
+    """Import a module of this package when its options are asked for."""
+    return import_module(f".{module}", __package__)
 
 
 def _read(arguments: argparse.Namespace) -> Arrangement:
@@ -346,12 +313,6 @@ def _add_draw_options(draw: argparse.ArgumentParser) -> None:
     add_options(draw, DRAWINGS)
 
 
-def _add_census(types: argparse.ArgumentParser) -> None:
-    from .library.census_command import add_commands
-
-    add_commands(types)
-
-
 def _draw(arguments: argparse.Namespace) -> int:
     from .draw.command import given_options, write
     from .draw.views import drawings_of
@@ -373,71 +334,12 @@ def _lab(arguments: argparse.Namespace) -> int:
     return terminal.YES
 
 
-def _add_families(make: argparse.ArgumentParser) -> None:
-    from .library.making import add_families
-
-    add_families(make)
-
-
 def _make(arguments: argparse.Namespace) -> int:
+    from .io.writing import write_or_print
     from .library.making import document
 
-    _write_or_print(arguments.output, document(arguments))
+    write_or_print(arguments.output, document(arguments))
     return terminal.YES
-
-
-def _convert(arguments: argparse.Namespace) -> int:
-    from .formats.table import converted, format_named, format_of_file
-    from .progress import note
-
-    if arguments.to is None and arguments.output is None:
-        raise InputError("say where to or how: -o PATH, or --to FORMAT")
-    form = format_named(arguments.to) if arguments.to else format_of_file(arguments.output)
-    arrangement = _read(arguments)
-    text, lost = converted(arrangement, form), form.loses(arrangement)
-    if arguments.output or not arguments.json:
-        _write_or_print(arguments.output, text)
-    if arguments.json:
-        where = {"output": arguments.output} if arguments.output else {"text": text}
-        terminal.print_json({**where, "format": form.name, "lost": lost})
-    elif lost:
-        note(f"lost in {form.name}: {lost}")
-    return terminal.YES
-
-
-def _import(arguments: argparse.Namespace) -> int:
-    from .counts import cone
-    from .formats.table import FORMATS, Entries, converted
-    from .library.census import identify
-    from .progress import watched
-
-    found = Entries.of_file(arguments.format, arguments.file)
-    if arguments.number is not None or (len(found) == 1 and arguments.output):
-        text = converted(found[arguments.number or 1], FORMATS["json"])
-        _write_or_print(arguments.output, text)
-        return terminal.YES
-    if arguments.output is not None:
-        raise InputError(f"there are {len(found)} arrangements; choose one with --number K")
-    for number in watched(range(1, len(found) + 1), "arrangements", len(found)):
-        planes = found[number]
-        known = identify(planes if planes.is_central else cone(planes))
-        name = "-" if known.type is None else f"{known.planes}.{known.type}"
-        row = {"number": number, "planes": len(planes), "central": planes.is_central, "type": name}
-        if arguments.json:
-            terminal.print_json(row)
-        else:
-            kind = "planes through 0" if planes.is_central else "lines"
-            print(f"{number:>6}  {len(planes)} {kind}  type {name}")
-    return terminal.YES
-
-
-def _write_or_print(output: str | None, text: str) -> None:
-    from .io.writing import write_text_atomically
-
-    if output:
-        write_text_atomically(output, text)
-    else:
-        print(text, end="")
 
 
 def _list(arguments: argparse.Namespace) -> int:

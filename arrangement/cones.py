@@ -37,16 +37,57 @@ def generators(
     >>> generators([(1, 0), (1, 1), (1, 2)], [], 2)
     (((0, 1), (2, -1)), ())
     """
+    rows = dict.fromkeys(map(reduced, inequalities))
+    last = [unit_vectors(dimension)[-1]] if finite else []
+    return _cut_out([*last, *rows], equalities, dimension, finite).generators
+
+
+def both_ways(
+    inequalities: Iterable[Sequence[int]],
+    equalities: Iterable[Sequence[int]],
+    dimension: int,
+    *,
+    finite: bool = False,
+) -> tuple[Generators, Generators]:
+    """Return the generators of a cone, see `generators`, and its irredundant conditions.
+
+    By polarity the same call turns generators, redundant or not, into the conditions and the
+    extreme rays with a basis of the lines.
+
+    >>> both_ways([(1, 0), (1, 1), (1, 2)], [], 2)
+    ((((0, 1), (2, -1)), ()), (((1, 0), (1, 2)), ()))
+    """
+    flat, rows = list(equalities), list(dict.fromkeys(map(reduced, inequalities)))
+    if finite:
+        rows.insert(0, unit_vectors(dimension)[-1])
+    cone = _cut_out(rows, flat, dimension, finite)
+    found = cone.generators
+    # Which rays are tight in each condition.
+    masks = [mask for _, mask in cone.rays]
+    tight = [sum((m >> i & 1) << k for k, m in enumerate(masks)) for i in range(len(rows))]
+    if flat or cone.lines or (1 << len(masks)) - 1 in tight:
+        return found, generators(*found, dimension)
+    # The cone is pointed and has interior points: what no other condition is tight with, and more
+    # rays, is a facet.
+    largest = {
+        row
+        for row, own in zip(rows, tight, strict=True)
+        if not any(own & other == own != other for other in tight)
+    }
+    return found, (tuple(sorted(largest)), ())
+
+
+def _cut_out(
+    rows: Iterable[Sequence[int]], equalities: Iterable[Sequence[int]], dimension: int, finite: bool
+) -> Cone:
     cone = Cone(dimension)
     for row in equalities:
         cone.cut(row, keep_positive=False)
-    if finite:
-        cone.cut(unit_vectors(dimension)[-1], keep_positive=True)
-    for row in dict.fromkeys(reduced(row) for row in inequalities):
-        if finite and not cone.has_points:
-            return (), ()
+    for k, row in enumerate(rows):
+        if finite and k and not cone.has_points:
+            return Cone(0)
         cone.cut(row, keep_positive=True)
-    return cone.generators
+    return cone
 
 
 class Cone:
@@ -103,10 +144,18 @@ class Cone:
 
     def _cut_rays(self, row: Sequence[int], bit: int, keep_positive: bool) -> None:
         """Keep the rays on the right side, and join adjacent rays of the two sides."""
-        valued = [(sum(map(mul, row, ray)), ray, mask) for ray, mask in self.rays]
-        below = [entry for entry in valued if entry[0] < 0]
-        above = [entry for entry in valued if entry[0] > 0]
-        kept = [(ray, mask | bit) for value, ray, mask in valued if value == 0]
+        values = [sum(map(mul, row, ray)) for ray, _ in self.rays]
+        if keep_positive and min(values, default=0) >= 0:
+            if not all(values):
+                pairs = zip(self.rays, values, strict=True)
+                self.rays = [(ray, mask if at else mask | bit) for (ray, mask), at in pairs]
+            return
+        kept, below, above = [], [], []
+        for (ray, mask), value in zip(self.rays, values, strict=True):
+            if value == 0:
+                kept.append((ray, mask | bit))
+            else:
+                (below if value < 0 else above).append((value, ray, mask))
         masks = [mask for _, mask in self.rays]
         # Two adjacent rays span a face of dimension 2, which so many conditions cut out at least.
         fewest = len(row) - len(self.lines) - 2
@@ -115,7 +164,7 @@ class Cone:
                 common = mask & other_mask
                 if common.bit_count() >= fewest and _only_two(masks, common):
                     joined = [high * b - low * a for a, b in zip(ray, other, strict=True)]
-                    kept.append((reduced(joined), (mask & other_mask) | bit))
+                    kept.append((reduced(joined), common | bit))
         if keep_positive:
             kept += [(ray, mask) for _, ray, mask in above]
         self.rays = kept

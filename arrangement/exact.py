@@ -195,7 +195,7 @@ def reduced(vector: Sequence[int]) -> IntegerVector:
         divisor = math.gcd(*vector)
     except TypeError:
         return _reduced_in_field(vector)
-    return tuple(vector) if divisor <= 1 else tuple(x // divisor for x in vector)
+    return tuple(vector) if divisor <= 1 else tuple([x // divisor for x in vector])
 
 
 def _reduced_in_field(vector: Sequence[Any]) -> tuple[Any, ...]:

@@ -138,13 +138,13 @@ class ModularVectors:
         return labels
 
     def _quotients(self, bases: Integers, prime: int) -> Integers:
-        """Return every vector in coordinates of the quotient by each basis."""
+        """Return coordinates of the quotient by each basis: of each, a row of all vectors."""
         vectors = self._reduced(prime)
         count, rank = len(bases), self.rank
         forms = np.broadcast_to(np.eye(rank, dtype=np.int64), (count, rank, rank))
         rows = np.arange(count)
         for base in bases.T:
-            values = (vectors[base][:, None, :] @ forms)[:, 0, :] % prime
+            values = _modulo((vectors[base][:, None, :] @ forms)[:, 0, :], prime)
             pivot = (values != 0).argmax(axis=1)
             top = values[rows, pivot]
             if not top.all():
@@ -154,16 +154,13 @@ class ModularVectors:
             at_pivot = forms[rows, :, pivot][:, :, None]
             rest = np.take_along_axis(forms, others[:, None, :], axis=2)
             factors = np.take_along_axis(values, others, axis=1)[:, None, :]
-            forms = (rest * top[:, None, None] - at_pivot * factors) % prime
-        columns = forms.transpose(1, 0, 2).reshape(rank, -1)
+            forms = _modulo(rest * top[:, None, None] - at_pivot * factors, prime)
+        columns = forms.transpose(2, 0, 1).reshape(-1, rank)
         if rank * prime**2 < 1 << _DOUBLE_BITS:  # then sums of doubles are exact
-            images = (vectors.astype(np.float64) @ columns.astype(np.float64)).astype(np.int64)
+            images = (columns.astype(np.float64) @ vectors.T.astype(np.float64)).astype(np.int64)
         else:
-            images = vectors @ columns
-        images %= prime
-        return np.ascontiguousarray(
-            images.reshape(self.count, count, rank - bases.shape[1]).transpose(1, 0, 2)
-        )
+            images = columns @ vectors.T
+        return _modulo(images, prime).reshape(-1, count, self.count)
 
     def _reduced(self, prime: int) -> Integers:
         return np.array(residues(self._vectors, prime), dtype=np.int64)
@@ -190,14 +187,20 @@ def _size(x: Any) -> int:
 
 def _normalised(images: Integers, members: NDArray[np.bool_], prime: int) -> Iterator[Integers]:
     """Yield the coordinates of each vector scaled to begin with 1; the first one is 0 or 1."""
-    pivot = (images != 0).argmax(axis=2)
-    lead = np.take_along_axis(images, pivot[:, :, None], axis=2)[:, :, 0]
+    lead = images[0].copy()
+    for coordinate in images[1:]:
+        np.copyto(lead, coordinate, where=lead == 0)
     if not (lead != 0)[~members].all():
         raise _BadPrimeError
     lead[members] = 1
     factors = _inverses(lead.ravel(), prime).reshape(lead.shape)
-    for k in range(images.shape[2]):
-        yield images[:, :, k] * factors % prime
+    for coordinate in images:
+        yield _modulo(coordinate * factors, prime)
+
+
+def _modulo(numbers: Integers, prime: int) -> Integers:
+    """Return residues; dividing by a scalar is vectorised in numpy, its remainder is not."""
+    return numbers - numbers // prime * prime
 
 
 def _inverses(values: Integers, prime: int) -> Integers:
@@ -208,10 +211,10 @@ def _inverses(values: Integers, prime: int) -> Integers:
         values = np.append(values, 1)
         return _inverses(values, prime)[:-1]
     even, odd = values[0::2], values[1::2]
-    product = _inverses(even * odd % prime, prime)
+    product = _inverses(_modulo(even * odd, prime), prime)
     found = np.empty_like(values)
-    found[0::2] = product * odd % prime
-    found[1::2] = product * even % prime
+    found[0::2] = _modulo(product * odd, prime)
+    found[1::2] = _modulo(product * even, prime)
     return found
 
 

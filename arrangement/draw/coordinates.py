@@ -24,10 +24,11 @@ import numpy.typing as npt
 
 from arrangement.arrangement import Arrangement
 from arrangement.errors import refusal
-from arrangement.exact import IntegerVector, dot, primitive, rational_vector, shown
+from arrangement.exact import IntegerVector, dot, primitive, shown
 from arrangement.linear import cross, rank, triple_product
 from arrangement.planes import Planes
 from arrangement.progress import note
+from arrangement.real_entries import real_vector
 
 from .globe import unit_vectors
 from .registry import Vector
@@ -104,7 +105,7 @@ def in_coordinates(
         [[dot(row, plane[:3]) for row in rows] for plane in arrangement.integer_planes]
     )
     if direction is not None:
-        given = rational_vector(direction, "direction")
+        given = real_vector(direction, "direction")
         if len(given) == 3:
             one, two, three = rows
             cofactors = (cross(two, three), cross(three, one), cross(one, two))

@@ -17,8 +17,9 @@ from arrangement.arrangement import Arrangement
 from arrangement.enumeration.great_circles import SphereArrangement, sphere_arrangement
 from arrangement.enumeration.great_circles.signs import unpack
 from arrangement.errors import InputError
-from arrangement.exact import IntegerVector, primitive, rational_vector, shown
+from arrangement.exact import IntegerVector, primitive, shown
 from arrangement.planes import Planes
+from arrangement.real_entries import real_vector
 
 from .colours import Colouring, DrawnRegion, Painter, colouring
 from .items import LIGHT
@@ -100,7 +101,7 @@ def _region_signs(sphere: SphereArrangement) -> list[tuple[int, ...]]:
 
 def view_direction(direction: Sequence[object]) -> IntegerVector:
     """Return the direction towards the viewer as a primitive integer vector, or refuse it."""
-    vector = primitive(rational_vector(direction, "direction"))
+    vector = primitive(real_vector(direction, "direction"))
     if len(vector) != 3 or not any(vector):
         raise InputError(f"the direction is {shown(vector)}; give three numbers that are not all 0")
     return vector
@@ -123,10 +124,18 @@ def clear_direction(
     return views[int(np.argmax(np.round(np.where(high, score, -1.0), 9)))]
 
 
-def best_direction(arrangement: Planes, score: Callable[[Floats], Floats]) -> IntegerVector:
-    """Return the direction with the highest score of its unit vector, on the fewest planes."""
+def best_direction(
+    arrangement: Planes, score: Callable[[Floats], Floats], preferred: Sequence[IntegerVector] = ()
+) -> IntegerVector:
+    """Return the direction with the highest score of its unit vector, on the fewest planes.
+
+    One of the preferred directions is taken if hardly any other is better.
+    """
     views = [v for v in product(range(-7, 8), repeat=3) if any(v) and primitive(v) == v]
     scores = np.round(score(unit_vectors(views)), 6)
+    at_these = score(unit_vectors(preferred)).round(3)
+    if at_these.max(initial=0.0) > 0.98 * scores.max():
+        return preferred[int(np.argmax(at_these))]
     best = [views[k] for k in np.flatnonzero(scores == scores.max())]
     return max(best, key=lambda v: sum(arrangement.signs_at(v)))
 

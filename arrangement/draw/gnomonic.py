@@ -3,18 +3,21 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
+from itertools import combinations, product
 
 import numpy as np
 
 from arrangement.arrangement import Arrangement
-from arrangement.exact import IntegerVector
+from arrangement.exact import IntegerVector, dot, primitive, reduced, unoriented
+from arrangement.linear import cross
 
 from .colours import Painter
 from .coordinates import in_coordinates, symmetry
 from .disc import alone, front, plane_names
 from .essential import shown_as
 from .figure import picture
-from .globe import Globe, best_direction, unit_vectors
+from .globe import Globe, best_direction, picture_axes, unit_vectors
 from .items import Floats
 from .measuring import checked_width
 from .projections import Chart, Drawn, StraightChart, orthographic
@@ -58,7 +61,8 @@ def draw_gnomonic(
     Args:
         arrangement: central, of rank at most 3; in another space than R^3 its essentialisation.
         direction: the exact direction of the middle; if omitted, one in which all rays stay far
-            from infinity; of more than six planes an axis of most symmetries, if there is one.
+            from infinity; of more than six planes an axis of most symmetries, if there is one, else
+            one in which the crossings spread evenly.
         colour, antipodes, labels: as for `draw_sphere`.
         width: of the figure, in millimetres.
         coordinates: "symmetric": after a linear map that shows the symmetry of the planes and
@@ -74,7 +78,7 @@ def draw_gnomonic(
     arrangement, direction = in_coordinates(coordinates, arrangement, direction)
     globe = Globe(arrangement, direction)
     if direction is None:
-        globe = Globe(arrangement, _central_direction(globe))
+        globe = _upright(Globe(arrangement, _central_direction(globe)))
     colours = globe.colouring(colour, antipodes)
     disc = alone(globe, _chart(globe), names, width)
     dotted = []
@@ -110,13 +114,17 @@ def _chart(globe: Globe) -> Drawn:
     middle = (places.min(axis=0) + places.max(axis=0)) / 2
     distances = np.sort(np.linalg.norm(places - middle, axis=1))
     typical, farthest = float(distances[(len(distances) - 1) // 2]), float(distances[-1])
-    if max(at_rim, default=2) == 2 and farthest <= 5 * typical + 1e-9:
+    few = globe.whole.circle_count <= _OPEN and max(at_rim, default=2) == 2
+    if few and farthest <= 5 * typical + 1e-9:
         chart = Drawn(globe.cut, globe.points, globe.normals, orthographic)
         reach = max(1.35 * farthest, *_distances(globe, middle))
         return StraightChart(**vars(chart), limb=limb, middle=middle, reach=reach)
-    spans = np.linalg.norm(places, axis=1)
-    reach = 1.15 * min(float(spans.max()), 4 * float(np.median(spans)) + 0.2)
-    return front(globe, Chart(max(reach, *_distances(globe, np.zeros(2)))))
+    return front(globe, _even_chart(np.linalg.norm(places, axis=1)))
+
+
+def _even_chart(spans: Floats) -> Chart:
+    """Return a chart that is to scale for most points at these distances from its middle."""
+    return Chart(max(0.3, float(np.quantile(spans, 0.7))))
 
 
 def _distances(globe: Globe, middle: Floats) -> tuple[float, ...]:
@@ -128,27 +136,64 @@ def _distances(globe: Globe, middle: Floats) -> tuple[float, ...]:
     return tuple(found)
 
 
+def _upright(globe: Globe) -> Globe:
+    """Turn the picture so that the first line through the middle, if there is one, is upright."""
+    normals = unit_vectors(globe.whole.circle_normals) @ globe.axes.T
+    for x, y, z in normals.tolist():
+        if abs(z) < _AT_LIMB:
+            right = (x * globe.axes[0] + y * globe.axes[1]) / math.copysign(math.hypot(x, y), x)
+            globe.axes = np.array([right, np.cross(globe.axes[2], right), globe.axes[2]])
+            break
+    return globe
+
+
 #: So many lines leave enough room in the middle from everywhere.
 _OPEN = 6
+#: Rays so near to the limb are meant to lie on it: coordinates are rounded.
+_AT_LIMB = 1e-3
 
 
 def _central_direction(globe: Globe) -> IntegerVector:
-    """Return where the farthest ray is nearest, on few planes; or the axis of most symmetries.
+    """Return where the farthest ray is nearest, on few planes; or where the rays spread evenly.
 
-    Many symmetric planes crowd in the middle unless it is such an axis.
+    Many symmetric planes are seen along an axis of most symmetries.
     """
     arrangement = globe.whole.arrangement
-    rays = [globe.whole.ray(v) for v in range(globe.whole.vertex_count)]
-    if len(rays) <= 2:
+    rays = sorted({unoriented(globe.whole.ray(v)) for v in range(globe.whole.vertex_count)})
+    if len(rays) < 2:
         return globe.direction
     lines = unit_vectors(rays)
-    found = symmetry(arrangement) if globe.whole.circle_count > _OPEN else None
+    inside = np.abs(lines @ lines.T)
+    if globe.whole.circle_count <= _OPEN:
+        return best_direction(arrangement, lambda units: np.abs(units @ lines.T).min(axis=1), rays)
+    found = symmetry(arrangement)
     if found is not None:
         kept = found.stabilizers(lines)
-        inside = np.sort(np.abs(lines @ lines.T), axis=1)
         # Of equal ones that from which the rays that are not at infinity are nearest.
-        nearest = np.where(inside > 1e-6, inside, 1.0).min(axis=1).round(6)
+        nearest = np.where(inside > _AT_LIMB, inside, 1.0).min(axis=1).round(3)
         best = max(range(len(rays)), key=lambda v: (kept[v], nearest[v], rays[v]))
         if kept[best] > 2:
-            return max(rays[best], tuple(-x for x in rays[best]))
-    return best_direction(arrangement, lambda units: np.abs(units @ lines.T).min(axis=1))
+            return _along(rays[best], [rays[v] for v in np.flatnonzero(inside[best] < _AT_LIMB)])
+    views = [v for v in product(range(-3, 4), repeat=3) if v == unoriented(primitive(v)) and any(v)]
+    return max(views, key=lambda view: _evenness(picture_axes(view), lines))
+
+
+def _along(ray: IntegerVector, others: Sequence[IntegerVector]) -> IntegerVector:
+    """Return a direction near a ray on whose limb the others lie, which are nearly there."""
+    for one, two in combinations(others, 2):
+        normal = reduced(cross(one, two))
+        return normal if dot(normal, ray) > 0 else reduced(cross(two, one))
+    return reduced(cross(others[0], cross(ray, others[0]))) if others else ray
+
+
+def _evenness(axes: Floats, lines: Floats) -> float:
+    """Return how far apart, in the mean of logarithms, rays are in the chart with these axes."""
+    from scipy.spatial import KDTree
+
+    points = lines @ axes.T
+    points = np.where(points[:, 2:] < 0, -points, points)
+    front = points[points[:, 2] > 1e-9]
+    chart = _even_chart(np.linalg.norm(front[:, :2] / front[:, 2:], axis=1))
+    places = chart.project(points)
+    gaps = KDTree(places).query(places, k=2)[0][:, 1]
+    return round(float(np.log(gaps + 0.005).mean()), 6)

@@ -75,6 +75,8 @@ def write_inside(
     free = shapely.difference(free, shapely.union_all([*boxes, *kept]))
     if free.is_empty:
         return False
+    # Cut off at lines, a region may leave lines of no width.
+    free = shapely.multipolygons([x for x in shapely.get_parts(free) if x.area > 0])
     unit = shapely.transform(free, lambda points: points / (w, h))
     circle, middle = shapely.maximum_inscribed_circle(unit), unit.centroid
     x, y = circle.coords[0]

@@ -24,7 +24,7 @@ GAP = 0.8
 
 #: Characters as wide as others; those after which the next one stands at the same distance always.
 _ALIKE = str.maketrans("123456789\u2007\u2212\u25cb", "0" * 10 + "+\u25cf")
-_ALONE = frozenset("0+\u25cf")
+_ALONE = frozenset("0+\u25cf\u200a")
 
 
 def measure(text: str, size: float = FONT, rotation: float = 0.0) -> tuple[float, float]:

@@ -18,11 +18,16 @@ from arrangement.errors import InputError
 from arrangement.exact import shown
 from arrangement.library.census.chirotopes import Signs, triples
 
-from .form import Format, Makers
 from .realise import realise
 
-_TEXT = re.compile(r"[-+0]+")
-_TOPCOM = re.compile(r"\s*([0-9]{1,4})\s*,\s*([0-9]{1,4})\s*:([-+0\s]*)", re.ASCII)
+_SIGNS = re.compile(r"[-+0]+")
+#: What lists of Finschi have beside signs: the elements of each basis above, a name in each line.
+_HEAD = re.compile(r"^[ \t]*[0-9]+[ \t]*$", re.MULTILINE)
+_NAME = re.compile(r"^[ \t]*IC\([ 0-9]+,([ 0-9]+),[ 0-9]+\)[ \t]*=", re.MULTILINE)
+#: A chirotope as TOPCOM writes it: elements, rank, signs, and perhaps generators of its symmetries.
+TOPCOM = re.compile(
+    r"\s*([0-9]{1,4})\s*,\s*([0-9]{1,4})\s*:([-+0\s]*)(?:\[[\[\]0-9,\s]*)?", re.ASCII
+)
 #: Elements of a chirotope that is read.
 MOST_ELEMENTS = 12
 
@@ -30,6 +35,8 @@ MOST_ELEMENTS = 12
 def size_of(text: str) -> int:
     """Return the number of elements of a chirotope of rank 3."""
     n = next((n for n in range(3, MOST_ELEMENTS + 1) if comb(n, 3) == len(text)), None)
+    if _SIGNS.fullmatch(text) is None:
+        raise InputError(f"the chirotope {shown(text)} has letters beside +, -, 0")
     if n is None:
         raise InputError(
             f"the chirotope {shown(text)} has {len(text)} signs; of rank 3 and up to "
@@ -51,24 +58,35 @@ def signs_of(text: str, order: str = ORDERS[0]) -> Signs:
 
 def is_chirotope(line: str) -> bool:
     """Whether a line consists of signs alone."""
-    return _TEXT.fullmatch(line.strip()) is not None and bool(set(line) & {"+", "-"})
+    return _SIGNS.fullmatch(line.strip()) is not None and bool(set(line) & {"+", "-"})
 
 
-def _recognises(text: str) -> bool:
-    lines = [line for line in text.splitlines() if line.strip()]
+def recognises(text: str) -> bool:
+    """Whether a text has chirotopes alone, or is a list of Finschi."""
+    lines = _signs_alone(text)
     return bool(lines) and all(map(is_chirotope, lines))
 
 
-def _arrangement(text: str, order: str) -> Arrangement:
-    return Arrangement(realise(signs_of(text, order), size_of(text)))
+def split(text: str) -> list[str]:
+    """Return the chirotopes of a text, one a line."""
+    ranks = {int(rank) for rank in _NAME.findall(text)}
+    if not ranks <= {3}:
+        raise InputError(f"the list has chirotopes of rank {max(ranks)}; those of rank 3 are read")
+    return _signs_alone(text)
 
 
-def _entries(text: str) -> Makers:
-    return [lambda line=line: _arrangement(line, ORDERS[0]) for line in text.split()]  # type: ignore[misc]
+def _signs_alone(text: str) -> list[str]:
+    return _NAME.sub("", _HEAD.sub("", text)).split()
 
 
-def _topcom_entries(text: str) -> Makers:
-    found = _TOPCOM.fullmatch(text)
+def read(text: str) -> Arrangement:
+    """Return an arrangement with these signs, in reverse lexicographic order."""
+    return Arrangement(realise(signs_of(text), size_of(text)))
+
+
+def read_topcom(text: str) -> Arrangement:
+    """Return an arrangement with these signs, in lexicographic order."""
+    found = TOPCOM.fullmatch(text)
     if found is None:
         raise InputError("a chirotope of TOPCOM is n,r: and the signs +, -, 0")
     signs = "".join(found[3].split())
@@ -77,7 +95,7 @@ def _topcom_entries(text: str) -> Makers:
             f"the chirotope is of {found[1]} elements of rank {found[2]} and has {len(signs)} "
             "signs; rank 3 with C(n, 3) signs is read"
         )
-    return [lambda: _arrangement(signs, ORDERS[1])]
+    return Arrangement(realise(signs_of(signs, ORDERS[1]), size_of(signs)))
 
 
 def _checked(arrangement: Arrangement) -> Arrangement:
@@ -87,34 +105,18 @@ def _checked(arrangement: Arrangement) -> Arrangement:
     return arrangement
 
 
-def _write(arrangement: Arrangement) -> str:
+def write(arrangement: Arrangement) -> str:
+    """Write the signs in reverse lexicographic order."""
     return chirotope_string(_checked(arrangement)) + "\n"
 
 
-def _write_topcom(arrangement: Arrangement) -> str:
+def write_topcom(arrangement: Arrangement) -> str:
+    """Write the signs in lexicographic order."""
     n = len(_checked(arrangement)) + (not arrangement.is_central)
     return f"{n},3:\n{chirotope_string(arrangement, ORDERS[1])}\n"
 
 
-def _loses(arrangement: Arrangement) -> str:
+def loses(arrangement: Arrangement) -> str:
+    """Say that coordinates are lost."""
     lost = "a chirotope holds no coordinates; read back it has others of the same type"
     return lost if arrangement.is_central else f"{lost}, and the plane at infinity as its last one"
-
-
-FORMAT = Format(
-    "chirotope",
-    "chirotopes as Finschi and Fukuda write them",
-    (".chi",),
-    recognises=_recognises,
-    entries=_entries,
-    write=_write,
-    loses=_loses,
-)
-TOPCOM = Format(
-    "topcom",
-    "chirotopes as TOPCOM and polymake write them",
-    recognises=lambda text: _TOPCOM.fullmatch(text) is not None,
-    entries=_topcom_entries,
-    write=_write_topcom,
-    loses=_loses,
-)

@@ -11,7 +11,6 @@ from __future__ import annotations
 
 import itertools
 from fractions import Fraction
-from functools import partial
 
 from arrangement.arrangement import Arrangement
 from arrangement.counts import chirotope
@@ -19,11 +18,10 @@ from arrangement.errors import InputError
 from arrangement.exact import rational, shown
 
 from .chirotope import is_chirotope, signs_of, size_of
-from .form import Format, Makers
 from .matrix import numbers
 
 
-def _blocks(text: str) -> list[list[str]]:
+def split(text: str) -> list[str]:
     """Return each chirotope with the lines below it."""
     blocks: list[list[str]] = []
     for line in filter(str.strip, text.splitlines()):
@@ -33,21 +31,18 @@ def _blocks(text: str) -> list[list[str]]:
             raise InputError(f"the first line is {shown(line)}; expected a chirotope")
         else:
             blocks[-1].append(line)
-    return blocks
+    return list(map("\n".join, blocks))
 
 
-def _recognises(text: str) -> bool:
+def recognises(text: str) -> bool:
+    """Whether a text begins with a chirotope and something else below."""
     head = [line for line in text[:2000].splitlines()[:10] if line.strip()]
     return len(head) > 1 and is_chirotope(head[0]) and not is_chirotope(head[1])
 
 
-def _entries(text: str) -> Makers:
-    return [partial(_arrangement, block) for block in _blocks(text)]
-
-
-def _arrangement(block: list[str]) -> Arrangement:
+def read(block: str) -> Arrangement:
     """Return lines of the plane, or the planes whose normals are points (x, y, 1)."""
-    text, *lines = block
+    text, *lines = block.splitlines()
     n = size_of(text)
     rows = [[rational(x, "a coordinate") for x in numbers(line)] for line in lines]
     is_lines = [len(row) for row in rows] == [3] * (n - 1)
@@ -90,11 +85,3 @@ def _sides(ours: list[int], theirs: list[int], n: int) -> list[int] | None:
         if length > 1 and ((equation & found).bit_count() + equation) % 2:
             found |= 1 << length - 1
     return [-1 if found >> k + 2 & 1 else 1 for k in range(n)]
-
-
-FORMAT = Format(
-    "christ",
-    "Tobias Christ's files of lines and points with their chirotopes",
-    recognises=_recognises,
-    entries=_entries,
-)

@@ -24,12 +24,10 @@ from typing import Any
 from arrangement.arrangement import Arrangement
 from arrangement.errors import InputError
 from arrangement.exact import rational_vector
-from arrangement.io.files import check_document, check_keys, check_list, kind_of
+from arrangement.io.files import check_document, check_keys, check_list, kind_of, parse_json
 from arrangement.io.writing import document_text
 from arrangement.number_field import NumberField
 from arrangement.plugins import announced
-
-from .form import Format
 
 #: Largest dimension that a file may name for an arrangement (rows of planes speak for themselves).
 MAX_DIMENSION = 1000
@@ -47,6 +45,16 @@ def arrangement_of(document: Any, name: str) -> Arrangement:
     found = check_document(document, readers, name)
     kind = next(key for key in readers if key in found)
     return readers[kind]()(found)
+
+
+def read(text: str) -> Arrangement:
+    """Read the text of a document."""
+    return arrangement_of(parse_json(text, "the text"), "the text")
+
+
+def write(arrangement: Arrangement) -> str:
+    """Write a document."""
+    return document_text(arrangement.to_dict())
 
 
 def _planes(document: Mapping[str, Any]) -> Arrangement:
@@ -98,11 +106,3 @@ def _dimension(value: Any) -> int:
             f"dimension is {kind_of(value)}; expected an integer from 0 to {MAX_DIMENSION}"
         )
     return value
-
-
-FORMAT = Format(
-    "json",
-    "documents of this package",
-    (".json",),
-    write=lambda arrangement: document_text(arrangement.to_dict()),
-)

@@ -1,16 +1,15 @@
-"""What a format is: names, endings, a reader, a writer, and what is lost in it."""
+"""What a format is: a name, endings of files, a reader, a writer, and what is lost in it."""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from typing import Any
 
 from arrangement.arrangement import Arrangement
 from arrangement.errors import InputError
 from arrangement.exact import IntegerVector
-
-#: What makes the arrangements that a text stands for, one each.
-Makers = Sequence[Callable[[], Arrangement]]
+from arrangement.io.files import kind_of, parse_json
 
 
 @dataclass(frozen=True)
@@ -18,27 +17,28 @@ class Format:
     """A language in which arrangements are written.
 
     Attributes:
-        name: on the command line.
-        what: one line.
-        endings: of files that are written in it.
         recognises: whether a text is in it; the first format of the table that says so reads it.
-        entries: the arrangements that a text holds; None where it is only written.
+        read: the arrangement of a text; None where it is only written.
         write: the text of an arrangement; None where it is only read.
+        split: the texts of single arrangements, where a file holds several.
         loses: what the text of this arrangement does not say, in words; empty for nothing.
     """
 
     name: str
-    what: str
-    endings: tuple[str, ...] = ()
-    recognises: Callable[[str], bool] = lambda _: False
-    entries: Callable[[str], Makers] | None = None
+    endings: tuple[str, ...]
+    recognises: Callable[[str], object] = lambda _: None
+    read: Callable[[str], Arrangement] | None = None
     write: Callable[[Arrangement], str] | None = None
+    split: Callable[[str], Sequence[str]] = lambda text: [text]
     loses: Callable[[Arrangement], str] = lambda _: ""
 
 
-def one(read: Callable[[str], Arrangement]) -> Callable[[str], Makers]:
-    """Return the entries of a format whose texts hold one arrangement."""
-    return lambda text: [lambda: read(text)]
+def json_object(text: str) -> dict[str, Any]:
+    """Parse a JSON object, which may have floats where they are passed over."""
+    data = parse_json(text, "the file", floats=True)
+    if not isinstance(data, dict):
+        raise InputError(f"the file holds {kind_of(data)}; expected a JSON object")
+    return data
 
 
 def rational_planes(arrangement: Arrangement) -> tuple[IntegerVector, ...]:

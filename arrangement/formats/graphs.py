@@ -7,13 +7,10 @@ integer vertices, which OFF holds exactly.
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from typing import TYPE_CHECKING
 
 from arrangement import counts
 from arrangement.arrangement import Arrangement
-
-from .form import Format
 
 if TYPE_CHECKING:
     import networkx as nx
@@ -21,7 +18,8 @@ if TYPE_CHECKING:
 _SYMBOLS = {1: "+", 0: "0", -1: "-"}
 
 
-def _dual(arrangement: Arrangement) -> nx.Graph[int]:
+def dual(arrangement: Arrangement) -> nx.Graph[int]:
+    """Return the dual graph with its labels."""
     import networkx as nx
 
     regions = arrangement.region_graph()
@@ -34,13 +32,14 @@ def _dual(arrangement: Arrangement) -> nx.Graph[int]:
     return graph
 
 
-def _lattice(arrangement: Arrangement) -> nx.Graph[int]:
+def lattice(arrangement: Arrangement) -> nx.Graph[int]:
+    """Return the intersection lattice with its labels."""
     import networkx as nx
 
-    lattice = counts.intersection_lattice(arrangement)
+    found = counts.intersection_lattice(arrangement)
     graph: nx.DiGraph[int] = nx.DiGraph()
     first = 0
-    for level, covers in zip(lattice.flats, lattice.covers, strict=True):
+    for level, covers in zip(found.flats, found.covers, strict=True):
         for k, flat in enumerate(level):
             planes = " ".join(map(str, flat.planes))
             graph.add_node(first + k, label=planes, rank=flat.rank)
@@ -50,7 +49,8 @@ def _lattice(arrangement: Arrangement) -> nx.Graph[int]:
     return graph
 
 
-def _dot(graph: nx.Graph[int]) -> str:
+def dot(graph: nx.Graph[int]) -> str:
+    """Write a graph for Graphviz."""
     kind, edge = ("digraph", "->") if graph.is_directed() else ("graph", "--")
     lines = [f"  {k}{_attributes(data)};" for k, data in graph.nodes(data=True)]
     lines += [f"  {j} {edge} {k}{_attributes(data)};" for j, k, data in graph.edges(data=True)]
@@ -62,38 +62,19 @@ def _attributes(data: dict[str, object]) -> str:
     return f' [label="{data["label"]}"]' if "label" in data else ""
 
 
-def _graphml(graph: nx.Graph[int]) -> str:
+def graphml(graph: nx.Graph[int]) -> str:
+    """Write a graph as GraphML."""
     import networkx as nx
 
     return '<?xml version="1.0" encoding="UTF-8"?>\n' + "\n".join(nx.generate_graphml(graph)) + "\n"
 
 
-def _off(arrangement: Arrangement) -> str:
+def off(arrangement: Arrangement) -> str:
+    """Write the dual polyhedron."""
     from arrangement.polyhedra.dual import dual_polyhedron
 
-    dual = dual_polyhedron(arrangement)
-    vertices, edges, faces = dual.f_vector
-    rows = [*dual.integer_vertices, *((len(face), *face) for face in dual.faces)]
+    found = dual_polyhedron(arrangement)
+    vertices, edges, faces = found.f_vector
+    rows = [*found.integer_vertices, *((len(face), *face) for face in found.faces)]
     lines = ["OFF", f"{vertices} {faces} {edges}", *(" ".join(map(str, row)) for row in rows)]
     return "\n".join(lines) + "\n"
-
-
-def _writer(
-    graph: Callable[[Arrangement], nx.Graph[int]], text: Callable[[nx.Graph[int]], str]
-) -> Callable[[Arrangement], str]:
-    return lambda arrangement: text(graph(arrangement))
-
-
-_LOST = "the planes themselves; it cannot be read back"
-FORMATS = (
-    Format("off", "the dual polyhedron, exact", (".off",), write=_off, loses=lambda _: _LOST),
-    *(
-        Format(name, what, endings, write=_writer(graph, text), loses=lambda _: _LOST)
-        for name, what, endings, graph, text in (
-            ("dot", "the dual graph for Graphviz", (".dot", ".gv"), _dual, _dot),
-            ("graphml", "the dual graph", (".graphml",), _dual, _graphml),
-            ("lattice-dot", "the intersection lattice for Graphviz", (), _lattice, _dot),
-            ("lattice-graphml", "the intersection lattice", (), _lattice, _graphml),
-        )
-    ),
-)

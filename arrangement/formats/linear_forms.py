@@ -15,7 +15,7 @@ from arrangement.exact import rational, shown
 _NUMBER = r"[0-9]+(?:/[0-9]+)?"
 _NAME = r"[A-Za-z]\w*"
 _TERM = re.compile(
-    rf"\s*([+-]?)\s*(?:({_NUMBER})(?:\s*\*\s*({_NAME}))?|({_NAME})(?:\s*/\s*([0-9]+))?)\s*",
+    rf"\s*([+-]?)\s*(?:({_NUMBER}|\({_NUMBER}\))(?:\s*\*\s*({_NAME}))?|({_NAME})(?:\s*/\s*([0-9]+))?)\s*",
     re.ASCII,
 )
 
@@ -35,7 +35,8 @@ def read_form(text: str, names: Sequence[str]) -> list[Fraction]:
             raise InputError(
                 f"{shown(text)} has {shown(name)}; the variables are {', '.join(names)}"
             )
-        size = rational(term[2] or f"1/{term[5] or 1}", f"a coefficient of {shown(text)}")
+        written = (term[2] or f"1/{term[5] or 1}").strip("()")
+        size = rational(written, f"a coefficient of {shown(text)}")
         found[names.index(name) if name else -1] += -size if term[1] == "-" else size
         place = term.end()
     return found

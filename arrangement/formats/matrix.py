@@ -12,15 +12,18 @@ from arrangement.arrangement import Arrangement
 from arrangement.errors import InputError
 from arrangement.exact import shown
 
-from .form import Format, one, rational_planes
+from .form import rational_planes
 
 _REMARK = re.compile(r"#.*")
-_MATRIX = re.compile(r"[-+0-9./eE,;|()\[\]\s]+")
+_MATRIX = re.compile(r"(?=[^0-9]*[0-9])[-+0-9./eE,;|()\[\]\s]+")
 #: A number or a list of JSON, where there would be one row here.
-_VALUE = re.compile(r"\[.*|[-+0-9./eE]+")
+_VALUE = re.compile(r"\[[^[]*|[-+0-9./eE]+")
+#: Between two rows of one line.
+_BETWEEN = re.compile(r"[\])][\s,;]*[\[(]")
 
 
-def _recognises(text: str) -> bool:
+def recognises(text: str) -> bool:
+    """Whether a text has numbers alone, and is no value of JSON."""
     plain = _REMARK.sub("", text).strip()
     return _MATRIX.fullmatch(plain) is not None and _VALUE.fullmatch(plain) is None
 
@@ -33,8 +36,10 @@ def numbers(line: str) -> list[str]:
     return re.split(r"\s*[\s,;]\s*", plain.strip())
 
 
-def _read(text: str) -> Arrangement:
-    lines = [line for line in _REMARK.sub("", text).splitlines() if line.strip(" \t()[],;")]
+def read(text: str) -> Arrangement:
+    """Read a normal from each line."""
+    plain = _BETWEEN.sub("\n", _REMARK.sub("", text))
+    lines = [line for line in plain.splitlines() if line.strip(" \t()[],;")]
     parts = [line.partition("|") for line in lines]
     rows = [numbers(normal) for normal, _, _ in parts]
     if not any(bar for _, bar, _ in parts):
@@ -48,20 +53,11 @@ def _read(text: str) -> Arrangement:
     return Arrangement(rows, offsets)
 
 
-def _write(arrangement: Arrangement) -> str:
+def write(arrangement: Arrangement) -> str:
+    """Write a normal on each line."""
     if not len(arrangement):
         raise InputError("there is no plane, and a matrix of no rows has no dimension; write json")
     lines = [(" ".join(map(str, p[:-1])), p[-1]) for p in rational_planes(arrangement)]
     if arrangement.is_central:
         return "".join(f"{normal}\n" for normal, _ in lines)
     return "".join(f"{normal} | {offset}\n" for normal, offset in lines)
-
-
-FORMAT = Format(
-    "matrix",
-    "normals, one a line; an offset behind a bar",
-    (".txt", ".csv"),
-    recognises=_recognises,
-    entries=one(_read),
-    write=_write,
-)

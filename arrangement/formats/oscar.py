@@ -10,21 +10,18 @@ import uuid
 
 from arrangement.arrangement import Arrangement
 from arrangement.errors import InputError
-from arrangement.io.files import check_list, parse_json
+from arrangement.io.files import check_list
 
-from .form import Format, one, rational_planes
+from .form import json_object, rational_planes
 
 _ADDRESS = "https://github.com/oscar-system/Oscar.jl"
 _VERSION = "1.8.2"
 _RINGS = ('"QQField"', '"ZZRing"')
 
 
-def _recognises(text: str) -> bool:
-    return text.lstrip()[:1] == "{" and '"_ns"' in text and '"Oscar"' in text
-
-
-def _read(text: str) -> Arrangement:
-    data = parse_json(text, "the file", floats=True)
+def read(text: str) -> Arrangement:
+    """Read a matrix of normals."""
+    data = json_object(text)
     kind = json.dumps([data.get("_type"), data.get("_refs")])
     if '"MatElem"' not in kind:
         raise InputError("the object is no matrix; save the matrix of normals")
@@ -34,7 +31,8 @@ def _read(text: str) -> Arrangement:
     return Arrangement([[str(x).replace("//", "/") for x in row] for row in rows])
 
 
-def _write(arrangement: Arrangement) -> str:
+def write(arrangement: Arrangement) -> str:
+    """Write the matrix of normals of a central arrangement."""
     planes = rational_planes(arrangement)
     if not arrangement.is_central or not planes:
         raise InputError(
@@ -52,13 +50,3 @@ def _write(arrangement: Arrangement) -> str:
         },
     }
     return json.dumps(data) + "\n"
-
-
-FORMAT = Format(
-    "oscar",
-    "mrdi files of OSCAR: the matrix of normals",
-    (".mrdi",),
-    recognises=_recognises,
-    entries=one(_read),
-    write=_write,
-)

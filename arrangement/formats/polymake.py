@@ -13,20 +13,17 @@ from typing import Any
 from arrangement.arrangement import Arrangement
 from arrangement.errors import InputError
 from arrangement.exact import rational, shown
-from arrangement.io.files import check_list, kind_of, parse_json
+from arrangement.io.files import check_list, kind_of
 
-from .form import Format, one, rational_planes
+from .form import json_object, rational_planes
 
 _TYPE = "fan::HyperplaneArrangement"
 _NAMESPACE = {"polymake": ["https://polymake.org", "4.0"]}
 
 
-def _recognises(text: str) -> bool:
-    return text.lstrip()[:1] == "{" and '"_ns"' in text and '"polymake"' in text
-
-
-def _read(text: str) -> Arrangement:
-    data = parse_json(text, "the file", floats=True)
+def read(text: str) -> Arrangement:
+    """Read an object of the type HyperplaneArrangement."""
+    data = json_object(text)
     kind = str(data.get("_type"))
     if not kind.startswith(_TYPE):
         raise InputError(f"the object is a {shown(kind)}; a {_TYPE} is read")
@@ -47,7 +44,8 @@ def _read(text: str) -> Arrangement:
 def _matrix(data: Mapping[str, Any], key: str) -> list[list[Any]]:
     """Return the rows of a dense or sparse matrix; the number of columns may stand last."""
     rows = check_list(data.get(key, []), key)
-    columns = rows.pop()["cols"] if rows and set(rows[-1]) == {"cols"} else None
+    ends = bool(rows) and isinstance(rows[-1], Mapping) and set(rows[-1]) == {"cols"}
+    columns = rows.pop()["cols"] if ends else None
     dense = []
     for row in rows:
         if isinstance(row, Mapping):
@@ -58,6 +56,8 @@ def _matrix(data: Mapping[str, Any], key: str) -> list[list[Any]]:
             dense.append([row.get(str(place), 0) for place in places])
         else:
             dense.append(check_list(row, f"a row of {key}"))
+    if not all(dense):
+        raise InputError(f"{key} has a row without entries")
     return dense
 
 
@@ -76,7 +76,8 @@ def _is_half_space(support: Any) -> bool:
     return bool(cuts)
 
 
-def _write(arrangement: Arrangement) -> str:
+def write(arrangement: Arrangement) -> str:
+    """Write an object of the type HyperplaneArrangement."""
     planes = rational_planes(arrangement)
     data: dict[str, Any] = {"_ns": _NAMESPACE, "_type": f"{_TYPE}<Rational>"}
     if arrangement.is_central:
@@ -88,13 +89,3 @@ def _write(arrangement: Arrangement) -> str:
     data["HYPERPLANE_AMBIENT_DIM"] = arrangement.dimension + (not arrangement.is_central)
     data["HYPERPLANES"] = [[str(x) for x in row] for row in rows]
     return json.dumps(data) + "\n"
-
-
-FORMAT = Format(
-    "polymake",
-    "data files of polymake, which OSCAR loads too",
-    (".hyar",),
-    recognises=_recognises,
-    entries=one(_read),
-    write=_write,
-)

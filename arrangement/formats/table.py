@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+import re
+from collections.abc import Callable, Mapping
 from pathlib import Path
 
 from arrangement.arrangement import Arrangement
@@ -11,23 +12,55 @@ from arrangement.exact import shown
 from arrangement.io.files import Source, parse_json, read_text
 
 from . import chirotope, christ, documents, graphs, macaulay2, matrix, oscar, polymake, sage
-from .documents import arrangement_of
 from .form import Format
 
-#: By name. On reading the first that recognises a text is taken.
+
+def _names(program: str) -> Callable[[str], object]:
+    """Return whether a text is JSON with the namespace of a program."""
+    return re.compile(rf'(?s)\s*\{{(?=.*"_ns")(?=.*"{program}")').match
+
+
+_GRAPH = "the planes themselves; it cannot be read back"
+#: By name. On reading the first that recognises a text is taken; what none does is a document.
 FORMATS: dict[str, Format] = {
     form.name: form
     for form in (
-        documents.FORMAT,
-        polymake.FORMAT,
-        oscar.FORMAT,
-        sage.FORMAT,
-        macaulay2.FORMAT,
-        chirotope.FORMAT,
-        chirotope.TOPCOM,
-        christ.FORMAT,
-        matrix.FORMAT,
-        *graphs.FORMATS,
+        Format("json", (".json",), read=documents.read, write=documents.write),
+        Format("polymake", (".hyar",), _names("polymake"), polymake.read, polymake.write),
+        Format("oscar", (".mrdi",), _names("Oscar"), oscar.read, oscar.write),
+        Format("sage", (".sage",), sage.SAGE.search, sage.read, sage.write, loses=sage.loses),
+        Format(
+            "macaulay2", (".m2",), macaulay2.ARRANGEMENT.search, macaulay2.read, macaulay2.write
+        ),
+        Format(
+            "chirotope",
+            (".chi",),
+            chirotope.recognises,
+            chirotope.read,
+            chirotope.write,
+            chirotope.split,
+            chirotope.loses,
+        ),
+        Format(
+            "topcom",
+            (),
+            chirotope.TOPCOM.fullmatch,
+            chirotope.read_topcom,
+            chirotope.write_topcom,
+            loses=chirotope.loses,
+        ),
+        Format("christ", (), christ.recognises, christ.read, split=christ.split),
+        Format("matrix", (".txt", ".csv"), matrix.recognises, matrix.read, matrix.write),
+        *(
+            Format(name, endings, write=write, loses=lambda _: _GRAPH)
+            for name, endings, write in (
+                ("off", (".off",), graphs.off),
+                ("dot", (".dot", ".gv"), lambda planes: graphs.dot(graphs.dual(planes))),
+                ("graphml", (".graphml",), lambda planes: graphs.graphml(graphs.dual(planes))),
+                ("lattice-dot", (), lambda planes: graphs.dot(graphs.lattice(planes))),
+                ("lattice-graphml", (), lambda planes: graphs.graphml(graphs.lattice(planes))),
+            )
+        ),
     )
 }
 #: Largest file of many arrangements that is read.
@@ -47,25 +80,37 @@ def read_arrangement(source: Source) -> Arrangement:
     <Arrangement: 2 planes (2 distinct) in R^3, rank 2, central>
     """
     if isinstance(source, Mapping):
-        return arrangement_of(dict(source), "the document")
+        return documents.arrangement_of(dict(source), "the document")
     text, name = read_text(source)
-    form = next((form for form in FORMATS.values() if form.recognises(text)), None)
-    if form is None:
-        return arrangement_of(parse_json(text, name), name)
+    form = _form_of(text, Path(source).suffix.lower())
+    if form.name == "json":
+        if text.strip() and text.lstrip()[0] not in '{["' and not str(source).endswith(".json"):
+            raise InputError(f"{name} is in none of the formats that are read: {_named('read')}")
+        return documents.arrangement_of(parse_json(text, name), name)
     return Entries(form, text, name).only()
+
+
+def _named(what: str) -> str:
+    return ", ".join(form.name for form in FORMATS.values() if getattr(form, what))
+
+
+def _form_of(text: str, ending: str) -> Format:
+    """Return the format of a text, by its content; where that says nothing, by its ending."""
+    forms = FORMATS.values()
+    known = next((form for form in forms if form.recognises(text)), None)
+    return known or next((form for form in forms if ending in form.endings), FORMATS["json"])
 
 
 class Entries:
     """The arrangements that a text holds; each is made when it is asked for."""
 
     def __init__(self, form: Format, text: str, name: str) -> None:
-        if form.entries is None:
-            known = ", ".join(form.name for form in FORMATS.values() if form.entries)
-            raise InputError(f"the format {form.name} is only written; {known} are read")
+        if form.read is None:
+            raise InputError(f"the format {form.name} is only written; {_named('read')} are read")
         self._where = f"{name}, read as {form.name}"
-        self._form = form.name
+        self._read, self._form = form.read, form.name
         try:
-            self._makers = form.entries(text)
+            self._texts = form.split(text)
         except InputError as error:
             raise InputError(f"{self._where}: {error}") from None
 
@@ -75,14 +120,14 @@ class Entries:
         return cls(format_named(form), *read_text(source, MAX_IMPORT_BYTES))
 
     def __len__(self) -> int:
-        return len(self._makers)
+        return len(self._texts)
 
     def __getitem__(self, number: int) -> Arrangement:
         """Return the arrangement with this number, from 1 on."""
         if not 1 <= number <= len(self):
             raise InputError(f"the number is {number}; {self._where} has 1 to {len(self)}")
         try:
-            return self._makers[number - 1]()
+            return self._read(self._texts[number - 1])
         except InputError as error:
             which = f", entry {number}" if len(self) > 1 else ""
             raise InputError(f"{self._where}{which}: {error}") from None
@@ -112,7 +157,8 @@ def format_of_file(path: str) -> Format:
             return form
     known = ", ".join(e for form in FORMATS.values() for e in form.endings)
     raise InputError(
-        f"the file name ends in {shown(ending)}; known are {known}. Or write --to NAME"
+        f"the file name ends in {shown(ending)}; known are {known}. Or write --to NAME; pictures "
+        "and models are made by arrangement draw"
     )
 
 
@@ -123,8 +169,7 @@ def converted(arrangement: Arrangement, form: Format) -> str:
         InputError: the format is only read, or cannot hold this arrangement.
     """
     if form.write is None:
-        known = ", ".join(form.name for form in FORMATS.values() if form.write)
-        raise InputError(f"the format {form.name} is only read; {known} are written")
+        raise InputError(f"the format {form.name} is only read; {_named('write')} are written")
     try:
         return form.write(arrangement)
     except InputError as error:

@@ -41,6 +41,14 @@ def write_bytes_atomically(path: str | os.PathLike[str], content: bytes) -> None
         raise InputError(f"cannot write {shown(str(path))}: {reason(error)}") from None
 
 
+def write_or_print(path: str | None, text: str) -> None:
+    """Write a text to a file (`write_text_atomically`), or to stdout where there is none."""
+    if path is None:
+        print(text, end="")
+    else:
+        write_text_atomically(path, text)
+
+
 def document_text(document: Mapping[str, Any]) -> str:
     """Return the file form of an arrangement (`to_dict`) as JSON, one plane a line."""
     rows = [f"    {json.dumps(row)}" for row in document["planes"]]

@@ -13,7 +13,7 @@ from functools import cached_property
 from math import lcm
 from typing import Any
 
-from arrangement.cones import Generators, generators
+from arrangement.cones import Generators, both_ways
 from arrangement.exact import IntegerVector, RationalVector, dot, primitive, reduced, to_text
 from arrangement.linear import cross
 
@@ -26,31 +26,38 @@ class Polyhedron:
 
     Attributes:
         inequalities, equalities: conditions, primitive integers with the constant last.
-        points: of a polyhedron without lines the vertices, else one point of each minimal face.
-        rays, lines: the directions in which it has no end, one way or both ways.
+        homogeneous: the points and then the rays, and the lines, as homogeneous generators.
     """
 
     inequalities: tuple[IntegerVector, ...]
     equalities: tuple[IntegerVector, ...]
-    points: tuple[RationalVector, ...]
-    rays: tuple[IntegerVector, ...]
-    lines: tuple[IntegerVector, ...]
+    homogeneous: Generators
+
+    @cached_property
+    def points(self) -> tuple[RationalVector, ...]:
+        """Of a polyhedron without lines the vertices, else one point of each minimal face."""
+        finite = (ray for ray in self.homogeneous[0] if ray[-1])
+        return tuple(tuple(Fraction(x, ray[-1]) for x in ray[:-1]) for ray in finite)
+
+    @property
+    def rays(self) -> tuple[IntegerVector, ...]:
+        """The directions in which it has no end."""
+        return tuple(ray[:-1] for ray in self.homogeneous[0] if not ray[-1])
+
+    @property
+    def lines(self) -> tuple[IntegerVector, ...]:
+        """A basis of the directions in which it has no end both ways."""
+        return tuple(line[:-1] for line in self.homogeneous[1])
 
     @property
     def dimension(self) -> int:
         """The dimension of the affine hull."""
-        return len(self.points[0]) - len(self.equalities)
+        return len(self.homogeneous[0][0]) - 1 - len(self.equalities)
 
     @property
     def bounded(self) -> bool:
         """Whether there is an end in every direction."""
-        return not self.rays and not self.lines
-
-    @cached_property
-    def homogeneous(self) -> tuple[tuple[IntegerVector, ...], tuple[IntegerVector, ...]]:
-        """The points and rays, then the lines, as homogeneous generators."""
-        points = [primitive((*point, Fraction(1))) for point in self.points]
-        return (*points, *((*ray, 0) for ray in self.rays)), tuple((*x, 0) for x in self.lines)
+        return all(ray[-1] for ray in self.homogeneous[0]) and not self.homogeneous[1]
 
     def contains(self, point: Sequence[Fraction | int]) -> bool:
         """Return whether a point lies in the polyhedron, its boundary included."""
@@ -107,14 +114,13 @@ class Polyhedron:
 
     def _misses(self, origin: Sequence[Fraction], spans: Sequence[Sequence[Fraction]]) -> bool:
         """Return whether a plane in space leaves all points strictly on one side (quick)."""
-        if len(origin) != 3 or len(spans) != 2 or self.lines:
+        if len(origin) != 3 or len(spans) != 2 or self.homogeneous[1]:
             return False
         normal = cross(*spans)
-        height = dot(normal, origin)
-        points = [dot(normal, point) - height for point in self.points]
-        rays = [dot(normal, ray) for ray in self.rays]
+        plane = primitive((*normal, -Fraction(dot(normal, origin))))
+        values = [(dot(plane, x), x[-1]) for x in self.homogeneous[0]]
         return any(
-            all(side * x > 0 for x in points) and all(side * x >= 0 for x in rays)
+            all(side * at > 0 if finite else side * at >= 0 for at, finite in values)
             for side in (1, -1)
         )
 
@@ -128,36 +134,26 @@ def from_conditions(
     inequalities: Iterable[Sequence[int]], equalities: Iterable[Sequence[int]], dimension: int
 ) -> Polyhedron | None:
     """Return the polyhedron of conditions ``(a, b)``; None when they have no solution."""
-    rays, lines = generators(inequalities, equalities, dimension + 1, finite=True)
-    return from_generators(rays, lines, dimension, extreme=not lines)
+    return _polyhedron(*both_ways(inequalities, equalities, dimension + 1, finite=True))
 
 
 def from_generators(
-    rays: Iterable[IntegerVector],
-    lines: Iterable[IntegerVector],
-    dimension: int,
-    *,
-    extreme: bool = False,
+    rays: Iterable[IntegerVector], lines: Iterable[IntegerVector], dimension: int
 ) -> Polyhedron | None:
     """Return the polyhedron that homogeneous generators span; None when none is a point.
 
     Args:
         rays, lines: may be redundant. The last entry of each is at least 0, and 0 for lines.
-        extreme: the rays come from `generators`, and there are no lines.
     """
-    listed = list(rays)
-    if not any(ray[-1] for ray in listed):
-        return None
-    facets, equalities = generators(listed, lines, dimension + 1)
-    kept: Generators = (tuple(listed), ())
-    if not extreme:
-        kept = generators(facets, equalities, dimension + 1)
+    conditions, kept = both_ways(rays, lines, dimension + 1)
+    return _polyhedron(kept, conditions)
+
+
+def _polyhedron(kept: Generators, conditions: Generators) -> Polyhedron | None:
     finite = [ray for ray in kept[0] if ray[-1]]
-    return Polyhedron(
-        # A facet without a point is the one at infinity, which says nothing about points.
-        tuple(facet for facet in facets if any(dot(facet, ray) == 0 for ray in finite)),
-        equalities,
-        tuple(tuple(Fraction(x, ray[-1]) for x in ray[:-1]) for ray in finite),
-        tuple(ray[:-1] for ray in kept[0] if not ray[-1]),
-        tuple(line[:-1] for line in kept[1]),
-    )
+    if not finite:
+        return None
+    # A facet without a point is the one at infinity, which says nothing about points.
+    facets = tuple(row for row in conditions[0] if any(dot(row, ray) == 0 for ray in finite))
+    endless = [ray for ray in kept[0] if not ray[-1]]
+    return Polyhedron(facets, conditions[1], ((*finite, *endless), kept[1]))

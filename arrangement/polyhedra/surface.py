@@ -62,10 +62,15 @@ def surface(shapes: Iterable[Polyhedron]) -> tuple[Patch, ...]:
     every = list(shapes)
     solids = _Solids([_Solid(shape) for shape in every if shape.dimension == 3])
     flat = [shape for shape in every if shape.dimension == 2]
-    facets: dict[IntegerVector, list[Loop]] = {}
+    facets: dict[IntegerVector, dict[frozenset[IntegerVector], Loop]] = {}
     for solid in solids.listed:
         for row, corners in solid.facets:
-            facets.setdefault(row, []).append(corners)
+            facets.setdefault(row, {})[frozenset(corners)] = corners
+    # A facet with a solid on either side is inside, and most are.
+    alone = {
+        row: [c for ends, c in facets[row].items() if ends not in facets.get(_turned(row), ())]
+        for row in sorted(facets)
+    }
     sheets: dict[IntegerVector, list[Loop]] = {}
     for shape in flat:
         row = unoriented(shape.equalities[0])
@@ -73,8 +78,8 @@ def surface(shapes: Iterable[Polyhedron]) -> tuple[Patch, ...]:
     return (
         *(
             p
-            for row in watched(sorted(facets), "planes of faces")
-            for p in _patches(row, facets[row], solids, sheet=False)
+            for row in watched([row for row in alone if alone[row]], "planes of faces")
+            for p in _patches(row, alone[row], solids, sheet=False)
         ),
         *(p for row in sorted(sheets) for p in _patches(row, sheets[row], solids, sheet=True)),
         *_thin(every),
@@ -105,7 +110,7 @@ class _Solid:
         self.points = _homogeneous(shape)
         self.facets = []
         for inward in shape.inequalities:
-            row = tuple(-x for x in inward)
+            row = _turned(inward)
             self.facets.append((row, ordered(row, [p for p in self.points if not dot(row, p)])))
         self.rows = {row for row, _ in self.facets}
         self.corners = set(self.points)
@@ -171,7 +176,7 @@ class _Solids:
         most_outside, least = sides.max(axis=0), sides.min(axis=0)
         near &= np.maximum.reduceat(least, self.row_starts) <= far
         beyond = np.maximum.reduceat(most_outside, self.row_starts)
-        listed, planes = [], (row, tuple(-x for x in row))
+        listed, planes = [], (row, _turned(row))
 
         def holds(solid: int, values: NDArray[np.float64], side: int) -> Iterator[bool]:
             """Yield for facets of a polytope whether the corners are on a side, or on the facet.
@@ -213,7 +218,11 @@ def rounded(points: Iterable[IntegerVector]) -> NDArray[np.float64]:
 
 
 def _homogeneous(shape: Polyhedron) -> Loop:
-    return [primitive((*point, Fraction(1))) for point in shape.points]
+    return list(shape.homogeneous[0])
+
+
+def _turned(row: IntegerVector) -> IntegerVector:
+    return tuple([-x for x in row])
 
 
 def _patches(
@@ -245,7 +254,7 @@ def _patches(
 
 def _thin(shapes: Sequence[Polyhedron]) -> Iterator[Patch]:
     """Yield the parts of segments, and the points, that lie in nothing larger."""
-    for shape in shapes:
+    for shape in (shape for shape in shapes if shape.dimension < 2):
         larger = [other for other in shapes if other.dimension > shape.dimension]
         if shape.dimension == 1:
             p, q = shape.points

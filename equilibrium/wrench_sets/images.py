@@ -14,7 +14,7 @@ from fractions import Fraction
 from math import lcm
 from typing import NamedTuple
 
-from arrangement.cones import Cone, generators
+from arrangement.cones import Cone, both_ways
 from arrangement.exact import IntegerVector, dot, primitive, reduced
 from arrangement.polyhedra.polyhedron import Polyhedron, from_generators
 from equilibrium.model.grasp import Grasp
@@ -163,6 +163,5 @@ class StateImages:
 
 def _extreme(points: list[IntegerVector]) -> list[IntegerVector]:
     """Return the vertices of the convex hull of integer points."""
-    facets, equalities = generators([(*point, 1) for point in points], (), 4)
-    rays, _ = generators(facets, equalities, 4)
+    _, (rays, _) = both_ways([(*point, 1) for point in points], (), 4)
     return [ray[:3] for ray in rays]

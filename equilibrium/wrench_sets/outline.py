@@ -92,17 +92,22 @@ def outline_of(polygons: Sequence[Polyhedron]) -> Outline:
 
 def _border(solid: Sequence[Polyhedron]) -> Iterator[Segment]:
     """Yield the parts of edges with nothing of the union on their other side."""
-    with_edge: dict[IntegerVector, list[Polyhedron]] = {}
+    edges: dict[IntegerVector, dict[frozenset[IntegerVector], Polyhedron]] = {}
     for p in solid:
         for row in p.inequalities:
-            with_edge.setdefault(row, []).append(p)
-    rows = sorted(with_edge)
-    carriers = [with_edge[row] for row in rows]
+            edges.setdefault(row, {})[frozenset(_tight(row, p))] = p
+    # An edge with a polygon on either side is inside, and most are.
+    alone = {
+        row: [p for ends, p in edges[row].items() if ends not in edges.get(negated(row), ())]
+        for row in sorted(edges)
+    }
+    rows = [row for row in alone if alone[row]]
+    carriers = [alone[row] for row in rows]
     found = zip(rows, carriers, _near(rows, carriers, solid), strict=True)
-    for row, edges, near in watched(found, "lines", len(rows)):
+    for row, carrying, near in watched(found, "lines", len(rows)):
         line = _Line(row)
         covered = [line.part(p) for p in near if row not in p.inequalities]
-        yield from line.segments([line.part(p) for p in edges], covered)
+        yield from line.segments([line.part(p) for p in carrying], covered)
 
 
 def _whiskers(thin: Sequence[Polyhedron], solid: Sequence[Polyhedron]) -> Iterator[Segment]:

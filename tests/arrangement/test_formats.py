@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 import json
 import re
 from pathlib import Path
@@ -98,6 +99,24 @@ SAMPLES = {
         "H.<u,v> = HyperplaneArrangements(QQ)\nbox = u | v | u - 2 | v - 2\n",
         Arrangement([[1, 0], [0, 1], [1, 0], [0, 1]], [0, 0, 2, 2]),
     ),
+    "joined in a session of Sage": (
+        "sage",
+        "sage: H.<u,v> = HyperplaneArrangements(QQ)\nsage: box = u | v | u-2;  box\n"
+        "Arrangement <v | u - 2 | u>\n",
+        Arrangement([[1, 0], [0, 1], [1, 0]], [0, 0, 2]),
+    ),
+    "names and options of Sage": (
+        "sage",
+        "L = OrderedHyperplaneArrangements(QQ, names='uvw')\nu, v, w = L.gens()\n"
+        "A = L(((u-1), (v), u - w), backend='normaliz')\n",
+        Arrangement([[1, 0, 0], [0, 1, 0], [1, 0, -1]], [1, 0, 0]),
+    ),
+    "a file that Sage loads": (
+        "sage",
+        'print "Loaded"\n\nH.<k1_1, k1_2> = HyperplaneArrangements(QQ)\nA=H([\nk1_2,\n'
+        "2*k1_1 - k1_2\n])",
+        Arrangement([[0, 1], [2, -1]]),
+    ),
     "a list of forms in Sage": (
         "sage",
         "H.<u,v> = HyperplaneArrangements(QQ)\nA = H([u, v, u + v])\n",
@@ -112,6 +131,17 @@ SAMPLES = {
         "macaulay2",
         "A = arrangement(matrix {{1,0,1,2}, {0,1,1,-5}}, R)",
         Arrangement([[1, 0], [0, 1], [1, 1], [2, -5]]),
+    ),
+    "the ring that is named": (
+        "macaulay2",
+        "S = QQ[x, y, Degrees => {2:1}, Heft => {1}]\nR = QQ[x, y, z]\n"
+        "A = arrangement ({x, -(3/2)*x + (1/3)*y - 1}, S)\n",
+        Arrangement([[1, 0], ["-3/2", "1/3"]], [0, 1]),
+    ),
+    "the ring that has the variables": (
+        "macaulay2",
+        "R = QQ[w,x]; S = QQ[y,z];\nA = arrangement{w, x, w-x}",
+        Arrangement([[1, 0], [0, 1], [1, -1]]),
     ),
     "numbered variables": (
         "macaulay2",
@@ -137,6 +167,11 @@ SAMPLES = {
         "[   1    0 -1/2]\n[   0    3    1]\n",
         Arrangement([[1, 0, "-1/2"], [0, 3, 1]]),
     ),
+    "a list of lists": (
+        "matrix",
+        "[[1,0,0],[0,1,0], (1,1,-2)]",
+        Arrangement([[1, 0, 0], [0, 1, 0], [1, 1, -2]]),
+    ),
     "commas, remarks, decimals": (
         "matrix",
         "# x, y\n1,0.25\n-2e1, 1  # the second\n",
@@ -153,6 +188,43 @@ SAMPLES = {
 @pytest.mark.parametrize(("name", "text", "planes"), SAMPLES.values(), ids=SAMPLES.keys())
 def test_what_others_write_is_read(name: str, text: str, planes: Arrangement) -> None:
     assert one(name, text) == planes
+
+
+#: What other programs wrote, and the number of regions that they found.
+OTHERS = {
+    "affine.hyar": ("polymake", 10),
+    "sparse.hyar": ("polymake", 30),
+    "session.m2": ("macaulay2", 36),
+    "written.m2": ("macaulay2", 15),
+    "hyperplanes.sage": ("sage", 16),
+    "symmetric.tc": ("topcom", 24),
+}
+
+
+@pytest.mark.parametrize(("name", "form", "regions"), [(k, *v) for k, v in OTHERS.items()])
+def test_files_of_others_have_the_regions_that_they_say(name: str, form: str, regions: int) -> None:
+    text = (Path(__file__).parent / "others" / name).read_text(encoding="utf-8")
+    found = one(form, text)
+    assert counts.region_count(found) == regions
+    if form == "polymake":
+        said = json.loads(text)
+        assert len(found) == said["N_HYPERPLANES"]
+        assert regions == said["CHAMBER_DECOMPOSITION"]["N_MAXIMAL_CONES"]
+    if form == "topcom":
+        given = read_arrangement("braid-a3").chirotope_string("lexicographic")
+        assert given == found.chirotope_string("lexicographic") == text.split()[1]
+
+
+def test_lists_of_finschi_are_read() -> None:
+    """Columns are bases, read downwards; lines have names."""
+    listed = list(census.census(5))
+    triples = sorted(itertools.combinations("12345", 3), key=lambda row: row[::-1])
+    heads = "".join(f"{'':12}{''.join(digits)}\n" for digits in zip(*triples, strict=True))
+    lines = [f"IC(5,3, {k}) = {a.chirotope_string()}" for k, a in enumerate(listed, 1)]
+    found = Entries(FORMATS["chirotope"], heads + "\n".join(lines), "the list")
+    assert FORMATS["chirotope"].recognises(heads + "\n".join(lines))
+    assert [identify(found[k]).type for k in (1, 2, 3, 4)] == [identify(a).type for a in listed]
+    assert len(found) == 4
 
 
 REFUSED = {
@@ -185,7 +257,21 @@ REFUSED = {
         "SUPPORT",
     ),
     "no matrix": ('{"_ns": {"Oscar": []}, "_type": "QQField"}', "no matrix"),
+    "the dual": ("R = QQ[x,y]\nA = dual arrangement {x,y,x-y}", "the dual"),
+    "the ring of a matrix": ("R = ZZ/7[x,y]\nA = arrangement(matrix {{1,0},{0,1}}, R)", "ZZ/7"),
     "rank 4": ("5,4:+++++", "rank 3"),
+    "a list of rank 4": (f"IC(7,4,1) = {'+' * 35}", "rank 4"),
+    "an empty row": (
+        '{"_ns": {"polymake": []}, "_type": "fan::HyperplaneArrangement<Rational>", '
+        '"HYPERPLANES": [[]], "SUPPORT": {"INEQUALITIES": [["1"]]}}',
+        "without entries",
+    ),
+    "a list in a list": (
+        '{"_ns": {"polymake": []}, "_type": "fan::HyperplaneArrangement<Rational>", '
+        '"HYPERPLANES": [["1", ["1"]]]}',
+        "normals",
+    ),
+    "prose": ("Lines in the plane", "in none of the formats"),
     "a wrong length": ("++-+-", "C\\(n, 3\\)"),
     "a loop": ("+000", "element 4"),
     "two bars": ("1 0 | 2 3\n0 1 | 1\n", "several offsets"),
@@ -303,6 +389,30 @@ def test_what_cannot_be_converted_leaves_no_file(
     assert not list(tmp_path.glob("no.*"))
 
 
+@pytest.mark.parametrize("form", ["chirotope", "christ", "polymake", "oscar", "json", "sage"])
+@pytest.mark.parametrize("text", ["abc\n", "a", '"abc"', "[1]", "", "+++\nx\n"])
+def test_import_of_what_is_none_is_refused(form: str, text: str, tmp_path: Path) -> None:
+    path = tmp_path / "none"
+    path.write_text(text, encoding="utf-8")
+    assert main(["import", form, str(path), "--number", "1"]) == 2
+
+
+def test_the_ending_says_what_a_text_should_be(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    for name, message in {
+        "a.sage": "there is no line such as H.<x,y>",
+        "a.m2": "there is no arrangement {...}",
+        "a.csv": "not an exact number",
+        "a.dot": "only written",
+        "a.json": "not valid JSON",
+    }.items():
+        path = tmp_path / name
+        path.write_text("x y\n", encoding="utf-8")
+        assert main(["count", str(path)]) == 2
+        assert message in capsys.readouterr()[1]
+
+
 def test_import_lists_and_takes_one(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     path = tmp_path / "lines"
     other = Arrangement([[1, 0], [0, 1], [1, 1], [2, -1]], [0, 0, 1, 1])
@@ -316,3 +426,5 @@ def test_import_lists_and_takes_one(tmp_path: Path, capsys: pytest.CaptureFixtur
     taken = str(tmp_path / "two.json")
     assert main(["import", "christ", str(path), "--number", "2", "-o", taken]) == 0
     assert read_arrangement(taken) == other
+    assert main(["import", "christ", str(path), "--number", "2", "--to", "matrix"]) == 0
+    assert capsys.readouterr()[0].splitlines()[0] == "1 0 | 0"

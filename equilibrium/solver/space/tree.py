@@ -15,9 +15,10 @@ from arrangement.float_filter import Floats
 from equilibrium.solver.spatial_contacts import SpatialContacts
 
 from .balance import SpatialContinuation
-from .equilibria import Proposal, States, proposals, smooth_states
+from .equilibria import Proposal, proposals
 from .leaves import exact_leaf
 from .relaxation import Point, Ray, Relaxation, Sector, State
+from .states import States, smooth_states
 
 #: Nodes of a tree, if not told otherwise, and random starts of the first search.
 NODES, _STARTS = 4000, 3
