@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import argparse
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import asdict
 from importlib import import_module
 from typing import TYPE_CHECKING, Any
@@ -17,7 +17,6 @@ from .number_form import vector
 
 if TYPE_CHECKING:
     from .arrangement import Arrangement
-    from .faces import Face
 
 _Command = Callable[[argparse.Namespace], int]
 _FILE = (
@@ -105,7 +104,7 @@ def _parser() -> terminal.Parser:
     add_format_commands(add)
 
     draw = add("draw", _draw, "draw pictures and pages, or export models to hold")
-    draw.later = lambda: _add_draw_options(draw)
+    draw.later = lambda: _later("draw.command").add_options(draw, _later("draw.views").DRAWINGS)
 
     text = "a page in which lines and great circles are dragged, counted at once"
     page = add("lab", _lab, text, file="?")
@@ -142,14 +141,17 @@ def _count(arguments: argparse.Namespace) -> int:
     if arguments.json:
         terminal.print_json(counts)
         return terminal.YES
-    print(f"planes           {counts['planes']}")
-    print(f"distinct planes  {counts['distinct_planes']}")
-    print(f"rank             {counts['rank']}")
-    if arrangement.field is not None:
-        print(f"entries in       {arrangement.field!r}")
-    for dimension, number in enumerate(faces.f_vector):
-        print(f"faces of dim {dimension}   {number}")
-    print(f"states           {counts['states']}")
+    rows = {"planes": len(arrangement), "distinct planes": len(arrangement.distinct)}
+    field = {} if arrangement.field is None else {"entries in": repr(arrangement.field)}
+    dimensions = {f"faces of dim {k}": number for k, number in enumerate(faces.f_vector)}
+    return _print_rows(
+        {**rows, "rank": arrangement.rank, **field, **dimensions, "states": len(faces)}
+    )
+
+
+def _print_rows(rows: Mapping[str, object]) -> int:
+    for name, value in rows.items():
+        print(f"{name:<17}{value}")
     return terminal.YES
 
 
@@ -168,11 +170,8 @@ def _polynomial(arguments: argparse.Namespace) -> int:
 
     zeros = [0] * (arrangement.dimension + 1 - len(numbers))
     chi = Poly([*numbers, *zeros], Symbol("t"))
-    print(f"chi(t)           {chi.as_expr()}")
-    print(f"factors          {chi.as_expr().factor()}")
-    print(f"regions          {regions}")
-    print(f"bounded regions  {bounded}")
-    return terminal.YES
+    rows = {"chi(t)": chi.as_expr(), "factors": chi.as_expr().factor()}
+    return _print_rows({**rows, "regions": regions, "bounded regions": bounded})
 
 
 def _primes(text: str) -> list[int]:
@@ -243,7 +242,8 @@ def _faces(arguments: argparse.Namespace) -> int:
                 {"signs": face.signs, "dimension": face.dimension, "witness": face.witness}
             )
         else:
-            print(_line(face))
+            signs = "".join(_SYMBOLS[sign] for sign in face.signs)
+            print(f"{signs}  dim {face.dimension}  {vector(face.witness)}")
     return terminal.YES
 
 
@@ -254,31 +254,23 @@ def _identify(arguments: argparse.Namespace) -> int:
     if arguments.json:
         terminal.print_json(asdict(found))
         return terminal.YES
-    if found.type is None:
-        limit = f"it has rank 3 and up to {MOST_PLANES} distinct planes"
-        print(f"type             not in the catalogue; {limit}")
-    else:
-        names = f", {', '.join(found.names)}" if found.names else ""
-        print(f"type             {found.planes}.{found.type}{names}")
-    if found.finschi_fukuda is not None:
-        print(f"Finschi-Fukuda   IC({found.planes},3,{found.finschi_fukuda})")
-    print(f"distinct planes  {found.planes}")
-    print(f"rank             {found.rank}")
-    print(f"f-vector         {' '.join(map(str, found.f_vector))}")
-    if found.t_vector:
-        points = ", ".join(f"t{k} = {number}" for k, number in found.t_vector.items())
-        print(f"points           {points}")
-    if found.automorphisms is not None:
-        print(f"automorphisms    {found.automorphisms}")
+    name = f"not in the catalogue; it has rank 3 and up to {MOST_PLANES} distinct planes"
+    if found.type is not None:
+        name = ", ".join([f"{found.planes}.{found.type}", *found.names])
     words = {"simple": found.is_simple, "simplicial": found.is_simplicial}
-    print(f"it is            {' and '.join(w if yes else f'not {w}' for w, yes in words.items())}")
-    if found.order:
-        planes = (
-            ("-" if side < 0 else "+") + str(k)
-            for k, side in zip(found.order, found.sides, strict=True)
-        )
-        print(f"as in the list   {' '.join(planes)}")
-    return terminal.YES
+    order = zip(found.order or (), found.sides or (), strict=True)
+    rows = {
+        "type": name,
+        "Finschi-Fukuda": found.finschi_fukuda and f"IC({found.planes},3,{found.finschi_fukuda})",
+        "distinct planes": found.planes,
+        "rank": found.rank,
+        "f-vector": " ".join(map(str, found.f_vector)),
+        "points": ", ".join(f"t{k} = {number}" for k, number in (found.t_vector or {}).items()),
+        "automorphisms": found.automorphisms,
+        "it is": " and ".join(w if yes else f"not {w}" for w, yes in words.items()),
+        "as in the list": " ".join(("-" if side < 0 else "+") + str(k) for k, side in order),
+    }
+    return _print_rows({k: value for k, value in rows.items() if value not in ("", None)})
 
 
 def _bounds(arguments: argparse.Namespace) -> int:
@@ -299,18 +291,6 @@ def _bounds(arguments: argparse.Namespace) -> int:
     for row in table:
         print("  ".join(f"{name} {value}" for name, value in row.items()))
     return terminal.YES
-
-
-def _line(face: Face) -> str:
-    signs = "".join(_SYMBOLS[sign] for sign in face.signs)
-    return f"{signs}  dim {face.dimension}  {vector(face.witness)}"
-
-
-def _add_draw_options(draw: argparse.ArgumentParser) -> None:
-    from .draw.command import add_options
-    from .draw.views import DRAWINGS
-
-    add_options(draw, DRAWINGS)
 
 
 def _draw(arguments: argparse.Namespace) -> int:

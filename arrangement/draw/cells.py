@@ -89,7 +89,7 @@ def draw_cells(
     for cell in cells.cells:
         shift = _middle(stage.points, cell) * (explode - 1)
         lifted.append(Lifted(cell, stage.points + shift, shift))
-    names = RegionLabels(arrangement, labels or ("none" if len(lifted) > _NAMED else None))
+    names = RegionLabels(arrangement, labels, len(lifted), _NAMED)
     signs = [cell.signs for cell in cells.cells]
     sheet = PlanesSheet(
         stage, lifted, lambda facet: fill_colour(facet.label), width, StagedAxes(stage, ()),
@@ -98,8 +98,6 @@ def draw_cells(
     left = 0 if names.kind == "none" else Names(sheet, names).name_cells(beside=False)
     legend = sheet.scene.legend
     names.explain(legend, signs)
-    if labels is None and len(lifted) > _NAMED:
-        legend.captions.append(f"{len(lifted)} cells, too many for labels; --labels numbers tries")
     if left:
         legend.captions.append(
             f"{left} of {len(lifted)} cells are hidden or too narrow for a label"

@@ -199,6 +199,12 @@ def letter_colour(label: int) -> str:
     return "#" + "".join(f"{round(255 * x):02x}" for x in channels)
 
 
+def darkened(colour: str, light: float) -> str:
+    """Return a colour ``#rrggbb`` as a share of the light shows it."""
+    channels = (int(colour[k : k + 2], 16) for k in (1, 3, 5))
+    return "#" + "".join(f"{round(light * x):02x}" for x in channels)
+
+
 def pale(colour: str, white: float = 0.42) -> str:
     """Return a colour ``#rrggbb`` mixed with a share of white."""
     channels = (int(colour[k : k + 2], 16) for k in (1, 3, 5))

@@ -14,7 +14,7 @@ from dataclasses import dataclass, field, replace
 import numpy as np
 
 from arrangement.exact import IntegerVector, dot
-from arrangement.polyhedra.flat_polygons import Segment, between
+from arrangement.polyhedra.flat_polygons import Segment, between, clipped
 from arrangement.polyhedra.surface import Patch
 
 #: So many planes are tried for a split, and one patch cut counts as so many out of balance.
@@ -100,16 +100,8 @@ def _half(patch: Patch, row: IntegerVector, side: int) -> list[Patch]:
         return []
     if min(values) >= 0:
         return [patch]
-    kept = []
-    for k, (p, at) in enumerate(zip(patch.corners, values, strict=True)):
-        if at * values[k - 1] < 0:
-            cut = between(patch.corners[k - 1], p, values[k - 1], at)
-            if cut not in kept:
-                kept.append(cut)
-        if at >= 0:
-            kept.append(p)
     edges = tuple(part for edge in patch.edges for part in _part(edge, row, side))
-    return [replace(patch, corners=tuple(kept), edges=edges)]
+    return [replace(patch, corners=tuple(clipped(patch.corners, values)), edges=edges)]
 
 
 def _part(edge: Segment, row: IntegerVector, side: int) -> list[Segment]:

@@ -14,7 +14,7 @@ from arrangement.exact import dot
 from .colours import DrawnRegion, Painter, letter_colour
 from .globe import Globe
 from .items import Box, Floats
-from .labels import SIZES, flattened, keep_off, spread, turn, write_inside
+from .labels import SIZES, along, flattened, keep_off, spread, turn, write_inside
 from .leaders import Leaders
 from .projections import Drawn, Projection
 from .regionlabels import RegionLabels
@@ -26,6 +26,8 @@ RIM = 13.0
 HIDDEN: dict[str, Any] = {
     "lw": 0.5, "ls": (0, (3, 3)), "alpha": 0.5, "zorder": 2, "role": "hidden"
 }  # fmt: skip
+#: From so many circles on lines are thinner.
+_MANY = 15
 #: More regions than this get no leader lines.
 _MOST_LEADERS = 150
 
@@ -96,8 +98,9 @@ class Disc:
                 start = np.array([normal[1], -normal[0], 0.0]) / math.hypot(normal[0], normal[1])
                 curve = self.on_paper(self.drawn.projection(normal, start, math.pi))
                 ink = self.ink(circle) if self.ink is not None else "black"
-                self.scene.curve(curve, fill=False, ec=ink, gid=f"back-{circle}", **HIDDEN)
-                found.append(_closed(flattened(curve, 8), curve))
+                style = {**HIDDEN, "lw": HIDDEN["lw"] * thinner(globe.whole.circle_count)}
+                self.scene.curve(curve, fill=False, ec=ink, gid=f"back-{circle}", **style)
+                found.append(along(curve))
         return found
 
     def _arcs(self) -> list[Floats]:
@@ -112,12 +115,13 @@ class Disc:
                 style |= {"ec": colour, "lw": 1.6 if is_plane else 0.6, "gid": f"limb-{arc}"}
             elif dot(globe.cut.arc_witness(arc), globe.direction) > 0:
                 thick = 1.3 if self.ink is not None else 0.9
+                thick *= thinner(globe.whole.circle_count)
                 style |= {"ec": colour, "lw": thick, "gid": f"front-{arc}"}
             else:
                 continue
             curve = self.on_paper(drawn.arc(arc))
             self.scene.curve(curve, **style)
-            found.append(_closed(flattened(curve, 8), curve))
+            found.append(along(curve))
         return found
 
     def _names(self, both_ends: bool) -> None:
@@ -151,12 +155,13 @@ class Disc:
                     return
 
 
+def thinner(count: int) -> float:
+    """Return by what lines are multiplied where so many planes are drawn."""
+    return min(1.0, math.sqrt(_MANY / max(1, count)))
+
+
 def _corner(scene: Scene) -> tuple[float, float]:
     return scene.width, scene.height
-
-
-def _closed(points: Floats, curve: Floats) -> Floats:
-    return np.vstack([points, curve[-1:]])
 
 
 def label_regions(
@@ -200,14 +205,17 @@ def alone(
     """Return a disc that fills its scene; `width` in millimetres."""
     scene = Scene(width, width)
     centre = (scene.width / 2, scene.width / 2)
-    radius = scene.width / 2 - rim_width(scene, globe)
+    radius = scene.width / 2 - rim_width(scene, globe, names)
     return Disc(scene, centre, radius, globe, drawn, names, solid=solid)
 
 
-def rim_width(scene: Scene, globe: Globe) -> float:
-    """Return the room that the numbers of the planes need outside the limb, in points."""
-    names = map(plane_names, globe.whole.arrangement.distinct)
-    return max(RIM, 5.5 + max((scene.measure(name, 7.0)[0] for name in names), default=0.0))
+def rim_width(scene: Scene, globe: Globe, names: RegionLabels | None = None) -> float:
+    """Return the room that numbers of planes and short labels need outside the limb, in points."""
+    arrangement = globe.whole.arrangement
+    widths = [5.5 + scene.measure(plane_names(x), 7.0)[0] for x in arrangement.distinct]
+    forms = names.forms((1,) * len(arrangement)) if names and names.kind == "signs" else []
+    beside = min(24.0, 3.5 + max((scene.measure(text, SIZES[1])[0] for text in forms), default=0.0))
+    return max([RIM, beside, *widths])
 
 
 def front(globe: Globe, projection: Projection) -> Drawn:

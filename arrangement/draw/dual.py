@@ -18,7 +18,7 @@ from .essential import shown_as
 from .figure import picture
 from .globe import TO_LIGHT, Globe, clear_direction
 from .items import Box, Floats
-from .labels import SIZES, crosses, segments_of, tree_of, tried, write_along, write_beside
+from .labels import SIZES, keep_off, ring, tried, write_along, write_beside
 from .measuring import checked_width
 from .projections import orthographic
 from .regionlabels import RegionLabels
@@ -67,9 +67,7 @@ def draw_dual(
         colour, antipodes, labels: as for `draw_sphere`.
         width: of the figure, in millimetres; below 120 the panels stand one above the other.
         hull: draw the hull of representatives.
-        coordinates: "symmetric": after a linear map that shows the symmetry of the planes and
-            changes no sign vector; "even": after one that spreads the normals evenly; "given". If
-            omitted, symmetric (narrow planes: even), but for planes of motions and for the hull.
+        coordinates: as for `draw_sphere`; for the hull "given" if omitted.
 
     Raises:
         InputError: another space or rank, planes off the origin, too many circles, unknown
@@ -98,7 +96,7 @@ def draw_dual(
     size = scene.width / 2 if beside else scene.width
     first = (size / 2, scene.height - size / 2)
     second = (size * 1.5, first[1]) if beside else (size / 2, first[1] - size)
-    radius = size / 2 - rim_width(scene, globe)
+    radius = size / 2 - rim_width(scene, globe, names)
     disc = Disc(scene, first, radius, globe, front(globe, orthographic), names, _ink(hull), True)
     _sphere(disc, colours.paint, points, (0.0, first[1] - size / 2, size, scene.height))
     picture = _Picture(scene, globe, solid, [colours.paint(r) for r in _regions(globe, solid)],
@@ -144,7 +142,7 @@ def _sphere(disc: Disc, paint: Painter, points: Floats | None, within: Box) -> N
     dots: list[Floats] = []
     if points is not None:
         places = disc.on_paper(points[points[:, 2] > 0][:, :2])
-        dots = list(crosses(places, 1.1))
+        dots = [ring(place, 1.1, 9) for place in places]
         for place in places:
             disc.scene.circle(place, 1.1, fc="black", ec="none", zorder=4, role="point")
     disc.draw(paint, avoid=dots, within=within)
@@ -170,12 +168,10 @@ class _Picture:
         solid, scene = self.solid, self.scene
         largest = 1.0 if self.hull else float(np.linalg.norm(solid.places, axis=1).max())
         self.places = np.array(centre) + solid.places * (radius / max(largest, 1e-9))
-        self.limb = np.empty((0, 2, 2))
+        self.limb: list[Floats] = []
         if self.hull:
             scene.circle(centre, radius, fill=False, ec="0.6", lw=0.4, zorder=1, gid="limb")
-            at = np.linspace(0, 2 * np.pi, 181)
-            rim = np.array(centre) + radius * np.stack([np.cos(at), np.sin(at)], axis=1)
-            self.limb = segments_of([rim])
+            self.limb = [ring(centre, radius)]
         for k, (cycle, normal) in enumerate(solid.faces):
             grey = str(round(0.8 + 0.19 * max(0.0, float(TO_LIGHT @ normal)), 3))
             scene.polygon(self.places[list(cycle)], fc=grey, ec="none", zorder=1, gid=f"face-{k}")
@@ -232,24 +228,24 @@ class _Picture:
             if not solid.edge_hidden[e]:
                 length = float(np.linalg.norm(self.places[u] - self.places[v]))
                 by_class.setdefault(c, []).append((-round(length, 3), e))
-        blocked = tree_of(self._segments(small + 0.5))
+        off = self._off(small + 0.5)
         for c, edges in sorted(by_class.items()):
             text = plane_names(classes[c])
             for _, e in sorted(edges):
                 ends = self.places[list(solid.edges[e][:2])]
                 ink = {"color": letter_colour(c), "style": "italic"}
-                if write_along(self.scene, ends, text, 6.0, blocked, **ink):
+                if write_along(self.scene, ends, text, 6.0, off, **ink):
                     break
 
-    def _segments(self, small: float) -> Floats:
+    def _off(self, small: float) -> Any:
         """Return what no label may cover: edges, vertices, and the limb of a hull."""
         edges = self.places[[edge[:2] for edge in self.solid.edges]]
-        return np.concatenate([edges, crosses(self.places, small), self.limb])
+        return keep_off([*edges, *self.limb], discs=self.places, radius=small)
 
     def _labels(self, centre: Floats, small: float, within: Box) -> None:
         """Write the names of the vertices: inside, or beside, where no other vertex is as near."""
         solid, far = self.solid, np.round(np.linalg.norm(self.places - centre, axis=1), 4)
-        segments = self._segments(small)
+        off = self._off(small)
         order = sorted(range(len(far)), key=lambda v: (solid.vertex_hidden[v], -far[v]))
         for v in order[: tried(len(far))] if self.names.kind != "none" else ():
             hidden = solid.vertex_hidden[v]
@@ -259,7 +255,7 @@ class _Picture:
             away = self.places[v] - centre if far[v] else (0.0, 1.0)
             write_beside(
                 self.scene, self.places[v], self.names.forms(solid.signs[v]), SIZES[:2],
-                segments=segments, away=away, distance=small * (0.7 if hidden else 1) + 1.0,
+                off=off, away=away, distance=small * (0.7 if hidden else 1) + 1.0,
                 within=within, others=np.delete(self.places, v, axis=0),
                 color="0.45" if hidden else "black",
             )  # fmt: skip

@@ -38,7 +38,7 @@ SPACES: dict[str, tuple[int, bool]] = {
 }
 #: The same for pages.
 _PAGES = {"arrangement": (3, True)}
-_RAISED = str.maketrans("0123456789", "⁰¹²³⁴⁵⁶⁷⁸⁹")
+RAISED = str.maketrans("0123456789", "⁰¹²³⁴⁵⁶⁷⁸⁹")
 #: A linear map is rounded to multiples of 1 over this, or of a fraction of it.
 _SCALE = 1 << 12
 
@@ -107,7 +107,7 @@ def caption(planes: Planes, dimension: int) -> str:
     if planes.dimension == dimension:
         return ""
     essential = "essentialisation of an " * (planes.dimension > planes.rank)
-    space = f"arrangement in R{str(planes.dimension).translate(_RAISED)}"
+    space = f"arrangement in R{str(planes.dimension).translate(RAISED)}"
     return (
         f"{essential}{space}"
         + ("", ", times a line", ", times a plane", ", times R³")[dimension - planes.rank]

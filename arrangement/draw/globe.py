@@ -118,6 +118,8 @@ def clear_direction(
     views = [v for v in product(range(1, 8), range(-7, 8), range(1, 7)) if primitive(v) == v]
     units = unit_vectors(views)
     score = np.abs(units @ unit_vectors([*lines, (0, 0, 1)]).T).min(axis=1)
+    # A line alone is not seen from straight ahead.
+    score = np.minimum(score, 1.2 - score)
     if also is not None:
         score = np.minimum(score, also(units))
     high = (units[:, 2] > 0.25) & (units[:, 2] < 0.75)

@@ -19,6 +19,7 @@ from .essential import shown_as
 from .figure import picture
 from .globe import Globe, best_direction, picture_axes, unit_vectors
 from .items import Floats
+from .labels import ring
 from .measuring import checked_width
 from .projections import Chart, Drawn, StraightChart, orthographic
 from .regionlabels import RegionLabels
@@ -65,9 +66,7 @@ def draw_gnomonic(
             one in which the crossings spread evenly.
         colour, antipodes, labels: as for `draw_sphere`.
         width: of the figure, in millimetres.
-        coordinates: "symmetric": after a linear map that shows the symmetry of the planes and
-            changes no sign vector; "even": after one that spreads the normals evenly; "given". If
-            omitted, symmetric (narrow planes: even), but for planes of motions.
+        coordinates: as for `draw_sphere`.
 
     Raises:
         InputError: another space, planes off the origin, too many circles, unknown colouring.
@@ -86,8 +85,7 @@ def draw_gnomonic(
         inner = disc.drawn.projection.inner
         style = {"lw": 0.5, "ls": (0, (1, 2)), "zorder": 2, "gid": "to-scale", "role": "line"}
         disc.scene.circle(disc.centre, disc.radius * inner, fill=False, ec="black", **style)
-        at = np.linspace(0, 2 * math.pi, 200)
-        dotted = [disc.on_paper(inner * np.stack([np.cos(at), np.sin(at)], axis=1))]
+        dotted = [ring(disc.centre, disc.radius * inner)]
     disc.draw(colours.paint, both_ends=globe.whole.circle_count <= _BOTH_ENDS, avoid=dotted)
     explain_regions(disc.scene, colours, names, globe.front.values())
     disc.scene.legend.line(_note(globe))
@@ -117,7 +115,10 @@ def _chart(globe: Globe) -> Drawn:
     few = globe.whole.circle_count <= _OPEN and max(at_rim, default=2) == 2
     if few and farthest <= 5 * typical + 1e-9:
         chart = Drawn(globe.cut, globe.points, globe.normals, orthographic)
-        reach = max(1.35 * farthest, *_distances(globe, middle))
+        # No line is to pass by near the rim or beyond it.
+        a, b, c = np.delete(globe.normals, limb, axis=0).T
+        gaps = np.abs(c + a * middle[0] + b * middle[1]) / np.hypot(a, b)
+        reach = max(0.5, 1.35 * farthest, 1.3 * float(gaps.max(initial=0.0)))
         return StraightChart(**vars(chart), limb=limb, middle=middle, reach=reach)
     return front(globe, _even_chart(np.linalg.norm(places, axis=1)))
 
@@ -125,15 +126,6 @@ def _chart(globe: Globe) -> Drawn:
 def _even_chart(spans: Floats) -> Chart:
     """Return a chart that is to scale for most points at these distances from its middle."""
     return Chart(max(0.3, float(np.quantile(spans, 0.7))))
-
-
-def _distances(globe: Globe, middle: Floats) -> tuple[float, ...]:
-    """Return reaches that are enough for no line to pass by near the rim or beyond it."""
-    found = [0.5]
-    for circle, (a, b, c) in enumerate(globe.normals.tolist()):
-        if circle != globe.limb:
-            found.append(1.3 * abs(c + a * middle[0] + b * middle[1]) / math.hypot(a, b))
-    return tuple(found)
 
 
 def _upright(globe: Globe) -> Globe:

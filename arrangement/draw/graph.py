@@ -27,7 +27,7 @@ from .essential import shown_as
 from .figure import picture
 from .globe import MAX_CIRCLES, unit_vectors
 from .items import Floats
-from .labels import SIZES, crosses, tree_of, tried, write_along, write_beside
+from .labels import SIZES, keep_off, tried, write_along, write_beside
 from .measuring import checked_width
 from .regionlabels import RegionLabels
 from .scene import Scene
@@ -190,7 +190,7 @@ class _Picture:
 
     def _zones(self) -> None:
         """Number the edges: the outer polygon outside, then one long edge of each class."""
-        dots = tree_of(np.concatenate([self.segments, crosses(self.places, self.size + 0.5)]))
+        off = keep_off(self.segments, discs=self.places, radius=self.size + 0.5)
         named: set[int] = set()
         for e in np.argsort(-self.lengths, kind="stable").tolist():
             c = self.graph.edges[e][2]
@@ -200,18 +200,18 @@ class _Picture:
                 break
             text = plane_names(self.arrangement.distinct[c])
             ink = {"color": letter_colour(c), "style": "italic"}
-            if write_along(self.scene, self.segments[e], text, 6.0, dots, **ink):
+            if write_along(self.scene, self.segments[e], text, 6.0, off, **ink):
                 named.add(c)
 
     def _labels(self) -> None:
         """Write the sign vectors where they fit, the outer polygon first."""
-        segments = np.concatenate([self.segments, crosses(self.places, self.size)])
+        off = keep_off(self.segments, discs=self.places, radius=self.size)
         far = np.round(np.linalg.norm(self.places - self.centre, axis=1), 3)
         order = np.argsort(-far, kind="stable").tolist()
         for v in order[: tried(len(far))] if self.names.kind != "none" else ():
             write_beside(
                 self.scene, self.places[v], self.names.forms(self.graph.signs[v]), SIZES,
-                segments=segments, away=self._gap(v), distance=self.size + 1.0,
+                off=off, away=self._gap(v), distance=self.size + 1.0,
                 others=np.delete(self.places, v, axis=0),
                 within=(0.0, self.centre[1] - self.scene.width / 2, self.scene.width,
                         self.scene.height),

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from itertools import product
 from typing import Any, TypeAlias
 
@@ -32,6 +32,11 @@ def flattened(curve: Floats, steps: int = 24) -> Floats:
     points = (1 - t) ** 3 * p + 3 * t * (1 - t) ** 2 * q + 3 * t**2 * (1 - t) * r + t**3 * end
     flat: Floats = points.transpose(1, 0, 2).reshape(-1, 2)
     return flat
+
+
+def along(curve: Floats, steps: int = 8) -> Floats:
+    """Return points along cubic curves with both ends."""
+    return np.vstack([flattened(curve, steps), curve[-1:]])
 
 
 def write_inside(
@@ -93,25 +98,41 @@ def write_inside(
     return False
 
 
-def segments_of(lines: Sequence[Floats]) -> Floats:
-    """Return the segments (n, 2, 2) of lines, each (k, 2)."""
+def ring(centre: Place, radius: float, steps: int = 200) -> Floats:
+    """Return points along a circle, the last one as the first."""
+    at = np.linspace(0, 2 * math.pi, steps)
+    circle: Floats = np.asarray(centre) + radius * np.stack([np.cos(at), np.sin(at)], axis=1)
+    return circle
+
+
+def keep_off(
+    lines: Iterable[Floats], areas: Iterable[Floats] = (), discs: Floats | None = None,
+    radius: float = 0.0,
+) -> Any:  # fmt: skip
+    """Return what labels must not cover as a tree of shapes.
+
+    Args:
+        lines: each (k, 2).
+        areas: polygons, each (k, 2).
+        discs: their centres, (k, 2).
+        radius: of the discs.
+    """
+    import shapely
+
     pieces = [np.stack([line[:-1], line[1:]], axis=1) for line in lines]
-    return np.concatenate([np.empty((0, 2, 2)), *pieces]).astype(np.float64)
+    segments = shapely.linestrings(np.concatenate([np.empty((0, 2, 2)), *pieces]))
+    dots = [] if discs is None else shapely.buffer(shapely.points(discs), radius, quad_segs=2)
+    return shapely.STRtree([*segments, *(shapely.Polygon(area) for area in areas), *dots])
 
 
-def tree_of(segments: Floats) -> Any:
-    """Return segments (n, 2, 2) as a tree of shapely."""
+def covering(off: Any, boxes: Floats, margin: float = 0.6) -> Booleans:
+    """Return for boxes (k, 4), widened by a margin, whether they meet a shape of a tree."""
     import shapely
 
-    return shapely.STRtree(shapely.linestrings(segments))
-
-
-def keep_off(lines: Sequence[Floats], areas: Sequence[Floats] = ()) -> Any:
-    """Return lines and polygons, each (k, 2), as a tree for `write_inside`; lines in segments."""
-    import shapely
-
-    segments = shapely.linestrings(segments_of(lines))
-    return shapely.STRtree([*segments, *(shapely.Polygon(area) for area in areas)])
+    low, high = boxes[:, :2] - margin, boxes[:, 2:] + margin
+    met = np.zeros(len(boxes), dtype=np.bool_)
+    met[off.query(shapely.box(*low.T, *high.T), "intersects")[0]] = True
+    return met
 
 
 def write_beside(
@@ -120,7 +141,7 @@ def write_beside(
     texts: Sequence[str],
     sizes: Sequence[float],
     *,
-    segments: Floats,
+    off: Any,
     away: Place = (0.0, 1.0),
     distance: float = 3.0,
     within: Box | None = None,
@@ -135,7 +156,7 @@ def write_beside(
         point: the point.
         texts: the label in different forms, the first one that fits is taken.
         sizes: those tried, in points.
-        segments: (k, 2, 2) that must not be covered.
+        off: shapes that must not be covered, see `keep_off`.
         away: the direction tried first.
         distance: from the point to the nearest part of the label; up to twice as much is tried.
         within: a part of the scene that must not be left.
@@ -143,31 +164,28 @@ def write_beside(
         turns: how many directions are tried, of 24.
         style: goes to matplotlib.
     """
-    x, y = float(point[0]), float(point[1])
-    widest = max(max(scene.measure(text, sizes[0])) for text in texts) if texts else 0.0
-    far = 2 * distance + widest
-    close = segments[segments_meet((x - far, y - far, x + far, y + far), segments)]
+    import shapely
+
+    own, rest = shapely.points(point), shapely.MultiPoint(() if others is None else others)
     directions = np.array(list(around(away)))[:turns]
+    left, low, right, high = within or (-math.inf, -math.inf, math.inf, math.inf)
     for size, text, beyond in product(sizes, texts, (1.0, 2.0)):
         half = np.array(scene.measure(text, size)) / 2
         reach = distance * beyond + (half / np.maximum(np.abs(directions), 1e-9)).min(axis=1)
         centres = np.asarray(point) + reach[:, None] * directions
         boxes = np.hstack([centres - half, centres + half])
-        for k in np.flatnonzero(~segments_meet(boxes, close).any(axis=1)).tolist():
-            left, low, right, high = within or boxes[k]
-            x0, y0, x1, y1 = boxes[k]
-            inside = left <= x0 and low <= y0 and x1 <= right and y1 <= high
-            own = _apart(boxes[k], np.array([[x, y]])).min()
-            if others is not None and _apart(boxes[k], others).min(initial=99.0) < 1.5 * own:
+        inside = (boxes >= (left, low, -math.inf, -math.inf)).all(axis=1)
+        inside &= (boxes <= (math.inf, math.inf, right, high)).all(axis=1)
+        for k in np.flatnonzero(inside & ~covering(off, boxes)).tolist():
+            box = shapely.box(*boxes[k])
+            if rest.distance(box) < 1.5 * box.distance(own):
                 continue
-            if inside and scene.write(centres[k], text, size, **style):
+            if scene.write(centres[k], text, size, **style):
                 return True
     return False
 
 
-def write_along(
-    scene: Scene, ends: Floats, text: str, size: float, blocked: Any, **style: Any
-) -> bool:
+def write_along(scene: Scene, ends: Floats, text: str, size: float, off: Any, **style: Any) -> bool:
     """Write a text beside the middle of a segment, close to it and off all segments, or not at all.
 
     Args:
@@ -175,37 +193,17 @@ def write_along(
         ends: (2, 2); of the segment.
         text: one line.
         size: in points.
-        blocked: a tree of segments that must not be covered, see `tree_of`.
+        off: shapes that must not be covered, see `keep_off`.
         style: goes to matplotlib.
     """
-    import shapely
-
     step = ends[1] - ends[0]
     across = np.array([-step[1], step[0]]) / max(float(np.linalg.norm(step)), 1e-9)
     beyond = float(np.abs(across) @ np.array(scene.measure(text, size))) / 2 + 1.6
     for at in (ends.mean(axis=0) + beyond * across, ends.mean(axis=0) - beyond * across):
-        left, low, right, high = scene.box(at, text, size)
-        room = shapely.box(left - 0.6, low - 0.6, right + 0.6, high + 0.6)
-        if not len(blocked.query(room, "intersects")) and scene.write(at, text, size, **style):
+        box = np.array([scene.box(at, text, size)])
+        if not covering(off, box).any() and scene.write(at, text, size, **style):
             return True
     return False
-
-
-def _apart(box: Floats, points: Floats) -> Floats:
-    """Return the distances of points from a box."""
-    gaps = np.maximum(np.maximum(box[:2] - points, points - box[2:]), 0.0)
-    found: Floats = np.linalg.norm(gaps, axis=1)
-    return found
-
-
-def crosses(points: Floats, radius: float) -> Floats:
-    """Return segments (10k, 2, 2) that cover small discs, for `write_beside`."""
-    arms = radius * np.array([[[-1.0, 0.0], [1.0, 0.0]], [[0.0, -1.0], [0.0, 1.0]]])
-    at = np.arange(9) * math.pi / 4
-    ring = radius * np.stack([np.cos(at), np.sin(at)], axis=1)
-    shape = np.concatenate([arms, np.stack([ring[:-1], ring[1:]], axis=1)])
-    discs: Floats = (points[:, None, None] + shape).reshape(-1, 2, 2)
-    return discs
 
 
 def tried(count: int) -> int:
@@ -219,21 +217,6 @@ def around(away: Place) -> Iterator[tuple[float, float]]:
     for k in range(24):
         angle = start + (k + 1) // 2 * math.pi / 12 * (1 if k % 2 else -1)
         yield math.cos(angle), math.sin(angle)
-
-
-def segments_meet(boxes: Box | Floats, segments: Floats, margin: float = 0.6) -> Booleans:
-    """Return for boxes (..., 4), widened a little, and segments (k, 2, 2) whether they meet."""
-    start, step = segments[:, 0], segments[:, 1] - segments[:, 0]
-    corners = np.asarray(boxes, dtype=float)[..., None, :]
-    low, high = corners[..., :2] - margin, corners[..., 2:] + margin
-    with np.errstate(divide="ignore", invalid="ignore"):
-        one, two = (low - start) / step, (high - start) / step
-    flat = step == 0
-    inside = (start >= low) & (start <= high)
-    enter = np.where(flat, np.where(inside, -np.inf, np.inf), np.minimum(one, two)).max(axis=-1)
-    leave = np.where(flat, np.where(inside, np.inf, -np.inf), np.maximum(one, two)).min(axis=-1)
-    met: Booleans = (enter <= leave) & (leave >= 0) & (enter <= 1)
-    return met
 
 
 def spread(angles: Sequence[float], least: float) -> list[float]:

@@ -12,6 +12,7 @@ from arrangement.counts import Flat, IntersectionLattice, intersection_lattice
 from arrangement.errors import InputError
 
 from .disc import plane_names
+from .essential import RAISED
 from .figure import picture
 from .items import Floats
 from .layers import layered_orders
@@ -21,9 +22,6 @@ from .scene import Scene
 #: Flats of one rank beyond which a picture of one page shows nothing.
 MAX_FLATS = 500
 _INK = "#882255"
-_SUPERSCRIPTS = str.maketrans(
-    "0123456789", "\u2070\u00b9\u00b2\u00b3\u2074\u2075\u2076\u2077\u2078\u2079"
-)
 
 
 @picture
@@ -134,7 +132,7 @@ class _Picture:
 
     def _name(self, flat: Flat) -> str:
         if not flat.rank:
-            return "\u211d" + str(flat.dimension).translate(_SUPERSCRIPTS)
+            return "\u211d" + str(flat.dimension).translate(RAISED)
         return plane_names(flat.planes)
 
     def draw(self) -> Scene:

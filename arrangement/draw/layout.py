@@ -37,11 +37,12 @@ def laid_out(scene: Scene, legend: str = "below") -> Scene:
     """
     found = scene.legend
     strip = side = None
+    paper = scene.width, scene.height
     if legend == "right":
         side = _strip(found, scene.width * BESIDE / (1 - BESIDE), _SIZES[0], scene.height)
     elif legend == "below":
         for size in _SIZES:
-            strip = _strip(found, scene.width, size, scene.width)
+            strip = _strip(found, scene.width, size, min(paper))
             table = strip.height - _strip(Legend(found.lines, found.keys), scene.width, size,
                                           0.0).height  # fmt: skip
             if strip.height - table <= BELOW * (scene.height + strip.height - table):

@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 
 from .items import Box, Floats
-from .labels import around, segments_of, tree_of
+from .labels import around, covering, keep_off
 from .scene import Scene
 
 #: Lengths of leader lines that are tried, in points.
@@ -34,7 +34,7 @@ class Leaders:
         import shapely
 
         self.scene = scene
-        self.segments = tree_of(segments_of(lines))
+        self.off = keep_off(lines)
         self.within = shapely.box(*within)
         self.areas = shapely.STRtree([shapely.Polygon(area).buffer(0) for area in areas])
         self.drawn: list[Any] = []
@@ -63,17 +63,19 @@ class Leaders:
         )
         written = shapely.STRtree(shapely.box(*np.array(self.scene.boxes).reshape(-1, 4).T))
         leaders = shapely.STRtree(self.drawn)
-        free = shapely.contains(self.within, boxes)
+        free = shapely.contains(self.within, boxes) & ~covering(
+            self.off, np.hstack([low, high]), 1.0
+        )
         for taken in (
             leaders.query(boxes, "dwithin", 0.6),
             leaders.query(tracks, "dwithin", 0.6),
             written.query(tracks, "intersects"),
-            self.segments.query(boxes, "intersects"),
         ):
             free[np.unique(taken[0])] = False
-        crossed = np.bincount(self.segments.query(tracks, "intersects")[0], minlength=len(tracks))
+        crossed = np.bincount(self.off.query(tracks, "intersects")[0], minlength=len(tracks))
         cost = 6.0 * crossed + reach[:, 0]
         cost[np.unique(self.areas.query(boxes, "intersects")[0])] += 15.0
+        cost[np.unique(written.query(boxes, "dwithin", 3.0)[0])] += 8.0
         for k in np.argsort(cost, kind="stable").tolist():
             if free[k] and self.scene.write(centres[k], text, size):
                 self.drawn.append(tracks[k])

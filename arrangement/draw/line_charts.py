@@ -20,9 +20,9 @@ from arrangement.exact import (
     dot,
     primitive,
     quotient,
-    reduced,
     sign,
 )
+from arrangement.polyhedra.flat_polygons import between, clipped
 
 from .globe import Globe
 from .items import Floats
@@ -139,7 +139,7 @@ class LinesChart:
             if at_p == 0:
                 found.append(p)
             elif at_p * at_q < 0:
-                found.append(_between(p, q, at_p, at_q))
+                found.append(between(p, q, at_p, at_q))
         return found
 
     def _clipped(self, loop: list[IntegerVector], region: int) -> list[IntegerVector]:
@@ -148,14 +148,7 @@ class LinesChart:
         circles = self.incidence.arc_circle[self._boundary(region) >> 1].tolist()
         for row in (self.sphere.circle_normals[circle] for circle in circles):
             side = sign(dot(row, inside))
-            values = [side * dot(row, p) for p in loop]
-            kept = []
-            for k, (p, at) in enumerate(zip(loop, values, strict=True)):
-                if at * values[k - 1] < 0:
-                    kept.append(_between(loop[k - 1], p, values[k - 1], at))
-                if at >= 0:
-                    kept.append(p)
-            loop = kept
+            loop = clipped(loop, [side * dot(row, p) for p in loop])
         return loop
 
     # Whole
@@ -164,12 +157,6 @@ class LinesChart:
     def drawn(self) -> Drawn:
         """Arcs and regions of the half sphere as circular arcs in a disc."""
         return Drawn(self.sphere, self.globe.points, self.globe.normals, stereographic)
-
-
-def _between(p: IntegerVector, q: IntegerVector, at_p: int, at_q: int) -> IntegerVector:
-    """Return where a linear form vanishes between two points; its values there differ in sign."""
-    s, t = abs(at_q), abs(at_p)
-    return reduced([s * x + t * y for x, y in zip(p, q, strict=True)])
 
 
 def _places(points: Iterable[IntegerVector]) -> Floats:

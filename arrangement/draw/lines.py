@@ -17,7 +17,7 @@ from .disc import alone, label_regions, plane_names
 from .essential import shown_as
 from .figure import picture
 from .items import Floats
-from .labels import SIZES, flattened, segments_meet, segments_of, sign_text, write_beside
+from .labels import SIZES, along, covering, keep_off, sign_text, write_beside
 from .line_charts import LinesChart
 from .measuring import POINTS, checked_width
 from .regionlabels import RegionLabels
@@ -155,12 +155,12 @@ class _Sheet:
         """Mark the vertices, and write sign vectors beside them and on the edges."""
         for e in self.chart.edges:
             self.missing["edges"] += not self._label_edge(e)
-        segments = segments_of([*self.edges.values(), *self.arms])
+        off = keep_off([*self.edges.values(), *self.arms])
         for v, signs in self.chart.vertices.items():
             self.scene.circle(self.vertices[v], 1.7, fc=VERMILION, ec="none", zorder=4,
                               gid=f"vertex-{v}")  # fmt: skip
             self.missing["vertices"] += not write_beside(
-                self.scene, self.vertices[v], [sign_text(signs)], SIZES, segments=segments,
+                self.scene, self.vertices[v], [sign_text(signs)], SIZES, off=off,
                 distance=3.0, color=VERMILION,
             )  # fmt: skip
 
@@ -168,19 +168,19 @@ class _Sheet:
         """Write a sign vector on an edge, off all others, or beside it."""
         text = sign_text(self.chart.edges[edge])
         others = [*(line for e, line in self.edges.items() if e != edge), *self.arms]
-        segments = segments_of(others)
+        off = keep_off(others)
         for size in SIZES:
             for share in (0.5, 0.4, 0.6, 0.3, 0.7, 0.2, 0.8):
                 place = _along(self.edges[edge], share)
                 left, low, right, high = box = self.scene.box(place, text, size)
-                on_others = segments_meet(box, segments).any()
+                on_others = covering(off, np.array([box])).any()
                 if not on_others and self.scene.write(place, text, size, color=BLUE):
                     plate = [(left, low), (right, low), (right, high), (left, high)]
                     self.scene.polygon(plate, fc="white", ec="none", zorder=3.5, role="line")
                     return True
         return write_beside(
             self.scene, _along(self.edges[edge], 0.5), [text], SIZES, color=BLUE, distance=1.5,
-            segments=segments_of([*others, self.edges[edge]]),
+            off=keep_off([*others, self.edges[edge]]),
         )  # fmt: skip
 
     def mark_sides(self) -> None:
@@ -283,8 +283,7 @@ class _Disc(_Sheet):
         return np.array([2 * x, 2 * y, 1 - x * x - y * y])
 
     def _curve(self, edge: int) -> Floats:
-        curve = self.disc.on_paper(self.chart.drawn.arc(edge))
-        return np.vstack([flattened(curve, 12), curve[-1:]])
+        return along(self.disc.on_paper(self.chart.drawn.arc(edge)), 12)
 
 
 def _along(points: Floats, share: float) -> Floats:

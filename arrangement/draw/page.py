@@ -6,7 +6,6 @@ place curves on the screen.
 
 from __future__ import annotations
 
-from itertools import product
 from typing import Any
 
 import numpy as np
@@ -14,7 +13,7 @@ import numpy as np
 from arrangement.arrangement import Arrangement
 from arrangement.enumeration.great_circles import SphereArrangement
 from arrangement.errors import InputError, refusal
-from arrangement.exact import IntegerVector, primitive, shown, to_text
+from arrangement.exact import IntegerVector, shown, to_text
 from arrangement.polyhedra.dual.incidence import dual_incidence
 
 from .coordinates import CHOICES, even_map, is_narrow, symmetric_map
@@ -66,7 +65,7 @@ def arrangement_page(
         )
     if coordinates is not None and coordinates not in CHOICES:
         raise refusal(f"the coordinates are {shown(coordinates)}", coordinates, CHOICES)
-    globe = Globe(arrangement, direction if direction is not None else _slanting(arrangement))
+    globe = Globe(arrangement, direction)
     heading = title if title is not None else _heading(arrangement)
     data = {
         "title": heading,
@@ -85,24 +84,6 @@ def arrangement_page(
         data,
         ["spin", "home", "theme", "print"],
     )
-
-
-def _slanting(arrangement: Arrangement) -> IntegerVector | None:
-    """Return a direction from which a flat dual shows its true form; None in rank 3.
-
-    The line of a pencil, or the normal of a single plane, is then seen at about 55 degrees.
-    """
-    normals = [plane[:3] for plane in arrangement.integer_planes]
-    if arrangement.dimension != 3 or arrangement.rank not in (1, 2):
-        return None
-    axis = np.array(_unit(normals[0]))
-    if arrangement.rank == 2:
-        crosses = (np.cross(axis, _unit(normal)) for normal in normals)
-        axis = max(crosses, key=lambda c: float(np.linalg.norm(c)))
-        axis /= np.linalg.norm(axis)
-    views = [v for v in product(range(1, 6), range(-5, 6), range(1, 4)) if primitive(v) == v]
-    slant = [abs(abs(float(axis @ _unit(v))) - 0.57) for v in views]
-    return views[int(np.argmin(np.round(slant, 6)))]
 
 
 def _shaped(

@@ -41,16 +41,22 @@ class Paths(Artist):
         assert self.axes is not None
         affine = Affine2D(self.axes.transData.get_matrix())
         sheet = self.axes.bbox.frozen()
+        styles: dict[tuple[str, ...], tuple[Any, tuple[float, ...] | None]] = {}
         for item in self.items:
             renderer.open_group("patch", item.name or None)
-            context = renderer.new_gc()
-            face = _set_up(context, item)
-            context.set_clip_rectangle(sheet)
-            if item.clip is not None:
-                _cut(context, item.clip, affine)
+            # Thousands of paths have few styles.
+            style = (str(item.kind == "line"), repr(item.style), repr(item.clip))
+            if style not in styles:
+                context = renderer.new_gc()
+                styles[style] = (context, _set_up(context, item))
+                context.set_clip_rectangle(sheet)
+                if item.clip is not None:
+                    _cut(context, item.clip, affine)
+            context, face = styles[style]
             renderer.draw_path(context, _outline(item), affine, face)
-            context.restore()
             renderer.close_group("patch")
+        for context, _ in styles.values():
+            context.restore()
 
 
 def _set_up(context: Any, item: Path) -> tuple[float, ...] | None:

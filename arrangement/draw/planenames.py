@@ -11,7 +11,7 @@ from .axes import arrow
 from .disc import plane_names
 from .exploded_cells import Lifted
 from .globe import Floats
-from .labels import keep_off, segments_of, spread, turn, write_beside, write_inside
+from .labels import keep_off, spread, turn, write_beside, write_inside
 from .measuring import area
 from .planesheet import Colour, PlanesSheet
 from .regionlabels import RegionLabels
@@ -112,9 +112,9 @@ class Names:
         closed = [np.vstack([area, area[:1]]) for _, area in self.picture.areas]
         for name, tip in zip(self.picture.axes.names, self.picture.axes.tips, strict=True):
             tip, origin = self.place(tip), self.place(self.picture.axes.origin)
-            lines = segments_of([*closed, np.array([origin, tip])])
+            off = keep_off([*closed, np.array([origin, tip])])
             write_beside(
-                self.scene, tip, [name], (7.0, 6.0), segments=lines,
+                self.scene, tip, [name], (7.0, 6.0), off=off,
                 away=tip - origin, distance=2.0, style="italic",
             )  # fmt: skip
 
@@ -124,7 +124,7 @@ class Names:
         Return how many found no room on their faces.
         """
         left = 0
-        segments = self._segments()
+        around = self._lines()
         for item in self.lifted:
             off = keep_off([], self._hiders(item))
             outlines = [self.place(loop) for loop in item.visible_outlines(self.picture.round)]
@@ -142,15 +142,15 @@ class Names:
                 corners = self.place(item.corners)
                 write_beside(
                     self.scene, corners[int(np.argmax(corners @ way))], forms, (7.0, 6.0),
-                    away=way, segments=segments,
+                    away=way, off=around,
                 )  # fmt: skip
         return left
 
-    def _segments(self) -> Floats:
+    def _lines(self) -> Any:
         """Return what names beside cells must not cross: outlines of the body and of the cells."""
-        around = np.stack([self.outline, np.roll(self.outline, -1, axis=0)], axis=1)
-        lifted = [segment[:, :2] for item in self.lifted for segment in item.outlines()]
-        return self.place(np.concatenate([around, np.array(lifted).reshape(-1, 2, 2)]))
+        lifted = [segment for item in self.lifted for segment in item.outlines()]
+        closed = np.vstack([self.outline, self.outline[:1]])
+        return keep_off(self.place(line) for line in (closed, *lifted))
 
     def _hiders(self, item: Lifted) -> list[Floats]:
         """Return the outlines of all that is painted after a lifted cell."""

@@ -8,7 +8,7 @@ from arrangement.arrangement import Arrangement
 from arrangement.polyhedra.cells import cut_cells, read_signs
 
 from .axes import StagedAxes, drawn_axes
-from .colours import chosen, fill_colour
+from .colours import chosen, darkened, fill_colour
 from .coordinates import in_coordinates
 from .essential import shown_as
 from .exploded_cells import lifted_cells
@@ -17,7 +17,7 @@ from .globe import TO_LIGHT, view_direction
 from .measuring import checked_width
 from .painting import Stage
 from .planenames import Names
-from .planesheet import FacetPainter, PlanesSheet
+from .planesheet import DrawnFacet, FacetPainter, PlanesSheet
 from .regionlabels import RegionLabels
 from .registry import AxisNames, Exact, Vector
 from .scene import Scene
@@ -64,10 +64,7 @@ def draw_planes(
             where the coordinates have a meaning, as x, y, r of the motions of a grasp.
         sides: mark the positive side of each plane by an arrow.
         width: of the figure, in millimetres.
-        coordinates: "symmetric": after a linear map that shows the symmetry of the planes and
-            changes no sign vector; "even": after one that spreads the normals evenly; "given". If
-            omitted, symmetric (narrow planes: even), but for planes of motions, with axes, and
-            where the body has a given place.
+        coordinates: as for `draw_sphere`; "given" if omitted and the body has a given place.
 
     Raises:
         InputError: another space, too many planes, no such cell, lifted cells that hide each
@@ -78,7 +75,7 @@ def draw_planes(
     paper = checked_width(width)
     texts = [lift] if isinstance(lift, str) else list(lift)
     raised = [read_signs(arrangement, text) for text in texts]
-    names = RegionLabels(arrangement, labels)
+    names = RegionLabels(arrangement, labels, len(raised))
     if coordinates is None and not (centre is None and radius is None):
         coordinates = "given"
     shown, coordinates = drawn_axes(arrangement, axes, coordinates)
@@ -102,12 +99,13 @@ def draw_planes(
 
 def _painter(colour: str | FacetPainter) -> FacetPainter:
     painters: dict[str, FacetPainter] = {
-        "planes": lambda facet: fill_colour(facet.label),
-        "shade": lambda facet: _grey(abs(float(TO_LIGHT @ facet.normal))),
+        "planes": lambda facet: darkened(fill_colour(facet.label), 0.7 + 0.3 * _light(facet)),
+        "shade": lambda facet: darkened("#ffffff", 0.1 + 0.85 * _light(facet)),
         "none": lambda facet: "#ffffff",
     }
     return chosen(colour, painters)
 
 
-def _grey(light: float) -> str:
-    return "#" + f"{round(255 * (0.1 + 0.85 * light)):02x}" * 3
+def _light(facet: DrawnFacet) -> float:
+    """Return how much a facet faces the light, from either side."""
+    return abs(float(TO_LIGHT @ facet.normal))

@@ -13,7 +13,7 @@ import numpy as np
 
 from .axes import INK, StagedAxes, arrow
 from .colours import SKIN
-from .disc import plane_names
+from .disc import plane_names, thinner
 from .exploded_cells import Lifted
 from .globe import TO_LIGHT, Floats
 from .measuring import POINTS, measure
@@ -69,6 +69,7 @@ class PlanesSheet:
         self.stage, self.lifted, self.paint = stage, lifted, paint
         self.round = stage.cells.body.kind == "ball"
         self.outline = self._outline()
+        self.thinner = thinner(len(stage.arrangement.distinct))
         bounds = np.vstack([self.outline, axes.tips[:, :2]])
         low, high = bounds.min(axis=0), bounds.max(axis=0)
         loose = [item.corners[:, :2] for item in lifted] or [np.zeros((1, 2))]
@@ -160,6 +161,7 @@ class PlanesSheet:
                 self._line(corners[[*firsts, (firsts[-1] + 1) % n]], style)
 
     def _line(self, points: Any, style: dict[str, Any]) -> None:
+        style = {**style, "lw": style["lw"] * self.thinner}
         base = {"ec": "black", "capstyle": "round", "joinstyle": "round", "zorder": self.z}
         self.scene.line(points, **{**base, **style})
 

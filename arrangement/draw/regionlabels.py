@@ -15,6 +15,8 @@ from .legend import Legend
 LABELS = ("signs", "numbers", "none")
 #: Planes up to which sign vectors are written of themselves.
 SHORT = 4
+#: Regions up to which they are numbered of themselves.
+MOST = 150
 #: A space as wide as a digit.
 FIGURE = "\u2007"
 
@@ -29,10 +31,22 @@ class RegionLabels:
         left_out: how many regions were too small for a label.
     """
 
-    def __init__(self, arrangement: Arrangement, labels: str | None) -> None:
+    def __init__(
+        self,
+        arrangement: Arrangement,
+        labels: str | None,
+        count: int | None = None,
+        most: int = MOST,
+    ) -> None:
+        """Take the number of regions drawn, if not all, and that up to which they have labels."""
         if labels is not None and labels not in LABELS:
             raise refusal(f"the labels are {shown(labels)}", labels, LABELS)
         self.kind = labels or ("signs" if len(arrangement) <= SHORT else "numbers")
+        self._too_many = 0
+        if labels is None and self.kind == "numbers":
+            count = len(arrangement.regions()) if count is None else count
+            if count > most:
+                self.kind, self._too_many = "none", count
         self.left_out = 0
         self._arrangement = arrangement
 
@@ -57,6 +71,10 @@ class RegionLabels:
             named = sorted((self._numbers[signs], sign_text(signs)) for signs in listed)
             digits = len(str(named[-1][0]))
             legend.table += [f"{str(k).rjust(digits, FIGURE)} {text}" for k, text in named]
+        if self._too_many:
+            legend.captions.append(
+                f"{self._too_many} regions, too many for labels; --labels numbers tries"
+            )
         if self.left_out:
             many = "regions are" if self.left_out > 1 else "region is"
             legend.captions.append(f"{self.left_out} {many} too small for a label")

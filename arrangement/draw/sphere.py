@@ -17,7 +17,7 @@ from .essential import shown_as
 from .figure import picture
 from .globe import Globe, unit_vectors
 from .items import Floats
-from .labels import segments_of, write_beside
+from .labels import keep_off, write_beside
 from .measuring import checked_width
 from .projections import orthographic
 from .regionlabels import RegionLabels
@@ -84,9 +84,10 @@ def draw_sphere(
     if sides:
         arrows = [_side(disc, c) for c in range(globe.whole.circle_count)]
     lines = disc.draw(colours.paint, avoid=[*arms, *arrows])
+    off = keep_off(lines)
     for name, (_, tip) in zip(shown, arms, strict=True):
         write_beside(
-            disc.scene, tip, [name], (7.0, 6.0), segments=segments_of(lines),
+            disc.scene, tip, [name], (7.0, 6.0), off=off,
             away=tip - np.array(disc.centre), distance=2.0, style="italic",
         )  # fmt: skip
     explain_regions(disc.scene, colours, names, globe.front.values())

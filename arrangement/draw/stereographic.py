@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from itertools import product
 from typing import Any
 
 import numpy as np
@@ -20,7 +19,7 @@ from .essential import shown_as
 from .figure import picture
 from .globe import Globe, best_direction, unit_vectors
 from .items import Floats
-from .labels import flattened, segments_of, write_beside
+from .labels import along, flattened, keep_off, ring, write_beside, write_inside
 from .measuring import checked_width
 from .projections import Drawn, stereographic
 from .regionlabels import RegionLabels
@@ -65,9 +64,7 @@ def draw_stereographic(
         width: of the figure, in millimetres.
         whole: both halves, or the front half; if omitted, both where all circles stay within
             3.3 radii, as for few circles.
-        coordinates: "symmetric": after a linear map that shows the symmetry of the planes and
-            changes no sign vector; "even": after one that spreads the normals evenly; "given". If
-            omitted, symmetric (narrow planes: even), but for planes of motions.
+        coordinates: as for `draw_sphere`.
 
     Raises:
         InputError: another space, planes off the origin, too many circles, unknown colouring; or
@@ -134,14 +131,18 @@ class _Whole:
         for arc in range(self.globe.whole.arc_count):
             curve = self.on_paper(self.drawn.arc(arc))
             self.scene.curve(curve, fill=False, ec="black", lw=0.9, zorder=3, gid=f"arc-{arc}")
-            lines.append(np.vstack([flattened(curve, 8), curve[-1:]]))
+            lines.append(along(curve))
         limb = self.on_paper(np.zeros((1, 2)))[0]
         self.scene.circle(limb, self.scale, fill=False, ec="black", gid="limb", **HIDDEN)
         corners = self._corners()
         self.scene.polygon(corners, fill=False, ec="black", lw=0.4, ls=(0, (1, 2)), role="border")
         self._names(lines)
-        at = np.linspace(0, 2 * math.pi, 200)[:, None]
-        dashes = self.on_paper(np.hstack([np.cos(at), np.sin(at)]))
+        dashes = ring(limb, self.scale)
+        a, b, c = self.normals.T
+        centres = self.on_paper(np.stack([a / c, b / c], axis=1))
+        discs = map(ring, centres, self.scale / np.abs(c))
+        for text in self.outer:
+            write_inside(self.scene, corners, text, off=keep_off([], discs))
         label_regions(
             self.scene, self.names, outlines, [*lines, dashes], [dashes],
             (*(corners[0] + 2), *(corners[2] - 2)),
@@ -157,7 +158,7 @@ class _Whole:
             style: dict[str, Any] = {"fc": self.paint(region), "ec": "none", "gid": f"region-{r}"}
             if region.signs == outside:
                 self.scene.polygon(self._corners(), **style)
-                self._outer_label(region)
+                self.outer = self.names.forms(region.signs)[:1]
             else:
                 outline = self.on_paper(self.drawn.outline(r))
                 self.scene.curve(outline, **style)
@@ -170,14 +171,14 @@ class _Whole:
 
     def _names(self, lines: Sequence[Floats]) -> None:
         """Write each circle's number outside its farthest point, or else close to its line."""
-        classes, segments = self.globe.whole.arrangement.distinct, segments_of(lines)
+        classes, off = self.globe.whole.arrangement.distinct, keep_off(lines)
         for k in sorted(range(len(classes)), key=lambda k: abs(self.normals[k, 2])):
             text = plane_names(classes[k])
             for step in range(84):
-                if self._name(k, text, step, segments):
+                if self._name(k, text, step, off):
                     break
 
-    def _name(self, k: int, text: str, step: int, segments: Floats) -> bool:
+    def _name(self, k: int, text: str, step: int, off: Any) -> bool:
         """Try a place, farther and farther from the farthest point of a circle."""
         a, b, c = self.normals[k].tolist()
         centre, radius = np.array([a / c, b / c]), 1 / abs(c)
@@ -185,30 +186,10 @@ class _Whole:
         outward = np.array([math.cos(angle), math.sin(angle)])
         rim = self.on_paper((centre + radius * outward)[None])[0]
         return write_beside(
-            self.scene, rim, [text], (7.0, 6.0), segments=segments, away=outward, distance=1.2,
+            self.scene, rim, [text], (7.0, 6.0), off=off, away=outward, distance=1.2,
             within=tuple(np.concatenate([self._corners()[0] + 4, self._corners()[2] - 4])),
             turns=2, style="italic",
         )  # fmt: skip
-
-    def _clearance(self, place: Floats, own: int | None) -> float:
-        """Return how far a place is from all circles but its own; outside all if it has none."""
-        if (np.abs(place - self.centre) > self.half - 4).any():
-            return -1.0
-        a, b, c = np.delete(self.normals, own, axis=0).T if own is not None else self.normals.T
-        centres = self.on_paper(np.stack([a / c, b / c], axis=1))
-        gaps = np.linalg.norm(place - centres, axis=1) - self.scale / np.abs(c)
-        return float((gaps if own is None else np.abs(gaps)).min(initial=99.0))
-
-    def _outer_label(self, region: DrawnRegion) -> None:
-        """Write the name of the outer region into a corner of the frame."""
-        text = next(iter(self.names.forms(region.signs)), "")
-        for x, y in product((1, 0), (1, 0)):
-            corner = self._corners()[{(0, 0): 0, (1, 0): 1, (1, 1): 2, (0, 1): 3}[x, y]]
-            inside = corner + np.array([4.0 - 8 * x, 4.0 - 8 * y])
-            box = self.scene.measure(text, 7.0)
-            place = inside + np.array(box) * (0.5 - np.array([x, y]))
-            if text and self._clearance(place, None) > 4.5 and self.scene.write(place, text, 7.0):
-                return
 
 
 def _farthest(globe: Globe) -> float:

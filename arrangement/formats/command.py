@@ -25,29 +25,31 @@ def add_format_commands(add: Callable[..., argparse.ArgumentParser]) -> None:
     for command, otherwise in ((convert, "print it; needs --to"), (imported, "print it")):
         command.add_argument("-o", "--output", metavar="PATH", help=f"(default: {otherwise})")
         command.add_argument(
-            "--to", metavar="FORMAT", help="(default: what the ending of PATH says)"
+            "--to", metavar="FORMAT", help="such as sage (default: what the ending of PATH says)"
         )
 
 
 def _convert(arguments: argparse.Namespace) -> int:
-    from .table import read_arrangement
+    from .table import read_with_rest
 
     if arguments.to is None and arguments.output is None:
         raise InputError("say where to or how: -o PATH, or --to FORMAT")
-    return _give(arguments, lambda: read_arrangement(arguments.file))
+    return _give(arguments, lambda: read_with_rest(arguments.file))
 
 
 def _import(arguments: argparse.Namespace) -> int:
     from arrangement.counts import cone
+    from arrangement.io.files import read_text
     from arrangement.library.census import identify
     from arrangement.progress import watched
 
-    from .table import Entries
+    from .table import MAX_IMPORT_BYTES, Entries, format_named
 
-    found = Entries.of_file(arguments.format, arguments.file)
+    form = format_named(arguments.format)
+    found = Entries(form, *read_text(arguments.file, MAX_IMPORT_BYTES))
     if arguments.number is not None or arguments.output is not None:
         number = arguments.number
-        return _give(arguments, found.only if number is None else lambda: found[number])
+        return _give(arguments, lambda: (found[number] if number is not None else found.only(), ""))
     for number in watched(range(1, len(found) + 1), "arrangements", len(found)):
         planes = found[number]
         known = identify(planes if planes.is_central else cone(planes))
@@ -61,7 +63,7 @@ def _import(arguments: argparse.Namespace) -> int:
     return terminal.YES
 
 
-def _give(arguments: argparse.Namespace, read: Callable[[], Arrangement]) -> int:
+def _give(arguments: argparse.Namespace, read: Callable[[], tuple[Arrangement, str]]) -> int:
     """Write an arrangement to a file or print it, and say what is lost."""
     from arrangement.io.writing import write_or_print
     from arrangement.progress import note
@@ -70,8 +72,9 @@ def _give(arguments: argparse.Namespace, read: Callable[[], Arrangement]) -> int
 
     by_ending = arguments.to is None and arguments.output is not None
     form = format_of_file(arguments.output) if by_ending else format_named(arguments.to or "json")
-    arrangement = read()
+    arrangement, rest = read()
     text, lost = converted(arrangement, form), form.loses(arrangement)
+    lost = "; ".join(filter(None, (rest and f"{rest} of the file", lost)))
     if arguments.output or not arguments.json:
         write_or_print(arguments.output, text)
     if arguments.json:

@@ -24,11 +24,12 @@ from typing import Any
 from arrangement.arrangement import Arrangement
 from arrangement.errors import InputError
 from arrangement.exact import rational_vector
-from arrangement.io.files import check_document, check_keys, check_list, kind_of, parse_json
-from arrangement.io.writing import document_text
+from arrangement.io.files import check_document, check_keys, check_list, kind_of
 from arrangement.number_field import NumberField
 from arrangement.plugins import announced
 
+#: Of a document of the kind "planes"; the first two are needed.
+KEYS = ("schema_version", "planes", "offsets", "dimension", "description", "field")
 #: Largest dimension that a file may name for an arrangement (rows of planes speak for themselves).
 MAX_DIMENSION = 1000
 
@@ -47,20 +48,9 @@ def arrangement_of(document: Any, name: str) -> Arrangement:
     return readers[kind]()(found)
 
 
-def read(text: str) -> Arrangement:
-    """Read the text of a document."""
-    return arrangement_of(parse_json(text, "the text"), "the text")
-
-
-def write(arrangement: Arrangement) -> str:
-    """Write a document."""
-    return document_text(arrangement.to_dict())
-
-
 def _planes(document: Mapping[str, Any]) -> Arrangement:
     """Read a document of the kind "planes"."""
-    optional = ("offsets", "dimension", "description", "field")
-    check_keys(document, ("schema_version", "planes"), optional, "the arrangement")
+    check_keys(document, KEYS[:2], KEYS[2:], "the arrangement")
     field = _field(document["field"]) if "field" in document else None
 
     def numbers(value: Any, where: str) -> list[Any]:

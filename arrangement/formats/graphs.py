@@ -52,14 +52,11 @@ def lattice(arrangement: Arrangement) -> nx.Graph[int]:
 def dot(graph: nx.Graph[int]) -> str:
     """Write a graph for Graphviz."""
     kind, edge = ("digraph", "->") if graph.is_directed() else ("graph", "--")
-    lines = [f"  {k}{_attributes(data)};" for k, data in graph.nodes(data=True)]
-    lines += [f"  {j} {edge} {k}{_attributes(data)};" for j, k, data in graph.edges(data=True)]
+    parts = [(str(k), data) for k, data in graph.nodes(data=True)]
+    parts += [(f"{j} {edge} {k}", data) for j, k, data in graph.edges(data=True)]
+    labels = (f' [label="{data["label"]}"]' if "label" in data else "" for _, data in parts)
+    lines = [f"  {part}{label};" for (part, _), label in zip(parts, labels, strict=True)]
     return f"{kind} {{\n" + "\n".join(lines) + "\n}\n"
-
-
-def _attributes(data: dict[str, object]) -> str:
-    """Return what DOT says of a node or an edge; ranks are for GraphML."""
-    return f' [label="{data["label"]}"]' if "label" in data else ""
 
 
 def graphml(graph: nx.Graph[int]) -> str:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import re
 from collections.abc import Callable, Mapping
 from pathlib import Path
@@ -10,6 +11,7 @@ from arrangement.arrangement import Arrangement
 from arrangement.errors import InputError
 from arrangement.exact import shown
 from arrangement.io.files import Source, parse_json, read_text
+from arrangement.io.writing import document_text
 
 from . import chirotope, christ, documents, graphs, macaulay2, matrix, oscar, polymake, sage
 from .form import Format
@@ -25,7 +27,12 @@ _GRAPH = "the planes themselves; it cannot be read back"
 FORMATS: dict[str, Format] = {
     form.name: form
     for form in (
-        Format("json", (".json",), read=documents.read, write=documents.write),
+        Format(
+            "json",
+            (".json",),
+            read=lambda text: documents.arrangement_of(parse_json(text, "it"), "it"),
+            write=lambda arrangement: document_text(arrangement.to_dict()),
+        ),
         Format("polymake", (".hyar",), _names("polymake"), polymake.read, polymake.write),
         Format("oscar", (".mrdi",), _names("Oscar"), oscar.read, oscar.write),
         Format("sage", (".sage",), sage.SAGE.search, sage.read, sage.write, loses=sage.loses),
@@ -63,6 +70,7 @@ FORMATS: dict[str, Format] = {
         ),
     )
 }
+_BY_ENDING = {ending: form for form in FORMATS.values() for ending in form.endings}
 #: Largest file of many arrangements that is read.
 MAX_IMPORT_BYTES = 64 * 2**20
 
@@ -81,13 +89,20 @@ def read_arrangement(source: Source) -> Arrangement:
     """
     if isinstance(source, Mapping):
         return documents.arrangement_of(dict(source), "the document")
+    return read_with_rest(source)[0]
+
+
+def read_with_rest(source: str | os.PathLike[str]) -> tuple[Arrangement, str]:
+    """Read an arrangement, and name what else a document of another kind has."""
     text, name = read_text(source)
     form = _form_of(text, Path(source).suffix.lower())
     if form.name == "json":
         if text.strip() and text.lstrip()[0] not in '{["' and not str(source).endswith(".json"):
             raise InputError(f"{name} is in none of the formats that are read: {_named('read')}")
-        return documents.arrangement_of(parse_json(text, name), name)
-    return Entries(form, text, name).only()
+        document = parse_json(text, name)
+        found = documents.arrangement_of(document, name)
+        return found, ", ".join(key for key in document if key not in documents.KEYS)
+    return Entries(form, text, name).only(), ""
 
 
 def _named(what: str) -> str:
@@ -96,9 +111,8 @@ def _named(what: str) -> str:
 
 def _form_of(text: str, ending: str) -> Format:
     """Return the format of a text, by its content; where that says nothing, by its ending."""
-    forms = FORMATS.values()
-    known = next((form for form in forms if form.recognises(text)), None)
-    return known or next((form for form in forms if ending in form.endings), FORMATS["json"])
+    known = next((form for form in FORMATS.values() if form.recognises(text)), None)
+    return known or _BY_ENDING.get(ending, FORMATS["json"])
 
 
 class Entries:
@@ -113,11 +127,6 @@ class Entries:
             self._texts = form.split(text)
         except InputError as error:
             raise InputError(f"{self._where}: {error}") from None
-
-    @classmethod
-    def of_file(cls, form: str, source: str) -> Entries:
-        """Read a file in the format of this name."""
-        return cls(format_named(form), *read_text(source, MAX_IMPORT_BYTES))
 
     def __len__(self) -> int:
         return len(self._texts)
@@ -152,14 +161,12 @@ def format_named(name: str) -> Format:
 def format_of_file(path: str) -> Format:
     """Return the format that the ending of a file's name means."""
     ending = Path(path).suffix.lower()
-    for form in FORMATS.values():
-        if ending in form.endings:
-            return form
-    known = ", ".join(e for form in FORMATS.values() for e in form.endings)
-    raise InputError(
-        f"the file name ends in {shown(ending)}; known are {known}. Or write --to NAME; pictures "
-        "and models are made by arrangement draw"
-    )
+    if ending not in _BY_ENDING:
+        raise InputError(
+            f"the file name ends in {shown(ending)}; known are {', '.join(_BY_ENDING)}. Or write "
+            "--to NAME; pictures and models are made by arrangement draw"
+        )
+    return _BY_ENDING[ending]
 
 
 def converted(arrangement: Arrangement, form: Format) -> str:

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 from fractions import Fraction
+from functools import cmp_to_key
 
 from arrangement.exact import IntegerVector, dot, primitive, reduced, sign
 from arrangement.linear import cross, triple_product
@@ -24,6 +25,19 @@ def between(p: IntegerVector, q: IntegerVector, at_p: int, at_q: int) -> Integer
     return reduced([s * x + t * y for x, y in zip(p, q, strict=True)])
 
 
+def clipped(loop: Sequence[IntegerVector], values: Sequence[int]) -> Loop:
+    """Return the part of a convex polygon where a linear form, known at its corners, is not < 0."""
+    kept: Loop = []
+    for k, (p, at) in enumerate(zip(loop, values, strict=True)):
+        if at * values[k - 1] < 0:
+            cut = between(loop[k - 1], p, values[k - 1], at)
+            if cut not in kept:
+                kept.append(cut)
+        if at >= 0:
+            kept.append(p)
+    return kept
+
+
 def _dropped(row: IntegerVector) -> int:
     """Return the coordinate that is left out of points in a plane."""
     return max(range(3), key=lambda k: abs(row[k]))
@@ -37,9 +51,9 @@ def flattened(row: IntegerVector, points: Iterable[IntegerVector]) -> Loop:
 
 def ordered(row: IntegerVector, points: Iterable[IntegerVector]) -> Loop:
     """Return the corners of the hull of points in a plane, in cyclic order (A. Andrew, 1979)."""
-    given = list(points)
-    flat = dict(zip(flattened(row, given), given, strict=True))
-    listed = sorted(flat, key=lambda p: (Fraction(p[0], p[2]), Fraction(p[1], p[2])))
+    gone = _dropped(row)
+    flat = {tuple([x for k, x in enumerate(p) if k != gone]): p for p in points}
+    listed = sorted(flat, key=cmp_to_key(_before))
     if len(listed) < 3:
         return [flat[p] for p in listed]
 
@@ -52,6 +66,11 @@ def ordered(row: IntegerVector, points: Iterable[IntegerVector]) -> Loop:
         return chain[:-1]
 
     return [flat[p] for p in half(listed) + half(reversed(listed))]
+
+
+def _before(p: IntegerVector, q: IntegerVector) -> int:
+    """Return what is below 0 for a point left of another, or below it."""
+    return p[0] * q[2] - q[0] * p[2] or p[1] * q[2] - q[1] * p[2]
 
 
 def lifted(row: IntegerVector, point: IntegerVector) -> IntegerVector:

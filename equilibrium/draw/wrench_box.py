@@ -17,13 +17,16 @@ from arrangement.draw.items import Floats
 from arrangement.exact import IntegerVector, RationalVector, dot, primitive
 from arrangement.polyhedra.polyhedron import Polyhedron, from_conditions
 from arrangement.polyhedra.surface import Patch, surface
+from equilibrium.inputs.conversion import simplest_between
 from equilibrium.model.grasp import Grasp
 from equilibrium.wrench_sets import Piece, resisted_set
 
-from .style import number
+from .style import number, rounded
 
 #: How far the box reaches beyond the corners of the set, as a share of the largest extent.
 _ROOM = Fraction(2, 5)
+#: The middle and the sides of the box are known to this share of the sides.
+_SHORT = Fraction(1, 1000)
 #: Corners farther out than so many times the median do not count.
 _FAR = 4
 #: What is resisted, and where the box cuts it.
@@ -128,16 +131,24 @@ def _around(pieces: tuple[Piece, ...]) -> tuple[RationalVector, RationalVector]:
     """Return middle and half sides of a box around the corners, the origin among them."""
     points = [p for piece in pieces for p in piece.polyhedron.points]
     middle, half = [], []
-    for column in zip((Fraction(0),) * 3, *points, strict=True):
-        sizes = [abs(x) for x in column if x]
+    for column in zip(*points, strict=True) if points else ((),) * 3:
+        sizes = [abs(rounded(x)) for x in column if x]
         limit = _FAR * median(sizes) if sizes else 0
-        kept = [x for x in column if abs(x) <= limit or not x]
-        middle.append((min(kept) + max(kept)) / 2)
-        half.append((max(kept) - min(kept)) / 2)
+        kept = [Fraction(0), *(x for x in column if abs(rounded(x)) <= limit)]
+        low, high = min(kept, key=rounded), max(kept, key=rounded)
+        middle.append((low + high) / 2)
+        half.append((high - low) / 2)
     force = max(half[:2]) or Fraction(1)
     torque = half[2] or force
-    force += _ROOM * force
-    return tuple(middle), (force, force, torque + _ROOM * torque)
+    sides = [x + _ROOM * x for x in (force, force, torque)]
+    # Short numbers make coordinates in the box short.
+    return (
+        tuple(
+            simplest_between(m - x * _SHORT, m + x * _SHORT)
+            for m, x in zip(middle, sides, strict=True)
+        ),
+        tuple(simplest_between(x, x + x * _SHORT) for x in sides),
+    )
 
 
 def _inside(piece: Piece, middle: RationalVector, half: RationalVector) -> Polyhedron | None:

@@ -158,8 +158,12 @@ def _comes_in(edge: IntegerVector, rays: Iterable[IntegerVector]) -> bool:
 
 def _end_of(polygon: Polyhedron, row: IntegerVector, edge: IntegerVector) -> RationalVector:
     """Return the vertex at which an edge ends."""
-    tight = [point for point in polygon.points if dot(row, (*point, 1)) == 0]
-    return max(tight, key=lambda point: Fraction(dot(edge, point)))
+    tight = [k for k, x in enumerate(polygon.homogeneous[0]) if x[2] and dot(row, x) == 0]
+    if len(tight) == 1:
+        return polygon.points[tight[0]]
+    found = (polygon.homogeneous[0][k] for k in tight)
+    along = [Fraction(edge[0] * x + edge[1] * y, h) for x, y, h in found]
+    return polygon.points[tight[along.index(max(along))]]
 
 
 def _polygon_dict(piece: Piece) -> dict[str, Any]:

@@ -29,7 +29,7 @@ from arrangement.draw.colours import PALETTE
 from arrangement.draw.figure import figure
 from arrangement.draw.graph import PlanarGraph, planar_graph
 from arrangement.draw.items import Path as Drawn
-from arrangement.draw.labels import segments_meet, spread
+from arrangement.draw.labels import covering, keep_off, spread
 from arrangement.draw.layers import layered_orders
 from arrangement.draw.output import own_settings
 from arrangement.draw.projections import Chart, stereographic
@@ -431,10 +431,12 @@ def test_spread_angles_keep_their_cyclic_order_and_distance(angles: list[float])
 
 
 def test_segments_that_meet_a_box() -> None:
-    segments = np.array(
-        [[[0, 0], [10, 10]], [[0, 10], [4, 10]], [[5, -9], [5, 20]], [[0, 4], [3, 0]]], dtype=float
-    )
-    assert segments_meet((4, 4, 6, 6), segments).tolist() == [True, False, True, False]
+    lines = np.array([[[0, 0], [10, 10]], [[0, 10], [4, 10]], [[5, -9], [5, 20]], [[0, 4], [3, 0]]])
+    boxes = np.array([[4, 4, 6, 6], [7, 0, 9, 4]], dtype=float)
+    met = [covering(keep_off([line]), boxes).tolist() for line in lines.astype(float)]
+    assert met == [[True, False], [False, False], [True, False], [False, False]]
+    disc = keep_off([], discs=np.array([[8.0, 8.0]]), radius=2.0)
+    assert covering(disc, boxes).tolist() == [True, False]
 
 
 def test_layers_are_ordered_without_crossings_where_that_is_possible() -> None:

@@ -366,6 +366,8 @@ def test_convert_goes_by_endings_and_says_what_is_lost(
     assert json.loads(capsys.readouterr()[0])["text"] == out
     assert main(["convert", "braid-a3", "-o", str(tmp_path / "x.sage"), "--json"]) == 0
     assert json.loads(capsys.readouterr()[0])["lost"] == "Sage sorts the planes"
+    assert main(["convert", "paper-three-contacts", "--to", "matrix"]) == 0
+    assert "lost in matrix: contacts of the file" in capsys.readouterr()[1]
 
 
 @pytest.mark.parametrize(

@@ -10,7 +10,7 @@ import pytest
 from arrangement import Arrangement
 from arrangement.counts import region_count
 from arrangement.enumeration.great_circles import crossings, sphere_arrangement
-from arrangement.enumeration.great_circles.predicates import integer_array, turns
+from arrangement.enumeration.great_circles.predicates import ExactSigns, integer_array, turns
 from arrangement.float_filter import signs_of
 from tests.arrangement.test_great_circles import B3, GENERIC, NEAR_PENCIL, PENCIL
 
@@ -29,19 +29,62 @@ def assert_same_crossings(normals: Normals) -> None:
         assert set(zip(places, fast_row, strict=True)) == set(zip(places, slow_row, strict=True))
 
 
-@pytest.mark.parametrize("normals", [B3, GENERIC, NEAR_PENCIL, PENCIL])
-@pytest.mark.parametrize("seed", range(3))
-def test_any_float_proposal_leads_to_the_same_arrangement(normals, seed, monkeypatch):
+def assert_same_incidence(normals: Normals, monkeypatch: pytest.MonkeyPatch, **patches) -> None:
+    """Check that the half-edges stay the same with some of `ExactSigns` or `crossings` replaced."""
     expected = vars(sphere_arrangement(Arrangement(normals)).incidence)
-    generator = np.random.default_rng(seed)
-
-    def hostile(_, directions, turn):
-        return generator.permuted(np.tile(np.arange(turn.shape[1] * 1.0), (len(turn), 1)), axis=1)
-
-    monkeypatch.setattr(crossings, "_proposal", hostile)
+    for name, value in patches.items():
+        monkeypatch.setattr(crossings if name.isupper() else ExactSigns, name, value)
     found = vars(sphere_arrangement(Arrangement(normals)).incidence)
     for name, array in expected.items():
         assert np.array_equal(array, found[name]), name
+
+
+def farey(largest: int, count: int) -> Normals:
+    """Planes whose crossings with (1, 0, 0) have slopes as close as entries of this size allow."""
+    y, z, rows = largest - 1, largest, [(1, 0, 0)]
+    for _ in range(count):
+        inverse = pow(y, -1, z)  # y' / z' with y z' - y' z = 1, z' < z
+        rows += [(3, y, z), (5, y, z)]
+        y, z = (y * inverse - 1) // z, inverse
+        if z < 3:
+            break
+    return rows
+
+
+CLOSE = [B3, GENERIC, NEAR_PENCIL, PENCIL, farey(131_071, 9), farey(1_154_009, 9)]
+
+
+@pytest.mark.parametrize("normals", CLOSE)
+@pytest.mark.parametrize("seed", range(3))
+def test_any_unreliable_slopes_lead_to_the_same_arrangement(normals, seed, monkeypatch):
+    generator = np.random.default_rng(seed)
+    true_slopes = ExactSigns.slopes
+
+    def hostile(self, block):
+        slopes, backward = true_slopes(self, block)
+        return generator.permuted(
+            np.tile(np.arange(len(slopes.T) * 1.0), (len(slopes), 1)), axis=1
+        ), backward
+
+    assert_same_incidence(normals, monkeypatch, slopes=hostile, reliable=False)
+
+
+@pytest.mark.parametrize("normals", CLOSE)
+def test_reliable_slopes_may_be_wrong_by_four_units_of_roundoff(normals, monkeypatch):
+    generator = np.random.default_rng(4)
+    true_slopes = ExactSigns.slopes
+
+    def shaken(self, block):
+        slopes, backward = true_slopes(self, block)
+        return slopes * (1 + generator.choice([-4, 4], slopes.shape) * 2.0**-53), backward
+
+    assert_same_incidence(normals, monkeypatch, slopes=shaken)
+
+
+@pytest.mark.parametrize("normals", CLOSE)
+@pytest.mark.parametrize("bits", [12, 20, 40, 51])
+def test_slopes_with_few_bits_left_lead_to_the_same_arrangement(normals, bits, monkeypatch):
+    assert_same_incidence(normals, monkeypatch, LEAST_BITS=bits)
 
 
 def test_angular_cut_at_zero_and_pi_is_decided_exactly():

@@ -1,11 +1,20 @@
-"""The cyclic order of crossings on every great circle: floats propose, determinants dispose.
+"""The cyclic order of crossings on every great circle: floats propose, exact signs dispose.
 
 The positive crossings of circle i with the others lie on a half-open half circle, so their
-angles lie in an interval of length pi with one end left out. If each crossing and the next one
-in a proposed order have ``det(n_i, n_j, n_k) turn_ij turn_ik >= 0``, then no angle exceeds the
-next, and the order is right; equality holds exactly when the crossings coincide. So a proposed
-order is certified by exact signs of neighbours alone, wherever a float put the cut at 0 and pi.
-A circle whose proposal fails is sorted again by exact rational slopes.
+angles lie in an interval of length pi with one end left out, and grow with their slopes. If in a
+proposed order no angle exceeds the next, the order is right. For two neighbours j and k that is
+certain
+
+* if their slopes as floats differ by more than the error of both, or else
+* if ``det(n_i, n_j, n_k) turn_ij turn_ik >= 0``; then equality holds exactly when the crossings
+  coincide.
+
+What is sorted are the slopes with other circle and turn written into their last bits, which takes
+a third of the time of an indirect sort. Cut to units of ``2^s`` steps of a float, with s at least
+`LEAST_BITS`, a float loses less than one unit; and a reliable slope (`ExactSigns`) is within 4
+steps of its float. So two of them stand in the order of their units where these differ by two or
+more: the floats are then more than one unit apart, 16 steps at least. A circle whose proposal fails
+is sorted again by exact determinants.
 """
 
 from __future__ import annotations
@@ -16,22 +25,18 @@ from functools import cmp_to_key
 import numpy as np
 from numpy.typing import NDArray
 
-from arrangement.errors import ArrangementError
-from arrangement.float_filter import Signs, signs_of
+from arrangement.exact import IntegerVector
+from arrangement.float_filter import Signs
+from arrangement.linear import triple_product
 
-from .predicates import (
-    Components,
-    ExactSigns,
-    FilteredSigns,
-    Integers,
-    along_rows,
-    cross_products,
-    exact_slope_terms,
-    slope_terms,
-)
+from .predicates import ExactSigns, FilteredSigns, Indices, Integers
 
 #: Entries handled at once: temporary arrays this small stay in the cache and are used again.
 BLOCK = 1 << 14
+#: The least number of last bits of a slope that are overwritten.
+LEAST_BITS = 4
+#: The slope of a circle with itself, so that it comes last.
+_OWN = 2.0**1001
 
 
 @dataclass(frozen=True, slots=True)
@@ -70,63 +75,58 @@ def sort_crossings(normals: Integers) -> Crossings:
     return found
 
 
-def _sort_block(signs: ExactSigns | FilteredSigns, block: slice, found: Crossings) -> None:
+def _sort_block(signs: ExactSigns, block: slice, found: Crossings) -> None:
     """Fill the rows of `found` for a block of circles."""
-    directions = cross_products(signs.numbers[block], signs.numbers)
-    turn = signs.turns(directions, block)
-    proposal = _proposal(signs.numbers[block], directions, turn)
-    # Without NaN numpy sorts several numbers at a time, three times as fast.
-    order = np.argsort(proposal, axis=1)
-    own = np.arange(block.start, block.stop)[:, None]
-    order = order[order != own].reshape(len(order), -1)
-    ascents, sorted_turn = _ascents(signs, directions, turn, order, block)
-    failed = np.nonzero((ascents < 0).any(axis=1))[0]
-    if len(failed):
-        exact = [tuple(row) for row in signs.normals.tolist()]
-        order[failed] = [_exact_order(exact, block.start + int(row)) for row in failed]
-        ascents, sorted_turn = _ascents(signs, directions, turn, order, block)
-        if (ascents < 0).any():  # pragma: no cover - two exact methods would disagree
-            raise ArrangementError(
-                "slopes and determinants disagree on the order of crossings; report this input"
-            )
-    found.order[block], found.turn[block] = order, sorted_turn
-    found.tied[block, 1:] = ascents == 0
-
-
-def _proposal(normals: Integers, directions: Components, turn: Signs) -> NDArray[np.float64]:
-    """Return float slopes of the positive crossings; vertical ones are infinite."""
-    p, q = slope_terms(normals, directions)
-    with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
-        slopes: NDArray[np.float64] = p / q
-        vertical = np.nonzero(q == 0)
-        slopes[vertical] = signs_of(p[vertical]) * turn[vertical] * np.inf
-    return np.nan_to_num(slopes, copy=False, nan=0.0, posinf=np.inf, neginf=-np.inf)
+    slopes, backward = signs.slopes(block)
+    count = slopes.shape[1]
+    own = np.arange(block.start, block.stop)
+    slopes[own - block.start, own] = _OWN
+    slopes += 0.0  # one zero, not two
+    written = 1 + (count - 1).bit_length()
+    bits = max(LEAST_BITS, written)
+    keys = slopes.view(np.int64)
+    keys &= -1 << bits
+    keys |= 2 * np.arange(count)
+    keys |= backward
+    slopes.sort(axis=1)
+    keys = keys[:, :-1]
+    last = keys.astype(np.int32) & np.int32((1 << written) - 1)
+    order, turn, tied = found.order[block], found.turn[block], found.tied[block]
+    order[...] = last >> 1
+    turn[...] = 1 - 2 * (last & 1)
+    near = np.abs(np.diff(keys >> bits, axis=1)) < 2 if signs.reliable else ~tied[:, 1:]
+    rows, columns = np.divmod(np.flatnonzero(near), max(1, count - 2))
+    ascents = _ascents(signs, own, order, turn, rows, columns)
+    if (ascents < 0).any():
+        normals = signs.normals.tolist()
+        for row in np.unique(rows[ascents < 0]).tolist():
+            _sort_exactly(normals, block.start + row, order[row], turn[row])
+        ascents = _ascents(signs, own, order, turn, rows, columns)
+    tied[rows, columns + 1] = ascents == 0
 
 
 def _ascents(
-    signs: ExactSigns | FilteredSigns,
-    directions: Components,
+    signs: ExactSigns,
+    own: Indices,
+    order: NDArray[np.int32],
     turn: Signs,
-    order: NDArray[np.intp],
-    block: slice,
-) -> tuple[Signs, Signs]:
-    """Return ``sign det(n_i, n_j, n_k) turn_ij turn_ik`` of neighbours, and the sorted turns."""
-    sorted_turn = along_rows(turn, order)
-    here, there = order[:, :-1], order[:, 1:]
-    found = signs.determinants(directions, block, here, there)
-    return found * sorted_turn[:, :-1] * sorted_turn[:, 1:], sorted_turn
+    rows: Indices,
+    columns: Indices,
+) -> Signs:
+    """Return ``sign det(n_i, n_j, n_k) turn_ij turn_ik`` for neighbours j and k at some places."""
+    here, there = (rows, columns), (rows, columns + 1)
+    return signs.determinants(own[rows], order[here], order[there]) * turn[here] * turn[there]
 
 
-def _exact_order(normals: list[tuple[int, ...]], circle: int) -> list[int]:
-    """Return the other circles sorted by the exact slopes of their positive crossings."""
-    slopes = {
-        other: exact_slope_terms(normals[circle], normal)
-        for other, normal in enumerate(normals)
-        if other != circle
-    }
+def _sort_exactly(
+    normals: list[IntegerVector], circle: int, order: NDArray[np.int32], turn: Signs
+) -> None:
+    """Sort a row of `Crossings` in place by exact determinants."""
 
-    def compare(left: int, right: int) -> int:
-        (p, q), (r, s) = slopes[left], slopes[right]
-        return (p * s > r * q) - (p * s < r * q)
+    def compare(left: tuple[int, int], right: tuple[int, int]) -> int:
+        (j, turn_j), (k, turn_k) = left, right
+        ascent = triple_product(normals[circle], normals[j], normals[k]) * turn_j * turn_k
+        return int(ascent < 0) - int(ascent > 0)
 
-    return sorted(slopes, key=cmp_to_key(compare))
+    row = sorted(zip(order.tolist(), turn.tolist(), strict=True), key=cmp_to_key(compare))
+    order[...], turn[...] = np.array(row).T

@@ -1,4 +1,4 @@
-"""The three predicates of a great-circle arrangement, with the bounds that make int64 exact.
+"""The predicates of a great-circle arrangement, with the bounds that make them exact.
 
 Every circle is the trace on the unit sphere of the plane ``n . x = 0``. A vector is *positive* if
 its first nonzero coordinate is positive; of a vector and its negative exactly one is. All normals
@@ -13,18 +13,19 @@ With ``d_ij = n_i x n_j`` and ``turn_ij`` = +1 or -1 so that ``turn_ij d_ij`` is
 * ``det(n_i, n_j, n_k) turn_ij turn_ik`` is positive exactly when, counterclockwise about ``n_i``,
   the positive crossing with k comes less than half a turn after that with j, because
   ``(n_i x n_j) x (n_i x n_k) = n_i det(n_i, n_j, n_k)``.
-* the slope of a crossing (`slope_terms`) grows counterclockwise along the positive half circle.
+* the slope of a crossing (`slope_functions`) grows counterclockwise along the positive half circle.
 
 Bounds. Let B be the largest absolute value of an entry. Then ``|d_ij| <= 2 B^2`` in each
 coordinate; a determinant ``n_k . d_ij`` and each partial sum of it is at most ``6 B^3``; the
-numerator of a slope is at most ``4 B^3``. All are exact in int64 if ``6 B^3 < 2^63``. SymPy's
-matrices take 150 times as long for all crossings of 200 circles (4 times with python-flint, before
-anything is read out of them).
+numerator of a slope, with its partial sums, is at most ``4 B^3``. All are exact in int64 if
+``6 B^3 < 2^63``, and a slope is exact in floats, up to the rounding of its quotient, if
+``4 B^3 <= 2^53``. SymPy's matrices take 150 times as long for all crossings of 200 circles (4 times
+with python-flint, before anything is read out of them).
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from typing import Any, TypeAlias
 
 import numpy as np
@@ -32,7 +33,10 @@ from numpy.typing import NDArray
 
 from arrangement.exact import largest
 from arrangement.float_filter import (
+    EXACT,
     UNUSABLE,
+    Booleans,
+    Floats,
     Signs,
     decided,
     error_bound,
@@ -40,12 +44,16 @@ from arrangement.float_filter import (
     scaled,
     signs_of,
 )
-from arrangement.linear import cross, triple_product
 
 #: int64, or Python integers in an object array where int64 could overflow.
 Integers: TypeAlias = NDArray[Any]
-Indices: TypeAlias = NDArray[np.intp]
+#: The same, or floats.
+Numbers: TypeAlias = NDArray[Any]
+Indices: TypeAlias = NDArray[np.integer]
 Components: TypeAlias = tuple[Integers, Integers, Integers]
+
+#: Stands for an infinite slope; no other is as large.
+VERTICAL = 2.0**1000
 
 
 def integer_array(
@@ -61,13 +69,6 @@ def integer_array(
     return array
 
 
-def cross_products(left: Integers, right: Integers) -> Components:
-    """Return the coordinates of all ``left[i] x right[j]``, rows i and columns j."""
-    ax, ay, az = (left[:, k, None] for k in range(3))
-    bx, by, bz = (right[None, :, k] for k in range(3))
-    return ay * bz - az * by, az * bx - ax * bz, ax * by - ay * bx
-
-
 def turns(directions: Components) -> Signs:
     """Return +1 where a vector is positive, -1 where its negative is, 0 where it is zero."""
     x, y, z = directions
@@ -79,130 +80,141 @@ def turns(directions: Components) -> Signs:
     return found
 
 
+def slope_functions(normals: NDArray[Any]) -> tuple[NDArray[Any], NDArray[Any], Signs]:
+    """Return rows P, Q: the slope on circle i of its crossing with j is ``P_i . n_j / Q_i . n_j``.
+
+    In the plane of circle i take the frame ``e1`` (projected) and ``n_i x e1``; then a positive
+    vector d has ``d . e1 >= 0``, and its slope is ``d . (n_i x e1) / d . e1``; d is ``n_i x n_j``
+    or its negative. The one circle with normal e1 uses e2 and e3 instead. Where the denominator
+    is 0 the slope of the positive crossing is infinite; its sign on each circle is returned last.
+    """
+    a, b, c = normals.T
+    zero = np.zeros_like(a)
+    numerators = np.stack([b * b + c * c, -a * b, -a * c], axis=1)
+    denominators = np.stack([zero, -c, b], axis=1)
+    polar = (b == 0) & (c == 0)
+    numerators[polar, 1], denominators[polar, 2] = a[polar], -a[polar]
+    upper = np.where(polar, 1, np.where(c != 0, signs_of(c), -signs_of(b))).astype(np.int8)
+    return numerators, denominators, upper
+
+
 class ExactSigns:
-    """The signs of products of normals in int64.
+    """The slopes of crossings, and the signs of products of normals in int64.
 
     Attributes:
         normals: (c, 3).
-        numbers: the same, or floats near positive multiples, for a proposal.
+        reliable: no slope has a relative error above ``4 u``, u = 2^-53.
     """
 
+    reliable = True
+
     def __init__(self, normals: Integers) -> None:
-        self.normals = self.numbers = normals
+        self.normals = normals
+        exact_in_floats = 4 * int(np.abs(normals).max()) ** 3 <= EXACT
+        self._set_numbers(normals.astype(np.float64) if exact_in_floats else normals)
 
-    def turns(self, directions: Components, block: slice) -> Signs:
-        """Return `turns` of the cross products of a block of the normals with all of them."""
-        return turns(directions)
+    def _set_numbers(self, numbers: NDArray[Any]) -> None:
+        """Take the normals, or numbers near positive multiples of them, to compute slopes from."""
+        self._columns = np.ascontiguousarray(numbers.T)
+        self._numerators, self._denominators, self._upper = slope_functions(numbers)
 
-    def determinants(
-        self, directions: Components, block: slice, here: Indices, there: Indices
-    ) -> Signs:
-        """Return the signs of ``det(n_i, n_j, n_k)``, row i of the block, j in here, k in there."""
-        return signs_of(_determinants(self.numbers, directions, here, there))
+    def slopes(self, block: slice) -> tuple[Floats, Booleans]:
+        """Return slopes of the crossings of a block of circles with all, and where turns are -1.
+
+        An infinite slope, and that of a circle with itself, is plus or minus `VERTICAL`.
+        """
+        numerators = _products(self._numerators[block], self._columns)
+        denominators = _products(self._denominators[block], self._columns)
+        backward: Booleans = denominators < 0  # it is the first coordinate that is not 0
+        vertical = np.flatnonzero(denominators == 0)  # else the numerator has its sign
+        upper = self._upper[block].take(vertical // denominators.shape[1])
+        backward.ravel()[vertical] = numerators.take(vertical) * upper < 0
+        with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
+            slopes: Floats = numerators / denominators
+        slopes.ravel()[vertical] = VERTICAL * upper
+        return slopes, backward
+
+    def determinants(self, *circles: Indices) -> Signs:
+        """Return the signs of ``det(n_i, n_j, n_k)`` for three arrays i, j, k."""
+        return signs_of(_determinants([self.normals[i] for i in circles]))
 
 
 class FilteredSigns(ExactSigns):
     """The same for normals beyond int64: floats where the bound of their error decides."""
 
+    reliable = False
     #: Three entries, two products and three sums.
     error = error_bound(8)
 
     def __init__(self, normals: Integers) -> None:
         self.normals = normals
         rows = normals.tolist()
-        self.numbers, usable = scaled(rows)
+        self._numbers, usable = scaled(rows)
         self._least = least_sizes(rows)
-        self._absolute = np.abs(self.numbers)
+        self._absolute = np.abs(self._numbers)
         if not usable.all():  # then they serve for proposals alone
             self.error = UNUSABLE
             self._absolute[...], self._least[...] = 1, 0
+        self._set_numbers(self._numbers)
 
-    def turns(self, directions: Components, block: slice) -> Signs:
-        """Return the same with the products that floats leave open in exact numbers."""
-        here, least = np.arange(len(self.normals))[block], self._least
-        sizes = self._sizes(block)
-        for part in sizes:
-            part[np.arange(len(here)), here] = 0  # that of a normal with itself
+    def slopes(self, block: slice) -> tuple[Floats, Booleans]:
+        """Return the same: slopes for a proposal alone, turns in exact numbers if need be."""
+        slopes = np.nan_to_num(super().slopes(block)[0], posinf=VERTICAL, neginf=-VERTICAL)
+        here, there = np.arange(len(self.normals))[block, None], np.arange(len(self.normals))
+        least = np.where(here == there, np.inf, self._least[here] * self._least)
 
-        def exact(k: int) -> Callable[[tuple[Indices, ...]], Integers]:
+        def component(k: int) -> Signs:
             after, before = (k + 1) % 3, (k + 2) % 3
 
-            def component(at: tuple[Indices, ...]) -> Integers:
-                left, right = self.normals[here[at[0]]], self.normals[at[1]]
-                found: Integers = left[:, after] * right[:, before] - (
-                    left[:, before] * right[:, after]
+            def minor(numbers: NDArray[Any], at: tuple[Any, Any], sign: int) -> NDArray[Any]:
+                left, right = numbers[at[0]], numbers[at[1]]
+                found: NDArray[Any] = left[..., after] * right[..., before] + sign * (
+                    left[..., before] * right[..., after]
                 )
                 return found
 
-            return component
+            return decided(
+                minor(self._numbers, (here, there), -1),
+                minor(self._absolute, (here, there), 1),
+                self.error,
+                least,
+                lambda at: minor(self.normals, (here[at[0], 0], at[1]), -1),
+            )
 
-        bound = least[here][:, None] * least
-        parts = [decided(directions[k], sizes[k], self.error, bound, exact(k)) for k in range(3)]
-        return turns((parts[0], parts[1], parts[2]))
+        return slopes, turns((component(0), component(1), component(2))) < 0
 
-    def determinants(
-        self, directions: Components, block: slice, here: Indices, there: Indices
-    ) -> Signs:
+    def determinants(self, *circles: Indices) -> Signs:
         """Return the same with the determinants that floats leave open in exact numbers."""
-        own = np.arange(len(self.normals))[block]
-
-        def exact(at: tuple[Indices, ...]) -> Integers:
-            rows = (self.normals[own[at[0]]], self.normals[here[at]], self.normals[there[at]])
-            return np.array([triple_product(*row) for row in zip(*rows, strict=True)], object)
-
+        i, j, k = circles
         return decided(
-            _determinants(self.numbers, directions, here, there),
-            _determinants(self._absolute, self._sizes(block), here, there),
+            _determinants([self._numbers[at] for at in circles]),
+            _determinants([self._absolute[at] for at in circles], sign=1),
             self.error,
-            self._least[own][:, None] * self._least[here] * self._least[there],
-            exact,
+            self._least[i] * self._least[j] * self._least[k],
+            lambda at: _determinants([self.normals[c[at]] for c in circles]),
         )
 
-    def _sizes(self, block: slice) -> Components:
-        """Return the sums of the absolute products in all cross products."""
-        sizes = self._absolute
-        a, b, c = (sizes[block, k, None] for k in range(3))
-        x, y, z = (sizes[None, :, k] for k in range(3))
-        return b * z + c * y, c * x + a * z, a * y + b * x
 
-
-def along_rows(values: NDArray[Any], columns: Indices) -> NDArray[Any]:
-    """Return the entries of each row at its columns, as `numpy.take_along_axis`, twice as fast."""
-    starts = np.arange(len(values))[:, None] * values.shape[1]
-    found: NDArray[Any] = values.take(columns + starts)
+def _products(rows: Numbers, columns: Numbers) -> Numbers:
+    """Return the matrix product of (r, 3) and (3, c) in NumPy alone, not in a library."""
+    a, b, c = rows[:, :, None].transpose(1, 0, 2)
+    found: Numbers = a * columns[0]
+    found += b * columns[1]
+    found += c * columns[2]
     return found
 
 
-def _determinants(
-    normals: Integers, directions: Components, here: Indices, there: Indices
-) -> Integers:
-    x, y, z = (along_rows(part, here) for part in directions)
-    n = [np.ascontiguousarray(normals[:, k]).take(there) for k in range(3)]
-    determinants: Integers = n[0] * x + n[1] * y + n[2] * z
-    return determinants
+def _determinants(rows: Sequence[Numbers], sign: int = -1) -> Numbers:
+    """Return the determinants of three arrays' rows, or with sign +1 the sizes of their sums."""
+    a, b, c = rows
+    parts = ((0, 1, 2), (1, 2, 0), (2, 0, 1))
+    x, y, z = (a[:, i] * (b[:, j] * c[:, k] + sign * (b[:, k] * c[:, j])) for i, j, k in parts)
+    found: Numbers = x + y + z
+    return found
 
 
-def slope_terms(normals: Integers, directions: Components) -> tuple[Integers, Integers]:
-    """Return numerators p and denominators q of the slopes of crossings, before orientation.
-
-    In the plane of circle i take the frame ``e1`` (projected) and ``n_i x e1``; then a positive
-    vector d has ``q = d . e1 >= 0`` and ``p = d . (n_i x e1)``. The one circle with normal e1 uses
-    e2 and e3 instead. For ``-d`` both change sign.
-    """
-    x, y, z = directions
-    p = y * normals[:, 2, None] - z * normals[:, 1, None]
-    polar = np.nonzero((normals[:, 1] == 0) & (normals[:, 2] == 0))[0]
-    if len(polar):
-        q = x.copy()
-        p[polar], q[polar] = z[polar], y[polar]
-        return p, q
-    return p, x
-
-
-def exact_slope_terms(normal: tuple[int, ...], other: tuple[int, ...]) -> tuple[int, int]:
-    """Return (p, q) of the positive crossing of two circles in Python integers, ``q >= 0``."""
-    _, b, c = normal
-    x, y, z = cross(normal, other)
-    leading = x or y or z
-    p, q = (z, y) if b == c == 0 else (y * c - z * b, x)
-    return (p, q) if leading > 0 else (-p, -q)
+def along_rows(values: NDArray[Any], columns: Indices) -> NDArray[Any]:
+    """Return the entries of each row at its columns, as `numpy.take_along_axis`, but faster."""
+    starts = np.arange(len(values))[:, None] * values.shape[1]
+    found: NDArray[Any] = values.take(columns + starts, mode="clip")
+    return found

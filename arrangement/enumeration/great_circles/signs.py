@@ -65,12 +65,12 @@ class SignPacker:
 
     def _half_circle(self, circle: int) -> _Words:
         """Return the signs on the positive side of the arcs after each positive crossing."""
-        states: _Words = self._mask[self._crossings.order[circle]]
+        states: _Words = self._mask.take(self._crossings.order[circle], axis=0, mode="clip")
+        states[0] ^= self._start[circle]
         np.bitwise_xor.accumulate(states, axis=0, out=states)
         tied = self._crossings.tied[circle]
         if tied.any():
             states = states[np.append(~tied[1:], True)]
-        states ^= self._start[circle]
         return states
 
     def regions(self) -> PackedSigns:

@@ -4,19 +4,18 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass
-from typing import TypeAlias
+from itertools import pairwise
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
-from .crossings import Crossings
+from .crossings import BLOCK, Crossings
 from .incidence import Incidence, Indices
+from .predicates import along_rows
 
-#: Slots or regions handled at once.
+#: Lines, slots or half-edges handled at once.
 CHUNK = 1 << 16
-
-_ONE = np.int32(1)
-_Flags: TypeAlias = NDArray[np.bool_]
 
 
 def build_incidence(crossings: Crossings) -> Incidence:
@@ -24,20 +23,33 @@ def build_incidence(crossings: Crossings) -> Incidence:
 
     Complexity: O(c^2) time and memory; with E arcs the result takes about 32 E bytes.
     """
-    circles = len(crossings.order)
-    if circles < 2:
-        return _without_vertices(circles)
-    circle_offsets, slot_line, rank, multiplicity = _lines(crossings)
-    line_offsets = np.zeros(len(multiplicity) + 1, np.int32)
-    np.cumsum(multiplicity, out=line_offsets[1:])
-    ring = _Ring.of(slot_line, rank, multiplicity, line_offsets)
-    ends = _Ends.of(circle_offsets)
-    origin = _origin(ends, slot_line, len(multiplicity))
-    following, leads = _next(ends, ring)
-    leader, region = _regions(following, leads)
-    line_slots = ring.line_slots
+    count = len(crossings.order)
+    if count < 2:
+        return _without_vertices(count)
+    slots = _Slots.of(crossings)
+    offsets = slots.offsets
+    slot_line, line_slots, following, region = (
+        np.empty(n * offsets[-1], np.int32) for n in (1, 1, 4, 4)
+    )
+    line_offsets = [np.zeros(1, np.int32)]
+    lines = 0
+    for rows in _blocks(count):
+        stars = _Stars.of(slots, crossings, rows)
+        line_offsets.append(stars.number_lines(slot_line, line_slots, lines, line_offsets[-1][-1]))
+        lines += len(line_offsets[-1])
+        stars.link(following, region)
+    del slots, stars  # before the largest arrays are read and written
+    leader = _number_regions(region)
+    origin = _origin(offsets, slot_line, lines)
     return Incidence(
-        circle_offsets, slot_line, line_offsets, line_slots, origin, following, region, leader
+        offsets,
+        slot_line,
+        np.concatenate(line_offsets),
+        line_slots,
+        origin,
+        following,
+        region,
+        leader,
     )
 
 
@@ -51,144 +63,163 @@ def _without_vertices(circles: int) -> Incidence:
     return Incidence(offsets, none, start, none, origin, sides, sides, leader)
 
 
-def _lines(crossings: Crossings) -> tuple[Indices, Indices, Indices, Indices]:
-    """Merge tied crossings into slots and give the slots of one line the same number.
+class _Arcs(NamedTuple):
+    """The arcs that enter and leave the crossings at some slots, and that leave their antipodes.
 
-    Returns:
-        circle_offsets; the line of each slot; the rank of each slot's circle in the ring of its
-        line; the number of circles through each line.
-    """
-    count, width = crossings.order.shape
-    circle_offsets = np.zeros(count + 1, np.int32)
-    np.cumsum(width - crossings.tied.sum(axis=1), out=circle_offsets[1:])
-    slot_line, rank = (np.empty(circle_offsets[-1], np.int32) for _ in range(2))
-    multiplicity: list[Indices] = []
-    table = np.empty((count, count), np.int32)
-    lines = 0
-    for rows in chunks(count, max(1, CHUNK // width)):
-        slots = slice(*circle_offsets[[rows.start, rows.stop]].tolist())
-        numbers, rank[slots], sizes = _lines_of_rows(crossings, rows, table, lines)
-        slot_line[slots] = numbers
-        multiplicity.append(sizes)
-        lines += len(sizes)
-    return circle_offsets, slot_line, rank, np.concatenate(multiplicity)
-
-
-def _lines_of_rows(
-    crossings: Crossings, rows: slice, table: Indices, lines: int
-) -> tuple[Indices, Indices, Indices]:
-    """Return line and rank of the slots of some circles, and the sizes of the lines they number.
-
-    The least circle of a line numbers it; `table[i, j]` is the line of circles i and j where i
-    has numbered it. All circles of one line leave its positive vertex within half a turn, so the
-    rank of circle i is the number of circles j of the line with ``turn_ij < 0``: nothing is
-    sorted here.
-    """
-    order, starts = crossings.order[rows], ~crossings.tied[rows]
-    first_entry = np.nonzero(starts.ravel())[0]
-    least = np.minimum.reduceat(order.ravel(), first_entry)
-    rank = np.add.reduceat(crossings.turn[rows].ravel() < 0, first_entry, dtype=np.int32)
-    size = np.diff(first_entry, append=order.size).astype(np.int32)
-    circle = rows.start + first_entry // order.shape[1]
-    owns = least > circle
-    number = np.cumsum(owns, dtype=np.int32) + np.int32(lines - 1)
-    of_entry = np.repeat(number, size).reshape(order.shape)
-    np.put_along_axis(table[rows], order.astype(np.intp), of_entry, axis=1)
-    return np.where(owns, number, table[least, circle]), rank, size[owns] + _ONE
-
-
-@dataclass(frozen=True, slots=True)
-class _Ends:
-    """For each slot: the arcs that enter and leave its crossing, and that leave the antipode.
-
-    The arc that enters the antipode is the one before.
+    The arc that enters an antipode is the one before.
     """
 
     entering: Indices
     leaving: Indices
-    leaving_antipode: Indices
-
-    @classmethod
-    def of(cls, circle_offsets: Indices) -> _Ends:
-        size = np.diff(circle_offsets)
-        leaving = np.arange(circle_offsets[-1], dtype=np.int32)
-        leaving += np.repeat(circle_offsets[:-1], size)
-        opposite = leaving + np.repeat(size, size)
-        entering = leaving - _ONE
-        entering[circle_offsets[:-1]] += 2 * size
-        return cls(entering, leaving, opposite)
+    opposite: Indices
 
 
 @dataclass(frozen=True, slots=True)
-class _Ring:
-    """The rings of slots around the lines: rank and size for each slot, and all in ring order."""
+class _Slots:
+    """Crossings merged where they are tied.
 
+    Attributes:
+        offsets: (c + 1); where the slots of each circle begin.
+        rank: (S); the place of the slot's circle in the ring of its line. All circles of one line
+            leave its positive vertex within half a turn, so the rank of circle i is the number of
+            circles j of the line with ``turn_ij < 0``: nothing is sorted here.
+        across: (c, c); in row j and column i, the slot of circle j on the line of i and j.
+    """
+
+    offsets: Indices
     rank: Indices
-    size: Indices
-    place: Indices
-    line_slots: Indices
+    across: Indices
 
     @classmethod
-    def of(
-        cls, slot_line: Indices, rank: Indices, multiplicity: Indices, line_offsets: Indices
-    ) -> _Ring:
-        size, place = np.empty_like(rank), np.empty_like(rank)
-        line_slots = np.empty_like(rank)
-        for slots in chunks(len(rank), CHUNK):
-            lines = slot_line[slots]
-            size[slots] = multiplicity.take(lines)
-            place[slots] = line_offsets.take(lines) + rank[slots]
-            line_slots[place[slots]] = np.arange(slots.start, slots.stop, dtype=np.int32)
-        return cls(rank, size, place, line_slots)
+    def of(cls, crossings: Crossings) -> _Slots:
+        count, width = crossings.order.shape
+        offsets = np.zeros(count + 1, np.int32)
+        np.cumsum(width - crossings.tied.sum(axis=1), out=offsets[1:])
+        rank, across = np.empty(offsets[-1], np.int32), np.empty((count, count), np.int32)
+        for rows in _blocks(count):
+            own = slice(*offsets[[rows.start, rows.stop]].tolist())
+            starts = ~crossings.tied[rows].ravel()
+            places = crossings.order[rows] + count * np.arange(rows.stop - rows.start)[:, None]
+            across[rows].reshape(-1)[places.ravel()] = own.start - 1 + np.cumsum(starts)
+            rank[own] = _merged(np.add, crossings.turn[rows].ravel() < 0, starts)
+        return cls(offsets, rank, across)
 
-    def around(self, slots: slice) -> tuple[_Flags, Indices, _Flags, Indices]:
-        """Return which slots are first, the slots before them, which are last, those after."""
-        rank, size, place = self.rank[slots], self.size[slots], self.place[slots]
-        first, last = rank == 0, rank == size - _ONE
-        before = self.line_slots.take(place + np.where(first, size, 0) - _ONE)
-        after = self.line_slots.take(place - np.where(last, size, 0) + _ONE)
-        return first, before, last, after
-
-
-def _origin(ends: _Ends, slot_line: Indices, lines: int) -> Indices:
-    """Return the start of every half-edge: forward ones leave a crossing, their twins enter it."""
-    origin = np.empty(4 * len(slot_line), np.int32)
-    forward, backward = origin[0::2], origin[1::2]
-    for slots in chunks(len(slot_line), CHUNK):
-        here, there = slot_line[slots], slot_line[slots] + np.int32(lines)
-        forward[ends.leaving[slots]] = here
-        backward[ends.entering[slots]] = here
-        forward[ends.leaving_antipode[slots]] = there
-        backward[ends.leaving_antipode[slots] - _ONE] = there
-    return origin
+    def arcs(self, slots: Indices, circles: Indices) -> _Arcs:
+        """Return the arcs at slots of these circles."""
+        start = self.offsets.take(circles, mode="clip")
+        size = np.diff(self.offsets).take(circles, mode="clip")
+        leaving = slots + start
+        entering = leaving - 1
+        entering[slots == start] += 2 * size[slots == start]
+        return _Arcs(entering, leaving, leaving + size)
 
 
-def _next(ends: _Ends, ring: _Ring) -> tuple[Indices, _Flags]:
-    """Return the successor of every half-edge, and which arcs lead a region (see `_regions`).
+def _merged(combine: np.ufunc, entries: NDArray[Any], starts: NDArray[np.bool_]) -> NDArray[Any]:
+    """Return entries combined over the runs that begin at starts."""
+    if starts.all():
+        return entries
+    merged: NDArray[Any] = combine.reduceat(entries, np.flatnonzero(starts), dtype=np.int32)
+    return merged
 
-    The successor is the half-edge just clockwise of the twin. From a positive vertex with the
-    ring ``g_0 .. g_(r-1)`` the half-edges leave counterclockwise as forward g_0 .. forward
-    g_(r-1), backward g_0 .. backward g_(r-1); from its antipode each half is reversed.
+
+@dataclass(frozen=True, slots=True)
+class _Stars:
+    """The stars of lines, as the slots of some circles see them.
+
+    Attributes:
+        slots: (s); those slots.
+        rank, size: (s); the place of the circle in the ring of the line, and the ring's length.
+        others, other_ranks: the same of the other circles' slots, line after line.
+        starts: whether an entry of `others` is the first on its line.
+        own, before, after: the arcs at the slot itself, and at its neighbours in the ring, whose
+            last is followed by the first.
     """
-    following = np.empty(4 * len(ring.rank), np.int32)
-    after_forward, after_backward = following[0::2], following[1::2]
-    leads = np.zeros(len(after_forward), bool)
-    for slots in chunks(len(ring.rank), CHUNK):
-        first, before, last, after = ring.around(slots)
-        leaving, opposite = ends.leaving[slots], ends.leaving_antipode[slots]
-        onward, back = 2 * ends.leaving.take(before), 2 * ends.entering.take(before) + _ONE
-        after_forward[ends.entering[slots]] = np.where(first, onward, back)
-        after_backward[leaving] = np.where(first, back, onward)
-        onward = 2 * ends.leaving_antipode.take(after)
-        back = onward - _ONE
-        after_forward[opposite - _ONE] = np.where(last, onward, back)
-        after_backward[opposite] = np.where(last, back, onward)
-        leads[leaving], leads[opposite] = ~last, ~first
-    return following, leads
+
+    slots: Indices
+    rank: Indices
+    size: Indices
+    others: Indices
+    other_ranks: Indices
+    starts: NDArray[np.bool_]
+    own: _Arcs
+    before: _Arcs
+    after: _Arcs
+
+    @classmethod
+    def of(cls, slots: _Slots, crossings: Crossings, rows: slice) -> _Stars:
+        offsets = slots.offsets[rows.start : rows.stop + 1]
+        own = np.arange(offsets[0], offsets[-1])
+        order, starts = crossings.order[rows], ~crossings.tied[rows].ravel()
+        others = along_rows(np.ascontiguousarray(slots.across[:, rows].T), order).ravel()
+        circles, rank = order.ravel(), slots.rank[offsets[0] : offsets[-1]]
+        arcs = slots.arcs(own, np.repeat(np.arange(rows.start, rows.stop), np.diff(offsets)))
+        if starts.all():  # two circles through each line
+            before = after = slots.arcs(others, circles)
+            size, other_ranks = np.full_like(rank, 2), 1 - rank
+        else:
+            runs = np.diff(np.flatnonzero(starts), append=len(starts)).astype(np.int32)
+            size, other_ranks = runs + np.int32(1), slots.rank.take(others)
+            ring = np.repeat(size, runs)
+            ahead = (other_ranks - np.repeat(rank, runs)) % ring
+            before, after = (
+                slots.arcs(others[at], circles[at]) for at in (ahead == ring - 1, ahead == 1)
+            )
+        return cls(own, rank, size, others, other_ranks, starts, arcs, before, after)
+
+    def number_lines(
+        self, slot_line: Indices, line_slots: Indices, lines: int, filled: int
+    ) -> Indices:
+        """Write the lines of these slots, and the rings of those that are new; return their ends.
+
+        The least circle of a line numbers it.
+
+        Args:
+            slot_line, line_slots: see `Incidence`.
+            lines, filled: the number of lines so far, and of slots in their rings.
+        """
+        least = _merged(np.minimum, self.others, self.starts)
+        new = least > self.slots
+        found = slot_line[self.slots[0] : self.slots[-1] + 1]
+        np.cumsum(new, out=found)
+        found += np.int32(lines - 1)
+        # Where both circles of a line are among these, what the first one reads is written already.
+        told = slot_line.take(np.minimum(least, self.slots), mode="clip")
+        found -= (found - told) * ~new
+        at = np.flatnonzero(new)
+        sizes = self.size.take(at)
+        ends = np.cumsum(sizes, dtype=np.int32) + np.int32(filled)
+        begins = ends - sizes
+        line_slots[begins + self.rank.take(at)] = self.slots.take(at)
+        if not self.starts.all():
+            at = np.flatnonzero(np.repeat(new, self.size - 1))
+            begins = np.repeat(begins, sizes - 1)
+        line_slots[begins + self.other_ranks.take(at)] = self.others.take(at)
+        return ends
+
+    def link(self, following: Indices, region: Indices) -> None:
+        """Write the successors of the half-edges at these slots, and hints for `_number_regions`.
+
+        The successor is the half-edge just clockwise of the twin. From a positive vertex with the
+        ring ``g_0 .. g_(r-1)`` the half-edges leave counterclockwise as forward g_0 .. forward
+        g_(r-1), backward g_0 .. backward g_(r-1); from its antipode each half is reversed.
+        """
+        first, last = self.rank == 0, self.rank == self.size - 1
+        forward, backward, hints = following[0::2], following[1::2], region[0::2]
+        onward, back = 2 * self.before.leaving, 2 * self.before.entering + 1
+        chosen = back + (onward - back) * first  # np.where takes five times as long here
+        forward[self.own.entering] = chosen
+        backward[self.own.leaving] = onward + back - chosen
+        hints[self.own.leaving] = ~(2 * self.after.entering) * last
+        onward = 2 * self.after.opposite
+        forward[self.own.opposite - 1] = onward - ~last
+        backward[self.own.opposite] = onward - last
+        hints[self.own.opposite] = (1 - 2 * self.before.opposite) * first
+        own = slice(4 * self.slots[0], 4 * self.slots[-1] + 4)
+        np.invert(following[own][1::2], out=region[own][1::2])
 
 
-def _regions(following: Indices, leads: _Flags) -> tuple[Indices, Indices]:
-    """Return a leading half-edge for each region, and the region of each half-edge.
+def _number_regions(region: Indices) -> Indices:
+    """Replace hints by the regions of all half-edges; return a leading half-edge for each region.
 
     Sweep a half plane around the first coordinate axis, tilted by an infinitesimal so that no
     circle contains the axis. All normals are positive, so every circle is swept forward, and a
@@ -196,27 +227,49 @@ def _regions(following: Indices, leads: _Flags) -> tuple[Indices, Indices]:
     forward half-edges; the right one of them leads it. The two remaining regions contain an end
     of the axis: they lie on the positive side of all circles (region 0), and on the negative side
     of all (the last).
+
+    Args:
+        region: 0 for half-edges that lead; for the others ``~h``, where h is the half-edge beside
+            the same region that comes before if both run forward, after if not. So h is nearer to
+            the one that leads.
     """
-    swept = 2 * np.nonzero(leads)[0].astype(np.int32)
-    region = np.full(len(following), -1, np.int32)
-    for part in chunks(len(swept), CHUNK):
-        _walk(following, region, swept[part], part.start + 1)
-    positive, negative = region[0::2], region[1::2]
-    at_ends = [2 * int(positive.argmin()), 2 * int(negative.argmin()) + 1]
-    _walk(following, region, np.array(at_ends[:1], np.int32), 0)
-    _walk(following, region, np.array(at_ends[1:], np.int32), len(swept) + 1)
-    return np.concatenate([at_ends[:1], swept, at_ends[1:]], dtype=np.int32), region
+    swept = [np.empty(0, np.int32)]
+    regions = 1
+    for part in chunks(len(region), CHUNK):
+        leads = 2 * np.flatnonzero(region[part][::2] == 0)
+        region[part][leads] = np.arange(regions, regions + len(leads))
+        swept.append(leads.astype(np.int32) + np.int32(part.start))
+        regions += len(leads)
+    left, before = len(region), len(region) + 1
+    while left < before:  # then those are left that go around the first or the last region
+        left, before = 0, left
+        for part in chunks(len(region), CHUNK):
+            here = region[part]
+            places = np.flatnonzero(here < 0)
+            hints = ~here.take(places, mode="clip").astype(np.intp)
+            here[places] = found = region.take(hints, mode="clip")
+            left += int(np.count_nonzero(found < 0))
+    around = np.flatnonzero(region < 0)
+    ends = [around[around % 2 == side] for side in (0, 1)]
+    region[ends[0]], region[ends[1]] = 0, regions
+    return np.concatenate([ends[0][:1], *swept, ends[1][:1]], dtype=np.int32, casting="unsafe")
 
 
-def _walk(following: Indices, region: Indices, start: Indices, number: int) -> None:
-    """Go around many regions in step, and write their consecutive numbers on the half-edges."""
-    numbers = np.arange(number, number + len(start), dtype=np.int32)
-    current = start
-    while len(current):
-        region[current] = numbers
-        current = following.take(current)
-        left = np.flatnonzero(current != start)
-        current, start, numbers = current.take(left), start.take(left), numbers.take(left)
+def _origin(offsets: Indices, slot_line: Indices, lines: int) -> Indices:
+    """Return the start of every half-edge: an arc's twin starts where the next arc does."""
+    origin = np.empty((2 * len(slot_line), 2), np.int32)
+    for start, stop in pairwise(offsets.tolist()):
+        arcs = origin[2 * start : 2 * stop]
+        arcs[: stop - start, 0] = slot_line[start:stop]
+        arcs[stop - start :, 0] = slot_line[start:stop] + np.int32(lines)
+        arcs[:-1, 1] = arcs[1:, 0]
+        arcs[-1, 1] = arcs[0, 0]
+    return origin.ravel()
+
+
+def _blocks(circles: int) -> Iterator[slice]:
+    """Yield slices of circles with about `BLOCK` crossings."""
+    return chunks(circles, max(1, BLOCK // circles))
 
 
 def chunks(total: int, size: int) -> Iterator[slice]:
