@@ -64,7 +64,7 @@ def _edge_and_face_bounds(signs: Signs, n: int) -> NDArray[np.bool_]:
 
 def _bipartite_bounds(signs: Signs, n: int) -> NDArray[np.bool_]:
     faces, edges, vertices = f_vectors(signs, n).T
-    simple = signs.all(1)
+    simple = (signs != 0).all(axis=1)
     most = ((edges == 2 * vertices - 4) == simple) & ((faces == vertices - 2) == simple)
     holds: NDArray[np.bool_] = (edges <= 2 * vertices - 4) & (faces <= vertices - 2) & most
     return holds
