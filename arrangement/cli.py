@@ -80,7 +80,7 @@ def _parser() -> terminal.Parser:
     add("identify", _identify, "which combinatorial type it has, of those of at most nine planes")
 
     types = commands.add_parser("census", help="the list of all types of up to nine planes")
-    types.later = lambda: _later("library.census.command").add_commands(types)
+    types.later = lambda: _later("library.census_command").add_commands(types)
 
     text = "count faces of generic planes against the published bounds"
     bounds = add("bounds", _bounds, text, file=None)
@@ -99,7 +99,7 @@ def _parser() -> terminal.Parser:
 
     text = "make a member of a family, such as shi --type E6"
     make = add("make", _make, text, file=None)
-    make.later = lambda: _later("library.families.making").add_families(make)
+    make.later = lambda: _later("library.making").add_families(make)
 
     add_format_commands(add)
 
@@ -261,6 +261,7 @@ def _identify(arguments: argparse.Namespace) -> int:
     order = zip(found.order or (), found.sides or (), strict=True)
     rows = {
         "type": name,
+        "Finschi-Fukuda": found.finschi_fukuda and f"IC({found.planes},3,{found.finschi_fukuda})",
         "distinct planes": found.planes,
         "rank": found.rank,
         "f-vector": " ".join(map(str, found.f_vector)),
@@ -315,7 +316,7 @@ def _lab(arguments: argparse.Namespace) -> int:
 
 def _make(arguments: argparse.Namespace) -> int:
     from .io.writing import write_or_print
-    from .library.families.making import document
+    from .library.making import document
 
     write_or_print(arguments.output, document(arguments))
     return terminal.YES
@@ -323,7 +324,7 @@ def _make(arguments: argparse.Namespace) -> int:
 
 def _list(arguments: argparse.Namespace) -> int:
     if arguments.families:
-        from .library.families.making import described
+        from .library.making import described
 
         return terminal.print_names(described(), arguments.json)
     return terminal.print_names(files.described("planes"), arguments.json)

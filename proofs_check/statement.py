@@ -14,11 +14,15 @@ from difflib import get_close_matches
 from enum import Enum
 from itertools import chain
 from random import Random
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from arrangement.short_repr import Shown
 
 from .errors import OwnClaimError, UnknownClaimError
+
+if TYPE_CHECKING:
+    import numpy as np
+    from numpy.typing import NDArray
 
 
 class Verdict(Enum):
@@ -139,6 +143,20 @@ class View(Shown):
 Smaller = Callable[[list[Case], Callable[[Any], bool]], tuple[Case, int]]
 
 
+@dataclass(frozen=True)
+class ManyTypes:
+    """A way to decide a statement on many combinatorial types at once, from their chirotopes.
+
+    Attributes:
+        name: what is done, in words.
+        holds: whether the statement is true of each of N types of n distinct planes of rank 3,
+            given the signs (N, C(n, 3)) of their triples, and n.
+    """
+
+    name: str
+    holds: Callable[[NDArray[np.int8], int], NDArray[np.bool_]]
+
+
 @dataclass(frozen=True, repr=False)
 class Claim(Shown):
     """A statement, what it is about, and the routes by which it is checked.
@@ -170,6 +188,7 @@ class Claim(Shown):
         file: of a user, from which the claim was loaded.
         proof: where its proof is: a section of the page on proofs and the words it begins with.
         views: pictures that show why; if none, a report draws the counterexample.
+        many_types: a way to decide it on all types of nine planes, for sweeps.
     """
 
     id: str
@@ -197,6 +216,7 @@ class Claim(Shown):
     file: str = ""
     proof: tuple[str, str] | None = None
     views: tuple[View, ...] = ()
+    many_types: ManyTypes | None = None
 
     def __call__(self, subject: Any) -> Any:
         """Return the value of the first route on an instance."""

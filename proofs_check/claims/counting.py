@@ -7,10 +7,14 @@ from collections.abc import Iterator
 from functools import partial
 from typing import Any
 
+import numpy as np
+from numpy.typing import NDArray
+
 from arrangement import counts
 from arrangement.arrangement import Arrangement
 from arrangement.enumeration.great_circles import sphere_arrangement
 from arrangement.enumeration.paper_steps import published_enumeration
+from arrangement.library.census.chirotopes import Signs
 from proofs_check.instances.arrangements import (
     TYPES,
     arrangement_case,
@@ -22,10 +26,12 @@ from proofs_check.instances.arrangements import (
 )
 from proofs_check.instances.domains import domain
 from proofs_check.instances.paper_tables import STATE_COUNTS
+from proofs_check.routes.many_types import f_vectors
 from proofs_check.statement import (
     Case,
     Claim,
     Hypothesis,
+    ManyTypes,
     Route,
     Verdict,
     View,
@@ -67,6 +73,12 @@ def _region_maximum(planes: Arrangement, regions: int) -> bool:
     m = len(planes)
     simple = planes.is_simple and len(planes.distinct) == m
     return regions <= m * m - m + 2 and (regions == m * m - m + 2) == simple
+
+
+def _region_maxima(signs: Signs, n: int) -> NDArray[np.bool_]:
+    regions, most = f_vectors(signs, n)[:, 2], n * n - n + 2
+    below: NDArray[np.bool_] = (regions <= most) & ((regions == most) == signs.all(1))
+    return below
 
 
 #: Dimension -> most planes of the samples.
@@ -150,6 +162,7 @@ CLAIMS = (
             Route("|chi(-1)| of the characteristic polynomial", counts.region_count),
         ),
         judge=_region_maximum,
+        many_types=ManyTypes("regions composed from cocircuits and counted", _region_maxima),
         sources=proved_on_types(12, per_count=4),
         meaning="The quadratic bound on slip states rests on this.",
     ),

@@ -7,10 +7,13 @@ from collections.abc import Iterator
 from functools import lru_cache, partial
 
 import networkx as nx
+import numpy as np
+from numpy.typing import NDArray
 
 from arrangement import counts
 from arrangement.arrangement import Arrangement
 from arrangement.enumeration.paper_steps import published_enumeration
+from arrangement.library.census.chirotopes import Signs
 from proofs_check.instances.arrangements import (
     EVERY_TYPE,
     TYPES,
@@ -30,7 +33,17 @@ from proofs_check.routes.dual_graph import (
     is_three_connected,
     minimum_cycle_lengths,
 )
-from proofs_check.statement import Case, Claim, Hypothesis, Route, Verdict, View, proved
+from proofs_check.routes.many_types import cycle_bases_are_faces, f_vectors
+from proofs_check.statement import (
+    Case,
+    Claim,
+    Hypothesis,
+    ManyTypes,
+    Route,
+    Verdict,
+    View,
+    proved,
+)
 
 FACES = "enumerated faces"
 COVECTORS = "covectors composed from the chirotope"
@@ -39,7 +52,22 @@ _VEF_ROUTES = (
     Route("enumeration of all faces", lambda planes: _vef(planes.f_vector)),
     Route("Zaslavsky's theorem", lambda planes: _vef(counts.f_vector(planes))),
 )
+COMPOSED = "all faces, composed from cocircuits and counted"
 RANK_3 = Hypothesis("the normals have rank 3", lambda planes: planes.rank == 3)
+
+
+def _edge_and_face_bounds(signs: Signs, n: int) -> NDArray[np.bool_]:
+    faces, edges, vertices = f_vectors(signs, n).T
+    below: NDArray[np.bool_] = (edges <= 3 * vertices - 6) & (faces <= 2 * vertices - 4)
+    return below
+
+
+def _bipartite_bounds(signs: Signs, n: int) -> NDArray[np.bool_]:
+    faces, edges, vertices = f_vectors(signs, n).T
+    simple = (signs != 0).all(axis=1)
+    most = ((edges == 2 * vertices - 4) == simple) & ((faces == vertices - 2) == simple)
+    holds: NDArray[np.bool_] = (edges <= 2 * vertices - 4) & (faces <= vertices - 2) & most
+    return holds
 
 
 @lru_cache(maxsize=256)
@@ -147,6 +175,7 @@ CLAIMS = (
         quantity="(V, E, F)",
         routes=_VEF_ROUTES,
         judge=lambda planes, vef: vef[1] <= 3 * vef[0] - 6 and vef[2] <= 2 * vef[0] - 4,
+        many_types=ManyTypes(COMPOSED, _edge_and_face_bounds),
         sources=proved_on_types(10, "of every rank", 4),
         hypothesis=Hypothesis("two planes differ", lambda planes: planes.rank >= 2),
         meaning="The linear bound by V stands; only one plane alone is too small for it.",
@@ -175,6 +204,7 @@ CLAIMS = (
             and vef[2] <= vef[0] - 2
             and (vef[1] == 2 * vef[0] - 4) == planes.is_simple == (vef[2] == vef[0] - 2)
         ),
+        many_types=ManyTypes(COMPOSED, _bipartite_bounds),
         sources=proved(
             f"checked on {EVERY_TYPE}; beside them samples of 3 to 12 planes of rank 3, some "
             "coincident",
@@ -244,6 +274,10 @@ CLAIMS = (
             Route(f"Horton's algorithm on {COVECTORS}", _horton_cycles),
         ),
         judge=lambda planes, value: value[1],
+        many_types=ManyTypes(
+            "Horton's cycles, each at least as long as the faces that it encloses",
+            cycle_bases_are_faces,
+        ),
         sources=proved(
             "checked on all 24 types of 3 to 6 distinct planes of rank 3; beside them samples of "
             "1 to 6 planes of every rank",

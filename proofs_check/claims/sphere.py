@@ -9,6 +9,8 @@ from fractions import Fraction
 from functools import lru_cache
 from itertools import combinations, product
 
+import networkx as nx
+
 from arrangement.arrangement import Arrangement
 from arrangement.exact import RationalVector, to_text
 from arrangement.polyhedra.dual import dual_polyhedron
@@ -19,9 +21,11 @@ from arrangement.polyhedra.inscribed import (
     representative_hull,
 )
 from proofs_check.instances.arrangements import census_cases, smallest_arrangements
+from proofs_check.instances.domains import domain
 from proofs_check.routes import rivin
-from proofs_check.routes.dual_graph import from_covectors
-from proofs_check.statement import Case, Claim, Route, Verdict, View, exhaustive
+from proofs_check.routes.dual_graph import from_covectors, from_signs
+from proofs_check.routes.many_types import edges_have_weights, have_weights
+from proofs_check.statement import Case, Claim, ManyTypes, Route, Verdict, View, exhaustive
 
 _answer = lru_cache(maxsize=64)(inscribability)
 
@@ -58,6 +62,15 @@ def _checked_afresh(planes: Arrangement) -> bool:
     if not (same and fits and rivin.is_polyhedral(graph)):
         raise ValueError("the certificate does not fit the graph of the covectors")
     return isinstance(certificate, WeightCertificate)
+
+
+def _weights_by_hand(planes: Arrangement) -> bool:
+    pairs = [[_positive(region) for region in edge] for edge in from_covectors(planes).edges]
+    return edges_have_weights(pairs)
+
+
+def _positive(region: tuple[int, ...]) -> int:
+    return sum(1 << k for k, sign in enumerate(region) if sign > 0)
 
 
 def _explain(planes: Arrangement, inscribable: bool) -> str:
@@ -133,9 +146,49 @@ def _middle_points(_rng: random.Random) -> Iterator[Case]:
         yield _chosen_case(case.subject, points, f"{case.label}, points near the middles")
 
 
+def _weights_by_flows(planes: Arrangement) -> bool:
+    """The same by networkx: a largest flow, and whether what it leaves open is connected."""
+    graph = from_signs(*([face.signs for face in planes.faces(k)] for k in (3, 2, 1)))
+    net = nx.DiGraph()
+    pairs = [sorted(edge, key=lambda region: region.count(1) % 2) for edge in graph.edges]
+    for even, odd in pairs:
+        net.add_edge("even", even, capacity=2)
+        net.add_edge(even, odd, capacity=1)
+        net.add_edge(odd, "odd", capacity=2)
+    value, flow = nx.maximum_flow(net, "even", "odd")
+    if value < len(graph.vertices) or net.out_degree("even") != net.in_degree("odd"):
+        return False
+    turned = [(b, a) if flow[a][b] else (a, b) for a, b in pairs]
+    return bool(nx.is_strongly_connected(nx.DiGraph(turned)))
+
+
 CLAIMS = (
     Claim(
+        id="sphere-dual-weights",
+        formula=r"\exists w: \; 0 < w_e < \tfrac{1}{2}, \quad \sum_{e \ni R} w_e = 1",
+        locator="Section IV-A",
+        domain=domain("distinct"),
+        statement="The facets have weights between 0 and 1/2 that sum to 1 around each region: the "
+        "first conditions of Rivin's criterion, which every inscribed polyhedron satisfies.",
+        hypotheses=("the normals have rank 3", "no two planes coincide"),
+        quantity="whether such weights exist",
+        routes=(
+            Route("two facets of each region, exchanged along cycles", _weights_by_hand),
+            Route("a largest flow of networkx (enumerated faces)", _weights_by_flows),
+        ),
+        judge=lambda planes, exist: exist,
+        many_types=ManyTypes("the first route on composed regions", have_weights),
+        sources=exhaustive(
+            "all 24 types of 3 to 6 distinct planes of rank 3 and all 11 simple types of 7", _types
+        ),
+        expected=Verdict.REFUTED,
+        search=lambda: smallest_arrangements(range(3, 5), 1, distinct=True, rank=3),
+        meaning="Where there are none, no choice of points makes the dual convex. They are told "
+        "by counting alone, for all types of nine planes too.",
+    ),
+    Claim(
         id="sphere-dual-convex",
+        domain=domain("distinct"),
         formula=r"\exists x_R \in R, \; |x_R| = 1 : \; "
         r"\text{edges of conv}\{x_R\} = \text{adjacent pairs}",
         locator="Section IV-A",

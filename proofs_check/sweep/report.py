@@ -8,12 +8,13 @@ from __future__ import annotations
 
 from typing import Any
 
+from arrangement.library.census import MOST_PLANES
 from proofs_check.evidence import verdict_from
 from proofs_check.reports.report import instance_text, record_of
 from proofs_check.statement import Kind, Verdict
 
 from .store import Store
-from .sweep import Plan, Total, read_plan, total
+from .sweep import EACH, Plan, Total, read_plan, total
 
 
 def consistent(found: Verdict | None, expected: Verdict) -> bool:
@@ -73,6 +74,11 @@ def _evidence(plan: Plan, claim: dict[str, Any], sums: Total, found: Verdict | N
     )
     over = _over(plan, claim) if plan.types else f"samples: {_over(plan, claim)}, seed {plan.seed}"
     parts = [f"{done} {over}: {', '.join(numbers)}"]
+    if plan.types and plan.high == MOST_PLANES and "many_types" in claim:
+        parts.append(
+            f"those of {MOST_PLANES} planes by {claim['many_types']}, "
+            f"one in {EACH} by both routes too"
+        )
     expected = Verdict(claim["record"]["expected"])
     if found is not None and found is not expected and consistent(found, expected):
         parts.append(f"on other instances the verdict is: {expected.value}")

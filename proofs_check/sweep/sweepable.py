@@ -58,4 +58,5 @@ def domain_of(claim: Claim) -> Domain:
 def about(claim: Claim) -> dict[str, Any]:
     """Return what a report has to know of a claim, for the store of a sweep."""
     domain = domain_of(claim)
-    return {"record": claim_record(claim), "domain": domain.text, "unit": domain.unit}
+    found = {"record": claim_record(claim), "domain": domain.text, "unit": domain.unit}
+    return found | ({"many_types": claim.many_types.name} if claim.many_types else {})

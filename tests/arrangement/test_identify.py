@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import itertools
 import json
+from hashlib import sha256
 from pathlib import Path
 
 import numpy as np
@@ -13,7 +14,7 @@ from hypothesis import given, settings, strategies as st
 from arrangement import Arrangement, InputError, cli
 from arrangement.counts import cone
 from arrangement.library import families
-from arrangement.library.census import PUBLISHED, census, generate, identify
+from arrangement.library.census import PUBLISHED, census, finschi_fukuda, generate, identify
 from arrangement.library.census.chirotopes import chirotope_of, extended, triples
 from arrangement.library.census.codes import canonical
 from arrangement.library.census.extensions import extensions
@@ -187,6 +188,31 @@ def test_no_type_with_coordinates_has_a_proof_that_it_has_none(planes: int) -> N
     keys = list(rows)
     for signs in chirotopes(planes)[::7]:
         assert final_polynomial(dict(zip(keys, signs.tolist(), strict=True)), planes) is None
+
+
+#: SHA-256 of the catalogue's representatives in its order, one a line ([FinschiFukuda2002]).
+CATALOGUE = {
+    3: "a318c24216defe20",
+    4: "ab7334dea02112c7",
+    5: "11484f072570b9be",
+    6: "39e054da2dd9165f",
+    7: "293ff9b24a9e62fa",
+    8: "108e8cd473436728",
+}
+
+
+@pytest.mark.parametrize("planes", [3, 4, 5, 6, 7, pytest.param(8, marks=pytest.mark.campaign)])
+def test_representatives_and_numbers_are_those_of_finschi_and_fukuda(planes: int) -> None:
+    found = finschi_fukuda.texts(finschi_fukuda.representatives(chirotopes(planes), planes))
+    numbers = [finschi_fukuda.number(planes, place) for place in range(PUBLISHED[planes])]
+    listed = [text for _, text in sorted(zip(numbers, found, strict=True))]
+    assert sha256("\n".join(listed).encode()).hexdigest().startswith(CATALOGUE[planes])
+    assert finschi_fukuda.numbers(planes).tolist() == numbers
+
+
+def test_the_representative_of_four_triple_points_is_the_printed_one() -> None:
+    found = identify(families.braid(4))
+    assert (found.finschi_fukuda, found.chirotope) == (13, "0++++++0+++++++0+0--")
 
 
 def test_the_command_prints_the_type(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:

@@ -36,6 +36,8 @@ class Identification:
         is_simple: the planes are in general position.
         is_simplicial: every region has as many facets as the rank.
         names: usual names of the type.
+        finschi_fukuda: k, where the type is IC(m, 3, k) in the catalogue of Finschi and Fukuda.
+        chirotope: the signs by which that catalogue represents the type, "" where type is None.
         order: plane p of the catalogue's representative is plane ``order[p]`` here.
         sides: and its normal is turned by ``sides[p]``.
     """
@@ -49,6 +51,8 @@ class Identification:
     is_simple: bool
     is_simplicial: bool
     names: tuple[str, ...]
+    finschi_fukuda: int | None
+    chirotope: str
     order: tuple[int, ...]
     sides: tuple[int, ...]
 
@@ -67,6 +71,8 @@ def identify(arrangement: Planes) -> Identification:
     >>> found.type, found.names, found.order, found.sides
     (1, ('near-pencil',), (2, 0, 3, 1), (1, 1, 1, -1))
     """
+    from .finschi_fukuda import number as ic_number, representatives, texts  # is a program too
+
     if not arrangement.is_central:
         raise InputError("the arrangement is not central; identify its cone (counts.cone)")
     if not len(arrangement):
@@ -77,6 +83,7 @@ def identify(arrangement: Planes) -> Identification:
     facets, regions = f_vector[-2], f_vector[-1]
     is_simplicial = 2 * facets == rank * regions
     number, automorphisms, names = None, None, tuple[str, ...]()
+    listed, text = None, ""
     order, sides, t_vector = tuple[int, ...](), tuple[int, ...](), dict[int, int]()
     if rank < 3:
         number, names = 1, ("pencil",) if rank == 2 and m > 2 else ()
@@ -90,6 +97,7 @@ def identify(arrangement: Planes) -> Identification:
             number, automorphisms = place + 1, int(mine.automorphisms[0])
             order = tuple(firsts[k] for k in orders)
             sides = tuple(turned.tolist())
+            listed, (text,) = ic_number(m, place), texts(representatives(signs, m))
             if is_simplicial:
                 names = tuple(name for name, known in _named(m) if _same(known, mine.codes[0]))
             elif not normals(m)[place].any():
@@ -104,6 +112,8 @@ def identify(arrangement: Planes) -> Identification:
         is_simple=distinct.is_simple,
         is_simplicial=is_simplicial,
         names=names,
+        finschi_fukuda=listed,
+        chirotope=text,
         order=order,
         sides=sides,
     )

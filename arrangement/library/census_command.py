@@ -1,4 +1,7 @@
-"""The commands of the census: show its numbers, check the list, build the types of nine planes."""
+"""The commands of the census: show its numbers, check the list, build the types of nine planes.
+
+The census itself is imported when a command runs, so that ``--help`` answers at once.
+"""
 
 from __future__ import annotations
 
@@ -6,13 +9,9 @@ import argparse
 import io
 from dataclasses import asdict
 
-import numpy as np
-
 from arrangement import terminal
 from arrangement.errors import InputError
 from arrangement.io.writing import write_bytes_atomically
-
-from .catalogue import MOST_PLANES, PUBLISHED, PUBLISHED_SIMPLE
 
 
 def add_commands(parser: argparse.ArgumentParser) -> None:
@@ -53,6 +52,8 @@ def add_commands(parser: argparse.ArgumentParser) -> None:
 
 
 def _planes(arguments: argparse.Namespace, least: int) -> int:
+    from .census import MOST_PLANES
+
     planes: int = arguments.planes
     if not least <= planes <= MOST_PLANES:
         raise InputError(f"M is {planes}; give {least} to {MOST_PLANES} planes")
@@ -60,7 +61,8 @@ def _planes(arguments: argparse.Namespace, least: int) -> int:
 
 
 def _show(arguments: argparse.Namespace) -> int:
-    from .tables import table
+    from .census import PUBLISHED, PUBLISHED_SIMPLE
+    from .census.tables import table
 
     planes = _planes(arguments, 3)
     found = table(planes)
@@ -81,7 +83,8 @@ def _show(arguments: argparse.Namespace) -> int:
 
 
 def _check(arguments: argparse.Namespace) -> int:
-    from .tables import check
+    from .census import MOST_PLANES, PUBLISHED
+    from .census.tables import check
 
     if not 0 <= arguments.sample <= PUBLISHED[MOST_PLANES - 1]:
         raise InputError(f"--sample is {arguments.sample}; give 0 to {PUBLISHED[MOST_PLANES - 1]}")
@@ -101,7 +104,9 @@ def _check(arguments: argparse.Namespace) -> int:
 
 
 def _build(arguments: argparse.Namespace) -> int:
-    from .build import build
+    import numpy as np
+
+    from .census.build import build
 
     arrays = build(arguments.store, arguments.jobs, _planes(arguments, 4))
     stream = io.BytesIO()
