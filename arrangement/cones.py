@@ -150,12 +150,10 @@ class Cone:
                 pairs = zip(self.rays, values, strict=True)
                 self.rays = [(ray, mask if at else mask | bit) for (ray, mask), at in pairs]
             return
-        kept, below, above = [], [], []
-        for (ray, mask), value in zip(self.rays, values, strict=True):
-            if value == 0:
-                kept.append((ray, mask | bit))
-            else:
-                (below if value < 0 else above).append((value, ray, mask))
+        valued = [(value, *entry) for value, entry in zip(values, self.rays, strict=True)]
+        below = [entry for entry in valued if entry[0] < 0]
+        above = [entry for entry in valued if entry[0] > 0]
+        kept = [(ray, mask | bit) for value, ray, mask in valued if value == 0]
         masks = [mask for _, mask in self.rays]
         # Two adjacent rays span a face of dimension 2, which so many conditions cut out at least.
         fewest = len(row) - len(self.lines) - 2

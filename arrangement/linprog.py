@@ -87,11 +87,18 @@ class Program:
         if conflict is None:
             self._dictionary.eliminate_variables()
             conflict = self._dictionary.make_feasible()
-        self._infeasible = None if conflict is None else self._dictionary.infeasible(conflict)
+        self._conflict = conflict
+
+    @property
+    def feasible(self) -> bool:
+        """Whether a point satisfies all rows; of long numbers the proof may take much longer."""
+        return self._conflict is None
 
     def point(self) -> RationalVector | Infeasible:
         """Return a point that satisfies all rows, or the proof that there is none."""
-        return self._dictionary.point() if self._infeasible is None else self._infeasible
+        if self._conflict is not None:
+            return self._dictionary.infeasible(self._conflict)
+        return self._dictionary.point()
 
     def minimize(self, objective: Row) -> Optimal | Infeasible | Unbounded:
         """Minimise ``objective . x`` exactly.
@@ -99,13 +106,21 @@ class Program:
         Raises:
             ArrangementError: the objective has the wrong length.
         """
-        n = self._dictionary.variables
-        if len(objective) != n:
-            raise ArrangementError(f"the objective has {len(objective)} entries; expected {n}")
-        if self._infeasible is not None:
-            return self._infeasible
+        if self._conflict is not None:
+            return self._dictionary.infeasible(self._conflict)
         self._dictionary.set_cost(objective)
-        return self._dictionary.optimize()
+        return self._dictionary.optimize() or self._dictionary.optimal()
+
+    def least(self, objective: Row) -> Fraction | None:
+        """Return the least value of ``objective . x``; None if there is none.
+
+        Raises:
+            ArrangementError: the objective has the wrong length.
+        """
+        if self._conflict is not None:
+            return None
+        self._dictionary.set_cost(objective)
+        return None if self._dictionary.optimize() else self._dictionary.value()
 
 
 def minimize(
@@ -161,6 +176,9 @@ class _Dictionary:
 
     def set_cost(self, objective: Row) -> None:
         """Write an objective as a row over the present columns."""
+        n = self.variables
+        if len(objective) != n:
+            raise ArrangementError(f"the objective has {len(objective)} entries; expected {n}")
         weights = primitive([Fraction(x) for x in objective])
         self.cost_scale = _scale(objective, weights)
         self.cost = [0] * (self.variables + 1)
@@ -239,8 +257,8 @@ class _Dictionary:
                 return r
             self.pivot(r, min(rising)[1])
 
-    def optimize(self) -> Optimal | Unbounded:
-        """Primal simplex from a feasible dictionary."""
+    def optimize(self) -> Unbounded | None:
+        """Primal simplex from a feasible dictionary, to the end or to a ray without end."""
         while True:
             for c, symbol in enumerate(self.columns):
                 if self.is_variable(symbol) and self.cost[c]:
@@ -249,7 +267,7 @@ class _Dictionary:
                 (s, c) for c, s in enumerate(self.columns) if self.is_slack(s) and self.cost[c] < 0
             ]
             if not falling:
-                return self.optimal()
+                return None
             c = min(falling)[1]
             row = self.blocking_row(c)
             if row is None:
@@ -289,8 +307,11 @@ class _Dictionary:
     def optimal(self) -> Optimal:
         scale = self.cost_scale / self.denominator
         terms = {s: x * scale for s, x in zip(self.columns, self.cost, strict=False)}
-        value = self.cost[-1] * scale / self.unit
-        return Optimal(self.point(), value, *self.multipliers(terms))
+        return Optimal(self.point(), self.value(), *self.multipliers(terms))
+
+    def value(self) -> Fraction:
+        """Return the value of the objective with every column at zero."""
+        return self.cost[-1] * self.cost_scale / (self.denominator * self.unit)
 
     def infeasible(self, r: int) -> Infeasible:
         """Read the Farkas certificate off a row that cannot hold."""

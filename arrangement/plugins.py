@@ -1,4 +1,4 @@
-"""What packages above this one announce in entry points: files, instances, and displays.
+"""What packages above this one announce in entry points: files, tables, instances, displays.
 
 So a value finds what draws it, and a reader its formats, without an import of what lies above.
 """

@@ -3,15 +3,23 @@
 from __future__ import annotations
 
 import json
+from typing import Any
 
 from arrangement.io.files import instances
 
 
+def contacts(name: str) -> Any:
+    """Return the contacts of a built-in instance; None if it is an arrangement."""
+    return json.loads(instances()[name].read_bytes()).get("contacts")
+
+
 def is_in_space(name: str) -> bool:
     """Whether a built-in instance is a grasp in space, whose planes are no arrangement in R^3."""
-    contacts = json.loads(instances()[name].read_bytes()).get("contacts")
-    return contacts is not None and len(contacts[0]["point"]) == 3
+    found = contacts(name)
+    return found is not None and len(found[0]["point"]) == 3
 
 
 #: Arrangements, and grasps in the plane.
 PLANAR = [name for name in instances() if not is_in_space(name)]
+#: Arrangements alone.
+ARRANGEMENTS = [name for name in PLANAR if contacts(name) is None]

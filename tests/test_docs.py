@@ -120,7 +120,7 @@ def known(dotted: str) -> bool:
 
 
 _NAME = re.compile(r"(?<!`)`((?:arrangement|equilibrium|proofs_check|slipstates)\.[\w.]+)`(?!`)")
-_GROUPS = {"slipstates.documents", "slipstates.instances"}
+_GROUPS = {f"slipstates.{kind}" for kind in ("documents", "tables", "instances")}
 _TEST = re.compile(r"``?(tests/[\w/]+\.py)(?:::(\w+))?``?")
 
 

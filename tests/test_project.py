@@ -57,7 +57,8 @@ def test_the_version_is_the_same_everywhere() -> None:
 
 
 def test_every_entry_point_of_the_project_resolves() -> None:
-    groups = ("console_scripts", "slipstates.documents", "slipstates.instances")
+    kinds = ("documents", "tables", "instances")
+    groups = ("console_scripts", *(f"slipstates.{kind}" for kind in kinds))
     points = [
         point
         for group in groups

@@ -213,7 +213,9 @@ def rim_width(scene: Scene, globe: Globe, names: RegionLabels | None = None) -> 
     """Return the room that numbers of planes and short labels need outside the limb, in points."""
     arrangement = globe.whole.arrangement
     widths = [5.5 + scene.measure(plane_names(x), 7.0)[0] for x in arrangement.distinct]
-    forms = names.forms((1,) * len(arrangement)) if names and names.kind == "signs" else []
+    # Up to three signs fit into most regions.
+    beside_ball = names and names.kind == "signs" and len(arrangement) > 3
+    forms = names.forms((1,) * len(arrangement)) if names and beside_ball else []
     beside = min(24.0, 3.5 + max((scene.measure(text, SIZES[1])[0] for text in forms), default=0.0))
     return max([RIM, beside, *widths])
 

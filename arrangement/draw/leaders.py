@@ -16,6 +16,8 @@ from .scene import Scene
 _REACHES = (7.0, 10.0, 14.0, 19.0, 25.0, 32.0, 40.0, 50.0)
 #: Radius of the dot at the end of a leader line, in points.
 DOT = 0.6
+#: The least radius of a disc in what is named, in points.
+LEAST = 0.45
 
 
 class Leaders:
@@ -47,7 +49,8 @@ class Leaders:
         if area.is_empty:
             return False
         pole, rim = shapely.maximum_inscribed_circle(area).coords
-        if math.dist(pole, rim) < DOT + 0.3:
+        room = math.dist(pole, rim)
+        if room < LEAST:
             return False
         start = np.round(pole, 2)
         half = np.array(self.scene.measure(text, size)) / 2
@@ -81,6 +84,6 @@ class Leaders:
                 self.drawn.append(tracks[k])
                 style = {"zorder": 5.5, "gid": "leader"}
                 self.scene.line(shapely.get_coordinates(tracks[k]), ec="black", lw=0.35, **style)
-                self.scene.circle(start, DOT, fc="black", ec="none", **style)
+                self.scene.circle(start, min(DOT, 0.8 * room), fc="black", ec="none", **style)
                 return True
         return False

@@ -20,6 +20,8 @@ from .scene import Scene
 _NIGHT, _DAY = 0.19, 0.95
 #: The least lightness of coloured lines and letters in it.
 _LINE = 0.65
+#: A colour at least as light as this is left white in print; darker ones have a hatching.
+_PAPER = 0.92
 #: Colours nearer to grey than this have no hatching.
 _GREY = 0.02
 _HATCHES = ("", "////", "....", "\\\\\\\\", "xxxx", "----", "||||", "++++", "oooo")
@@ -53,8 +55,9 @@ def _dark(item: Item) -> Item:
     if isinstance(item, Ball):
         return item
     style = _with_colours(item, lambda colour: _hex(_night(colour)))
-    for key in {"ec", "color"} & style.keys():
-        if style[key] != "none":
+    lines = {"ec", "color", "fc"} if item.role == "arrow" else {"ec", "color"}
+    for key in lines & style.keys():
+        if style[key] != "none" and not (key == "ec" and _is_seam(item)):
             style[key] = _hex(_night(_rgba(item.style[key]), _LINE))
     if isinstance(item, Label):
         style.setdefault("color", _hex(_night(_rgba("black"))))
@@ -86,7 +89,8 @@ def _mono(scene: Scene) -> Callable[[Item], Item]:
     """Return the change of an item that belongs to the colours of a scene."""
     fills = {_rgba(item.style["fc"])[:3] for item in scene.items if _is_hatched(item)}
     order = sorted(fills, key=lambda fill: (-round(float(_oklab(fill)[0]), 6), fill))
-    hatches = {fill: _HATCHES[k % len(_HATCHES)] for k, fill in enumerate(order)}
+    first = int(bool(order) and float(_oklab(order[0])[0]) < _PAPER)
+    hatches = {fill: _HATCHES[k % len(_HATCHES)] for k, fill in enumerate(order, first)}
 
     def change(item: Item) -> Item:
         if isinstance(item, Ball):
@@ -95,8 +99,12 @@ def _mono(scene: Scene) -> Callable[[Item], Item]:
         if _is_hatched(item):
             hatch = hatches[_rgba(item.style["fc"])[:3]]
             style |= {"fc": "#ffffff"} | ({"hatch": hatch} if hatch else {})
-            if hatch and style.get("ec") == "none":
+            if hatch and (style.get("ec") == "none" or _is_seam(item)):
                 style |= {"ec": "#808080", "lw": 0}
+            elif _is_seam(item):
+                style["ec"] = "#ffffff"
+        elif item.role == "arrow" and not _is_grey(_rgba(item.style.get("fc", "none"))):
+            style["fc"] = "#000000"
         elif isinstance(item, Path) and style.get("ec", "none") != "none":
             style["ec"] = "#000000" if not _is_grey(_rgba(item.style["ec"])) else style["ec"]
         elif isinstance(item, Label):
@@ -113,9 +121,15 @@ def _mono(scene: Scene) -> Callable[[Item], Item]:
 def _is_hatched(item: Item) -> bool:
     """Return whether a shape has a colour inside through which nothing shines."""
     fill = item.style.get("fc", "none")
-    if not isinstance(item, Path) or (isinstance(fill, str) and fill == "none"):
+    if not isinstance(item, Path) or item.role == "arrow" or fill == "none":
         return False
     return item.style.get("alpha", 1) == 1 and _rgba(fill)[3] == 1 and not _is_grey(_rgba(fill))
+
+
+def _is_seam(item: Item) -> bool:
+    """Return whether the edge of a shape only closes the gap to the next one of its colour."""
+    edge, fill = (str(item.style.get(key, "none")) for key in ("ec", "fc"))
+    return edge == fill != "none"
 
 
 def _rgba(colour: Any) -> Rgba:

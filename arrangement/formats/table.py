@@ -6,12 +6,14 @@ import os
 import re
 from collections.abc import Callable, Mapping
 from pathlib import Path
+from typing import cast
 
 from arrangement.arrangement import Arrangement
 from arrangement.errors import InputError
 from arrangement.exact import shown
 from arrangement.io.files import Source, parse_json, read_text
 from arrangement.io.writing import document_text
+from arrangement.plugins import announced
 
 from . import chirotope, christ, documents, graphs, macaulay2, matrix, oscar, polymake, sage
 from .form import Format
@@ -78,8 +80,9 @@ MAX_IMPORT_BYTES = 64 * 2**20
 def read_arrangement(source: Source) -> Arrangement:
     """Read an arrangement from a path, ``"-"`` (stdin), a built-in name or a mapping.
 
-    Which of the formats a text is in is seen from the text. A grasp file (or name) is accepted
-    too, when the package that knows grasps is installed: its tangential planes are meant.
+    Which of the formats a text is in is seen from the text. A grasp file (or name,
+    or table of contacts) is accepted too, when the package that knows grasps is installed: its
+    tangential planes are meant.
 
     Raises:
         InputError: for anything that is not exactly a valid text of one arrangement.
@@ -96,6 +99,10 @@ def read_with_rest(source: str | os.PathLike[str]) -> tuple[Arrangement, str]:
     """Read an arrangement, and name what else a document of another kind has."""
     text, name = read_text(source)
     form = _form_of(text, Path(source).suffix.lower())
+    if not form.recognises(text) and not text.lstrip().startswith(("{", "[")):
+        tables = (point.load()(text) for point in announced("tables"))
+        if (table := next((x for x in tables if x is not None), None)) is not None:
+            return cast(Arrangement, table), ""
     if form.name == "json":
         if text.strip() and text.lstrip()[0] not in '{["' and not str(source).endswith(".json"):
             raise InputError(f"{name} is in none of the formats that are read: {_named('read')}")

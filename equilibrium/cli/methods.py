@@ -63,10 +63,13 @@ def add_commands(commands: Any) -> None:
 
 
 def _compare(arguments: argparse.Namespace) -> int:
+    from equilibrium.inputs.documents import question_document
     from equilibrium.methods.compare import compare
 
     grasp = grasp_of(arguments)
-    found = compare(grasp, applied(arguments, grasp), pyramid=arguments.cone)
+    wrench = applied(arguments, grasp)
+    question_document(grasp, wrench, "compare")
+    found = compare(grasp, wrench, pyramid=arguments.cone)
     lines = _comparison_lines(found)
     return show(arguments, found.to_dict(), lines, found.answers[0].accepts, found.grasp)
 

@@ -152,10 +152,12 @@ def _set_lines(whole: ResistedSet) -> Iterator[str]:
 
 
 def _margin(arguments: argparse.Namespace) -> int:
+    from equilibrium.inputs.documents import question_document
     from equilibrium.wrench_sets import least_friction, margin, sufficient_preloads
 
     grasp = grasp_of(arguments)
     wrench = applied(arguments, grasp)
+    question_document(grasp, wrench, "margin")
     if grasp.dimension == 3:
         return _spatial_limit(arguments, grasp, wrench, (0,) * 6)
     found = margin(grasp, wrench)

@@ -17,33 +17,31 @@ Cycle: TypeAlias = tuple[int, ...]
 _SHARP = math.cos(math.radians(20))
 
 
-def looks(points: Floats, face: Cycle, towards: Floats) -> bool:
-    """Return whether a face looks at the viewer."""
-    return float(_normal(points[list(face)]) @ towards) > 0
+def drawn_edges(
+    points: Floats, faces: Sequence[Cycle], towards: Floats | None = None
+) -> set[tuple[int, int]]:
+    """Return the edges at which faces meet at more than 20 degrees, or that have one face only.
 
-
-def silhouette(points: Floats, faces: Sequence[Cycle], towards: Floats) -> list[tuple[int, int]]:
-    """Return the edges at which a face that looks at the viewer meets one that does not."""
-    ahead = {}
-    for face in faces:
-        side = looks(points, face, towards)
-        for a, b in edges_of(face):
-            ahead[a, b] = side
-    return [(a, b) for (a, b), side in ahead.items() if side and not ahead.get((b, a), False)]
-
-
-def sharp_edges(points: Floats, faces: Sequence[Cycle]) -> list[tuple[int, int]]:
-    """Return the edges at which faces meet at more than 20 degrees, or that have one face only."""
+    Args:
+        points: (P, 3).
+        faces: whose directed edges are returned, both ways.
+        towards: the viewer; then those of the silhouette too, and each edge once, from a face that
+            the viewer sees if there is one.
+    """
     normals = {}
     for face in faces:
         normal = _normal(points[list(face)])
-        for a, b in edges_of(face):
-            normals[a, b] = normal
-    return [
-        (a, b)
-        for (a, b), normal in normals.items()
-        if (b, a) not in normals or (a < b and float(normal @ normals[b, a]) < _SHARP)
-    ]
+        normals.update(dict.fromkeys(edges_of(face), normal))
+    found = set()
+    for (a, b), normal in normals.items():
+        other = normals.get((b, a))
+        drawn = other is None or float(normal @ other) < _SHARP
+        if towards is not None and other is not None:
+            seen, behind = bool(normal @ towards > 0), bool(other @ towards > 0)
+            drawn = (drawn or seen != behind) and (seen, a < b) > (behind, b < a)
+        if drawn:
+            found.add((a, b))
+    return found
 
 
 def open_edges(faces: Sequence[Cycle]) -> Iterator[tuple[int, int]]:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Iterable, Iterator
 from typing import Any
 
@@ -11,9 +10,9 @@ import numpy as np
 from arrangement.draw.colours import BLACK, BLUE, GREY, PALE, VERMILION
 from arrangement.draw.figure import picture
 from arrangement.draw.items import Floats
-from arrangement.draw.labels import flattened
+from arrangement.draw.labels import flattened, ring
 from arrangement.draw.legend import Legend
-from arrangement.draw.measuring import POINTS, checked_width
+from arrangement.draw.measuring import checked_width
 from arrangement.draw.registry import Corner, Vector, Wrench
 from arrangement.draw.scene import Scene
 from equilibrium.model.errors import GraspError
@@ -21,11 +20,11 @@ from equilibrium.model.grasp import Grasp
 from equilibrium.solver.state_equilibrium import Solution
 from equilibrium.verdict import Solver
 
-from .keys import bar, symbol
-from .layout import ARC, CONE, FORCE, Layout, displaced, layout_of
-from .shapes import Labels, arrow, mark, turning_arrow, wedge
+from .keys import bar, explain_grasp, symbol
+from .layout import ARC, FORCE, Layout, displaced, layout_of
+from .shapes import Labels, arrow, fitted, mark, turning_arrow
 from .space_grasp import drawn_in_space, solved_in_space
-from .style import CONE_EDGE, CONE_FILL, nice, number, rounded, vector, wrench_text
+from .style import CONE_EDGE, CONE_FILL, nice_near, number, vector
 
 
 @picture
@@ -76,7 +75,7 @@ def draw_grasp(
     if wrench is None and piece != 1:
         raise GraspError("without a wrench nothing is solved; give one with the piece")
     verdict = None if wrench is None else Solver(grasp).solve(wrench)
-    return _drawn(layout_of(grasp, verdict, outline, piece), width)
+    return drawn(layout_of(grasp, verdict, outline, piece), checked_width(width, 20.0))
 
 
 def _content(layout: Layout) -> Floats:
@@ -86,13 +85,12 @@ def _content(layout: Layout) -> Floats:
         held.append(flattened(layout.curve))
         if layout.step is not None:
             held.append(displaced(layout, held[-1]))
-    for i, (p, n) in enumerate(zip(layout.places, layout.normals, strict=True)):
-        t = np.array([-n[1], n[0]])
-        angle = math.atan(rounded(list(layout.grasp)[i].friction))
-        side, ahead = max(CONE * math.sin(angle), 0.1) * t, CONE * math.cos(angle) * n
-        held.append(np.array([p, p + CONE * n, p - max(layout.preloads[i], 0.1) * n]))
-        held.append(np.array([p + ahead - side, p + ahead + side]))
-        arm = layout.arms[i]
+    held += layout.cones
+    for p, n, preload, arm in zip(
+        layout.places, layout.normals, layout.preloads, layout.arms, strict=True
+    ):
+        t = 0.1 * np.array([-n[1], n[0]])
+        held.append(np.array([p - max(preload, 0.1) * n, p - t, p + t]))
         held.append(np.array([p if arm is None else p + arm]))
     if layout.load is not None:
         held.append(np.array([layout.origin + layout.load]))
@@ -103,19 +101,15 @@ def _content(layout: Layout) -> Floats:
     return np.concatenate(held)
 
 
-def _drawn(layout: Layout, width: float) -> Scene:
-    held = _content(layout)
-    low, high = held.min(axis=0), held.max(axis=0)
-    wide, margin = checked_width(width, 20.0) * POINTS, 6.0 * POINTS
-    scale = min((wide - 2 * margin) / (high[0] - low[0]), 0.95 * wide / (high[1] - low[1]))
-    height = scale * (high[1] - low[1]) + 2 * margin
-    scene = Scene(width, height / POINTS)
-    middle = np.array([wide, height]) / 2
+def drawn(layout: Layout, width: float, tallest: float | None = None) -> Scene:
+    """Return the picture; see `fitted` for its size."""
+    scene, scale, shift = fitted(width, _content(layout), tallest)
     _describe(layout, scene.legend, scale)
-    picture = Picture(layout, scene, scale, middle - scale * (low + high) / 2)
+    picture = Picture(layout, scene, scale, shift)
     picture.body()
     picture.contacts()
     picture.wrench()
+    picture.letter()
     picture.numbers()
     return scene
 
@@ -127,6 +121,7 @@ class Picture:
         self.layout, self.scene, self.scale, self.shift = layout, scene, scale, shift
         self.labels = Labels(scene)
         self.places = [self.at(place) for place in layout.places]
+        self.ends: list[Floats] = []
 
     def at(self, places: Any) -> Floats:
         """Return places on paper in points of the scene."""
@@ -152,13 +147,16 @@ class Picture:
         for i, place in enumerate(self.places):
             scene.line([place, middle], ec=GREY, lw=0.5, ls=(0, (5, 2.5)), gid=f"link-{i + 1}",
                        zorder=0.5)  # fmt: skip
-            self.labels.avoid_line(place, middle)
+            self.labels.avoid([place, middle])
         if layout.step is not None:
             ends = self.at(displaced(layout, np.array(layout.places)))
             for i, (start, end) in enumerate(zip(self.places, ends, strict=True)):
                 if np.linalg.norm(end - start) > 1:
-                    arrow(scene, start, end, fc=BLUE, ec="none", gid=f"motion-{i + 1}", zorder=5)
-                    self.labels.avoid_line(start, end)
+                    self.labels.avoid(
+                        arrow(
+                            scene, start, end, fc=BLUE, ec="none", gid=f"motion-{i + 1}", zorder=5
+                        )
+                    )
 
     def contacts(self) -> None:
         """Draw cones, pads, preloads, forces and the marks of the states."""
@@ -168,35 +166,32 @@ class Picture:
             zip(layout.grasp, self.places, layout.normals, strict=True)
         ):
             t = np.array([-n[1], n[0]])
-            angles, reaches = layout.cones[i][0], layout.cones[i][1] * self.scale
+            rim = self.at(np.vstack([layout.places[i], layout.cones[i]]))
             style = {"fc": CONE_FILL, "ec": CONE_EDGE, "lw": 0.5, "gid": f"cone-{i + 1}"}
-            if np.ptp(reaches) < 1e-9:
-                wedge(scene, p, n, np.ptp(angles) / 2, reaches[0], zorder=1, **style)
-            else:
-                ways = np.stack([np.cos(angles), np.sin(angles)], axis=1)
-                scene.polygon([p, *(p + reaches[:, None] * ways)], zorder=1, **style)
-            scene.line([p, p + reaches[len(reaches) // 2] * n], ec=CONE_EDGE, lw=0.5,
-                       ls=(0, (6, 2, 1, 2)), gid=f"normal-{i + 1}", zorder=1.1)  # fmt: skip
+            scene.polygon(rim, zorder=1, **style)
+            scene.line([p, rim[len(rim) // 2]], ec=CONE_EDGE, lw=0.5, ls=(0, (6, 2, 1, 2)),
+                       gid=f"normal-{i + 1}", zorder=1.1)  # fmt: skip
             pad = 0.07 * self.scale * t
             scene.line([p - pad, p + pad], ec=BLACK, lw=1.6, gid=f"pad-{i + 1}", zorder=3,
                        capstyle="butt")  # fmt: skip
-            labels.avoid([p + s * pad for s in (-1, 0, 1)])
+            labels.avoid([*rim, p], [p, rim[len(rim) // 2]], [p - pad, p + pad])
             preload, arm = layout.preloads[i] * self.scale, layout.arms[i]
             if preload > 0:
                 away = p - preload * n
-                arrow(scene, away, p - 3.2 * n * (preload > 12), fc="white", ec=GREY, lw=0.7,
-                      size=1.6, gid=f"preload-{i + 1}", zorder=3.5)  # fmt: skip
-                labels.avoid_line(away, p)
+                tip = p - 3.2 * n * (preload > 12)
+                edge = arrow(scene, away, tip, 1.6, fc="white", ec=GREY, lw=0.7,
+                             gid=f"preload-{i + 1}", zorder=3.5)  # fmt: skip
+                labels.avoid(edge)
             if arm is not None:
-                end = p + self.scale * arm
-                arrow(scene, p, end, 1.0, fc=BLACK, ec="none", gid=f"force-{i + 1}", zorder=5.5)
-                labels.avoid_line(p, end)
+                edge = arrow(scene, p, p + self.scale * arm, 1.0, fc=BLACK, ec="none",
+                             gid=f"force-{i + 1}", zorder=5.5)  # fmt: skip
+                labels.avoid(edge)
             if layout.found is not None:
                 # Marks of contacts at one place stand one behind the other.
                 again = seen[contact.point] = seen.get(contact.point, -1) + 1
                 place = p - 7.5 * again * n
                 mark(scene, layout.states[i], place, t, gid=f"mark-{i + 1}", zorder=6)
-                labels.avoid(place + 3 * np.array([a, b]) for a in (-1, 0, 1) for b in (-1, 0, 1))
+                labels.avoid(ring(place, 4.0, 13), place + np.array([[-4, 0], [4, 0]]))
 
     def wrench(self) -> None:
         """Draw the origin and the applied wrench."""
@@ -206,47 +201,35 @@ class Picture:
             scene.line([o - way, o + way], ec=GREY, lw=0.6, zorder=4.5, gid="origin")
         if layout.applied is None:
             return
-        around = [o]
         if layout.load is not None:
             load = self.scale * layout.load
-            arrow(scene, o, o + load, fc=VERMILION, ec="none", gid="wrench-force", zorder=5)
-            labels.avoid_line(o, o + load)
-            around = [o + load, o + 0.5 * load, o]
+            style: dict[str, Any] = {"fc": VERMILION, "ec": "none", "gid": "wrench-force"}
+            labels.avoid(arrow(scene, o, o + load, zorder=5, **style))
+            self.ends = [o + load, o + 0.5 * load, o]
         torque, reach = layout.applied[2], ARC * self.scale
         if torque:
             turn = 1 if torque > 0 else -1
             turning_arrow(scene, o, reach, turn, color=VERMILION, gid="wrench-torque", zorder=5)
-            angles = np.linspace(0, 2 * math.pi, 24)
-            labels.avoid(o + reach * np.array([math.cos(a), math.sin(a)]) for a in angles)
-            around += [o + reach * np.array(way) for way in ((0, 1), (0, -1), (1, 0), (-1, 0))]
-        if layout.load is not None or torque:
-            ways = [k * math.pi / 4 + 0.4 for k in range(8)]
-            wanted = [a + 9 * np.array([math.cos(k), math.sin(k)]) for a in around for k in ways]
-            # Never inside the arc of the torque.
-            clear = reach + 7 if torque else 0.0
-            wanted = [at for at in wanted if np.linalg.norm(at - o) > clear]
-            scene.text(labels.place("w", wanted), "w", color=VERMILION, style="italic",
-                       weight="bold", zorder=7)  # fmt: skip
+            labels.avoid(ring(o, reach, 25), o + reach * np.array([[-1, 0], [1, 0]]))
+            self.ends += [o + reach * np.array(way) for way in ((0, 1), (0, -1), (1, 0), (-1, 0))]
+
+    def letter(self) -> None:
+        """Write w beside the wrench, never inside the arc of its torque."""
+        if self.ends and self.layout.applied is not None:
+            clear = ARC * self.scale + 7 if self.layout.applied[2] else 0.0
+            self.labels.name_wrench(self.ends, (self.at(self.layout.origin), clear))
 
     def numbers(self) -> None:
         """Write the number of every contact outside the object, near its preload."""
-        for i, (p, n) in enumerate(zip(self.places, self.layout.normals, strict=True)):
-            t = np.array([-n[1], n[0]])
-            wanted = [
-                p - out * n + side * t
-                for side in (0, 9, -9, 13, -13, 18, -18)
-                for out in (9, 13, 18, 24)
-            ]
-            text = str(i + 1)
-            self.scene.text(self.labels.place(text, wanted), text, zorder=7, gid=f"number-{text}")
+        for i, (p, n) in enumerate(zip(self.places, self.layout.normals, strict=True), 1):
+            self.labels.beside(str(i), p, -n, gid=f"number-{i}")
 
 
 def _bar(layout: Layout, scale: float) -> tuple[float, str] | None:
     """Return the length in points of the bar for a round force, and its label."""
     if not layout.reference:
         return None
-    largest = rounded(layout.reference)
-    force = nice(largest) if largest and math.isfinite(largest) else layout.reference
+    force = nice_near(layout.reference)
     share = float(force / layout.reference) / layout.longest
     unit = f" {layout.grasp.units.force}" if layout.grasp.units else ""
     return share * FORCE * scale, f"force {number(force)}{unit}"
@@ -256,9 +239,15 @@ def _describe(layout: Layout, legend: Legend, scale: float) -> None:
     """Say in words and keys what is drawn, and at what scale forces are."""
     for line, emphasis in _lines(layout):
         legend.line(line, emphasis)
-    for kind, text, shown in _keys(layout):
-        if shown:
-            legend.key(symbol(kind), text)
+    applied = () if layout.verdict is None else layout.verdict.wrench
+    explain_grasp(legend, layout.grasp, applied, any(arm is not None for arm in layout.arms))
+    states = {state.rstrip("+-") for state in layout.states}
+    for name in ("stick", "slip", "detached"):
+        if name in states:
+            legend.key(symbol(name), name)
+    if layout.found is not None and layout.step is not None:
+        text = f"motion (x, y, r) = {vector(layout.found.motion)} × {number(layout.step)}"
+        legend.key(symbol("shift" if layout.curve is None else "motion"), text)
     if (found := _bar(layout, scale)) is not None:
         legend.key(bar(found[0]), found[1])
 
@@ -271,6 +260,8 @@ def _lines(layout: Layout) -> Iterator[tuple[str, bool]]:
         assert layout.applied is not None
         torque = number(layout.applied[2])
         yield f"w drawn about the middle of the contacts, torque {torque}", False
+    if found is not None and layout.step is None:
+        yield "no motion", False
     if found is None:
         yield "no equilibrium", True
     elif isinstance(found, Solution):
@@ -285,20 +276,3 @@ def _lines(layout: Layout) -> Iterator[tuple[str, bool]]:
             notes.append(f"{what} not determined: least norm shown")
         if notes:
             yield "; ".join(notes), False
-
-
-def _keys(layout: Layout) -> Iterator[tuple[str, str, bool]]:
-    """Yield kind, text, and whether the picture has any."""
-    states = {state.rstrip("+-") for state in layout.states}
-    yield "cone", "friction cone", bool(layout.places)
-    yield "preload", "preload", any(layout.preloads)
-    verdict = layout.verdict
-    applied = "" if verdict is None else wrench_text(verdict.wrench, layout.grasp.units)
-    yield "wrench", applied, verdict is not None and any(verdict.wrench)
-    yield "force", "contact force", any(arm is not None for arm in layout.arms)
-    for name in ("stick", "slip", "detached"):
-        yield name, name, name in states
-    if layout.found is not None:
-        factor = "" if layout.step is None else f" × {number(layout.step)}"
-        text = f"motion (x, y, r) = {vector(layout.found.motion)}{factor}"
-        yield "shift" if layout.curve is None else "motion", text, True

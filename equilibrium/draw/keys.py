@@ -7,13 +7,15 @@ from typing import Any
 import numpy as np
 
 from arrangement.draw.colours import BLACK, BLUE, GREY, VERMILION
-from arrangement.draw.legend import Symbol
+from arrangement.draw.legend import Legend, Symbol
 from arrangement.draw.measuring import POINTS
 from arrangement.draw.scene import Scene
 from arrangement.draw.symbols import HALF, WIDTH, canvas, stroke, swatch
+from arrangement.exact import RationalVector
+from equilibrium.model.grasp import Grasp
 
-from .shapes import arrow, mark, wedge
-from .style import CONE_EDGE, CONE_FILL, RIM
+from .shapes import arc, arrow, mark
+from .style import CONE_EDGE, CONE_FILL, RIM, wrench_text
 
 _ARROWS: dict[str, dict[str, Any]] = {
     "force": {"fc": BLACK, "ec": "none", "size": 1.0},
@@ -61,7 +63,8 @@ def symbol(kind: str) -> Symbol:
     elif kind in _STATES:
         mark(scene, _STATES[kind], middle, ahead)
     elif kind == "cone":
-        wedge(scene, start, ahead, 0.3, 5.0 * POINTS, fc=CONE_FILL, ec=CONE_EDGE, lw=0.5)
+        rim = arc(start, 5.0 * POINTS, -0.3, 0.6)
+        scene.polygon([start, *rim], fc=CONE_FILL, ec=CONE_EDGE, lw=0.5)
     elif kind == "fade":
         for k in range(11):
             x, grey = k * WIDTH / 11, f"{0.62 + 0.38 * k / 11:.3f}"
@@ -73,6 +76,19 @@ def symbol(kind: str) -> Symbol:
             x = (0.3 + 1.1 * k) * POINTS
             scene.line([(x, -HALF), (x + 0.8 * POINTS, HALF)], ec="#7d7d7d", lw=0.35)
     return scene.items, WIDTH
+
+
+def explain_grasp(legend: Legend, grasp: Grasp, wrench: RationalVector, forces: bool) -> None:
+    """Say what stands for friction, preloads, a wrench and contact forces, as far as there are."""
+    shown = {
+        ("cone", "friction cone"): any(c.friction for c in grasp),
+        ("preload", "preload"): any(c.preload for c in grasp),
+        ("wrench", wrench_text(wrench, grasp.units)): any(wrench),
+        ("force", "contact force"): forces,
+    }
+    for (kind, text), is_shown in shown.items():
+        if is_shown:
+            legend.key(symbol(kind), text)
 
 
 def bar(length: float) -> Symbol:

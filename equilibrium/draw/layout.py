@@ -23,12 +23,14 @@ from equilibrium.solver.state_system import States
 from equilibrium.verdict import Verdict
 
 from .body import Frame, body, frame_of, free_lengths, stated_body
-from .style import nice, rounded
+from .style import nice_near, rounded
 
 #: Lengths on paper, where the contacts fill [-1, 1]: cones, the largest force, its torque arc.
 CONE, FORCE, ARC = 0.42, 0.65, 0.2
 #: The largest displacement that is drawn.
 MOVED = 0.22
+#: Points on the rim of a cone.
+_RIM = 17
 #: The least length of a force that is not zero.
 _LEAST = 1e-9
 
@@ -41,7 +43,7 @@ class Layout:
         reference: the largest force component; arrows of forces are `FORCE` for `longest` of it.
         arms: for each contact the contact force on paper, or None.
         found: the equilibrium that is drawn, if there is one.
-        cones: the angles and lengths of each friction cone (see `cone_rim`).
+        cones: the rim of each friction cone (see `_cone_rim`).
         states: at the motion that is drawn, often on the boundary of the set of solutions, where
             a contact that may slip does not.
         step: the exact factor that the motion is drawn with, or None when nothing moves.
@@ -62,7 +64,7 @@ class Layout:
     normals: list[Floats] = field(default_factory=list)
     arms: list[Floats | None] = field(default_factory=list)
     preloads: list[float] = field(default_factory=list)
-    cones: list[tuple[Floats, Floats]] = field(default_factory=list)
+    cones: list[Floats] = field(default_factory=list)
     load: Floats | None = None
     step: Fraction | None = None
     states: States = ()
@@ -90,7 +92,7 @@ def layout_of(
     layout.places = [frame.paper(c.point) for c in grasp]
     layout.normals = [np.array([float(x) for x in c.normal]) for c in grasp]
     layout.cones = [
-        cone_rim(curve, place, normal, contact.friction, CONE)
+        _cone_rim(curve, place, normal, contact.friction)
         for contact, place, normal in zip(grasp, layout.places, layout.normals, strict=True)
     ]
     _scale_forces(layout)
@@ -109,19 +111,19 @@ def _chosen(verdict: Verdict | None, piece: int) -> Equilibrium | Solution | Non
     return verdict.equilibria[piece - 1]
 
 
-def cone_rim(
-    curve: Floats | None, place: Floats, normal: Floats, friction: Fraction, longest: float
-) -> tuple[Floats, Floats]:
-    """Return nine angles from edge to edge of a friction cone, and how far it is drawn at each.
+def _cone_rim(curve: Floats | None, place: Floats, normal: Floats, friction: Fraction) -> Floats:
+    """Return points on the rim of a friction cone from edge to edge; their number is odd.
 
     It stays inside the outline, if there is one, and is shorter on all sides where that helps.
     """
     half = math.atan(rounded(friction))
-    angles: Floats = math.atan2(normal[1], normal[0]) + np.linspace(-half, half, 9)
+    angles: Floats = math.atan2(normal[1], normal[0]) + np.linspace(-half, half, _RIM)
+    ways: Floats = np.stack([np.cos(angles), np.sin(angles)], axis=1)
     if curve is None:
-        return angles, np.full(len(angles), longest)
+        return place + CONE * ways
     free = free_lengths(flattened(curve), place, angles)
-    return angles, np.minimum(free, max(min(longest, 0.92 * float(free.min())), longest / 2))
+    reach = np.minimum(free, max(min(CONE, 0.92 * float(free.min())), CONE / 2))
+    return place + reach[:, None] * ways
 
 
 def _scale_forces(layout: Layout) -> None:
@@ -162,9 +164,7 @@ def _step(motion: RationalVector, frame: Frame, grasp: Grasp) -> Fraction | None
     largest = max(shifts, default=Fraction(0))
     if not largest:
         return None
-    wanted = Fraction(MOVED) * frame.size / largest
-    near = rounded(wanted)
-    return nice(near) if near and math.isfinite(near) else wanted
+    return nice_near(Fraction(MOVED) * frame.size / largest)
 
 
 def shift_at(motion: RationalVector, point: RationalVector) -> RationalVector:

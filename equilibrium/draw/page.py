@@ -14,22 +14,18 @@ from typing import Any
 import numpy as np
 
 from arrangement.draw.html_page import BASE_SCRIPT, BASE_STYLE, POLYGON, Template, one_page
-from arrangement.draw.items import Floats
 from arrangement.draw.labels import flattened
 from arrangement.draw.registry import Wrench
 from arrangement.errors import InputError
 from arrangement.exact import to_text
 from arrangement.lab.page import FIELDS, LINEAR, RATIONAL
-from equilibrium.model.contact import Contact
 from equilibrium.model.grasp import Grasp, read_wrench
 
-from .body import Frame, body, frame_of, stated_body
-from .layout import cone_rim
+from .layout import layout_of
+from .style import counted
 
 #: Contacts beyond which the pieces are too many for a page.
 MAX_CONTACTS = 8
-#: The length of friction cones, where the contacts fill [-1, 1].
-_CONE = 0.55
 _OWN, _LAB = "equilibrium.draw", "equilibrium.lab"
 _MODULES = ("resisted", "sketch", "plane", "graspview", "resist", "resist_controls")
 SCRIPTS: tuple[Template, ...] = (
@@ -63,7 +59,7 @@ def resist_page(grasp: Grasp, *, wrench: Wrench | None = None, title: str | None
         raise InputError(f"{len(grasp)} contacts; a page shows at most {MAX_CONTACTS}")
     applied = None if wrench is None else read_wrench(wrench)
     sum(map(float, applied or ()))  # OverflowError: beyond floats there is no place in the picture
-    number = f"{len(grasp)} contact{'' if len(grasp) == 1 else 's'}"
+    number = counted(len(grasp), "contact")
     heading = title if title is not None else f"Forces that {number} resist"
     axes = ["f_x", "f_y"]
     data = {
@@ -88,7 +84,7 @@ def _summary(grasp: Grasp) -> str:
     stated = f" friction {', '.join(map(to_text, frictions))};" if frictions else ""
     preloads = sorted({contact.preload for contact in grasp})
     loaded = f" preload {', '.join(map(to_text, preloads))}" if preloads else ""
-    return f"{len(grasp)} contacts;{stated}{loaded}"
+    return f"{counted(len(grasp), 'contact')};{stated}{loaded}"
 
 
 def _preloads(grasp: Grasp) -> dict[str, Any]:
@@ -105,35 +101,24 @@ def _preloads(grasp: Grasp) -> dict[str, Any]:
 
 def grasp_data(grasp: Grasp) -> dict[str, Any]:
     """Return the contacts and the outline in paper coordinates, for ``sketch.js``."""
-    frame = frame_of(grasp, grasp.outline)
-    curve = body(grasp, frame) if grasp.outline is None else stated_body(grasp.outline, frame)
+    layout = layout_of(grasp, None, None, 1)
+    frame, curve = layout.frame, layout.curve
     return {
         "contacts": [
             {
-                "place": floats(frame.paper(contact.point)),
+                "place": floats(place),
                 "normal": [float(x) for x in contact.normal],
-                "cone": _cone(curve, contact, frame),
+                "cone": [floats(point) for point in rim],
                 "preload": float(contact.preload),
             }
-            for contact in grasp
+            for contact, place, rim in zip(grasp, layout.places, layout.cones, strict=True)
         ],
-        "stated": grasp.outline is not None,
+        "stated": layout.given,
         "outline": None if curve is None else [floats(p) for p in flattened(curve, 16)],
         "origin": floats(np.clip(frame.paper((Fraction(0),) * 2), -1.5, 1.5)),
-        **_frame(frame),
+        "centre": [float(x) for x in frame.centre],
+        "size": float(frame.size),
     }
-
-
-def _cone(curve: Floats | None, contact: Contact, frame: Frame) -> list[list[float]]:
-    """Return points of the rim of a friction cone, the fifth of nine in the middle."""
-    place, normal = frame.paper(contact.point), np.array([float(x) for x in contact.normal])
-    angles, lengths = cone_rim(curve, place, normal, contact.friction, _CONE)
-    rim = place + lengths[:, None] * np.stack([np.cos(angles), np.sin(angles)], axis=1)
-    return [floats(point) for point in rim]
-
-
-def _frame(frame: Frame) -> dict[str, Any]:
-    return {"centre": [float(x) for x in frame.centre], "size": float(frame.size)}
 
 
 def floats(point: Any) -> list[float]:

@@ -12,6 +12,7 @@ import numpy as np
 
 from arrangement.draw.colours import BLACK, GREY
 from arrangement.draw.items import Box, Floats, Place
+from arrangement.draw.labels import covering, keep_off
 from arrangement.draw.measuring import FONT, POINTS, area
 from arrangement.draw.scene import Scene
 from arrangement.exact import RationalVector
@@ -19,15 +20,17 @@ from equilibrium.solver.state_system import States
 from equilibrium.wrench_sets import Region
 
 from .keys import MARKS
-from .style import FILLS, SHADE, SYMBOLS, nice, rounded
-from .window import Window, roomiest
+from .shapes import Labels
+from .style import FILLS, SHADE, SYMBOLS, rounded, ticks
+from .window import ZERO, Window, roomiest
 
 #: Space in points beside and below a panel, for numbers and names of the axes.
 LEFT, BELOW, ABOVE = 12.0 * POINTS, 9.0 * POINTS, 5.0 * POINTS
 HATCH = "//////"
 _RAISED = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 _FADE = 0.16
-_SQUARE = np.array([[-1, -1], [1, -1], [1, 1], [-1, 1], [-1, -1]])
+#: The corners of a panel in the window.
+SQUARE = np.array([[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]])
 
 
 @dataclass
@@ -57,42 +60,52 @@ class Panel:
         x, y = self.corner
         return x, y, x + self.side, y + self.side
 
+    @property
+    def zero(self) -> Floats:
+        """The place of the origin."""
+        return self.window.paper(ZERO)
+
     def gid(self, kind: str, index: int) -> str:
         """Return the name of an element."""
         return f"{self.name}{kind}-{index}"
 
+    def axes(self) -> list[Floats]:
+        """Return the lines through the origin, as far as they are in the window."""
+        return [
+            self.at(np.array([[at, -1.0], [at, 1.0]])[:, :: -1 if k else 1])
+            for k, at in enumerate(self.zero)
+            if abs(at) < 1
+        ]
+
     def rulers(
-        self, names: Sequence[str], unit: str = "", *, left: bool = True, below: bool = True
+        self, names: Sequence[str], units: Sequence[str], *, left: bool = True, below: bool = True
     ) -> None:
         """Draw lines through the origin, and numbers and names at the left and lower edges.
 
         A power of ten goes to the names where the numbers would be long.
         """
-        zero = self.window.paper((Fraction(0), Fraction(0)))
-        for k, at in enumerate(zero):
-            if abs(at) < 1:
-                ends = np.array([[at, -1.0], [at, 1.0]])[:, :: -1 if k else 1]
-                self.scene.line(self.at(ends), ec=GREY, lw=0.4, zorder=1.5)
+        for axis in self.axes():
+            self.scene.line(axis, ec=GREY, lw=0.4, zorder=1.5, role="axis")
         half, power = rounded(self.window.half), 0
         if half and math.isfinite(half):
             power = math.floor(math.log10(half))
             power = power if not -3 < power < 4 else 0
             for k, wanted in enumerate((below, left)):
                 if wanted:
-                    self._numbers(k, nice(0.6 * half), Fraction(10) ** power)
+                    self._numbers(k, Fraction(10) ** power)
         factor = f"10{str(power).translate(_RAISED)}" if power else ""
-        note = f" ({' '.join(filter(None, (factor, unit)))})" if factor or unit else ""
+        notes = [" ".join(filter(None, (factor, unit))) for unit in units]
+        first, second = (
+            f"{name} ({note})" if note else name for name, note in zip(names, notes, strict=True)
+        )
         if below:
-            self.scene.text(self.at((0, -1)) - np.array((0, 19)), names[0] + note)
+            self.scene.text(self.at((0, -1)) - np.array((0, 19)), first)
         if left:
-            self.scene.text(self.at((-1, 0)) - np.array((26, 0)), names[1] + note, rotation=90)
+            self.scene.text(self.at((-1, 0)) - np.array((26, 0)), second, rotation=90)
 
-    def _numbers(self, k: int, step: Fraction, factor: Fraction) -> None:
-        low, high = (self.window.centre[k] + side * self.window.half for side in (-1, 1))
+    def _numbers(self, k: int, factor: Fraction) -> None:
         out = np.array([(0, -1), (-1, 0)][k])
-        for i in range(math.ceil(low / step), math.floor(high / step) + 1):
-            at = float((i * step - self.window.centre[k]) / self.window.half)
-            text = f"{float(i * step / factor):g}".replace("-", "−")
+        for at, text in ticks(self.window.centre[k], self.window.half, factor):
             tick = self.at((at, -1.0) if k == 0 else (-1.0, at))
             beyond = (abs(at) - 1) * self.side / 2 + self.scene.measure(text)[0] / 2
             if k == 0 and beyond > 5:
@@ -103,32 +116,56 @@ class Panel:
 
     def title(self, text: str, above: float = 5.0) -> None:
         """Write a title above, from the left edge; its middle is so many points above the top."""
-        self.scene.text(self.at((-1, 1)) + np.array((0, above)), text, ha="left")
+        place = self.at((-1, 1)) + np.array((0, above))
+        self.scene.text(place, text, ha="left", va="center_baseline")
 
     def region(
         self, region: Region, by_states: bool = True, clip: Box | tuple[Place, float] | None = None
-    ) -> None:
-        """Fill the polygons, small ones on top, and draw the outline of their union."""
+    ) -> list[States]:
+        """Fill the polygons, small ones on top, and draw the outline of their union.
+
+        Lines of resisted forces that no polygon holds are drawn wide. Returned are the states of
+        all that has a fill.
+        """
         parts = []
         for i, piece in enumerate(region.polygons):
             shape = self.window.inside(piece.polyhedron)
             if shape is not None:
                 parts.append((area(shape), i, shape, piece.states))
         parts.sort(key=lambda part: (-part[0], part[1]))
+        found = map(self.window.stretch, region.outline.whiskers)
+        whiskers = np.array([line for line in found if line is not None]).reshape(-1, 2, 2)
+        alone = set()
+        for _, i, shape, _ in parts:
+            middle = np.tile(shape.mean(axis=0), (1, 2))
+            if len(shape) == 2 and covering(keep_off(whiskers), middle, 1e-9).any():
+                alone.add(i)
         with self.scene.clipped(clip or self.box):
             for _, i, shape, states in parts:
-                self._piece(i, self.at(shape), states, by_states)
+                self._piece(i, self.at(shape), states, by_states, i in alone)
             self._outline(region)
+        filled = [(i, shape, states) for size, i, shape, states in parts if size or i in alone]
         if by_states:
-            self._codes([(shape, states) for size, _, shape, states in parts if size])
+            self._codes([(shape, states) for i, shape, states in filled if i not in alone])
+            labels = Labels(self.scene)
+            labels.avoid(*self.axes(), *self.at(whiskers))
+            for i, shape, states in filled:
+                if i in alone:
+                    middle, along = self.at(shape.mean(axis=0)), shape[1] - shape[0]
+                    side = np.array([-along[1], along[0]]) * (1 if along[0] > 0 else -1)
+                    labels.beside(code(states), middle, side, zorder=1.6, gid=self.gid("code", i))
+        return [states for _, _, states in filled]
 
-    def _piece(self, index: int, shape: Floats, states: States, by_states: bool) -> None:
+    def _piece(
+        self, index: int, shape: Floats, states: States, by_states: bool, alone: bool
+    ) -> None:
         gid, fill = self.gid("polygon", index), fill_of(states) if by_states else SHADE
         thin = GREY if by_states else SHADE
         if len(shape) == 1:
             self.scene.mark(shape[0], "o", 2, color=thin, gid=gid, zorder=1.2)
         elif len(shape) == 2:
-            self.scene.line(shape, ec=thin, lw=0.6, gid=gid, zorder=1.2, capstyle="projecting")
+            wide = {"ec": fill, "lw": 5.0} if alone else {"ec": thin, "lw": 0.6}
+            self.scene.line(shape, gid=gid, zorder=1.2, capstyle="butt", **wide)
         else:
             line = {"ec": "#404040", "lw": 0.4} if by_states else {"ec": fill, "lw": 0.5}
             style = {"zorder": 1, "joinstyle": "bevel"}
@@ -147,7 +184,7 @@ class Panel:
             half = ((wide / 2 + 1.5) * unit, (FONT / 2 + 0.5) * unit)
             if not text or (np.ptp(shape, axis=0) < 2 * np.array(half)).any():
                 continue
-            place, room = roomiest(shape, half, 1 - _FADE)
+            place, room = roomiest(shape, half, 1 - _FADE, self.zero)
             if room <= 1:
                 continue
             box = [place + np.array([a * half[0], b * half[1]])
@@ -172,11 +209,11 @@ class Panel:
 
     def fade(self) -> None:
         """Let what reaches the edge go pale: it has no end."""
-        rings = 12
+        rings, closed = 12, np.vstack([SQUARE, SQUARE[:1]])
         with self.scene.clipped(self.box):
             for k in range(rings):
                 inner = 1 - _FADE * (rings - k) / rings
-                ring = np.concatenate([1.01 * _SQUARE, inner * _SQUARE[::-1]])
+                ring = np.concatenate([1.01 * closed, inner * closed[::-1]])
                 self.scene.polygon(self.at(ring), fc="white", ec="none", alpha=0.16, zorder=4)
 
     def wrench(self, point: RationalVector, resisted: bool) -> None:

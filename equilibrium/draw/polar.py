@@ -22,7 +22,7 @@ from equilibrium.wrench_sets.search_map import Entry
 
 from .keys import MARKS, symbol
 from .panel import Panel
-from .row import read_extent, row_of_panels
+from .row import explain_borders, read_extent, row_of_panels
 from .style import RIM, SHADE
 from .window import ROOM, Window, ends
 
@@ -113,8 +113,7 @@ def _describe(entries: Iterable[Entry], region: Region, legend: Legend) -> None:
     wrong = [entry for entry in listed if not entry.agrees]
     legend.line(f"the binary search errs in {len(wrong)} of {len(listed)} directions")
     legend.key(symbol(SHADE), "resisted (exact)")
-    if region.outline.border or region.outline.whiskers:
-        legend.key(symbol("border"), "resistance ends")
+    explain_borders(legend, [region], fades=False)
     if len(wrong) < len(listed):
         legend.key(symbol("dot"), "search is right")
     if any(entry.found is None for entry in listed):

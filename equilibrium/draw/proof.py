@@ -34,7 +34,7 @@ from .style import number, vector
 from .window import roomiest
 
 #: Half the side of the small grasps, where the contacts fill [-1, 1]: with numbers, and without.
-_SMALL = (2.5, 1.7)
+_SMALL = (2.1, 1.7)
 #: How many virtual motions are shown below the maps, and how many the legend names.
 _SHOWN, _NAMED = 3, 9
 #: With more contacts there is no room for the work of each.
@@ -91,15 +91,17 @@ def draw_proof(
     unit = grasp.units.length if grasp.units else ""
     for i, sense in enumerate(TURNS):
         panel = Panel(scene, maps.window, (LEFT + i * (side + GAP), low), side, f"{i + 1}-")
-        panel.rulers(("$x$", "$y$"), unit, left=i == 0)
+        panel.rulers(("$x$", "$y$"), (unit, unit), left=i == 0)
         panel.title(f"centres of {TURNS[sense]} motions")
         drawn = _grasp(scene, layout, side / 2 / MAP, panel.at((0, 0)), panel.name)
+        drawn.labels.avoid(*panel.axes())
+        drawn.letter()
         _map(panel, [shape for shape in maps.shapes if shape.sense == sense], ranks, drawn.labels)
     shown = list(ranks)[:_SHOWN]
     for i, motion in enumerate(shown):
         together = [part for part in maps.parts if part.leaf.motion == motion]
         middle = np.array([(2 * i + 1) * scene.width / len(shown), small]) / 2
-        _example(scene, layout, verdict, together, (i, middle, small, scene.width / len(shown)))
+        _example(scene, layout, verdict, together, (i, middle, small))
     legend = scene.legend
     for line in summary_lines(maps, _NAMED):
         legend.line(line)
@@ -120,12 +122,12 @@ def _map(
         if len(corners) > 2:
             panel.scene.polygon(corners, fc=fill, ec="#404040", lw=0.4, gid=gid, zorder=0.3)
             half = panel.scene.measure(text)[0] / panel.side + 0.02, 9 / panel.side
-            place, room = roomiest(shape.corners, half, 1)
+            place, room = roomiest(shape.corners, half, 1, panel.zero)
             if room > 1:
                 others = (place + shape.corners) / 2 if room > 2 else []
                 at = labels.place(text, [panel.at(other) for other in (place, *others)])
                 panel.scene.text(at, text, weight="bold", halo=(1.5, "white"), zorder=8)
-        elif "stick" in shape.part.states.values():
+        elif len(corners) == 2 and "stick" in shape.part.states.values():
             panel.scene.line(corners, ec=fill, lw=2, gid=gid, zorder=0.5)
 
 
@@ -149,10 +151,10 @@ def _example(
     layout: Layout,
     verdict: Verdict,
     together: list[Part],
-    where: tuple[int, Floats, float, float],
+    where: tuple[int, Floats, float],
 ) -> None:
     """Draw the virtual motion of some parts on a small grasp, with the works on it."""
-    (i, middle, size, room), (x, y, r) = where, together[0].leaf.motion
+    (i, middle, size), (x, y, r) = where, together[0].leaf.motion
     half, name = _SMALL[len(verdict.grasp) > _WRITTEN], f"{i + 3}-"
     scale = size / 2 / half
     drawn = _grasp(scene, layout, scale, middle, name)
@@ -169,9 +171,9 @@ def _example(
     for k, (shift, start) in enumerate(zip(shifts, drawn.places, strict=True)):
         if any(shift):
             end = start + 2 * MOVED * scale * np.array([float(v / largest) for v in shift])
-            arrow(scene, start, end, 1.0, fc=colours[k], ec="none", gid=f"{name}shift-{k + 1}",
-                  zorder=7)  # fmt: skip
-            drawn.labels.avoid_line(start, end)
+            edge = arrow(scene, start, end, 1.0, fc=colours[k], ec="none",
+                         gid=f"{name}shift-{k + 1}", zorder=7)  # fmt: skip
+            drawn.labels.avoid(edge)
     if r:
         frame, centre = layout.frame, (-y / r, x / r)
         far = max(abs(v - c) for v, c in zip(centre, frame.centre, strict=True)) / frame.size
@@ -181,25 +183,10 @@ def _example(
                           gid=f"{name}centre", zorder=7)  # fmt: skip
             scene.mark(at, "o", 2.5, color=BLUE, zorder=7)
             drawn.labels.avoid(flattened(arc(at, reach, 0, 2 * math.pi)))
+    drawn.letter()
     if len(verdict.grasp) <= _WRITTEN:
         drawn.numbers()
         for k, (factor, colour) in enumerate(zip(done.factors, colours, strict=True)):
             text = "no force" if factor is None else f"{number(factor)} c"
-            at = _beside(drawn, k, text, (middle[0] - room / 2, middle[0] + room / 2))
-            scene.text(at, text, color=colour, halo=(1.5, "white"), gid=f"{name}work-{k + 1}",
-                       zorder=8)  # fmt: skip
-
-
-def _beside(drawn: Picture, k: int, text: str, ends: tuple[float, float]) -> Floats:
-    """Return a free place for a text outside a contact, between two ends."""
-    start, normal = drawn.places[k], drawn.layout.normals[k]
-    along, half = np.array([-normal[1], normal[0]]), drawn.scene.measure(text)[0] / 2
-    outward = np.array([half * np.sign(round(normal[0], 3)), 0])
-    wanted = [
-        start - out * normal + side * along - outward
-        for out in (6, 12, 18, 26, 34, 42)
-        for side in (-10, 10, 16, -16, 0, 24, -24)
-    ]
-    low, high = ends[0] + half + 2, ends[1] - half - 2
-    held = [np.array([min(max(x, low), high), y]) for x, y in wanted]
-    return drawn.labels.place(text, held)
+            out = -layout.normals[k]
+            drawn.labels.beside(text, drawn.places[k], out, color=colour, gid=f"{name}work-{k + 1}")

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
@@ -21,7 +20,7 @@ from equilibrium.solver.contact_rows import negated, normal_force_row, slip_row
 from equilibrium.verdict import Solver, Verdict
 
 from .body import Frame, frame_of
-from .style import nice, number, rounded, vector
+from .style import nice_near, number, vector
 from .window import Window
 
 #: Half the side of the maps, where the contacts fill [-1, 1].
@@ -95,9 +94,7 @@ def _angle(grasp: Grasp, frame: Frame, found: list[Part], turn: Exact | None) ->
     if plain and not any(grasp.contacts[i].preload for part in found for i in part.states):
         return None
     reach = max((c.preload / c.stiffness for c in grasp), default=Fraction(0))
-    wanted = reach / frame.size or Fraction(1)
-    near = rounded(wanted)
-    angle = nice(near) if near and math.isfinite(near) else wanted
+    angle = nice_near(reach / frame.size or Fraction(1))
     rows = (row for part in found for row, _ in _conditions(part, grasp))
     borders = {Fraction(abs(zero), abs(r)) for x, y, r, zero in rows if r and not (x or y)}
     while angle in borders:

@@ -6,13 +6,13 @@ from arrangement.draw.figure import picture
 from arrangement.draw.legend import Legend
 from arrangement.draw.registry import Exact, Wrench
 from arrangement.draw.scene import Scene
-from arrangement.exact import RationalVector
 from equilibrium.model.grasp import Grasp
+from equilibrium.solver.state_system import States
 from equilibrium.wrench_sets import Region, resisted_region
 
 from .keys import symbol
 from .panel import fill_of
-from .row import Question, row_of_panels
+from .row import Question, explain_borders, row_of_panels
 from .style import FILLS, SYMBOLS, number, wrench_text
 from .window import joint_window
 
@@ -30,8 +30,8 @@ def draw_resist(
     Every polygon is exact and stands for one choice of contact states: its colour tells how many
     contacts stick, hatching that some contact is detached; where there is room, one character for
     each contact tells its state. Polygons may overlap (several equilibria exist); smaller ones lie
-    on top. The black border is drawn only where resistance ends. What reaches the edge of the
-    picture has no end, and fades.
+    on top. Lines that no polygon holds are drawn wide. The black border is drawn only where
+    resistance ends. What reaches the edge of the picture has no end, and fades.
 
     Args:
         grasp: contacts.
@@ -45,14 +45,14 @@ def draw_resist(
         MissingExtraError: matplotlib is absent.
     """
     question = Question(wrench, extent)
-    applied, half, torque = question.wrench, question.half, question.torque
+    half, torque = question.half, question.torque
     region = resisted_region(grasp, origin=(0, 0, torque))
     window = joint_window([region], question.marked, half, pieces=True)
     scene, (panel,) = row_of_panels(1, window, width, grasp)
-    _describe(grasp, region, applied, scene.legend, fades=half is None)
     unit = f" {grasp.units.torque}" if grasp.units else ""
     panel.title(f"resisted forces at torque {number(torque)}{unit}")
-    panel.region(region)
+    states = panel.region(region)
+    _describe(grasp, region, states, question, scene.legend)
     if half is None:
         panel.fade()
     for point in question.marked:
@@ -61,9 +61,9 @@ def draw_resist(
 
 
 def _describe(
-    grasp: Grasp, region: Region, applied: RationalVector | None, legend: Legend, *, fades: bool
+    grasp: Grasp, region: Region, states: list[States], question: Question, legend: Legend
 ) -> None:
-    states = [p.states for p in region.polygons if p.polyhedron.dimension == 2]
+    applied = question.wrench
     if not region.polygons:
         legend.line("nothing in this plane is resisted")
     if applied is not None:
@@ -74,16 +74,11 @@ def _describe(
         example = next(s for s in states if min(s.count("stick"), len(FILLS) - 1) == count)
         more = any(s.count("stick") > count for s in states) and count == len(FILLS) - 1
         legend.key(symbol(fill_of(example)), f"{count}{' or more' if more else ''} stick")
-    if any("detached" in s for s in states):
+    if any("detached" in p.states for p in region.polygons if p.polyhedron.dimension == 2):
         legend.key(symbol("#ffffff hatched"), "some detached")
-    outline = region.outline
-    if outline.border or outline.whiskers:
-        solid = any(piece.polyhedron.dimension == 2 for piece in region.polygons)
-        legend.key(symbol("border"), "resistance ends" if solid else "resisted: this line alone")
+    explain_borders(legend, [region], question.half is None)
     if states and len(grasp):
         found = [s for s in SYMBOLS if any(s in x for x in states)]
         shown = ", ".join(f"{SYMBOLS[s]} {s.replace('-', '−')}" for s in found)
         which = "contact 1" if len(grasp) == 1 else f"contacts 1 to {len(grasp)}"
         legend.line(f"{which}: {shown}")
-    if fades and not all(piece.polyhedron.bounded for piece in region.polygons):
-        legend.key(symbol("fade"), "without end")

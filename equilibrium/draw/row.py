@@ -2,15 +2,19 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from fractions import Fraction
 
+from arrangement.draw.legend import Legend
 from arrangement.draw.measuring import POINTS, checked_width
 from arrangement.draw.registry import Exact, Wrench
 from arrangement.draw.scene import Scene
 from arrangement.exact import RationalVector, rational, shown
 from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import Grasp, read_wrench
+from equilibrium.wrench_sets import Region
 
+from .keys import symbol
 from .panel import ABOVE, BELOW, LEFT, Panel
 from .window import Window
 
@@ -42,10 +46,16 @@ class Question:
 
 
 def row_of_panels(
-    number: int, window: Window, width: float, grasp: Grasp, columns: int | None = None
+    number: int,
+    window: Window,
+    width: float,
+    grasp: Grasp,
+    columns: int | None = None,
+    names: Sequence[str] = FORCE_NAMES,
 ) -> tuple[Scene, list[Panel]]:
-    """Return a scene with empty panels of planes of forces; only outer ones have rulers."""
-    unit, width = grasp.units.force if grasp.units else "", checked_width(width, 20.0)
+    """Return a scene with empty panels of planes of wrenches; only outer ones have rulers."""
+    given, width = grasp.units, checked_width(width, 20.0)
+    units = [(given.force if "f" in name else given.torque) if given else "" for name in names]
     columns = min(number, columns or number)
     rows = -(-number // columns)
     side = (width * POINTS - LEFT - RIGHT - (columns - 1) * GAP) / columns
@@ -57,9 +67,20 @@ def row_of_panels(
         x = LEFT + column * (side + GAP)
         y = height - (row + 1) * (side + ABOVE) - row * GAP / 2
         panel = Panel(scene, window, (x, y), side, "" if number == 1 else f"{i + 1}-")
-        panel.rulers(FORCE_NAMES, unit, left=column == 0, below=i + columns >= number)
+        panel.rulers(names, units, left=column == 0, below=i + columns >= number)
         panels.append(panel)
     return scene, panels
+
+
+def explain_borders(legend: Legend, regions: Sequence[Region], fades: bool) -> None:
+    """Say what lines, points and faded edges of regions mean."""
+    outlines = [region.outline for region in regions]
+    if any(outline.border or outline.whiskers for outline in outlines):
+        legend.key(symbol("border"), "resistance ends")
+    if any(outline.points for outline in outlines):
+        legend.key(symbol("accepted"), "resisted: this alone")
+    if fades and not all(p.polyhedron.bounded for region in regions for p in region.polygons):
+        legend.key(symbol("fade"), "without end")
 
 
 def read_extent(extent: Exact | None) -> Fraction | None:

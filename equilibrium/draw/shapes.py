@@ -3,19 +3,26 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
 
+from arrangement.draw.colours import VERMILION
 from arrangement.draw.items import Floats
-from arrangement.draw.measuring import FONT
+from arrangement.draw.labels import keep_off
+from arrangement.draw.measuring import FONT, POINTS
 from arrangement.draw.projections import joined
 from arrangement.draw.scene import Scene
 
+#: How far from the wanted direction labels are tried: ahead and aside first, then behind.
+_TURNS = (0, 0.5, -0.5, 1, -1, 1.6, -1.6, 2.3, -2.3, 3.1)
 
-def arrow(scene: Scene, start: Floats, end: Floats, size: float = 1.5, **style: Any) -> None:
-    """Draw an arrow, never so short that what is not zero cannot be seen.
+
+def arrow(
+    scene: Scene, start: Floats, end: Floats, size: float = 1.5, **style: Any
+) -> list[Floats]:
+    """Draw an arrow, never so short that what is not zero cannot be seen; return its corners.
 
     Args:
         size: of its head, and of its least length, in units of 2.5 points.
@@ -32,7 +39,8 @@ def arrow(scene: Scene, start: Floats, end: Floats, size: float = 1.5, **style: 
         start + thin * side, neck + thin * side, neck + wide * side, end,
         neck - wide * side, neck - thin * side, start - thin * side,
     ]  # fmt: skip
-    scene.polygon(corners, joinstyle="miter", **style)
+    scene.polygon(corners, **{"joinstyle": "miter", "role": "arrow", **style})
+    return [*corners, corners[0]]
 
 
 def arc(centre: Floats, radius: float, start: float, sweep: float) -> Floats:
@@ -53,16 +61,7 @@ def turning_arrow(scene: Scene, centre: Floats, radius: float, way: int, **style
     head = [curve[-1] + 4.5 * ahead, curve[-1] + 2.6 * out, curve[-1] - 2.6 * out]
     gid, colour, order = style["gid"], style["color"], style["zorder"]
     scene.curve(curve, fill=False, ec=colour, lw=1.5, gid=gid, zorder=order)
-    scene.polygon(head, fc=colour, ec="none", gid=f"{gid}-head", zorder=order)
-
-
-def wedge(
-    scene: Scene, tip: Floats, axis: Floats, half_angle: float, radius: float, **style: Any
-) -> None:
-    """Draw a sector of a disc about an axis; a line when the angle is zero."""
-    middle = math.atan2(axis[1], axis[0])
-    edge = arc(tip, radius, middle - half_angle, 2 * half_angle)
-    scene.curve(np.array([tip, tip, *edge[:1], *edge, *edge[-1:], tip, tip]), **style)
+    scene.polygon(head, fc=colour, ec="none", gid=f"{gid}-head", zorder=order, role="arrow")
 
 
 def mark(
@@ -84,36 +83,83 @@ def mark(
     scene.polygon([place + 0.8 * size * ahead, *base], fc="#bdbdbd", **style)
 
 
+def fitted(
+    width: float, points: Floats, tallest: float | None = None, margin: float = 6 * POINTS
+) -> tuple[Scene, float, Floats]:
+    """Return an empty sheet, and the scale and shift that put points (k, 2) on it.
+
+    Args:
+        width: of the sheet, in millimetres.
+        points: whose box is to fill it but for a margin.
+        tallest: height of the sheet, at most; if omitted, the box is a little lower than wide.
+        margin: in points.
+    """
+    low, high = points.min(axis=0), points.max(axis=0)
+    wide, spread = width * POINTS, np.maximum(high - low, 1e-3)
+    room = 0.95 * wide if tallest is None else tallest * POINTS - 2 * margin
+    scale = float(min((wide - 2 * margin) / spread[0], room / spread[1]))
+    scene = Scene(width, (scale * float(spread[1]) + 2 * margin) / POINTS)
+    return scene, scale, np.array([scene.width, scene.height]) / 2 - scale * (low + high) / 2
+
+
 class Labels:
-    """Places for labels that overlap neither each other nor what is drawn."""
+    """Places for labels that overlap neither each other nor what is drawn, on the sheet."""
 
     def __init__(self, scene: Scene) -> None:
         self.scene = scene
         self._boxes: list[Floats] = []
-        self._points: list[Floats] = []
+        self._lines: list[Floats] = []
+        self._tree: Any = None
 
-    def avoid(self, points: Iterable[Floats]) -> None:
-        """Keep labels off these points."""
-        self._points += list(points)
+    def avoid(self, *lines: Any) -> None:
+        """Keep labels off lines through points (k, 2)."""
+        self._lines += map(np.asarray, lines)
+        self._tree = None
 
-    def avoid_line(self, start: Floats, end: Floats) -> None:
-        """Keep labels off a line."""
-        self.avoid(start + s * (end - start) for s in np.linspace(0, 1, 24))
-
-    def place(self, text: str, wanted: Sequence[Floats]) -> Floats:
+    def place(self, text: str, wanted: Any) -> Floats:
         """Return the first wanted centre that is free, else the one that covers least."""
-        half = np.array([self.scene.measure(text)[0] / 2 + 2, FONT / 2 + 1])
-        covered = self._covered(np.array(wanted), half)
-        best: Floats = wanted[int(np.argmin(covered))]
-        self._boxes.append(np.array([best - half, best + half]))
-        return best
+        import shapely
 
-    def _covered(self, places: Floats, half: Floats) -> Floats:
-        """Return how much of boxes is taken: the area of labels counts most, then points."""
-        low, high = (places - half)[:, None], (places + half)[:, None]
-        boxes = np.array(self._boxes).reshape(-1, 2, 2)
-        shared = np.minimum(high, boxes[:, 1]) - np.maximum(low, boxes[:, 0])
-        points = np.array(self._points).reshape(-1, 2)
-        inside = ((points > low) & (points < high)).all(axis=2)
-        taken: Floats = 1000 * np.maximum(shared, 0).prod(axis=2).sum(axis=1) + inside.sum(axis=1)
-        return taken
+        half = np.array([self.scene.measure(text)[0] / 2 + 1, FONT / 2 + 0.5])
+        centres = np.asarray(wanted)
+        low, high = centres - half, centres + half
+        others = np.array(self._boxes).reshape(-1, 2, 2)
+        shared = np.minimum(high[:, None], others[:, 1]) - np.maximum(low[:, None], others[:, 0])
+        paper = np.array([self.scene.width, self.scene.height])
+        off = np.maximum(-low, 0).sum(axis=1) + np.maximum(high - paper, 0).sum(axis=1)
+        self._tree = self._tree or keep_off(self._lines)
+        rooms = shapely.box(*(low - 0.6).T, *(high + 0.6).T)
+        met = np.bincount(self._tree.query(rooms, "intersects")[0], minlength=len(rooms))
+        taken = met + 1000 * (np.maximum(shared, 0).prod(axis=2).sum(axis=1) + off)
+        best = int(np.argmin(taken))
+        self._boxes.append(np.array([low[best], high[best]]))
+        found: Floats = centres[best]
+        return found
+
+    def beside(self, text: str, at: Floats, out: Floats, **style: Any) -> None:
+        """Write a text near a point, in a direction if that is free."""
+        start, half = math.atan2(out[1], out[0]), self.scene.measure(text)[0] / 2
+        angles = start + np.array(_TURNS)
+        ways = np.stack([np.cos(angles), np.sin(angles)], axis=1)
+        wider = np.stack([np.copysign(max(0.0, half - 3), ways[:, 0]), 0 * angles], axis=1)
+        wanted = [
+            at + reach * ways[part] + wider[part]
+            for part in (slice(0, 7), slice(7, None))
+            for reach in (8, 11, 15, 20, 26, 34)
+        ]
+        place = self.place(text, np.concatenate(wanted))
+        self.scene.text(place, text, **{"halo": (1.5, "white"), "zorder": 7, **style})
+
+    def name_wrench(self, ends: Sequence[Floats], away: tuple[Floats, float] | None = None) -> None:
+        """Write w beside one of some points, farther from a place than a distance."""
+        ways = [k * math.pi / 4 + 0.4 for k in range(8)]
+        wanted = [
+            end + reach * np.array([math.cos(k), math.sin(k)])
+            for reach in (9, 13, 18)
+            for end in ends
+            for k in ways
+        ]
+        if away is not None:
+            wanted = [at for at in wanted if np.linalg.norm(at - away[0]) > away[1]]
+        self.scene.text(self.place("w", wanted), "w", color=VERMILION, style="italic",
+                        weight="bold", halo=(1.5, "white"), zorder=7)  # fmt: skip

@@ -15,7 +15,7 @@ from equilibrium.model.grasp import Grasp
 from equilibrium.wrench_sets import Region, resisted_region
 
 from .keys import symbol
-from .row import Question, row_of_panels
+from .row import Question, explain_borders, row_of_panels
 from .space_slice import slice_in_space
 from .style import SHADE, number, wrench_text
 from .window import joint_window
@@ -78,13 +78,15 @@ def draw_parts(
 ) -> Scene:
     """Return panels of one window with a region each, in one colour."""
     marked, fades = question.marked, question.half is None
-    window = joint_window([region for _, region in parts], marked, question.half)
+    found = [region for _, region in parts]
+    window = joint_window(found, marked, question.half)
     scene, panels = row_of_panels(len(parts), window, width, grasp, columns)
     legend = scene.legend
-    legend.key(symbol(SHADE), f"resisted forces at torque {number(question.torque)}")
-    legend.key(symbol("border"), "resistance ends")
-    if fades:
-        legend.key(symbol("fade"), "without end")
+    if any(region.polygons for region in found):
+        legend.key(symbol(SHADE), f"resisted forces at torque {number(question.torque)}")
+    else:
+        legend.line(f"nothing is resisted at torque {number(question.torque)}")
+    explain_borders(legend, found, fades)
     if question.wrench is not None:
         legend.key(symbol("wrench-points"), f"{wrench_text(question.wrench, grasp.units)}: yes, no")
     for panel, (title, region) in zip(panels, parts, strict=True):

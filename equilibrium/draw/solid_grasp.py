@@ -18,7 +18,7 @@ import numpy as np
 from arrangement.draw.colours import BLACK, BLUE, GREY, VERMILION
 from arrangement.draw.depth_tree import Node, depth_tree
 from arrangement.draw.items import Floats
-from arrangement.exact import IntegerVector, dot, primitive
+from arrangement.exact import IntegerVector, RationalVector, dot, primitive
 from arrangement.io.meshes import volume
 from arrangement.linear import cross
 from arrangement.polyhedra.surface import Patch
@@ -26,7 +26,7 @@ from equilibrium.model.grasp import Grasp
 from equilibrium.model.outline import Mesh
 
 from .body import Frame, frame_of
-from .body_mesh import convex_hull, edges_of, looks, merged, sharp_edges, silhouette
+from .body_mesh import convex_hull, drawn_edges, edges_of, merged
 
 #: Lengths, where body and contacts fill [-1, 1]: cones, the largest force, slip and motion.
 CONE, FORCE, MOVED = 0.3, 0.6, 0.3
@@ -109,7 +109,7 @@ class SolidGrasp:
     grasp: Grasp
     motion: Sequence[float | Fraction] = ()
     forces: Sequence[Sequence[float | Fraction]] = ()
-    wrench: Sequence[float | Fraction] = ()
+    wrench: RationalVector = ()
     virtual: bool = False
     frame: Frame = field(init=False)
 
@@ -125,6 +125,15 @@ class SolidGrasp:
     def normals(self) -> Floats:
         """(m, 3); inward."""
         return np.array([[float(x) for x in c.normal] for c in self.grasp]).reshape(-1, 3)
+
+    @property
+    def groups(self) -> Iterator[tuple[int, list[int], str]]:
+        """Yield the contacts at one point: the first, all, and their numbers as a text."""
+        found: dict[object, list[int]] = {}
+        for i, contact in enumerate(self.grasp):
+            found.setdefault(contact.point, []).append(i)
+        for members in found.values():
+            yield members[0], members, ", ".join(str(i + 1) for i in members)
 
     @cached_property
     def body(self) -> tuple[Floats, list[tuple[int, ...]], bool]:
@@ -241,28 +250,13 @@ class SolidGrasp:
         """Return all pieces.
 
         Args:
-            towards: the viewer; then silhouettes are drawn besides sharp edges, and each edge once,
-                with a face that the viewer sees if there is one.
+            towards: the viewer, see `drawn_edges`.
         """
         points, faces, _ = self.body
-        drawn = set(sharp_edges(points, faces))
-        owner: dict[tuple[int, int], int] = {}
-        if towards is not None:
-            drawn |= set(silhouette(points, faces, towards))
-            ahead = [k for k, face in enumerate(faces) if looks(points, face, towards)]
-            for k in (*ahead, *range(len(faces))):
-                for a, b in edges_of(faces[k]):
-                    owner.setdefault((min(a, b), max(a, b)), k)
-        found = []
-        for k, face in enumerate(faces):
-            shown = [
-                (a, b)
-                for a, b in edges_of(face)
-                if ((a, b) in drawn or (b, a) in drawn)
-                and owner.get((min(a, b), max(a, b)), k) == k
-            ]
-            found += _flat([points[a] for a in face], "body",
-                           [(points[a], points[b]) for a, b in shown])  # fmt: skip
+        drawn, found = drawn_edges(points, faces, towards), []
+        for face in faces:
+            shown = [(points[a], points[b]) for a, b in edges_of(face) if (a, b) in drawn]
+            found += _flat([points[a] for a in face], "body", shown)
         if not faces and len(self.places) > 1:
             middle = self.places.mean(axis=0)
             found += [p for place in self.places for p in _segment(place, middle, "link")]
@@ -353,8 +347,5 @@ def _flat(
 def _plane(p: IntegerVector, q: IntegerVector, r: IntegerVector) -> IntegerVector | None:
     """Return the row of the plane of a triangle, positive outside; None if it has no area."""
     a, b, c = ([Fraction(x, point[3]) for x in point[:3]] for point in (p, q, r))
-    first, second = ([y - x for x, y in zip(a, end, strict=True)] for end in (b, c))
-    normal = cross(first, second)
-    if not any(normal):
-        return None
-    return primitive((*normal, -sum(x * y for x, y in zip(normal, a, strict=True))))
+    normal = cross(*([y - x for x, y in zip(a, end, strict=True)] for end in (b, c)))
+    return primitive((*normal, -dot(normal, a))) if any(normal) else None

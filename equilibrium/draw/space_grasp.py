@@ -3,17 +3,16 @@
 from __future__ import annotations
 
 import math
-from fractions import Fraction
 from itertools import product
 from typing import Any
 
 import numpy as np
 
-from arrangement.draw.colours import BLACK, GREY, PALE, VERMILION
+from arrangement.draw.colours import BLACK, GREY, PALE
 from arrangement.draw.depth_tree import back_to_front
 from arrangement.draw.globe import picture_axes, unit_vectors, view_direction
 from arrangement.draw.items import Floats
-from arrangement.draw.measuring import POINTS, checked_width
+from arrangement.draw.measuring import checked_width
 from arrangement.draw.registry import Vector, Wrench
 from arrangement.draw.scene import Scene
 from arrangement.exact import IntegerVector
@@ -21,14 +20,13 @@ from arrangement.polyhedra.surface import Patch, rounded
 from equilibrium.model.grasp import Grasp
 from equilibrium.spatial_verdict import solve_in_space
 
-from .keys import symbol
-from .shapes import Labels
+from .keys import explain_grasp, symbol
+from .shapes import Labels, fitted
 from .solid_grasp import INKS, SolidGrasp
-from .style import CONE_EDGE, CONE_FILL, vector
+from .style import CONE_EDGE, CONE_FILL
 
 #: Of faces of the body that look at the viewer: what is inside shines through.
 _GLASS = PALE + "70"
-_MARGIN = 14.0
 #: Edges of a stated body, of the hull of the contacts, and what is behind either.
 _STATED: dict[str, Any] = {"ec": BLACK, "lw": 0.7, "role": "edge"}
 _INDICATED = {**_STATED, "ls": (0, (5, 2.5))}
@@ -92,13 +90,7 @@ class _Picture:
         held = np.concatenate([
             np.zeros((1, 3)), *(rounded(p.corners) for node in nodes for p in node.patches)
         ]) @ self.axes.T  # fmt: skip
-        low, high = held.min(axis=0)[:2], held.max(axis=0)[:2]
-        paper = width * POINTS
-        spread = np.maximum(high - low, 1e-3)
-        self.scale = float(min((paper - 2 * _MARGIN) / spread[0], 0.95 * paper / spread[1]))
-        height = self.scale * float(spread[1]) + 2 * _MARGIN
-        self.scene = Scene(width, height / POINTS)
-        self.shift = np.array([paper, height]) / 2 - self.scale * (low + high) / 2
+        self.scene, self.scale, self.shift = fitted(width, held[:, :2])
         self.count, self.labels = 0, Labels(self.scene)
         ordered = list(back_to_front(nodes, towards))
         for k, node in enumerate(ordered):
@@ -119,8 +111,7 @@ class _Picture:
         corners = self.at(rounded(patch.corners))
         ahead = sum(a * b for a, b in zip(patch.row, self.towards, strict=False)) > 0
         edges = [self.at(rounded(edge)) for edge in patch.edges]
-        for edge in edges:
-            self.labels.avoid_line(*edge)
+        self.labels.avoid(*edges)
         if kind == "body":
             if ahead:
                 self.scene.polygon(corners, fc=_GLASS, ec="none", zorder=z, gid=gid, role="region")
@@ -152,37 +143,14 @@ class _Picture:
     def _numbers(self) -> None:
         """Write the numbers of the contacts, those at one point together, and name the wrench."""
         labels = self.labels
-        groups: dict[object, list[int]] = {}
-        for i, contact in enumerate(self.solid.grasp):
-            groups.setdefault(contact.point, []).append(i)
-        for members in groups.values():
-            text = ", ".join(str(i + 1) for i in members)
-            place = self.at(self.solid.places[members[0]])
+        for k, members, text in self.solid.groups:
             out = -(self.axes @ self.solid.normals[members].sum(axis=0))[:2]
-            start = math.atan2(out[1], out[0])
-            turns = (0, 0.5, -0.5, 1, -1, 1.6, -1.6, 2.3, -2.3, 3.1)
-            wide = self.scene.measure(text)[0] / 2
-            wanted = [
-                place
-                + reach * np.array([math.cos(start + a), math.sin(start + a)])
-                + (math.copysign(max(0.0, wide - 3), math.cos(start + a)), 0)
-                for reach in (7, 10, 14, 19)
-                for a in turns
-            ]
-            room = np.array([wide + 1, 4.5])
-            paper = np.array([self.scene.width, self.scene.height])
-            wanted = [w for w in wanted if (w > room).all() and (w < paper - room).all()] or wanted
-            name = f"number-{members[0] + 1}"
-            self.scene.text(labels.place(text, wanted), text, zorder=7, gid=name)
+            labels.beside(text, self.at(self.solid.places[k]), out, gid=f"number-{k + 1}")
         for arrow in self.solid.arrows():
             if arrow.name == "wrench-force" or (
                 arrow.name == "wrench-torque" and not arrow.headless and not self._has_force
             ):
-                tip = self.at(arrow.end)
-                ways = [k * math.pi / 4 + 0.4 for k in range(8)]
-                wanted = [tip + 9 * np.array([math.cos(w), math.sin(w)]) for w in ways]
-                self.scene.text(labels.place("w", wanted), "w", color=VERMILION, style="italic",
-                                weight="bold", zorder=7)  # fmt: skip
+                labels.name_wrench([self.at(arrow.end)])
 
     @property
     def _has_force(self) -> bool:
@@ -192,26 +160,11 @@ class _Picture:
         solid, legend = self.solid, self.scene.legend
         if note:
             legend.line(note, True)
-        if any(c.friction for c in solid.grasp):
-            legend.key(symbol("cone"), "friction cone")
-        if any(c.preload for c in solid.grasp):
-            legend.key(symbol("preload"), "preload")
-        if any(solid.wrench):
-            legend.key(symbol("wrench"), wrench_text(solid))
-        if any(map(any, solid.forces)):
-            legend.key(symbol("force"), "contact force")
+        explain_grasp(legend, solid.grasp, solid.wrench, any(map(any, solid.forces)))
         if solid.motion and solid.screw is None:
             legend.line(motion_text(solid))
         elif solid.motion:
             legend.key(symbol("shift"), motion_text(solid))
-
-
-def wrench_text(solid: SolidGrasp) -> str:
-    """Return the applied wrench as a label, with its units where they are stated."""
-    wrench, units = [Fraction(x) for x in solid.wrench], solid.grasp.units
-    if units is None:
-        return f"w = {vector(wrench)}"
-    return f"w = {vector(wrench[:3])} {units.force}, {vector(wrench[3:])} {units.torque}"
 
 
 def motion_text(solid: SolidGrasp) -> str:
@@ -229,4 +182,4 @@ def screw_text(solid: SolidGrasp) -> str:
     unit = f" {solid.grasp.units.length}" if solid.grasp.units else ""
     far = " about an axis outside the picture" if solid.axis_is_far else ""
     pitch = f"{screw.pitch:.3g}".replace("-", "−")
-    return f"a turn{far}, pitch {pitch}{unit} a radian"
+    return f"a turn{far}" + (f", pitch {pitch}{unit} a radian" if screw.pitch else "")

@@ -21,8 +21,8 @@ from equilibrium.model.grasp import Grasp
 
 from .body_mesh import open_edges
 from .solid_grasp import INKS, Arrow, SolidGrasp, head_of
-from .space_grasp import clear_side, motion_text, solved_in_space, wrench_text
-from .style import CONE_EDGE, CONE_FILL, number, vector
+from .space_grasp import clear_side, motion_text, solved_in_space
+from .style import CONE_EDGE, CONE_FILL, counted, number, vector, wrench_text
 
 _BODY = "#dfe6ea" + "60"
 #: Radius of the shafts of arrows in a model.
@@ -54,13 +54,13 @@ def grasp_page(
     branches = [Branch(node.row[:3], [], node.front, node.back) for node in tree]
     for branch, node in zip(branches, tree, strict=True):
         branch.faces += map(_face, node.patches)
-    number_of = f"{len(grasp)} contact{'' if len(grasp) == 1 else 's'}"
-    facts = [note or None, wrench_text(solid) if any(solid.wrench) else None]
+    number_of = counted(len(grasp), "contact")
+    facts = [note or None, wrench_text(solid.wrench, grasp.units) if any(solid.wrench) else None]
     facts.append(motion_text(solid) if solid.motion else None)
     legend = [(CONE_EDGE, "friction cone")]
     legend += [(INKS["force"], "contact force")] * any(map(any, solid.forces))
     legend += [(INKS["wrench"], "applied wrench")] * any(solid.wrench)
-    legend += [(INKS["slip"], "axis of the motion, and slips")] * bool(solid.motion)
+    legend += [(INKS["slip"], "axis of the motion, and slips")] * (solid.screw is not None)
     reach = max(
         (float(np.linalg.norm(rounded(p.corners), axis=1).max()) for n in tree for p in n.patches),
         default=1.0,
@@ -75,8 +75,8 @@ def grasp_page(
         [(f"Contact {i}", _told(solid, i - 1)) for i in range(1, len(grasp) + 1)],
         legend,
         marks=[
-            (p - 0.12 * n, str(i))
-            for i, (p, n) in enumerate(zip(solid.places, solid.normals, strict=True), 1)
+            (solid.places[k] - 0.12 * solid.normals[members].mean(axis=0), text)
+            for k, members, text in solid.groups
         ],
     ).text()
 

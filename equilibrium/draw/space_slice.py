@@ -7,10 +7,9 @@ from fractions import Fraction
 
 import numpy as np
 
-from arrangement.draw.colours import BLACK, GREY, VERMILION
+from arrangement.draw.colours import BLACK, VERMILION
 from arrangement.draw.items import Floats
 from arrangement.draw.legend import Legend
-from arrangement.draw.measuring import POINTS
 from arrangement.draw.scene import Scene
 from arrangement.exact import shown
 from arrangement.progress import watched
@@ -22,13 +21,15 @@ from equilibrium.wrench_sets.known_loads import KnownLoads
 from equilibrium.wrench_sets.spatial import SpatialMagnitudes, spatial_magnitudes
 
 from .keys import symbol
-from .style import SHADE, nice
+from .panel import SQUARE
+from .row import row_of_panels
+from .style import SHADE
+from .window import ZERO, Window, clipped
 
 NAMES = ("fx", "fy", "fz", "tx", "ty", "tz")
-_LABELS = ("$f_x$", "$f_y$", "$f_z$", "τ_x", "τ_y", "τ_z")
+_LABELS = ("$f_x$", "$f_y$", "$f_z$", r"$\tau_x$", r"$\tau_y$", r"$\tau_z$")
 #: Relative width of the brackets, and nodes of each tree: finer ones cannot be seen.
 _WIDTH, _NODES, _EVERY = Fraction(1, 40), 20, 2
-_MARGIN = 22.0
 _HELD, _REFUTED = "#5f93bd", "#f6e3d3"
 
 
@@ -52,10 +53,11 @@ def slice_in_space(grasp: Grasp, axes: str, directions: int, width: float) -> Sc
         [(float(v[first]), float(v[second]), float(rest)) for v, rest in tree]
         for tree in loads.trees
     ]
-    return _drawn(spokes, rows, (_LABELS[first], _LABELS[second]), width)
+    return _drawn(grasp, spokes, rows, (_LABELS[first], _LABELS[second]), width)
 
 
 def _drawn(
+    grasp: Grasp,
     spokes: list[tuple[Floats, SpatialMagnitudes]],
     trees: list[list[tuple[float, float, float]]],
     names: tuple[str, str],
@@ -65,83 +67,40 @@ def _drawn(
     borders = [b for _, m in spokes for b in m.borders if b.resisted > 0]
     ends = [float(max(b.resisted, b.refused)) for b in borders]
     reach = 1.25 * min(4 * float(np.median(ends)), max(ends)) if ends else 1.0
-    scene = Scene(width, width)
-    middle, scale = np.full(2, width * POINTS / 2), (width * POINTS / 2 - _MARGIN) / reach
-    refuted = _refuted(scene, middle, scale, reach, trees)
-    _axes(scene, middle, scale, reach, names)
+    window = Window(ZERO, Fraction(reach))
+    scene, (panel,) = row_of_panels(1, window, width, grasp, names=names)
+    refuted = 0
+    for tree in trees:
+        part = SQUARE
+        for a, b, c in tree:
+            part = clipped(part, reach * np.array([a, b]), -c)
+        if len(part) > 2:
+            corners, name = panel.at(part), f"refuted-{refuted}"
+            scene.polygon(corners, fc=_REFUTED, ec="none", zorder=0.4, gid=name, role="region")
+            refuted += 1
     rim = []
     for i, (way, known) in enumerate(spokes):
-        held, start = known.samples[0][1] == RESISTED, 0.0
+        starts_held = held = known.samples[0][1] == RESISTED
+        start = 0.0
         stops = [(float(b.resisted), float(b.refused), bool(b.undecided)) for b in known.borders]
         for resisted, refused, open_ in [*stops, (reach, reach, False)]:
-            near, far = sorted((min(resisted, reach), min(refused, reach)))
-            wide = 3.0 if open_ else 1.0
+            near, far = sorted((min(resisted, reach) / reach, min(refused, reach) / reach))
             if held:
-                part = [middle + x * scale * way for x in (start, near)]
+                part = panel.at([start * way, near * way])
                 scene.line(part, ec=_HELD, lw=2.0, zorder=3, gid=f"spoke-{i}", role="region")
             if far > near:
-                part = [middle + x * scale * way for x in (near, far)]
+                part = panel.at([near * way, far * way])
+                wide = 3.0 if open_ else 1.0
                 scene.line(part, ec=VERMILION, lw=wide, zorder=4, gid=f"open-{i}", role="line")
-            if near < reach:
-                scene.mark(middle + near * scale * way, "o", 2.2, color=BLACK, zorder=5)
+            if near < 1:
+                scene.mark(panel.at(near * way), "o", 2.2, color=BLACK, zorder=5)
             held, start = not held, far
-        if stops and known.samples[0][1] == RESISTED:
-            rim.append(middle + min(stops[0][0], reach) * scale * way)
-        else:
-            rim.append(middle + (reach if known.samples[0][1] == RESISTED else 0) * scale * way)
-    scene.polygon(rim, fc=SHADE, ec="none", zorder=0.5, gid="region-1", role="region")
-    _explain(scene.legend, spokes, bool(ends), refuted)
+        end = min(stops[0][0] / reach, 1.0) if stops else 1.0
+        rim.append(panel.at((end if starts_held else 0.0) * way))
+    if np.ptp(rim, axis=0).any():
+        scene.polygon(rim, fc=SHADE, ec="none", zorder=0.5, gid="region-1", role="region")
+    _explain(scene.legend, spokes, bool(ends), bool(refuted))
     return scene
-
-
-def _clipped(polygon: Floats, rows: list[tuple[float, float, float]]) -> Floats:
-    """Return the part of a convex polygon where all ``a x + b y + c`` are at least 0."""
-    for a, b, c in rows:
-        values = polygon @ (a, b) + c
-        corners = []
-        for k in range(len(polygon)):
-            here, last = values[k], values[k - 1]
-            if here * last < 0:
-                corners.append((polygon[k] * last - polygon[k - 1] * here) / (last - here))
-            if here >= 0:
-                corners.append(polygon[k])
-        if len(corners) < 3:
-            return np.zeros((0, 2))
-        polygon = np.array(corners)
-    return polygon
-
-
-def _axes(scene: Scene, middle: Floats, scale: float, reach: float, names: tuple[str, str]) -> None:
-    for way in (np.array([1.0, 0.0]), np.array([0.0, 1.0])):
-        axis = [middle - reach * scale * way, middle + reach * scale * way]
-        scene.line(axis, ec=GREY, lw=0.4, zorder=1, role="axis")
-    step = nice(0.5 * reach)
-    for k in (-2, -1, 1, 2):
-        for way, anchor in ((np.array([1.0, 0.0]), (0.5, 1.0)), (np.array([0.0, 1.0]), (1.0, 0.5))):
-            if abs(k * float(step)) < reach:
-                at = middle + k * float(step) * scale * way - 3 * way[::-1]
-                text = f"{float(k * step):g}".replace("-", "−")
-                scene.write(at, text, 5.5, anchor=anchor, color=GREY)
-    for name, out in zip(names, ((1, 0), (0, 1)), strict=True):
-        scene.write(middle + (reach * scale + 9) * np.array(out), name)
-
-
-def _refuted(
-    scene: Scene,
-    middle: Floats,
-    scale: float,
-    reach: float,
-    trees: list[list[tuple[float, float, float]]],
-) -> bool:
-    """Paint what each tree refutes; return whether any of it is in view."""
-    window = reach * np.array([(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)])
-    parts = [part for tree in trees if len(part := _clipped(window, tree)) > 2]
-    for k, part in enumerate(parts):
-        corners = list(middle + scale * part)
-        scene.polygon(
-            corners, fc=_REFUTED, ec="none", zorder=0.4, gid=f"refuted-{k}", role="region"
-        )
-    return bool(parts)
 
 
 def _explain(

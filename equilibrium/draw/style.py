@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 from fractions import Fraction
 
 from arrangement.draw.colours import PALETTE
@@ -18,6 +18,7 @@ CONE_FILL, CONE_EDGE, RIM = "#e69f0059", "#b87f00", "#9a9a9a"
 SHADE = "#c9d8e6"
 #: The state of a contact in one character, for labels.
 SYMBOLS = {"stick": "●", "slip+": "+", "slip-": "−", "detached": "○"}
+_ONE = Fraction(1)
 
 
 def rounded(value: Fraction | int) -> float:
@@ -42,6 +43,15 @@ def vector(values: Iterable[Fraction | int]) -> str:
     return f"({', '.join(map(number, values))})"
 
 
+def counted(number: int, one: str, many: str = "") -> str:
+    """Return a number with its noun.
+
+    >>> counted(1, "contact"), counted(3, "contact")
+    ('1 contact', '3 contacts')
+    """
+    return f"{number} {one if number == 1 else many or one + 's'}"
+
+
 def wrench_text(wrench: RationalVector, units: Units | None) -> str:
     """Return a wrench as a label, with its units where they are stated.
 
@@ -50,7 +60,17 @@ def wrench_text(wrench: RationalVector, units: Units | None) -> str:
     """
     if units is None:
         return f"w = {vector(wrench)}"
-    return f"w = {vector(wrench[:2])} {units.force}, {number(wrench[2])} {units.torque}"
+    k = (len(wrench) + 1) // 2
+    torque = number(wrench[2]) if k == 2 else vector(wrench[k:])
+    return f"w = {vector(wrench[:k])} {units.force}, {torque} {units.torque}"
+
+
+def ticks(middle: Fraction, half: Fraction, factor: Fraction = _ONE) -> Iterator[tuple[float, str]]:
+    """Yield the places of round numbers on a ruler from -1 to 1, and the numbers over a factor."""
+    step = nice(0.6 * float(half))
+    for i in range(math.ceil((middle - half) / step), math.floor((middle + half) / step) + 1):
+        text = f"{float(i * step / factor):g}".replace("-", "−")
+        yield float((i * step - middle) / half), text
 
 
 def nice(value: float) -> Fraction:
@@ -62,3 +82,9 @@ def nice(value: float) -> Fraction:
             if float(factor * unit) <= value * (1 + 1e-12):
                 return factor * unit
     return Fraction(10) ** power
+
+
+def nice_near(value: Fraction) -> Fraction:
+    """Return such a number for a positive value, itself where it is beyond floats."""
+    near = rounded(value)
+    return nice(near) if near and math.isfinite(near) else value

@@ -28,24 +28,23 @@ DRAWINGS = Drawings(
         "grasp": "space_page:grasp_page",
     },
 )
-#: What is drawn of grasps in space; and what of these alone.
-_IN_SPACE = {
-    "views": ("grasp", "proof", "slice", "methods"),
-    "models": ("grasp",),
-    "pages": ("grasp",),
+#: What is not drawn of grasps in the plane, and in space.
+_NOT: dict[int, dict[str, tuple[str, ...]]] = {
+    2: {"models": ("grasp",), "pages": ("grasp",)},
+    3: {
+        "views": ("resist", "polar", "compare", "wrench-set"),
+        "models": ("wrench-set",),
+        "pages": ("resist", "proof", "wrench-set"),
+    },
 }
-_IN_SPACE_ONLY = {"views": (), "models": ("grasp",), "pages": ("grasp",)}
 
 
 def drawings_of(grasp: Grasp) -> Drawings:
     """Return what can be drawn of a grasp, in the plane or in space."""
-    kinds: dict[str, Any] = {}
-    for kind, names in _IN_SPACE.items():
-        known = getattr(DRAWINGS, kind)
-        if grasp.dimension == 2:
-            kinds[kind] = {n: f for n, f in known.items() if n not in _IN_SPACE_ONLY[kind]}
-        else:
-            kinds[kind] = {name: known[name] for name in names}
+    kinds: dict[str, Any] = {
+        kind: {name: f for name, f in getattr(DRAWINGS, kind).items() if name not in names}
+        for kind, names in _NOT[grasp.dimension].items()
+    }
     return replace(DRAWINGS, **kinds)
 
 

@@ -17,6 +17,7 @@ from arrangement.polyhedra.surface import Patch, facets, rounded
 from equilibrium.model.grasp import Grasp, read_wrench
 
 from .row import read_extent
+from .style import counted
 from .wrench_box import CUT, NAMES, SOLID, WALLS, WrenchBox, box_edges, box_text, wrench_box
 
 
@@ -41,7 +42,7 @@ def wrench_set_page(
         GraspError: an extent that is not above 0.
     """
     box = wrench_box(grasp, read_extent(extent))
-    number_of = f"{len(grasp)} contact{'' if len(grasp) == 1 else 's'}"
+    number_of = counted(len(grasp), "contact")
     pieces: dict[IntegerVector, int] = {}
     told: list[tuple[str, list[tuple[str, str]]]] = []
     tree = [Branch(node.row[:3], [], node.front, node.back) for node in box.tree]
@@ -74,8 +75,8 @@ def wrench_set_page(
     return SolidPage(
         title if title is not None else f"Wrenches that {number_of} resist",
         box_text(grasp, box),
-        f"{len(box.shapes)} polyhedra, one for each choice of contact states that is not a part "
-        "of another",
+        f"{counted(len(box.shapes), 'polyhedron', 'polyhedra')}, one for each choice of contact "
+        "states that is not a part of another",
         picture_axes(box.clear_side),
         math.sqrt(3),
         tree,

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-import inspect
 import math
-from collections.abc import Iterable
+import re
+from collections.abc import Iterable, Sequence
 from functools import cached_property
 from itertools import product
 from typing import Any
@@ -17,17 +17,20 @@ from arrangement.draw.figure import picture
 from arrangement.draw.globe import TO_LIGHT, picture_axes, view_direction
 from arrangement.draw.items import Floats
 from arrangement.draw.legend import Legend
-from arrangement.draw.measuring import POINTS, checked_width
+from arrangement.draw.measuring import checked_width
 from arrangement.draw.registry import Exact, Vector, Wrench
 from arrangement.draw.scene import Scene
-from arrangement.exact import IntegerVector
+from arrangement.exact import IntegerVector, dot
 from arrangement.polyhedra.surface import Patch, rounded
 from equilibrium.model.grasp import Grasp, read_wrench
 
-from .grasp import draw_grasp
+from .grasp import drawn
 from .keys import MARKS, symbol
+from .layout import layout_of
 from .row import read_extent
-from .style import nice, vector
+from .shapes import fitted
+from .style import ticks, wrench_text
+from .window import clipped
 from .wrench_box import CUT, NAMES, SOLID, WALLS, WrenchBox, box_edges, box_text, wrench_box
 
 #: Room around the box for numbers and names, in points.
@@ -52,9 +55,9 @@ def draw_wrench_set(
 
     The set is a union of polyhedra, one for each choice of contact states, and need not be
     convex. Its surface is exact, and painted back to front in an exact order. Lines are its true
-    edges. Pale faces are where the box cuts what goes on; other faces fade towards them. Parts
-    without volume are drawn as sheets and segments. Axes have their own scales; the numbers stand
-    at the edges of the box.
+    edges. Pale hatched faces are where the box cuts what goes on; other faces fade towards them.
+    Parts without volume are drawn as sheets and segments. Axes have their own scales; the numbers
+    stand at the edges of the box.
 
     Elements: ``facet-3`` of the set, ``wall-4`` where the box cuts it, ``edge-5``, ``box-2``.
 
@@ -78,12 +81,17 @@ def draw_wrench_set(
     towards = box.clear_side if direction is None else view_direction(direction)
     if width < _BOTH:
         return _Solid(grasp, box, towards, applied, width).scene
-    left = inspect.unwrap(draw_grasp)(grasp, width=width * 0.4)
     right = _Solid(grasp, box, towards, applied, width * 0.6).scene
+    left = drawn(layout_of(grasp, None, None, 1), width * 0.4, right.paper[1])
     scene = Scene(width, max(left.paper[1], right.paper[1]))
     scene.place(left, 0.0, (scene.height - left.height) / 2)
     scene.place(right, left.width, (scene.height - right.height) / 2)
     return scene
+
+
+def _maths(text: str) -> str:
+    """Return a text with the names of wrenches as formulas."""
+    return re.sub("f_[xy]|τ", lambda found: f"${found[0]}$".replace("τ", r"\tau"), text)
 
 
 def _lit(normal: Floats) -> str:
@@ -91,16 +99,9 @@ def _lit(normal: Floats) -> str:
     return pale(SOLID, 0.45 * max(0.0, float(TO_LIGHT @ normal)))
 
 
-def _beyond(corners: Floats, depth: Floats, least: float) -> Floats:
-    """Return the part of a convex polygon (k, 3) where a depth, given at its corners, is enough."""
-    kept = []
-    for k, at in enumerate(depth):
-        if (at - least) * (depth[k - 1] - least) < 0:
-            share = (least - depth[k - 1]) / (at - depth[k - 1])
-            kept.append(corners[k - 1] + share * (corners[k] - corners[k - 1]))
-        if at >= least:
-            kept.append(corners[k])
-    return np.array(kept)
+def _on_wall(points: Sequence[IntegerVector]) -> bool:
+    """Return whether points lie on a wall of the box."""
+    return any(all(dot(row, p) == 0 for p in points) for row in WALLS)
 
 
 class _Solid:
@@ -112,12 +113,7 @@ class _Solid:
         self.grasp, self.box, self.towards = grasp, box, towards
         self.axes = picture_axes(towards)
         corners = np.array(list(product((-1.0, 1.0), repeat=3))) @ self.axes.T
-        low, high = corners.min(axis=0)[:2], corners.max(axis=0)[:2]
-        paper = width * POINTS
-        self.scale = (paper - 2 * _MARGIN) / float(high[0] - low[0])
-        height = self.scale * float(high[1] - low[1]) + 1.5 * _MARGIN
-        self.scene = Scene(width, height / POINTS)
-        self.shift = _MARGIN - self.scale * low
+        self.scene, self.scale, self.shift = fitted(width, corners[:, :2], math.inf, _MARGIN)
         self._describe(self.scene.legend, applied)
         self._frame(behind=True)
         self._set()
@@ -137,11 +133,12 @@ class _Solid:
     def _describe(self, legend: Legend, applied: Any) -> None:
         if not self.box.shapes:
             legend.line("nothing is resisted")
-        text = box_text(self.grasp, self.box)
-        legend.line(text.replace("f_x", "$f_x$").replace("f_y", "$f_y$"))
+        legend.line(_maths(box_text(self.grasp, self.box)))
         if applied is not None:
             held = any(piece.polyhedron.contains(applied) for piece in self.box.pieces)
-            legend.key(symbol("resisted" if held else "refused"), f"w = {vector(applied)}")
+            legend.key(
+                symbol("resisted" if held else "refused"), wrench_text(applied, self.grasp.units)
+            )
         solid = any(shape.dimension > 1 for shape in self.box.shapes)
         if self.box.filled:
             legend.key(symbol(CUT), "every wrench in the box is resisted, and the set goes on")
@@ -149,7 +146,7 @@ class _Solid:
         if self.box.shapes:
             legend.key(symbol(SOLID if solid else "border"), "resisted wrenches")
         if any(p.row in WALLS for node in self.box.tree for p in node.patches):
-            legend.key(symbol(CUT), "cut by the box, goes on")
+            legend.key(symbol(f"{CUT} hatched"), "cut by the box, goes on")
         elif self.box.endless:
             legend.line("what reaches the box goes on")
 
@@ -172,8 +169,9 @@ class _Solid:
                 elif len(patch.corners) == 2:
                     style["lw"] = 1.5
                 for edge in patch.edges:
+                    cut = {"ec": GREY, "lw": 0.35} if kind != "axis" and _on_wall(edge) else {}
                     self.scene.line(self._places(edge), zorder=z, gid=f"{kind}-{count}",
-                                    capstyle="round", **style)  # fmt: skip
+                                    capstyle="round", **{**style, **cut})  # fmt: skip
                 if len(patch.corners) > 2 and not wall:
                     self._fade(patch, z)
 
@@ -192,6 +190,8 @@ class _Solid:
         fill = pale(_lit(normal), _CUT_WHITE) if wall else _lit(normal)
         self.scene.polygon(corners, fc=fill, ec=fill, lw=0.3, zorder=z, joinstyle="round",
                            gid=f"{'wall' if wall else 'facet'}-{count}", role="region")  # fmt: skip
+        if wall:
+            self.scene.polygon(corners, fc="none", ec="#b5bcc3", lw=0, hatch="///", zorder=z)
 
     @cached_property
     def _cuts(self) -> dict[tuple[int, ...], list[tuple[int, int]]]:
@@ -214,9 +214,8 @@ class _Solid:
         """Let a face turn white towards each wall that cuts its plane."""
         corners = rounded(patch.corners)
         for axis, side in self._cuts[patch.row]:
-            depth = side * corners[:, axis]
             for k in range(_STEPS):
-                part = _beyond(corners, depth, 1 - _FADE * (1 - k / _STEPS))
+                part = clipped(corners, side * np.eye(3)[axis], 1 - _FADE * (1 - k / _STEPS))
                 if len(part) > 2:
                     self.scene.polygon(self.at(part), fc="#ffffff", ec="none", alpha=_VEIL,
                                        zorder=z, gid="fade")  # fmt: skip
@@ -235,24 +234,20 @@ class _Solid:
         """Number one edge of the box for each axis, on the outline of the picture."""
         for axis, name in enumerate(NAMES):
             ends, out = self._ruler(axis)
-            middle, half = self.box.middle[axis], self.box.half[axis]
-            step = nice(0.6 * float(half))
-            for i in range(
-                math.ceil((middle - half) / step), math.floor((middle + half) / step) + 1
-            ):
-                share = float((i * step - middle) / half)
+            for share, text in ticks(self.box.middle[axis], self.box.half[axis]):
                 tick = self.at(ends[0] + (ends[1] - ends[0]) * (share + 1) / 2)
                 self.scene.line([tick, tick + 2.5 * out], ec=GREY, lw=0.4, zorder=4, role="axis")
-                text = f"{float(i * step):g}".replace("-", "−")
                 half_box = np.array(self.scene.measure(text)) / 2
                 reach = 4 + abs(out[0]) * half_box[0] + abs(out[1]) * half_box[1]
                 self.scene.write(tick + reach * out, text)
             unit = self.grasp.units and (
                 self.grasp.units.torque if axis == 2 else self.grasp.units.force
             )
-            text = (f"${name}$" if axis < 2 else name) + (f" ({unit})" if unit else "")
-            place = self.at(ends).mean(axis=0) + 19 * out
-            self.scene.text(place, text)
+            text = _maths(name) + (f" ({unit})" if unit else "")
+            upright = 90.0 if unit and axis == 2 else 0.0
+            beyond = max(0.0, self.scene.measure(text, rotation=upright)[0] / 2 - 6)
+            place = self.at(ends).mean(axis=0) + 19 * out + (out[0] * beyond, 0)
+            self.scene.text(place, text, rotation=upright)
 
     def _ruler(self, axis: int) -> tuple[Floats, Floats]:
         """Return the ends of the numbered edge, and the direction on paper away from the box."""

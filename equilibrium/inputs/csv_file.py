@@ -13,10 +13,11 @@ from __future__ import annotations
 import csv
 import io
 import os
+import re
 from collections.abc import Callable, Iterator
 from fractions import Fraction
 from pathlib import Path
-from typing import Any, TypeVar
+from typing import TYPE_CHECKING, Any, TypeVar
 
 from arrangement.exact import rational, shown
 from equilibrium.model.contact import VALUES
@@ -25,6 +26,9 @@ from equilibrium.model.grasp import Grasp
 from equilibrium.model.unit_normal import unit_normal
 
 from .conversion import DEFAULT_TOLERANCE, Conversion, assembled
+
+if TYPE_CHECKING:
+    from arrangement import Arrangement
 
 _REQUIRED = ("x", "y", "normal_x", "normal_y", VALUES[0])
 _IN_SPACE = ("z", "normal_z")
@@ -66,6 +70,24 @@ def parse_csv(text: str, *, angle_tolerance: Any = DEFAULT_TOLERANCE) -> Convers
         return assembled([(point, Fraction(0))], [normal], [values])
 
     return each_line(text, contact)
+
+
+def tangential_arrangement(text: str) -> Arrangement | None:
+    """Return the tangential planes of a table of contacts; None for a text without its header.
+
+    Raises:
+        GraspError: as `parse_csv`, and where a normal had to be rounded.
+    """
+    lines = (line for line in text.splitlines() if line.strip() and not line.startswith("#"))
+    if not re.search(r"\b(nx|normal_x)\b", next(lines, "")):
+        return None
+    found = parse_csv(text)
+    if not found.exact:
+        raise GraspError(
+            "the table has normals without an exact length; equilibrium make csv writes a document "
+            "with rounded ones, and says by how much"
+        )
+    return found.grasp.tangential_arrangement()
 
 
 def parts_of(row: dict[str, T]) -> tuple[tuple[T, ...], tuple[T, ...], dict[str, T]]:

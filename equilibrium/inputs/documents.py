@@ -2,16 +2,38 @@
 
 from __future__ import annotations
 
+import json
 import os
+import re
 from fractions import Fraction
 from typing import Any
 
+from arrangement.errors import InputError
 from arrangement.exact import to_text
 from arrangement.io.files import Source, check_keys, check_list, read_document
-from equilibrium.model.grasp import Grasp
+from equilibrium.model.grasp import Grasp, read_wrench
 
 from .conversion import DEFAULT_TOLERANCE, Conversion, unit_normals
 from .csv_file import read_csv
+
+#: Longest numbers with which long exact computations end.
+MAX_DIGITS = 1000
+
+
+def question_document(grasp: Grasp, wrench: Any, taker: str) -> dict[str, Any]:
+    """Return a grasp and a wrench as a document, for a taker that cannot do with long numbers.
+
+    Raises:
+        InputError: a number has more than 1000 digits.
+    """
+    load = [to_text(x) for x in read_wrench(wrench, grasp.dimension)]
+    document = {"grasp": grasp.to_dict(), "wrench": load}
+    longest = max(map(len, re.findall(r"[0-9]+", json.dumps(document))))
+    if longest > MAX_DIGITS:
+        raise InputError(
+            f"a number has {longest} digits; {taker} takes at most {MAX_DIGITS}: round it"
+        )
+    return document
 
 
 def read_any(

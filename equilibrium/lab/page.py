@@ -7,25 +7,21 @@ nothing with the solver here but the form of files. Its proofs are certificates 
 
 from __future__ import annotations
 
-import json
-import re
 from pathlib import Path
 from typing import Any
 
 from arrangement.draw.html_page import Template
 from arrangement.draw.registry import Wrench
 from arrangement.errors import InputError
-from arrangement.exact import to_text
 from arrangement.lab.page import LINEAR, RATIONAL, lab
+from equilibrium.inputs.documents import question_document
 from equilibrium.io.files import read_grasp
-from equilibrium.model.grasp import Grasp, read_wrench
+from equilibrium.model.grasp import Grasp
 
 from .exercises import slip_exercises
 
 #: Contacts beyond which the answers of the page take more than about a second.
 MAX_CONTACTS = 8
-#: Longest numbers that the page reads.
-MAX_DIGITS = 1000
 #: Names, built-in grasps and wrenches that the page offers.
 _EXAMPLES: tuple[tuple[str, str, tuple[int | str, ...]], ...] = (
     ("Three contacts, preload 1", "paper-three-contacts-preload-1", (0, 1, 0)),
@@ -93,9 +89,9 @@ def lab_page(
         "title": heading,
         "summary": "Drag contacts, normals and the load; every answer is exact.",
         "most": MAX_CONTACTS,
-        **_question(first, _EXAMPLES[0][2] if wrench is None else wrench),
+        **question_document(first, _EXAMPLES[0][2] if wrench is None else wrench, "the lab"),
         "examples": [
-            {"name": name, **_question(read_grasp(source), load)}
+            {"name": name, **question_document(read_grasp(source), load, "the lab")}
             for name, source, load in _EXAMPLES
         ],
         "axes": [
@@ -110,11 +106,3 @@ def lab_page(
     }
     styles = [(_DRAW, "sketch.css"), (_DRAW, "plane.css"), (_OWN, "lab.css")]
     return lab(heading, (_OWN, "lab.html"), styles, SCRIPTS, data, DECIDES)
-
-
-def _question(grasp: Grasp, wrench: Any) -> dict[str, Any]:
-    document = {"grasp": grasp.to_dict(), "wrench": [to_text(x) for x in read_wrench(wrench)]}
-    longest = max(map(len, re.findall(r"[0-9]+", json.dumps(document))))
-    if longest > MAX_DIGITS:
-        raise InputError(f"a number has {longest} digits; the lab takes at most {MAX_DIGITS}")
-    return document

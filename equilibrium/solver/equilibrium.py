@@ -7,7 +7,6 @@ from dataclasses import dataclass, field
 from fractions import Fraction
 from typing import Any
 
-from arrangement import linprog
 from arrangement.exact import RationalVector, dot, primitive, rational_vector, to_text, vector_text
 from arrangement.polyhedra.intervals import Interval, texts
 from arrangement.short_repr import Shown
@@ -112,7 +111,7 @@ def equilibrium_of(system: StateSystem) -> Equilibrium | None:
         z = tuple(Fraction(x, point[n]) for x in point[:n])
         ranges: list[Interval] = [(x, x) for x in (value(row, z) for row in components)]
     else:
-        if isinstance(system.program.point(), linprog.Infeasible):
+        if not system.program.feasible:
             return None
         z = _least_solution(system)
         ranges = [_range(system, row) for row in components]
@@ -168,8 +167,8 @@ def _inside(system: StateSystem, z: RationalVector) -> bool:
 
 def _least(system: StateSystem, row: RationalVector) -> Fraction | None:
     """Return the least value of a row over the solutions; None if there is none."""
-    answer = system.program.minimize(row[:-1])
-    return answer.value + row[-1] if isinstance(answer, linprog.Optimal) else None
+    least = system.program.least(row[:-1])
+    return None if least is None else least + row[-1]
 
 
 def _range(system: StateSystem, row: RationalVector) -> Interval:

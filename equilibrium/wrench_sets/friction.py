@@ -151,8 +151,7 @@ class _Search:
         kept = []
         for choice in watched(states, "contact states"):
             equalities, inequalities, n = _relaxed_rows(self.grasp, choice, self.wrench, low, high)
-            answer = linprog.feasible_point(n, inequalities, equalities)
-            if not isinstance(answer, linprog.Infeasible):
+            if linprog.Program(n, inequalities, equalities).feasible:
                 kept.append(choice)
         return kept
 

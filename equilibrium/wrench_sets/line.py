@@ -130,8 +130,9 @@ def _by_programs(system: StateSystem, equalities: list[RationalVector]) -> Inter
     inequalities = [(*row[:-1], Fraction(0), row[-1]) for row in system.inequalities]
     objective = [Fraction(0)] * n + [Fraction(1)]
     inequalities.append((*objective, Fraction(0)))
-    least = linprog.minimize(objective, inequalities, equalities)
-    if not isinstance(least, linprog.Optimal):
+    program = linprog.Program(n + 1, inequalities, equalities)
+    least = program.least(objective)
+    if least is None:
         return None
-    largest = linprog.minimize([-x for x in objective], inequalities, equalities)
-    return least.value, -largest.value if isinstance(largest, linprog.Optimal) else None
+    opposite = program.least([-x for x in objective])
+    return least, None if opposite is None else -opposite

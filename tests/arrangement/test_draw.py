@@ -69,7 +69,7 @@ def test_model_suffix_exports_the_dual(tmp_path: Path) -> None:
 def test_colouring_by_a_function_of_the_region() -> None:
     planes = read_arrangement("coordinate-planes")
     figure = draw_sphere(planes, colour=lambda region: "red" if region.signs[0] > 0 else "blue")
-    fills = {x.style["fc"] for x in paths(figure) if x.style.get("fc", "none") != "none"}
+    fills = {x.style["fc"] for x in paths(figure) if x.role == "region"}
     assert fills == {"red", "blue"}
 
 

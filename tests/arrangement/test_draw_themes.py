@@ -38,6 +38,20 @@ def lightness(colour: Any) -> float:
     return float(_oklab(to_rgb(colour))[0])
 
 
+def test_in_print_wrenches_are_black_and_one_set_has_a_hatching() -> None:
+    grasp = read_grasp("paper-three-contacts-preload-1")
+    for view, wrench in (("grasp", (0, 1, 1)), ("slice", (0, 1, 0))):
+        scene = scene_of(OF_GRASPS, "equilibrium", view, grasp, wrench=wrench)
+        made = themed(scene, "mono").items
+        if view == "grasp":
+            fills = {x.name: x.style.get("fc") for x in made if x.name.startswith("wrench-")}
+            assert fills["wrench-force"] == fills["wrench-torque-head"] == "#000000"
+        else:
+            sets = [x for x in made if "polygon" in x.name]
+            assert sets
+            assert all("hatch" in x.style and not x.style["lw"] for x in sets)
+
+
 @given(st.tuples(unit, unit, unit))
 def test_oklab_and_back(rgb: tuple[float, float, float]) -> None:
     light, a, b = _oklab(rgb).tolist()

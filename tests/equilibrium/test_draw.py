@@ -43,6 +43,7 @@ from equilibrium.methods.compare import compare
 from equilibrium.methods.registry import WITH_REGION
 from equilibrium.model.outline import Circle, Polygon
 from equilibrium.wrench_sets import gaps, resisted_region, search_map
+from tests.arrangement.test_draw_boxes import offences
 from tests.drawn import paths
 
 from .strategies import grasps, wrenches
@@ -285,6 +286,26 @@ def test_indicative_outlines_have_the_object_on_the_inner_side(seed: int) -> Non
         fine = flattened(curve)
         after = np.roll(fine, -1, axis=0)
         assert np.sum(fine[:, 0] * after[:, 1] - fine[:, 1] * after[:, 0]) > 0
+
+
+@pytest.mark.parametrize(
+    ("view", "name", "wrench"),
+    [
+        (draw_grasp, "interrupted-resistance", ("1/2", -1, "1/4")),
+        (draw_resist, "interrupted-resistance", (0, 0, 0)),
+        (draw_resist, "friction-along-slip", ("1/2", -1, "1/4")),
+        (draw_proof, "paper-three-contacts", (0, 0, 5)),
+        (draw_proof, "hanging-picture", (0, 3, 0)),
+    ],
+)
+def test_labels_keep_off_lines(view: Any, name: str, wrench: Any) -> None:
+    assert offences(laid_out(unwrap(view)(read_grasp(name), wrench=wrench))) == []
+
+
+def test_lines_of_resisted_forces_tell_their_states() -> None:
+    scene = unwrap(draw_resist)(read_grasp("single-contact"))
+    assert [item.text for item in scene.items if item.name == "code-0"] == ["●"]
+    assert scene.legend.keys[0].text == "1 stick"
 
 
 def boxes(figure: Figure) -> list[tuple[str, Any]]:

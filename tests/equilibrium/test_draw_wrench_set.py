@@ -77,7 +77,7 @@ def test_every_grasp_is_drawn_and_the_box_is_stated(name: str) -> None:
 def test_a_box_of_ones_own_and_a_narrow_sheet() -> None:
     grasp = read_grasp("paper-three-contacts-preload-1")
     scene = scene_of(grasp, extent="7/2", width=88)
-    assert "box: $f_x$ −7/2 to 7/2, $f_y$ −7/2 to 7/2, τ −7/2 to 7/2" in texts(scene)
+    assert r"box: $f_x$ −7/2 to 7/2, $f_y$ −7/2 to 7/2, $\tau$ −7/2 to 7/2" in texts(scene)
     assert not any(item.name.startswith("cone-") for item in scene.items)
     with pytest.raises(GraspError, match="above 0"):
         draw_wrench_set(grasp, extent=0)

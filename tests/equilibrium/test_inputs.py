@@ -1,5 +1,6 @@
 """Grasps from polygons, circles, float data, CSV files and at random."""
 
+import io
 import json
 import math
 import re
@@ -8,6 +9,7 @@ from fractions import Fraction
 import pytest
 from hypothesis import given, settings, strategies as st
 
+from arrangement.cli import main as arrangement_main
 from arrangement.errors import InputError
 from equilibrium.cli.program import main
 from equilibrium.inputs import (
@@ -24,7 +26,7 @@ from equilibrium.inputs import (
     snapped,
     star_outline,
 )
-from equilibrium.inputs.csv_file import parse_csv
+from equilibrium.inputs.csv_file import parse_csv, tangential_arrangement
 from equilibrium.io.files import read_grasp
 from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import Grasp
@@ -449,6 +451,30 @@ class TestOutlines:
         assert main(["make", "random", "--contacts", "4", "--seed", "3"]) == 0
         outline = json.loads(capsys.readouterr().out)["outline"]
         assert outline == star_outline(random_grasp(4, 3)).to_dict()
+
+
+def test_tables_are_their_tangential_planes_for_arrangements(capsys, monkeypatch):
+    header = "x,y,nx,ny,mu\n"
+    three = header + "-1,0,2,0,1/2\n0,-1,0,1,1/2\n1,0,-1,0,1/2\n"
+    planes = read_grasp("paper-three-contacts").tangential_arrangement()
+    assert tangential_arrangement(three) == planes
+    assert tangential_arrangement("x,y\n1,2\n") is None
+    with pytest.raises(GraspError, match="without an exact length"):
+        tangential_arrangement(header + "0,0,1,1,1\n")
+    monkeypatch.setattr("sys.stdin", io.TextIOWrapper(io.BytesIO(three.encode())))
+    assert arrangement_main(["count", "-", "--json"]) == 0
+    assert json.loads(capsys.readouterr().out)["planes"] == 3
+
+
+@pytest.mark.parametrize("command", ["margin", "compare"])
+def test_numbers_too_long_to_end_are_refused(command, capsys, tmp_path):
+    grasp = read_grasp("paper-three-contacts").to_dict()
+    grasp["contacts"][0]["point"][1] = "1/" + "7" * 1001
+    path = tmp_path / "long.json"
+    path.write_text(json.dumps(grasp), encoding="utf-8")
+    assert main([command, str(path), "--weight", "1"]) == 2
+    error = capsys.readouterr().err
+    assert f"1001 digits; {command} takes at most 1000" in error
 
 
 def test_commands_take_tables_and_round_normals_on_demand(capsys, tmp_path):

@@ -27,7 +27,7 @@ function paintBody(view) {
 function paintContact(view, { place, normal: n, cone }) {
   const t = [-n[1], n[0]];
   draw("path", { class: "cone", d: `M${spot(place)}L${cone.map(spot).join("L")}Z` }, view);
-  draw("path", { class: "middle", d: `M${spot(place)}L${spot(cone[4])}` }, view);
+  draw("path", { class: "middle", d: `M${spot(place)}L${spot(cone[(cone.length - 1) / 2])}` }, view);
   draw("path", { class: "pad", d: `M${spot(along(place, t, 0.08))}L${spot(along(place, t, -0.08))}` }, view);
 }
 
