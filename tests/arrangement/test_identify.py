@@ -14,7 +14,14 @@ from hypothesis import given, settings, strategies as st
 from arrangement import Arrangement, InputError, cli
 from arrangement.counts import cone
 from arrangement.library import families
-from arrangement.library.census import PUBLISHED, census, finschi_fukuda, generate, identify
+from arrangement.library.census import (
+    PUBLISHED,
+    catalogue,
+    census,
+    finschi_fukuda,
+    generate,
+    identify,
+)
 from arrangement.library.census.chirotopes import chirotope_of, extended, triples
 from arrangement.library.census.codes import canonical
 from arrangement.library.census.extensions import extensions
@@ -208,6 +215,16 @@ def test_representatives_and_numbers_are_those_of_finschi_and_fukuda(planes: int
     listed = [text for _, text in sorted(zip(numbers, found, strict=True))]
     assert sha256("\n".join(listed).encode()).hexdigest().startswith(CATALOGUE[planes])
     assert finschi_fukuda.numbers(planes).tolist() == numbers
+
+
+def test_numbers_of_nine_planes_rise_with_their_representatives() -> None:
+    numbers = [finschi_fukuda.number(9, place) for place in range(PUBLISHED[9])]
+    assert len(set(numbers)) == len(numbers)
+    assert 1 <= min(numbers) < max(numbers) <= 461_053
+    chosen = np.sort(np.random.default_rng(0).choice(len(numbers), 300, replace=False))
+    words = finschi_fukuda.representatives(catalogue.chirotopes(9, chosen), 9)
+    listed = sorted(range(300), key=lambda k: words[k].tolist())
+    assert listed == sorted(range(300), key=lambda k: numbers[chosen[k]])
 
 
 def test_the_representative_of_four_triple_points_is_the_printed_one() -> None:

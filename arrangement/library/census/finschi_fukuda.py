@@ -36,10 +36,9 @@ _FILE = "finschi_fukuda.npz"
 _DIGITS = np.array([2, 1, 0])
 
 
-def number(planes: int, place: int) -> int | None:
-    """Return k of IC(planes, 3, k) for ``census(planes)[place]``, 3 to 8 planes, else None."""
-    found = _numbers().get(f"of_{planes}")
-    return None if found is None else int(found[place])
+def number(planes: int, place: int) -> int:
+    """Return k of IC(planes, 3, k) for ``census(planes)[place]``, 3 to 9 planes."""
+    return int(_numbers()[f"of_{planes}"][place])
 
 
 @lru_cache(maxsize=1)
