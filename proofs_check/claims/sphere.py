@@ -165,7 +165,7 @@ def _weights_by_flows(planes: Arrangement) -> bool:
 CLAIMS = (
     Claim(
         id="sphere-dual-weights",
-        formula=r"\exists w: \; 0 < w_e < \tfrac{1}{2}, \quad \sum_{e \ni R} w_e = 1",
+        formula=r"\exists w: \; 0 \lt w_e \lt \frac{1}{2}, \quad \sum_{e \in E(R)} w_e = 1",
         locator="Section IV-A",
         domain=domain("distinct"),
         statement="The facets have weights between 0 and 1/2 that sum to 1 around each region: the "
