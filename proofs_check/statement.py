@@ -21,8 +21,8 @@ from arrangement.short_repr import Shown
 from .errors import OwnClaimError, UnknownClaimError
 
 if TYPE_CHECKING:
-    import numpy as np
-    from numpy.typing import NDArray
+    from arrangement.float_filter import Booleans
+    from arrangement.library.census.chirotopes import Signs
 
 
 class Verdict(Enum):
@@ -154,7 +154,7 @@ class ManyTypes:
     """
 
     name: str
-    holds: Callable[[NDArray[np.int8], int], NDArray[np.bool_]]
+    holds: Callable[[Signs, int], Booleans]
 
 
 @dataclass(frozen=True, repr=False)
