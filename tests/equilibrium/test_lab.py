@@ -346,6 +346,7 @@ def test_a_file_that_is_no_grasp_is_explained(text: str, why: str, opened: Brows
 
 
 def test_a_cell_of_motions_is_shown_on_the_grasp(opened: Browser) -> None:
+    verdict(opened)  # whose words move the discs
     x, y = opened.run(
         "const r = document.getElementById('discs').getBoundingClientRect();"
         "return [r.x + r.width * 0.3, r.y + r.height * 0.35]"
