@@ -1,7 +1,7 @@
 """A grasp in space as flat pieces: body, friction cones, arrows, the axis of a motion.
 
-Everything is moved and scaled so that body and contacts fill [-1, 1], then rounded to multiples of
-2^-20; the pieces are exact from there on, and so is the order in which they hide each other.
+Everything is moved and scaled so that body and contacts fill [-1, 1], then rounded (`pieces`); the
+pieces are exact from there on, and so is the order in which they hide each other.
 """
 
 from __future__ import annotations
@@ -11,28 +11,27 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
 from fractions import Fraction
 from functools import cached_property
-from itertools import pairwise
 
 import numpy as np
 
 from arrangement.draw.colours import BLACK, BLUE, GREY, VERMILION
 from arrangement.draw.depth_tree import Node, depth_tree
 from arrangement.draw.items import Floats
-from arrangement.exact import IntegerVector, RationalVector, dot, primitive
+from arrangement.exact import RationalVector
 from arrangement.io.meshes import volume
-from arrangement.linear import cross
 from arrangement.polyhedra.surface import Patch
 from equilibrium.model.grasp import Grasp
 from equilibrium.model.outline import Mesh
 
 from .body import Frame, frame_of
 from .body_mesh import convex_hull, drawn_edges, edges_of, merged
+from .pieces import Arrow, arc, arrow_pieces, flat, segment
+from .screw import Screw
 
 #: Lengths, where body and contacts fill [-1, 1]: cones, the largest force, slip and motion.
 CONE, FORCE, MOVED = 0.3, 0.6, 0.3
-#: Sides of a cone, and of the head of an arrow; its length and radius.
-_SIDES, _HEAD_SIDES, _HEAD, _HEAD_RADIUS = 16, 6, 0.09, 0.03
-_GRID = 1 << 20
+#: Sides of a cone.
+_SIDES = 16
 #: An axis farther than this from the middle is not drawn.
 FAR = 1.8
 #: Radius of the helix of a motion, and most turns of it.
@@ -49,49 +48,6 @@ INKS = {
     "preload": GREY,
     "link": GREY,
 }
-
-
-@dataclass(frozen=True)
-class Arrow:
-    """An arrow or, with `headless`, a segment, in picture coordinates."""
-
-    name: str
-    start: Floats
-    end: Floats
-    headless: bool = False
-
-
-@dataclass(frozen=True)
-class Screw:
-    """A motion as a turn about an axis and a shift along it.
-
-    Attributes:
-        axis: unit vector; of a pure shift, its direction.
-        point: on the axis, nearest to the middle of the picture; None for a shift.
-        pitch: shift along the axis for each radian; None for a shift.
-    """
-
-    axis: Floats
-    point: Floats | None
-    pitch: float | None
-
-    @classmethod
-    def of(cls, motion: Sequence[float | Fraction]) -> Screw | None:
-        """Return the screw of a motion ``(v, omega)``; None if it is 0. Lengths as in the grasp.
-
-        >>> Screw.of((0, 0, 2, 0, 0, 1)).pitch
-        2.0
-        """
-        exact = [Fraction(x) for x in motion]
-        largest = max(map(abs, exact))
-        if not largest:
-            return None
-        v, omega = (tuple(x / largest for x in part) for part in (exact[:3], exact[3:]))
-        square = dot(omega, omega)
-        if square < Fraction(1, 10**18):
-            return cls(_unit(v), None, None)
-        point = np.array([float(x / square) for x in cross(omega, v)])
-        return cls(_unit(omega), point, float(dot(v, omega) / square))
 
 
 @dataclass
@@ -206,7 +162,7 @@ class SolidGrasp:
         if force.any():
             yield Arrow("wrench-force", origin, origin + force * self.force_scale)
         if torque.any():
-            yield from _arc(
+            yield from arc(
                 "wrench-torque", origin, torque / np.linalg.norm(torque), 0.25, 0.0, 0.75
             )
 
@@ -233,7 +189,7 @@ class SolidGrasp:
         yield Arrow("axis", point - 1.3 * axis, point + 1.3 * axis, headless=True)
         rise = 2 * math.pi * self.screw.pitch / size
         turns = min(0.75 if abs(rise) < 1e-9 else _TURNS, 1.6 / max(abs(rise), 1e-9))
-        yield from _arc("axis-turn", point, axis, _HELIX, rise, turns)
+        yield from arc("axis-turn", point, axis, _HELIX, rise, turns)
 
     @property
     def cones(self) -> Iterator[tuple[int, Floats, Floats]]:
@@ -256,96 +212,20 @@ class SolidGrasp:
         drawn, found = drawn_edges(points, faces, towards), []
         for face in faces:
             shown = [(points[a], points[b]) for a, b in edges_of(face) if (a, b) in drawn]
-            found += _flat([points[a] for a in face], "body", shown)
+            found += flat([points[a] for a in face], "body", shown)
         if not faces and len(self.places) > 1:
             middle = self.places.mean(axis=0)
-            found += [p for place in self.places for p in _segment(place, middle, "link")]
+            found += [p for place in self.places for p in segment(place, middle, "link")]
         for i, apex, rim in self.cones:
             if len(rim) == 1:
-                found += _segment(apex, rim[0], f"normal-{i}")
+                found += segment(apex, rim[0], f"normal-{i}")
                 continue
             for p, q in zip(rim, np.roll(rim, -1, axis=0), strict=True):
-                found += _flat([apex, p, q], f"cone-{i}", [(p, q)])
+                found += flat([apex, p, q], f"cone-{i}", [(p, q)])
         for arrow in self.arrows():
-            found += _arrow(arrow)
+            found += arrow_pieces(arrow)
         return found
 
     def tree(self, towards: Floats | None = None) -> list[Node]:
         """Return the pieces in an order for painting; they may be cut."""
         return depth_tree(self.patches(towards))
-
-
-def _arc(
-    name: str, centre: Floats, axis: Floats, radius: float, rise: float, turns: float
-) -> Iterator[Arrow]:
-    """Yield segments of a circle or helix around an axis, the last one as an arrow."""
-    side = np.cross(axis, np.eye(3)[int(np.abs(axis).argmin())])
-    side /= np.linalg.norm(side)
-    count = max(8, round(24 * turns))
-    angles = np.linspace(0, 2 * math.pi * turns, count + 1)[:, None]
-    ring = np.cos(angles) * side + np.sin(angles) * np.cross(axis, side)
-    ends = centre + radius * ring + rise * (angles / (2 * math.pi) - turns / 2) * axis
-    for k, (p, q) in enumerate(pairwise(ends)):
-        yield Arrow(name, p, q, headless=k < count - 1)
-
-
-def _unit(vector: Sequence[Fraction]) -> Floats:
-    found = np.array([float(x) for x in vector])
-    return found / float(np.linalg.norm(found))
-
-
-def head_of(arrow: Arrow) -> tuple[Floats, Floats]:
-    """Return the tip of an arrow and the ring around its neck."""
-    along = arrow.end - arrow.start
-    length = float(np.linalg.norm(along))
-    along = along / length
-    side = np.cross(along, np.eye(3)[int(np.abs(along).argmin())])
-    side /= np.linalg.norm(side)
-    turns = np.linspace(0, 2 * math.pi, _HEAD_SIDES, endpoint=False)[:, None]
-    ring = np.cos(turns) * side + np.sin(turns) * np.cross(along, side)
-    return arrow.end, arrow.end - _HEAD * along + _HEAD_RADIUS * ring
-
-
-def _arrow(arrow: Arrow) -> list[Patch]:
-    if arrow.headless:
-        return _segment(arrow.start, arrow.end, arrow.name)
-    tip, ring = head_of(arrow)
-    found = _segment(arrow.start, ring.mean(axis=0), arrow.name)
-    for p, q in zip(ring, np.roll(ring, -1, axis=0), strict=True):
-        found += _flat([tip, p, q], arrow.name, [])
-    return found + _flat(list(ring[::-1]), arrow.name, [])
-
-
-def _exact(point: Floats) -> IntegerVector:
-    x, y, z = (round(v * _GRID) for v in point.tolist())
-    return primitive((x, y, z, _GRID))
-
-
-def _segment(start: Floats, end: Floats, name: str) -> list[Patch]:
-    p, q = _exact(start), _exact(end)
-    return [] if p == q else [Patch((0,) * 4, (p, q), ((p, q),), sheet=True, name=name)]
-
-
-def _flat(
-    corners: Sequence[Floats], name: str, edges: Sequence[tuple[Floats, Floats]]
-) -> list[Patch]:
-    """Return a polygon, in triangles where rounding has bent it; ``a . x + b`` is < 0 inside."""
-    points = [_exact(p) for p in corners]
-    rows = [_plane(points[0], p, q) for p, q in pairwise(points[1:])]
-    lines = tuple((_exact(p), _exact(q)) for p, q in edges)
-    if len({row for row in rows if row}) == 1:
-        return [Patch(next(row for row in rows if row), tuple(points), lines, name=name)]
-    found = []
-    for k, row in enumerate(rows):
-        if row:
-            triangle = (points[0], points[k + 1], points[k + 2])
-            own = tuple(line for line in lines if set(line) <= set(triangle))
-            found.append(Patch(row, triangle, own, name=name))
-    return found
-
-
-def _plane(p: IntegerVector, q: IntegerVector, r: IntegerVector) -> IntegerVector | None:
-    """Return the row of the plane of a triangle, positive outside; None if it has no area."""
-    a, b, c = ([Fraction(x, point[3]) for x in point[:3]] for point in (p, q, r))
-    normal = cross(*([y - x for x, y in zip(a, end, strict=True)] for end in (b, c)))
-    return primitive((*normal, -dot(normal, a))) if any(normal) else None

@@ -20,7 +20,8 @@ from equilibrium.model.contact import VALUES
 from equilibrium.model.grasp import Grasp
 
 from .body_mesh import open_edges
-from .solid_grasp import INKS, Arrow, SolidGrasp, head_of
+from .pieces import Arrow, head_of
+from .solid_grasp import INKS, SolidGrasp
 from .space_grasp import clear_side, motion_text, solved_in_space
 from .style import CONE_EDGE, CONE_FILL, counted, number, vector, wrench_text
 

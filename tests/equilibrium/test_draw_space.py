@@ -20,8 +20,9 @@ from equilibrium import Contact, Grasp, GraspError, Mesh, read_grasp
 from equilibrium.cli import main
 from equilibrium.draw.grasp import draw_grasp
 from equilibrium.draw.proof import draw_proof
+from equilibrium.draw.screw import Screw
 from equilibrium.draw.slices import draw_slice
-from equilibrium.draw.solid_grasp import Screw, SolidGrasp
+from equilibrium.draw.solid_grasp import SolidGrasp
 from equilibrium.draw.space_grasp import drawn_in_space
 from equilibrium.draw.space_page import grasp_model, grasp_page
 from tests.arrangement.test_draw_boxes import offences
