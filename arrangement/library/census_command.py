@@ -35,12 +35,11 @@ def add_commands(parser: argparse.ArgumentParser) -> None:
 
     build = commands.add_parser("build", help="build the list of types again")
     build.add_argument("planes", type=terminal.integer_argument, metavar="M", help="4 to 9")
-    build.add_argument("-o", "--output", metavar="FILE.npz", required=True, help="the list")
+    build.add_argument("-o", "--output", metavar="FILE.npz", help="the list (default: typesM.npz)")
     build.add_argument(
         "--store",
         metavar="FOLDER",
-        required=True,
-        help="keeps what is done; the same command goes on with it",
+        help="keeps what is done; the same command goes on with it (default: typesM.parts)",
     )
     build.add_argument(
         "--jobs", type=terminal.integer_argument, default=1, metavar="N", help="processes"
@@ -108,10 +107,12 @@ def _build(arguments: argparse.Namespace) -> int:
 
     from .census.build import build
 
-    arrays = build(arguments.store, arguments.jobs, _planes(arguments, 4))
+    planes = _planes(arguments, 4)
+    output = arguments.output or f"types{planes}.npz"
+    arrays = build(arguments.store or f"types{planes}.parts", arguments.jobs, planes)
     stream = io.BytesIO()
     np.savez_compressed(stream, **arrays)  # type: ignore[arg-type]
-    write_bytes_atomically(arguments.output, stream.getvalue())
+    write_bytes_atomically(output, stream.getvalue())
     numbers = {"types": len(arrays["parents"]), "without_coordinates": len(arrays["without"])}
     if arguments.json:
         terminal.print_json(numbers)

@@ -38,13 +38,14 @@ _DIGITS = np.array([2, 1, 0])
 
 def number(planes: int, place: int) -> int:
     """Return k of IC(planes, 3, k) for ``census(planes)[place]``, 3 to 9 planes."""
-    return int(_numbers()[f"of_{planes}"][place])
+    return int(_numbers(planes)[place])
 
 
-@lru_cache(maxsize=1)
-def _numbers() -> dict[str, NDArray[np.int32]]:
+@lru_cache
+def _numbers(planes: int) -> NDArray[np.int32]:
     with files(__package__).joinpath(_FILE).open("rb") as stream, np.load(stream) as arrays:
-        return dict(arrays)
+        found: NDArray[np.int32] = arrays[f"of_{planes}"]
+        return found
 
 
 def numbers(planes: int) -> NDArray[np.int32]:
