@@ -7,13 +7,11 @@ from collections.abc import Iterator
 from functools import partial
 from typing import Any
 
-import numpy as np
-from numpy.typing import NDArray
-
 from arrangement import counts
 from arrangement.arrangement import Arrangement
 from arrangement.enumeration.great_circles import sphere_arrangement
 from arrangement.enumeration.paper_steps import published_enumeration
+from arrangement.float_filter import Booleans
 from arrangement.library.census.chirotopes import Signs
 from proofs_check.instances.arrangements import (
     TYPES,
@@ -75,9 +73,9 @@ def _region_maximum(planes: Arrangement, regions: int) -> bool:
     return regions <= m * m - m + 2 and (regions == m * m - m + 2) == simple
 
 
-def _region_maxima(signs: Signs, n: int) -> NDArray[np.bool_]:
+def _region_maxima(signs: Signs, n: int) -> Booleans:
     regions, most = f_vectors(signs, n)[:, 2], n * n - n + 2
-    below: NDArray[np.bool_] = (regions <= most) & ((regions == most) == signs.all(1))
+    below: Booleans = (regions <= most) & ((regions == most) == signs.all(1))
     return below
 
 

@@ -7,12 +7,11 @@ from collections.abc import Iterator
 from functools import lru_cache, partial
 
 import networkx as nx
-import numpy as np
-from numpy.typing import NDArray
 
 from arrangement import counts
 from arrangement.arrangement import Arrangement
 from arrangement.enumeration.paper_steps import published_enumeration
+from arrangement.float_filter import Booleans
 from arrangement.library.census.chirotopes import Signs
 from proofs_check.instances.arrangements import (
     EVERY_TYPE,
@@ -56,17 +55,17 @@ COMPOSED = "all faces, composed from cocircuits and counted"
 RANK_3 = Hypothesis("the normals have rank 3", lambda planes: planes.rank == 3)
 
 
-def _edge_and_face_bounds(signs: Signs, n: int) -> NDArray[np.bool_]:
+def _edge_and_face_bounds(signs: Signs, n: int) -> Booleans:
     faces, edges, vertices = f_vectors(signs, n).T
-    below: NDArray[np.bool_] = (edges <= 3 * vertices - 6) & (faces <= 2 * vertices - 4)
+    below: Booleans = (edges <= 3 * vertices - 6) & (faces <= 2 * vertices - 4)
     return below
 
 
-def _bipartite_bounds(signs: Signs, n: int) -> NDArray[np.bool_]:
+def _bipartite_bounds(signs: Signs, n: int) -> Booleans:
     faces, edges, vertices = f_vectors(signs, n).T
     simple = (signs != 0).all(axis=1)
     most = ((edges == 2 * vertices - 4) == simple) & ((faces == vertices - 2) == simple)
-    holds: NDArray[np.bool_] = (edges <= 2 * vertices - 4) & (faces <= vertices - 2) & most
+    holds: Booleans = (edges <= 2 * vertices - 4) & (faces <= vertices - 2) & most
     return holds
 
 

@@ -8,14 +8,18 @@ regions at the edge. Composed from cocircuits, flags give every region, facet an
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from typing import NamedTuple, TypeAlias
+from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
+from arrangement.float_filter import Booleans
 from arrangement.library.census.chirotopes import Signs, alternating
+from arrangement.library.census.codes import Integers
 
-Integers: TypeAlias = NDArray[np.int64]
+#: Types that are worked on together.
+_TOGETHER = 50
+_PLACE_OF_BIT = np.zeros(1 << 12, dtype=np.intp)
+_PLACE_OF_BIT[1 << np.arange(12)] = np.arange(12)
 
 
 class Flags(NamedTuple):
@@ -66,7 +70,7 @@ def _different(rows: Integers) -> Integers:
     return found
 
 
-def cycle_bases_are_faces(signs: Signs, n: int) -> NDArray[np.bool_]:
+def cycle_bases_are_faces(signs: Signs, n: int) -> Booleans:
     """Return whether all face boundaries but a longest one are a minimum cycle basis: (N,).
 
     They are a basis, as the graph is planar. A basis is minimum exactly when each cycle of
@@ -83,7 +87,7 @@ def cycle_bases_are_faces(signs: Signs, n: int) -> NDArray[np.bool_]:
     return minimum
 
 
-def _are_minimum(found: Flags, n: int) -> NDArray[np.bool_]:
+def _are_minimum(found: Flags, n: int) -> Booleans:
     edges = _padded(found.edge + (found.element << n))
     edge, element = edges & ((1 << n) - 1), edges >> n
     lengths, crossed = _enclosed(found, edge, element, n)
@@ -135,7 +139,7 @@ def _enclosed(found: Flags, edge: Integers, element: Integers, n: int) -> tuple[
     return lengths, ways
 
 
-def _between(line: Integers, edge: Integers, on: Integers, *ends: Integers) -> NDArray[np.bool_]:
+def _between(line: Integers, edge: Integers, on: Integers, *ends: Integers) -> Booleans:
     """Return which edges lie on one line between two of its vertices, (N,) each.
 
     There the sides of the lines through either vertex are those of the other one. Between a vertex
@@ -147,7 +151,7 @@ def _between(line: Integers, edge: Integers, on: Integers, *ends: Integers) -> N
     within = ((edge ^ other[:, None]) & near) == 0
     half = (edge & near) == 0
     within &= ((edge ^ one[:, None]) & far) == 0
-    found: NDArray[np.bool_] = (line == on[:, None]) & np.where(opposite, half, within)
+    found: Booleans = (line == on[:, None]) & np.where(opposite, half, within)
     return found
 
 
@@ -157,7 +161,7 @@ def _lowest(sets: Integers) -> Integers:
 
 def _no_shorter(
     edge: Integers, element: Integers, crossed: Integers, lengths: Integers, n: int
-) -> NDArray[np.bool_]:
+) -> Booleans:
     """Return whether each of Horton's candidates is no shorter than any face that it encloses.
 
     Every cycle has a region with an even number of positive signs, so ways start there.
@@ -176,9 +180,8 @@ def _no_shorter(
     starts = _padded(np.where(even, regions, regions[types[:, 0], even.argmax(1)][:, None]))
     apart = starts[:, :, None] ^ regions[:, None]
     toward = _lowest(np.take_along_axis(walls, regions, 1)[:, None] & apart)
-    near: NDArray[np.bool_] = ((toward != 0) | (apart == 0)).all(
-        (1, 2)
-    )  # distances are numbers of different signs
+    # Distances in the graph are numbers of different signs: some wall leads nearer.
+    shortest: Booleans = ((toward != 0) | (apart == 0)).all((1, 2))
     of, cells = types[:, :, None], np.broadcast_to(regions[:, None], apart.shape)
     way = crossing[_PLACE_OF_BIT[toward], of, cells]
     way[toward == 0] = 0
@@ -199,17 +202,11 @@ def _no_shorter(
         (lengths[:, None] > np.arange(2 * n + 2)[:, None]) << np.arange(lengths.shape[1])
     ).sum(2)
     enclosed = way[t, start, one] ^ way[t, start, other] ^ crossed[t, across]
-    near[t[enclosed & longer[t, length] != 0]] = False
-    return near
+    shortest[t[enclosed & longer[t, length] != 0]] = False
+    return shortest
 
 
-#: Types that are worked on together.
-_TOGETHER = 50
-_PLACE_OF_BIT = np.zeros(1 << 12, dtype=np.intp)
-_PLACE_OF_BIT[1 << np.arange(12)] = np.arange(12)
-
-
-def have_weights(signs: Signs, n: int) -> NDArray[np.bool_]:
+def have_weights(signs: Signs, n: int) -> Booleans:
     """Return whether weights between 0 and 1/2 on all edges can sum to 1 at every region: (N,)."""
     found = flags(signs, n)
     ends = np.stack([found.edge, found.edge | (1 << found.element)], 2).tolist()
