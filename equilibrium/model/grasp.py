@@ -15,7 +15,7 @@ import arrangement
 from arrangement.exact import RationalVector, rational_vector, shown
 from arrangement.io.files import check_keys, check_list
 from arrangement.io.writing import write_text_atomically
-from arrangement.plugins import InlinePage, display, inline_page
+from arrangement.plugins import InlinePage, named
 
 from .contact import IN_SPACE, Contact, contact_of, wrench_at
 from .errors import GraspError
@@ -174,11 +174,14 @@ class Grasp:
         Raises:
             InputError: more than 8 contacts, or contacts in space.
         """
-        return inline_page("grasp-lab", self)
+        return InlinePage(named("equilibrium.lab.page:lab_page")(self))
 
     def _repr_svg_(self) -> str | None:
         """Return what a notebook shows: the picture, where matplotlib is installed."""
-        return display("grasp-svg", self) if self.dimension == 2 else None
+        if self.dimension != 2:
+            return None
+        text: str | None = named("equilibrium.draw.notebook:grasp_svg")(self)
+        return text
 
     def to_dict(self) -> dict[str, Any]:
         """Return the file form (see `read_grasp`)."""
