@@ -199,10 +199,8 @@ def reduced(vector: Sequence[int]) -> IntegerVector:
 
 def are_integers(vector: Iterable[Any]) -> bool:
     """Return whether all entries are integers, of Python or numpy; else some are irrational."""
-    for x in vector:  # a loop, since this stands in inner loops of others
-        if not (isinstance(x, int) or hasattr(x, "__index__")):
-            return False
-    return True
+    # A list takes half the time of a generator, in the inner loops of others.
+    return all([isinstance(x, int) or hasattr(x, "__index__") for x in vector])  # noqa: C419
 
 
 def _reduced_in_field(vector: Sequence[Any]) -> tuple[Any, ...]:
