@@ -15,6 +15,7 @@ import arrangement
 from arrangement.exact import RationalVector, rational_vector, shown
 from arrangement.io.files import check_keys, check_list
 from arrangement.io.writing import write_text_atomically
+from arrangement.number_form import counted
 from arrangement.plugins import InlinePage, named
 
 from .contact import IN_SPACE, Contact, contact_of, wrench_at
@@ -86,7 +87,7 @@ class Grasp:
         return self._hash
 
     def __repr__(self) -> str:
-        number = f"{len(self)} contact" if len(self) == 1 else f"{len(self)} contacts"
+        number = counted(len(self), "contact")
         return f"<Grasp: {number}>"
 
     def __len__(self) -> int:
@@ -222,7 +223,7 @@ def read_wrench(values: Iterable[Any], dimension: int = 2) -> RationalVector:
     """Return an applied wrench as rationals: ``(f_x, f_y, tau)``, or six numbers in space."""
     wrench = rational_vector(values, "wrench")
     if len(wrench) != (3 if dimension == 2 else 6):
-        entries = "1 entry" if len(wrench) == 1 else f"{len(wrench)} entries"
+        entries = counted(len(wrench), "entry", "entries")
         raise GraspError(
             f"wrench has {entries}; a grasp in {_PLACES[dimension]} takes "
             f"{3 if dimension == 2 else 6}: {_FORCES[dimension]}"

@@ -22,7 +22,7 @@ from arrangement.errors import InputError
 
 from .formula import mathml
 from .pictures import WITHOUT, available, pictures
-from .text import numbered, remark, value_text, verdict
+from .text import remark, value_text, verdict
 
 Record = Mapping[str, Any]
 
@@ -67,7 +67,7 @@ def html_page(record: Record) -> str:
     pages.filters |= {
         "anchor": lambda id: id.replace(" ", "-"),
         "formula": _formula,
-        "numbered": numbered,
+        "counted": counted,
         "python": python_lines,
         "value": value_text,
         "verdict": verdict,
