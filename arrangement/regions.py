@@ -85,7 +85,7 @@ def distances(planes: Planes, regions: FaceSequence, base: Face) -> list[int]:
             f"the base is {shown(base)}; give a region of these planes, one of `regions()` or "
             "`region_at(point)`"
         )
-    first = planes.firsts
+    first = list(planes.firsts)
     apart = regions.signs[:, first] != np.array(base.signs, np.int8)[first]
     found: list[int] = apart.sum(axis=1).tolist()
     return found
