@@ -15,7 +15,7 @@ from .errors import InputError
 from .exact import shown, vector_text
 from .faces import Face
 from .planes import Planes
-from .plugins import InlinePage, display, inline_page
+from .plugins import InlinePage, named
 
 if TYPE_CHECKING:
     import networkx as nx
@@ -193,12 +193,14 @@ class Arrangement(Planes):
         Raises:
             InputError: other planes, or too many.
         """
-        return inline_page("arrangement-lab", self)
+        return InlinePage(named("arrangement.lab.lines:lab_page")(self))
 
     def _repr_svg_(self) -> str | None:
         """Return what a notebook shows: the great circles, where there are any."""
-        return display("arrangement-svg", self)
+        text: str | None = named("arrangement.draw.notebook:arrangement_svg")(self)
+        return text
 
     def _repr_html_(self) -> str | None:
         """Return what a notebook shows where there is no picture: a table of counts."""
-        return display("arrangement-html", self)
+        text: str | None = named("arrangement.draw.notebook:arrangement_html")(self)
+        return text

@@ -13,7 +13,7 @@ from .errors import InputError
 from .exact import shown
 from .formats.command import add_format_commands
 from .io import files
-from .number_form import vector
+from .number_form import sign_text, vector
 
 if TYPE_CHECKING:
     from .arrangement import Arrangement
@@ -23,7 +23,6 @@ _FILE = (
     "an arrangement or a grasp: a path, - for standard input, or a built-in name; in any format of "
     "`arrangement convert`"
 )
-_SYMBOLS = {1: "+", 0: "0", -1: "-"}
 
 
 def main(argv: Sequence[str] | None = None) -> int:
@@ -242,7 +241,7 @@ def _faces(arguments: argparse.Namespace) -> int:
                 {"signs": face.signs, "dimension": face.dimension, "witness": face.witness}
             )
         else:
-            signs = "".join(_SYMBOLS[sign] for sign in face.signs)
+            signs = sign_text(face.signs)
             print(f"{signs}  dim {face.dimension}  {vector(face.witness)}")
     return terminal.YES
 

@@ -239,7 +239,7 @@ class Face(Shown):
     @cached_property
     def _touching(self) -> tuple[int, ...]:
         """For each class of planes the generators in it, as bits."""
-        firsts = [self.planes.integer_planes[members[0]] for members in self.planes.distinct]
+        firsts = self.planes.distinct_planes
         return tuple(
             sum(
                 1 << j

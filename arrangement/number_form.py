@@ -1,8 +1,11 @@
-"""How a command writes numbers for people; its options ``--exact`` and ``--digits`` say it."""
+"""How numbers, signs and counted things are written for people.
+
+The options ``--exact`` and ``--digits`` of a command say how long its numbers may be.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from contextlib import contextmanager
 from contextvars import ContextVar
 from dataclasses import dataclass
@@ -46,6 +49,24 @@ def number(value: Fraction | int) -> str:
 def vector(numbers: Iterable[Fraction | int]) -> str:
     """Return numbers in parentheses."""
     return f"({', '.join(map(number, numbers))})"
+
+
+def sign_text(signs: Sequence[int], minus: str = "-") -> str:
+    """Return a sign vector as text.
+
+    >>> sign_text((1, 0, -1))
+    '+0-'
+    """
+    return "".join("+" if sign > 0 else minus if sign < 0 else "0" for sign in signs)
+
+
+def counted(number: int, one: str, many: str = "") -> str:
+    """Return a number with its noun.
+
+    >>> counted(1, "contact"), counted(3, "contact"), counted(2, "leaf", "leaves")
+    ('1 contact', '3 contacts', '2 leaves')
+    """
+    return f"{number} {one if number == 1 else many or one + 's'}"
 
 
 def bracket(low: Fraction, high: Fraction) -> str:

@@ -193,9 +193,19 @@ class Planes:
         return tuple(tuple(members) for members in classes.values())
 
     @cached_property
+    def firsts(self) -> tuple[int, ...]:
+        """The first plane of each class of coincident planes, by number."""
+        return tuple(members[0] for members in self.distinct)
+
+    @cached_property
+    def distinct_planes(self) -> tuple[IntegerVector, ...]:
+        """The first plane of each class of coincident planes, as in `integer_planes`."""
+        return tuple(self._integer_planes[first] for first in self.firsts)
+
+    @cached_property
     def orientation(self) -> tuple[int, ...]:
         """For each plane, +1 if it is oriented like the first plane of its class, else -1."""
-        first = [self._integer_planes[members[0]] for members in self.distinct]
+        first = self.distinct_planes
         return tuple(
             1 if plane == first[label] else -1
             for plane, label in zip(self._integer_planes, self.class_of, strict=True)
@@ -248,7 +258,7 @@ class Planes:
         >>> Planes(through_a_point).is_simple, Planes(through_a_point, [1, 1, 2]).is_simple
         (True, False)
         """
-        planes = [self._integer_planes[members[0]] for members in self.distinct]
+        planes = self.distinct_planes
         size = min(self.dimension, len(planes))
         if any(rank([p[:-1] for p in chosen]) < size for chosen in combinations(planes, size)):
             return False

@@ -1,28 +1,39 @@
-"""What packages above this one announce in entry points: files, tables, instances, displays.
+"""What lies above a module and is looked up by name: kinds of files, instances, notebook pages.
 
-So a value finds what draws it, and a reader its formats, without an import of what lies above.
+Nothing is imported before it is used, and a package that is absent adds nothing.
 """
 
 from __future__ import annotations
 
 import html
+from collections.abc import Mapping
+from importlib import import_module
+from importlib.util import find_spec
 from typing import Any
 
+#: What packages add: for each kind the names, and where the function behind each is.
+_ADDED: Mapping[str, Mapping[str, str]] = {
+    # Keys that tell the kind of a document, and functions from a document to an `Arrangement`.
+    "documents": {"contacts": "equilibrium.io.files:tangential_arrangement"},
+    # Functions from a text to an `Arrangement`, or to None where it is no such table.
+    "tables": {"contacts": "equilibrium.inputs.csv_file:tangential_arrangement"},
+    # Functions that return built-in documents by name.
+    "instances": {
+        "arrangement": "arrangement.library.instances:paths",
+        "equilibrium": "equilibrium.instances:paths",
+    },
+}
 
-def announced(group: str) -> Any:
-    """Return the entry points of the group ``slipstates.<group>``."""
-    from importlib.metadata import entry_points
 
-    return entry_points(group=f"slipstates.{group}")
+def added(kind: str) -> dict[str, str]:
+    """Return what the packages that are there add of a kind: names, for `named`."""
+    return {key: place for key, place in _ADDED[kind].items() if find_spec(place.split(".")[0])}
 
 
-def display(name: str, value: object) -> str | None:
-    """Return what a notebook shows of a value, by the function of this name in ``displays``.
-
-    None where there is none, or where that function shows nothing.
-    """
-    found = announced("displays").select(name=name)
-    return next((point.load()(value) for point in found), None)
+def named(place: str) -> Any:
+    """Return what a text such as ``package.module:function`` names."""
+    module, _, name = place.partition(":")
+    return getattr(import_module(module), name)
 
 
 class InlinePage:
@@ -39,11 +50,3 @@ class InlinePage:
 
     def __repr__(self) -> str:
         return f"<InlinePage of {len(self.text)} characters, which a notebook shows>"
-
-
-def inline_page(name: str, value: object) -> InlinePage:
-    """Return the page that the function of this name in ``displays`` makes of a value."""
-    text = display(name, value)
-    if text is None:
-        raise LookupError(f"nothing in slipstates.displays is called {name}")
-    return InlinePage(text)

@@ -85,7 +85,7 @@ def distances(planes: Planes, regions: FaceSequence, base: Face) -> list[int]:
             f"the base is {shown(base)}; give a region of these planes, one of `regions()` or "
             "`region_at(point)`"
         )
-    first = [members[0] for members in planes.distinct]
+    first = list(planes.firsts)
     apart = regions.signs[:, first] != np.array(base.signs, np.int8)[first]
     found: list[int] = apart.sum(axis=1).tolist()
     return found
@@ -126,7 +126,7 @@ def walls(planes: Planes, faces: FaceSequence) -> list[list[int]]:
 
 def simplicial_regions(planes: Planes, faces: FaceSequence) -> FaceSequence:
     """Return the regions whose facets have independent normals."""
-    normals = [planes.integer_planes[members[0]][:-1] for members in planes.distinct]
+    normals = [plane[:-1] for plane in planes.distinct_planes]
     simplicial = [
         len(classes) <= planes.rank and rank([normals[k] for k in classes]) == len(classes)
         for classes in walls(planes, faces)

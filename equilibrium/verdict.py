@@ -16,7 +16,7 @@ from functools import cached_property
 from typing import Any
 
 from arrangement.exact import RationalVector, to_text, vector_text
-from arrangement.plugins import display
+from arrangement.plugins import named
 from arrangement.progress import watched
 from arrangement.short_repr import Shown
 
@@ -124,7 +124,8 @@ class Verdict:
 
     def _repr_html_(self) -> str | None:
         """What a notebook shows: every equilibrium with its forces."""
-        return display("verdict-html", self)
+        text: str | None = named("equilibrium.draw.notebook:verdict_html")(self)
+        return text
 
 
 def solve(

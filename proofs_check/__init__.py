@@ -3,7 +3,8 @@
 The names below are loaded when first used; `__init__.pyi` is their one list.
 """
 
-from arrangement import __version__ as __version__
-from arrangement.lazy_names import attach_stub
+import lazy_loader
 
-__getattr__, __dir__, __all__ = attach_stub(__name__, __file__)
+from arrangement import __version__ as __version__
+
+__getattr__, __dir__, __all__ = lazy_loader.attach_stub(__name__, __file__)

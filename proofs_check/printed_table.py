@@ -33,7 +33,7 @@ from arrangement.library.census import MOST_PLANES, census
 from arrangement.library.census.chirotopes import Signs, chirotope_of, extended
 from arrangement.library.census.codes import canonical
 from arrangement.library.census.extensions import extensions
-from arrangement.library.making import FAMILIES, family
+from arrangement.library.families import FAMILIES
 
 _COLUMNS = ("arrangement", "quantity", "printed")
 _GROUPING = re.compile(r"(?<=[0-9])[,'_\u2009\u202f](?=[0-9]{3})")
@@ -126,11 +126,11 @@ def _single(numbers: tuple[int, ...], text: str) -> int:
 
 
 def _arrangement(kind: str, rest: str, subject: str) -> Arrangement:
-    if kind not in FAMILIES or (not rest and inspect.signature(family(kind)).parameters):
+    if kind not in FAMILIES or (not rest and inspect.signature(FAMILIES[kind]).parameters):
         return read_arrangement(subject)
     values = dict(word.partition("=")[::2] for word in rest.split())
     try:
-        bound = inspect.signature(family(kind)).bind(
+        bound = inspect.signature(FAMILIES[kind]).bind(
             **{
                 k: int(v) if re.fullmatch(r"[0-9]{1,9}", v, re.ASCII) else v
                 for k, v in values.items()
@@ -138,7 +138,7 @@ def _arrangement(kind: str, rest: str, subject: str) -> Arrangement:
         )
     except TypeError as error:
         raise InputError(f"{shown(subject)}: {error}; write {kind} parameter=value ...") from None
-    return family(kind)(*bound.args, **bound.kwargs)
+    return FAMILIES[kind](*bound.args, **bound.kwargs)
 
 
 def _number(rest: str) -> int:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import importlib
-import inspect
 from pathlib import Path
 from typing import Any
 
@@ -36,7 +35,7 @@ def scene_of(drawings: Drawings, view: str, **options: Any) -> Scene:
     module, _, name = drawings.views[view].partition(":")
     draw = getattr(importlib.import_module(f"{drawings.package}.{module}"), name)
     subject = SUBJECTS[drawings.package]
-    made: Scene = inspect.unwrap(draw)(subject, **OPTIONS.get(view, {}), **options)
+    made: Scene = draw.scene(subject, **OPTIONS.get(view, {}), **options)
     return made
 
 

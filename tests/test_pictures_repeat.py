@@ -33,7 +33,7 @@ def draw(name, drawings, read, view):
     drawing = getattr(importlib.import_module(f"{drawings.package}.{module}"), function)
     with own_settings():
         try:
-            scene = inspect.unwrap(drawing)(read(name), **NEEDED.get(view, {}))
+            scene = drawing.scene(read(name), **NEEDED.get(view, {}))
         except InputError:
             return
         contents = {".tex": tikz(scene).encode()}

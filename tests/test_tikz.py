@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import importlib
-import inspect
 from collections.abc import Iterator
 from contextlib import suppress
 from pathlib import Path
@@ -50,7 +49,7 @@ def scene(drawings: Drawings, view: str, name: str, **options: Any) -> Scene:
     draw = getattr(importlib.import_module(f"{drawings.package}.{module}"), function)
     read: Any = read_arrangement if drawings is OF_PLANES else read_grasp
     with own_settings():
-        made: Scene = inspect.unwrap(draw)(read(name), **NEEDED.get(view, {}), **options)
+        made: Scene = draw.scene(read(name), **NEEDED.get(view, {}), **options)
     return made
 
 

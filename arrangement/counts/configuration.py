@@ -37,7 +37,7 @@ def configuration(arrangement: Planes) -> Configuration:
     The coordinates kept are the pivot columns. Leaving out the others is injective on the span,
     so every dependency stays as it is, and no entry grows.
     """
-    planes = [arrangement.integer_planes[members[0]] for members in arrangement.distinct]
+    planes = arrangement.distinct_planes
     if arrangement.is_central:
         vectors = [plane[:-1] for plane in planes]
     else:

@@ -35,7 +35,7 @@ def f_vector_in_cone(planes: Planes, inequalities: Sequence[IntegerVector]) -> t
     missing = planes.dimension + 1
     if not _meets(cone, inequalities):
         return (0,) * missing
-    normals = [planes.integer_planes[members[0]][:-1] for members in planes.distinct]
+    normals = [plane[:-1] for plane in planes.distinct_planes]
     masks: list[tuple[int, ...]] = [(0,)]
     covers: list[tuple[tuple[int, ...], ...]] = []
     cones = [cone]

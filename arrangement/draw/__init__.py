@@ -4,6 +4,6 @@ The topology of every picture is exact; only coordinates on paper are floats. A 
 is the same byte for byte.
 """
 
-from arrangement.lazy_names import attach_stub
+import lazy_loader
 
-__getattr__, __dir__, __all__ = attach_stub(__name__, __file__)
+__getattr__, __dir__, __all__ = lazy_loader.attach_stub(__name__, __file__)

@@ -13,6 +13,8 @@ import numpy as np
 from arrangement.arrangement import Arrangement
 from arrangement.errors import InputError
 from arrangement.exact import shown
+from arrangement.linear import cycle_edges
+from arrangement.number_form import counted
 from arrangement.polyhedra.cells import Cell, Cells, cut_cells
 
 from .axes import StagedAxes
@@ -26,7 +28,7 @@ from .globe import Floats, picture_axes, view_direction
 from .measuring import checked_width
 from .models import centroid
 from .page import equation
-from .painting import Stage, edges_of, unit_points, walls_of_edges
+from .painting import Stage, unit_points, walls_of_edges
 from .planenames import Names
 from .planesheet import PlanesSheet
 from .regionlabels import RegionLabels
@@ -129,14 +131,14 @@ def cells_page(
     Raises:
         InputError: rank above 3, too many planes or cells, a bad factor.
     """
-    number = f"{len(arrangement)} plane{'' if len(arrangement) == 1 else 's'}"
+    number = counted(len(arrangement), "plane")
     note, arrangement = caption(arrangement, 3), brought(arrangement, "cells")
     cells = _cells(arrangement, "cube", centre, radius, explode)
     towards = clear_sight(cells) if direction is None else view_direction(direction)
     points = unit_points(cells)
     tree, told = [Branch((0, 0, 1))], []
     regions = {face.signs: face for face in arrangement.regions()}
-    firsts = [arrangement.integer_planes[members[0]] for members in arrangement.distinct]
+    firsts = arrangement.distinct_planes
     for k, cell in enumerate(cells.cells):
         leaf = _leaf(tree, [plane[:3] for plane in firsts], cell.sides)
         tree[leaf].faces += _faces(points, cell, k)
@@ -205,7 +207,7 @@ def _faces(points: Floats, cell: Cell, number: int) -> list[Face]:
     found = []
     for face, wall in zip(cell.faces, cell.walls, strict=True):
         corners = points[list(face)]
-        edges = [points[[a, b]] for a, b in edges_of(face) if sharp(*walls[a, b], smooth=False)]
+        edges = [points[[a, b]] for a, b in cycle_edges(face) if sharp(*walls[a, b], smooth=False)]
         normal = np.cross(corners[1] - corners[0], corners[2] - corners[0])
         fill = SKIN if wall < 0 else pale(fill_colour(wall))
         lines = np.array(edges).reshape(-1, 2, 3)

@@ -125,7 +125,7 @@ def symmetry(arrangement: Planes) -> Symmetry | None:
     Small: the identity and one more map at most, up to sign; one mirror alone says too little about
     good coordinates. In rank 2 the common line of the planes counts as one more normal.
     """
-    firsts = [arrangement.integer_planes[members[0]][:3] for members in arrangement.distinct]
+    firsts = [plane[:3] for plane in arrangement.distinct_planes]
     if arrangement.rank == 2:
         firsts.append(primitive(cross(firsts[0], firsts[1])))
     elif arrangement.rank < 2:

@@ -8,7 +8,6 @@ refuses what cannot be brought there by naming the views that can show it.
 from __future__ import annotations
 
 import functools
-import inspect
 from collections.abc import Callable, Sequence
 from typing import Concatenate, ParamSpec
 
@@ -77,8 +76,6 @@ def shown_as(
                 scene.legend.captions.append(text)
             return scene
 
-        del draw.__wrapped__  # what `inspect.unwrap` finds is this function
-        draw.__signature__ = inspect.signature(view)  # type: ignore[attr-defined]
         return draw
 
     return decorate

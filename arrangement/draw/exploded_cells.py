@@ -16,10 +16,11 @@ from typing import Any
 import numpy as np
 
 from arrangement.errors import InputError
+from arrangement.linear import cycle_edges
 from arrangement.polyhedra.cells import Cell
 
 from .globe import Floats
-from .painting import Stage, edges_of, walls_of_edges
+from .painting import Stage, walls_of_edges
 
 #: How far a cell of central planes moves; the body has radius 1.
 LIFT = 0.6
@@ -60,7 +61,7 @@ class Lifted:
 
     def outlines(self) -> Iterator[Floats]:
         """Yield the visible edges between two walls, and the contour, as segments (2, 3)."""
-        faces = {e: k for k, face in enumerate(self.cell.faces) for e in edges_of(face)}
+        faces = {e: k for k, face in enumerate(self.cell.faces) for e in cycle_edges(face)}
         walls = walls_of_edges(self.cell)
         seen = set(self.visible)
         for (a, b), k in faces.items():
@@ -80,7 +81,7 @@ class Lifted:
         for k in self.visible:
             wall = self.cell.walls[k]
             group = groups.setdefault(-1 if one_skin and wall < 0 else wall, set())
-            group.update(edges_of(self.cell.faces[k]))
+            group.update(cycle_edges(self.cell.faces[k]))
         return [self.points[loop] for group in groups.values() if (loop := _loop(group))]
 
     @cached_property

@@ -26,7 +26,7 @@ _PIXELS = 256
 def picture(view: Callable[P, Scene]) -> Callable[P, Figure]:
     """Return a view as a function that draws its scene, with its legend, as a matplotlib figure.
 
-    The view itself stays within reach, for other writers: ``inspect.unwrap(draw_sphere)``.
+    The view itself stays within reach, for other writers: ``draw_sphere.scene``.
     """
 
     @functools.wraps(view)
@@ -34,6 +34,7 @@ def picture(view: Callable[P, Scene]) -> Callable[P, Figure]:
         return figure(laid_out(view(*args, **options)))
 
     draw.__annotations__ = {**view.__annotations__, "return": "Figure"}
+    draw.scene = view  # type: ignore[attr-defined]
     return draw
 
 

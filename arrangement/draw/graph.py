@@ -178,7 +178,7 @@ class _Picture:
         thick = float(np.clip(0.75 * self.size, 0.3, 1.5))
         for e, (_, _, c) in enumerate(graph.edges):
             scene.line(self.segments[e], ec=plane_colour(c), lw=thick, zorder=3, gid=f"edge-{e}")
-        firsts = [members[0] for members in self.arrangement.distinct]
+        firsts = self.arrangement.firsts
         for v, place in enumerate(self.places):
             odd = sum(graph.signs[v][k] < 0 for k in firsts) % 2
             scene.marker(

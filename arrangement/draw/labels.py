@@ -10,6 +10,8 @@ from typing import Any, TypeAlias
 import numpy as np
 import numpy.typing as npt
 
+from arrangement import number_form
+
 from .items import Box, Floats, Place
 from .scene import Scene
 
@@ -22,7 +24,7 @@ HAIR = "\u200a"
 
 def sign_text(signs: Sequence[int]) -> str:
     """Return a sign vector as text: true minus signs, a hair apart."""
-    return HAIR.join("+" if sign > 0 else "\u2212" if sign < 0 else "0" for sign in signs)
+    return HAIR.join(number_form.sign_text(signs, "\u2212"))
 
 
 def flattened(curve: Floats, steps: int = 24) -> Floats:

@@ -10,6 +10,7 @@ import numpy as np
 from arrangement.arrangement import Arrangement
 from arrangement.counts import Flat, IntersectionLattice, intersection_lattice
 from arrangement.errors import InputError
+from arrangement.number_form import counted
 
 from .disc import plane_names
 from .essential import RAISED
@@ -102,7 +103,7 @@ class _Picture:
 
     def _margin(self, rank: int) -> str:
         flats = self.lattice.flats[rank]
-        text = f"rank {rank}\n{len(flats)} flat{'s' * (len(flats) > 1)}"
+        text = f"rank {rank}\n{counted(len(flats), 'flat')}"
         if self.moebius:
             total = sum(self.lattice.moebius[flat] for flat in flats)
             text += f"\n\u03a3\u03bc = {_signed(total)}"

@@ -10,6 +10,7 @@ import numpy as np
 from arrangement.arrangement import Arrangement
 from arrangement.errors import InputError, refusal
 from arrangement.exact import shown
+from arrangement.number_form import counted
 
 from .axes import arrow
 from .colours import BLUE, PALETTE, VERMILION, Colouring, DrawnRegion, Painter, colouring
@@ -136,7 +137,7 @@ class _Sheet:
             count, rest = len(self.chart.bounded), len(self.regions) - len(self.chart.bounded)
             style = {"ec": "black", "lw": 0.5}
             if count:
-                text = f"{count} bounded region{'s' * (count > 1)}"
+                text = counted(count, "bounded region")
                 legend.key(swatch(_BOUNDED, **style), text)
             legend.key(swatch(_UNBOUNDED, **style), f"{rest} unbounded")
         explain_regions(self.scene, self.colours, self.names, self.regions)

@@ -8,6 +8,7 @@ from arrangement.arrangement import Arrangement
 from arrangement.errors import InputError
 from arrangement.exact import shown
 from arrangement.io.meshes import Floats, Part, model_bytes, triangles
+from arrangement.number_form import counted
 from arrangement.polyhedra.cells import Cell, Cells, cut_cells
 from arrangement.polyhedra.dual import dual_polyhedron
 from arrangement.polyhedra.dual.mesh import content
@@ -91,7 +92,7 @@ def cells_model(
     cells = cut_cells(arrangement, body, centre, radius)
     points = unit_points(cells) * half
     parts = [_part(cells, cell, points, explode - 1, paint) for cell in cells.cells]
-    kind = "one cell" if len(parts) == 1 else f"{len(parts)} cells"
+    kind = counted(len(parts), "cell")
     return model_bytes(parts, suffix, f"{kind} of an arrangement in a {body}")
 
 

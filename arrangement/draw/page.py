@@ -14,6 +14,7 @@ from arrangement.arrangement import Arrangement
 from arrangement.enumeration.great_circles import SphereArrangement
 from arrangement.errors import InputError, refusal
 from arrangement.exact import IntegerVector, shown, to_text
+from arrangement.number_form import counted, sign_text
 from arrangement.polyhedra.dual.incidence import dual_incidence
 
 from .coordinates import CHOICES, even_map, is_narrow, symmetric_map
@@ -25,7 +26,6 @@ from .registry import Vector
 #: Distinct planes beyond which a page is too slow to turn by hand.
 MAX_CIRCLES = 30
 COLOURINGS = ("sides", "signs", "parity", "none")
-_SYMBOLS = {1: "+", -1: "-"}
 
 
 def arrangement_page(
@@ -124,12 +124,12 @@ def _integers(vectors: Any) -> list[IntegerVector]:
 
 def _heading(arrangement: Arrangement) -> str:
     number = len(arrangement)
-    return f"Arrangement of {number} plane{'' if number == 1 else 's'}"
+    return f"Arrangement of {counted(number, 'plane')}"
 
 
 def _summary(arrangement: Arrangement) -> str:
     number, distinct = len(arrangement), len(arrangement.distinct)
-    planes = f"{number} plane{'' if number == 1 else 's'} through the origin"
+    planes = f"{counted(number, 'plane')} through the origin"
     same = f", {distinct} of them distinct" if distinct < number else ""
     return "; ".join(
         filter(None, (f"{planes}{same}", f"rank {arrangement.rank}", caption(arrangement, 3)))
@@ -185,7 +185,7 @@ def _arc(sphere: SphereArrangement, arc: int) -> dict[str, Any]:
 def _region(sphere: SphereArrangement, region: int) -> dict[str, Any]:
     witness = sphere.region_witness(region)
     return {
-        "signs": "".join(_SYMBOLS[sign] for sign in sphere.region_signs(region)),
+        "signs": sign_text(sphere.region_signs(region)),
         "witness": _exact(witness),
         "inside": _unit(witness),
         "boundary": sphere.incidence.boundary(region).tolist() if sphere.rank else [],

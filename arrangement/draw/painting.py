@@ -19,6 +19,7 @@ import numpy as np
 import numpy.typing as npt
 
 from arrangement.exact import IntegerVector, dot, sign
+from arrangement.linear import cycle_edges
 from arrangement.planes import Planes
 from arrangement.polyhedra.cells import Cell, Cells
 
@@ -149,7 +150,7 @@ def _facets_below(cell: Cell) -> list[Facet]:
         return []
     walls = walls_of_edges(cell)
     return [
-        Facet(wall, sides, face, tuple(min(walls[edge]) < 0 for edge in edges_of(face)))
+        Facet(wall, sides, face, tuple(min(walls[edge]) < 0 for edge in cycle_edges(face)))
         for wall, sides, face in found
     ]
 
@@ -159,11 +160,6 @@ def walls_of_edges(cell: Cell) -> Mapping[tuple[int, int], tuple[int, int]]:
     own = {
         edge: wall
         for face, wall in zip(cell.faces, cell.walls, strict=True)
-        for edge in edges_of(face)
+        for edge in cycle_edges(face)
     }
     return {(a, b): (wall, own[b, a]) for (a, b), wall in own.items()}
-
-
-def edges_of(face: tuple[int, ...]) -> list[tuple[int, int]]:
-    """Return the directed edges of a cycle."""
-    return list(zip(face, (*face[1:], face[0]), strict=True))

@@ -1,14 +1,12 @@
 """One registry of drawings for each package, and what both do with it: write files, take options.
 
 A view is one function in one file of the package ``draw``, and one line in its registry. Its
-options are its keyword-only parameters: names, types and explanations are read from its source, so
-that nothing is imported until it is drawn. No module here knows any view.
+options are its keyword-only parameters, with their annotations and what the docstring says of them.
+No module here knows any view.
 """
 
 from __future__ import annotations
 
-import ast
-import importlib
 import inspect
 import math
 import os
@@ -16,13 +14,13 @@ from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
 from functools import cache
-from importlib.resources import files
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, TypeAlias
 
 from arrangement.errors import InputError, refusal
 from arrangement.exact import shown
 from arrangement.io.writing import write_bytes_atomically, write_text_atomically
+from arrangement.plugins import named
 
 from .output import (
     LEGENDS,
@@ -53,7 +51,7 @@ AxisNames: TypeAlias = str | bool
 
 @dataclass(frozen=True)
 class Option:
-    """A keyword-only parameter of a view, as its source has it.
+    """A keyword-only parameter of a view.
 
     Attributes:
         kind: the annotation without ``| None`` and without `Iterable`.
@@ -166,7 +164,7 @@ class Drawings:
 
             def scene() -> Scene:
                 try:
-                    made: Scene = inspect.unwrap(draw)(subject, **options)
+                    made: Scene = draw.scene(subject, **options)
                 except NarrowError as error:
                     if options["width"] == width:
                         raise
@@ -206,8 +204,10 @@ class Drawings:
         for needed in found.values():
             if needed.required and needed.name not in options:
                 raise InputError(f"the {kind} {name} needs {needed.name}; give at least one")
-        module, _, function = known[name].partition(":")
-        return getattr(importlib.import_module(f"{self.package}.{module}"), function)
+        return self._named(kind, name)
+
+    def _named(self, kind: str, name: str) -> Any:
+        return named(f"{self.package}.{getattr(self, f'{kind}s')[name]}")
 
     def target(
         self, path: str | os.PathLike[str], view: str | None = None, model: str | None = None
@@ -237,7 +237,7 @@ class Drawings:
 
     def options(self, kind: str, name: str) -> dict[str, Option]:
         """Return the options of a view, model or page by name."""
-        return _options(self.package, *getattr(self, f"{kind}s")[name].split(":"))
+        return _options(self._named(kind, name))
 
 
 def write_scene(
@@ -300,22 +300,18 @@ def _check_form(
 
 
 @cache
-def _options(package: str, module: str, name: str) -> dict[str, Option]:
-    tree = ast.parse(files(package).joinpath(f"{module}.py").read_text(encoding="utf-8"))
-    found = next(x for x in tree.body if isinstance(x, ast.FunctionDef) and x.name == name)
-    texts = _explained(ast.get_docstring(found) or "")
+def _options(view: Callable[..., Any]) -> dict[str, Option]:
+    texts = _explained(inspect.getdoc(view) or "")
     options = {}
-    for argument, default in zip(found.args.kwonlyargs, found.args.kw_defaults, strict=True):
-        annotation = argument.annotation
-        kind = ast.unparse(annotation).split(" | ")[0] if annotation else "str"
+    for name, parameter in inspect.signature(view).parameters.items():
+        if parameter.kind is not parameter.KEYWORD_ONLY:
+            continue
+        kind = parameter.annotation.split(" | ")[0]
         if many := kind.startswith("Iterable["):
             kind = kind.removeprefix("Iterable[").removesuffix("]")
-        text = texts.get(argument.arg, "")
-        number = default.value if isinstance(default, ast.Constant) else None
-        options[argument.arg] = Option(
-            argument.arg, kind, many, default is None,
-            number if isinstance(number, float) else math.nan, text,
-        )  # fmt: skip
+        needed = parameter.default is parameter.empty
+        number = parameter.default if isinstance(parameter.default, float) else math.nan
+        options[name] = Option(name, kind, many, needed, number, texts.get(name, ""))
     return options
 
 

@@ -42,7 +42,7 @@ _PLUS = np.uint64(0x5555_5555_5555_5555)
 
 def list_faces(planes: Planes) -> tuple[Level, ...]:
     """Return the faces of dimension 0, 1, ..., d."""
-    first = [planes.integer_planes[members[0]] for members in planes.distinct]
+    first = planes.distinct_planes
     d, m = planes.dimension, len(planes)
     if planes.is_central:
         vectors = [plane[:-1] for plane in first]

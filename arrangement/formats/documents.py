@@ -11,9 +11,8 @@ powers 1, a, a^2, ... of the root that it names (here the golden ratio)::
     {"schema_version": 1, "planes": [["1", ["0", "1"]]],
      "field": {"minimal_polynomial": ["-1", "-1", "1"], "interval": ["1", "2"]}}
 
-Packages above this one announce further kinds of document that stand for an
-arrangement in the entry-point group ``slipstates.documents`` (name: the key that tells the kind;
-value: a function from the document to an `Arrangement`).
+Packages above this one add further kinds of document that stand for an arrangement
+(`arrangement.plugins`).
 """
 
 from __future__ import annotations
@@ -26,7 +25,7 @@ from arrangement.errors import InputError
 from arrangement.exact import rational_vector
 from arrangement.io.files import check_document, check_keys, check_list, kind_of
 from arrangement.number_field import NumberField
-from arrangement.plugins import announced
+from arrangement.plugins import added, named
 
 #: Of a document of the kind "planes"; the first two are needed.
 KEYS = ("schema_version", "planes", "offsets", "dimension", "description", "field")
@@ -40,12 +39,11 @@ def arrangement_of(document: Any, name: str) -> Arrangement:
     Raises:
         InputError: for anything that is not exactly a valid document.
     """
-    readers: dict[str, Callable[[], Callable[[Mapping[str, Any]], Arrangement]]]
-    readers = {point.name: point.load for point in announced("documents")}
-    readers["planes"] = lambda: _planes
-    found = check_document(document, readers, name)
-    kind = next(key for key in readers if key in found)
-    return readers[kind]()(found)
+    others = added("documents")
+    found = check_document(document, ["planes", *others], name)
+    kind = next((key for key in others if key in found), None)
+    read: Callable[[Mapping[str, Any]], Arrangement] = named(others[kind]) if kind else _planes
+    return read(found)
 
 
 def _planes(document: Mapping[str, Any]) -> Arrangement:

@@ -11,11 +11,10 @@ from typing import TYPE_CHECKING
 
 from arrangement import counts
 from arrangement.arrangement import Arrangement
+from arrangement.number_form import sign_text
 
 if TYPE_CHECKING:
     import networkx as nx
-
-_SYMBOLS = {1: "+", 0: "0", -1: "-"}
 
 
 def dual(arrangement: Arrangement) -> nx.Graph[int]:
@@ -26,7 +25,7 @@ def dual(arrangement: Arrangement) -> nx.Graph[int]:
     number = {region: k for k, region in enumerate(regions)}
     graph: nx.Graph[int] = nx.Graph()
     for region, k in number.items():
-        graph.add_node(k, label="".join(_SYMBOLS[sign] for sign in region.signs))
+        graph.add_node(k, label=sign_text(region.signs))
     for one, other, planes in regions.edges(data="planes"):
         graph.add_edge(number[one], number[other], label=" ".join(map(str, planes)))
     return graph

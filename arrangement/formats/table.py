@@ -13,7 +13,7 @@ from arrangement.errors import InputError
 from arrangement.exact import shown
 from arrangement.io.files import Source, parse_json, read_text
 from arrangement.io.writing import document_text
-from arrangement.plugins import announced
+from arrangement.plugins import added, named
 
 from . import chirotope, christ, documents, graphs, macaulay2, matrix, oscar, polymake, sage
 from .form import Format
@@ -100,7 +100,7 @@ def read_with_rest(source: str | os.PathLike[str]) -> tuple[Arrangement, str]:
     text, name = read_text(source)
     form = _form_of(text, Path(source).suffix.lower())
     if not form.recognises(text) and not text.lstrip().startswith(("{", "[")):
-        tables = (point.load()(text) for point in announced("tables"))
+        tables = (named(place)(text) for place in added("tables").values())
         if (table := next((x for x in tables if x is not None), None)) is not None:
             return cast(Arrangement, table), ""
     if form.name == "json":

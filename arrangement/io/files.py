@@ -5,8 +5,7 @@ such as ``"7/3"`` and ``"-0.25"``; a float is refused, because its decimal text 
 value differ. Nothing from a file is ever evaluated. Every refusal is an `InputError` that says
 where, what, and the rule.
 
-Packages announce built-in documents in the entry-point group ``slipstates.instances`` (value: a
-module whose ``paths()`` gives files by name).
+Built-in documents are those that the packages add (`arrangement.plugins`).
 """
 
 from __future__ import annotations
@@ -22,7 +21,7 @@ from typing import TYPE_CHECKING, Any, BinaryIO, TypeAlias
 
 from arrangement.errors import InputError
 from arrangement.exact import MAX_TEXT_LENGTH, integer, shown
-from arrangement.plugins import announced
+from arrangement.plugins import added, named
 
 from .writing import reason
 
@@ -117,14 +116,14 @@ def described(kind: str) -> dict[str, str]:
 def instances() -> dict[str, Traversable]:
     """Return every built-in document by name, in alphabetical order."""
     found: dict[str, Traversable] = {}
-    for point in announced("instances"):
-        found.update(point.load().paths())
+    for place in added("instances").values():
+        found.update(named(place)())
     return dict(sorted(found.items()))
 
 
 def _built_in(name: str) -> Traversable | None:
     """Look a name up in one package after the other, loading no more of them than needed."""
-    tables = (point.load().paths() for point in announced("instances"))
+    tables = (named(place)() for place in added("instances").values())
     return next((table[name] for table in tables if name in table), None)
 
 

@@ -20,6 +20,7 @@ import numpy.typing as npt
 
 from arrangement.errors import ArrangementError, InputError
 from arrangement.exact import shown
+from arrangement.linear import cycle_edges
 
 Floats = npt.NDArray[np.float64]
 Triangles = npt.NDArray[np.int64]
@@ -121,7 +122,7 @@ def volume(points: Floats, faces: Sequence[tuple[int, ...]]) -> float:
 
 def _is_closed(faces: Sequence[tuple[int, ...]]) -> bool:
     """Whether every directed edge occurs once, and its reverse too."""
-    edges = [e for f in faces for e in zip(f, (*f[1:], f[0]), strict=True)]
+    edges = [e for f in faces for e in cycle_edges(f)]
     known = set(edges)
     return bool(faces) and len(known) == len(edges) and all((b, a) in known for a, b in edges)
 

@@ -1,5 +1,5 @@
 """Arrangements by name: families with parameters, built-in instances, and the census of types."""
 
-from arrangement.lazy_names import attach_stub
+import lazy_loader
 
-__getattr__, __dir__, __all__ = attach_stub(__name__, __file__)
+__getattr__, __dir__, __all__ = lazy_loader.attach_stub(__name__, __file__)

@@ -1,41 +1,14 @@
-"""Families by name: one line on each, and the options of the command that makes their members.
-
-Names, options and lines are read from the text of the modules of `families`, which are imported
-when a member is made, so that ``--help`` answers at once.
-"""
+"""The command that makes members of families: its options are the parameters of their functions."""
 
 from __future__ import annotations
 
 import argparse
-import ast
-from collections.abc import Callable, Mapping
-from functools import lru_cache
-from importlib import import_module
-from importlib.resources import files
-from inspect import Parameter, cleandoc
-from typing import TYPE_CHECKING
+import inspect
+from inspect import Parameter
 
 from arrangement.io.writing import document_text
 
-if TYPE_CHECKING:
-    from arrangement.arrangement import Arrangement
-
-_IN_MODULES = (
-    ("classical", "generic pencil near_pencil coordinate braid type_b type_d"),
-    ("root_systems", "coxeter"),
-    ("classical", "h3 h4 perles"),
-    ("polygons", "regular"),
-    ("deformations", "shi catalan linial semiorder ish ish_b"),
-    ("graphs", "graphical bigraphical signed_graphical"),
-    ("combinatorial", "resonance threshold threshold_functions"),
-    ("points", "separations discriminantal"),
-    ("randoms", "random_integer random_degenerate random_sphere"),
-    ("simplicial", "simplicial"),
-)
-#: Name on the command line -> module.
-FAMILIES: Mapping[str, str] = {
-    name.replace("_", "-"): module for module, names in _IN_MODULES for name in names.split()
-}
+from .families import FAMILIES
 
 
 def described() -> dict[str, str]:
@@ -68,47 +41,17 @@ def add_families(parser: argparse.ArgumentParser) -> None:
         made.add_argument("-o", "--output", metavar="PATH", help="a file (default: print it)")
 
 
-def family(name: str) -> Callable[..., Arrangement]:
-    """Return the function that makes the members of a family."""
-    module = import_module(f"{__package__}.families.{FAMILIES[name]}")
-    found: Callable[..., Arrangement] = getattr(module, name.replace("-", "_"))
-    return found
-
-
 def document(arguments: argparse.Namespace) -> str:
     """Return the member that the options ask for, in file form with one plane a line."""
     values = {p.name: getattr(arguments, p.name) for p in _parameters(arguments.family)}
     given = ", ".join(f"{key} = {value}" for key, value in values.items())
-    made = family(arguments.family)(**values).to_dict()
+    made = FAMILIES[arguments.family](**values).to_dict()
     made["description"] = f"{arguments.family}, {given}" if given else arguments.family
     return document_text(made)
 
 
-@lru_cache
-def _functions(module: str) -> dict[str, ast.FunctionDef]:
-    text = files(__package__).joinpath("families", f"{module}.py").read_text(encoding="utf-8")
-    return {
-        found.name: found for found in ast.parse(text).body if isinstance(found, ast.FunctionDef)
-    }
-
-
-def _function(name: str) -> ast.FunctionDef:
-    return _functions(FAMILIES[name])[name.replace("-", "_")]
-
-
 def _parameters(name: str) -> list[Parameter]:
-    given = _function(name).args
-    plain = [None] * (len(given.args) - len(given.defaults)) + list(given.defaults)
-    pairs = zip(given.args + given.kwonlyargs, plain + list(given.kw_defaults), strict=True)
-    return [
-        Parameter(
-            argument.arg,
-            Parameter.KEYWORD_ONLY,
-            default=Parameter.empty if default is None else ast.literal_eval(default),
-            annotation=ast.unparse(argument.annotation) if argument.annotation else "",
-        )
-        for argument, default in pairs
-    ]
+    return list(inspect.signature(FAMILIES[name]).parameters.values())
 
 
 def _usage(parameter: Parameter) -> str:
@@ -134,7 +77,7 @@ def _help(parameter: Parameter) -> str:
 
 def _summary(name: str) -> str:
     """Return the first sentence of the docstring, without its verb."""
-    first = cleandoc(ast.get_docstring(_function(name)) or "").split("\n\n")[0].replace("\n", " ")
+    first = (inspect.getdoc(FAMILIES[name]) or "").split("\n\n")[0].replace("\n", " ")
     return first.removeprefix("Return ").rstrip(".")
 
 

@@ -12,6 +12,7 @@ from dataclasses import dataclass
 from arrangement.enumeration.choose import enumerate_faces
 from arrangement.errors import InputError
 from arrangement.exact import IntegerVector, reduced, shown
+from arrangement.linear import cycle_edges
 from arrangement.planes import Planes
 
 from .body import Body, body_around
@@ -149,7 +150,7 @@ class _Knife:
             if len(kept) > 2:
                 faces.append(kept)
                 walls.append(wall)
-        edges = {edge for face in faces for edge in zip(face, (*face[1:], face[0]), strict=True)}
+        edges = {edge for face in faces for edge in cycle_edges(face)}
         following = {b: a for a, b in edges if (b, a) not in edges}
         lid = [min(following)]
         while following[lid[-1]] != lid[0]:
@@ -159,7 +160,7 @@ class _Knife:
 
     def _clipped(self, face: tuple[int, ...], side: int) -> tuple[int, ...]:
         kept = []
-        for p, q in zip(face, (*face[1:], face[0]), strict=True):
+        for p, q in cycle_edges(face):
             at_p, at_q = side * self.values[p], side * self.values[q]
             if at_p >= 0:
                 kept.append(p)

@@ -6,15 +6,13 @@ import argparse
 from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any
 
-from arrangement.number_form import vector
+from arrangement.number_form import sign_text, vector
 from arrangement.progress import shown
 
 from .arguments import add_command, grasp_of, seconds, show
 
 if TYPE_CHECKING:
     from equilibrium.modes import ContactModes, Slips
-
-_SIGNS = {-1: "-", 0: "0", 1: "+"}
 
 
 def add_commands(commands: Any) -> None:
@@ -65,4 +63,4 @@ def _lines(modes: ContactModes, count: bool) -> Iterator[str]:
 
 
 def _slips(signs: Slips) -> str:
-    return " ".join("s" if s is None else "".join(map(_SIGNS.__getitem__, s)) for s in signs)
+    return " ".join("s" if s is None else sign_text(s) for s in signs)

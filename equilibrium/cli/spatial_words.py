@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any
 
 from arrangement.exact import RationalVector, dot
-from arrangement.number_form import DIGITS, number, vector
+from arrangement.number_form import DIGITS, counted, number, vector
 from equilibrium.certificate.spatial_leaves import SpatialLeaf, spatial_leaves
 from equilibrium.model.pyramid import pyramid_words
 
@@ -30,7 +30,7 @@ def spatial_lines(found: SpatialVerdict) -> Iterator[str]:
         return
     if found.solution is None:
         leaves = found.verify().leaves
-        yield f"not resisted{cones}: proof with {leaves} {'leaf' if leaves == 1 else 'leaves'}"
+        yield f"not resisted{cones}: proof with {counted(leaves, 'leaf', 'leaves')}"
         if leaves <= _MOST and found.certificate:
             for leaf in spatial_leaves(found.grasp, found.certificate.to_dict()["tree"]):
                 yield from _leaf_lines(found.wrench, leaf)

@@ -9,6 +9,7 @@ from typing import TypeAlias
 import numpy as np
 
 from arrangement.draw.items import Floats
+from arrangement.linear import cycle_edges
 
 #: Numbers of points, counter-clockwise seen from outside.
 Cycle: TypeAlias = tuple[int, ...]
@@ -31,7 +32,7 @@ def drawn_edges(
     normals = {}
     for face in faces:
         normal = _normal(points[list(face)])
-        normals.update(dict.fromkeys(edges_of(face), normal))
+        normals.update(dict.fromkeys(cycle_edges(face), normal))
     found = set()
     for (a, b), normal in normals.items():
         other = normals.get((b, a))
@@ -46,7 +47,7 @@ def drawn_edges(
 
 def open_edges(faces: Sequence[Cycle]) -> Iterator[tuple[int, int]]:
     """Yield the edges that have a face on one side only."""
-    every = {edge for face in faces for edge in edges_of(face)}
+    every = {edge for face in faces for edge in cycle_edges(face)}
     return (edge for edge in every if edge[::-1] not in every)
 
 
@@ -72,9 +73,9 @@ def merged(points: Floats, faces: list[Cycle]) -> list[Cycle]:
     """Join neighbouring faces of one plane, where what comes out is convex."""
     normals = {k: _normal(points[list(face)]) for k, face in enumerate(faces)}
     kept = {k: face for k, face in enumerate(faces) if normals[k].any()}
-    owner = {edge: k for k, face in kept.items() for edge in edges_of(face)}
+    owner = {edge: k for k, face in kept.items() for edge in cycle_edges(face)}
     for k in list(kept):
-        waiting = list(edges_of(kept[k])) if k in kept else []
+        waiting = list(cycle_edges(kept[k])) if k in kept else []
         while waiting:
             a, b = waiting.pop()
             j = owner.get((b, a), k)
@@ -84,8 +85,8 @@ def merged(points: Floats, faces: list[Cycle]) -> list[Cycle]:
             if joined is not None:
                 del kept[j]
                 kept[k] = joined
-                owner |= dict.fromkeys(edges_of(joined), k)
-                waiting = list(edges_of(joined))
+                owner |= dict.fromkeys(cycle_edges(joined), k)
+                waiting = list(cycle_edges(joined))
     return list(kept.values())
 
 
@@ -101,11 +102,6 @@ def _joined(
     turns = np.cross(np.roll(steps, 1, axis=0), steps) @ up
     convex = len(set(cycle)) == len(cycle) and (turns > -1e-9).all()
     return tuple(cycle) if convex else None
-
-
-def edges_of(face: Cycle) -> Iterator[tuple[int, int]]:
-    """Return the directed edges of a face."""
-    return zip(face, (*face[1:], face[0]), strict=True)
 
 
 def _normal(corners: Floats) -> Floats:

@@ -19,10 +19,10 @@ from arrangement.draw.registry import Wrench
 from arrangement.errors import InputError
 from arrangement.exact import to_text
 from arrangement.lab.page import FIELDS, LINEAR, RATIONAL
+from arrangement.number_form import counted
 from equilibrium.model.grasp import Grasp, read_wrench
 
 from .layout import layout_of
-from .style import counted
 
 #: Contacts beyond which the pieces are too many for a page.
 MAX_CONTACTS = 8

@@ -19,12 +19,13 @@ from arrangement.draw.depth_tree import Node, depth_tree
 from arrangement.draw.items import Floats
 from arrangement.exact import RationalVector
 from arrangement.io.meshes import volume
+from arrangement.linear import cycle_edges
 from arrangement.polyhedra.surface import Patch
 from equilibrium.model.grasp import Grasp
 from equilibrium.model.outline import Mesh
 
 from .body import Frame, frame_of
-from .body_mesh import convex_hull, drawn_edges, edges_of, merged
+from .body_mesh import convex_hull, drawn_edges, merged
 from .pieces import Arrow, arc, arrow_pieces, flat, segment
 from .screw import Screw
 
@@ -211,7 +212,7 @@ class SolidGrasp:
         points, faces, _ = self.body
         drawn, found = drawn_edges(points, faces, towards), []
         for face in faces:
-            shown = [(points[a], points[b]) for a, b in edges_of(face) if (a, b) in drawn]
+            shown = [(points[a], points[b]) for a, b in cycle_edges(face) if (a, b) in drawn]
             found += flat([points[a] for a in face], "body", shown)
         if not faces and len(self.places) > 1:
             middle = self.places.mean(axis=0)

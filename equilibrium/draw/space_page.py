@@ -15,6 +15,7 @@ from arrangement.draw.registry import Vector, Wrench
 from arrangement.draw.solid_page import Branch, Face, SolidPage
 from arrangement.errors import InputError
 from arrangement.io.meshes import Part, model_bytes
+from arrangement.number_form import counted
 from arrangement.polyhedra.surface import Patch, rounded
 from equilibrium.model.contact import VALUES
 from equilibrium.model.grasp import Grasp
@@ -23,7 +24,7 @@ from .body_mesh import open_edges
 from .pieces import Arrow, head_of
 from .solid_grasp import INKS, SolidGrasp
 from .space_grasp import clear_side, motion_text, solved_in_space
-from .style import CONE_EDGE, CONE_FILL, counted, number, vector, wrench_text
+from .style import CONE_EDGE, CONE_FILL, number, vector, wrench_text
 
 _BODY = "#dfe6ea" + "60"
 #: Radius of the shafts of arrows in a model.

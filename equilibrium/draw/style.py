@@ -43,15 +43,6 @@ def vector(values: Iterable[Fraction | int]) -> str:
     return f"({', '.join(map(number, values))})"
 
 
-def counted(number: int, one: str, many: str = "") -> str:
-    """Return a number with its noun.
-
-    >>> counted(1, "contact"), counted(3, "contact")
-    ('1 contact', '3 contacts')
-    """
-    return f"{number} {one if number == 1 else many or one + 's'}"
-
-
 def wrench_text(wrench: RationalVector, units: Units | None) -> str:
     """Return a wrench as a label, with its units where they are stated.
 

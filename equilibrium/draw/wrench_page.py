@@ -13,11 +13,11 @@ from arrangement.draw.solid_page import Branch, Face, SolidPage
 from arrangement.errors import InputError
 from arrangement.exact import IntegerVector, number_text, primitive
 from arrangement.io.meshes import Part, model_bytes
+from arrangement.number_form import counted
 from arrangement.polyhedra.surface import Patch, facets, rounded
 from equilibrium.model.grasp import Grasp, read_wrench
 
 from .row import read_extent
-from .style import counted
 from .wrench_box import CUT, NAMES, SOLID, WALLS, WrenchBox, box_edges, box_text, wrench_box
 
 

@@ -15,7 +15,8 @@ import arrangement
 from arrangement.exact import RationalVector, rational_vector, shown
 from arrangement.io.files import check_keys, check_list
 from arrangement.io.writing import write_text_atomically
-from arrangement.plugins import InlinePage, display, inline_page
+from arrangement.number_form import counted
+from arrangement.plugins import InlinePage, named
 
 from .contact import IN_SPACE, Contact, contact_of, wrench_at
 from .errors import GraspError
@@ -86,7 +87,7 @@ class Grasp:
         return self._hash
 
     def __repr__(self) -> str:
-        number = f"{len(self)} contact" if len(self) == 1 else f"{len(self)} contacts"
+        number = counted(len(self), "contact")
         return f"<Grasp: {number}>"
 
     def __len__(self) -> int:
@@ -174,11 +175,14 @@ class Grasp:
         Raises:
             InputError: more than 8 contacts, or contacts in space.
         """
-        return inline_page("grasp-lab", self)
+        return InlinePage(named("equilibrium.lab.page:lab_page")(self))
 
     def _repr_svg_(self) -> str | None:
         """Return what a notebook shows: the picture, where matplotlib is installed."""
-        return display("grasp-svg", self) if self.dimension == 2 else None
+        if self.dimension != 2:
+            return None
+        text: str | None = named("equilibrium.draw.notebook:grasp_svg")(self)
+        return text
 
     def to_dict(self) -> dict[str, Any]:
         """Return the file form (see `read_grasp`)."""
@@ -219,7 +223,7 @@ def read_wrench(values: Iterable[Any], dimension: int = 2) -> RationalVector:
     """Return an applied wrench as rationals: ``(f_x, f_y, tau)``, or six numbers in space."""
     wrench = rational_vector(values, "wrench")
     if len(wrench) != (3 if dimension == 2 else 6):
-        entries = "1 entry" if len(wrench) == 1 else f"{len(wrench)} entries"
+        entries = counted(len(wrench), "entry", "entries")
         raise GraspError(
             f"wrench has {entries}; a grasp in {_PLACES[dimension]} takes "
             f"{3 if dimension == 2 else 6}: {_FORCES[dimension]}"

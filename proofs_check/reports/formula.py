@@ -1,108 +1,66 @@
 r"""Formulas in a small part of TeX, as MathML: no script and no font from outside is needed.
 
 The part: letters and numbers, the signs ``+ - = ( ) [ ] , . ; : | / * !``, scripts ``^`` and ``_``,
-groups in braces, ``\frac``, ``\binom``, ``\sqrt``, ``\text{...}``, and the names in `SIGNS`. What
-is read can stand in a LaTeX document as it is: it can do nothing there but print.
+groups in braces, ``\text{...}``, spaces, and the names in `NAMES`. What is read can stand in a
+LaTeX document as it is: it can do nothing there but print.
 """
 
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
-from html import escape
+from xml.etree import ElementTree as ET
 
 from arrangement.errors import InputError
 from arrangement.exact import shown
 
-#: Names that stand for one sign, with the MathML element of the sign.
-_OPERATORS = {
-    "le": "≤", "ge": "≥", "lt": "<", "gt": ">", "ne": "≠", "in": "∈", "times": "×", "cdot": "⋅",
-    "sum": "∑", "prod": "∏", "max": "max", "min": "min", "log": "log", "ldots": "…", "cdots": "⋯",
-    "to": "→", "Rightarrow": "⇒", "iff": "⟺", "neg": "¬", "exists": "∃", "forall": "∀", "{": "{",
-    "}": "}",
-}  # fmt: skip
-_LETTERS = {"chi": "χ", "mu": "μ", "sigma": "σ", "tau": "τ", "pi": "π", "infty": "∞", "ell": "ℓ"}
-SIGNS = {f"\\{name}": ("mo", sign) for name, sign in _OPERATORS.items()}
-SIGNS |= {f"\\{name}": ("mi", sign) for name, sign in _LETTERS.items()}
-_SPACES = {"\\,": "0.17em", "\\;": "0.28em", "\\quad": "1em", "\\qquad": "2em"}
-_LARGE = ("\\sum", "\\prod", "\\max", "\\min")
+NAMES = frozenset(
+    (
+        *("le", "ge", "lt", "gt", "ne", "in", "times", "cdot", "sum", "prod", "max", "min", "log"),
+        *("ldots", "cdots", "to", "Rightarrow", "iff", "neg", "exists", "forall", "chi", "mu"),
+        *("sigma", "tau", "pi", "infty", "ell", "frac", "binom", "sqrt", "quad", "qquad"),
+    )
+)
 _TOKEN = re.compile(
     r"\\text\{[^{}\\$&#%_^~<>]*\}|\\[a-zA-Z]+|\\[{},;]|[0-9]+(?:\.[0-9]+)?|[a-zA-Z]"
     r"|[-+=()\[\],.;:|/*!'^_{}]"
 )
+#: How many parts an element of MathML has; those without an entry have text, or any number.
+_PARTS = {"mfrac": 2, "msub": 2, "msup": 2, "munder": 2, "mover": 2, "msubsup": 3, "munderover": 3}
+_OTHERS = {"math", "mrow", "mn", "mo", "mtext", "mspace", "msqrt"}
 MAX_LENGTH = 400
 
 
 def mathml(text: str) -> str:
-    """Return a formula as a MathML element.
+    """Return a formula as a MathML element, made by latex2mathml.
 
     Raises:
         InputError: what is not in the part of TeX that is read, or longer than `MAX_LENGTH`.
     """
+    from latex2mathml.converter import convert
+
     if len(text) > MAX_LENGTH:
         raise InputError(f"a formula has {len(text)} characters; at most {MAX_LENGTH} are read")
     tokens = _TOKEN.findall(text)
     if "".join(tokens).replace(" ", "") != re.sub(r"\s", "", text):
         raise InputError(f"the formula {shown(text)} has signs that are not read")
-    stream = iter(tokens)
-    row = _row(stream, text, closing=None)
-    return f'<math display="block">{row}</math>'
-
-
-def _row(tokens: Iterator[str], text: str, closing: str | None) -> str:
-    """Read up to the closing brace, or to the end."""
-    parts: list[tuple[str, str]] = []  # (token, element)
     for token in tokens:
-        if token == closing:
-            return f"<mrow>{''.join(element for _, element in parts)}</mrow>"
-        if token in "^_":
-            if not parts:
-                raise InputError(f"the formula {shown(text)} has a {token} with nothing before it")
-            base, element = parts.pop()
-            parts.append(
-                (base, _script(token, base, element, _atom(next(tokens, ""), tokens, text)))
-            )
-        else:
-            parts.append((token, _atom(token, tokens, text)))
-    if closing is not None:
-        raise InputError(f"the formula {shown(text)} has a brace that is not closed")
-    return f"<mrow>{''.join(element for _, element in parts)}</mrow>"
+        name = token.removeprefix("\\")
+        if token != name and name.isalpha() and name not in NAMES:
+            raise InputError(f"the formula {shown(text)} has {token}, which is not read")
+    try:
+        made: str = convert(text, display="block")
+        complete = all(map(_is_whole, ET.fromstring(made).iter()))
+        complete &= tokens.count("{") == tokens.count("}")
+    except Exception:  # the library's errors have no common name
+        complete = False
+    if not complete:
+        raise InputError(f"the formula {shown(text)} is not complete where a term is due")
+    return made.replace(' xmlns="http://www.w3.org/1998/Math/MathML"', "")
 
 
-def _script(sign: str, base: str, element: str, script: str) -> str:
-    """Return an element with a script; one that has the other script gets both."""
-    names = ("munder", "mover", "munderover") if base in _LARGE else ("msub", "msup", "msubsup")
-    low, high, both = names
-    if sign == "^" and element.startswith(f"<{low}>"):
-        return f"<{both}>{element[len(low) + 2 : -len(low) - 3]}{script}</{both}>"
-    name = low if sign == "_" else high
-    return f"<{name}>{element}{script}</{name}>"
-
-
-def _atom(token: str, tokens: Iterator[str], text: str) -> str:
-    def argument() -> str:
-        return _atom(next(tokens, ""), tokens, text)
-
-    if token == "{":
-        return _row(tokens, text, closing="}")
-    if token in SIGNS:
-        name, sign = SIGNS[token]
-        fence = ' stretchy="false"' * (sign in "{}")
-        return f"<{name}{fence}>{escape(sign)}</{name}>"
-    if token in _SPACES:
-        return f'<mspace width="{_SPACES[token]}"></mspace>'
-    if token.startswith("\\text{"):
-        return f"<mtext>{escape(token[6:-1]).replace(' ', chr(0xA0))}</mtext>"
-    if token == "\\frac":
-        return f"<mfrac>{argument()}{argument()}</mfrac>"
-    if token == "\\sqrt":
-        return f"<msqrt>{argument()}</msqrt>"
-    if token == "\\binom":
-        over = f'<mfrac linethickness="0">{argument()}{argument()}</mfrac>'
-        return f"<mrow><mo>(</mo>{over}<mo>)</mo></mrow>"
-    if token and token not in "}^_" and not token.startswith("\\"):
-        name = "mn" if token[0].isdigit() else "mi" if token.isalpha() else "mo"
-        fence = ' stretchy="false"' * (token in "()[]|")
-        fence += ' lspace="0" rspace="0"' * (token == "|")
-        return f"<{name}{fence}>{'−' if token == '-' else token}</{name}>"
-    raise InputError(f"the formula {shown(text)} has {token or 'its end'} where a term is due")
+def _is_whole(element: ET.Element) -> bool:
+    """Return whether an element is one of MathML with its parts; the library makes some without."""
+    name = element.tag.rpartition("}")[2]
+    if name == "mi":
+        return bool(element.text and element.text not in "{}")
+    return len(element) == _PARTS[name] if name in _PARTS else name in _OTHERS

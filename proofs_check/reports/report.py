@@ -12,12 +12,13 @@ from fractions import Fraction
 from typing import Any
 
 from arrangement.exact import to_text
+from arrangement.number_form import counted
 from proofs_check.errors import ClaimError
 from proofs_check.evidence import Evidence, Failure, Part, Record, Result
 from proofs_check.statement import Claim, Kind
 
 from .environment import date, environment
-from .text import numbered, value_text
+from .text import value_text
 
 SCHEMA_VERSION = 1
 
@@ -38,12 +39,12 @@ def evidence_text(result: Result) -> str:
 
 def _part_text(part: Part, seed: int) -> str:
     beyond = f" ({part.passed_over} more outside the hypotheses)" if part.passed_over else ""
-    cases = f"{numbered(part.checked, 'case')}{beyond}"
+    cases = f"{counted(part.checked, 'case')}{beyond}"
     if part.kind is Kind.PROVED:
         return f"proof for any m (docs, Proofs); {cases}: {part.over}"
     if part.kind is Kind.EXHAUSTIVE:
         return f"{'the one case' if part.checked == 1 else f'all {cases}'}: {part.over}"
-    return f"{numbered(part.checked, 'sample')}{beyond}: {part.over}, seed {seed}"
+    return f"{counted(part.checked, 'sample')}{beyond}: {part.over}, seed {seed}"
 
 
 def _disagreement_text(record: Record) -> str:

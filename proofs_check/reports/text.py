@@ -9,7 +9,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from typing import Any
 
 from arrangement.exact import rational
-from arrangement.number_form import number
+from arrangement.number_form import counted, number
 
 Record = Mapping[str, Any]
 _FRACTION = re.compile(r"-?[0-9]+/[1-9][0-9]*", re.ASCII)
@@ -126,9 +126,4 @@ def summary(results: Sequence[Record]) -> str:
     kinds = ", ".join(f"{counts[name]} {name}" for name in sorted(counts))
     different = [result["id"] for result in results if not result["as_expected"]]
     end = f"not as expected: {', '.join(different)}" if different else "all as expected"
-    return f"{numbered(len(results), 'claim')}: {kinds}; {end}"
-
-
-def numbered(count: int, noun: str) -> str:
-    """Return a number with its noun in the right form."""
-    return f"{count} {noun}" if count == 1 else f"{count} {noun}s"
+    return f"{counted(len(results), 'claim')}: {kinds}; {end}"

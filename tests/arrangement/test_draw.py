@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import inspect
 import math
 import re
 import sys
@@ -174,7 +173,7 @@ def test_motions_have_axes_and_other_spaces_when_asked() -> None:
 def test_arrows_point_to_the_positive_side_of_each_plane(name: str) -> None:
     """Both ends of an arrow, taken back to the sphere; a leader line is no arrow."""
     planes = read_arrangement(name)
-    scene = inspect.unwrap(draw_sphere)(planes, direction=VIEW, sides=True, coordinates="given")
+    scene = draw_sphere.scene(planes, direction=VIEW, sides=True, coordinates="given")
     ball = next(item for item in scene.items if item.role == "ball")
     ahead = np.array(VIEW) / np.linalg.norm(VIEW)
     right = np.array([-VIEW[1], VIEW[0], 0.0]) / np.hypot(*VIEW[:2])

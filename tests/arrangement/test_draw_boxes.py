@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import contextlib
 import importlib
-import inspect
 from typing import Any
 
 import numpy as np
@@ -51,7 +50,7 @@ def scene_of(view: str, name: str, **options: Any) -> Scene:
     module, _, function = DRAWINGS.views[view].partition(":")
     draw = getattr(importlib.import_module(f"arrangement.draw.{module}"), function)
     with own_settings():
-        scene: Scene = laid_out(inspect.unwrap(draw)(read_arrangement(name), **options))
+        scene: Scene = laid_out(draw.scene(read_arrangement(name), **options))
     return scene
 
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import inspect
 import json
 import re
 from collections.abc import Callable
@@ -44,7 +43,7 @@ def data_of(page: str) -> dict[str, Any]:
 @pytest.mark.parametrize("name", PLANES)
 @pytest.mark.parametrize("body", ["cube", "ball"])
 def test_some_face_of_every_cell_is_painted(name: str, body: str) -> None:
-    scene: Scene = inspect.unwrap(draw_cells)(PLANES[name], body=body, labels="none")
+    scene: Scene = draw_cells.scene(PLANES[name], body=body, labels="none")
     cells = {item.name for item in scene.items if item.name.startswith("cell-")}
     assert len(cells) == len(PLANES[name].regions())
 

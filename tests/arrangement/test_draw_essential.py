@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import inspect
 import math
 from pathlib import Path
 from typing import Any
@@ -44,7 +43,7 @@ def test_braids_in_four_dimensions_are_drawn_and_the_caption_says_how(
     module, _, name = DRAWINGS.views[view].partition(":")
     if view not in ("lines", "lattice"):
         draw = getattr(__import__(f"arrangement.draw.{module}", fromlist=[name]), name)
-        scene = laid_out(inspect.unwrap(draw)(BRAID))
+        scene = laid_out(draw.scene(BRAID))
         assert isinstance(scene, Scene)
         *_, last = (item.text for item in scene.items if isinstance(item, Label))
         assert last == "essentialisation of an arrangement in R⁴"

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import inspect
 from fractions import Fraction
 from typing import Any
 
@@ -42,7 +41,7 @@ ARRANGEMENTS = st.lists(
 
 
 def scene_of(planes: Arrangement, **options: Any) -> Scene:
-    found: Scene = laid_out(inspect.unwrap(draw_lines)(planes, **options))
+    found: Scene = laid_out(draw_lines.scene(planes, **options))
     return found
 
 
@@ -169,5 +168,5 @@ def test_bad_options_are_refused(options: dict[str, Any], match: str) -> None:
 def test_the_key_of_the_projective_plane_has_the_colours_of_its_regions() -> None:
     """Parts that meet across the rim are one region, with the sides of both."""
     planes = read_arrangement("shi-a2-affine")
-    made = inspect.unwrap(draw_lines)(planes, projective=True, colour="sides")
+    made = draw_lines.scene(planes, projective=True, colour="sides")
     assert [text for _, _, text in made.legend.keys[:2]] == ["3 sides", "4 sides"]

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import importlib
-import inspect
 from pathlib import Path as File
 from typing import Any
 
@@ -28,7 +27,7 @@ def scene_of(drawings: Any, package: str, view: str, subject: Any, **options: An
     module, _, function = drawings.views[view].partition(":")
     draw = getattr(importlib.import_module(f"{package}.draw.{module}"), function)
     with own_settings():
-        scene: Scene = inspect.unwrap(draw)(subject, **options)
+        scene: Scene = draw.scene(subject, **options)
     return scene
 
 

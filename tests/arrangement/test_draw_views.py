@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import inspect
 import math
 from collections import Counter
 from fractions import Fraction
@@ -166,7 +165,7 @@ def test_lattice_has_the_flats_that_the_whitney_numbers_count(name: str) -> None
 
 def test_marks_of_the_counts_are_zaslavskys_numbers_and_lie_on_the_printed_curves() -> None:
     with own_settings():
-        scene = inspect.unwrap(draw_counts)(largest=8)
+        scene = draw_counts.scene(largest=8)
     items = {item.name: item for item in scene.items if isinstance(item, Drawn) and item.name}
     middle = {name: np.reshape(item.points, (-1, 2)).mean(axis=0) for name, item in items.items()}
     for name in ("states", "facets", "regions"):

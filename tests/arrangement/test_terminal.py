@@ -165,13 +165,20 @@ def test_a_fault_at_import_is_no_answer(
     assert "ModuleNotFoundError" in capsys.readouterr().err
 
 
-@pytest.mark.parametrize("module", ["arrangement.entry", "equilibrium.cli", "proofs_check.cli"])
-def test_a_missing_dependency_of_the_packages_themselves_is_no_answer(module: str) -> None:
+@pytest.mark.parametrize(
+    ("module", "words"),
+    [
+        ("arrangement.entry", "count pencil"),
+        ("equilibrium.cli", "limit ladder --direction 0 1 0"),
+        ("proofs_check.cli", "run euler"),
+    ],
+)
+def test_a_missing_dependency_is_no_answer(module: str, words: str) -> None:
     program = f"""
 import sys
-sys.modules["lazy_loader"] = None
+sys.modules["numpy"] = None
 from {module} import main
-sys.exit(main(["list"]))
+sys.exit(main({words.split()!r}))
 """
     run = [sys.executable, "-c", program]
     ended = subprocess.run(run, capture_output=True, text=True, timeout=60, check=False)

@@ -6,7 +6,6 @@ import sys
 from collections.abc import Iterable
 from dataclasses import replace
 from fractions import Fraction
-from inspect import unwrap
 from itertools import combinations
 from pathlib import Path
 from typing import Any
@@ -159,11 +158,11 @@ def test_a_given_outline_is_drawn_through_its_corners() -> None:
 def test_the_outline_of_a_grasp_is_drawn_without_dashes() -> None:
     corners = ((-1, -1), (1, -1), (1, 2), (-1, 2))
     for outline, same_as in ((Polygon(corners), corners), (Circle((0, 0), 1), None)):
-        own = unwrap(draw_grasp)(THREE.with_outline(outline))
+        own = draw_grasp.scene(THREE.with_outline(outline))
         drawn = next(item for item in own.items if item.name == "outline")
         assert drawn.style["ls"] == "solid"
         if same_as is not None:
-            same = unwrap(draw_grasp)(THREE, outline=same_as)
+            same = draw_grasp.scene(THREE, outline=same_as)
             other = next(item for item in same.items if item.name == "outline")
             np.testing.assert_array_equal(drawn.points, other.points)
         data = resist_page(THREE.with_outline(outline))
@@ -174,7 +173,7 @@ def test_the_outline_of_a_grasp_is_drawn_without_dashes() -> None:
 def test_cones_stay_inside_the_outline(seed: int) -> None:
     grasp = random_grasp(5, seed)
     grasp = grasp.with_friction(2).with_outline(star_outline(grasp))
-    scene = unwrap(draw_grasp)(grasp)
+    scene = draw_grasp.scene(grasp)
     items = {item.name: item for item in scene.items}
     if "outline" not in items:
         return
@@ -189,7 +188,7 @@ def test_cones_stay_inside_the_outline(seed: int) -> None:
 
 def test_the_name_of_a_wrench_is_never_inside_the_arc_of_its_torque() -> None:
     for grasp, wrench in QUESTIONS:
-        scene = unwrap(draw_grasp)(grasp, wrench=wrench)
+        scene = draw_grasp.scene(grasp, wrench=wrench)
         arcs = [item for item in scene.items if item.name == "wrench-torque"]
         for arc in arcs:
             ends = flattened(arc.points)
@@ -201,12 +200,12 @@ def test_the_name_of_a_wrench_is_never_inside_the_arc_of_its_torque() -> None:
 
 def test_units_stand_with_the_wrench_and_legends_are_short() -> None:
     grasp = THREE.with_units("cm", "N").with_preload(1)
-    scene = laid_out(unwrap(draw_grasp)(grasp, wrench=(0, "1/2", 0)))
+    scene = laid_out(draw_grasp.scene(grasp, wrench=(0, "1/2", 0)))
     texts = [item.text for item in scene.items if hasattr(item, "text")]
     assert "w = (0, 1/2) N, 0 N cm" in texts
     for grasp in (THREE, FOUR):
         for loaded in (grasp, grasp.with_preload(1)):
-            scene = laid_out(unwrap(draw_grasp)(loaded, wrench=(0, 0, "1/2")))
+            scene = laid_out(draw_grasp.scene(loaded, wrench=(0, 0, "1/2")))
             keys = [item.place[1] for item in scene.items if hasattr(item, "text")]
             lowest = [y for y in keys if y < scene.height / 6]
             body = min(
@@ -225,7 +224,7 @@ def test_a_slice_keeps_the_preloads_of_the_grasp() -> None:
         (own, {}, "(c) the preloads of the grasp"),
         (own, {"preload": 1}, "(c) preload 1"),
     ):
-        scene = unwrap(draw_slice)(grasp, **options)
+        scene = draw_slice.scene(grasp, **options)
         assert title in [item.text for item in scene.items if hasattr(item, "text")]
     (*_, (_, region)) = slices(own, Fraction(0), None)
     assert region.polygons == resisted_region(own).polygons
@@ -235,8 +234,7 @@ def test_a_slice_keeps_the_preloads_of_the_grasp() -> None:
 def test_polar_maps_grow_with_preloads(factor: Any) -> None:
     """Ten times the preloads, ten times all forces: the same picture but for its numbers."""
     scenes = [
-        unwrap(draw_polar)(THREE.with_preload(load), directions=12)
-        for load in (1, Fraction(factor))
+        draw_polar.scene(THREE.with_preload(load), directions=12) for load in (1, Fraction(factor))
     ]
     ends = [
         np.array([item.place for item in scene.items if (item.name or "").startswith("direction")])
@@ -246,7 +244,7 @@ def test_polar_maps_grow_with_preloads(factor: Any) -> None:
 
 
 def test_a_polar_map_without_border_is_as_wide_as_the_preloads() -> None:
-    scene = unwrap(draw_polar)(COINCIDENT.with_preload(1000), directions=4)
+    scene = draw_polar.scene(COINCIDENT.with_preload(1000), directions=4)
     assert "1000" in [item.text for item in scene.items if hasattr(item, "text")]
 
 
@@ -256,7 +254,7 @@ def test_of_many_contacts_the_one_equilibrium_found_is_shown_and_said() -> None:
     assert verdict.solution is not None
     layout = layout_of(grasp, verdict, None, 1)
     assert layout.found is verdict.solution
-    scene = laid_out(unwrap(draw_grasp)(grasp, wrench=(0, "-1/2", 0)))
+    scene = laid_out(draw_grasp.scene(grasp, wrench=(0, "-1/2", 0)))
     texts = [item.text for item in scene.items if hasattr(item, "text")]
     assert "the equilibrium found; there may be others" in texts
     assert "there may be others" in verdict._repr_html_()
@@ -299,11 +297,11 @@ def test_indicative_outlines_have_the_object_on_the_inner_side(seed: int) -> Non
     ],
 )
 def test_labels_keep_off_lines(view: Any, name: str, wrench: Any) -> None:
-    assert offences(laid_out(unwrap(view)(read_grasp(name), wrench=wrench))) == []
+    assert offences(laid_out(view.scene(read_grasp(name), wrench=wrench))) == []
 
 
 def test_lines_of_resisted_forces_tell_their_states() -> None:
-    scene = unwrap(draw_resist)(read_grasp("single-contact"))
+    scene = draw_resist.scene(read_grasp("single-contact"))
     assert [item.text for item in scene.items if item.name == "code-0"] == ["●"]
     assert scene.legend.keys[0].text == "1 stick"
 
@@ -371,7 +369,7 @@ def test_region_elements_are_the_exact_pieces_and_borders(grasp: Grasp) -> None:
 @example(grasp=Grasp([Contact((0, 0), (0, 1), 0)]), wrench=(0, 1, 0))
 def test_the_whole_finite_border_lies_in_the_picture(grasp: Grasp, wrench: Any) -> None:
     region = resisted_region(grasp, origin=(0, 0, wrench[2]))
-    items = {item.name: item for item in unwrap(draw_resist)(grasp, wrench=wrench).items}
+    items = {item.name: item for item in draw_resist.scene(grasp, wrench=wrench).items}
     mark = items["wrench"]
     assert (mark.sign == "o") is region.contains([Fraction(x) for x in wrench[:2]])
     left, low, right, high = next(item.clip for item in items.values() if item.clip is not None)
@@ -400,7 +398,7 @@ def test_the_three_parts_are_the_data_of_the_paper_figure() -> None:
 def test_polar_marks_are_the_entries_of_the_map() -> None:
     gap = next(g for g in gaps(3, 29, 60) if g.direction[2] == 0 and len(g.intervals) > 1)
     options: dict[str, Any] = {"directions": 24, "tolerance": "1/100", "extent": 4}
-    scene, figure = unwrap(draw_polar)(gap.grasp, **options), draw_polar(gap.grasp, **options)
+    scene, figure = draw_polar.scene(gap.grasp, **options), draw_polar(gap.grasp, **options)
     found = search_map(gap.grasp, 24, "1/100", 4000)
     assert found.disagreements
     items = {item.name: item for item in scene.items}

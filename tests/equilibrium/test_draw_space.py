@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import inspect
 import json
 import re
 from fractions import Fraction
@@ -32,7 +31,7 @@ WRENCH = (0, 0, -1, 0, 0, 0)
 
 
 def scene_of(grasp: Grasp, **options: Any) -> Scene:
-    found: Scene = inspect.unwrap(draw_grasp)(grasp, **options)
+    found: Scene = draw_grasp.scene(grasp, **options)
     return found
 
 
@@ -118,24 +117,24 @@ def test_points_on_the_axis_of_a_turn_do_not_slip() -> None:
 
 def test_a_proof_shows_its_virtual_motions() -> None:
     grasp = read_grasp("two-opposed-fingers")
-    scene: Scene = inspect.unwrap(draw_proof)(grasp, wrench=(0, 0, -3, 0, 0, 0))
+    scene: Scene = draw_proof.scene(grasp, wrench=(0, 0, -3, 0, 0, 0))
     texts = [text for text, _ in scene.legend.lines]
     assert len(texts) == 3
     assert texts[0].startswith("1 of 3: 1 detached; λ is a turn")
     with pytest.raises(GraspError, match="the wrench is resisted"):
-        inspect.unwrap(draw_proof)(grasp, wrench=WRENCH)
+        draw_proof.scene(grasp, wrench=WRENCH)
 
 
 def test_a_slice_ends_at_the_proved_borders() -> None:
     fingers = read_grasp("two-opposed-fingers")
-    scene: Scene = inspect.unwrap(draw_slice)(fingers, axes="fy,fz", directions=3)
+    scene: Scene = draw_slice.scene(fingers, axes="fy,fz", directions=3)
     spokes = [x for x in scene.items if x.name.startswith("spoke")]
     sizes = [float(np.linalg.norm(x.points[1] - x.points[0])) for x in spokes]  # type: ignore[attr-defined]
     # The fingers resist a disc of these forces.
     assert sizes == pytest.approx([sizes[0]] * 3, rel=2e-3)
     for axes in ("fx", "fx,fx", "fx,up"):
         with pytest.raises(GraspError, match="give two of"):
-            inspect.unwrap(draw_slice)(fingers, axes=axes)
+            draw_slice.scene(fingers, axes=axes)
 
 
 def test_what_is_for_the_plane_is_refused_in_space_and_the_other_way() -> None:
@@ -146,7 +145,7 @@ def test_what_is_for_the_plane_is_refused_in_space_and_the_other_way() -> None:
     with pytest.raises(GraspError, match="in space"):
         scene_of(plane, direction=(1, 2, 3))
     with pytest.raises(GraspError, match="turn"):
-        inspect.unwrap(draw_proof)(space, wrench=WRENCH, turn=1)
+        draw_proof.scene(space, wrench=WRENCH, turn=1)
 
 
 def data_of(page: str) -> dict[str, Any]:

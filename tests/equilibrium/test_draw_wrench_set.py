@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import inspect
 import re
 from fractions import Fraction
 from pathlib import Path
@@ -58,7 +57,7 @@ def test_resistance_ends_at_every_face(name: str) -> None:
 
 
 def scene_of(grasp: Grasp, **options: object) -> Scene:
-    scene: Scene = laid_out(inspect.unwrap(draw_wrench_set)(grasp, **options))
+    scene: Scene = laid_out(draw_wrench_set.scene(grasp, **options))
     return scene
 
 
@@ -124,7 +123,7 @@ def test_a_full_box_says_that_every_wrench_in_it_is_resisted() -> None:
     ring = [(1, 0), (x, y), (-u, v), (-1, 0), (-u, -v), (x, -y)]
     whole = Grasp([Contact((p * Fraction(3, 2), q), (-p, -q), "1/2", 1) for p, q in ring])
     for grasp, full in ((whole, True), (read_grasp("ladder"), False)):
-        scene = laid_out(inspect.unwrap(draw_wrench_set)(grasp))
+        scene = laid_out(draw_wrench_set.scene(grasp))
         texts = [item.text for item in scene.items if isinstance(item, Label)]
         assert any("every wrench in the box" in text for text in texts) == full
         assert ("resisted wrenches" in texts) != full

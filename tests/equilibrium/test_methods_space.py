@@ -1,6 +1,5 @@
 """The other methods in space: hulls against scipy, proofs of round cones by substitution."""
 
-import inspect
 import json
 from fractions import Fraction
 
@@ -148,6 +147,6 @@ def test_the_wrench_space_in_space_has_a_radius_and_no_slice(capsys):
 
 def test_the_table_of_methods_is_drawn_in_space_too():
     questions = [(0, 1, 0, 0, 0, 0), (0, 0, 0, 1, 0, 0)]
-    scene = inspect.unwrap(draw_methods)(read_grasp("two-opposed-fingers"), wrenches=questions)
+    scene = draw_methods.scene(read_grasp("two-opposed-fingers"), wrenches=questions)
     cells = {item.name for item in scene.items if item.name.startswith("cell")}
     assert len(cells) == 2 * len(DECIDING_IN_SPACE)

@@ -5,7 +5,6 @@ from __future__ import annotations
 import json
 from collections.abc import Sequence
 from fractions import Fraction
-from inspect import unwrap
 from random import Random
 
 import numpy as np
@@ -95,7 +94,7 @@ def test_whatever_friction_does_the_contacts_work_at_least_as_said(seed: int, sl
 
 
 def regions(verdict: Verdict, sense: int) -> list[Path]:
-    scene = unwrap(draw_proof)(verdict.grasp, wrench=verdict.wrench)
+    scene = draw_proof.scene(verdict.grasp, wrench=verdict.wrench)
     return [x for x in scene.items if isinstance(x, Path) and x.name.startswith(f"{sense}-region")]
 
 
@@ -172,7 +171,7 @@ def test_solve_counts_the_leaves_of_a_longer_proof(capsys: pytest.CaptureFixture
 @pytest.mark.parametrize("name", ["paper-three-contacts", "paper-four-contacts"])
 @pytest.mark.parametrize("wrench", [(0, 1, 0), (0, 2, 1), (1, 3, 1), (0, 2, -1)])
 def test_no_label_covers_an_arrow_or_another_label(name: str, wrench: tuple[int, ...]) -> None:
-    scene = unwrap(draw_proof)(read_grasp(name), wrench=wrench)
+    scene = draw_proof.scene(read_grasp(name), wrench=wrench)
     boxes = []
     for label in scene.items:
         if isinstance(label, Label) and "work-" in label.name:
@@ -191,7 +190,7 @@ def test_no_label_covers_an_arrow_or_another_label(name: str, wrench: tuple[int,
 
 def test_beyond_eight_contacts_the_page_is_named_for_the_numbers() -> None:
     grasp = Grasp([c for c in random_grasp(60, 7) if c.normal[1] > 0][:9])
-    scene = laid_out(unwrap(draw_proof)(grasp, wrench=(0, 50, 0)))
+    scene = laid_out(draw_proof.scene(grasp, wrench=(0, 50, 0)))
     texts = [item for item in scene.items if isinstance(item, Label)]
     assert not any("work-" in item.name or "number-" in item.name for item in texts)
     assert any("a page (.html) has them" in item.text for item in texts)

@@ -30,7 +30,7 @@ def space_levels(planes: Planes) -> tuple[Level, ...]:
     Complexity: O(n^3) faces for n planes; O(n^3 log n) time and O(n^3) memory. The constants are
     those of numpy, unless so many determinants vanish or nearly vanish that integers decide most.
     """
-    table = PlaneTable([planes.integer_planes[members[0]] for members in planes.distinct])
+    table = PlaneTable(planes.distinct_planes)
     lines = trace_lines(table)
     faces = faces_around(table, lines)
     points = Points(table, lines, faces)

@@ -77,7 +77,7 @@ def identify(arrangement: Planes) -> Identification:
         raise InputError("the arrangement is not central; identify its cone (counts.cone)")
     if not len(arrangement):
         raise InputError("the arrangement has no plane; an empty one has no type in the census")
-    firsts = [members[0] for members in arrangement.distinct]
+    firsts = arrangement.firsts
     distinct = Arrangement([arrangement.normals[k] for k in firsts])
     m, rank, f_vector = len(firsts), distinct.rank, distinct.f_vector
     facets, regions = f_vector[-2], f_vector[-1]

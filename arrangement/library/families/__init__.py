@@ -4,57 +4,68 @@ The counts in the docstrings are statements of the literature. No function uses 
 compare them with what `arrangement.counts` and the enumerators find.
 """
 
-from .classical import (
-    braid,
-    coordinate,
-    generic,
-    h3,
-    h4,
-    near_pencil,
-    pencil,
-    perles,
-    type_b,
-    type_d,
-)
-from .combinatorial import resonance, threshold, threshold_functions
-from .deformations import catalan, ish, ish_b, linial, semiorder, shi
-from .graphs import bigraphical, graphical, signed_graphical
-from .points import discriminantal, separations
-from .polygons import regular
-from .randoms import random_degenerate, random_integer, random_sphere
-from .root_systems import coxeter
-from .simplicial import simplicial, simplicial_entries
+from __future__ import annotations
 
-__all__ = [
-    "bigraphical",
-    "braid",
-    "catalan",
-    "coordinate",
-    "coxeter",
-    "discriminantal",
-    "generic",
-    "graphical",
-    "h3",
-    "h4",
-    "ish",
-    "ish_b",
-    "linial",
-    "near_pencil",
-    "pencil",
-    "perles",
-    "random_degenerate",
-    "random_integer",
-    "random_sphere",
-    "regular",
-    "resonance",
-    "semiorder",
-    "separations",
-    "shi",
-    "signed_graphical",
-    "simplicial",
-    "simplicial_entries",
-    "threshold",
-    "threshold_functions",
-    "type_b",
-    "type_d",
-]
+from collections.abc import Callable, Mapping
+
+from arrangement.arrangement import Arrangement
+
+from .classical import (
+    braid as braid,
+    coordinate as coordinate,
+    generic as generic,
+    h3 as h3,
+    h4 as h4,
+    near_pencil as near_pencil,
+    pencil as pencil,
+    perles as perles,
+    type_b as type_b,
+    type_d as type_d,
+)
+from .combinatorial import (
+    resonance as resonance,
+    threshold as threshold,
+    threshold_functions as threshold_functions,
+)
+from .deformations import (
+    catalan as catalan,
+    ish as ish,
+    ish_b as ish_b,
+    linial as linial,
+    semiorder as semiorder,
+    shi as shi,
+)
+from .graphs import (
+    bigraphical as bigraphical,
+    graphical as graphical,
+    signed_graphical as signed_graphical,
+)
+from .points import discriminantal as discriminantal, separations as separations
+from .polygons import regular as regular
+from .randoms import (
+    random_degenerate as random_degenerate,
+    random_integer as random_integer,
+    random_sphere as random_sphere,
+)
+from .root_systems import coxeter as coxeter
+from .simplicial import simplicial as simplicial, simplicial_entries as simplicial_entries
+
+#: By their names on the command line, in the order in which they are listed.
+FAMILIES: Mapping[str, Callable[..., Arrangement]] = {
+    made.__name__.replace("_", "-"): made
+    for made in (
+        *(generic, pencil, near_pencil, coordinate, braid, type_b, type_d, coxeter),
+        *(h3, h4, perles, regular, shi, catalan, linial, semiorder, ish, ish_b),
+        *(graphical, bigraphical, signed_graphical, resonance, threshold, threshold_functions),
+        *(
+            separations,
+            discriminantal,
+            random_integer,
+            random_degenerate,
+            random_sphere,
+            simplicial,
+        ),
+    )
+}
+
+__all__ = [*sorted(made.__name__ for made in FAMILIES.values()), "simplicial_entries"]

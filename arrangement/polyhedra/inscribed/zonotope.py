@@ -97,7 +97,7 @@ def _edge_equations(dual: DualPolyhedron) -> tuple[tuple[int, ...], ...]:
     """
     planes = [plane[:3] for plane in dual.arrangement.integer_planes]
     products = [[dot(a, b) for b in planes] for a in planes]
-    firsts = [members[0] for members in dual.arrangement.distinct]
+    firsts = dual.arrangement.firsts
     labels = dual.arrangement.class_of
     return tuple(
         tuple(
