@@ -25,7 +25,7 @@ from .figure import picture
 from .globe import Floats, picture_axes, view_direction
 from .measuring import checked_width
 from .models import centroid
-from .page import equation
+from .page import equation, generator_text
 from .painting import Stage, edges_of, unit_points, walls_of_edges
 from .planenames import Names
 from .planesheet import PlanesSheet
@@ -153,9 +153,10 @@ def cells_page(
     ]
     body = cells.body
     corner = ", ".join(map(str, body.centre))
+    facts = (f"{number}, rank {arrangement.rank}", note, generator_text(arrangement))
     return SolidPage(
         title if title is not None else f"Cells of {number}",
-        "; ".join(filter(None, (f"{number}, rank {arrangement.rank}", note))),
+        "; ".join(filter(None, facts)),
         f"{len(cells.cells)} cells in a cube with centre ({corner}) and edge "
         f"{float(2 * body.radius):.4g}",
         picture_axes(towards), 3**0.5, tree, told, [*legend, (SKIN, "cut by the cube")],
