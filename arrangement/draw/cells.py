@@ -25,7 +25,7 @@ from .figure import picture
 from .globe import Floats, picture_axes, view_direction
 from .measuring import checked_width
 from .models import centroid
-from .page import equation, generator_text
+from .page import equation, generator_text, point_text
 from .painting import Stage, edges_of, unit_points, walls_of_edges
 from .planenames import Names
 from .planesheet import PlanesSheet
@@ -144,7 +144,7 @@ def cells_page(
         sign = "".join("+" if s > 0 else "\u2212" for s in cell.signs)
         told.append((sign or "all", [
             ("planes", "; ".join(equation(firsts[w][:3], firsts[w][3]) for w in walls) or "none"),
-            ("a point", str(tuple(map(str, regions[cell.signs].witness))).replace("'", "")),
+            ("a point", point_text(regions[cell.signs].witness)),
             ("in the cube", "whole" if len(walls) == len(set(cell.walls)) else "cut off"),
         ]))  # fmt: skip
     legend = [

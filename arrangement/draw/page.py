@@ -13,7 +13,8 @@ import numpy as np
 from arrangement.arrangement import Arrangement
 from arrangement.enumeration.great_circles import SphereArrangement
 from arrangement.errors import InputError, refusal
-from arrangement.exact import IntegerVector, shown, to_text
+from arrangement.exact import IntegerVector, RationalVector, shown, to_text
+from arrangement.number_form import Form, vector
 from arrangement.polyhedra.dual.incidence import dual_incidence
 
 from .coordinates import CHOICES, even_map, is_narrow, symmetric_map
@@ -203,6 +204,12 @@ def equation(normal: IntegerVector, offset: int = 0) -> str:
                 factor = f"({factor}) " if " " in factor else f"{factor} "
             text += f"{joint}{factor}{name}"
     return f"{text} = {to_text(offset)}"
+
+
+def point_text(point: RationalVector) -> str:
+    """Return the exact coordinates of a point, however long they are."""
+    with Form(exact=True).used():
+        return vector(point)
 
 
 def generator_text(arrangement: Arrangement) -> str:

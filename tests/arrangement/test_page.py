@@ -385,3 +385,14 @@ def test_irrational_equations_are_readable_and_say_what_a_is() -> None:
         assert "numbers in Q(a) with a^2 - 5 = 0, a = 2.23607..." in page
         assert "2x + (1 + a) y - (-1 + a) z = 0" in page
     assert "numbers in" not in arrangement_page(read_arrangement("braid-a3"))
+
+
+@pytest.mark.parametrize("offset", ["7" * 4300, "1/" + "7" * 4300])
+def test_a_page_of_numbers_beyond_floats_is_refused(
+    offset: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    planes, page = tmp_path / "planes.txt", tmp_path / "page.html"
+    planes.write_text(f"1 0 | 1\n0 1 | {offset}\n1 1 | 0\n", encoding="utf-8")
+    assert main(["draw", str(planes), "-o", str(page)]) == 2
+    assert not page.exists()
+    assert "too large for a picture" in capsys.readouterr().err
