@@ -149,8 +149,9 @@ def _count(arguments: argparse.Namespace) -> int:
 
 
 def _print_rows(rows: Mapping[str, object]) -> int:
+    width = max(17, *(len(name) + 2 for name in rows))
     for name, value in rows.items():
-        print(f"{name:<17}{value}")
+        print(f"{name:<{width}}{value}")
     return terminal.YES
 
 
@@ -159,18 +160,22 @@ def _polynomial(arguments: argparse.Namespace) -> int:
     if arguments.forecast:
         return _forecast(arrangement, arguments)
     numbers = _whitney_numbers(arrangement, arguments)
-    bounded = abs(sum(numbers)) if arrangement.rank == arrangement.dimension else 0
-    regions = sum(map(abs, numbers))
+    relatively = abs(sum(numbers))
+    found = {
+        "regions": sum(map(abs, numbers)),
+        "bounded_regions": relatively if arrangement.rank == arrangement.dimension else 0,
+        "relatively_bounded_regions": relatively,
+    }
     if arguments.json:
-        found = {"first_whitney_numbers": numbers, "regions": regions, "bounded_regions": bounded}
-        terminal.print_json(found)
+        terminal.print_json({"first_whitney_numbers": numbers, **found})
         return terminal.YES
     from sympy import Poly, Symbol
 
     zeros = [0] * (arrangement.dimension + 1 - len(numbers))
     chi = Poly([*numbers, *zeros], Symbol("t"))
     rows = {"chi(t)": chi.as_expr(), "factors": chi.as_expr().factor()}
-    return _print_rows({**rows, "regions": regions, "bounded regions": bounded})
+    names = ("regions", "bounded regions", "relatively bounded")
+    return _print_rows({**rows, **dict(zip(names, found.values(), strict=True))})
 
 
 def _primes(text: str) -> list[int]:

@@ -19,7 +19,7 @@ import io
 import re
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
-from functools import lru_cache
+from functools import lru_cache, partial
 from typing import Any
 
 import numpy as np
@@ -183,6 +183,7 @@ _OF_ONE: Mapping[str, Callable[[Arrangement], Value]] = {
     "rank": lambda planes: planes.rank,
     "regions": counts.region_count,
     "bounded-regions": counts.bounded_region_count,
+    "relatively-bounded-regions": partial(counts.bounded_region_count, relative=True),
     "f-vector": counts.f_vector,
     "polynomial": lambda planes: tuple(
         map(int, counts.characteristic_polynomial(planes).all_coeffs())

@@ -16,6 +16,7 @@ from itertools import chain
 from random import Random
 from typing import TYPE_CHECKING, Any
 
+from arrangement.exact import shown
 from arrangement.short_repr import Shown
 
 from .errors import OwnClaimError, UnknownClaimError
@@ -284,10 +285,12 @@ class Registry(Shown):
             OwnClaimError: another claim has the same id, or two routes are one.
         """
         if claim.id in self._claims:
-            raise OwnClaimError(f"two claims have the id {claim.id!r}; an id names one claim")
+            raise OwnClaimError(f"two claims have the id {shown(claim.id)}; an id names one claim")
         names, ways = ({getattr(r, k) for r in claim.routes} for k in ("name", "compute"))
         if not len(names) == len(ways) == len(claim.routes):
-            raise OwnClaimError(f"claim {claim.id!r} has one route twice; expected different ones")
+            raise OwnClaimError(
+                f"claim {shown(claim.id)} has one route twice; expected different ones"
+            )
         self._claims[claim.id] = claim
 
     @property
@@ -306,4 +309,6 @@ class Registry(Shown):
             return self._claims[id]
         near = get_close_matches(id, self._claims, n=3, cutoff=0.4)
         hint = f"the nearest are {', '.join(near)}" if near else "no id is near"
-        raise UnknownClaimError(f"no claim has the id {id!r}; {hint} (proofs-check list has all)")
+        raise UnknownClaimError(
+            f"no claim has the id {shown(id)}; {hint} (proofs-check list has all)"
+        )

@@ -13,9 +13,13 @@ from typing import Any
 
 import pytest
 
-from arrangement import cli as arrangement_cli
+from arrangement import cli as arrangement_cli, read_arrangement
 from arrangement.enumeration.choose import ENGINES
+from arrangement.lab.lines_exercises import line_exercises
+from arrangement.library.families import simplicial, simplicial_entries
 from equilibrium.cli import program as equilibrium_cli
+from equilibrium.lab.exercises import slip_exercises
+from equilibrium.methods.registry import DECIDING
 from proofs_check.cli import program as claims_cli
 from tests.docpages import ROOT, Page, blocks, commands, loose_literals
 
@@ -257,6 +261,34 @@ def test_every_command_has_an_example() -> None:
         (commands,) = (a.choices for a in parser._actions if isinstance(a.choices, dict))
         for command in commands:
             assert f"\n   $ {parser.prog} {command}" in page
+
+
+def test_numbers_on_pages_are_those_of_the_code() -> None:
+    number = {4: "four", 10: "ten", 12: "twelve", 13: "thirteen"}
+    planes = read_arrangement("cube-diagonals")
+    known = [simplicial(*entry) for entry in simplicial_entries()]
+    irrational = sum(one.field is not None for one in known)
+    lessons = len(list((DOCS / "lessons").glob("*.rst")))
+    first_page = (DOCS / "figures" / "first-page.py").read_text(encoding="utf-8")
+    assert 'read_arrangement("cube-diagonals"), "first-page-dual.svg"' in first_page
+    assert planes.f_vector == (1, 12, 24, 14)  # of the dual: 12 faces, 24 edges, 14 vertices
+    methods = len(DECIDING)
+    for page, text in (
+        ("index", f"{number[lessons]} lessons go from a contact"),
+        ("index", f"{number[len(planes)]} great circles on a sphere with coloured regions, and a "
+         "rhombic dodecahedron"),
+        ("index", f"{number[len(planes)]} planes through the origin"),
+        ("howto/lab", f"in place of the {number[len(slip_exercises())]}"),
+        ("howto/arrangement-lab", f"{number[len(line_exercises())]} exercises check themselves"),
+        ("lessons/10-paper-and-truth", f"All {len(known)} known simplicial arrangements of rank 3 "
+         f"with up to {max(map(len, known))} planes are built, {irrational} of them irrational"),
+        ("howto/fields", f"{irrational} of the {len(known)} known simplicial"),
+        ("howto/formats", f"the {len(known) - irrational} simplicial arrangements with integer"),
+        ("lessons/10-paper-and-truth", f"{number[methods]} methods and five wrenches"),
+        ("gallery", f"{number[methods]} methods and five wrenches"),
+    ):  # fmt: skip
+        words = " ".join((DOCS / f"{page}.rst").read_text(encoding="utf-8").split())
+        assert text.lower() in words.lower(), (page, text)
 
 
 #: The last words of a row of the table of limits: the constants that it names.

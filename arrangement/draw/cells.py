@@ -27,7 +27,7 @@ from .figure import picture
 from .globe import Floats, picture_axes, view_direction
 from .measuring import checked_width
 from .models import centroid
-from .page import equation
+from .page import equation, generator_text, point_text
 from .painting import Stage, unit_points, walls_of_edges
 from .planenames import Names
 from .planesheet import PlanesSheet
@@ -146,7 +146,7 @@ def cells_page(
         sign = "".join("+" if s > 0 else "\u2212" for s in cell.signs)
         told.append((sign or "all", [
             ("planes", "; ".join(equation(firsts[w][:3], firsts[w][3]) for w in walls) or "none"),
-            ("a point", str(tuple(map(str, regions[cell.signs].witness))).replace("'", "")),
+            ("a point", point_text(regions[cell.signs].witness)),
             ("in the cube", "whole" if len(walls) == len(set(cell.walls)) else "cut off"),
         ]))  # fmt: skip
     legend = [
@@ -155,9 +155,10 @@ def cells_page(
     ]
     body = cells.body
     corner = ", ".join(map(str, body.centre))
+    facts = (f"{number}, rank {arrangement.rank}", note, generator_text(arrangement))
     return SolidPage(
         title if title is not None else f"Cells of {number}",
-        "; ".join(filter(None, (f"{number}, rank {arrangement.rank}", note))),
+        "; ".join(filter(None, facts)),
         f"{len(cells.cells)} cells in a cube with centre ({corner}) and edge "
         f"{float(2 * body.radius):.4g}",
         picture_axes(towards), 3**0.5, tree, told, [*legend, (SKIN, "cut by the cube")],

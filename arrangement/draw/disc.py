@@ -126,7 +126,7 @@ class Disc:
 
     def _names(self, both_ends: bool) -> None:
         """Write the numbers of the planes outside the rim, pushed apart along it."""
-        wanted: list[tuple[float, str, int]] = []
+        wanted: list[tuple[float, float, str, int]] = []
         globe = self.globe
         for circle, members in enumerate(globe.cut.arrangement.distinct):
             text = plane_names(members, len(globe.whole.arrangement))
@@ -134,16 +134,25 @@ class Disc:
                 continue
             ends = [0.25] if circle == globe.limb else list(self.drawn.ends(circle))
             if circle != globe.limb and not both_ends:
-                gap = [min((abs(turn(a - b)) for b, _, _ in wanted), default=4.0) for a in ends]
+                gap = [min((abs(turn(a - b)) for b, *_ in wanted), default=4.0) for a in ends]
                 ends = ends[:1] if gap[0] >= gap[1] - 1e-9 else ends[1:]
-            wanted += [(end, text, circle) for end in ends]
-        placed = spread([angle for angle, _, _ in wanted], 9.0 / (self.radius + RIM / 2))
-        for (angle, text, circle), at in zip(wanted, placed, strict=True):
+            # Angles of one point of the rim differ by rounding, also by a whole turn.
+            near = [(end + 1e-9) % (2 * math.pi) - 1e-9 for end in ends]
+            wanted += [(round(a, 8), self._lean(circle, a), text, circle) for a in near]
+        wanted.sort()
+        placed = spread([angle for angle, *_ in wanted], 9.0 / (self.radius + RIM / 2))
+        for (angle, _, text, circle), at in zip(wanted, placed, strict=True):
             ends_at = np.array([[math.cos(angle), math.sin(angle)], [math.cos(at), math.sin(at)]])
             leader = self.on_paper(ends_at * [[1.0], [1 + 2.6 / self.radius]])
             colour = self.ink(circle) if self.ink is not None else "black"
             self.scene.line(leader, ec=colour, lw=0.4, zorder=2)
             self._name(ends_at[1], text, letter_colour(circle) if self.ink else "black")
+
+    def _lean(self, circle: int, angle: float) -> float:
+        """Return how far a circle leans counter-clockwise from a point of the rim inwards."""
+        x, y, z = self.globe.normals[circle].tolist()
+        across = y * math.cos(angle) - x * math.sin(angle)
+        return -z / across if circle != self.globe.limb else 0.0
 
     def _name(self, outward: Floats, text: str, colour: str) -> None:
         for size in (7.0, 6.0, 5.0):

@@ -13,8 +13,8 @@ import numpy as np
 from arrangement.arrangement import Arrangement
 from arrangement.enumeration.great_circles import SphereArrangement
 from arrangement.errors import InputError, refusal
-from arrangement.exact import IntegerVector, shown, to_text
-from arrangement.number_form import counted, sign_text
+from arrangement.exact import IntegerVector, RationalVector, shown, to_text
+from arrangement.number_form import Form, counted, sign_text, vector
 from arrangement.polyhedra.dual.incidence import dual_incidence
 
 from .coordinates import CHOICES, even_map, is_narrow, symmetric_map
@@ -131,9 +131,8 @@ def _summary(arrangement: Arrangement) -> str:
     number, distinct = len(arrangement), len(arrangement.distinct)
     planes = f"{counted(number, 'plane')} through the origin"
     same = f", {distinct} of them distinct" if distinct < number else ""
-    return "; ".join(
-        filter(None, (f"{planes}{same}", f"rank {arrangement.rank}", caption(arrangement, 3)))
-    )
+    facts = (f"{planes}{same}", f"rank {arrangement.rank}", caption(arrangement, 3))
+    return "; ".join(filter(None, (*facts, generator_text(arrangement))))
 
 
 def _cells(sphere: SphereArrangement) -> dict[str, Any]:
@@ -193,13 +192,28 @@ def _region(sphere: SphereArrangement, region: int) -> dict[str, Any]:
 
 
 def equation(normal: IntegerVector, offset: int = 0) -> str:
-    """Return the equation of a plane, such as ``x - 2y + z = 0``."""
+    """Return the equation of a plane, such as ``x - 2y + z = 0`` or ``2x + (1 + a) y = 0``."""
     text = ""
     for entry, name in zip(normal, "xyz", strict=True):
         if entry:
             joint = ("-" if entry < 0 else "") if not text else (" - " if entry < 0 else " + ")
-            text += f"{joint}{to_text(abs(entry)) if abs(entry) != 1 else ''}{name}"
+            factor = to_text(abs(entry)) if abs(entry) != 1 else ""
+            if not isinstance(entry, int):
+                factor = factor.replace("*", "")
+                factor = f"({factor}) " if " " in factor else f"{factor} "
+            text += f"{joint}{factor}{name}"
     return f"{text} = {to_text(offset)}"
+
+
+def point_text(point: RationalVector) -> str:
+    """Return the exact coordinates of a point, however long they are."""
+    with Form(exact=True).used():
+        return vector(point)
+
+
+def generator_text(arrangement: Arrangement) -> str:
+    """Return what the letter a in the numbers of a page is; nothing for rational planes."""
+    return "" if arrangement.field is None else f"numbers in {arrangement.field!r}"
 
 
 def _exact(vector: IntegerVector) -> list[str]:

@@ -20,6 +20,11 @@ def as_shown(arrangement: Arrangement) -> Arrangement:
         InputError: there is no such form, or it is too large.
     """
     shown_planes = arrangement
+    if arrangement.field is not None:
+        raise InputError(
+            f"the planes have entries in {arrangement.field!r}, and the lab counts in integers; "
+            "`arrangement draw FILE -o page.html` shows central ones, exactly"
+        )
     if arrangement.dimension not in (2, 3) or (
         arrangement.dimension == 3 and not arrangement.is_central
     ):

@@ -25,15 +25,16 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from fractions import Fraction
 from itertools import product
-from typing import Any, NamedTuple
+from typing import Any, NamedTuple, TypeAlias
 
-from arrangement.exact import IntegerVector, RationalVector
+from arrangement.exact import IntegerVector, RationalVector, to_text, vector_text
 from arrangement.short_repr import Shown
+from equilibrium.model.contact import VALUES
 from equilibrium.model.errors import CertificateError
-from equilibrium.model.grasp import Grasp
+from equilibrium.model.grasp import Grasp, read_wrench
 from equilibrium.model.pyramid import pyramid_edges
 
 from .enclosure import enclosure_problem
@@ -55,6 +56,8 @@ from .space import (
     split_states,
 )
 
+#: A grasp and a wrench.
+Question: TypeAlias = tuple[Grasp, RationalVector]
 #: Splits in a row; readers of JSON stop at some 1000 objects inside one another.
 MAX_DEPTH = 300
 
@@ -65,36 +68,87 @@ class Report(Shown):
 
     Attributes:
         kind: "resisted" or "not resisted".
-        problem: the first inequality that fails and its place; empty when all hold.
+        problem: the first inequality that fails and its place, or where the question is another
+            one than that asked; empty when all hold.
         leaves: of the tree.
         pyramid: edges of the friction pyramids that it is about; None for cones.
+        compared: whether the question that it is about was compared with one asked.
+        grasp, wrench: that question.
     """
 
     kind: str
     problem: str
     leaves: int = 0
     pyramid: int | None = None
+    compared: bool = False
+    grasp: Grasp = field(default_factory=Grasp)
+    wrench: RationalVector = ()
 
     def __bool__(self) -> bool:
         return not self.problem
+
+    def asked(self, question: Question | None, pyramid: int | None = None) -> Report:
+        """Return what this says of a question: nothing, if the certificate is about another one."""
+        if question is None:
+            return self
+        problem = _difference(question, (self.grasp, self.wrench))
+        if not problem and pyramid != self.pyramid:
+            problem = "it is about other cones of friction"
+        return replace(self, problem=problem or self.problem, compared=True)
+
+    @property
+    def question(self) -> list[str]:
+        """What it is about, in lines: the wrench and each contact."""
+        contacts = [f"contact {i} {c.words}" for i, c in enumerate(self.grasp, 1)]
+        return [f"wrench {vector_text(self.wrench)}", *contacts]
 
     def to_dict(self) -> dict[str, Any]:
         """Return a JSON form."""
         found: dict[str, Any] = {"problem": self.problem} if self.problem else {}
         if self.pyramid is not None:
             found["pyramid"] = self.pyramid
-        return {"valid": bool(self), "certificate": self.kind, "leaves": self.leaves, **found}
+        about = {"wrench": list(map(to_text, self.wrench)), "grasp": self.grasp.to_dict()}
+        return {
+            "valid": bool(self),
+            "certificate": self.kind,
+            "leaves": self.leaves,
+            **found,
+            **about,
+            "compared": self.compared,
+        }
+
+
+def _difference(asked: Question, found: Question) -> str:
+    """Return in what the question of a certificate differs first from the one asked, or nothing."""
+    (wanted, load), (own, wrench) = asked, found
+    if (own.dimension, len(own)) != (wanted.dimension, len(wanted)):
+        sizes = (f"{len(g)} contacts in {g.dimension} dimensions" for g in (own, wanted))
+        return "it is about another grasp: {}, and asked was one with {}".format(*sizes)
+    rows = [
+        (f"grasp: {name} of contact {i}", getattr(one, name), getattr(other, name))
+        for i, (one, other) in enumerate(zip(own, wanted, strict=True), 1)
+        for name in ("point", "normal", *VALUES, "tangent")
+    ]
+    for name, one, other in [*rows, ("wrench: it", wrench, read_wrench(load, own.dimension))]:
+        if one != other:
+            pair = [x if isinstance(x, tuple) else (x,) for x in (one, other)]
+            texts = [vector_text(x) if len(x) > 1 else short(*x) for x in pair]
+            apart = [abs(a - b) for a, b in zip(*pair, strict=True)]
+            unlike = f" ({short(max(apart))} apart)" if "≈" in "".join(texts) else ""
+            return f"it is about another {name} is {texts[0]}, and asked was {texts[1]}{unlike}"
+    return ""
 
 
 def check(
     document: Mapping[str, Any],
-    question: tuple[Grasp, RationalVector] | None = None,
+    question: Question | None = None,
     pyramid: int | None = None,
 ) -> Report:
     """Check a certificate, given as `Certificate.to_dict` or `read_certificate` returns it.
 
     Args:
-        question: if given, the grasp and wrench that the certificate has to be about.
+        question: the grasp and wrench that the certificate has to be about; if omitted, the report
+            says what it is about, and that this was compared with nothing.
         pyramid: with a question, the edges of the friction pyramids it has to be about; None for
             cones, in space round ones.
 
@@ -112,12 +166,8 @@ def check(
         report = _walk(document["tree"], spatial, 3)
     else:
         report = _walk(document["tree"], _Question(grasp, wrench))
-    report = replace(report, pyramid=document.get("pyramid"))
-    if question is not None and question != (grasp, wrench):
-        return replace(report, problem="it is about another grasp or wrench")
-    if question is not None and pyramid != report.pyramid:
-        return replace(report, problem="it is about other cones of friction")
-    return report
+    report = replace(report, pyramid=document.get("pyramid"), grasp=grasp, wrench=wrench)
+    return report.asked(question, pyramid)
 
 
 def _equilibrium_problem(document: Mapping[str, Any], grasp: Grasp, wrench: RationalVector) -> str:

@@ -42,19 +42,25 @@ def add_command(
     """
     parser: argparse.ArgumentParser = commands.add_parser(name, help=text)
     if grasp:
-        text = "a path (JSON, or .csv with one contact a line), - for stdin, or a built-in name"
-        number: Any = "?" if optional else None
-        parser.add_argument("grasp", metavar="GRASP", nargs=number, help=text)
-        text = "take normals of any length: the nearest exact unit vector, with the change reported"
-        parser.add_argument("--round-normals", action="store_true", help=text)
-    if grasp and preload:
-        text = "use this preload at every contact instead of the grasp's own"
-        add_number(parser, "--preload", None, text, metavar="P")
+        add_grasp(parser, "grasp", "?" if optional else None, preload)
     terminal.add_common_options(parser)
     if numbers:
         terminal.add_number_options(parser)
     parser.set_defaults(command=function)
     return parser
+
+
+def add_grasp(
+    parser: argparse.ArgumentParser, name: str, number: Any = None, preload: bool = True
+) -> None:
+    """Add a grasp, as an argument or an option, and a preload in place of its own."""
+    text = "a path (JSON, or .csv with one contact a line), - for stdin, or a built-in name"
+    parser.add_argument(name, metavar="GRASP", nargs=number, help=text)
+    text = "take normals of any length: the nearest exact unit vector, with the change reported"
+    parser.add_argument("--round-normals", action="store_true", help=text)
+    if preload:
+        text = "use this preload at every contact instead of the grasp's own"
+        add_number(parser, "--preload", None, text, metavar="P")
 
 
 def add_applied(

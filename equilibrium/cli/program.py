@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import argparse
 from collections.abc import Iterator, Sequence
+from dataclasses import replace
 from itertools import chain
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from arrangement import terminal
 from arrangement.exact import dot
@@ -13,17 +14,29 @@ from arrangement.number_form import vector
 from equilibrium.model.pyramid import pyramid_words
 
 from . import draw, inputs, lab, methods, modes, wrench_sets
-from .arguments import add_applied, add_command, add_cone, applied, grasp_of, seconds, show
+from .arguments import (
+    add_applied,
+    add_command,
+    add_cone,
+    add_grasp,
+    applied,
+    grasp_of,
+    seconds,
+    show,
+)
 from .proof_words import proof_lines
 from .spatial_words import spatial_lines
 
 if TYPE_CHECKING:
+    from arrangement.exact import RationalVector
     from equilibrium.model.grasp import Grasp
     from equilibrium.solver.equilibrium import Equilibrium
     from equilibrium.solver.state_equilibrium import Solution
     from equilibrium.solver.state_system import States
     from equilibrium.verdict import Verdict
 
+#: Lines of the question of a proof.
+_MOST_LINES = 21
 #: The names of `printed_model.OPTIONS`, kept here so that ``--help`` loads no solver.
 LITERAL = (
     "detachment",
@@ -87,6 +100,9 @@ def _parser() -> terminal.Parser:
         action="store_true",
         help="ask the checker that is proved in Coq (built by `make formal`)",
     )
+    add_grasp(verify, "--grasp")
+    add_applied(verify, text="what the proof has to be about, with --grasp", required=False)
+    add_cone(verify)
     add_command(commands, "list", _list, "list the built-in grasps", grasp=False)
     wrench_sets.add_commands(commands)
     methods.add_commands(commands)
@@ -175,21 +191,53 @@ def _freedom(piece: Equilibrium) -> str:
 
 
 def _verify(arguments: argparse.Namespace) -> int:
-    from equilibrium.io.files import verify
+    from equilibrium.certificate.checker import Report
+    from equilibrium.certificate.reading import read_question
+    from equilibrium.io.files import read_certificate, verify
     from equilibrium.io.proved_checker import verify_proved
+    from equilibrium.model.errors import GraspError
 
+    path, question, known = arguments.certificate, _asked(arguments), True
     if arguments.proved:
-        valid, kind = verify_proved(arguments.certificate)
-        document: dict[str, Any] = {"valid": valid, "certificate": kind}
-        speaker, said = "proved", kind if valid else f"this does not prove {kind}"
+        valid, kind = verify_proved(path)
+        # What came on stdin only that program has read.
+        known, problem = path != "-", "" if valid else f"this does not prove {kind}"
+        if question is not None and not known:
+            raise GraspError("with --proved a proof on stdin is compared with nothing; give a file")
+        report = Report(kind, problem)
+        if known:
+            _, grasp, wrench = read_question(read_certificate(path))
+            report = replace(report, grasp=grasp, wrench=wrench).asked(question, arguments.cone)
     else:
-        report = verify(arguments.certificate)
-        valid, document, speaker = bool(report), report.to_dict(), "Python"
-        proof = f"{report.kind}, {report.leaves} leaves" if report.leaves else report.kind
-        proof += pyramid_words(report.pyramid, before=", with ")
-        said = proof if valid else terminal.printable(report.problem)
-    line = f"{'valid' if valid else 'not valid'}: {said} (by the {speaker} checker)"
-    return show(arguments, {**document, "checker": speaker.lower()}, [line], valid)
+        report = verify(path, question, arguments.cone)
+    speaker, left_out = ("proved", "leaves") if arguments.proved else ("Python", "")
+    document = {k: value for k, value in report.to_dict().items() if k != left_out}
+    if not known:
+        del document["wrench"], document["grasp"]
+    proof = f"{report.kind}, {report.leaves} leaves" if report.leaves else report.kind
+    proof += pyramid_words(report.pyramid, before=", with ")
+    said = f"valid: {proof}" if report else f"not valid: {terminal.printable(report.problem)}"
+    lines = [f"{said} (by the {speaker} checker)", *report.question[: _MOST_LINES * known]]
+    more = len(report.grasp) + 1 - _MOST_LINES
+    lines += [f"... and {more} contacts more; --json has all"] * (more > 0)
+    if not report.compared:
+        lines.append("compared with no question: --grasp FILE --wrench W say what it should prove")
+    shown = {**document, "checker": speaker.lower()}
+    return show(arguments, shown, lines, bool(report), report.grasp)
+
+
+def _asked(arguments: argparse.Namespace) -> tuple[Grasp, RationalVector] | None:
+    """Return what a certificate has to be about, if that was given."""
+    from equilibrium.model.errors import GraspError
+
+    names = ("grasp", "wrench", "force", "weight", "at", "preload", "cone")
+    grasp, *load = (getattr(arguments, name) is not None for name in names)
+    if grasp and any(load[:3]):
+        wanted = grasp_of(arguments)
+        return wanted, applied(arguments, wanted)
+    if grasp or any(load) or arguments.round_normals:
+        raise GraspError("a question is a grasp and a wrench; give --grasp FILE and --wrench W")
+    return None
 
 
 if __name__ == "__main__":

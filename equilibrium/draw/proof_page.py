@@ -34,7 +34,8 @@ def proof_page(
 
     The two maps of `draw_proof`. For the region under the pointer, or the one that has the focus,
     the page draws the virtual motion on the grasp and states its inequality: the work of the load,
-    the least work of each contact as a factor of its normal force, and that of all together.
+    the least work of each contact as a factor of its normal force, and that of all together. It
+    states the question, as the certificate has it.
 
     Args:
         grasp: contacts.
@@ -72,6 +73,7 @@ def proof_page(
         ],
         "first": next((places[id(s.part)] for s in shapes if s.part.leaf.motion == largest), 0),
         "half": MAP,
+        "question": maps.verdict.verify().question,
         "motions": [_motion(maps, motion) for motion in maps.ranks],
         "parts": [_part(maps, part) for part in maps.parts],
         **grasp_data(grasp),

@@ -39,8 +39,9 @@ def draw_slice(
     own preloads or, where it has none or one is given, with one preload at every contact. The
     border is drawn only where resistance ends; what reaches the edge has no end, and fades.
 
-    In space, one picture: the wrenches along directions of a plane of two coordinates, from 0 to
-    the borders, with both ends of each bracket; thick where magnitudes between stayed undecided.
+    In space, one picture: the wrenches along directions of a plane of two coordinates, as far as
+    they are proved to be resisted, with both ends of each bracket of a border; thick where the
+    magnitudes that were tried stayed undecided, up to the edge if no proof was found beyond.
     Shaded outside is all that the proofs found refute: each refutes a convex part of the plane.
 
     Args:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Iterator
 from fractions import Fraction
 
 import numpy as np
@@ -16,7 +17,7 @@ from arrangement.progress import watched
 from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import Grasp
 from equilibrium.model.unit_normal import unit_normal
-from equilibrium.spatial_verdict import RESISTED
+from equilibrium.spatial_verdict import NOT_RESISTED, RESISTED, UNDECIDED
 from equilibrium.wrench_sets.known_loads import KnownLoads
 from equilibrium.wrench_sets.spatial import SpatialMagnitudes, spatial_magnitudes
 
@@ -30,6 +31,8 @@ NAMES = ("fx", "fy", "fz", "tx", "ty", "tz")
 _LABELS = ("$f_x$", "$f_y$", "$f_z$", r"$\tau_x$", r"$\tau_y$", r"$\tau_z$")
 #: Relative width of the brackets, and nodes of each tree: finer ones cannot be seen.
 _WIDTH, _NODES, _EVERY = Fraction(1, 40), 20, 2
+#: Nodes for directions that end undecided.
+_MORE_NODES = 400
 _HELD, _REFUTED = "#5f93bd", "#f6e3d3"
 
 
@@ -42,12 +45,16 @@ def slice_in_space(grasp: Grasp, axes: str, directions: int, width: float) -> Sc
         raise GraspError(f"directions is {directions}; give 3 to 360")
     first, second = map(NAMES.index, chosen)
     spokes, loads = [], KnownLoads(grasp, _NODES)
+    patient = KnownLoads(grasp, _MORE_NODES)
+    patient.trees = loads.trees
     for k in watched(range(directions), "directions"):
         angle = 2 * math.pi * k / directions
         way = unit_normal((math.cos(angle), math.sin(angle)), Fraction(1, 100)).normal
         load = [Fraction(0)] * 6
         load[first], load[second] = way
         known = spatial_magnitudes(grasp, load, width=_WIDTH, loads=loads, every=_EVERY)
+        if known.samples[-1][1] == UNDECIDED:
+            known = spatial_magnitudes(grasp, load, width=_WIDTH, loads=patient, every=_EVERY)
         spokes.append((np.array([float(x) for x in way]), known))
     rows = [
         [(float(v[first]), float(v[second]), float(rest)) for v, rest in tree]
@@ -64,8 +71,9 @@ def _drawn(
     width: float,
 ) -> Scene:
     # Of a border at 0 only the width of its bracket is seen, which says nothing about the scale.
-    borders = [b for _, m in spokes for b in m.borders if b.resisted > 0]
-    ends = [float(max(b.resisted, b.refused)) for b in borders]
+    ends = [float(max(b.resisted, b.refused)) for _, m in spokes for b in m.borders if b.resisted]
+    # Where a direction ends undecided, all that is proved is to be seen.
+    ends += [t for _, m in spokes if m.samples[-1][1] == UNDECIDED and (t := _proved(m))]
     reach = 1.25 * min(4 * float(np.median(ends)), max(ends)) if ends else 1.0
     window = Window(ZERO, Fraction(reach))
     scene, (panel,) = row_of_panels(1, window, width, grasp, names=names)
@@ -80,38 +88,66 @@ def _drawn(
             refuted += 1
     rim = []
     for i, (way, known) in enumerate(spokes):
-        starts_held = held = known.samples[0][1] == RESISTED
-        start = 0.0
-        stops = [(float(b.resisted), float(b.refused), bool(b.undecided)) for b in known.borders]
-        for resisted, refused, open_ in [*stops, (reach, reach, False)]:
-            near, far = sorted((min(resisted, reach) / reach, min(refused, reach) / reach))
+        end, within = 0.0, True
+        for start, stop, held, tried in _stretches(known):
+            part = panel.at(np.minimum([start, stop], reach)[:, None] / reach * way)
             if held:
-                part = panel.at([start * way, near * way])
                 scene.line(part, ec=_HELD, lw=2.0, zorder=3, gid=f"spoke-{i}", role="region")
-            if far > near:
-                part = panel.at([near * way, far * way])
-                wide = 3.0 if open_ else 1.0
-                scene.line(part, ec=VERMILION, lw=wide, zorder=4, gid=f"open-{i}", role="line")
-            if near < 1:
-                scene.mark(panel.at(near * way), "o", 2.2, color=BLACK, zorder=5)
-            held, start = not held, far
-        end = min(stops[0][0] / reach, 1.0) if stops else 1.0
-        rim.append(panel.at((end if starts_held else 0.0) * way))
+                end = min(stop, reach) / reach if within else end
+                continue
+            wide = 3.0 if tried else 1.0
+            scene.line(part, ec=VERMILION, lw=wide, zorder=4, gid=f"open-{i}", role="line")
+            within = False
+            if start < reach and stop < math.inf:
+                scene.mark(part[0], "o", 2.2, color=BLACK, zorder=5)
+        rim.append(panel.at(end * way))
     if np.ptp(rim, axis=0).any():
         scene.polygon(rim, fc=SHADE, ec="none", zorder=0.5, gid="region-1", role="region")
     _explain(scene.legend, spokes, bool(ends), bool(refuted))
     return scene
 
 
+def _stretches(known: SpatialMagnitudes) -> Iterator[tuple[float, float, bool, bool]]:
+    """Yield what is seen of a direction: its ends, whether it is resisted, and open tries.
+
+    What lies between two that are refused is left out; the last one has no end.
+    """
+    found: dict[Fraction, str] = dict(known.samples)
+    for border in known.borders:
+        found |= {border.resisted: RESISTED, border.refused: NOT_RESISTED}
+        found |= dict.fromkeys(border.undecided, UNDECIDED)
+    since, start, before, tried = 0.0, 0.0, found.pop(Fraction(0)), False
+    for t, verdict in [*sorted(found.items()), (Fraction(0), "")]:
+        end = float(t) if verdict else math.inf
+        if verdict == UNDECIDED:
+            tried = True
+            continue
+        if tried or before != RESISTED or verdict == NOT_RESISTED:
+            if since < start:
+                yield since, start, True, False
+            if tried or (verdict and verdict != before):
+                yield start, end, False, tried
+            since = end
+        start, before, tried = end, verdict, False
+    if since < start:
+        yield since, start, True, False
+
+
+def _proved(known: SpatialMagnitudes) -> float:
+    """Return the largest magnitude that is proved to be resisted, of those tried."""
+    return float(max((t for t, verdict in known.samples if verdict == RESISTED), default=0))
+
+
 def _explain(
     legend: Legend, spokes: list[tuple[Floats, SpatialMagnitudes]], ends: bool, refuted: bool
 ) -> None:
     """Say what is drawn, if there are borders beyond 0 or not."""
-    legend.key(symbol(_HELD), "proved to be resisted at the samples, from 0 to the border")
+    legend.key(symbol(_HELD), "proved to be resisted at the samples")
     if refuted:
         legend.key(symbol(_REFUTED), "proved not to be resisted (white: left open here)")
-    if ends:
-        legend.key(symbol("missed"), "between the two proofs (thick: tried, undecided)")
+    open_ends = any(known.samples[-1][1] == UNDECIDED for _, known in spokes)
+    if ends or open_ends:
+        legend.key(symbol("missed"), "open between two proofs; thick: tried and undecided")
     elif all(known.borders for _, known in spokes):
         legend.line("nothing is resisted in these directions, 0 aside")
     legend.line(f"{len(spokes)} directions; the shade between them is a guide, no proof")

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 from arrangement.io.files import Source, read_document
 from arrangement.io.writing import write_text_atomically
-from equilibrium.certificate.checker import Report, check
+from equilibrium.certificate.checker import Question, Report, check
 from equilibrium.certificate.document import Certificate
 from equilibrium.certificate.reading import SCHEMA_VERSION
 from equilibrium.model.grasp import Grasp
@@ -51,10 +51,13 @@ def read_certificate(source: Source) -> dict[str, Any]:
     )
 
 
-def verify(source: Source) -> Report:
+def verify(source: Source, question: Question | None = None, pyramid: int | None = None) -> Report:
     """Check a certificate from a path, ``"-"`` (stdin) or a mapping; no solver is involved.
+
+    Args:
+        question, pyramid: what it has to be about; see `equilibrium.certificate.checker.check`.
 
     Raises:
         InputError: the document has no readable form.
     """
-    return check(read_certificate(source))
+    return check(read_certificate(source), question, pyramid)

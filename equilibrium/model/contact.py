@@ -108,10 +108,13 @@ class Contact(Shown):
             raise GraspError(f"stiffness is {shown(self.stiffness)}; it must be above 0")
 
     def __repr__(self) -> str:
+        return f"<Contact: {self.words}>"
+
+    @property
+    def words(self) -> str:
+        """Place, normal and values, in short numbers."""
         values = ", ".join(f"{name} {number_text(getattr(self, name))}" for name in VALUES)
-        return (
-            f"<Contact: at {vector_text(self.point)}, normal {vector_text(self.normal)}, {values}>"
-        )
+        return f"at {vector_text(self.point)}, normal {vector_text(self.normal)}, {values}"
 
     @property
     def dimension(self) -> int:

@@ -13,6 +13,7 @@ import pytest
 
 from arrangement import Arrangement, __version__, read_arrangement
 from arrangement.cli import main
+from arrangement.counts import essentialization
 
 Capture = pytest.CaptureFixture[str]
 
@@ -265,13 +266,34 @@ def test_polynomial_of_a_family_member(capsys: Capture, tmp_path: Path) -> None:
     assert call(capsys, "make", "shi", "--type", "D4", "-o", path) == (0, "", "")
     code, out, err = call(capsys, "polynomial", path)
     assert (code, err) == (0, "")
-    assert "factors          (t - 6)**4\nregions          2401\nbounded regions  625\n" in out
+    rows = dict(line.split("  ", 1) for line in out.splitlines()[1:])
+    assert {name: value.strip() for name, value in rows.items()} == {
+        "factors": "(t - 6)**4",
+        "regions": "2401",
+        "bounded regions": "625",
+        "relatively bounded": "625",
+    }
     code, out, _ = call(capsys, "polynomial", path, "--json")
     assert json.loads(out) == {
         "first_whitney_numbers": [1, -24, 216, -864, 1296],
         "regions": 2401,
         "bounded_regions": 625,
+        "relatively_bounded_regions": 625,
     }
+
+
+def test_regions_bounded_in_the_span_of_the_normals_are_counted(
+    capsys: Capture, tmp_path: Path
+) -> None:
+    path = str(tmp_path / "linial.json")
+    call(capsys, "make", "linial", "--type", "4", "-o", path)
+    bounded = len(essentialization(read_arrangement(path)).bounded_regions())
+    code, out, _ = call(capsys, "polynomial", path, "--json")
+    assert (code, *list(json.loads(out).values())[1:]) == (0, 36, 0, bounded)
+    assert (
+        f"bounded regions     0\nrelatively bounded  {bounded}\n"
+        in call(capsys, "polynomial", path)[1]
+    )
 
 
 def test_a_time_limit_is_an_error_with_what_is_known(capsys: Capture, tmp_path: Path) -> None:

@@ -11,7 +11,7 @@ from hypothesis import given, settings, strategies as st
 
 from arrangement import Arrangement, InputError
 from arrangement.counts import bounded_region_count, f_vector
-from arrangement.draw import draw_lines
+from arrangement.draw import draw_gnomonic, draw_lines
 from arrangement.draw.items import Label
 from arrangement.draw.labels import HAIR
 from arrangement.draw.layout import laid_out
@@ -109,6 +109,30 @@ def test_a_line_has_one_name_in_the_window_and_two_in_the_projective_plane() -> 
     assert [written(scene_of(LESSON)).count(str(k)) for k in (1, 2, 3)] == [1, 1, 1]
     whole = written(scene_of(LESSON, projective=True))
     assert [whole.count(str(k)) for k in (1, 2, 3)] == [2, 2, 2]
+
+
+@pytest.mark.parametrize("normal", [(0, 1), (1, 0), (1, 1), (-1, 2), (-3, -1), (5, -7)])
+@pytest.mark.parametrize("view", [draw_lines, draw_gnomonic])
+def test_numbers_at_a_common_point_of_the_rim_have_the_order_of_their_lines(
+    normal: tuple[int, int], view: Any
+) -> None:
+    a, b = normal
+    rows, offsets = [normal, normal, normal, (-b, a)], [-1, 0, 1, 0]
+    if view is draw_lines:
+        scene = inspect.unwrap(view)(Arrangement(rows, offsets), projective=True, labels="none")
+    else:
+        cone = Arrangement([(*row, -c) for row, c in zip(rows, offsets, strict=True)])
+        scene = inspect.unwrap(view)(cone, direction=(0, 0, 1), labels="none", coordinates="given")
+    numbers = [item for item in scene.items if isinstance(item, Label) and item.text in "123"]
+    middle = np.array(np.mean([item.place for item in numbers], axis=0))
+    for side in (1, -1):
+        along = side * np.array([-b, a])
+        here = [x for x in numbers if np.subtract(x.place, middle) @ along > 0]
+        assert [x.text for x in sorted(here, key=lambda x: np.dot(normal, x.place))] == [
+            "1",
+            "2",
+            "3",
+        ]
 
 
 def test_parallel_classes_have_dots_at_infinity() -> None:

@@ -511,6 +511,7 @@ def test_planes_of_other_spaces_are_shown_by_their_essentialisation() -> None:
     ("planes", "why"),
     [
         (families.generic(MAX_PLANES + 1), "21 planes; the lab takes at most 20"),
+        (families.regular(10), r"entries in Q\(a\) with a\^2 - 5 = 0.*counts in integers"),
         (made(3, [[10**1000, 1, 0]]), "more digits than 1000"),
         (Arrangement([[1, 0, 0], [0, 1, 0], [0, 0, 1]], [1, 0, 0]), "affine planes of rank 3"),
         (families.coordinate(4), "central planes of rank 4"),

@@ -12,9 +12,10 @@ import pytest
 
 from arrangement import Arrangement, InputError
 from arrangement.cli import main
-from arrangement.draw import arrangement_page
-from arrangement.draw.page import MAX_CIRCLES
+from arrangement.draw import arrangement_page, cells_page
+from arrangement.draw.page import MAX_CIRCLES, equation
 from arrangement.formats.table import read_arrangement
+from arrangement.library import families
 from arrangement.polyhedra.dual import dual_polyhedron
 from tests.browser import Browser
 
@@ -373,3 +374,25 @@ def test_symmetric_coordinates_change_places_and_nothing_else(
     browser.run("document.getElementById('even').click()")
     browser.settled()
     assert shapes(browser) == before
+
+
+def test_irrational_equations_are_readable_and_say_what_a_is() -> None:
+    planes = families.coxeter("H3")
+    a = planes.field.generator
+    assert equation((2, 1 + a, 1 - a)) == "2x + (1 + a) y - (-1 + a) z = 0"
+    assert equation((a, -a, 2 * a), 1 + a) == "a x - a y + 2a z = 1 + a"
+    for page in (arrangement_page(planes), cells_page(planes)):
+        assert "numbers in Q(a) with a^2 - 5 = 0, a = 2.23607..." in page
+        assert "2x + (1 + a) y - (-1 + a) z = 0" in page
+    assert "numbers in" not in arrangement_page(read_arrangement("braid-a3"))
+
+
+@pytest.mark.parametrize("offset", ["7" * 4300, "1/" + "7" * 4300])
+def test_a_page_of_numbers_beyond_floats_is_refused(
+    offset: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    planes, page = tmp_path / "planes.txt", tmp_path / "page.html"
+    planes.write_text(f"1 0 | 1\n0 1 | {offset}\n1 1 | 0\n", encoding="utf-8")
+    assert main(["draw", str(planes), "-o", str(page)]) == 2
+    assert not page.exists()
+    assert "too large for a picture" in capsys.readouterr().err

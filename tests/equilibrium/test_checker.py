@@ -10,6 +10,7 @@ import re
 import time
 from collections import Counter
 from collections.abc import Iterator
+from dataclasses import replace
 from fractions import Fraction
 from functools import cache
 from operator import mul
@@ -477,7 +478,9 @@ def test_the_report_counts_leaves_and_has_a_json_form(documents):
         report, kind = check(document), document["certificate"]
         listed = nodes(document["tree"]) if kind == "not resisted" else ()
         assert report.leaves == sum(_is_leaf(node) for _, node in listed)
-        assert report.to_dict() == {"valid": True, "certificate": kind, "leaves": report.leaves}
+        said = {"valid": True, "certificate": kind, "leaves": report.leaves, "compared": False}
+        question = {key: document[key] for key in ("wrench", "grasp")}
+        assert report.to_dict() == said | question
 
 
 def _is_leaf(node: Any) -> bool:
@@ -634,6 +637,18 @@ def test_another_question_is_refused(documents):
     for document in (documents[0], documents[-1]):
         grasp, wrench = judge.statement(document)
         assert check(document, question=(grasp, wrench))
-        for other in ((grasp, (wrench[0], wrench[1], wrench[2] + 1)), (Grasp(), wrench)):
+        report = check(document)
+        assert (report.grasp, report.wrench, report.compared) == (grasp, wrench, False)
+        hair = Fraction(1, 10**50)
+        softer = [
+            replace(c, friction=c.friction + hair) if not i else c for i, c in enumerate(grasp)
+        ]
+        for other, words in (
+            ((grasp, (*wrench[:2], wrench[2] + 1)), "another wrench: it is ("),
+            ((grasp, (*wrench[:2], wrench[2] + hair)), "(1/1" + 50 * "0" + " apart)"),
+            ((Grasp(), wrench), f"{len(grasp)} contacts in 2 dimensions, and asked was one with 0"),
+            ((Grasp(softer), wrench), "another grasp: friction of contact 1 is "),
+        ):
             report = check(document, question=other)
-            assert (bool(report), report.problem) == (False, "it is about another grasp or wrench")
+            assert (bool(report), report.compared) == (False, True)
+            assert words in report.problem

@@ -73,7 +73,18 @@ def test_certificate_is_written_and_verified(capsys, tmp_path: Path, wrench, cod
     assert call(capsys, *arguments)[0] == code
     assert call(capsys, "verify", str(path))[0] == 0
     verified, out, _ = call(capsys, "verify", str(path), "--json")
-    assert (verified, json.loads(out)["valid"]) == (0, True)
+    found = json.loads(out)
+    assert (verified, found["valid"], found["compared"]) == (0, True, False)
+    assert (found["wrench"], len(found["grasp"]["contacts"])) == (["0", wrench, "0"], 3)
+    asked = ("verify", str(path), "--wrench", "0", wrench, "0", "--grasp")
+    code, out, _ = call(capsys, *asked, THREE)
+    assert (code, "compared with no" in out, f"wrench (0, {wrench}, 0)" in out) == (0, False, True)
+    code, out, _ = call(capsys, *asked, THREE, "--preload", "1")
+    assert code == 1
+    assert out.startswith("not valid: it is about another grasp: preload of contact 1 is 0, and ")
+    assert (
+        call(capsys, *asked[:-1])[0] == call(capsys, "verify", str(path), "--at", "0", "0")[0] == 2
+    )
     assert [p.name for p in tmp_path.iterdir()] == [path.name]
 
 

@@ -17,6 +17,7 @@ from arrangement.draw.items import Label, Path as Line
 from arrangement.draw.scene import Scene
 from equilibrium import Contact, Grasp, GraspError, Mesh, read_grasp
 from equilibrium.cli import main
+from equilibrium.draw import space_slice
 from equilibrium.draw.grasp import draw_grasp
 from equilibrium.draw.proof import draw_proof
 from equilibrium.draw.screw import Screw
@@ -24,6 +25,8 @@ from equilibrium.draw.slices import draw_slice
 from equilibrium.draw.solid_grasp import SolidGrasp
 from equilibrium.draw.space_grasp import drawn_in_space
 from equilibrium.draw.space_page import grasp_model, grasp_page
+from equilibrium.spatial_verdict import RESISTED, UNDECIDED
+from equilibrium.wrench_sets.spatial import SpatialMagnitudes
 from tests.arrangement.test_draw_boxes import offences
 
 GRASPS = ["two-opposed-fingers", "three-fingers-on-a-ball", "wedge", "peg-in-a-hole", "box-6-walls"]
@@ -123,6 +126,25 @@ def test_a_proof_shows_its_virtual_motions() -> None:
     assert texts[0].startswith("1 of 3: 1 detached; λ is a turn")
     with pytest.raises(GraspError, match="the wrench is resisted"):
         draw_proof.scene(grasp, wrench=WRENCH)
+
+
+def test_a_slice_without_a_border_ends_where_the_proofs_end(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    def known(grasp: Grasp, way: list[Fraction], **_: Any) -> SpatialMagnitudes:
+        verdicts = [RESISTED, RESISTED, RESISTED, UNDECIDED, UNDECIDED]
+        samples = zip(map(Fraction, (0, 1, 4, 16, 64)), verdicts, strict=True)
+        return SpatialMagnitudes(tuple(way), (), tuple(samples), ())
+
+    monkeypatch.setattr(space_slice, "spatial_magnitudes", known)
+    fingers = read_grasp("two-opposed-fingers")
+    scene: Scene = inspect.unwrap(draw_slice)(fingers, axes="fy,fz", directions=3)
+    for i in range(3):
+        held, undecided = (
+            [x for x in scene.items if isinstance(x, Line) and x.name == f"{name}-{i}"]
+            for name in ("spoke", "open")
+        )
+        assert length(held) == pytest.approx(4 * length(undecided))  # proved to 4, shown to 5
 
 
 def test_a_slice_ends_at_the_proved_borders() -> None:

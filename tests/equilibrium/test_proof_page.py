@@ -115,6 +115,9 @@ def test_it_needs_nothing_from_outside_and_fits_a_phone(opened: Browser, tmp_pat
     assert opened.messages() == []
     assert opened.outside() == []
     assert opened.run("return document.getElementById('said').getAttribute('aria-live')")
+    question = opened.run("return document.getElementById('question').innerText").splitlines()
+    assert question[0] == "wrench (8, 320, 24)"
+    assert [line[10:] for line in question[1:]] == [contact.words for contact in GRASP]
     opened.open(tmp_path / "proof.html", 390, 800)
     opened.settled()
     assert opened.run("return document.documentElement.scrollWidth") <= 390

@@ -7,8 +7,9 @@ from pathlib import Path
 
 import pytest
 
+from equilibrium import read_grasp, solve
 from equilibrium.cli import main
-from equilibrium.io import proved_checker
+from equilibrium.io import proved_checker, write_certificate
 from equilibrium.io.proved_checker import PROGRAM, verify_proved
 from equilibrium.model.errors import CertificateError
 
@@ -68,14 +69,24 @@ def test_a_path_is_no_option(folder: Path) -> None:
 def test_the_command_says_which_checker_spoke(
     folder: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
+    path, asked = str(folder / "certificate.json"), ["--wrench", "1", "0", "0", "--grasp"]
+    write_certificate(path, solve(read_grasp("single-contact"), (1, 0, 0)).certificate)
     program(folder, "accepted: not resisted", 0)
-    assert main(["verify", "--proved", "certificate.json"]) == 0
-    expected = "valid: not resisted (by the proved checker)\n"
-    assert capsys.readouterr().out == expected
+    assert main(["verify", "--proved", path]) == 0
+    answer, *question = capsys.readouterr().out.splitlines()
+    assert answer == "valid: not resisted (by the proved checker)"
+    assert question[0] == "wrench (1, 0, 0)"
+    assert main(["verify", "--proved", path, *asked, "single-contact"]) == 0
+    assert main(["verify", "--proved", path, *asked, "opposed-contacts"]) == 1
+    assert "it is about another grasp" in capsys.readouterr().out
+    assert main(["verify", "--proved", "-"]) == 0
+    assert "wrench (" not in capsys.readouterr().out
+    assert main(["verify", "--proved", "-", *asked, "single-contact"]) == 2
     program(folder, "refused: resisted", 1)
-    assert main(["verify", "--proved", "certificate.json", "--json"]) == 1
+    assert main(["verify", "--proved", path, "--json"]) == 1
     found = json.loads(capsys.readouterr().out)
-    assert found == {"valid": False, "certificate": "resisted", "checker": "proved"}
+    said = ("valid", "certificate", "checker", "compared")
+    assert [found[key] for key in said] == [False, "resisted", "proved", False]
     program(folder, "malformed: a number is a float", 2)
-    assert main(["verify", "--proved", "certificate.json"]) == 2
+    assert main(["verify", "--proved", path]) == 2
     assert "a number is a float" in capsys.readouterr().err

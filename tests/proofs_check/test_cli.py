@@ -77,6 +77,8 @@ def test_an_unknown_id_is_bad_input(command: str, capsys: pytest.CaptureFixture[
     captured = capsys.readouterr()
     assert captured.out == ""
     assert captured.err.startswith("error: no claim has the id 'table-three'")
+    assert main(["show", "x" * 5000]) == 2
+    assert len(capsys.readouterr().err) < 150
     assert "table-three-contacts" in captured.err
 
 

@@ -64,7 +64,7 @@ def test_a_certificate_is_judged_by_its_proof_and_its_question() -> None:
 
     question = asked("certificate", judge)
     assert question.mistake(NO) == ""
-    assert question.mistake(YES) == "it is about another grasp or wrench"
+    assert question.mistake(YES).startswith("it is about another wrench: it is (")
     assert "work" in question.mistake({**NO, "tree": ["0", "0", "1"]})
     assert "tree" in question.mistake({**NO, "tree": 3})
 

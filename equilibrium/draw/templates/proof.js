@@ -122,6 +122,7 @@ function begin() {
     const seen = shapes[i].length ? "" : " (not on the maps)";
     make("option", { value: i }, at("part"), `${nameOf(i)}${seen}`.replace("part ", ""));
   });
+  for (const line of data.question) make("li", {}, at("question"), line);
   at("part").addEventListener("change", (event) => choose(Number(event.target.value)));
   for (const [id, step] of [["back", -1], ["next", 1]]) {
     at(id).addEventListener("click", () => choose((state.chosen + step + data.parts.length) % data.parts.length));
