@@ -119,10 +119,10 @@ def test_numbers_at_a_common_point_of_the_rim_have_the_order_of_their_lines(
     a, b = normal
     rows, offsets = [normal, normal, normal, (-b, a)], [-1, 0, 1, 0]
     if view is draw_lines:
-        scene = inspect.unwrap(view)(Arrangement(rows, offsets), projective=True, labels="none")
+        scene = view.scene(Arrangement(rows, offsets), projective=True, labels="none")
     else:
         cone = Arrangement([(*row, -c) for row, c in zip(rows, offsets, strict=True)])
-        scene = inspect.unwrap(view)(cone, direction=(0, 0, 1), labels="none", coordinates="given")
+        scene = view.scene(cone, direction=(0, 0, 1), labels="none", coordinates="given")
     numbers = [item for item in scene.items if isinstance(item, Label) and item.text in "123"]
     middle = np.array(np.mean([item.place for item in numbers], axis=0))
     for side in (1, -1):

@@ -138,7 +138,7 @@ def test_a_slice_without_a_border_ends_where_the_proofs_end(
 
     monkeypatch.setattr(space_slice, "spatial_magnitudes", known)
     fingers = read_grasp("two-opposed-fingers")
-    scene: Scene = inspect.unwrap(draw_slice)(fingers, axes="fy,fz", directions=3)
+    scene: Scene = draw_slice.scene(fingers, axes="fy,fz", directions=3)
     for i in range(3):
         held, undecided = (
             [x for x in scene.items if isinstance(x, Line) and x.name == f"{name}-{i}"]
