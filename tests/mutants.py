@@ -6,8 +6,9 @@
     python tests/mutants.py --jobs 1          one process
     python tests/mutants.py law --first 20    from the 20th fault on
 
-A fault changes one comparison, constant, sign, "and" or "or" of the syntax tree. The tests of its
-target run in a process of their own; one that fails, or that takes too long, has found the fault.
+A fault changes one comparison, constant, sign, "and" or "or" of the syntax tree, drops a condition
+or an entry, or takes one function or end of an interval for its opposite. The tests of its target
+run in a process of their own; one that fails, or that takes too long, has found the fault.
 Exit 1 if faults survive that are not among `EQUIVALENT`.
 """
 
@@ -48,10 +49,28 @@ class Target(NamedTuple):
 CHECKER = ("tests/equilibrium/test_checker.py",)
 SOLVER = ("tests/equilibrium/test_verdict.py",)
 SEARCH = ("tests/equilibrium/test_leaves.py", "tests/equilibrium/test_resistance.py")
+SPACE = ("tests/equilibrium/test_space_checker.py", "tests/equilibrium/test_space.py")
+MODULAR = ("tests/arrangement/test_number_field.py", "tests/arrangement/test_counts_lattice.py")
+CIRCLES = (
+    "tests/arrangement/test_great_circles_exactness.py",
+    "tests/arrangement/test_number_field.py",
+)
 TARGETS = {
     "checker": Target("equilibrium.certificate.checker", CHECKER),
     "law": Target("equilibrium.certificate.law", CHECKER),
     "reading": Target("equilibrium.certificate.reading", CHECKER),
+    "space": Target("equilibrium.certificate.space", SPACE),
+    "enclosure": Target("equilibrium.certificate.enclosure", SPACE),
+    "loads": Target("equilibrium.wrench_sets.known_loads", ("tests/equilibrium/test_space.py",)),
+    "final": Target(
+        "arrangement.library.census.final_polynomials",
+        ("tests/arrangement/test_final_polynomials.py",),
+    ),
+    "modular": Target("arrangement.counts.modular", MODULAR),
+    "lowrank": Target("arrangement.counts.low_rank", ("tests/arrangement/test_counts.py",)),
+    "field": Target("arrangement.number_field", ("tests/arrangement/test_number_field.py",)),
+    "circles": Target("arrangement.enumeration.great_circles.predicates", CIRCLES),
+    "crossings": Target("arrangement.enumeration.great_circles.crossings", CIRCLES),
     "predicates": Target(
         "arrangement.enumeration.affine_space.predicates",
         ("tests/arrangement/test_affine_space.py",),
@@ -188,7 +207,11 @@ _OPERATORS: dict[type[ast.operator], type[ast.operator]] = {
     ast.Mult: ast.Add,
     ast.FloorDiv: ast.Mult,
     ast.Div: ast.Mult,
+    ast.Pow: ast.Mult,
 }
+#: Names of functions, methods and ends of intervals that are easily taken for one another.
+_NAMES = {"max": "min", "any": "all", "low": "high", "floor": "ceil"}
+_NAMES |= {other: name for name, other in _NAMES.items()}
 
 
 class Fault(NamedTuple):
@@ -229,6 +252,15 @@ def _alterations(node: ast.AST) -> Iterator[tuple[str, Any]]:
     elif isinstance(node, ast.BoolOp):
         new_op = ast.Or() if isinstance(node.op, ast.And) else ast.And()
         yield f"{type(node.op).__name__} -> {type(new_op).__name__}", _setter("op", None, new_op)
+        for i, value in enumerate(node.values):
+            yield f"dropped: {ast.unparse(value)}", _remover("values", i)
+    elif isinstance(node, ast.List) and len(node.elts) > 1:
+        for i, value in enumerate(node.elts):
+            yield f"dropped: {ast.unparse(value)}", _remover("elts", i)
+    elif isinstance(node, ast.Name) and node.id in _NAMES and isinstance(node.ctx, ast.Load):
+        yield f"{node.id} -> {_NAMES[node.id]}", _setter("id", None, _NAMES[node.id])
+    elif isinstance(node, ast.Attribute) and node.attr in _NAMES:
+        yield f"{node.attr} -> {_NAMES[node.attr]}", _setter("attr", None, _NAMES[node.attr])
     elif isinstance(node, ast.BinOp) and type(node.op) in _OPERATORS:
         new = _OPERATORS[type(node.op)]
         yield f"{type(node.op).__name__} -> {new.__name__}", _setter("op", None, new())
@@ -247,6 +279,16 @@ def _setter(field: str, index: int | None, value: Any) -> Any:
             setattr(node, field, value)
         else:
             getattr(node, field)[index] = value
+
+    return alter
+
+
+def _remover(field: str, index: int) -> Any:
+    def alter(node: Any) -> None:
+        values = getattr(node, field)
+        del values[index]
+        if isinstance(node, ast.BoolOp) and len(values) == 1:
+            values *= 2  # "x and x" is x
 
     return alter
 
