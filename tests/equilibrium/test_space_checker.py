@@ -11,7 +11,7 @@ import sympy
 from arrangement.exact import dot
 from equilibrium.certificate.checker import check
 from equilibrium.certificate.document import enclosed_certificate, resisted_certificate
-from equilibrium.certificate.enclosure import Interval, interval
+from equilibrium.certificate.enclosure import Interval, interval, total
 from equilibrium.certificate.reading import Enclosure, Leaf, Split
 from equilibrium.certificate.space import SpatialQuestion, spatial_leaf_problem, split_states
 from equilibrium.model.contact import Contact
@@ -296,6 +296,7 @@ VALID = {
     },
     "two and their line": {**ON_TWO, "idle": (TURN,)},
     "an end just beside the solution": {"shift": WIDE - TINY},
+    "friction up to its limit": {"wrench": (0, F(-1, 4), -4, 0, 0, F(1, 4))},
 }
 SHORT = "contact 1 has a friction above its limit"
 FORGED = [
@@ -314,6 +315,7 @@ FORGED = [
     ("contact 1 sticks, and a motion of the basis moves it", {"basis": (UP, TILT, plus(TIP, (1, ASIDE)))}),
     ("contact 4 is not detached", {"friction": (*[STICK] * 3, "detached"), "wrench": (0, 0, F(-19, 10), F(-9, 10), 0, 0)}),
     ("contact 4 does not slip", {"friction": (*[STICK] * 3, "slip")}),
+    ("contact 4 does not slip", {"contacts": [*FOUR[:3], Contact((0, -1, 1), (0, 0, 1), 1, 1, 1, (1, 0, 0))], "friction": (*[STICK] * 3, "slip"), "wrench": (0, 0, F(-47, 16), F(-15, 16), 0, 0)}),
     ("contact 4 is a pillar and does not stick", {"pillars": (*PILLARS[:2], (3, 0)), "friction": (*[STICK] * 3, "slip")}),
     ("an idle motion", {**ON_TWO, "idle": (TURN,), "wrench": (0, 0, -2, F(1, 9), 0, 0)}),
     ("an idle motion", {**ON_TWO, "idle": ((*TILT[:4], 1, 0, 0),)}),
@@ -351,5 +353,6 @@ def test_intervals_contain_all_exact_results_and_are_no_wider_than_needed():
         others = [F(end, one) for end in y]
         fits(x.times(y), [a * b for a in given for b in others])
         fits(x.plus(y), [a + b for a, b in zip(given, others, strict=True)])
+        assert total([x, y, x]) == x.plus(y).plus(x)
     for number in (F(1, 3), F(-1, 3), 2, F(5, 4)):
         fits(interval(number), [number])
