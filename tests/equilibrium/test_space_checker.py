@@ -13,7 +13,12 @@ from equilibrium.certificate.checker import check
 from equilibrium.certificate.document import enclosed_certificate, resisted_certificate
 from equilibrium.certificate.enclosure import Interval, _balance, _BrokenLaw, interval, total
 from equilibrium.certificate.reading import Enclosure, Leaf, Split
-from equilibrium.certificate.space import SpatialQuestion, spatial_leaf_problem, split_states
+from equilibrium.certificate.space import (
+    SpatialQuestion,
+    _broken_bound,
+    spatial_leaf_problem,
+    split_states,
+)
 from equilibrium.model.contact import Contact
 from equilibrium.model.errors import CertificateError
 from equilibrium.model.grasp import Grasp
@@ -149,6 +154,17 @@ def test_a_leaf_holds_exactly_where_the_definition_says_so(count):
         if sum(right) >= 5:
             found[right.index(False) if problem else -1] += 1
     assert min(found[k] for k in (-1, 0, 1, 2, 4, 5)) > 3, found
+
+
+def test_bounds_have_no_gap_between_whole_numbers():
+    """In the sector from (1/9, 0) to (0, 1), beside both ends, and opposite to them."""
+    sector = ((F(1, 9), F(0)), (F(0), F(1)))
+    for b, least in (((1, -1), 1), ((-1, 1), 1), ((-1, -1), -1), ((0, -1), 0), ((0, 0), 0)):
+        for room in (-2, -1, 0, 1):
+            assert (not _broken_bound(sector, 0, (0, 0), room, b, F(1))) == (room >= least)
+    question = SpatialQuestion(Grasp(table((0, 0), friction=0, preload=0)), plus(ALONG))
+    assert not spatial_leaf_problem(question, Leaf(plus(ALONG), {}), {}, "leaf")
+    assert spatial_leaf_problem(question, Leaf(plus(ASIDE), {}), {}, "leaf")
 
 
 #: Slips and frictions whose lengths are rational; the first is none.
