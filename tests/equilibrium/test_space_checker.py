@@ -16,6 +16,7 @@ from equilibrium.certificate.reading import Enclosure, Leaf, Split
 from equilibrium.certificate.space import (
     SpatialQuestion,
     _broken_bound,
+    _broken_pyramid,
     spatial_leaf_problem,
     split_states,
 )
@@ -105,7 +106,7 @@ def forged_leaf(source, edges, state, ends):
     bound = F(float(a - friction * most(b, state, ends, edges))).limit_denominator(999)
     alpha = source.choice([bound, bound, 0, -1, 1]) + source.choice([0, 0, F(1, 10**5), -F(1, 9)])
     h = source.choice([(0, 0), (0, 0), source.choice(ENDS), (number(), number())])
-    # One contact that sticks takes h away, and one that is detached takes alpha.
+    # One contact that sticks takes h away; one that is detached, or sticks on its side, alpha.
     up, other = (1 if a >= 0 else -1), F(source.randint(1, 5), 2)
     back = -1 if alpha > 0 else 1
     helpers = [
@@ -113,6 +114,19 @@ def forged_leaf(source, edges, state, ends):
         Contact(point, [back * x for x in normal], 1, other, F(1, 5), tangent),
     ]
     given = [[alpha, *h], [0, -h[0], -up * h[1]], [abs(alpha) * k / other, 0, 0]]
+    known, room = (state, "stick", "detached"), (3 * b[0] + 4 * b[1]) / F(5)
+    if source.random() < 0.5:
+        side = plus([0] * 3, (F(3, 5), rows[1][:3]), (F(4, 5), rows[2][:3]))
+        side = [x if room >= 0 else -x for x in side]
+        # Its first tangent is the normal of the other, or its second one.
+        (a1, a2, a3), (b1, b2, b3) = normal, side
+        turned = (a2 * b3 - a3 * b2, a3 * b1 - a1 * b3, a1 * b2 - a2 * b1)
+        first = source.random() < 0.5
+        helpers[1] = Contact(point, side, 0, other, F(1, 5), normal if first else turned)
+        given[2], known = (
+            [F(0), alpha * k * first, alpha * k * (not first)],
+            (state, *["stick"] * 2),
+        )
     if source.random() < 0.15:
         i, j = source.choice([(1, 0), (1, 1), (2, 0)])
         given[i][j] += F(1, 7)
@@ -124,7 +138,7 @@ def forged_leaf(source, edges, state, ends):
         alpha >= 0 or state not in ("undecided", "detached"),
         state == "detached" or alpha <= a - friction * most(b, state, ends, edges) + 1e-9,
         not any(h) or state == "stick" or bool(ends and all(dot(h, end) <= 0 for end in ends)),
-        given[1][0] <= abs(a),
+        given[1][0] <= abs(a) and (known[2] == "detached" or given[2][0] <= abs(room)),
     ]
     rest, contacts = [0] * 6, [contact, *helpers]
     for one, (first, *others) in zip(contacts, given, strict=True):
@@ -132,7 +146,6 @@ def forged_leaf(source, edges, state, ends):
         rest = plus(rest, (-first * one.stiffness, row), *zip(others, both, strict=True))
     right += [not any(rest), dot(load, motion) + least > 0]
     order = source.sample(range(3), 3)
-    known = (state, "stick", "detached")
     leaf = Leaf(motion, {j: tuple(given[i]) for j, i in enumerate(order) if i or any(given[i])})
     question = SpatialQuestion(Grasp([contacts[i] for i in order]), load, edges)
     named = {j: known[i] for j, i in enumerate(order) if known[i] != "undecided"}
@@ -157,14 +170,42 @@ def test_a_leaf_holds_exactly_where_the_definition_says_so(count):
 
 
 def test_bounds_have_no_gap_between_whole_numbers():
-    """In the sector from (1/9, 0) to (0, 1), beside both ends, and opposite to them."""
-    sector = ((F(1, 9), F(0)), (F(0), F(1)))
-    for b, least in (((1, -1), 1), ((-1, 1), 1), ((-1, -1), -1), ((0, -1), 0), ((0, 0), 0)):
-        for room in (-2, -1, 0, 1):
+    """In the sector from (1/9, 0) to (0, 1/9), inside, beside both ends, and opposite to them."""
+    sector = ((F(1, 9), F(0)), (F(0), F(1, 9)))
+    for b, least in (
+        ((1, 1), 2),
+        ((1, -1), 1),
+        ((-1, 1), 1),
+        ((-1, -1), -1),
+        ((0, -1), 0),
+        ((0, 0), 0),
+    ):
+        for room in (-2, -1, 0, 1, 2):
             assert (not _broken_bound(sector, 0, (0, 0), room, b, F(1))) == (room >= least)
+    for state in ("undecided", "detached"):
+        assert _broken_bound(state, -1, (0, 0), 9, (1, 0), F(1))
+        assert _broken_pyramid(state, -1, (0, 0), 9, (1, 0), F(1), pyramid_edges(4))
     question = SpatialQuestion(Grasp(table((0, 0), friction=0, preload=0)), plus(ALONG))
     assert not spatial_leaf_problem(question, Leaf(plus(ALONG), {}), {}, "leaf")
     assert spatial_leaf_problem(question, Leaf(plus(ASIDE), {}), {}, "leaf")
+
+
+def test_no_coordinate_of_what_depends_on_the_motion_may_be_left():
+    """Contacts that stick, and have but one force or torque on any motion."""
+    units = [tuple(int(i == j) for j in range(3)) for i in range(3)]
+    load = plus([1, 1, 1, 0, 0, 0])
+    for j in range(3):
+        normal, point, tangent = units[j], units[j - 2], units[j - 1]
+        contact, *both = [
+            Contact(p, normal, 0, 1, 0, tangent) for p in ((0, 0, 0), point, [-x for x in point])
+        ]
+        for contacts, rows in (([contact], [(0, 1, 0)]), (both, [(0, 1, 0), (0, -1, 0)])):
+            states = dict.fromkeys(range(len(contacts)), "stick")
+            for factor, words in ((0, ""), (1, "the sum of")):
+                given = {i: plus([0] * 3, (factor, row)) for i, row in enumerate(rows)}
+                asked = SpatialQuestion(Grasp(contacts), load), Leaf(load, given), states, "leaf"
+                assert words in spatial_leaf_problem(*asked)
+                assert bool(spatial_leaf_problem(*asked)) == bool(words)
 
 
 #: Slips and frictions whose lengths are rational; the first is none.
@@ -219,6 +260,8 @@ def test_parts_of_a_split_are_the_sectors_between_its_directions_and_no_split_is
 
     cyclic = [(ends[0], ends[1]), (ends[1], ends[2]), (ends[2], ends[0])]
     assert states("directions", ends, 4, "attached") == ["stick", *cyclic]
+    ninths = ((F(1, 9), F(1, 9)), (F(-1, 9), F(1, 9)), (0, F(-1, 9)))
+    assert len(states("directions", ninths, 4, "attached")) == 4
     assert states("directions", ((0, 2),), 2, cyclic[0]) == [((1, 0), (0, 2)), ((0, 2), (-3, 4))]
     square = pyramid_edges(4)
     face = states("faces", (), 9, "attached", square)[2]
