@@ -210,7 +210,9 @@ def test_forged_proofs_are_refused_though_their_products_cancel() -> None:
         changes.append([counted[0][x] - counted[1][x] for x in convex])
     found = [x for x in sympy.Matrix(changes).T.nullspace() if sum(x)]
     weights = list(found[0] * sympy.ilcm(*(x.q for x in found[0])) * sympy.sign(sum(found[0])))
-    negative = [comparison._replace(times=int(x)) for comparison, x in zip(strict, weights)]
+    negative = [
+        comparison._replace(times=int(x)) for comparison, x in zip(strict, weights, strict=True)
+    ]
     for signs, proof in (
         (convex, negative),
         (convex, [Comparison(one, 0, 1, 1), Comparison(one, 1, 0, 1)]),

@@ -86,7 +86,7 @@ def test_powers_too_small_for_their_bits_have_exact_signs(bits: int) -> None:
 
 
 def test_one_rounding_has_the_error_of_floats() -> None:
-    assert number_field._UNIT == sys.float_info.epsilon / 2
+    assert sys.float_info.epsilon == 2 * number_field._UNIT
 
 
 #: Coefficients from the constant term up, an interval, its root, and the interval of its generator.

@@ -9,7 +9,6 @@ import pytest
 import sympy
 
 from arrangement.exact import dot
-from equilibrium.certificate.checker import check
 from equilibrium.certificate.document import enclosed_certificate, resisted_certificate
 from equilibrium.certificate.enclosure import Interval, _balance, _BrokenLaw, interval, total
 from equilibrium.certificate.reading import Enclosure, Leaf, Split
@@ -288,7 +287,10 @@ def test_parts_of_a_split_are_the_sectors_between_its_directions_and_no_split_is
             states(*asked)
 
 
-def table(*points, friction=F(1, 2), preload=1):
+HALF, WIDE, NARROW, TINY = F(1, 2), F(1, 8), F(1, 1000), F(1, 2**192)
+
+
+def table(*points, friction=HALF, preload=1):
     """Return contacts under a plate, at points with z = 0: they feel it move up and tilt."""
     return [Contact((*p, 0), (0, 0, 1), friction, 1, preload, (1, 0, 0)) for p in points]
 
@@ -306,7 +308,7 @@ def enclosed(
     friction=(STICK,) * 4,
     basis=BASIS,
     pillars=PILLARS,
-    radius=F(1, 8),
+    radius=WIDE,
     idle=(),
     shift=(0, 0),
     part=1,
@@ -322,7 +324,9 @@ def enclosed(
     for contact, share in zip(contacts, friction, strict=True):
         if isinstance(share, tuple):
             normal, *tangents = rows_of(contact)
-            force = plus(normal, *((contact.friction * x, t) for x, t in zip(share, tangents)))
+            force = plus(
+                normal, *((contact.friction * x, t) for x, t in zip(share, tangents, strict=True))
+            )
             value += contact.preload * sympy.Matrix(force)
             for j, motion in enumerate(columns):
                 matrix[:, j] -= contact.stiffness * dot(normal, motion) * sympy.Matrix(force)
@@ -354,7 +358,8 @@ ON_TWO = {
     "friction": (STICK,) * 2,
     "wrench": (0, 0, -2, 0, 0, 0),
 }
-TURN, TINY, WIDE, NARROW = (*TILT, 0), F(1, 2**192), F(1, 8), F(1, 1000)
+TURN, PUSHED = (*TILT, 0), (*[NARROW] * 3, *[WIDE] * 3)
+MOVED = (*[WIDE] * 3, *[NARROW] * 3)
 VALID = {
     "four contacts stick": {},
     "under a load": {
@@ -386,21 +391,54 @@ FORGED = [
     (OUT, {"shift": (0, F(-9, 64)), "part": F(1, 2)}),
     ("radius", {"radius": 0}),
     ("radius", {"radius": (*[WIDE] * 5, F(0))}),
-    ("contact 1 is not attached", {"wrench": (0, 0, -2, 0, F(-11, 10), 0), "shift": (0, F(-1, 10))}),
-    ("contact 3 is not attached", {"wrench": (0, 0, -2, F(11, 10), 0, 0), "shift": (0, F(-1, 10)), "radius": (*[WIDE] * 3, *[NARROW] * 3)}),
+    (
+        "contact 1 is not attached",
+        {"wrench": (0, 0, -2, 0, F(-11, 10), 0), "shift": (0, F(-1, 10))},
+    ),
+    (
+        "contact 3 is not attached",
+        {"wrench": (0, 0, -2, F(11, 10), 0, 0), "shift": (0, F(-1, 10)), "radius": MOVED},
+    ),
     ("contact 1 sticks, and has a friction above", {"friction": ((1, F(1, 99)), *[STICK] * 3)}),
-    ("contact 2 sticks, and has a friction above", {"friction": (STICK, (0, F(-9, 8)), *[STICK] * 2)}),
-    (SHORT, {"wrench": (F(-11, 20), 0, -4, 0, 0, 0), "radius": (*[NARROW] * 3, *[WIDE] * 3), "shift": (3, F(-1, 10))}),
-    (SHORT, {"wrench": (F(-27, 50), 0, -4, 0, 0, 0), "radius": (*[WIDE] * 3, *[NARROW] * 3), "shift": (0, F(-1, 10))}),
-    ("contact 1 sticks, and a motion of the basis moves it", {"basis": (UP, plus(TILT, (1, ALONG)), TIP)}),
-    ("contact 1 sticks, and a motion of the basis moves it", {"basis": (UP, TILT, plus(TIP, (1, ASIDE)))}),
-    ("contact 4 is not detached", {"friction": (*[STICK] * 3, "detached"), "wrench": (0, 0, F(-39, 20), F(-19, 20), 0, 0), "shift": (0, F(1, 10)), "radius": (*[WIDE] * 3, *[NARROW] * 3)}),
+    (
+        "contact 2 sticks, and has a friction above",
+        {"friction": (STICK, (0, F(-9, 8)), *[STICK] * 2)},
+    ),
+    (SHORT, {"wrench": (F(-11, 20), 0, -4, 0, 0, 0), "radius": PUSHED, "shift": (3, F(-1, 10))}),
+    (SHORT, {"wrench": (F(-27, 50), 0, -4, 0, 0, 0), "radius": MOVED, "shift": (0, F(-1, 10))}),
+    (
+        "contact 1 sticks, and a motion of the basis moves it",
+        {"basis": (UP, plus(TILT, (1, ALONG)), TIP)},
+    ),
+    (
+        "contact 1 sticks, and a motion of the basis moves it",
+        {"basis": (UP, TILT, plus(TIP, (1, ASIDE)))},
+    ),
+    (
+        "contact 4 is not detached",
+        {
+            "friction": (*[STICK] * 3, "detached"),
+            "wrench": (0, 0, F(-39, 20), F(-19, 20), 0, 0),
+            "shift": (0, F(1, 10)),
+            "radius": MOVED,
+        },
+    ),
     ("contact 4 does not slip", {"friction": (*[STICK] * 3, "slip")}),
-    ("contact 4 does not slip", {"contacts": [*FOUR[:3], Contact((0, -1, 1), (0, 0, 1), 1, 1, 1, (1, 0, 0))], "friction": (*[STICK] * 3, "slip"), "wrench": (0, 0, F(-47, 16), F(-15, 16), 0, 0)}),
-    ("contact 4 is a pillar and does not stick", {"pillars": (*PILLARS[:2], (3, 0)), "friction": (*[STICK] * 3, "slip")}),
+    (
+        "contact 4 does not slip",
+        {
+            "contacts": [*FOUR[:3], Contact((0, -1, 1), (0, 0, 1), 1, 1, 1, (1, 0, 0))],
+            "friction": (*[STICK] * 3, "slip"),
+            "wrench": (0, 0, F(-47, 16), F(-15, 16), 0, 0),
+        },
+    ),
+    (
+        "contact 4 is a pillar and does not stick",
+        {"pillars": (*PILLARS[:2], (3, 0)), "friction": (*[STICK] * 3, "slip")},
+    ),
     ("an idle motion", {**ON_TWO, "idle": (TURN,), "wrench": (0, 0, -2, F(1, 9), 0, 0)}),
     ("an idle motion", {**ON_TWO, "idle": ((*TILT[:4], 1, 0, 0),)}),
-]  # fmt: skip
+]
 
 
 @pytest.mark.parametrize("name", VALID)
