@@ -3,6 +3,7 @@
 import math
 from collections import Counter
 from fractions import Fraction
+from itertools import product
 from random import Random
 
 import pytest
@@ -171,16 +172,10 @@ def test_a_leaf_holds_exactly_where_the_definition_says_so(count):
 def test_bounds_have_no_gap_between_whole_numbers():
     """In the sector from (1/9, 0) to (0, 1/9), inside, beside both ends, and opposite to them."""
     sector = ((F(1, 9), F(0)), (F(0), F(1, 9)))
-    for b, least in (
-        ((1, 1), 2),
-        ((1, -1), 1),
-        ((-1, 1), 1),
-        ((-1, -1), -1),
-        ((0, -1), 0),
-        ((0, 0), 0),
-    ):
-        for room in (-2, -1, 0, 1, 2):
-            assert (not _broken_bound(sector, 0, (0, 0), room, b, F(1))) == (room >= least)
+    cases = {(1, 1): 2**0.5, (1, -1): 1, (-1, 1): 1, (-1, -1): -1, (0, -1): 0, (0, 0): 0}
+    for (b, largest), mu, room in product(cases.items(), (F(1, 2), F(1), F(3)), range(-4, 6)):
+        broken = _broken_bound(sector, 0, (0, 0), room, b, mu)
+        assert (not broken) == (room >= mu * largest)
     for state in ("undecided", "detached"):
         assert _broken_bound(state, -1, (0, 0), 9, (1, 0), F(1))
         assert _broken_pyramid(state, -1, (0, 0), 9, (1, 0), F(1), pyramid_edges(4))
