@@ -89,7 +89,7 @@ class Coefficients:
             floats = np.full(array.shape, np.nan)
         with np.errstate(invalid="ignore"):
             products = floats * powers
-        values, sizes = products.sum(axis=-1), np.abs(products).sum(axis=-1)
+            values, sizes = products.sum(axis=-1), np.abs(products).sum(axis=-1)
         found = signs_of(values)
         # an entry, a power and their product are rounded, and the sums
         open_ = ~certain(values, sizes, error_bound(self.degree + 3)) & array.any(axis=-1)

@@ -36,8 +36,8 @@ if TYPE_CHECKING:
 
 #: Bits of the powers of the generator at first.
 _BITS = 128
-#: Powers below this size could lose digits in products of floats.
-_SMALLEST = 2.0**-200
+#: Smaller powers are known to fewer than 64 bits; larger ones are as good as rounded once.
+_SMALLEST = 2.0 ** (64 - _BITS)
 #: Larger ones could leave the range of floats in products.
 _LARGEST = 2**200
 _UNIT = 2.0**-53
@@ -295,6 +295,7 @@ class NumberField:
     def sign(self, coefficients: IntegerVector) -> int:
         """Return the sign of an irrational number."""
         try:
+            # 3 roundings for each product, n - 1 for sums: see `float_filter`; the rest is spare.
             products = list(map(mul, coefficients, self.float_powers))
             value = sum(products)
             if abs(value) > (len(products) + 6) * _UNIT * sum(map(abs, products)):

@@ -6,8 +6,9 @@
     python tests/mutants.py --jobs 1          one process
     python tests/mutants.py law --first 20    from the 20th fault on
 
-A fault changes one comparison, constant, sign, "and" or "or" of the syntax tree. The tests of its
-target run in a process of their own; one that fails, or that takes too long, has found the fault.
+A fault changes one comparison, constant, sign, "and" or "or" of the syntax tree, drops a condition
+or an entry, or takes one function or end of an interval for its opposite. The tests of its target
+run in a process of their own; one that fails, or that takes too long, has found the fault.
 Exit 1 if faults survive that are not among `EQUIVALENT`.
 """
 
@@ -25,6 +26,7 @@ import sys
 import time
 from collections.abc import Iterator, Sequence
 from concurrent.futures import ThreadPoolExecutor
+from itertools import chain
 from pathlib import Path
 from random import Random
 from typing import Any, NamedTuple
@@ -48,10 +50,28 @@ class Target(NamedTuple):
 CHECKER = ("tests/equilibrium/test_checker.py",)
 SOLVER = ("tests/equilibrium/test_verdict.py",)
 SEARCH = ("tests/equilibrium/test_leaves.py", "tests/equilibrium/test_resistance.py")
+SPACE = ("tests/equilibrium/test_space_checker.py", "tests/equilibrium/test_space.py")
+MODULAR = ("tests/arrangement/test_counts_symmetric.py", "tests/arrangement/test_number_field.py")
+CIRCLES = (
+    "tests/arrangement/test_great_circles_exactness.py",
+    "tests/arrangement/test_number_field.py",
+)
 TARGETS = {
     "checker": Target("equilibrium.certificate.checker", CHECKER),
     "law": Target("equilibrium.certificate.law", CHECKER),
     "reading": Target("equilibrium.certificate.reading", CHECKER),
+    "space": Target("equilibrium.certificate.space", SPACE),
+    "enclosure": Target("equilibrium.certificate.enclosure", SPACE),
+    "loads": Target("equilibrium.wrench_sets.known_loads", ("tests/equilibrium/test_space.py",)),
+    "final": Target(
+        "arrangement.library.census.final_polynomials",
+        ("tests/arrangement/test_identify.py",),
+    ),
+    "modular": Target("arrangement.counts.modular", MODULAR),
+    "lowrank": Target("arrangement.counts.low_rank", ("tests/arrangement/test_counts.py",)),
+    "field": Target("arrangement.number_field", ("tests/arrangement/test_number_field.py",)),
+    "circles": Target("arrangement.enumeration.great_circles.predicates", CIRCLES),
+    "crossings": Target("arrangement.enumeration.great_circles.crossings", CIRCLES),
     "predicates": Target(
         "arrangement.enumeration.affine_space.predicates",
         ("tests/arrangement/test_affine_space.py",),
@@ -156,6 +176,117 @@ for _target, _text, _changes, _reason in (
         "a contact without force in the whole region gets no row either",
     ),
     (
+        "space",
+        "if isinstance(state, tuple) and not isinstance(state, Face):",
+        ("dropped: not isinstance(state, Face)",),
+        "faces are states of pyramids, which return before",
+    ),
+    (
+        "space",
+        "if square < 0:",
+        ("Lt -> LtE",),
+        "where the square is 0 both bounds ask for room >= 0",
+    ),
+    (
+        "space",
+        "contact, ends = split.at[0], list(split.directions)",
+        ("0 -> -1",),
+        "the tuple has one entry",
+    ),
+    ("space", "work, rest = dot(question.load, motion), [0] * 6", ("6 -> 7",), "one more 0"),
+    (
+        "space",
+        "if isinstance(state, tuple) and not (turn(state[0], b) >= 0 and turn(b, state[1]) >= 0):",
+        ("GtE -> Gt",),
+        "along an end the product with its unit vector is the length",
+    ),
+    (
+        "space",
+        'return "" if room >= 0 or room * room * size <= friction**2 * -square else _LARGE',
+        ("GtE -> Gt", "0 -> 1"),
+        "rooms of 0 obey the second bound; in (0, 1) there is no integer",
+    ),
+    (
+        "enclosure",
+        "if square.low <= 0:",
+        ("0 -> 1",),
+        "slips below 2^-96 are refused too: fewer enclosures hold",
+    ),
+    (
+        "enclosure",
+        "Interval(interval(m - r).low, interval(m + r).high)",
+        ("low -> high", "high -> low"),
+        "any box serves into which the map takes it",
+    ),
+    (
+        "enclosure",
+        "0 if self.low < 0 < self.high else low * low >> _BITS, -(-high * high >> _BITS)",
+        ("Lt -> LtE", "0 -> 1", "0 -> -1"),
+        "the square of an end 0, 1 or -1 is rounded down to 0 as well",
+    ),
+    (
+        "enclosure",
+        "return Interval(_ONE * _ONE // (math.isqrt(high) + 1), "
+        "_ONE * _ONE // math.isqrt(low) + 1)",
+        ("1 -> 2",),
+        "the interval is wider by a unit",
+    ),
+    (
+        "lowrank",
+        "return _keep(_flats_only(_concatenate(groups), m), lambda g: g.first > g.row)",
+        ("Gt -> GtE",),
+        "a plane is in no group of its own row",
+    ),
+    (
+        "lowrank",
+        "counted = group.first > lines.first[group.row]",
+        ("Gt -> GtE",),
+        "a plane of the line is in no group beside it",
+    ),
+    (
+        "field",
+        "_BITS = 128",
+        ("128 -> 129", "128 -> 127"),
+        "how many bits are tried first was chosen; `_SMALLEST` follows",
+    ),
+    (
+        "field",
+        "_LARGEST = 2**200",
+        ("Pow -> Mult", "2 -> 3", "2 -> 1", "200 -> 201", "200 -> 199"),
+        "sums beyond floats are infinite or none, and are then taken with integers",
+    ),
+    (
+        "field",
+        "_SMALLEST = 2.0 ** (64 - _BITS)",
+        ("64 -> 65", "64 -> 63"),
+        "any bits well beyond 53 will do",
+    ),
+    (
+        "field",
+        "self._rising = value_at(integers, self._high) > 0",
+        ("Gt -> GtE",),
+        "an irreducible polynomial is not 0 at a rational number",
+    ),
+    (
+        "field",
+        "def interval(self, bits: int = 10) -> tuple[Fraction, Fraction]:",
+        ("10 -> 11", "10 -> 9"),
+        "how short an interval is if nothing is asked was chosen",
+    ),
+    (
+        "field",
+        "while (self._high - self._low) * (1 << bits) > 1:",
+        ("Gt -> GtE",),
+        "the interval is half as long at most",
+    ),
+    (
+        "field",
+        "while len(rows) < self.degree - 1:",
+        ("Lt -> LtE",),
+        "one more power, which no product has",
+    ),
+    ("field", "j, bits = 0, 64", ("64 -> 65", "64 -> 63"), "more bits are taken where needed"),
+    (
         "law",
         "if slip and tangential != (-limit if slip > 0 else limit):",
         ("Gt -> GtE",),
@@ -188,7 +319,11 @@ _OPERATORS: dict[type[ast.operator], type[ast.operator]] = {
     ast.Mult: ast.Add,
     ast.FloorDiv: ast.Mult,
     ast.Div: ast.Mult,
+    ast.Pow: ast.Mult,
 }
+#: Names of functions, methods and ends of intervals that are easily taken for one another.
+_NAMES = {"max": "min", "any": "all", "low": "high", "floor": "ceil"}
+_NAMES |= {other: name for name, other in _NAMES.items()}
 
 
 class Fault(NamedTuple):
@@ -208,7 +343,7 @@ def faults(source: str) -> Iterator[Fault]:
     for place, node in enumerate(nodes):
         if id(node) in skipped:
             continue
-        for change, alter in _alterations(node):
+        for change, alter in chain(_alterations(node), _omissions(node)):
             changed = copy.deepcopy(tree)
             alter(list(ast.walk(changed))[place])
             ast.fix_missing_locations(changed)
@@ -241,12 +376,35 @@ def _alterations(node: ast.AST) -> Iterator[tuple[str, Any]]:
             yield f"{node.value} -> {value}", _setter("value", None, value)
 
 
+def _omissions(node: ast.AST) -> Iterator[tuple[str, Any]]:
+    """Yield the same for what can be left out, or taken for its opposite."""
+    if isinstance(node, (ast.BoolOp, ast.List)):
+        field = "values" if isinstance(node, ast.BoolOp) else "elts"
+        values = getattr(node, field)
+        for i, value in enumerate(values if len(values) > 1 else ()):
+            yield f"dropped: {ast.unparse(value)}", _remover(field, i)
+    field = {ast.Name: "id", ast.Attribute: "attr"}.get(type(node), "")
+    name = getattr(node, field, "")
+    if name in _NAMES and isinstance(node.ctx, ast.Load):
+        yield f"{name} -> {_NAMES[name]}", _setter(field, None, _NAMES[name])
+
+
 def _setter(field: str, index: int | None, value: Any) -> Any:
     def alter(node: Any) -> None:
         if index is None:
             setattr(node, field, value)
         else:
             getattr(node, field)[index] = value
+
+    return alter
+
+
+def _remover(field: str, index: int) -> Any:
+    def alter(node: Any) -> None:
+        values = getattr(node, field)
+        del values[index]
+        if isinstance(node, ast.BoolOp) and len(values) == 1:
+            values *= 2  # "x and x" is x
 
     return alter
 

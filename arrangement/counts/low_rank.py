@@ -103,6 +103,7 @@ def rank_two_groups(config: Configuration) -> Groups:
         groups = [
             _group(_contract_by_one(vectors, rows), rows) for rows in _chunks(m, len(vectors))
         ]
+    # A plane is in no group of its own row, so the first one is never equal to it.
     return _keep(_flats_only(_concatenate(groups), m), lambda g: g.first > g.row)
 
 

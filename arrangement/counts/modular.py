@@ -146,9 +146,8 @@ class ModularVectors:
         for base in bases.T:
             values = _modulo((vectors[base][:, None, :] @ forms)[:, 0, :], prime)
             pivot = (values != 0).argmax(axis=1)
+            # Where it is 0 all forms become 0, and `_normalised` refuses the prime.
             top = values[rows, pivot]
-            if not top.all():
-                raise _BadPrimeError
             others = np.arange(forms.shape[2] - 1)
             others = others + (others >= pivot[:, None])
             at_pivot = forms[rows, :, pivot][:, :, None]

@@ -189,8 +189,8 @@ def split_states(
             raise CertificateError(f"{path}: contact {contact + 1} is not attached here")
         around = [*ends, *ends[:1]]
         parts = ["stick", *pairwise(around)]
-        # Each is less than half a turn from the one before, and together they turn once.
-        good = len(ends) >= 3 and sum(y < 0 <= z for (_, y), (_, z) in pairwise(around)) == 1
+        # Each is less than half a turn from the one before, so three or more, that turn once.
+        good = sum(y < 0 <= z for (_, y), (_, z) in pairwise(around)) == 1
     if not good or any(turn(u, v) <= 0 for u, v in pairwise(around)):
         raise CertificateError(
             f"{path}: directions go round once, counter-clockwise and each less than half a turn "

@@ -10,10 +10,11 @@ from collections.abc import Iterator
 import networkx as nx
 import numpy as np
 import pytest
+import sympy
 from hypothesis import given, settings
 from sympy.combinatorics import Permutation, PermutationGroup
 
-from arrangement import Arrangement, InputError, counts
+from arrangement import Arrangement, InputError, NumberField, counts
 from arrangement.counts import class_sums
 from arrangement.counts.automorphisms import Automorphisms
 from arrangement.counts.configuration import configuration
@@ -257,6 +258,52 @@ def test_small_primes_that_lose_minors_are_noticed(monkeypatch: pytest.MonkeyPat
     monkeypatch.setattr(ModularVectors, "_prime_sets", small_ones)
     for planes in random_planes(2, 60):
         assert counts.first_whitney_numbers(planes, symmetry=[]) == by_lattice(planes)
+
+
+def modular_vectors(bits: int, rank: int, count: int, seed: int = 1) -> ModularVectors:
+    """Return random vectors with entries of that many bits, the last one the sum of two others."""
+    source = random.Random(seed)
+    rows = [[source.getrandbits(bits) + 1 for _ in range(rank)] for _ in range(count - 1)]
+    rows.append([x + y for x, y in zip(*rows[1:3], strict=True)])
+    return ModularVectors([tuple(row) for row in rows], rank)
+
+
+@pytest.mark.parametrize("rank", [3, 5])
+def test_primes_fit_words_and_exceed_the_bound_of_minors(rank: int) -> None:
+    for bits in (1, 5, 9, 10, 11, 20, 40):
+        vectors = modular_vectors(bits, rank, rank + 3)
+        minors = [
+            abs(sympy.Matrix(x).det()) for x in itertools.combinations(vectors._vectors, rank)
+        ]
+        assert max(minors) <= vectors.hadamard_bound
+        for primes in itertools.islice(vectors._prime_sets(), 2):
+            assert math.prod(primes) > vectors.hadamard_bound
+            assert rank * max(primes) ** 2 < 2**63
+        assert rank * max(primes) ** 2 > 2**62
+
+
+def test_the_bound_over_a_field_is_that_of_norms() -> None:
+    g = NumberField([-1, -1, 1], [1, 2]).root
+    assert ModularVectors([(100, 0), (0, 100), (1, g)], 2).hadamard_bound >= 100**4
+
+
+@pytest.mark.parametrize("bits", [25, 26])
+def test_quotients_are_linear_where_sums_leave_doubles_and_before(bits: int) -> None:
+    rank, prime = 3, sympy.prevprime(2**bits)
+    assert (rank * prime**2 < 2**53) == (bits == 25)
+    vectors = modular_vectors(60, rank, 40)
+    (images,) = vectors._quotients(np.array([[0]]), prime).transpose(1, 0, 2)
+    assert not images[:, 0].any()
+    assert np.array_equal(images[:, -1], (images[:, 1] + images[:, 2]) % prime)
+
+
+def test_labels_leave_room_for_the_index_of_a_vector() -> None:
+    vectors = modular_vectors(60, 4, 40)
+    members = np.eye(1, 40, dtype=np.bool_)
+    for prime in (sympy.nextprime(1.2 * 2**28), sympy.nextprime(2**27)):
+        labels = vectors._labels(np.array([[0]]), members, [prime])
+        assert labels.max() < 2 ** (63 - vectors.index_bits)
+        assert len(set(labels[0, 1:].tolist())) == 39
 
 
 def test_a_time_limit_leaves_what_is_known() -> None:

@@ -10,8 +10,13 @@ import pytest
 from arrangement import Arrangement
 from arrangement.counts import region_count
 from arrangement.enumeration.great_circles import crossings, sphere_arrangement
-from arrangement.enumeration.great_circles.predicates import ExactSigns, integer_array, turns
-from arrangement.float_filter import signs_of
+from arrangement.enumeration.great_circles.predicates import (
+    ExactSigns,
+    FilteredSigns,
+    integer_array,
+    turns,
+)
+from arrangement.float_filter import error_bound, signs_of
 from tests.arrangement.test_great_circles import B3, GENERIC, NEAR_PENCIL, PENCIL
 
 Normals = list[tuple[int, ...]]
@@ -85,6 +90,12 @@ def test_reliable_slopes_may_be_wrong_by_four_units_of_roundoff(normals, monkeyp
 @pytest.mark.parametrize("bits", [12, 20, 40, 51])
 def test_slopes_with_few_bits_left_lead_to_the_same_arrangement(normals, bits, monkeypatch):
     assert_same_incidence(normals, monkeypatch, LEAST_BITS=bits)
+
+
+def test_bounds_are_those_of_their_derivations():
+    """Roundings of entries, products and sums; two slopes that are each wrong by up to 4 steps."""
+    assert FilteredSigns.error == error_bound(3 + 2 + 3)
+    assert 2**crossings.LEAST_BITS > 2 * 4 >= 2 ** (crossings.LEAST_BITS - 1)
 
 
 def test_angular_cut_at_zero_and_pi_is_decided_exactly():

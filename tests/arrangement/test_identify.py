@@ -4,11 +4,13 @@ from __future__ import annotations
 
 import itertools
 import json
+from collections import Counter
 from hashlib import sha256
 from pathlib import Path
 
 import numpy as np
 import pytest
+import sympy
 from hypothesis import given, settings, strategies as st
 
 from arrangement import Arrangement, InputError, cli
@@ -187,6 +189,37 @@ def test_a_changed_proof_is_refused() -> None:
     assert not proves_no_coordinates(signs, proof[:-1])
     assert not proves_no_coordinates(signs, ())
     assert not proves_no_coordinates(signs, [Comparison((0, 1, 2, 3, 4), 0, 3, 1)])
+
+
+def test_forged_proofs_are_refused_though_their_products_cancel() -> None:
+    """One comparison of each does not follow from the signs, or none is strict."""
+    # Points in convex position: the three terms of a relation with a first are +, -, +.
+    convex = dict.fromkeys(map(tuple, triples(6).tolist()), 1)
+    one = (0, 1, 2, 3, 4)
+    strict = [
+        Comparison((a, *rest), smaller, 1, 1)
+        for a in (0, 5)
+        for rest in itertools.combinations([x for x in range(6) if x != a], 4)
+        for smaller in (0, 2)
+    ]
+    changes = []
+    for (a, b, c, d, e), smaller, _, _ in strict:
+        last, first = ((a, b, c), (a, d, e)), ((a, b, e), (a, c, d))
+        sides = ((a, b, d), (a, c, e)), last if smaller == 0 else first
+        counted = [Counter(tuple(sorted(x)) for x in side) for side in sides]
+        changes.append([counted[0][x] - counted[1][x] for x in convex])
+    found = [x for x in sympy.Matrix(changes).T.nullspace() if sum(x)]
+    weights = list(found[0] * sympy.ilcm(*(x.q for x in found[0])) * sympy.sign(sum(found[0])))
+    negative = [
+        comparison._replace(times=int(x)) for comparison, x in zip(strict, weights, strict=True)
+    ]
+    for signs, proof in (
+        (convex, negative),
+        (convex, [Comparison(one, 0, 1, 1), Comparison(one, 1, 0, 1)]),
+        (convex | {(0, 3, 4): 0}, [Comparison(one, 1, 2, 1), Comparison(one, 1, 2, -1)]),
+        (convex | {(0, 1, 3): -1}, [Comparison(one, 0, 1, 1), Comparison(one, 1, 0, 1)]),
+    ):
+        assert not proves_no_coordinates(signs, proof)
 
 
 @pytest.mark.parametrize("planes", [5, 6, 7])

@@ -41,6 +41,20 @@ def test_any_changed_weight_is_refused() -> None:
         replace(certificate, weights=certificate.weights[1:]).verify()
 
 
+def test_weights_of_exactly_0_or_a_half_are_refused_where_all_else_holds() -> None:
+    """A diagonal of the cube that weighs nothing; halves on two edges of the tetrahedron."""
+    cube = nx.convert_node_labels_to_integers(nx.hypercube_graph(3))
+    for graph, changed, weight, others in (
+        (cube, {(0, 3)}, Fraction(0), Fraction(1, 3)),
+        (nx.tetrahedral_graph(), {(0, 1), (2, 3)}, Fraction(1, 2), Fraction(1, 4)),
+    ):
+        graph.add_edges_from(changed)
+        whole = polyhedral(graph)
+        weights = tuple(weight if edge in changed else others for edge in whole.edges)
+        with pytest.raises(ArrangementError, match=f"the weight {weight} of edge .* is not inside"):
+            WeightCertificate(whole, weights).verify()
+
+
 def farkas() -> FarkasCertificate:
     certificate = inscribability(generic(5)).certificate
     assert isinstance(certificate, FarkasCertificate)

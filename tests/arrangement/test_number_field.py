@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import pickle
 import random
+import sys
 from fractions import Fraction
 from operator import add, mul, sub, truediv
 from typing import Any
@@ -14,7 +15,15 @@ import sympy
 from sympy import CRootOf, GoldenRatio, Rational, cos, pi, sqrt
 from sympy.abc import x
 
-from arrangement import Arrangement, InputError, NumberField, counts, read_arrangement, to_sympy
+from arrangement import (
+    Arrangement,
+    InputError,
+    NumberField,
+    counts,
+    number_field,
+    read_arrangement,
+    to_sympy,
+)
 from arrangement.cli import main
 from arrangement.library import families
 
@@ -64,6 +73,61 @@ def test_a_number_a_hair_beside_0_has_its_sign() -> None:
     for k in range(2, 400):  # quotients of Fibonacci numbers on both sides of the golden ratio
         a, b = a + b, a
         assert (2 * a - b - b * g > 0) == (k % 2 == 0)
+
+
+@pytest.mark.parametrize("bits", [20, 40, 50, 60, 63, 70, 130])
+def test_powers_too_small_for_their_bits_have_exact_signs(bits: int) -> None:
+    """Sums c + k a^2 beside 0, for a generator a hair below 1 / 2^bits."""
+    field = NumberField([-1, 2**bits, 0, 1], [0, 1])
+    low, high = (end**2 for end in field.interval(1000))
+    for c in (1, 3, 7 << 20, 10**12):
+        for k in range(int(c / high) - 1, int(c / high) + 3):
+            assert (k * low > c) == (k * high > c) == (field.number([-c, 0, k]) > 0)
+
+
+def test_one_rounding_has_the_error_of_floats() -> None:
+    assert sys.float_info.epsilon == 2 * number_field._UNIT
+
+
+#: Coefficients from the constant term up, an interval, its root, and the interval of its generator.
+ROOTS = [
+    ([-2, 0, 1], [-2, -1], -(2**0.5), [1, 2]),
+    ([-2, 0, 1], [-2, 1], -(2**0.5), [1, 2]),
+    ([-2, 0, 1], [-2, 0], -(2**0.5), [1, 2]),
+    ([-2, 0, 1], [-1, 2], 2**0.5, [1, 2]),
+    ([-1, -1, 1], [-1, 1], (1 - 5**0.5) / 2, [2, 3]),
+    ([-1, -1, 1], [0, 9], (1 + 5**0.5) / 2, [2, 3]),
+    ([-2, 0, 0, 1], [1, "1.26"], 2 ** (1 / 3), [1, 2]),
+    ([1, -3, 0, 1], ["0.3", "0.348"], 0.34729635533386066, [0, 1]),
+    ([1, -3, 0, 1], [1, 2], 1.532088886237956, [1, 2]),
+    ([7, -7, 0, 1], [1, "1.5"], 1.3568958678922094, [1, "3/2"]),
+    ([7, -7, 0, 1], ["1.5", 2], 1.6920214716300959, ["3/2", 2]),
+    ([-1000, -100, -10, 1], [0, 20], 18.392867552141612, [18, 19]),
+]
+
+
+@pytest.mark.parametrize(("polynomial", "interval", "root", "ends"), ROOTS)
+def test_the_root_is_the_one_in_the_interval(
+    polynomial: Any, interval: Any, root: float, ends: Any
+) -> None:
+    field = NumberField(polynomial, interval)
+    assert float(field.root) == pytest.approx(root, rel=1e-15)
+    assert field.isolating_interval() == tuple(map(Fraction, ends))
+    low, high = field.interval(300)
+    assert high - low <= Fraction(1, 2**300)
+    powers = [Fraction(low) ** k for k in range(field.degree)]
+    assert all(abs(p * 2**99 - q) <= 1 for p, q in zip(powers, field._scaled(99), strict=True))
+    sizes = [abs(x) for x in sympy.Poly([*reversed(field.minimal_polynomial)], x).nroots()]
+    for k in range(field.degree):
+        unit = [int(j == k) for j in range(field.degree)]
+        assert field.size(unit) >= max(size**k for size in sizes)
+
+
+def test_fields_of_other_roots_differ() -> None:
+    fields = [NumberField(polynomial, interval) for polynomial, interval, *_ in ROOTS[7:11]]
+    for one in fields:
+        for other in fields:
+            assert (one == other) == (one is other)
 
 
 @pytest.mark.parametrize(

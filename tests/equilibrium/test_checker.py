@@ -288,15 +288,17 @@ def leaf_holds(grasp: Grasp, wrench: Any, leaf: Any, region: Any, states: Any) -
     return not checker._leaf_problem(asked, reading.read_node(leaf, "leaf", len(grasp)), place)
 
 
-@pytest.mark.campaign
-def test_the_bounds_of_a_leaf_are_exact():
+@pytest.mark.parametrize(
+    ("cases", "kinds"), [(800, 20), pytest.param(8000, 24, marks=pytest.mark.campaign)]
+)
+def test_the_bounds_of_a_leaf_are_exact(cases, kinds):
     source, found = Random("leaves"), Counter()
-    for _ in range(8000):
+    for _ in range(cases):
         asked = random_leaf(source)
         holds = leaf_holds(*asked)
         assert holds == judge.leaf_holds(*asked), asked
         found[holds, len(asked[3]), asked[4].get(0, "")] += 1
-    assert len(found) == 2 * 2 * 6
+    assert len(found) >= kinds
 
 
 @pytest.mark.parametrize(
@@ -414,6 +416,7 @@ def test_ten_million_digits_are_refused_at_once(place):
         (("0", "-1", "0"), [("1", "1/2")], "normal force 1, its spring gives 2"),
         (("1", "-1", "0"), [("2", "1")], ""),
         (("-1", "-1", "0"), [("2", "1")], "contact 1: friction 1 of at most 1 while it slips by 1"),
+        (("-1", "-1", "0"), [("2", "-1")], r"the forces add up to \(2, 0, 0\), not 0"),
         (("0", "0", "0"), [("1", "0")], r"the forces add up to \(1, -1, 0\), not 0"),
     ],
 )

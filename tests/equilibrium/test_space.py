@@ -25,7 +25,7 @@ from equilibrium.model.unit_normal import unit_normal
 from equilibrium.solver.space.equilibria import SpatialSolution
 from equilibrium.spatial_verdict import solve_in_space
 from equilibrium.verdict import Solver, solve
-from equilibrium.wrench_sets.known_loads import KnownLoads, KnownMagnitudes, blends
+from equilibrium.wrench_sets.known_loads import KnownLoads, KnownMagnitudes, _same, blends
 from equilibrium.wrench_sets.spatial import spatial_magnitudes
 
 from . import sectors
@@ -111,6 +111,44 @@ class TestKnownLoads:
         slip, further, *others = found
         assert blends(FEET, slip, further)
         assert not any(blends(FEET, slip, other) for other in others)
+
+    def test_magnitudes_are_refuted_where_all_works_are_above_0(self):
+        known = self.known(FINGERS, (1, 0, 0, 0, 0, 0))
+        for works, due in [
+            ([(1, -2)], (2, None)),
+            ([(-2, 6)], (None, 3)),
+            ([(1, -2), (-1, 3), (1, -1), (-1, 4), (0, 1)], (2, 3)),
+            ([(1, -1), (1, -2), (-1, 4), (-1, 3)], (2, 3)),
+            ([(1, -3), (-1, 3)], None),
+            ([(1, -4), (-1, 3)], None),
+            ([(1, -1), (0, 0)], None),
+            ([(0, -1)], None),
+            ([(0, 1)], (None, None)),
+        ]:
+            rows = tuple(((Fraction(slope), *[0] * 5), Fraction(rest)) for slope, rest in works)
+            assert known._range(rows) == due
+        known.refuted, known.held = [(2, 3)], [(4, 5)]
+        assert [known.refuting(t) for t in (2, Fraction(5, 2), 3)] == [None, (2, 3), None]
+        assert [known.verdict(t) for t in (4, 5)] == ["resisted"] * 2
+
+    def test_contacts_do_the_same_on_one_side_of_the_spring_in_one_direction(self):
+        contact = Contact((0, 0, 0), (0, 0, 1), 1, 1, 1, (1, 0, 0))
+        for one, other, same in [
+            ((1, 0, 0), (2, 0, 0), True),
+            ((1, 0, 0), (-1, 0, 0), False),
+            ((1, 2, 0), (-1, -2, 0), False),
+            ((0, 1, 0), (0, 2, 0), True),
+            ((0, 1, 0), (0, -2, 0), False),
+            ((0, 0, 0), (1, 0, 0), False),
+            ((0, 0, 0), (0, 0, 0), True),
+            ((1, 0, 0), (0, 1, 0), False),
+            ((1, 1, 0), (1, 0, 0), False),
+            ((1, 0, 1), (2, 0, 0), True),
+            ((1, 0, 1), (-1, 0, 2), True),
+            ((1, 0, 2), (1, 0, 0), False),
+        ]:
+            both = [((*map(Fraction, motion), 0, 0, 0), ()) for motion in (one, other)]
+            assert _same(contact, both) == _same(contact, both[::-1]) == same
 
 
 def mixed(share, one, other):

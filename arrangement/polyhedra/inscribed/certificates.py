@@ -120,6 +120,7 @@ class WeightCertificate:
         if len(self.weights) != len(self.graph.edges):
             raise ArrangementError("there is not one weight for each edge")
         for edge, weight in zip(self.graph.edges, self.weights, strict=True):
+            # From 1/2 on the cutset around both ends would weigh at most 1 too.
             if not 0 < weight < Fraction(1, 2):
                 raise ArrangementError(f"the weight {weight} of edge {edge} is not inside (0, 1/2)")
         unit = math.lcm(*(Fraction(weight).denominator for weight in self.weights))
