@@ -29,7 +29,8 @@ class Incidence(NamedTuple):
     """Something that contacts have in common, exactly.
 
     Attributes:
-        kind: "parallel" (normals, also opposite ones), "square" (at right angles, in space), "line" (one line has the normals), "level"
+        kind: "parallel" (normals, also opposite ones), "square" (normals at right angles, in
+            space), "line" (one line has the normals), "level"
             (points on one line, in space a plane, at right angles to their normals), "point" (the
             points are equal), "meet" (normals meet in a point), "round" (they meet in the centre of
             a circle, in space a sphere, on which the points are).

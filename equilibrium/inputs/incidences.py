@@ -375,10 +375,10 @@ class _Work:
         """Return up to two of the normals found, at right angles to the next within the error."""
         near: list[RationalVector] = []
         for j, (normal, _) in enumerate(found):
-            if self.leader[j] == j and abs(self.along[j] @ self.along[i]) <= self.angle:
-                if len(near) < 2 and not any(dot(normal, other) for other in near):
-                    near.append(normal)
-                    self.kept.append(Incidence("square", (j, i)))
+            right = self.leader[j] == j and abs(self.along[j] @ self.along[i]) <= self.angle
+            if right and len(near) < 2 and not any(dot(normal, other) for other in near):
+                near.append(normal)
+                self.kept.append(Incidence("square", (j, i)))
         return near
 
     def _meet(self, members: list[int], near: Floats) -> None:

@@ -48,9 +48,9 @@ def original(shape: str, seed: int) -> tuple[Grasp, RationalVector]:
 
 
 def converted(grasp: Grasp, seed: int, **options: Any) -> Conversion:
-    """Return the grasp as it comes back from floats; half the seeds have noise of 10^-7."""
+    """Return the grasp as it comes back from floats; half the seeds have noise of 10^-9."""
     source = Random(f"noise {seed}")
-    size = 1e-7 if seed % 4 >= 2 else 0.0
+    size = 1e-9 if seed % 4 >= 2 else 0.0
 
     def noisy(vector: RationalVector) -> list[float]:
         return [float(x) + size * source.uniform(-1, 1) for x in vector]
