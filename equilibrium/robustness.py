@@ -24,18 +24,21 @@ from arrangement.short_repr import Shown
 from .certificate.robust import Bounds, Steady, refuted_within, resisted_within
 from .inputs.incidences import other_rounding
 from .model.contact import Contact
+from .model.errors import TimeLimitError
 from .model.grasp import Grasp
 from .model.unit_normal import unit_normal
 
-#: A function of grasp and wrench that returns a verdict.
-Solve: TypeAlias = Callable[[Grasp, RationalVector], Any]
+#: A function of grasp, wrench and time_limit that returns a verdict.
+Solve: TypeAlias = Callable[..., Any]
 
 HOLDS, FAILS, OPEN = "holds", "does not hold", "undecided"
 DEPENDS = "depends on the rounding"
 #: Other roundings and random grasps that are asked about.
-_ROUNDINGS, _RANDOM = 4, 6
+_ROUNDINGS, _RANDOM = 4, 4
+#: For each of them.
+_SECONDS = 3.0
 #: Virtual motions of one proof that are tried as a way to turn it.
-_LEAVES = 8
+_LEAVES = 3
 
 
 @dataclass(frozen=True, repr=False)
@@ -103,7 +106,7 @@ class WithinError(Shown):
     def to_dict(self) -> dict[str, Any]:
         """Return a JSON form."""
         document = {"verdict": self.verdict, "asked": self.asked, "undecided": self.open}
-        return document | ({"turned": self.turned.to_dict()} if self.turned else {})
+        return document | ({} if self.turned is None else {"turned": self.turned.to_dict()})
 
     def lines(self) -> Iterator[str]:
         """Yield the answer in words."""
@@ -138,12 +141,21 @@ def within_error(found: Any, solve: Solve) -> WithinError:
         grasps += _against(found, error.length, error.angle, Fraction(0), solve)
     for grasp in grasps:
         asked += 1
-        other = solve(grasp, found.wrench)
-        if "undecided" in (other.verdict, found.verdict):
-            left += other.verdict == "undecided"
-        elif other.verdict != found.verdict:
+        other = _in_time(solve, grasp, found.wrench)
+        if other is None:
+            left += 1
+        elif found.verdict not in (OPEN, other.verdict):
             return WithinError(DEPENDS, asked, left, other)
     return WithinError(found.verdict, asked, left)
+
+
+def _in_time(solve: Solve, grasp: Grasp, wrench: RationalVector) -> Any:
+    """Return a verdict that is decided soon; else None."""
+    try:
+        found = solve(grasp, wrench, time_limit=_SECONDS)
+    except TimeLimitError:
+        return None
+    return None if found.verdict == OPEN else found
 
 
 def robust(found: Any, bounds: Bounds, solve: Solve) -> Robustness:
@@ -161,8 +173,8 @@ def robust(found: Any, bounds: Bounds, solve: Solve) -> Robustness:
         return Robustness(OPEN, name, bounds)
     others = _against(found, bounds.length, bounds.angle, bounds.friction, solve)
     for other in (*others, *(_drawn(grasp, bounds, seed) for seed in range(_RANDOM))):
-        turned = solve(other, wrench)
-        if turned.verdict not in (name, "undecided"):
+        turned = _in_time(solve, other, wrench)
+        if turned is not None and turned.verdict != name:
             return Robustness(FAILS, name, bounds, turned)
     return Robustness(OPEN, name, bounds)
 
@@ -175,8 +187,8 @@ def _trees(found: Any, bounds: Bounds, solve: Solve) -> Iterator[Any]:
             replace(c, friction=c.friction * (1 + factor * bounds.friction) + factor * bounds.angle)
             for c in found.grasp
         ]
-        other = solve(Grasp(more), found.wrench)
-        if other.verdict != "not resisted":
+        other = _in_time(solve, Grasp(more), found.wrench)
+        if other is None or other.verdict != "not resisted":
             return
         yield other.certificate.to_dict()["tree"]
 
@@ -253,11 +265,11 @@ def _against(
     if found.solution is not None:
         motions.append(tuple(map(Fraction, found.solution.motion)))
         loads = [tuple(x * (1 + more) for x in found.wrench) for more in (Fraction(1, 100), 1)]
-        proofs = [solve(found.grasp, load) for load in loads]
+        proofs = [_in_time(solve, found.grasp, load) for load in loads]
     else:
         proofs = [found]
     for proof in proofs:
-        if proof.verdict == "not resisted":
+        if proof is not None and proof.verdict == "not resisted":
             leaves = _leaves(proof.certificate.to_dict()["tree"], len(found.wrench))
             motions += islice(leaves, _LEAVES)
     for motion in motions:

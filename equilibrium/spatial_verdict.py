@@ -13,6 +13,7 @@ import math
 import time
 from collections.abc import Iterable
 from dataclasses import dataclass, field
+from functools import partial
 from typing import Any
 
 from arrangement.exact import RationalVector, to_text, vector_text
@@ -35,8 +36,6 @@ from .solver.space.pyramid import PyramidSearch
 from .solver.space.tree import NODES, Open, SpatialSearch
 from .solver.spatial_contacts import SpatialContacts
 
-#: Seconds for each grasp that is asked about again.
-_AGAIN = 4
 #: The three answers.
 RESISTED, NOT_RESISTED, UNDECIDED = "resisted", "not resisted", "undecided"
 
@@ -128,7 +127,7 @@ class SpatialVerdict:
         Args:
             bounds: of `Bounds`: degrees, length, friction, stiffness, preload.
         """
-        return robust(self, Bounds(**bounds), self._again)
+        return robust(self, Bounds(**bounds), partial(solve_in_space, pyramid=self.pyramid))
 
     def within_error(self) -> WithinError:
         """Ask about other grasps within the error of the data that this one was converted from.
@@ -136,10 +135,7 @@ class SpatialVerdict:
         Raises:
             GraspError: it was not converted.
         """
-        return within_error(self, self._again)
-
-    def _again(self, grasp: Grasp, wrench: RationalVector) -> SpatialVerdict:
-        return solve_in_space(grasp, wrench, pyramid=self.pyramid, time_limit=_AGAIN)
+        return within_error(self, partial(solve_in_space, pyramid=self.pyramid))
 
     def to_dict(self) -> dict[str, Any]:
         """Return a JSON form; exact numbers are strings of rationals.
