@@ -13,6 +13,7 @@ import math
 import time
 from collections.abc import Iterable
 from dataclasses import dataclass, field
+from functools import partial
 from typing import Any
 
 from arrangement.exact import RationalVector, to_text, vector_text
@@ -25,9 +26,11 @@ from .certificate.document import (
     resisted_certificate,
 )
 from .certificate.reading import Enclosure
+from .certificate.robust import Bounds
 from .model.errors import UndecidedError
 from .model.grasp import Grasp, read_wrench
 from .model.pyramid import pyramid_edges, pyramid_words
+from .robustness import Robustness, WithinError, robust, within_error
 from .solver.space.equilibria import Proposal, SpatialSolution
 from .solver.space.pyramid import PyramidSearch
 from .solver.space.tree import NODES, Open, SpatialSearch
@@ -117,6 +120,22 @@ class SpatialVerdict:
             raise UndecidedError(f"an undecided verdict has no certificate: {self.reason}")
         question = self.grasp, self.wrench
         return check(self.certificate.to_dict(), question=question, pyramid=self.pyramid)
+
+    def robust(self, **bounds: Any) -> Robustness:
+        """Say whether this holds for all grasps within bounds: proved, refuted or undecided.
+
+        Args:
+            bounds: of `Bounds`: degrees, length, friction, stiffness, preload.
+        """
+        return robust(self, Bounds(**bounds), partial(solve_in_space, pyramid=self.pyramid))
+
+    def within_error(self) -> WithinError:
+        """Ask about other grasps within the error of the data that this one was converted from.
+
+        Raises:
+            GraspError: it was not converted.
+        """
+        return within_error(self, partial(solve_in_space, pyramid=self.pyramid))
 
     def to_dict(self) -> dict[str, Any]:
         """Return a JSON form; exact numbers are strings of rationals.

@@ -22,7 +22,9 @@ from arrangement.short_repr import Shown
 
 from .certificate.checker import Report, check
 from .certificate.document import Certificate, refuted_certificate, resisted_certificate
+from .certificate.robust import Bounds
 from .model.grasp import Grasp, read_wrench
+from .robustness import Robustness, WithinError, robust, within_error
 from .solver.contact_states import Codes, state_codes, states_at, states_of_code
 from .solver.equilibrium import Equilibrium, equilibrium_of, maximal
 from .solver.integer_contacts import IntegerContacts
@@ -121,6 +123,22 @@ class Verdict:
             "wrench": [to_text(x) for x in self.wrench],
             "grasp": self.grasp.to_dict(),
         }
+
+    def robust(self, **bounds: Any) -> Robustness:
+        """Say whether this holds for all grasps within bounds: proved, refuted or undecided.
+
+        Args:
+            bounds: of `Bounds`: degrees, length, friction, stiffness, preload.
+        """
+        return robust(self, Bounds(**bounds), solve)
+
+    def within_error(self) -> WithinError:
+        """Ask about other grasps within the error of the data that this one was converted from.
+
+        Raises:
+            GraspError: it was not converted.
+        """
+        return within_error(self, solve)
 
     def _repr_html_(self) -> str | None:
         """What a notebook shows: every equilibrium with its forces."""

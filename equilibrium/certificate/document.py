@@ -90,7 +90,7 @@ def _certificate(
 ) -> Certificate:
     if pyramid is not None:
         proof = {"pyramid": pyramid, **proof}
-    question = {"grasp": grasp.with_outline(None).to_dict(), "wrench": _texts(wrench)}
+    question = {"grasp": Grasp(grasp.contacts, grasp.units).to_dict(), "wrench": _texts(wrench)}
     document = {"schema_version": SCHEMA_VERSION, "certificate": kind, **question, **proof}
     return Certificate(json.dumps(document, separators=(",", ":")))
 

@@ -21,6 +21,9 @@ _AXES = ("F_X", "F_Y", "TAU")
 #: Most contacts of one grasp that is made at random.
 MOST_CONTACTS = 1000
 
+#: More incidences than this that rounding kept are only counted.
+_MOST_KEPT = 6
+
 _Command: TypeAlias = Callable[[argparse.Namespace], int]
 
 
@@ -58,9 +61,16 @@ def add_grasp(
     parser.add_argument(name, metavar="GRASP", nargs=number, help=text)
     text = "take normals of any length: the nearest exact unit vector, with the change reported"
     parser.add_argument("--round-normals", action="store_true", help=text)
+    add_as_given(parser)
     if preload:
         text = "use this preload at every contact instead of the grasp's own"
         add_number(parser, "--preload", None, text, metavar="P")
+
+
+def add_as_given(parser: argparse.ArgumentParser) -> None:
+    """Add the choice to round numbers each on its own."""
+    text = "round each number on its own; else normals that meet, circles and the like are kept"
+    parser.add_argument("--as-given", action="store_true", help=text)
 
 
 def add_applied(
@@ -187,13 +197,15 @@ def read(arguments: argparse.Namespace) -> Grasp:
     """Return the grasp as its source has it; on stderr say what had to be rounded."""
     from equilibrium.inputs import read_any
 
-    found = read_any(arguments.grasp, round_normals=arguments.round_normals)
+    found = read_any(
+        arguments.grasp, round_normals=arguments.round_normals, as_given=arguments.as_given
+    )
     tell_rounding(found)
     return found.grasp
 
 
 def tell_rounding(found: Conversion) -> None:
-    """Say on stderr by how much numbers had to be changed, if any."""
+    """Say on stderr by how much numbers had to be changed, if any, and what was kept."""
     if not found.exact:
         point, angle = (
             float(max(map(abs, errors), default=0))
@@ -202,6 +214,10 @@ def tell_rounding(found: Conversion) -> None:
         value = f", values by {float(found.value_error):.2g}" if found.value_error else ""
         text = f"rounded: points by {point:.2g}, normals by {angle:.2g} radians{value}"
         print(text, file=sys.stderr)
+    for incidence in found.kept[:_MOST_KEPT]:
+        print(f"kept: {incidence}", file=sys.stderr)
+    if len(found.kept) > _MOST_KEPT:
+        print(f"kept: {len(found.kept) - _MOST_KEPT} more", file=sys.stderr)
 
 
 def grasp_of(arguments: argparse.Namespace) -> Grasp:

@@ -15,7 +15,15 @@ from typing import TYPE_CHECKING, Any
 from arrangement import terminal
 from arrangement.io.writing import write_text_atomically
 
-from .arguments import add_command, add_count, add_number, contacts_argument, show, tell_rounding
+from .arguments import (
+    add_as_given,
+    add_command,
+    add_count,
+    add_number,
+    contacts_argument,
+    show,
+    tell_rounding,
+)
 
 if TYPE_CHECKING:
     from equilibrium.inputs import Conversion
@@ -106,7 +114,10 @@ def _add(
         given, options: the arguments that it takes, without and with their names.
     """
     parser = add_command(kinds, name, _converted, text, grasp=False, numbers=False)
-    parser.set_defaults(reader=reader, given=given, options=(*options, "angle_tolerance"))
+    rounds = ("angle_tolerance", "as_given") if name != "circle" else ("angle_tolerance",)
+    parser.set_defaults(reader=reader, given=given, options=(*options, *rounds))
+    if name != "circle":
+        add_as_given(parser)
     text = "largest error of a normal that has no exact unit form"
     add_number(parser, "--angle-tolerance", Fraction(1, 10**6), text, "RADIANS")
     _add_output(parser)

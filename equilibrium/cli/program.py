@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import argparse
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
 from itertools import chain
 from typing import TYPE_CHECKING
@@ -33,6 +33,7 @@ if TYPE_CHECKING:
     from equilibrium.solver.equilibrium import Equilibrium
     from equilibrium.solver.state_equilibrium import Solution
     from equilibrium.solver.state_system import States
+    from equilibrium.spatial_verdict import SpatialVerdict
     from equilibrium.verdict import Verdict
 
 #: Lines of the question of a proof.
@@ -71,6 +72,14 @@ def _parser() -> terminal.Parser:
         "--time-limit", metavar="SECONDS", type=seconds, help="give up then (exit 2; in space 3)"
     )
     add_cone(solve)
+    solve.add_argument(
+        "--robust",
+        nargs="+",
+        type=_bound,
+        metavar="NAME=Q",
+        help="also: does the verdict hold for all grasps within degrees=2 (of normals), length=Q "
+        "(of points), friction=5%%, stiffness=Q, preload=Q? (exit 0 proved, 1 no, 3 undecided)",
+    )
     solve.add_argument(
         "--shorten", action="store_true", help="look longer for a smaller proof of a no"
     )
@@ -113,6 +122,13 @@ def _parser() -> terminal.Parser:
     return parser
 
 
+def _bound(text: str) -> tuple[str, str]:
+    name, equals, value = text.partition("=")
+    if not equals:
+        raise argparse.ArgumentTypeError(f"{text[:60]!r} is no bound; give NAME=Q as degrees=2")
+    return name, value
+
+
 def _list(arguments: argparse.Namespace) -> int:
     from arrangement.io.files import described
 
@@ -147,14 +163,38 @@ def _solve(arguments: argparse.Namespace) -> int:
         write_certificate(arguments.certificate, found.certificate)
     if isinstance(found, SpatialVerdict):
         yes = found.stable if found.decided else None
-        return show(arguments, found.to_dict(), spatial_lines(found), yes, grasp)
+        return _answer(arguments, found, found.to_dict(), spatial_lines(found), yes)
     every = arguments.all or None
     lines = (
         _verdict_lines(found.equilibria, grasp) if found.lists_all(every) else _one_of_many(found)
     )
     if not found.stable:
         lines = chain(lines, proof_lines(found, arguments.certificate))
-    return show(arguments, found.to_dict(every), lines, found.stable, grasp)
+    return _answer(arguments, found, found.to_dict(every), lines, found.stable)
+
+
+def _answer(
+    arguments: argparse.Namespace,
+    found: Verdict | SpatialVerdict,
+    document: dict[str, Any],
+    lines: Iterable[str],
+    yes: bool | None,
+) -> int:
+    """Print a verdict with what other grasps within the error or within bounds say."""
+    lines = list(lines)
+    if found.grasp.data_error is not None and arguments.robust is None:
+        again = found.within_error()
+        document |= {"verdict": again.verdict, "within_error": again.to_dict()}
+        if again.turned is not None:
+            lines, yes = [*again.lines(), f"as it was rounded: {lines[0]}", *lines[1:]], None
+        else:
+            lines += again.lines()
+    if arguments.robust is not None:
+        robust = found.robust(**dict(arguments.robust))
+        document["robust"] = robust.to_dict()
+        lines += robust.lines()
+        yes = True if robust else None if robust.counterexample is None else False
+    return show(arguments, document, lines, yes, found.grasp)
 
 
 def _verdict_lines(pieces: Sequence[Equilibrium], grasp: Grasp) -> Iterator[str]:

@@ -4,7 +4,7 @@ Everything that had to be rounded is rounded here, once, on purpose, and the err
 exactly; the grasp that comes out is exact.
 """
 
-from .conversion import Conversion, simplest_between, snapped
+from .conversion import Conversion, Incidence, simplest_between, snapped
 from .csv_file import read_csv
 from .documents import read_any
 from .floats import from_float_data, read_float_data
@@ -15,6 +15,7 @@ from .round import on_circle
 
 __all__ = [
     "Conversion",
+    "Incidence",
     "OnEdge",
     "from_float_data",
     "from_polygon",

@@ -5,9 +5,17 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
-from typing import Any
+from typing import Any, NamedTuple
 
-from arrangement.exact import RationalVector, from_floats, rational, shown, to_text
+from arrangement.exact import (
+    RationalVector,
+    from_floats,
+    number_text,
+    rational,
+    shown,
+    to_text,
+    vector_text,
+)
 from equilibrium.model.contact import VALUES, Contact
 from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import Grasp
@@ -15,6 +23,40 @@ from equilibrium.model.outline import Outline
 from equilibrium.model.unit_normal import UnitNormal, unit_normal
 
 DEFAULT_TOLERANCE = Fraction(1, 10**6)
+
+
+class Incidence(NamedTuple):
+    """Something that contacts have in common, exactly.
+
+    Attributes:
+        kind: "parallel" (normals, also opposite ones), "square" (normals at right angles, in
+            space), "line" (one line has the normals), "level"
+            (points on one line, in space a plane, at right angles to their normals), "point" (the
+            points are equal), "meet" (normals meet in a point), "round" (they meet in the centre of
+            a circle, in space a sphere, on which the points are).
+        contacts: their numbers, from 0.
+        at: the point in which normals meet.
+        radius: of the circle or sphere.
+    """
+
+    kind: str
+    contacts: tuple[int, ...]
+    at: RationalVector = ()
+    radius: Fraction = Fraction(0)
+
+    def __str__(self) -> str:
+        whose = "contacts " + ", ".join(str(i + 1) for i in self.contacts)
+        surface = "sphere" if len(self.at) == 3 else "circle"
+        return {
+            "parallel": f"{whose}: parallel normals",
+            "square": f"{whose}: normals at right angles",
+            "line": f"{whose}: normals on one line",
+            "level": f"{whose}: points at one level along parallel normals",
+            "point": f"{whose}: one point",
+            "meet": f"{whose}: normals meet in {vector_text(self.at)}",
+            "round": f"{whose}: on a {surface} of radius {number_text(self.radius)}, normals meet "
+            f"in its centre {vector_text(self.at)}",
+        }[self.kind]
 
 
 @dataclass(frozen=True)
@@ -27,12 +69,14 @@ class Conversion:
         angle_errors: for each contact the tangent of the angle from the given normal to the one
             used (radians, counter-clockwise); see `unit_normal`.
         value_error: the largest change of a friction coefficient, stiffness or preload.
+        kept: what contacts have in common within the error of the data, and so exactly.
     """
 
     grasp: Grasp
     point_errors: RationalVector
     angle_errors: RationalVector
     value_error: Fraction = Fraction(0)
+    kept: tuple[Incidence, ...] = ()
 
     @property
     def exact(self) -> bool:
@@ -46,6 +90,7 @@ class Conversion:
             "point_errors": [to_text(x) for x in self.point_errors],
             "angle_errors": [to_text(x) for x in self.angle_errors],
             "value_error": to_text(self.value_error),
+            "kept": [str(incidence) for incidence in self.kept],
         }
 
 

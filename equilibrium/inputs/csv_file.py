@@ -22,10 +22,9 @@ from typing import TYPE_CHECKING, Any, TypeVar
 from arrangement.exact import rational, shown
 from equilibrium.model.contact import VALUES
 from equilibrium.model.errors import GraspError
-from equilibrium.model.grasp import Grasp
-from equilibrium.model.unit_normal import unit_normal
 
-from .conversion import DEFAULT_TOLERANCE, Conversion, assembled
+from .conversion import DEFAULT_TOLERANCE, Conversion
+from .incidences import Rounding, converted, rounding
 
 if TYPE_CHECKING:
     from arrangement import Arrangement
@@ -44,32 +43,46 @@ T = TypeVar("T")
 
 
 def read_csv(
-    path: str | os.PathLike[str], *, angle_tolerance: Any = DEFAULT_TOLERANCE
+    path: str | os.PathLike[str],
+    *,
+    angle_tolerance: Any = DEFAULT_TOLERANCE,
+    tolerance: Any = DEFAULT_TOLERANCE,
+    as_given: bool = False,
 ) -> Conversion:
     """Read a grasp from a CSV file.
+
+    Args:
+        angle_tolerance: largest tangent of the change of a normal's direction.
+        tolerance: where normals have to be rounded, how far points may move so that what contacts
+            have in common (see `from_float_data`) stays.
+        as_given: leave the points where they are.
 
     Raises:
         GraspError: names the line and the rule; also for a file that cannot be read, is longer
             than 4 MiB or is not UTF-8.
     """
-    return parse_csv(csv_text(path), angle_tolerance=angle_tolerance)
+    how = rounding(0, tolerance, angle_tolerance, as_given)
+    return parse_csv(csv_text(path), how)
 
 
-def parse_csv(text: str, *, angle_tolerance: Any = DEFAULT_TOLERANCE) -> Conversion:
+def parse_csv(text: str, how: Rounding | None = None) -> Conversion:
     """Read a grasp from CSV text.
 
     >>> found = parse_csv("x,y,normal_x,normal_y,friction\\n-1,0,2,0,0.5\\n")
     >>> found.grasp.contacts[0].normal, found.exact
     ((Fraction(1, 1), Fraction(0, 1)), True)
     """
+    used = how or rounding(0, DEFAULT_TOLERANCE, DEFAULT_TOLERANCE, False)
 
-    def contact(row: dict[str, str]) -> Conversion:
-        numbers = {name: rational(entry, name) for name, entry in row.items()}
-        point, direction, values = parts_of(numbers)
-        normal = unit_normal(direction, angle_tolerance)
-        return assembled([(point, Fraction(0))], [normal], [values])
+    def convert(points: list[Any], normals: list[Any], values: dict[str, list[Any]]) -> Conversion:
+        rows = [dict(zip(values, row, strict=True)) for row in zip(*values.values(), strict=True)]
+        return converted([(point, Fraction(0)) for point in points], normals, rows, used)
 
-    return each_line(text, contact)
+    return each_line(
+        text,
+        lambda row: parts_of({name: rational(entry, name) for name, entry in row.items()}),
+        convert,
+    )
 
 
 def tangential_arrangement(text: str) -> Arrangement | None:
@@ -97,20 +110,32 @@ def parts_of(row: dict[str, T]) -> tuple[tuple[T, ...], tuple[T, ...], dict[str,
     return tuple(row[x] for x in axes), tuple(row[f"normal_{x}"] for x in axes), values
 
 
-def each_line(text: str, contact: Callable[[dict[str, str]], Conversion]) -> Conversion:
-    """Return the contacts that a function reads from the lines, all together."""
-    parts = []
+def each_line(
+    text: str,
+    read: Callable[[dict[str, str]], tuple[Any, Any, dict[str, Any]]],
+    convert: Callable[[list[Any], list[Any], dict[str, Any]], Conversion],
+) -> Conversion:
+    """Return the contacts that functions make from the lines; errors name the line.
+
+    Args:
+        read: gives point, normal and values of a line.
+        convert: makes contacts of them; each alone first, then all together.
+    """
+    parts: list[tuple[Any, Any, dict[str, Any]]] = []
     for line, row in _rows(text):
         try:
-            parts.append(contact(row))
+            parts.append(read(row))
+            _together(parts[-1:], convert)
         except ValueError as error:
-            raise GraspError(f"line {line}: {error}") from None
-    return Conversion(
-        Grasp(contact for part in parts for contact in part.grasp),
-        tuple(error for part in parts for error in part.point_errors),
-        tuple(error for part in parts for error in part.angle_errors),
-        max((part.value_error for part in parts), default=Fraction(0)),
-    )
+            raise GraspError(f"line {line}: {str(error).removeprefix('normals[0]: ')}") from None
+    return _together(parts, convert)
+
+
+def _together(parts: list[tuple[Any, Any, dict[str, Any]]], convert: Any) -> Conversion:
+    values = {name: [row[name] for _, _, row in parts] for name in (parts[0][2] if parts else ())}
+    values.setdefault(VALUES[0], [])
+    found: Conversion = convert([p for p, _, _ in parts], [n for _, n, _ in parts], values)
+    return found
 
 
 def _rows(text: str) -> Iterator[tuple[int, dict[str, str]]]:

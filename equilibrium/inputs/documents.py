@@ -5,16 +5,19 @@ from __future__ import annotations
 import json
 import os
 import re
+from dataclasses import replace
 from fractions import Fraction
 from typing import Any
 
 from arrangement.errors import InputError
 from arrangement.exact import to_text
 from arrangement.io.files import Source, check_keys, check_list, read_document
+from equilibrium.model.contact import VALUES
 from equilibrium.model.grasp import Grasp, read_wrench
 
 from .conversion import DEFAULT_TOLERANCE, Conversion, unit_normals
 from .csv_file import read_csv
+from .incidences import converted, rounding
 
 #: Longest numbers with which long exact computations end.
 MAX_DIGITS = 1000
@@ -37,7 +40,12 @@ def question_document(grasp: Grasp, wrench: Any, taker: str) -> dict[str, Any]:
 
 
 def read_any(
-    source: Source, *, round_normals: bool = False, angle_tolerance: Any = DEFAULT_TOLERANCE
+    source: Source,
+    *,
+    round_normals: bool = False,
+    angle_tolerance: Any = DEFAULT_TOLERANCE,
+    tolerance: Any = DEFAULT_TOLERANCE,
+    as_given: bool = False,
 ) -> Conversion:
     """Read a grasp from a path, ``"-"`` (stdin), a built-in name or a mapping.
 
@@ -45,7 +53,7 @@ def read_any(
         source: a path that ends with ``.csv`` is a table (see `csv_file`), others are documents.
         round_normals: replace normals of a document by near unit vectors; those of tables always
             are.
-        angle_tolerance: largest tangent of the change of a normal's direction.
+        angle_tolerance, tolerance, as_given: as in `read_csv`, where normals are rounded.
 
     Raises:
         InputError: for anything that is no grasp.
@@ -54,18 +62,27 @@ def read_any(
     True
     """
     if isinstance(source, (str, os.PathLike)) and str(source).lower().endswith(".csv"):
-        return read_csv(source, angle_tolerance=angle_tolerance)
+        return read_csv(
+            source, angle_tolerance=angle_tolerance, tolerance=tolerance, as_given=as_given
+        )
     document = read_document(source, ("contacts",))
-    errors: tuple[Fraction, ...] = ()
-    if round_normals:
-        contacts = check_list(document["contacts"], "contacts")
-        for i, contact in enumerate(contacts):
-            check_keys(contact, ("normal",), contact, f"contacts[{i}]")
-        normals = unit_normals([contact["normal"] for contact in contacts], angle_tolerance)
-        rounded = [
-            {**contact, "normal": [to_text(x) for x in normal.normal]}
-            for contact, normal in zip(contacts, normals, strict=True)
-        ]
-        document = {**document, "contacts": rounded}
-        errors = tuple(normal.angle_error for normal in normals)
-    return Conversion(Grasp.from_dict(document), (), errors)
+    if not round_normals:
+        return Conversion(Grasp.from_dict(document), (), ())
+    contacts = check_list(document["contacts"], "contacts")
+    for i, contact in enumerate(contacts):
+        check_keys(contact, ("normal",), contact, f"contacts[{i}]")
+    given = [contact["normal"] for contact in contacts]
+    normals = unit_normals(given, angle_tolerance)
+    rounded = [
+        {**contact, "normal": [to_text(x) for x in normal.normal]}
+        for contact, normal in zip(contacts, normals, strict=True)
+    ]
+    grasp = Grasp.from_dict({**document, "contacts": rounded})
+    found = converted(
+        [(contact.point, Fraction(0)) for contact in grasp],
+        given,
+        [{name: getattr(contact, name) for name in VALUES} for contact in grasp],
+        rounding(0, tolerance, angle_tolerance, as_given),
+        outline=grasp.outline,
+    )
+    return replace(found, grasp=replace(found.grasp, units=grasp.units))

@@ -14,20 +14,14 @@ from collections.abc import Iterable
 from fractions import Fraction
 from typing import Any
 
-from arrangement.exact import RationalVector, rational, shown
+from arrangement.exact import RationalVector, from_floats, rational, shown
 from arrangement.io.files import Source, check_keys, check_list, read_document
 from equilibrium.model.contact import VALUES
 from equilibrium.model.errors import GraspError
 
-from .conversion import (
-    DEFAULT_TOLERANCE,
-    Conversion,
-    assembled,
-    contact_values,
-    snapped,
-    unit_normals,
-)
+from .conversion import DEFAULT_TOLERANCE, Conversion, contact_values
 from .csv_file import csv_text, each_line, parts_of
+from .incidences import check_number, converted, equal_numbers, rounding
 
 _DECIMAL = re.compile(r"[+-]?([0-9]{1,400}\.?[0-9]{0,400}|\.[0-9]{1,400})([eE][+-]?[0-9]{1,4})?")
 
@@ -41,11 +35,14 @@ def from_float_data(
     preload: Any = 0,
     tolerance: Any = DEFAULT_TOLERANCE,
     angle_tolerance: Any = DEFAULT_TOLERANCE,
+    as_given: bool = False,
 ) -> Conversion:
     """Return an exact grasp near float data, with the errors made.
 
-    Every number becomes the simplest rational within the tolerance, so that 0.1 means 1/10 and
-    contacts that were meant to be aligned are aligned.
+    Every number becomes the simplest rational within the tolerance, so that 0.1 means 1/10. What
+    contacts have in common within the tolerances they have exactly (`Conversion.kept`): normals
+    that are parallel or meet, points on a circle or on a line along or across the normals, equal
+    numbers.
 
     Args:
         points: (m, 2) contact points, (m, 3) in space.
@@ -53,6 +50,7 @@ def from_float_data(
         friction, stiffness, preload: one for all or one for each contact.
         tolerance: largest change of a coordinate or value.
         angle_tolerance: largest tangent of the change of a normal's direction.
+        as_given: round each number on its own.
 
     Raises:
         GraspError: wrong shapes, zero normals, values out of range.
@@ -60,38 +58,50 @@ def from_float_data(
     >>> from_float_data([[0.1, 0.2]], [[0.0, 2.0]], 0.3).grasp.contacts[0].point
     (Fraction(1, 10), Fraction(1, 5))
     """
-    places = [_place(point, tolerance, i) for i, point in enumerate(points)]
-    directions = unit_normals(normals, angle_tolerance)
-    if len(directions) != len(places):
-        raise GraspError(f"{len(directions)} normals for {len(places)} points; give one for each")
-    found = contact_values(
-        len(places), friction, stiffness, preload, lambda x, _: snapped(x, tolerance)
-    )
-    values = [{name: x for name, (x, _) in entry.items()} for entry in found]
-    changes = (abs(change) for entry in found for _, change in entry.values())
-    worst = max(changes, default=Fraction(0))
-    return assembled(places, directions, values, worst)
+    places = [_place(point, i) for i, point in enumerate(points)]
+    directions = list(normals)
+    check_number(len(directions), len(places))
+    how = rounding(tolerance, tolerance, angle_tolerance, as_given)
+    found = contact_values(len(places), friction, stiffness, preload, lambda x, _: from_floats(x))
+    worst = Fraction(0)
+    for name in VALUES:
+        given = [entry[name] for entry in found]
+        for entry, x in zip(found, equal_numbers(given, how.snap, how), strict=True):
+            worst, entry[name] = max(worst, abs(x - entry[name])), x
+    return converted(places, directions, found, how, worst, how.snap)
 
 
-def _place(point: Any, tolerance: Any, index: int) -> tuple[RationalVector, Fraction]:
-    """Return a snapped point and its largest change."""
-    coordinates = [snapped(x, tolerance) for x in point]
+def _place(point: Any, index: int) -> tuple[RationalVector, Fraction]:
+    """Return a point of floats, not changed yet."""
+    coordinates = tuple(from_floats(list(point)))
     if len(coordinates) not in (2, 3):
         raise GraspError(f"points[{index}] has {len(coordinates)} coordinates; give two or three")
-    return tuple(x for x, _ in coordinates), max(abs(change) for _, change in coordinates)
+    return coordinates, Fraction(0)
 
 
 def read_float_data(
-    source: Source, *, tolerance: Any = DEFAULT_TOLERANCE, angle_tolerance: Any = DEFAULT_TOLERANCE
+    source: Source,
+    *,
+    tolerance: Any = DEFAULT_TOLERANCE,
+    angle_tolerance: Any = DEFAULT_TOLERANCE,
+    as_given: bool = False,
 ) -> Conversion:
     """Read float data from a CSV file (a path that ends in ``.csv``) or a JSON document.
 
     Raises:
         InputError: for anything that has not one of the two forms; in a CSV file it names the line.
     """
-    tolerances = {"tolerance": tolerance, "angle_tolerance": angle_tolerance}
+    options: dict[str, Any] = {
+        "tolerance": tolerance,
+        "angle_tolerance": angle_tolerance,
+        "as_given": as_given,
+    }
     if isinstance(source, (str, os.PathLike)) and os.fspath(source).lower().endswith(".csv"):
-        return each_line(csv_text(source), lambda row: _contact(row, tolerances))
+        return each_line(
+            csv_text(source),
+            lambda row: parts_of({name: _number(entry, name) for name, entry in row.items()}),
+            lambda points, normals, values: from_float_data(points, normals, **values, **options),
+        )
     document = read_document(source, ("points",), floats=True)
     required = ("schema_version", "points", "normals", VALUES[0])
     check_keys(document, required, (*VALUES[1:], "description"), "the document")
@@ -102,12 +112,12 @@ def read_float_data(
         ]
         for key in ("points", "normals")
     )
-    values = {
+    values: dict[str, Any] = {
         key: [_plain(x, key) for x in given] if isinstance(given, list) else _plain(given, key)
         for key, given in document.items()
         if key in VALUES
     }
-    return from_float_data(points, normals, **values, **tolerances)
+    return from_float_data(points, normals, **values, **options)
 
 
 def _plain(value: Any, where: str) -> Any:
@@ -115,13 +125,6 @@ def _plain(value: Any, where: str) -> Any:
     if isinstance(value, bool) or not isinstance(value, (int, float, str)):
         raise GraspError(f"{where} is {shown(value)}; expected a number")
     return value
-
-
-def _contact(row: dict[str, str], tolerances: dict[str, Any]) -> Conversion:
-    """Return one contact, from a line of a CSV file."""
-    numbers = {name: _number(entry, name) for name, entry in row.items()}
-    point, normal, values = parts_of(numbers)
-    return from_float_data([point], [normal], **values, **tolerances)
 
 
 def _number(text: str, name: str) -> float | Fraction:

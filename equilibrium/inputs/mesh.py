@@ -26,14 +26,8 @@ from arrangement.linear import cross
 from equilibrium.model.errors import GraspError
 from equilibrium.model.outline import Mesh, coordinates
 
-from .conversion import (
-    DEFAULT_TOLERANCE,
-    Conversion,
-    assembled,
-    contact_values,
-    snapped,
-    unit_normals,
-)
+from .conversion import DEFAULT_TOLERANCE, Conversion, contact_values, snapped
+from .incidences import converted, rounding
 
 Floats: TypeAlias = NDArray[np.float64]
 Facets: TypeAlias = NDArray[np.intp]
@@ -141,6 +135,7 @@ def on_mesh(
     stiffness: Any = 1,
     preload: Any = 0,
     angle_tolerance: Any = DEFAULT_TOLERANCE,
+    as_given: bool = False,
 ) -> Conversion:
     """Return contacts at the places of a surface that are nearest to given points, or at random.
 
@@ -157,6 +152,8 @@ def on_mesh(
         smooth: take normals that change evenly over each facet, from those around its corners,
             instead of its own.
         within: a point farther away than this share of the size is refused.
+        as_given: round each normal on its own; else points move by up to 10^-6 of the size, so that
+            what contacts have in common (see `from_float_data`) stays.
 
     Raises:
         GraspError: no closed surface; a point too far away, or at a sharp edge (over 20 degrees),
@@ -175,10 +172,11 @@ def on_mesh(
         inward = _smooth_inward(surface, corners, facets, [point for point, _ in places])
     else:
         inward = [surface.exact_inward(facet) for facet in facets]
-    return assembled(
+    return converted(
         places,
-        unit_normals(inward, angle_tolerance),
+        inward,
         contact_values(len(found), friction, stiffness, preload),
+        rounding(0, _FINE * Fraction(surface.size), angle_tolerance, as_given),
         outline=surface.outline(),
     )
 

@@ -12,7 +12,8 @@ from equilibrium.model.contact import VALUES
 from equilibrium.model.errors import GraspError
 from equilibrium.model.outline import Polygon, coordinates
 
-from .conversion import DEFAULT_TOLERANCE, Conversion, assembled, contact_values, unit_normals
+from .conversion import DEFAULT_TOLERANCE, Conversion, contact_values
+from .incidences import converted, rounding
 
 
 class OnEdge(NamedTuple):
@@ -35,6 +36,8 @@ def from_polygon(
     stiffness: Any = 1,
     preload: Any = 0,
     angle_tolerance: Any = DEFAULT_TOLERANCE,
+    tolerance: Any = DEFAULT_TOLERANCE,
+    as_given: bool = False,
 ) -> Conversion:
     """Return contacts on a simple polygon, which is the outline; the object is its inside.
 
@@ -45,6 +48,7 @@ def from_polygon(
         friction, stiffness, preload: one for all or one for each contact.
         angle_tolerance: an edge whose length is no rational has no exactly unit rational normal;
             the nearest simple one within this is taken and the error reported.
+        tolerance, as_given: as in `read_csv`, where normals are rounded.
 
     Raises:
         GraspError: the polygon crosses or touches itself or has no area; a contact is off the
@@ -64,10 +68,11 @@ def from_polygon(
     for edge, _ in found:
         along = _minus(corners[(edge + 1) % len(corners)], corners[edge])
         directions.append((-inside * along[1], inside * along[0]))
-    return assembled(
+    return converted(
         [(point, Fraction(0)) for _, point in found],
-        unit_normals(directions, angle_tolerance),
+        directions,
         contact_values(len(found), friction, stiffness, preload),
+        rounding(0, tolerance, angle_tolerance, as_given),
         outline=Polygon(corners),
     )
 
@@ -165,11 +170,15 @@ def _cross(a: RationalVector, b: RationalVector) -> Fraction:
     return a[0] * b[1] - a[1] * b[0]
 
 
-def read_polygon(source: Source, *, angle_tolerance: Any = DEFAULT_TOLERANCE) -> Conversion:
+def read_polygon(source: Source, **options: Any) -> Conversion:
     """Read contacts on a polygon from a JSON document.
 
     The form is ``{"schema_version": 1, "polygon": [["0","0"], ...], "places": [{"edge": 0, "at":
     "1/2", "friction": "1/2"}, {"point": ["2","0"], "friction": "1/2", "preload": "1"}]}``.
+
+    Args:
+        source: a path, a file or a mapping.
+        options: of `from_polygon`, as ``angle_tolerance``.
 
     Raises:
         InputError: for anything else.
@@ -181,7 +190,7 @@ def read_polygon(source: Source, *, angle_tolerance: Any = DEFAULT_TOLERANCE) ->
         for i, v in enumerate(check_list(document["polygon"], "polygon"))
     ]
     places: list[OnEdge | list[Any]] = []
-    columns: dict[str, list[Any]] = {name: [] for name in VALUES}
+    columns: dict[str, Any] = {name: [] for name in VALUES}
     for i, entry in enumerate(check_list(document["places"], "places")):
         name = f"places[{i}]"
         on_edge = isinstance(entry, Mapping) and "edge" in entry
@@ -192,4 +201,4 @@ def read_polygon(source: Source, *, angle_tolerance: Any = DEFAULT_TOLERANCE) ->
         )
         for column, default in (("friction", None), ("stiffness", 1), ("preload", 0)):
             columns[column].append(entry.get(column, default))
-    return from_polygon(vertices, places, **columns, angle_tolerance=angle_tolerance)
+    return from_polygon(vertices, places, **columns, **options)

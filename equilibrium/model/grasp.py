@@ -19,6 +19,7 @@ from arrangement.number_form import counted
 from arrangement.plugins import InlinePage, named
 
 from .contact import IN_SPACE, Contact, contact_of, wrench_at
+from .data_error import DataError
 from .errors import GraspError
 from .outline import Circle, Mesh, Outline, Polygon, coordinates, read_outline
 from .units import Units
@@ -44,17 +45,20 @@ class Grasp:
         units: what the numbers are measured in, if stated; a label that no comparison looks at.
         outline: the shape of the object, if stated; pictures show it as it is given, and no
             comparison or decision looks at it.
+        data_error: of the data that were rounded to this grasp, if any; no comparison looks at it.
     """
 
     contacts: tuple[Contact, ...]
     units: Units | None = field(default=None, compare=False)
     outline: Outline | None = field(default=None, compare=False)
+    data_error: DataError | None = field(default=None, compare=False)
 
     def __init__(
         self,
         contacts: Iterable[Contact] = (),
         units: Units | None = None,
         outline: Outline | None = None,
+        data_error: DataError | None = None,
     ) -> None:
         listed = tuple(contacts)
         for i, contact in enumerate(listed):
@@ -77,6 +81,7 @@ class Grasp:
         object.__setattr__(self, "contacts", listed)
         object.__setattr__(self, "units", units)
         object.__setattr__(self, "outline", outline)
+        object.__setattr__(self, "data_error", data_error)
 
     @cached_property
     def _hash(self) -> int:
@@ -186,7 +191,7 @@ class Grasp:
 
     def to_dict(self) -> dict[str, Any]:
         """Return the file form (see `read_grasp`)."""
-        labels = {"units": self.units, "outline": self.outline}
+        labels = {name: getattr(self, name) for name in ("units", "outline", "data_error")}
         stated = {name: label.to_dict() for name, label in labels.items() if label is not None}
         return {"schema_version": 1, **stated, "contacts": [c.to_dict() for c in self]}
 
@@ -202,13 +207,13 @@ class Grasp:
     def from_dict(cls, document: Mapping[str, Any]) -> Grasp:
         """Return the grasp of a document with exactly the keys of `to_dict`.
 
-        In a contact, stiffness (1) and preload (0) may be omitted; in the grasp, units and
-        outline.
+        In a contact, stiffness (1) and preload (0) may be omitted; in the grasp, units,
+        outline and data_error.
 
         Raises:
             InputError: unknown or missing keys, an unknown schema version, wrong types.
         """
-        optional = ("description", "units", "outline")
+        optional = ("description", "units", "outline", "data_error")
         check_keys(document, ("schema_version", "contacts"), optional, "the grasp")
         version = document["schema_version"]
         if type(version) is not int or version != 1:
@@ -216,7 +221,9 @@ class Grasp:
         contacts = check_list(document["contacts"], "contacts")
         units = Units.from_dict(document["units"]) if "units" in document else None
         outline = read_outline(document["outline"]) if "outline" in document else None
-        return cls([contact_of(entry, i) for i, entry in enumerate(contacts)], units, outline)
+        error = DataError.from_dict(document["data_error"]) if "data_error" in document else None
+        listed = [contact_of(entry, i) for i, entry in enumerate(contacts)]
+        return cls(listed, units, outline, error)
 
 
 def read_wrench(values: Iterable[Any], dimension: int = 2) -> RationalVector:

@@ -12,7 +12,7 @@ from collections.abc import Iterable
 from fractions import Fraction
 from typing import Any, NamedTuple
 
-from arrangement.exact import RationalVector, dot, from_floats
+from arrangement.exact import RationalVector, dot, from_floats, shown
 from arrangement.linear import cross
 from arrangement.short_repr import table
 
@@ -76,6 +76,20 @@ def unit_normal(direction: Iterable[Any], tolerance: Any = Fraction(1, 10**6)) -
         if error is not None and abs(error) <= bound:
             return UnitNormal(normal, error)
         limit *= 2
+
+
+def angle_error(wanted: RationalVector, found: RationalVector) -> Fraction:
+    """Return the error of `UnitNormal`, for a unit vector found in another way.
+
+    Raises:
+        GraspError: the two are at a right angle or more.
+    """
+    if len(wanted) == 3 and not any(cross(wanted, found)):
+        return Fraction(0)
+    error = (_tangent if len(wanted) == 2 else _tangent_in_space)(wanted, found)
+    if error is None:
+        raise GraspError(f"{shown(wanted)} and {shown(found)} are not near each other")
+    return error
 
 
 def _exact_unit(v: RationalVector) -> RationalVector | None:
