@@ -39,7 +39,7 @@ class States:
         self.shares: list[RationalVector | None] = []
         for (x, y), slips in zip(ratio, self.slipping, strict=True):
             if slips:
-                self.shares.append(_rational_direction(float(x), float(y)))
+                self.shares.append(rational_direction(float(x), float(y)))
             else:
                 self.shares.append(tuple(Fraction(int(v * _SHARES), _SHARES) for v in (x, y)))
         self.rational = None not in self.shares
@@ -47,13 +47,15 @@ class States:
         self.key = (tuple(self.touching), tuple(self.slipping), near)
 
 
-def _rational_direction(x: float, y: float) -> RationalVector | None:
+def rational_direction(
+    x: float, y: float, simple: int = _SIMPLE, error: float = _SAME
+) -> RationalVector | None:
     """Return the unit vector of a simple half-angle tangent in a direction, if there is one."""
     size = math.hypot(x, y)
     x, y = x / size, y / size
     folded = abs(y) / (1 + abs(x))
-    u = Fraction(folded).limit_denominator(_SIMPLE)
-    if abs(float(u) - folded) > _SAME:
+    u = Fraction(folded).limit_denominator(simple)
+    if abs(float(u) - folded) > error:
         return None
     cosine, sine = (1 - u * u) / (1 + u * u), 2 * u / (1 + u * u)
     return (cosine if x > 0 else -cosine, sine if y > 0 else -sine)

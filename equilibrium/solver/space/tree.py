@@ -15,8 +15,10 @@ from arrangement.float_filter import Floats
 from equilibrium.solver.spatial_contacts import SpatialContacts
 
 from .balance import SpatialContinuation
-from .equilibria import Proposal, proposals
+from .equilibria import Proposal, SpatialSolution, proposals
+from .exact_parts import ExactParts
 from .leaves import exact_leaf
+from .plane import decide_in_plane
 from .relaxation import Point, Ray, Relaxation, Sector, State
 from .states import States, smooth_states
 
@@ -37,6 +39,8 @@ _NARROW, _COARSE, _DIRECTIONS = 1e-4, 8, 64
 _NOTHING, _THIN = 1e-9, 0.3
 #: The sharpness of contacts for a search that starts near an equilibrium.
 _NEAR = 1e-3
+#: Parts that stay open before the search ends.
+_HOLES = 8
 
 
 @dataclass(frozen=True)
@@ -76,27 +80,56 @@ class SpatialSearch:
             self.relaxation.settings.time_limit = max(0.01, deadline - time.monotonic())
         self.smooth = SpatialContinuation(contacts, wrench)
         self.tried: set[object] = set()
+        self.exact = ExactParts(contacts, wrench, deadline)
+        #: States that an equilibrium was looked for in, the latest last.
+        self.states: list[States] = []
         self.residual = 1.0
 
     def decide(self) -> Proposal | Any | Open:
         """Return an accepted equilibrium, a tree that refutes all, or what is open."""
         with np.errstate(all="ignore"):
-            root: tuple[State, ...] = ("undecided",) * len(self.contacts.grasp)
-            ray = self.relaxation.cone_ray()
-            leaf = ray and exact_leaf(self.contacts, self.wrench, root, ray)
-            leaf = leaf or self._leaf(root, self.relaxation.solve(root))
-            if leaf is not None:
-                return leaf
-            few = self.nodes <= _FEW
-            for i, motion in enumerate(self.smooth.starts(0 if few else _STARTS)):
-                near = self._near(motion, 1.0)
-                if near is not None:
-                    return near
-                if not i:
-                    found = self._tree(root, min(_FEW, self.nodes))
-                    if few or not isinstance(found, Open):
-                        return found
-            return self._tree(root, self.nodes)
+            try:
+                found = self._decide()
+                if isinstance(found, Open):
+                    return self._exact_equilibrium() or found
+                return found
+            except TimeoutError as late:
+                return Open(str(late), self.residual)
+
+    def _decide(self) -> Proposal | Any | Open:
+        root: tuple[State, ...] = ("undecided",) * len(self.contacts.grasp)
+        ray = self.relaxation.cone_ray()
+        leaf = ray and exact_leaf(self.contacts, self.wrench, root, ray)
+        leaf = leaf or self._leaf(root, self.relaxation.solve(root))
+        if leaf is not None:
+            return leaf
+        few = self.nodes <= _FEW
+        for i, motion in enumerate(self.smooth.starts(0 if few else _STARTS)):
+            near = self._near(motion, 1.0)
+            if near is not None:
+                return near
+            if not i:
+                found = self._tree(root, min(_FEW, self.nodes))
+                if isinstance(found, Open):
+                    grasp, deadline = self.contacts.grasp, self.deadline
+                    found = decide_in_plane(grasp, self.wrench, deadline) or found
+                if isinstance(found, Open):
+                    found = self._exact_equilibrium() or found
+                if few or not isinstance(found, Open):
+                    return found
+        return self._tree(root, self.nodes)
+
+    def _exact_equilibrium(self) -> Proposal | None:
+        """Return an equilibrium of states looked at since this was asked last, found exactly."""
+        asked, self.states = self.states, []
+        for states in reversed(asked):
+            if ("exact", states.key) in self.tried:
+                continue
+            self.tried.add(("exact", states.key))
+            found = self.exact.equilibrium(states)
+            if found is not None and self.accept(found):
+                return found
+        return None
 
     def _near(self, motion: Floats, sharpness: float) -> Proposal | None:
         """Return an equilibrium that the smoothed balance leads to."""
@@ -111,6 +144,7 @@ class SpatialSearch:
 
     def _equilibrium(self, motion: Floats, states: States) -> Proposal | None:
         """Return an accepted equilibrium of given states near a motion."""
+        self.states.append(states)
         for found in proposals(self.contacts, self.wrench, motion, states, self.tried):
             if self.accept(found):
                 return found
@@ -138,22 +172,17 @@ class SpatialSearch:
         """Search depth first; a node is filled in when all below it are closed."""
         top: list[Any] = [None]
         waiting: list[tuple[tuple[State, ...], list[Any], int]] = [(root, top, 0)]
-        nodes, idle, patience, leaves = 0, 0, _PATIENCE, 0
+        nodes, idle, patience, leaves, holes = 0, 0, _PATIENCE, 0, 0
         while waiting:
             if nodes == most:
                 return Open(f"after {nodes} nodes the tree is not closed", self.residual)
             if time.monotonic() > self.deadline:
-                closed = f"the time is over after {nodes} nodes, {leaves} of them closed"
-                return Open(closed, self.residual)
+                raise TimeoutError(f"the time is over after {nodes} nodes, {leaves} of them closed")
             states, parent, position = waiting.pop()
             nodes, idle = nodes + 1, idle + 1
             found = self.relaxation.solve(states)
-            leaf = self._leaf(states, found)
-            if leaf is not None:
-                parent[position], idle, leaves = leaf, 0, leaves + 1
-                continue
-            split = None
-            if isinstance(found, Point):
+            leaf, split = self._leaf(states, found), None
+            if leaf is None and isinstance(found, Point):
                 values = self.relaxation.violations(states, found)
                 worst = float(values.max(initial=0.0))
                 obeys = worst <= _OBEYS
@@ -168,19 +197,45 @@ class SpatialSearch:
                         return near
                 if not obeys:
                     split = self._split(states, values, found)
-            split = split or self._any_split(states)
-            if split is None:
-                return Open("a relaxation neither closes nor splits further", self.residual)
-            node, children, parts = split
-            parent[position] = node
-            waiting += reversed([(part, children, k) for k, part in enumerate(parts)])
+            if leaf is None and split is None:
+                # Floats end here.
+                leaf = self.exact.part(states, self._towards(found))
+                if isinstance(leaf, SpatialSolution):
+                    near = leaf if self.accept(leaf) else self._exact_equilibrium()
+                    if near is not None:
+                        return near
+                    leaf = None
+                split = None if leaf else self._any_split(states)
+            if leaf is not None:
+                parent[position], idle, leaves = leaf, 0, leaves + 1
+            elif split is not None:
+                node, children, parts = split
+                parent[position] = node
+                waiting += reversed([(part, children, k) for k, part in enumerate(parts)])
+            else:
+                # Further on there may be an equilibrium.
+                holes += 1
+                if holes == _HOLES:
+                    break
+        if holes:
+            return Open("a relaxation neither closes nor splits further", self.residual)
         return _finished(top[0])
+
+    def _towards(self, found: Ray | Point | None) -> Floats:
+        """Return for each contact the direction of friction in which its cone matters."""
+        if isinstance(found, Point):
+            return found.forces[:, 1:]
+        if found is None:
+            return np.zeros((len(self.contacts.grasp), 2))
+        towards: Floats = -(self.contacts.tangents @ found.virtual)
+        return towards
 
     def _split(
         self, states: tuple[State, ...], values: Floats, found: Point
     ) -> tuple[Any, list[Any], list[tuple[State, ...]]] | None:
         """Return the node that splits the contact furthest from the law, its children and parts."""
         order = [int(i) for i in np.argsort(-values) if values[i] > _NOTHING]
+        order = [i for i in order if self._splits(states, i)]
         # Of narrow sectors more is learnt when all others are decided.
         order.sort(key=lambda i: _sine(states[i]) < _THIN)
         for i in order:
@@ -190,13 +245,18 @@ class SpatialSearch:
                 return split
         return None
 
+    def _splits(self, states: tuple[State, ...], i: int) -> bool:
+        """Return whether a contact is not decided: one without friction does not slip."""
+        return states[i] != "attached" or bool(self.contacts.grasp.contacts[i].friction)
+
     def _any_split(
         self, states: tuple[State, ...]
     ) -> tuple[Any, list[Any], list[tuple[State, ...]]] | None:
         """Return a split of the contact that is decided least."""
         for kind in ("undecided", "attached"):
-            if kind in states:
-                return _parts(states, states.index(kind), np.array([1.0, 0.0]))
+            for i, state in enumerate(states):
+                if state == kind and self._splits(states, i):
+                    return _parts(states, i, np.array([1.0, 0.0]))
         sectors = [(_sine(state), i) for i, state in enumerate(states) if isinstance(state, tuple)]
         return _parts(states, max(sectors)[1], np.array([1.0, 0.0])) if sectors else None
 
