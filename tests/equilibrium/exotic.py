@@ -136,7 +136,7 @@ def _huge_friction(source: Random, m: int) -> Grasp:
 
 def _unequal_stiffness(source: Random, m: int) -> Grasp:
     return _changed(
-        source, m, stiffness=lambda c: c.stiffness * Fraction(10) ** source.randint(-6, 6)
+        source, m, stiffness=lambda c: c.stiffness * Fraction(10) ** source.randint(-3, 3)
     )
 
 

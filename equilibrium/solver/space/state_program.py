@@ -66,7 +66,7 @@ class StateProgram:
 
     def _add_contact(self, i: int, contact: Contact, state: Ends, cone: Sequence[ConeRow]) -> None:
         if time.monotonic() > self.deadline:
-            raise TimeoutError
+            raise TimeoutError("the time is over")
         zero = [Fraction(0)] * 6
         gap = [contact.stiffness * x for x in contact.normal_wrench]
         if state == "detached":

@@ -155,7 +155,7 @@ class SpatialSearch:
         normal = found.forces[:, 0]
         normal = np.where(normal > _LOOSE, normal, 0.0)
         limits = np.maximum(self.contacts.friction * normal, 1e-12)
-        states = States(normal, found.forces[:, 1:] / limits[:, None])
+        states = States(self.contacts, normal, found.forces[:, 1:] / limits[:, None])
         return self._equilibrium(found.motion * self.relaxation.scale, states)
 
     def _leaf(self, states: tuple[State, ...], found: Ray | Point | None) -> Any | None:
@@ -205,7 +205,8 @@ class SpatialSearch:
                     if near is not None:
                         return near
                     leaf = None
-                split = None if leaf else self._any_split(states)
+            if leaf is None and split is None:
+                split = self._any_split(states)
             if leaf is not None:
                 parent[position], idle, leaves = leaf, 0, leaves + 1
             elif split is not None:
