@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 from arrangement.exact import RationalVector, dot
 from arrangement.number_form import DIGITS, number, vector
+from equilibrium.certificate.reading import read_plane
 from equilibrium.certificate.spatial_leaves import SpatialLeaf, spatial_leaves
 from equilibrium.model.pyramid import pyramid_words
 
@@ -30,9 +31,12 @@ def spatial_lines(found: SpatialVerdict) -> Iterator[str]:
         return
     if found.solution is None:
         leaves = found.verify().leaves
-        yield f"not resisted{cones}: proof with {leaves} {'leaf' if leaves == 1 else 'leaves'}"
-        if leaves <= _MOST and found.certificate:
-            for leaf in spatial_leaves(found.grasp, found.certificate.to_dict()["tree"]):
+        tree = found.certificate.to_dict()["tree"] if found.certificate else []
+        where = " in the plane of the contacts" if read_plane(tree) else ""
+        words = "leaf" if leaves == 1 else "leaves"
+        yield f"not resisted{cones}: proof{where} with {leaves} {words}"
+        if leaves <= _MOST:
+            for leaf in spatial_leaves(found.grasp, tree):
                 yield from _leaf_lines(found.wrench, leaf)
         return
     from equilibrium.solver.space.equilibria import SpatialSolution

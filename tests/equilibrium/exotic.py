@@ -32,7 +32,9 @@ def question(kind: str, seed: int) -> tuple[Grasp, Vector]:
     return grasp, source.choice([_free, _zero, _cones, _cones, _near, _near])(source, grasp)
 
 
-def turned(grasp: Grasp, wrench: Vector, turn: tuple[int, ...], step: Vector) -> tuple[Grasp, Vector]:
+def turned(
+    grasp: Grasp, wrench: Vector, turn: tuple[int, ...], step: Vector
+) -> tuple[Grasp, Vector]:
     """Return a question in space after a rotation and a translation."""
     a, b, c, d = turn
     size = a * a + b * b + c * c + d * d
@@ -43,7 +45,9 @@ def turned(grasp: Grasp, wrench: Vector, turn: tuple[int, ...], step: Vector) ->
     ]
 
     def rotated(v: Vector) -> Vector:
-        return tuple(sum((x * y for x, y in zip(row, v, strict=True)), Fraction(0)) / size for row in rows)
+        return tuple(
+            sum((x * y for x, y in zip(row, v, strict=True)), Fraction(0)) / size for row in rows
+        )
 
     contacts = [
         Contact(
@@ -101,7 +105,9 @@ def _near(source: Random, grasp: Grasp) -> Vector:
 def _with_forces(total: Vector, contact: Contact, push: Fraction, share: list[Fraction]) -> Vector:
     # A huge friction is not made use of.
     forces = push, *(x * push * min(contact.friction, Fraction(1)) for x in share)
-    for force, row in zip(forces, (contact.normal_wrench, *contact.tangential_wrenches), strict=True):
+    for force, row in zip(
+        forces, (contact.normal_wrench, *contact.tangential_wrenches), strict=True
+    ):
         total = tuple(w - force * x for w, x in zip(total, row, strict=True))
     return total
 

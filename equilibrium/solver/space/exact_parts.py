@@ -88,10 +88,13 @@ class ExactParts:
         found = self._solve(ends, cones)
         return found if isinstance(found, SpatialSolution) else None
 
-    def _solve(self, states: Sequence[Ends], cones: Sequence[Sequence[ConeRow]]) -> Any:
-        found = StateProgram(self.grasp, self.wrench, states, cones, self.deadline).solve()
+    def _solve(
+        self, states: Sequence[Ends], cones: Sequence[Sequence[ConeRow]]
+    ) -> SpatialSolution | dict[str, Any]:
+        found: Any = StateProgram(self.grasp, self.wrench, states, cones, self.deadline).solve()
         if not isinstance(found, tuple):
-            return found
+            leaf: dict[str, Any] = found
+            return leaf
         forces = tuple(found[6 + 3 * i : 9 + 3 * i] for i in range(len(self.grasp)))
         return SpatialSolution(found[:6], forces)
 

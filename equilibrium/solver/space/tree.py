@@ -6,7 +6,7 @@ import math
 import time
 from collections.abc import Callable
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -15,6 +15,7 @@ from arrangement.float_filter import Floats
 from equilibrium.solver.spatial_contacts import SpatialContacts
 
 from .balance import SpatialContinuation
+from .enclosures import Enclosed
 from .equilibria import Proposal, SpatialSolution, proposals
 from .exact_parts import ExactParts
 from .leaves import exact_leaf
@@ -56,6 +57,14 @@ class Open:
     residual: float
 
 
+class _Cut(NamedTuple):
+    """A node that splits one contact, its children still open, and their states."""
+
+    node: Any
+    children: list[Any]
+    parts: list[tuple[State, ...]]
+
+
 class SpatialSearch:
     """The search for one question.
 
@@ -84,6 +93,8 @@ class SpatialSearch:
         #: States that an equilibrium was looked for in, the latest last.
         self.states: list[States] = []
         self.residual = 1.0
+        #: Nodes since the last leaf, and how many of them are borne.
+        self.idle, self.patience = 0, _PATIENCE
 
     def decide(self) -> Proposal | Any | Open:
         """Return an accepted equilibrium, a tree that refutes all, or what is open."""
@@ -153,7 +164,7 @@ class SpatialSearch:
     def _near_point(self, found: Point) -> Proposal | None:
         """Return an equilibrium with the states of a relaxation that nearly obeys the law."""
         normal = found.forces[:, 0]
-        normal = np.where(normal > _LOOSE, normal, 0.0)
+        normal = np.where(normal * np.maximum(1.0, self.contacts.friction) > _LOOSE, normal, 0.0)
         limits = np.maximum(self.contacts.friction * normal, 1e-12)
         states = States(self.contacts, normal, found.forces[:, 1:] / limits[:, None])
         return self._equilibrium(found.motion * self.relaxation.scale, states)
@@ -172,55 +183,61 @@ class SpatialSearch:
         """Search depth first; a node is filled in when all below it are closed."""
         top: list[Any] = [None]
         waiting: list[tuple[tuple[State, ...], list[Any], int]] = [(root, top, 0)]
-        nodes, idle, patience, leaves, holes = 0, 0, _PATIENCE, 0, 0
-        while waiting:
+        nodes, leaves, holes = 0, 0, 0
+        self.idle, self.patience = 0, _PATIENCE
+        while waiting and holes < _HOLES:
             if nodes == most:
                 return Open(f"after {nodes} nodes the tree is not closed", self.residual)
             if time.monotonic() > self.deadline:
                 raise TimeoutError(f"the time is over after {nodes} nodes, {leaves} of them closed")
             states, parent, position = waiting.pop()
-            nodes, idle = nodes + 1, idle + 1
-            found = self.relaxation.solve(states)
-            leaf, split = self._leaf(states, found), None
-            if leaf is None and isinstance(found, Point):
-                values = self.relaxation.violations(states, found)
-                worst = float(values.max(initial=0.0))
-                obeys = worst <= _OBEYS
-                if worst <= _ALMOST:
-                    near = self._near_point(found)
-                    if near is not None:
-                        return near
-                if obeys or idle >= patience:
-                    idle, patience = 0, 2 * patience if not obeys else patience
-                    near = self._near(found.motion * self.relaxation.scale, _NEAR)
-                    if near is not None:
-                        return near
-                if not obeys:
-                    split = self._split(states, values, found)
-            if leaf is None and split is None:
-                # Floats end here.
-                leaf = self.exact.part(states, self._towards(found))
-                if isinstance(leaf, SpatialSolution):
-                    near = leaf if self.accept(leaf) else self._exact_equilibrium()
-                    if near is not None:
-                        return near
-                    leaf = None
-            if leaf is None and split is None:
-                split = self._any_split(states)
-            if leaf is not None:
-                parent[position], idle, leaves = leaf, 0, leaves + 1
-            elif split is not None:
-                node, children, parts = split
-                parent[position] = node
-                waiting += reversed([(part, children, k) for k, part in enumerate(parts)])
+            nodes, self.idle = nodes + 1, self.idle + 1
+            found = self._node(states)
+            if isinstance(found, (SpatialSolution, Enclosed)):
+                return found
+            if isinstance(found, _Cut):
+                parent[position] = found.node
+                waiting += reversed([(x, found.children, k) for k, x in enumerate(found.parts)])
+            elif found is not None:
+                parent[position], self.idle, leaves = found, 0, leaves + 1
             else:
                 # Further on there may be an equilibrium.
                 holes += 1
-                if holes == _HOLES:
-                    break
         if holes:
             return Open("a relaxation neither closes nor splits further", self.residual)
         return _finished(top[0])
+
+    def _node(self, states: tuple[State, ...]) -> Proposal | Any | _Cut | None:
+        """Return an equilibrium, a leaf, a cut, or None where there is none of them."""
+        found = self.relaxation.solve(states)
+        leaf = self._leaf(states, found)
+        if leaf is not None:
+            return leaf
+        if isinstance(found, Point):
+            answer = self._equilibrium_or_cut(states, found)
+            if answer is not None:
+                return answer
+        # Floats end here.
+        leaf = self.exact.part(states, self._towards(found))
+        if isinstance(leaf, SpatialSolution):
+            near = leaf if self.accept(leaf) else self._exact_equilibrium()
+            if near is not None:
+                return near
+            leaf = None
+        return leaf or self._any_split(states)
+
+    def _equilibrium_or_cut(
+        self, states: tuple[State, ...], found: Point
+    ) -> Proposal | _Cut | None:
+        """Return an equilibrium near a point of a relaxation, or a cut where it fails the law."""
+        values = self.relaxation.violations(states, found)
+        worst = float(values.max(initial=0.0))
+        obeys = worst <= _OBEYS
+        near = self._near_point(found) if worst <= _ALMOST else None
+        if near is None and (obeys or self.idle >= self.patience):
+            self.idle, self.patience = 0, 2 * self.patience if not obeys else self.patience
+            near = self._near(found.motion * self.relaxation.scale, _NEAR)
+        return near or (None if obeys else self._split(states, values, found))
 
     def _towards(self, found: Ray | Point | None) -> Floats:
         """Return for each contact the direction of friction in which its cone matters."""
@@ -231,9 +248,7 @@ class SpatialSearch:
         towards: Floats = -(self.contacts.tangents @ found.virtual)
         return towards
 
-    def _split(
-        self, states: tuple[State, ...], values: Floats, found: Point
-    ) -> tuple[Any, list[Any], list[tuple[State, ...]]] | None:
+    def _split(self, states: tuple[State, ...], values: Floats, found: Point) -> _Cut | None:
         """Return the node that splits the contact furthest from the law, its children and parts."""
         order = [int(i) for i in np.argsort(-values) if values[i] > _NOTHING]
         order = [i for i in order if self._splits(states, i)]
@@ -250,9 +265,7 @@ class SpatialSearch:
         """Return whether a contact is not decided: one without friction does not slip."""
         return states[i] != "attached" or bool(self.contacts.grasp.contacts[i].friction)
 
-    def _any_split(
-        self, states: tuple[State, ...]
-    ) -> tuple[Any, list[Any], list[tuple[State, ...]]] | None:
+    def _any_split(self, states: tuple[State, ...]) -> _Cut | None:
         """Return a split of the contact that is decided least."""
         for kind in ("undecided", "attached"):
             for i, state in enumerate(states):
@@ -262,9 +275,7 @@ class SpatialSearch:
         return _parts(states, max(sectors)[1], np.array([1.0, 0.0])) if sectors else None
 
 
-def _parts(
-    states: tuple[State, ...], i: int, slip: Floats
-) -> tuple[Any, list[Any], list[tuple[State, ...]]] | None:
+def _parts(states: tuple[State, ...], i: int, slip: Floats) -> _Cut | None:
     """Return the node that splits one contact; None if its sector is too narrow."""
     state = states[i]
     parts: list[State]
@@ -286,7 +297,7 @@ def _parts(
         node = {"contact": i, "directions": [middle], "children": children}
     else:
         return None
-    return node, children, [(*states[:i], part, *states[i + 1 :]) for part in parts]
+    return _Cut(node, children, [(*states[:i], part, *states[i + 1 :]) for part in parts])
 
 
 def _turned(direction: Floats, degrees: float, size: int) -> tuple[int, int]:
