@@ -12,9 +12,10 @@ Y ``K = m - Y F(m) + (I - Y F'(X)) (X - m)`` lies inside X, then F has exactly o
 all conditions of the law hold, if they hold for all of X. Intervals have integer ends over 2^192
 and are rounded outwards.
 
-Motions that no attached contact feels (those without friction feel no slip), and on which the load
-does no work ("idle"), leave d open, and F misses them. Then F + sum v (v . d - x) over idle motions v with numbers x takes the place of
-F. Its zeros are zeros of F: its products with idle motions are those of the sum, so that is 0.
+Motions that no attached contact feels (without friction it feels no slip), and on which the load
+does no work ("idle"), leave d open, and F misses them. Then F + sum v (v . d - x) over idle motions
+v with numbers x takes the place of F. Its zeros are zeros of F: its products with idle motions are
+those of the sum, so that is 0.
 """
 
 from __future__ import annotations

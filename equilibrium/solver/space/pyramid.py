@@ -13,11 +13,16 @@ from fractions import Fraction
 from itertools import pairwise
 from typing import Any, NamedTuple, TypeAlias
 
+import numpy as np
+
 from arrangement.exact import RationalVector, dot
 from equilibrium.model.grasp import Grasp
+from equilibrium.solver.spatial_contacts import SpatialContacts
 
+from .balance import SpatialContinuation
 from .equilibria import SpatialSolution
 from .state_program import ConeRow, StateProgram
+from .states import States, smooth_states
 from .tree import Open
 
 
@@ -60,6 +65,12 @@ class PyramidSearch:
 
     def decide(self) -> SpatialSolution | Any | Open:
         """Return an equilibrium, a tree that refutes all, or what is open when the time is over."""
+        try:
+            near = self._near()
+        except TimeoutError:
+            return Open("the time is over after 0 nodes", 1.0)
+        if near is not None:
+            return near
         top: list[Any] = [None]
         waiting: list[tuple[list[_State], list[Any], int]]
         waiting = [(["undecided"] * len(self.grasp), top, 0)]
@@ -86,6 +97,31 @@ class PyramidSearch:
             parts = [[*states[:worst], state, *states[worst + 1 :]] for state in split]
             waiting += reversed([(part, children, k) for k, part in enumerate(parts)])
         return _named(top[0])
+
+    def _near(self) -> SpatialSolution | None:
+        """Return an equilibrium with states that a search with round cones suggests."""
+        contacts = SpatialContacts(self.grasp)
+        tried: set[object] = set()
+        with np.errstate(all="ignore"):
+            path = SpatialContinuation(contacts, self.wrench).path(np.zeros(6))
+            for states in (smooth_states(contacts, *found) for found in path):
+                if states.key not in tried:
+                    tried.add(states.key)
+                    parts = [self._part(states, i) for i in range(len(self.grasp))]
+                    found = self._program(parts).solve()
+                    if isinstance(found, tuple):
+                        return self._solution(found)
+        return None
+
+    def _part(self, states: States, i: int) -> _State:
+        """Return what a contact does according to states with round cones."""
+        if not states.touching[i]:
+            return "detached"
+        if not states.slipping[i]:
+            return "stick" if self.grasp.contacts[i].friction else "attached"
+        slip = [Fraction(-float(x)) for x in states.ratio[i]]
+        between = [part for part in self.slips if len(part.ends) == 2]
+        return max(between, key=lambda part: dot(part.edges[0], slip))
 
     def _program(self, states: Sequence[_State]) -> StateProgram:
         """Return the program of a node."""
