@@ -89,6 +89,8 @@ class SpatialSearch:
             self.relaxation.settings.time_limit = max(0.01, deadline - time.monotonic())
         self.smooth = SpatialContinuation(contacts, wrench)
         self.tried: set[object] = set()
+        #: Whether exact programs are tried where floats end; other ways are tried before.
+        self.exactly = False
         self.exact = ExactParts(contacts, wrench, deadline)
         #: States that an equilibrium was looked for in, the latest last.
         self.states: list[States] = []
@@ -128,6 +130,7 @@ class SpatialSearch:
                     found = self._exact_equilibrium() or found
                 if few or not isinstance(found, Open):
                     return found
+                self.exactly = True
         return self._tree(root, self.nodes)
 
     def _exact_equilibrium(self) -> Proposal | None:
@@ -217,6 +220,8 @@ class SpatialSearch:
             answer = self._equilibrium_or_cut(states, found)
             if answer is not None:
                 return answer
+        if not self.exactly:
+            return self._any_split(states)
         # Floats end here.
         leaf = self.exact.part(states, self._towards(found))
         if isinstance(leaf, SpatialSolution):
