@@ -18,7 +18,10 @@ below its interpolation. The leaf holds if ``lambda . w g_0`` and all these are 
 at each generator, above 0 where ``g_0 > 0``: balance would make their sum over generators 0.
 
 In space a tree has states alone, with sectors of slip directions; `equilibrium.certificate.space`
-has its leaves, and `equilibrium.certificate.enclosure` equilibria in intervals.
+has its leaves, and `equilibrium.certificate.enclosure` equilibria in intervals. Where contacts and
+load lie in one plane, and cones are round, a planar tree will do: out of the plane forces do no
+work together, and friction none or less at each contact, so no loaded contact slips that way, and
+what the motion and the forces are in the plane would be an equilibrium there.
 """
 
 from __future__ import annotations
@@ -33,8 +36,9 @@ from typing import Any, NamedTuple, TypeAlias
 from arrangement.exact import IntegerVector, RationalVector, to_text, vector_text
 from arrangement.short_repr import Shown
 from equilibrium.model.contact import VALUES
-from equilibrium.model.errors import CertificateError
+from equilibrium.model.errors import CertificateError, GraspError
 from equilibrium.model.grasp import Grasp, read_wrench
+from equilibrium.model.plane import in_plane
 from equilibrium.model.pyramid import pyramid_edges
 
 from .enclosure import enclosure_problem
@@ -46,6 +50,7 @@ from .reading import (
     read_enclosure,
     read_equilibrium,
     read_node,
+    read_plane,
     read_question,
 )
 from .space import (
@@ -162,12 +167,26 @@ def check(
     if kind == "resisted":
         report = Report(kind, _equilibrium_problem(document, grasp, wrench))
     elif grasp.dimension == 3:
-        spatial = SpatialQuestion(grasp, wrench, _edges(document))
-        report = _walk(document["tree"], spatial, 3)
+        report = _spatial_report(document, grasp, wrench)
     else:
         report = _walk(document["tree"], _Question(grasp, wrench))
     report = replace(report, pyramid=document.get("pyramid"), grasp=grasp, wrench=wrench)
     return report.asked(question, pyramid)
+
+
+def _spatial_report(document: Mapping[str, Any], grasp: Grasp, wrench: RationalVector) -> Report:
+    """Check a tree in space, or one in the plane that has all contacts and the load."""
+    tree, edges = document["tree"], _edges(document)
+    plane = read_plane(tree)
+    if plane is None:
+        return _walk(tree, SpatialQuestion(grasp, wrench, edges), 3)
+    if edges:
+        raise CertificateError("tree.plane is for round cones")
+    try:
+        question = _Question(*in_plane(grasp, wrench, plane.axes))
+    except GraspError as error:
+        return Report("not resisted", f"tree.plane: {error}")
+    return _walk(plane.tree, question)
 
 
 def _equilibrium_problem(document: Mapping[str, Any], grasp: Grasp, wrench: RationalVector) -> str:

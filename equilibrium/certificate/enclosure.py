@@ -12,9 +12,10 @@ Y ``K = m - Y F(m) + (I - Y F'(X)) (X - m)`` lies inside X, then F has exactly o
 all conditions of the law hold, if they hold for all of X. Intervals have integer ends over 2^192
 and are rounded outwards.
 
-Motions that move no attached contact, and on which the load does no work ("idle"), leave d open,
-and F misses them. Then F + sum v (v . d - x) over idle motions v with numbers x takes the place of
-F. Its zeros are zeros of F: its products with idle motions are those of the sum, so that is 0.
+Motions that no attached contact feels (without friction it feels no slip), and on which the load
+does no work ("idle"), leave d open, and F misses them. Then F + sum v (v . d - x) over idle motions
+v with numbers x takes the place of F. Its zeros are zeros of F: its products with idle motions are
+those of the sum, so that is 0.
 """
 
 from __future__ import annotations
@@ -101,7 +102,9 @@ def enclosure_problem(grasp: Grasp, wrench: RationalVector, given: Enclosure) ->
     attached = [
         c for c, friction in zip(grasp, given.friction, strict=True) if friction is not None
     ]
-    felt = [wrench, *(row for contact in attached for row in frame(contact))]
+    felt = [wrench]
+    for contact in attached:
+        felt += frame(contact) if contact.friction else frame(contact)[:1]
     if any(dot(row, motion[:6]) for motion in given.idle for row in felt):
         return "an idle motion moves an attached contact, or the load does work on it"
     if any(r <= 0 for r in given.radius):
@@ -180,7 +183,9 @@ def _balance(
         if normal.value.low < 0:
             raise _BrokenLaw(f"contact {i + 1} is not attached all over the enclosure")
         limit = normal.by(contact.friction)
-        if friction:
+        if not contact.friction:
+            forces = [limit, limit]
+        elif friction:
             forces = _sticking(i, limit, friction, given, box)
         else:
             forces = [limit.times(x).by(-1) for x in _unit(i, moved[1:])]

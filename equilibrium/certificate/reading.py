@@ -23,7 +23,9 @@ children are stick, and the sectors between neighbours, from the last to the fir
 Below such a sector it has one direction, which cuts the sector in two. With ``"pyramid": K`` in the
 certificate the cones of friction are pyramids (`equilibrium.model.pyramid`), and the split is
 ``{"contact": i, "faces": [nodes]}``: stick, then by turns slip along the normal of an edge of the
-polygon, from the first, and slip between two such normals. An equilibrium that has no
+polygon, from the first, and slip between two such normals. Where contacts and load lie in one plane
+the tree may be ``{"plane": [u, v], "tree": node}`` with two axes of the plane, orthonormal, and a
+planar tree in coordinates along these. An equilibrium that has no
 rational numbers is shown by an "enclosure", see `equilibrium.certificate.enclosure`.
 """
 
@@ -71,6 +73,13 @@ class Split(NamedTuple):
     at: tuple[int, ...]
     children: list[tuple[str, Any]]
     directions: tuple[RationalVector, ...] = ()
+
+
+class Plane(NamedTuple):
+    """Two axes of a plane in space, and a planar tree."""
+
+    axes: tuple[RationalVector, RationalVector]
+    tree: Any
 
 
 class Enclosure(NamedTuple):
@@ -162,6 +171,16 @@ def _rows(
 ) -> tuple[RationalVector, ...]:
     rows = check_list(content[key], f"enclosure.{key}", count)
     return tuple(_rationals(row, size, f"enclosure.{key}[{i}]") for i, row in enumerate(rows))
+
+
+def read_plane(tree: Any) -> Plane | None:
+    """Return axes and planar tree of a tree in space that has them; else None."""
+    if not isinstance(tree, Mapping) or "plane" not in tree:
+        return None
+    check_keys(tree, ("plane", "tree"), (), "tree")
+    rows = check_list(tree["plane"], "tree.plane", 2)
+    u, v = (_rationals(row, 3, f"tree.plane[{i}]") for i, row in enumerate(rows))
+    return Plane((u, v), tree["tree"])
 
 
 def read_node(content: Any, path: str, contacts: int, dimension: int = 2) -> Leaf | Split:

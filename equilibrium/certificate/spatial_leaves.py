@@ -13,7 +13,7 @@ from typing import Any, NamedTuple
 from arrangement.exact import RationalVector, vector_text
 from equilibrium.model.grasp import Grasp
 
-from .reading import STATES, Leaf, read_node
+from .reading import STATES, Leaf, read_node, read_plane
 
 
 class SpatialLeaf(NamedTuple):
@@ -32,7 +32,9 @@ class SpatialLeaf(NamedTuple):
 
 
 def spatial_leaves(grasp: Grasp, tree: Any) -> Iterator[SpatialLeaf]:
-    """Yield the leaves of a tree in the order of the document."""
+    """Yield the leaves of a tree in the order of the document; none of one in the plane."""
+    if read_plane(tree):
+        return
     waiting: list[tuple[Any, dict[int, str], dict[int, tuple[RationalVector, ...]]]]
     waiting = [(tree, {}, {})]
     while waiting:

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 from arrangement.exact import RationalVector, dot
 from arrangement.number_form import DIGITS, counted, number, vector
+from equilibrium.certificate.reading import read_plane
 from equilibrium.certificate.spatial_leaves import SpatialLeaf, spatial_leaves
 from equilibrium.model.pyramid import pyramid_words
 
@@ -30,9 +31,11 @@ def spatial_lines(found: SpatialVerdict) -> Iterator[str]:
         return
     if found.solution is None:
         leaves = found.verify().leaves
-        yield f"not resisted{cones}: proof with {counted(leaves, 'leaf', 'leaves')}"
-        if leaves <= _MOST and found.certificate:
-            for leaf in spatial_leaves(found.grasp, found.certificate.to_dict()["tree"]):
+        tree = found.certificate.to_dict()["tree"] if found.certificate else []
+        where = " in the plane of the contacts" if read_plane(tree) else ""
+        yield f"not resisted{cones}: proof{where} with {counted(leaves, 'leaf', 'leaves')}"
+        if leaves <= _MOST:
+            for leaf in spatial_leaves(found.grasp, tree):
                 yield from _leaf_lines(found.wrench, leaf)
         return
     from equilibrium.solver.space.equilibria import SpatialSolution

@@ -33,6 +33,10 @@ def proof_in_space(grasp: Grasp, wrench: Wrench, width: float) -> Scene:
             f"the wrench is {verdict.verdict}, so there is no proof that it is not; draw the grasp"
         )
     leaves = list(spatial_leaves(grasp, verdict.certificate.to_dict()["tree"]))
+    if not leaves:
+        raise GraspError(
+            "contacts and wrench lie in one plane, and so does the proof; draw the planar grasp"
+        )
     shown = leaves[:_SHOWN]
     towards = clear_side(SolidGrasp(grasp, wrench=verdict.wrench))
     panel = min(width / len(shown), _PANEL)

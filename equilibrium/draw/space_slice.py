@@ -58,7 +58,7 @@ def slice_in_space(grasp: Grasp, axes: str, directions: int, width: float) -> Sc
         spokes.append((np.array([float(x) for x in way]), known))
     rows = [
         [(float(v[first]), float(v[second]), float(rest)) for v, rest in tree]
-        for tree in loads.trees
+        for tree in filter(None, loads.trees)
     ]
     return _drawn(grasp, spokes, rows, (_LABELS[first], _LABELS[second]), width)
 

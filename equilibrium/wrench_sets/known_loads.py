@@ -95,7 +95,12 @@ class KnownMagnitudes:
         )
 
     def _range(self, works: Works) -> Range | None:
-        """Return for which magnitudes all works are above 0; None if for none."""
+        """Return for which magnitudes all works are above 0; None if for none.
+
+        Of a proof in the plane, which has no such leaves, nothing is known.
+        """
+        if not works:
+            return None
         low: Fraction | None = None
         high: Fraction | None = None
         for motion, rest in works:

@@ -72,7 +72,7 @@ def _seeds(contacts: int, count: int = 0) -> Sequence[int]:
 
 
 def run(
-    job: str, contacts: int, seeds: Iterable[int], limit: float, script: str = "graspjob.py"
+    job: str, contacts: int | str, seeds: Iterable[int], limit: float, script: str = "graspjob.py"
 ) -> list[Found]:
     """Run a job of a script in a process of its own; return what it printed in time."""
     listed = [str(seed) for seed in seeds]

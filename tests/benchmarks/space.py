@@ -17,11 +17,15 @@ from typing import Any
 from grasps import VERDICTS, Found, kilobytes, run, shown
 from spacejob import EDGES, FINE, NEAR, PEER_SECONDS
 
+from tests.equilibrium.exotic import KINDS
+
 #: By number of contacts: grasps of each kind, for us and for the peers.
 COUNT = {3: 100, 4: 100, 6: 60, 8: 40, 12: 20}
 PEER = {3: 24, 4: 24, 6: 12}
 SIZES = tuple(COUNT)
 LIMIT = 1800
+#: Questions of each kind that is not in general position.
+KIND_COUNT = 100
 
 
 def space_tables(contacts: Sequence[int], count: int = 0) -> None:
@@ -34,6 +38,9 @@ def space_tables(contacts: Sequence[int], count: int = 0) -> None:
         )
         for m in contacts:
             found[added, m] = _own_lines(m, _seeds(added, count or COUNT.get(m, 12)))
+    print("\nQuestions not in general position, by kind", flush=True)
+    for kind in KINDS:
+        _own_lines(kind, range(count or KIND_COUNT))
     print("\nOther programs on the same grasps; wrong: not what is proved", flush=True)
     for (added, m), mine in found.items():
         seeds = _seeds(added, min(count or 100, PEER.get(m, 0)))
@@ -52,7 +59,7 @@ def _seeds(added: int, count: int) -> Sequence[int]:
     return range(added, added + count)
 
 
-def _own_lines(m: int, seeds: Iterable[int]) -> list[Found]:
+def _own_lines(m: int | str, seeds: Iterable[int]) -> list[Found]:
     """Measure ours, print a line for each verdict and one for all; return what was found."""
     listed = run("ours", m, seeds, LIMIT, "spacejob.py")
     for verdict in (*VERDICTS.values(), "undecided", "all"):

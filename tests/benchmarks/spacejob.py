@@ -2,6 +2,9 @@
 
 Prints one JSON line for each seed. The clock counts processor time; a smaller grasp goes first.
 
+With the name of a kind of `tests/equilibrium/exotic.py` in place of the number of contacts the
+questions are those of that kind.
+
 The instances. Seeds below 1000 are those of the page on accuracy: any wrench. With 1000 added the
 wrench is what contact forces of random sizes inside their cones balance, times 1 to 2: near the
 border on both sides. Odd seeds have preload.
@@ -38,17 +41,20 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[2]))
 from equilibrium import Grasp
 from equilibrium.inputs.random import random_grasp, random_wrench
 from equilibrium.spatial_verdict import solve_in_space
+from tests.equilibrium import exotic
 
 Wrench = tuple[Fraction, ...]
 Found = dict[str, Any]
 NEAR = 1000
 MOTION, FORCE, EDGES, FINE = 5.0, 200.0, 8, 32
-#: Seconds by the clock for one program.
-PEER_SECONDS = 60
+#: Seconds by the clock for one program, and for one verdict of ours.
+PEER_SECONDS, SECONDS = 60, 60
 
 
-def instance(contacts: int, seed: int) -> tuple[Grasp, Wrench]:
+def instance(contacts: int | str, seed: int) -> tuple[Grasp, Wrench]:
     """Return the grasp and the wrench of a seed."""
+    if isinstance(contacts, str):
+        return exotic.question(contacts, seed)
     plain = seed % NEAR
     grasp = random_grasp(contacts, plain, dimension=3)
     if seed < NEAR:
@@ -68,7 +74,7 @@ def instance(contacts: int, seed: int) -> tuple[Grasp, Wrench]:
 def ours(grasp: Grasp, wrench: Wrench) -> Found:
     """Verdict and proof; the check of the proof."""
     start = time.process_time()
-    verdict = solve_in_space(grasp, wrench)
+    verdict = solve_in_space(grasp, wrench, time_limit=SECONDS)
     written = time.process_time()
     found = {"verdict": verdict.verdict, "seconds": written - start}
     if not verdict.decided:
@@ -157,9 +163,10 @@ def cones(grasp: Grasp, wrench: Wrench) -> Found:
 JOBS = {job.__name__: job for job in (ours, boxed, boxed_fine, cones)}
 
 if __name__ == "__main__":
-    name, contacts, *seeds = sys.argv[1:]
+    name, given, *seeds = sys.argv[1:]
+    contacts = int(given) if given.isdigit() else given
     for warm in (0, 1):
         JOBS[name](*instance(2, 500 + warm))
     for seed in map(int, seeds):
-        found = JOBS[name](*instance(int(contacts), seed))
-        print(json.dumps({"contacts": int(contacts), "seed": seed, **found}), flush=True)
+        found = JOBS[name](*instance(contacts, seed))
+        print(json.dumps({"contacts": contacts, "seed": seed, **found}), flush=True)

@@ -2,33 +2,38 @@
 
 import json
 import math
+import re
 from collections import Counter
 from fractions import Fraction
 from itertools import product
 from random import Random
 
+import jsonschema
 import numpy as np
 import pytest
 from scipy.optimize import linprog
 
 from arrangement.errors import InputError
+from arrangement.linprog import Infeasible, feasible_point
 from equilibrium.certificate.checker import check
-from equilibrium.certificate.document import resisted_certificate
+from equilibrium.certificate.document import refuted_certificate, resisted_certificate
 from equilibrium.cli.program import main
 from equilibrium.inputs import random_grasp, random_wrench, read_any
 from equilibrium.io.files import read_grasp
+from equilibrium.io.schemas import certificate_schema
 from equilibrium.model.contact import Contact
 from equilibrium.model.errors import GraspError, UndecidedError
 from equilibrium.model.grasp import Grasp
 from equilibrium.model.pyramid import pyramid_edges
 from equilibrium.model.unit_normal import unit_normal
 from equilibrium.solver.space.equilibria import SpatialSolution
+from equilibrium.solver.space.plane import decide_in_plane
 from equilibrium.spatial_verdict import solve_in_space
 from equilibrium.verdict import Solver, solve
 from equilibrium.wrench_sets.known_loads import KnownLoads, KnownMagnitudes, _same, blends
 from equilibrium.wrench_sets.spatial import spatial_magnitudes
 
-from . import sectors
+from . import awkward, exotic, sectors
 
 HAIR = 1 + Fraction(1, 10**6)
 FINGERS, FEET = read_grasp("two-opposed-fingers"), read_grasp("box-on-a-table")
@@ -181,6 +186,112 @@ def test_planar_grasps_answer_as_in_the_plane():
 @pytest.mark.campaign
 def test_many_planar_grasps_answer_as_in_the_plane():
     assert embedded(range(1000, 1120)) == 120
+
+
+def decided(kind, seeds):
+    """Return how many questions of a kind have a proof that the checker accepts."""
+    found = [solve_in_space(*exotic.question(kind, seed)) for seed in seeds]
+    assert all(answer.verify() for answer in found if answer.decided)
+    return sum(answer.decided for answer in found)
+
+
+@pytest.mark.parametrize("kind", exotic.KINDS)
+def test_questions_that_are_not_in_general_position_are_decided(kind):
+    assert decided(kind, range(3)) == 3
+
+
+@pytest.mark.parametrize(
+    ("kind", "seed"),
+    [
+        *(("no friction", seed) for seed in (1, 2, 14)),
+        *(("some friction", seed) for seed in (5, 8, 13, 24, 39)),
+        *(("line", seed) for seed in (17, 30)),
+        *(("box", seed) for seed in (9, 15, 20)),
+        *(("common point", seed) for seed in (1, 25, 35)),
+        ("huge friction", 9),
+    ],
+)
+def test_what_floats_leave_open_is_decided_by_exact_programs(kind, seed):
+    assert decided(kind, [seed]) == 1
+
+
+@pytest.mark.campaign
+@pytest.mark.parametrize("kind", exotic.KINDS)
+def test_most_questions_that_are_not_in_general_position_are_decided(kind):
+    harder = {"huge friction": 70, "unequal stiffness": 80, "line": 95, "box": 94}
+    share = harder.get(kind, 98)
+    assert decided(kind, range(100, 200)) >= share
+
+
+def test_without_friction_a_load_is_resisted_if_normals_alone_balance_it():
+    for seed in range(40, 60):
+        grasp, wrench = exotic.question("no friction", seed)
+        rows = [(*(c.normal_wrench[j] for c in grasp), w) for j, w in enumerate(wrench)]
+        m = len(grasp)
+        signs = [[int(i == j) for j in range(m + 1)] for i in range(m)]
+        balanced = not isinstance(feasible_point(m, signs, rows), Infeasible)
+        assert solve_in_space(grasp, wrench).stable == balanced, seed
+
+
+class TestPlanes:
+    @pytest.mark.parametrize("seed", [1, 3, 6, 7, 8, 9, 17, 19, 20, 32, 36])
+    def test_in_any_plane_of_space_they_answer_as_in_the_plane(self, seed):
+        flat = awkward.question(seed)
+        found = solve_in_space(*exotic.question("plane", seed))
+        assert found.stable == Solver(flat.grasp).solve(flat.wrench).stable
+        assert found.verify()
+
+    @pytest.mark.campaign
+    def test_many_in_any_plane_of_space_answer_as_in_the_plane(self):
+        for seed in range(1000, 1200):
+            self.test_in_any_plane_of_space_they_answer_as_in_the_plane(seed)
+
+    def proof(self):
+        grasp, wrench = in_a_plane()
+        tree = decide_in_plane(grasp, wrench, math.inf)
+        return refuted_certificate(grasp, wrench, tree).to_dict()
+
+    def test_a_planar_proof_is_accepted_with_the_planes_that_it_names(self):
+        proof = self.proof()
+        assert check(proof)
+        assert jsonschema.Draft202012Validator(certificate_schema()).is_valid(proof)
+
+    @pytest.mark.parametrize(
+        ("change", "words"),
+        [
+            (lambda d: d["tree"]["plane"].reverse(), "not above 0|must be"),
+            (lambda d: d["tree"]["plane"][0].__setitem__(0, "2"), "length 1"),
+            (lambda d: d["wrench"].__setitem__(2, "1"), "load does not lie"),
+            (lambda d: d["wrench"].__setitem__(3, "1"), "load does not lie"),
+            (lambda d: d["wrench"].__setitem__(4, "1"), "load does not lie"),
+            (lambda d: d["grasp"]["contacts"][0]["point"].__setitem__(2, "1"), "contacts do not"),
+            (
+                lambda d: d["grasp"]["contacts"][0].update(normal=["0", "0", "1"]),
+                "contacts do not",
+            ),
+        ],
+    )
+    def test_a_proof_of_another_plane_is_refused(self, change, words):
+        proof = self.proof()
+        change(proof)
+        report = check(proof)
+        assert not report
+        assert re.search(words, report.problem)
+
+    def test_a_planar_proof_is_none_for_pyramids(self):
+        with pytest.raises(InputError, match="round cones"):
+            check({**self.proof(), "pyramid": 4})
+
+    def test_contacts_out_of_the_plane_are_left_to_the_tree(self):
+        grasp, wrench = in_a_plane()
+        above = Contact((0, 0, 1), (1, 0, 0), 1)
+        assert decide_in_plane(Grasp([*grasp, above]), wrench, math.inf) is None
+
+
+def in_a_plane():
+    """Return three contacts in the plane z = 0, and a load that they just do not hold."""
+    grasp = read_grasp("paper-three-contacts-preload-1").in_space()
+    return grasp, tuple(map(Fraction, (0, 1 + Fraction(1, 10**30), 0, 0, 0, 0)))
 
 
 def leaf_at(node, contacts, motion):
@@ -575,6 +686,15 @@ def test_many_verdicts_on_pyramids_are_those_of_all_states(m, seeds):
 
 
 class TestPyramids:
+    def test_six_contacts_on_a_ball_that_hold_a_load_are_decided(self):
+        normals = [tuple(s * int(j == k) for j in range(3)) for k in range(3) for s in (1, -1)]
+        ball = Grasp(Contact([-x for x in n], n, "1/2", 1, 1) for n in normals)
+        for load in [(0, 0, -1, 0, 0, 0), ("1/2", "1/3", -1, "1/5", 0, "1/4")]:
+            for edges in (4, 6, 8):
+                found = solve_in_space(ball, load, pyramid=edges)
+                assert found.stable
+                assert found.verify()
+
     def test_a_force_along_an_edge_is_held_as_by_the_round_cone_and_between_edges_it_is_not(self):
         for size, held in ((1, True), (HAIR, False)):
             along = solve_in_space(FINGERS, [size * x for x in across(1, 0)], pyramid=4)

@@ -8,18 +8,21 @@ is the law, so the search ends.
 
 from __future__ import annotations
 
-import time
 from collections.abc import Sequence
 from fractions import Fraction
 from itertools import pairwise
 from typing import Any, NamedTuple, TypeAlias
 
-from arrangement.exact import RationalVector, dot, to_text
-from arrangement.linprog import Infeasible, Program
-from equilibrium.model.contact import Contact
-from equilibrium.model.grasp import Grasp
+import numpy as np
 
+from arrangement.exact import RationalVector, dot
+from equilibrium.model.grasp import Grasp
+from equilibrium.solver.spatial_contacts import SpatialContacts
+
+from .balance import SpatialContinuation
 from .equilibria import SpatialSolution
+from .state_program import ConeRow, StateProgram
+from .states import States, smooth_states
 from .tree import Open
 
 
@@ -62,6 +65,12 @@ class PyramidSearch:
 
     def decide(self) -> SpatialSolution | Any | Open:
         """Return an equilibrium, a tree that refutes all, or what is open when the time is over."""
+        try:
+            near = self._near()
+        except TimeoutError:
+            return Open("the time is over after 0 nodes", 1.0)
+        if near is not None:
+            return near
         top: list[Any] = [None]
         waiting: list[tuple[list[_State], list[Any], int]]
         waiting = [(["undecided"] * len(self.grasp), top, 0)]
@@ -69,7 +78,7 @@ class PyramidSearch:
         while waiting:
             states, parent, position = waiting.pop()
             try:
-                found = _Node(self, states).solve()
+                found = self._program(states).solve()
             except TimeoutError:
                 return Open(f"the time is over after {nodes} nodes", 1.0)
             nodes += 1
@@ -88,6 +97,55 @@ class PyramidSearch:
             parts = [[*states[:worst], state, *states[worst + 1 :]] for state in split]
             waiting += reversed([(part, children, k) for k, part in enumerate(parts)])
         return _named(top[0])
+
+    def _near(self) -> SpatialSolution | None:
+        """Return an equilibrium with states that a search with round cones suggests."""
+        contacts = SpatialContacts(self.grasp)
+        tried: set[object] = set()
+        with np.errstate(all="ignore"):
+            path = SpatialContinuation(contacts, self.wrench).path(np.zeros(6))
+            for states in (smooth_states(contacts, *found) for found in path):
+                if states.key not in tried:
+                    tried.add(states.key)
+                    parts = [self._part(states, i) for i in range(len(self.grasp))]
+                    found = self._program(parts).solve()
+                    if isinstance(found, tuple):
+                        return self._solution(found)
+        return None
+
+    def _part(self, states: States, i: int) -> _State:
+        """Return what a contact does according to states with round cones."""
+        if not states.touching[i]:
+            return "detached"
+        if not states.slipping[i]:
+            return "stick" if self.grasp.contacts[i].friction else "attached"
+        slip = [Fraction(-float(x)) for x in states.ratio[i]]
+        between = [part for part in self.slips if len(part.ends) == 2]
+        return max(between, key=lambda part: dot(part.edges[0], slip))
+
+    def _program(self, states: Sequence[_State]) -> StateProgram:
+        """Return the program of a node."""
+        cones = [
+            [] if state == "detached" else self._cone(contact.friction, state)
+            for contact, state in zip(self.grasp, states, strict=True)
+        ]
+        ends = [state.ends if isinstance(state, Slip) else state for state in states]
+        return StateProgram(self.grasp, self.wrench, ends, cones, self.deadline)
+
+    def _cone(self, mu: Fraction, state: _State) -> list[ConeRow]:
+        """Return the conditions on the forces of a contact, (normal, friction)."""
+        rows: list[ConeRow] = [
+            (False, (mu * dot(normal, edge), *(-x for x in normal)))
+            for normal, edge in zip(self.normals, self.edges, strict=True)
+        ]
+        if not isinstance(state, Slip):
+            return rows
+        if len(state.ends) == 1:
+            # On the side of the polygon that is opposite.
+            (end,) = state.ends
+            return [*rows, (True, (mu * dot(end, state.edges[0]), *end))]
+        (corner,) = state.edges
+        return [*rows, *((True, (mu * corner[j], j == 0, j == 1)) for j in range(2))]
 
     def _worst(self, states: Sequence[_State], point: RationalVector) -> int | None:
         """Return the contact that is furthest from the law at a point; None if all obey it."""
@@ -108,91 +166,6 @@ class PyramidSearch:
     def _solution(self, point: RationalVector) -> SpatialSolution:
         forces = (point[6 + 3 * i : 9 + 3 * i] for i in range(len(self.grasp)))
         return SpatialSolution(point[:6], tuple(forces))
-
-
-class _Node:
-    """The linear program of one node; for each row that is no cone's, what it adds to a leaf."""
-
-    def __init__(self, search: PyramidSearch, states: Sequence[_State]) -> None:
-        self.search, self.m = search, len(states)
-        self.equal: list[RationalVector] = []
-        self.least: list[RationalVector] = []
-        #: Contact and (alpha, h) of one of each row.
-        self.parts: dict[tuple[bool, int], tuple[int, tuple[Fraction | int, ...]]] = {}
-        rows = [[Fraction(0)] * search.size + [w] for w in search.wrench]
-        for i, contact in enumerate(search.grasp):
-            wrenches = (contact.normal_wrench, *contact.tangential_wrenches)
-            for j, wrench in enumerate(wrenches):
-                for row, x in zip(rows, wrench, strict=True):
-                    row[6 + 3 * i + j] = x
-        self.equal += map(tuple, rows)
-        for i, (contact, state) in enumerate(zip(search.grasp, states, strict=True)):
-            self._add_contact(i, contact, state)
-
-    def _row(self, i: int, motion: Sequence[Fraction], force: Sequence[Any], constant: Any) -> Any:
-        row = [*motion, *[Fraction(0)] * (3 * self.m), Fraction(constant)]
-        row[6 + 3 * i : 9 + 3 * i] = map(Fraction, force)
-        return tuple(row)
-
-    def _add(
-        self, equal: bool, row: RationalVector, i: int, part: tuple[Fraction | int, ...]
-    ) -> None:
-        rows = self.equal if equal else self.least
-        self.parts[equal, len(rows)] = (i, part)
-        rows.append(row)
-
-    def _add_contact(self, i: int, contact: Contact, state: _State) -> None:
-        if time.monotonic() > self.search.deadline:
-            raise TimeoutError
-        zero = [Fraction(0)] * 6
-        gap = [contact.stiffness * x for x in contact.normal_wrench]
-        if state == "detached":
-            self._add(False, self._row(i, gap, (0, 0, 0), -contact.preload), i, (1, 0, 0))
-            self.equal += [self._row(i, zero, [j == k for j in range(3)], 0) for k in range(3)]
-            return
-        row = self._row(i, gap, (1, 0, 0), -contact.preload)
-        self._add(state != "undecided", row, i, (1, 0, 0))
-        self.least.append(self._row(i, zero, (1, 0, 0), 0))
-        mu, one, other = contact.friction, *contact.tangential_wrenches
-        for normal, edge in zip(self.search.normals, self.search.edges, strict=True):
-            limit = mu * dot(normal, edge)
-            self.least.append(self._row(i, zero, (limit, *(-x for x in normal)), 0))
-        if state == "stick":
-            self._add(True, self._row(i, one, (0, 0, 0), 0), i, (0, -1, 0))
-            self._add(True, self._row(i, other, (0, 0, 0), 0), i, (0, 0, -1))
-        if not isinstance(state, Slip):
-            return
-        if len(state.ends) == 1:
-            ((x, y),) = state.ends
-            sides = [(False, (x, y)), (True, (-y, x))]
-            # On the side of the polygon that is opposite.
-            face = (mu * dot(state.ends[0], state.edges[0]), x, y)
-            self.equal.append(self._row(i, zero, face, 0))
-        else:
-            (x, y), (v, w) = state.ends
-            sides = [(False, (-y, x)), (False, (w, -v))]
-            (corner,) = state.edges
-            for j in range(2):
-                force = (mu * corner[j], j == 0, j == 1)
-                self.equal.append(self._row(i, zero, force, 0))
-        for equal, (x, y) in sides:
-            moved = [x * s + y * t for s, t in zip(one, other, strict=True)]
-            self._add(equal, self._row(i, moved, (0, 0, 0), 0), i, (0, -x, -y))
-
-    def solve(self) -> RationalVector | Any:
-        """Return a point, or the leaf that shows that there is none."""
-        found = Program(self.search.size, self.least, self.equal, self.search.deadline).point()
-        if not isinstance(found, Infeasible):
-            return found
-        motion = [to_text(-x) for x in found.equality_multipliers[:6]]
-        given: dict[int, list[Fraction]] = {}
-        for (equal, k), (i, part) in self.parts.items():
-            factor = (found.equality_multipliers if equal else found.inequality_multipliers)[k]
-            if factor:
-                row = given.setdefault(i, [Fraction(0)] * 3)
-                given[i] = [x + factor * y for x, y in zip(row, part, strict=True)]
-        rows = {str(i): [to_text(x) for x in row] for i, row in given.items()}
-        return {"virtual_motion": motion, "multipliers": rows}
 
 
 def _named(node: Any) -> Any:

@@ -172,6 +172,8 @@ class Relaxation:
             alpha, h = multipliers[i, 0], multipliers[i, 1:]
             a, b = self.normal[i] @ virtual, self.tangents[i] @ virtual
             slack = a - alpha - self.friction[i] * np.hypot(*b)
+            if state in ("undecided", "detached", "attached"):
+                multipliers[i, 1:] = 0.0
             room[i, 0] = {"undecided": min(alpha, slack), "detached": alpha}.get(str(state), slack)
             if state == "stick":
                 room[i, 1:] = np.inf

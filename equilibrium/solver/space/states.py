@@ -24,6 +24,8 @@ _SLIPS = 0.9999
 class States:
     """What each contact does, read off normal forces (m,) and shares of friction limits (m, 2).
 
+    Contacts without friction count as sticking ones with no share.
+
     Attributes:
         ratio: (m, 2), of friction forces to their limits.
         touching, slipping: contacts with a force, and those among them that slip.
@@ -31,7 +33,8 @@ class States:
         rational: whether all slips go along rational directions.
     """
 
-    def __init__(self, force: Floats, ratio: Floats) -> None:
+    def __init__(self, contacts: SpatialContacts, force: Floats, ratio: Floats) -> None:
+        ratio = np.where(contacts.friction[:, None] > 0, ratio, 0.0)
         self.touching = [bool(x) for x in force > 0]
         self.ratio = ratio
         size = np.linalg.norm(ratio, axis=1)
@@ -39,7 +42,7 @@ class States:
         self.shares: list[RationalVector | None] = []
         for (x, y), slips in zip(ratio, self.slipping, strict=True):
             if slips:
-                self.shares.append(_rational_direction(float(x), float(y)))
+                self.shares.append(rational_direction(float(x), float(y)))
             else:
                 self.shares.append(tuple(Fraction(int(v * _SHARES), _SHARES) for v in (x, y)))
         self.rational = None not in self.shares
@@ -47,13 +50,15 @@ class States:
         self.key = (tuple(self.touching), tuple(self.slipping), near)
 
 
-def _rational_direction(x: float, y: float) -> RationalVector | None:
+def rational_direction(
+    x: float, y: float, simple: int = _SIMPLE, error: float = _SAME
+) -> RationalVector | None:
     """Return the unit vector of a simple half-angle tangent in a direction, if there is one."""
     size = math.hypot(x, y)
     x, y = x / size, y / size
     folded = abs(y) / (1 + abs(x))
-    u = Fraction(folded).limit_denominator(_SIMPLE)
-    if abs(float(u) - folded) > _SAME:
+    u = Fraction(folded).limit_denominator(simple)
+    if abs(float(u) - folded) > error:
         return None
     cosine, sine = (1 - u * u) / (1 + u * u), 2 * u / (1 + u * u)
     return (cosine if x > 0 else -cosine, sine if y > 0 else -sine)
@@ -64,7 +69,7 @@ def smooth_states(contacts: SpatialContacts, motion: Floats, eps: float) -> Stat
     force = contacts.spring[:, 0] + contacts.spring[:, 1:] @ motion
     slip = contacts.tangents @ motion
     root = np.sqrt((slip * slip).sum(axis=1) + eps * eps)
-    return States(force, np.nan_to_num(-slip / root[:, None]))
+    return States(contacts, force, np.nan_to_num(-slip / root[:, None]))
 
 
 class StateBalance:
@@ -74,16 +79,18 @@ class StateBalance:
         self.contacts, self.wrench, self.states = contacts, wrench, states
         grasp = contacts.grasp
         self.sticking = [
-            i for i in range(len(grasp)) if states.touching[i] and not states.slipping[i]
+            i
+            for i, contact in enumerate(grasp)
+            if states.touching[i] and not states.slipping[i] and contact.friction
         ]
         rows = [row for i in self.sticking for row in grasp.contacts[i].tangential_wrenches]
         self.basis = _null_space(rows)
         self.pillars = self._pillars(6 - len(self.basis))
         # Motions that no touching contact feels; balance does not tell them.
         touching = [c for c, near in zip(grasp, states.touching, strict=True) if near]
-        self.unfelt = _null_space(
-            [row for c in touching for row in (c.normal_wrench, *c.tangential_wrenches)]
-        )
+        felt = [c.normal_wrench for c in touching]
+        felt += [row for c in touching if c.friction for row in c.tangential_wrenches]
+        self.unfelt = _null_space(felt)
 
     def _pillars(self, count: int) -> tuple[tuple[int, int], ...]:
         """Return tangents of sticking contacts that span all of them; strong contacts first."""
@@ -112,10 +119,10 @@ class StateBalance:
         return [Fraction(0) if (i, j) in self.pillars else x for j, x in enumerate(given)]
 
     def named_share(self, i: int) -> RationalVector | None:
-        """Return None for a detached contact, nothing for one that slips, else its share."""
+        """Return None for a detached contact, nothing for one that may slip, else its share."""
         if not self.states.touching[i]:
             return None
-        return () if self.states.slipping[i] else tuple(self.share(i))
+        return tuple(self.share(i)) if i in self.sticking else ()
 
     def float_basis(self) -> Floats:
         """Return the basis in floats, (6, p)."""

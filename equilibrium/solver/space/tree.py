@@ -6,7 +6,7 @@ import math
 import time
 from collections.abc import Callable
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -15,8 +15,11 @@ from arrangement.float_filter import Floats
 from equilibrium.solver.spatial_contacts import SpatialContacts
 
 from .balance import SpatialContinuation
-from .equilibria import Proposal, proposals
+from .enclosures import Enclosed
+from .equilibria import Proposal, SpatialSolution, proposals
+from .exact_parts import ExactParts
 from .leaves import exact_leaf
+from .plane import decide_in_plane
 from .relaxation import Point, Ray, Relaxation, Sector, State
 from .states import States, smooth_states
 
@@ -37,6 +40,8 @@ _NARROW, _COARSE, _DIRECTIONS = 1e-4, 8, 64
 _NOTHING, _THIN = 1e-9, 0.3
 #: The sharpness of contacts for a search that starts near an equilibrium.
 _NEAR = 1e-3
+#: Parts that stay open before the search ends.
+_HOLES = 8
 
 
 @dataclass(frozen=True)
@@ -50,6 +55,14 @@ class Open:
 
     reason: str
     residual: float
+
+
+class _Cut(NamedTuple):
+    """A node that splits one contact, its children still open, and their states."""
+
+    node: Any
+    children: list[Any]
+    parts: list[tuple[State, ...]]
 
 
 class SpatialSearch:
@@ -76,27 +89,61 @@ class SpatialSearch:
             self.relaxation.settings.time_limit = max(0.01, deadline - time.monotonic())
         self.smooth = SpatialContinuation(contacts, wrench)
         self.tried: set[object] = set()
+        #: Whether exact programs are tried where floats end; other ways are tried before.
+        self.exactly = False
+        self.exact = ExactParts(contacts, wrench, deadline)
+        #: States that an equilibrium was looked for in, the latest last.
+        self.states: list[States] = []
         self.residual = 1.0
+        #: Nodes since the last leaf, and how many of them are borne.
+        self.idle, self.patience = 0, _PATIENCE
 
     def decide(self) -> Proposal | Any | Open:
         """Return an accepted equilibrium, a tree that refutes all, or what is open."""
         with np.errstate(all="ignore"):
-            root: tuple[State, ...] = ("undecided",) * len(self.contacts.grasp)
-            ray = self.relaxation.cone_ray()
-            leaf = ray and exact_leaf(self.contacts, self.wrench, root, ray)
-            leaf = leaf or self._leaf(root, self.relaxation.solve(root))
-            if leaf is not None:
-                return leaf
-            few = self.nodes <= _FEW
-            for i, motion in enumerate(self.smooth.starts(0 if few else _STARTS)):
-                near = self._near(motion, 1.0)
-                if near is not None:
-                    return near
-                if not i:
-                    found = self._tree(root, min(_FEW, self.nodes))
-                    if few or not isinstance(found, Open):
-                        return found
-            return self._tree(root, self.nodes)
+            try:
+                found = self._decide()
+                if isinstance(found, Open):
+                    return self._exact_equilibrium() or found
+                return found
+            except TimeoutError as late:
+                return Open(str(late), self.residual)
+
+    def _decide(self) -> Proposal | Any | Open:
+        root: tuple[State, ...] = ("undecided",) * len(self.contacts.grasp)
+        ray = self.relaxation.cone_ray()
+        leaf = ray and exact_leaf(self.contacts, self.wrench, root, ray)
+        leaf = leaf or self._leaf(root, self.relaxation.solve(root))
+        if leaf is not None:
+            return leaf
+        few = self.nodes <= _FEW
+        for i, motion in enumerate(self.smooth.starts(0 if few else _STARTS)):
+            near = self._near(motion, 1.0)
+            if near is not None:
+                return near
+            if not i:
+                found = self._tree(root, min(_FEW, self.nodes))
+                if isinstance(found, Open):
+                    grasp, deadline = self.contacts.grasp, self.deadline
+                    found = decide_in_plane(grasp, self.wrench, deadline) or found
+                if isinstance(found, Open):
+                    found = self._exact_equilibrium() or found
+                if few or not isinstance(found, Open):
+                    return found
+                self.exactly = True
+        return self._tree(root, self.nodes)
+
+    def _exact_equilibrium(self) -> Proposal | None:
+        """Return an equilibrium of states looked at since this was asked last, found exactly."""
+        asked, self.states = self.states, []
+        for states in reversed(asked):
+            if ("exact", states.key) in self.tried:
+                continue
+            self.tried.add(("exact", states.key))
+            found = self.exact.equilibrium(states)
+            if found is not None and self.accept(found):
+                return found
+        return None
 
     def _near(self, motion: Floats, sharpness: float) -> Proposal | None:
         """Return an equilibrium that the smoothed balance leads to."""
@@ -111,6 +158,7 @@ class SpatialSearch:
 
     def _equilibrium(self, motion: Floats, states: States) -> Proposal | None:
         """Return an accepted equilibrium of given states near a motion."""
+        self.states.append(states)
         for found in proposals(self.contacts, self.wrench, motion, states, self.tried):
             if self.accept(found):
                 return found
@@ -119,9 +167,9 @@ class SpatialSearch:
     def _near_point(self, found: Point) -> Proposal | None:
         """Return an equilibrium with the states of a relaxation that nearly obeys the law."""
         normal = found.forces[:, 0]
-        normal = np.where(normal > _LOOSE, normal, 0.0)
+        normal = np.where(normal * np.maximum(1.0, self.contacts.friction) > _LOOSE, normal, 0.0)
         limits = np.maximum(self.contacts.friction * normal, 1e-12)
-        states = States(normal, found.forces[:, 1:] / limits[:, None])
+        states = States(self.contacts, normal, found.forces[:, 1:] / limits[:, None])
         return self._equilibrium(found.motion * self.relaxation.scale, states)
 
     def _leaf(self, states: tuple[State, ...], found: Ray | Point | None) -> Any | None:
@@ -138,49 +186,77 @@ class SpatialSearch:
         """Search depth first; a node is filled in when all below it are closed."""
         top: list[Any] = [None]
         waiting: list[tuple[tuple[State, ...], list[Any], int]] = [(root, top, 0)]
-        nodes, idle, patience, leaves = 0, 0, _PATIENCE, 0
-        while waiting:
+        nodes, leaves, holes = 0, 0, 0
+        self.idle, self.patience = 0, _PATIENCE
+        while waiting and holes < _HOLES:
             if nodes == most:
                 return Open(f"after {nodes} nodes the tree is not closed", self.residual)
             if time.monotonic() > self.deadline:
-                closed = f"the time is over after {nodes} nodes, {leaves} of them closed"
-                return Open(closed, self.residual)
+                raise TimeoutError(f"the time is over after {nodes} nodes, {leaves} of them closed")
             states, parent, position = waiting.pop()
-            nodes, idle = nodes + 1, idle + 1
-            found = self.relaxation.solve(states)
-            leaf = self._leaf(states, found)
-            if leaf is not None:
-                parent[position], idle, leaves = leaf, 0, leaves + 1
-                continue
-            split = None
-            if isinstance(found, Point):
-                values = self.relaxation.violations(states, found)
-                worst = float(values.max(initial=0.0))
-                obeys = worst <= _OBEYS
-                if worst <= _ALMOST:
-                    near = self._near_point(found)
-                    if near is not None:
-                        return near
-                if obeys or idle >= patience:
-                    idle, patience = 0, 2 * patience if not obeys else patience
-                    near = self._near(found.motion * self.relaxation.scale, _NEAR)
-                    if near is not None:
-                        return near
-                if not obeys:
-                    split = self._split(states, values, found)
-            split = split or self._any_split(states)
-            if split is None:
-                return Open("a relaxation neither closes nor splits further", self.residual)
-            node, children, parts = split
-            parent[position] = node
-            waiting += reversed([(part, children, k) for k, part in enumerate(parts)])
+            nodes, self.idle = nodes + 1, self.idle + 1
+            found = self._node(states)
+            if isinstance(found, (SpatialSolution, Enclosed)):
+                return found
+            if isinstance(found, _Cut):
+                parent[position] = found.node
+                waiting += reversed([(x, found.children, k) for k, x in enumerate(found.parts)])
+            elif found is not None:
+                parent[position], self.idle, leaves = found, 0, leaves + 1
+            else:
+                # Further on there may be an equilibrium.
+                holes += 1
+        if holes:
+            return Open("a relaxation neither closes nor splits further", self.residual)
         return _finished(top[0])
 
-    def _split(
-        self, states: tuple[State, ...], values: Floats, found: Point
-    ) -> tuple[Any, list[Any], list[tuple[State, ...]]] | None:
+    def _node(self, states: tuple[State, ...]) -> Proposal | Any | _Cut | None:
+        """Return an equilibrium, a leaf, a cut, or None where there is none of them."""
+        found = self.relaxation.solve(states)
+        leaf = self._leaf(states, found)
+        if leaf is not None:
+            return leaf
+        if isinstance(found, Point):
+            answer = self._equilibrium_or_cut(states, found)
+            if answer is not None:
+                return answer
+        if not self.exactly:
+            return self._any_split(states)
+        # Floats end here.
+        leaf = self.exact.part(states, self._towards(found))
+        if isinstance(leaf, SpatialSolution):
+            near = leaf if self.accept(leaf) else self._exact_equilibrium()
+            if near is not None:
+                return near
+            leaf = None
+        return leaf or self._any_split(states)
+
+    def _equilibrium_or_cut(
+        self, states: tuple[State, ...], found: Point
+    ) -> Proposal | _Cut | None:
+        """Return an equilibrium near a point of a relaxation, or a cut where it fails the law."""
+        values = self.relaxation.violations(states, found)
+        worst = float(values.max(initial=0.0))
+        obeys = worst <= _OBEYS
+        near = self._near_point(found) if worst <= _ALMOST else None
+        if near is None and (obeys or self.idle >= self.patience):
+            self.idle, self.patience = 0, 2 * self.patience if not obeys else self.patience
+            near = self._near(found.motion * self.relaxation.scale, _NEAR)
+        return near or (None if obeys else self._split(states, values, found))
+
+    def _towards(self, found: Ray | Point | None) -> Floats:
+        """Return for each contact the direction of friction in which its cone matters."""
+        if isinstance(found, Point):
+            return found.forces[:, 1:]
+        if found is None:
+            return np.zeros((len(self.contacts.grasp), 2))
+        towards: Floats = -(self.contacts.tangents @ found.virtual)
+        return towards
+
+    def _split(self, states: tuple[State, ...], values: Floats, found: Point) -> _Cut | None:
         """Return the node that splits the contact furthest from the law, its children and parts."""
         order = [int(i) for i in np.argsort(-values) if values[i] > _NOTHING]
+        order = [i for i in order if self._splits(states, i)]
         # Of narrow sectors more is learnt when all others are decided.
         order.sort(key=lambda i: _sine(states[i]) < _THIN)
         for i in order:
@@ -190,20 +266,21 @@ class SpatialSearch:
                 return split
         return None
 
-    def _any_split(
-        self, states: tuple[State, ...]
-    ) -> tuple[Any, list[Any], list[tuple[State, ...]]] | None:
+    def _splits(self, states: tuple[State, ...], i: int) -> bool:
+        """Return whether a contact is not decided: one without friction does not slip."""
+        return states[i] != "attached" or bool(self.contacts.grasp.contacts[i].friction)
+
+    def _any_split(self, states: tuple[State, ...]) -> _Cut | None:
         """Return a split of the contact that is decided least."""
         for kind in ("undecided", "attached"):
-            if kind in states:
-                return _parts(states, states.index(kind), np.array([1.0, 0.0]))
+            for i, state in enumerate(states):
+                if state == kind and self._splits(states, i):
+                    return _parts(states, i, np.array([1.0, 0.0]))
         sectors = [(_sine(state), i) for i, state in enumerate(states) if isinstance(state, tuple)]
         return _parts(states, max(sectors)[1], np.array([1.0, 0.0])) if sectors else None
 
 
-def _parts(
-    states: tuple[State, ...], i: int, slip: Floats
-) -> tuple[Any, list[Any], list[tuple[State, ...]]] | None:
+def _parts(states: tuple[State, ...], i: int, slip: Floats) -> _Cut | None:
     """Return the node that splits one contact; None if its sector is too narrow."""
     state = states[i]
     parts: list[State]
@@ -225,7 +302,7 @@ def _parts(
         node = {"contact": i, "directions": [middle], "children": children}
     else:
         return None
-    return node, children, [(*states[:i], part, *states[i + 1 :]) for part in parts]
+    return _Cut(node, children, [(*states[:i], part, *states[i + 1 :]) for part in parts])
 
 
 def _turned(direction: Floats, degrees: float, size: int) -> tuple[int, int]:
