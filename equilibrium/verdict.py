@@ -22,7 +22,9 @@ from arrangement.short_repr import Shown
 
 from .certificate.checker import Report, check
 from .certificate.document import Certificate, refuted_certificate, resisted_certificate
+from .model.errors import TimeLimitError
 from .model.grasp import Grasp, read_wrench
+from .model.range import NO_RANGE, Range, usual_range, warning
 from .solver.contact_states import Codes, state_codes, states_at, states_of_code
 from .solver.equilibrium import Equilibrium, equilibrium_of, maximal
 from .solver.integer_contacts import IntegerContacts
@@ -35,6 +37,8 @@ from .spatial_verdict import NOT_RESISTED, RESISTED, SpatialVerdict, solve_in_sp
 
 #: With more contacts all equilibria are listed only when asked for: their search takes long.
 MOST_LISTED = 20
+#: For how long a verdict looks for an equilibrium of small motions, in seconds.
+_SECOND_LOOK = 10.0
 
 
 @dataclass(frozen=True)
@@ -44,6 +48,7 @@ class Verdict:
     Attributes:
         grasp, wrench: the question.
         solution: the equilibrium that the certificate shows; None when there is none.
+        within: the range in which equilibria count.
     """
 
     grasp: Grasp
@@ -51,6 +56,7 @@ class Verdict:
     solution: Solution | None
     _solver: Solver = field(repr=False, compare=False)
     _proof: Node = field(default=None, repr=False, compare=False)
+    within: Range = NO_RANGE
 
     def __repr__(self) -> str:
         wrench = vector_text(self.wrench)
@@ -89,13 +95,35 @@ class Verdict:
     def certificate(self) -> Certificate:
         """The proof, checkable without the solver."""
         if self.solution is None:
-            return refuted_certificate(self.grasp, self.wrench, self._proof)
+            return refuted_certificate(self.grasp, self.wrench, self._proof, within=self.within)
         shown = self.solution
-        return resisted_certificate(self.grasp, self.wrench, shown.motion, shown.forces)
+        found = shown.motion, shown.forces
+        return resisted_certificate(self.grasp, self.wrench, *found, within=self.within)
+
+    @cached_property
+    def warnings(self) -> tuple[str, ...]:
+        """Where no range was given: a line if no equilibrium is one of small motions.
+
+        Looking for another one than `solution` takes at most `_SECOND_LOOK` seconds.
+        """
+        if self.solution is None or self.within:
+            return ()
+        shown, usual = self.solution, usual_range(self.wrench, [c.preload for c in self.grasp])
+        if usual.holds(shown.motion, shown.forces):
+            return ()
+        every = True
+        try:
+            solver = Solver(self.grasp, *vars(usual).values())
+            if solver.solve(self.wrench, time_limit=_SECOND_LOOK).stable:
+                return ()
+        except TimeLimitError:
+            every = False
+        return (warning(shown.motion, shown.forces, every),)
 
     def verify(self) -> Report:
         """Check the certificate, and that it answers this question; the report is true if so."""
-        return check(self.certificate.to_dict(), question=(self.grasp, self.wrench))
+        question = self.grasp, self.wrench
+        return check(self.certificate.to_dict(), question=question, within=self.within)
 
     def lists_all(self, every: bool | None = None) -> bool:
         """Return whether `to_dict` lists all equilibria."""
@@ -118,7 +146,9 @@ class Verdict:
             "stable": self.stable,
             "equilibria": listed,
             **({} if complete else {"complete": False}),
+            **({"warnings": list(self.warnings)} if self.warnings else {}),
             "wrench": [to_text(x) for x in self.wrench],
+            **self.within.to_dict(),
             "grasp": self.grasp.to_dict(),
         }
 
@@ -133,6 +163,8 @@ def solve(
     *,
     time_limit: float | None = None,
     shorten: bool = False,
+    largest_turn: Any = None,
+    largest_force: Any = None,
 ) -> Verdict | SpatialVerdict:
     """Decide exactly whether a grasp resists a wrench; the verdict finds all ways when asked.
 
@@ -144,6 +176,9 @@ def solve(
             ``(f_x, f_y, f_z, tau_x, tau_y, tau_z)``.
         time_limit: in seconds; none by default.
         shorten: look longer for a smaller proof that nothing balances the wrench.
+        largest_turn, largest_force: only equilibria count whose rotation (in space the length of
+            the rotation vector) and whose normal force at each contact are at most that; exact
+            numbers.
 
     Raises:
         TimeLimitError: the time has passed without an answer.
@@ -155,15 +190,17 @@ def solve(
     >>> solve(read_grasp("paper-three-contacts-preload-1"), [0, 1, 0]).stable
     True
     """
+    bounds = {"largest_turn": largest_turn, "largest_force": largest_force}
     if grasp.dimension == 3:
-        return solve_in_space(grasp, wrench, time_limit=time_limit)
-    return Solver(grasp).solve(wrench, time_limit=time_limit, shorten=shorten)
+        return solve_in_space(grasp, wrench, time_limit=time_limit, **bounds)
+    return Solver(grasp, **bounds).solve(wrench, time_limit=time_limit, shorten=shorten)
 
 
 class Solver(Shown):
     """A grasp prepared for many wrenches: what one question computes serves the next.
 
     Every function about the wrenches that a grasp resists takes a solver in place of the grasp.
+    With bounds only equilibria in their range count; see the function `solve`.
 
     >>> from equilibrium.io.files import read_grasp
     >>> solver = Solver(read_grasp("paper-three-contacts-preload-1"))
@@ -173,13 +210,13 @@ class Solver(Shown):
 
     shown_fields = ("grasp",)
 
-    def __init__(self, grasp: Grasp) -> None:
+    def __init__(self, grasp: Grasp, largest_turn: Any = None, largest_force: Any = None) -> None:
         grasp.require_plane()
-        self.grasp = grasp
+        self.grasp, self.within = grasp, Range.of(largest_turn, largest_force)
 
     @cached_property
     def _integers(self) -> IntegerContacts:
-        return IntegerContacts(self.grasp)
+        return IntegerContacts(self.grasp, self.within)
 
     @cached_property
     def _codes(self) -> Codes:
@@ -202,8 +239,8 @@ class Solver(Shown):
         applied = read_wrench(wrench)
         found = resistance(self._integers, applied, time_limit, shorten)
         if isinstance(found, Solution):
-            return Verdict(self.grasp, applied, found, self)
-        return Verdict(self.grasp, applied, None, self, found)
+            return Verdict(self.grasp, applied, found, self, within=self.within)
+        return Verdict(self.grasp, applied, None, self, found, self.within)
 
     def solve_many(self, wrenches: Iterable[Iterable[Any]]) -> Iterator[Verdict]:
         """Decide one wrench after the other."""
@@ -218,7 +255,7 @@ class Solver(Shown):
         possible = self._codes[self.screen.possible(wrench)].tolist()
 
         def piece_of(states: States) -> Equilibrium | None:
-            return equilibrium_of(state_system(self.grasp, states, wrench))
+            return equilibrium_of(state_system(self.grasp, states, wrench, within=self.within))
 
         tried = map(states_of_code, watched(possible, "contact states"))
         pieces = [piece for piece in map(piece_of, tried) if piece]

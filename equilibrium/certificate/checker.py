@@ -17,6 +17,9 @@ all ``e <= 0``, or if ``kappa >= 0``; ``kappa max(0, e)`` for the rest, as a con
 below its interpolation. The leaf holds if ``lambda . w g_0`` and all these are together at least 0
 at each generator, above 0 where ``g_0 > 0``: balance would make their sum over generators 0.
 
+Where only a range of motions counts, a leaf may use its bounds: kappa is larger by rho, and the
+sum smaller by ``(v Q + rho F + ...) g_0 - u r``, see `equilibrium.certificate.law.range_work`.
+
 In space a tree has states alone, with sectors of slip directions; `equilibrium.certificate.space`
 has its leaves, and `equilibrium.certificate.enclosure` equilibria in intervals.
 """
@@ -35,9 +38,10 @@ from arrangement.short_repr import Shown
 from equilibrium.model.errors import CertificateError
 from equilibrium.model.grasp import Grasp
 from equilibrium.model.pyramid import pyramid_edges
+from equilibrium.model.range import NO_RANGE, Range
 
 from .enclosure import enclosure_problem
-from .law import law_problem, short, unit_wrenches
+from .law import law_problem, range_problem, range_work, short, unit_wrenches
 from .reading import (
     STATES,
     Leaf,
@@ -46,6 +50,7 @@ from .reading import (
     read_equilibrium,
     read_node,
     read_question,
+    read_range,
 )
 from .space import (
     SpatialQuestion,
@@ -68,12 +73,14 @@ class Report(Shown):
         problem: the first inequality that fails and its place; empty when all hold.
         leaves: of the tree.
         pyramid: edges of the friction pyramids that it is about; None for cones.
+        within: the range in which equilibria count.
     """
 
     kind: str
     problem: str
     leaves: int = 0
     pyramid: int | None = None
+    within: Range = NO_RANGE
 
     def __bool__(self) -> bool:
         return not self.problem
@@ -83,6 +90,7 @@ class Report(Shown):
         found: dict[str, Any] = {"problem": self.problem} if self.problem else {}
         if self.pyramid is not None:
             found["pyramid"] = self.pyramid
+        found |= self.within.to_dict()
         return {"valid": bool(self), "certificate": self.kind, "leaves": self.leaves, **found}
 
 
@@ -90,6 +98,7 @@ def check(
     document: Mapping[str, Any],
     question: tuple[Grasp, RationalVector] | None = None,
     pyramid: int | None = None,
+    within: Range = NO_RANGE,
 ) -> Report:
     """Check a certificate, given as `Certificate.to_dict` or `read_certificate` returns it.
 
@@ -97,6 +106,7 @@ def check(
         question: if given, the grasp and wrench that the certificate has to be about.
         pyramid: with a question, the edges of the friction pyramids it has to be about; None for
             cones, in space round ones.
+        within: with a question, the range it has to be about.
 
     Raises:
         InputError: this is no certificate, whatever its numbers are: wrong keys or types, floats, a
@@ -105,26 +115,34 @@ def check(
     Complexity: O(m) integer operations for each node of the tree.
     """
     kind, grasp, wrench = read_question(document)
+    bounds = read_range(document)
     if kind == "resisted":
-        report = Report(kind, _equilibrium_problem(document, grasp, wrench))
+        report = Report(kind, _equilibrium_problem(document, grasp, wrench, bounds))
     elif grasp.dimension == 3:
-        spatial = SpatialQuestion(grasp, wrench, _edges(document))
+        spatial = SpatialQuestion(grasp, wrench, _edges(document), bounds)
         report = _walk(document["tree"], spatial, 3)
     else:
-        report = _walk(document["tree"], _Question(grasp, wrench))
-    report = replace(report, pyramid=document.get("pyramid"))
+        report = _walk(document["tree"], _Question(grasp, wrench, bounds))
+    report = replace(report, pyramid=document.get("pyramid"), within=bounds)
     if question is not None and question != (grasp, wrench):
         return replace(report, problem="it is about another grasp or wrench")
     if question is not None and pyramid != report.pyramid:
         return replace(report, problem="it is about other cones of friction")
+    if question is not None and within != bounds:
+        return replace(report, problem="it is about another range of motions and forces")
     return report
 
 
-def _equilibrium_problem(document: Mapping[str, Any], grasp: Grasp, wrench: RationalVector) -> str:
+def _equilibrium_problem(
+    document: Mapping[str, Any], grasp: Grasp, wrench: RationalVector, within: Range
+) -> str:
     """Return what is wrong with the equilibrium of a certificate, or nothing."""
     if "enclosure" in document:
-        return enclosure_problem(grasp, wrench, read_enclosure(document["enclosure"], len(grasp)))
+        box = read_enclosure(document["enclosure"], len(grasp))
+        return enclosure_problem(grasp, wrench, box, within)
     found = read_equilibrium(document, len(grasp), grasp.dimension)
+    if problem := range_problem(within, *found):
+        return problem
     if grasp.dimension == 2:
         return law_problem(grasp, wrench, *found)
     return spatial_law_problem(grasp, wrench, *found, _edges(document))
@@ -162,7 +180,8 @@ class _Generator(NamedTuple):
 class _Question:
     """Grasp and wrench in integers."""
 
-    def __init__(self, grasp: Grasp, wrench: RationalVector) -> None:
+    def __init__(self, grasp: Grasp, wrench: RationalVector, within: Range = NO_RANGE) -> None:
+        self.within = within
         laws: list[tuple[RationalVector, ...]] = []
         for contact in grasp:
             normal, tangent = unit_wrenches(contact)
@@ -254,10 +273,17 @@ def _leaf_problem(question: _Question | SpatialQuestion, leaf: Leaf, place: _Pla
     """Return the inequality of a leaf that fails, or nothing."""
     if isinstance(question, SpatialQuestion):
         return spatial_leaf_problem(question, leaf, place.states, place.path)
+    problem, taken = range_work(question.within, leaf.turn, leaf.forces)
+    if problem:
+        return f"{place.path}: {problem}"
     scale = _denominator(leaf.motion)
     x, y, r = _times(leaf.motion, scale)
     load = sum(f * v for f, v in zip(question.wrench, (x, y, r), strict=True))
     work: list[Any] = [load * generator.vector[0] for generator in place.region]
+    if leaf.turn or leaf.forces:
+        unit, u = scale * question.unit, leaf.turn[1] if leaf.turn else 0
+        ends = [generator.vector for generator in place.region]
+        work = [w - unit * (taken * g[0] - u * g[3]) for w, g in zip(work, ends, strict=True)]
     springs = zip(*(generator.springs for generator in place.region), strict=True)
     slips = zip(*(generator.slips for generator in place.region), strict=True)
     for i, (contact, e, s) in enumerate(zip(question.contacts, springs, slips, strict=True)):
@@ -272,6 +298,7 @@ def _leaf_problem(question: _Question | SpatialQuestion, leaf: Leaf, place: _Pla
         elif not (state == "slip-" or (free and max(s) < 0)):
             rub = -abs(rub)
         kappa = x * n0 + y * n1 + r * n2 + rub
+        kappa += leaf.forces.get(i, 0) * scale * contact.per_e
         if given is not None:
             alpha, h = given[0] * scale * contact.per_e, given[1] * scale * contact.per_s
             if broken := _broken_bound(state, alpha, h, kappa):
@@ -291,7 +318,7 @@ def _leaf_problem(question: _Question | SpatialQuestion, leaf: Leaf, place: _Pla
     return ""
 
 
-def _broken_bound(state: Any, alpha: Fraction, h: Fraction, kappa: int) -> str:
+def _broken_bound(state: Any, alpha: Fraction, h: Fraction, kappa: Fraction) -> str:
     """Return which bound of the multipliers of a contact is broken, or nothing."""
     if alpha < 0 and state in (None, "detached"):
         return "alpha must be at least 0"
