@@ -38,7 +38,7 @@ from .spatial_verdict import NOT_RESISTED, RESISTED, SpatialVerdict, solve_in_sp
 #: With more contacts all equilibria are listed only when asked for: their search takes long.
 MOST_LISTED = 20
 #: For how long a verdict looks for an equilibrium of small motions, in seconds.
-_SECOND_LOOK = 10.0
+_SECOND_LOOK = 3.0
 
 
 @dataclass(frozen=True)

@@ -12,6 +12,7 @@ import numpy as np
 
 from arrangement.exact import RationalVector
 from arrangement.float_filter import Floats
+from equilibrium.model.range import NO_RANGE, Range
 from equilibrium.solver.spatial_contacts import SpatialContacts
 
 from .balance import SpatialContinuation
@@ -59,6 +60,7 @@ class SpatialSearch:
         accept: whether a proposal is proved to be an equilibrium.
         deadline: of `time.monotonic`.
         nodes: of a tree, at most.
+        within: the range in which equilibria count; `accept` knows it, too.
     """
 
     def __init__(
@@ -68,10 +70,12 @@ class SpatialSearch:
         accept: Callable[[Proposal], bool],
         deadline: float = math.inf,
         nodes: int = NODES,
+        within: Range = NO_RANGE,
     ) -> None:
+        self.within = within
         self.contacts, self.wrench = contacts, wrench
         self.accept, self.deadline, self.nodes = accept, deadline, nodes
-        self.relaxation = Relaxation(contacts, wrench)
+        self.relaxation = Relaxation(contacts, wrench, within)
         if math.isfinite(deadline):
             self.relaxation.settings.time_limit = max(0.01, deadline - time.monotonic())
         self.smooth = SpatialContinuation(contacts, wrench)
@@ -128,7 +132,7 @@ class SpatialSearch:
         """Return a leaf where a relaxation has no solution, or where its program failed."""
         if isinstance(found, Point):
             return None
-        leaf = found and exact_leaf(self.contacts, self.wrench, states, found)
+        leaf = found and exact_leaf(self.contacts, self.wrench, states, found, self.within)
         if leaf is None:
             inner = self.relaxation.inner_ray(states)
             leaf = inner and exact_leaf(self.contacts, self.wrench, states, inner)
