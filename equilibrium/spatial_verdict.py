@@ -128,8 +128,8 @@ class SpatialVerdict:
         if self.solution is None or self.within:
             return ()
         shown, usual = self.solution, usual_range(self.wrench, [c.preload for c in self.grasp])
-        found = shown.motion, shown.forces
-        return () if usual.holds(*found) else (warning(*found, every=False),)
+        motion, forces = list(shown.motion), list(shown.forces)
+        return () if usual.holds(motion, forces) else (warning(every=False),)
 
     def to_dict(self) -> dict[str, Any]:
         """Return a JSON form; exact numbers are strings of rationals.
@@ -218,7 +218,10 @@ def _verdict(
             within=within,
         )
     if isinstance(found, (dict, list)):
-        certificate, answer = refuted_certificate(grasp, applied, found, pyramid, within), NOT_RESISTED
+        certificate, answer = (
+            refuted_certificate(grasp, applied, found, pyramid, within),
+            NOT_RESISTED,
+        )
         found = None
     else:
         certificate, answer = _certificate(grasp, applied, found, pyramid, within), RESISTED

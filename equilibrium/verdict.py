@@ -24,7 +24,7 @@ from .certificate.checker import Report, check
 from .certificate.document import Certificate, refuted_certificate, resisted_certificate
 from .model.errors import TimeLimitError
 from .model.grasp import Grasp, read_wrench
-from .model.range import NO_RANGE, Range, usual_range, warning
+from .model.range import NO_RANGE, Bounds, Range, usual_range, warning
 from .solver.contact_states import Codes, state_codes, states_at, states_of_code
 from .solver.equilibrium import Equilibrium, equilibrium_of, maximal
 from .solver.integer_contacts import IntegerContacts
@@ -113,12 +113,12 @@ class Verdict:
             return ()
         every = True
         try:
-            solver = Solver(self.grasp, *vars(usual).values())
+            solver = Solver(self.grasp, **usual.bounds)
             if solver.solve(self.wrench, time_limit=_SECOND_LOOK).stable:
                 return ()
         except TimeLimitError:
             every = False
-        return (warning(shown.motion, shown.forces, every),)
+        return (warning(every),)
 
     def verify(self) -> Report:
         """Check the certificate, and that it answers this question; the report is true if so."""
@@ -190,7 +190,7 @@ def solve(
     >>> solve(read_grasp("paper-three-contacts-preload-1"), [0, 1, 0]).stable
     True
     """
-    bounds = {"largest_turn": largest_turn, "largest_force": largest_force}
+    bounds: Bounds = {"largest_turn": largest_turn, "largest_force": largest_force}
     if grasp.dimension == 3:
         return solve_in_space(grasp, wrench, time_limit=time_limit, **bounds)
     return Solver(grasp, **bounds).solve(wrench, time_limit=time_limit, shorten=shorten)

@@ -228,7 +228,12 @@ def _walk(tree: Any, question: _Question | SpatialQuestion, dimension: int = 2) 
             waiting += reversed(_parts(node, place, getattr(question, "edges", ())))
         else:
             leaves += 1
-            problem = problem or _leaf_problem(question, node, place)
+            if problem:
+                continue
+            if isinstance(question, _Question):
+                problem = _leaf_problem(question, node, place)
+            else:
+                problem = spatial_leaf_problem(question, node, place.states, place.path)
     return Report("not resisted", problem, leaves)
 
 
@@ -269,21 +274,17 @@ def _between(p: int, one: _Generator, q: int, other: _Generator) -> _Generator:
     return _Generator(*(tuple(x // common for x in row) for row in sums))
 
 
-def _leaf_problem(question: _Question | SpatialQuestion, leaf: Leaf, place: _Place) -> str:
+def _leaf_problem(question: _Question, leaf: Leaf, place: _Place) -> str:
     """Return the inequality of a leaf that fails, or nothing."""
-    if isinstance(question, SpatialQuestion):
-        return spatial_leaf_problem(question, leaf, place.states, place.path)
-    problem, taken = range_work(question.within, leaf.turn, leaf.forces)
-    if problem:
-        return f"{place.path}: {problem}"
     scale = _denominator(leaf.motion)
     x, y, r = _times(leaf.motion, scale)
     load = sum(f * v for f, v in zip(question.wrench, (x, y, r), strict=True))
-    work: list[Any] = [load * generator.vector[0] for generator in place.region]
-    if leaf.turn or leaf.forces:
-        unit, u = scale * question.unit, leaf.turn[1] if leaf.turn else 0
-        ends = [generator.vector for generator in place.region]
-        work = [w - unit * (taken * g[0] - u * g[3]) for w, g in zip(work, ends, strict=True)]
+    problem, taken = range_work(question.within, leaf.turn, leaf.forces)
+    if problem:
+        return f"{place.path}: {problem}"
+    unit, u = scale * question.unit, sum(leaf.turn[1:])
+    ends = [generator.vector for generator in place.region]
+    work: list[Any] = [load * g[0] - unit * (taken * g[0] - u * g[3]) for g in ends]
     springs = zip(*(generator.springs for generator in place.region), strict=True)
     slips = zip(*(generator.slips for generator in place.region), strict=True)
     for i, (contact, e, s) in enumerate(zip(question.contacts, springs, slips, strict=True)):
@@ -297,8 +298,8 @@ def _leaf_problem(question: _Question | SpatialQuestion, leaf: Leaf, place: _Pla
             rub = -rub
         elif not (state == "slip-" or (free and max(s) < 0)):
             rub = -abs(rub)
-        kappa = x * n0 + y * n1 + r * n2 + rub
-        kappa += leaf.forces.get(i, 0) * scale * contact.per_e
+        extra = leaf.forces.get(i, Fraction(0)) * scale * contact.per_e
+        kappa = x * n0 + y * n1 + r * n2 + rub + extra
         if given is not None:
             alpha, h = given[0] * scale * contact.per_e, given[1] * scale * contact.per_s
             if broken := _broken_bound(state, alpha, h, kappa):
@@ -310,9 +311,9 @@ def _leaf_problem(question: _Question | SpatialQuestion, leaf: Leaf, place: _Pla
             work = [w + kappa * u for w, u in zip(work, e, strict=True)]
         elif kappa < 0:
             work = [w + kappa * max(0, u) for w, u in zip(work, e, strict=True)]
-    for total, (vector, *_) in zip(work, place.region, strict=True):
+    for total, vector in zip(work, ends, strict=True):
         if total < 0 or (total == 0 and vector[0]):
-            at, found = ", ".join(map(short, vector)), Fraction(total) / (scale * question.unit)
+            at, found = ", ".join(map(short, vector)), Fraction(total) / unit
             due = f"{short(found)}, and must be {'above' if vector[0] else 'at least'} 0"
             return f"{place.path}: at generator ({at}) the work of load and contacts is {due}"
     return ""

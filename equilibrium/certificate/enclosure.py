@@ -175,8 +175,8 @@ def _balance(
     """
     zeros = [Interval(0, 0)] * 6
     if within.largest_turn is not None:
-        rows = ([interval(motion[j]) for motion in given.basis] for j in (3, 4, 5))
-        turns = total(product(row, box[: len(row)]).square() for row in rows)
+        axes = [[interval(motion[j]) for motion in given.basis] for j in (3, 4, 5)]
+        turns = total(product(row, box[: len(row)]).square() for row in axes)
         if turns.high > interval(within.largest_turn**2).low:
             raise _BrokenLaw("the enclosure turns by more than the largest turn")
     sums = [_Linear(interval(w), zeros) for w in wrench]

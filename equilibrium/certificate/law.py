@@ -46,11 +46,9 @@ def law_problem(
     return "" if not any(total) else f"the forces add up to ({', '.join(map(short, total))}), not 0"
 
 
-def range_problem(
-    within: Range, motion: RationalVector, forces: Sequence[RationalVector]
-) -> str:
+def range_problem(within: Range, motion: RationalVector, forces: Sequence[RationalVector]) -> str:
     """Return which bound of the range a motion and forces (normal first) break, or nothing."""
-    turns = turns_of(motion)
+    turns = tuple(turns_of(motion))
     turn, force = within.largest_turn, within.largest_force
     if turn is not None and _dot(turns, turns) > turn * turn:
         return f"the motion turns by more than the largest turn {short(turn)}"

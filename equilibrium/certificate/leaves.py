@@ -46,7 +46,7 @@ class Works(NamedTuple):
         load: the work of the load.
         factors: for each contact its least work, as a factor of its normal force; None where it has
             no force.
-        least: all contacts together, and bounds of the range, work at least that much; ``load + least > 0``.
+        least: all contacts and the bounds of a range work at least that much; ``load + least > 0``.
     """
 
     load: Fraction
@@ -94,7 +94,7 @@ def works(
 def _works(grasp: Grasp, wrench: RationalVector, part: Part, within: Range) -> Works:
     region, states, leaf = part
     load, factors = Fraction(dot(wrench, leaf.motion)), []
-    u, (_, taken) = leaf.turn[1] if leaf.turn else 0, range_work(within, leaf.turn, leaf.forces)
+    u, (_, taken) = sum(leaf.turn[1:]), range_work(within, leaf.turn, leaf.forces)
     work = [(load - taken) * g[0] + u * g[3] for g in region]
     for i, contact in enumerate(grasp):
         normal, tangent = unit_wrenches(contact)

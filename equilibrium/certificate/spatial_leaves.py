@@ -34,9 +34,7 @@ class SpatialLeaf(NamedTuple):
     least: Fraction
 
 
-def spatial_leaves(
-    grasp: Grasp, tree: Any, within: Range = NO_RANGE
-) -> Iterator[SpatialLeaf]:
+def spatial_leaves(grasp: Grasp, tree: Any, within: Range = NO_RANGE) -> Iterator[SpatialLeaf]:
     """Yield the leaves of a tree in the order of the document."""
     waiting: list[tuple[Any, dict[int, str], dict[int, tuple[RationalVector, ...]]]]
     waiting = [(tree, {}, {})]

@@ -11,9 +11,20 @@ from arrangement import terminal
 from arrangement.exact import dot
 from arrangement.number_form import vector
 from equilibrium.model.pyramid import pyramid_words
+from equilibrium.model.range import NO_RANGE, Range
 
 from . import draw, inputs, lab, methods, modes, wrench_sets
-from .arguments import add_applied, add_command, add_cone, applied, grasp_of, seconds, show
+from .arguments import (
+    add_applied,
+    add_command,
+    add_cone,
+    add_range,
+    applied,
+    grasp_of,
+    range_given,
+    seconds,
+    show,
+)
 from .proof_words import proof_lines
 from .spatial_words import spatial_lines
 
@@ -58,6 +69,7 @@ def _parser() -> terminal.Parser:
         "--time-limit", metavar="SECONDS", type=seconds, help="give up then (exit 2; in space 3)"
     )
     add_cone(solve)
+    add_range(solve)
     solve.add_argument(
         "--shorten", action="store_true", help="look longer for a smaller proof of a no"
     )
@@ -115,43 +127,54 @@ def _solve(arguments: argparse.Namespace) -> int:
         raise GraspError("a literal reading has no certificate; omit one of the two options")
     grasp = grasp_of(arguments)
     wrench = applied(arguments, grasp)
+    bounds = range_given(arguments)
     if arguments.literal:
+        if set(bounds.values()) != {None}:
+            raise GraspError("a literal reading has no largest turn or force; omit one of the two")
         literal = solve_literal(grasp, wrench, arguments.literal)
         lines = _verdict_lines(literal.equilibria, grasp)
         return show(arguments, literal.to_dict(), lines, literal.stable, grasp)
-    limits = {"time_limit": arguments.time_limit, "shorten": arguments.shorten}
     if arguments.cone is None:
-        found = solve(grasp, wrench, **limits)
+        limit, shorten = arguments.time_limit, arguments.shorten
+        found = solve(grasp, wrench, time_limit=limit, shorten=shorten, **bounds)
     elif grasp.dimension == 2:
         raise GraspError(FLAT)
     else:
         limit = arguments.time_limit
-        found = solve_in_space(grasp, wrench, time_limit=limit, pyramid=arguments.cone)
+        found = solve_in_space(grasp, wrench, time_limit=limit, pyramid=arguments.cone, **bounds)
     if arguments.certificate is not None and found.certificate is not None:
         write_certificate(arguments.certificate, found.certificate)
     if isinstance(found, SpatialVerdict):
         yes = found.stable if found.decided else None
-        return show(arguments, found.to_dict(), spatial_lines(found), yes, grasp)
+        lines = chain(spatial_lines(found), found.warnings)
+        return show(arguments, found.to_dict(), lines, yes, grasp)
     every = arguments.all or None
     lines = (
-        _verdict_lines(found.equilibria, grasp) if found.lists_all(every) else _one_of_many(found)
+        _verdict_lines(found.equilibria, grasp, found.within)
+        if found.lists_all(every)
+        else _one_of_many(found)
     )
+    lines = chain(lines, found.warnings)
     if not found.stable:
         lines = chain(lines, proof_lines(found, arguments.certificate))
     return show(arguments, found.to_dict(every), lines, found.stable, grasp)
 
 
-def _verdict_lines(pieces: Sequence[Equilibrium], grasp: Grasp) -> Iterator[str]:
+def _verdict_lines(
+    pieces: Sequence[Equilibrium], grasp: Grasp, within: Range = NO_RANGE
+) -> Iterator[str]:
     if not pieces:
-        yield "not resisted: no contact state admits an equilibrium"
+        yield f"not resisted{within}: no contact state admits an equilibrium"
         return
-    yield f"resisted: {len(pieces)} " + ("equilibrium" if len(pieces) == 1 else "equilibria")
+    yield f"resisted{within}: {len(pieces)} " + (
+        "equilibrium" if len(pieces) == 1 else "equilibria"
+    )
     for piece in pieces:
         yield from _equilibrium_lines(grasp, piece, piece.states, _freedom(piece))
 
 
 def _one_of_many(found: Verdict) -> Iterator[str]:
-    yield "resisted: the equilibrium found is below; there may be others, and --all lists them"
+    yield f"resisted{found.within}: the equilibrium found is below; there may be others, and --all lists them"
     if found.solution is not None:
         yield from _equilibrium_lines(found.grasp, found.solution, found.states)
 
@@ -186,7 +209,7 @@ def _verify(arguments: argparse.Namespace) -> int:
         report = verify(arguments.certificate)
         valid, document, speaker = bool(report), report.to_dict(), "Python"
         proof = f"{report.kind}, {report.leaves} leaves" if report.leaves else report.kind
-        proof += pyramid_words(report.pyramid, before=", with ")
+        proof += pyramid_words(report.pyramid, before=", with ") + str(report.within)
         said = proof if valid else terminal.printable(report.problem)
     line = f"{'valid' if valid else 'not valid'}: {said} (by the {speaker} checker)"
     return show(arguments, {**document, "checker": speaker.lower()}, [line], valid)

@@ -29,8 +29,7 @@ def proof_lines(verdict: Verdict, path: str | None = None) -> Iterator[str]:
         where = f", in {path}" if path else "; --certificate OUT.json writes it"
         yield f"proof: {len(found)} leaves{where}"
         return
-    inside = " within the range" if verdict.within else ""
-    yield f"proof: whatever the contacts do, no forces balance{inside}"
+    yield f"proof{verdict.within}: whatever the contacts do, no forces balance"
     for where, together in cases.items():
         done = works(verdict.grasp, verdict.wrench, together, verdict.within)
         yield (

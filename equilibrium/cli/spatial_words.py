@@ -20,7 +20,7 @@ _MOST = 3
 
 def spatial_lines(found: SpatialVerdict) -> Iterator[str]:
     """Yield the verdict, and the equilibrium or the proof in short."""
-    cones = pyramid_words(found.pyramid, before=", with ")
+    cones = pyramid_words(found.pyramid, before=", with ") + str(found.within)
     if not found.decided:
         yield (
             f"undecided{cones}: neither an equilibrium nor a proof that there is none; "
@@ -32,7 +32,8 @@ def spatial_lines(found: SpatialVerdict) -> Iterator[str]:
         leaves = found.verify().leaves
         yield f"not resisted{cones}: proof with {leaves} {'leaf' if leaves == 1 else 'leaves'}"
         if leaves <= _MOST and found.certificate:
-            for leaf in spatial_leaves(found.grasp, found.certificate.to_dict()["tree"]):
+            tree = found.certificate.to_dict()["tree"]
+            for leaf in spatial_leaves(found.grasp, tree, found.within):
                 yield from _leaf_lines(found.wrench, leaf)
         return
     from equilibrium.solver.space.equilibria import SpatialSolution

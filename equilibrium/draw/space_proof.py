@@ -32,7 +32,7 @@ def proof_in_space(grasp: Grasp, wrench: Wrench, width: float) -> Scene:
         raise GraspError(
             f"the wrench is {verdict.verdict}, so there is no proof that it is not; draw the grasp"
         )
-    leaves = list(spatial_leaves(grasp, verdict.certificate.to_dict()["tree"]))
+    leaves = list(spatial_leaves(grasp, verdict.certificate.to_dict()["tree"], verdict.within))
     shown = leaves[:_SHOWN]
     towards = clear_side(SolidGrasp(grasp, wrench=verdict.wrench))
     panel = min(width / len(shown), _PANEL)

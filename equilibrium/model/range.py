@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
-from typing import Any
+from typing import Any, TypedDict
 
 from arrangement.exact import RationalVector, rational, shown, to_text
 
@@ -14,6 +14,13 @@ from .errors import GraspError
 #: Beyond these a verdict without a range says so: the rotation, and normal forces as multiples of
 #: ``|f_x| + |f_y|`` (and ``|f_z|``) of the load plus the largest preload.
 USUAL_TURN, USUAL_FORCE = Fraction(1, 10), 100
+
+
+class Bounds(TypedDict):
+    """The bounds of a range, as keyword arguments."""
+
+    largest_turn: Any
+    largest_force: Any
 
 
 @dataclass(frozen=True)
@@ -31,6 +38,12 @@ class Range:
     def __bool__(self) -> bool:
         return self != NO_RANGE
 
+    def __str__(self) -> str:
+        """Return what follows a verdict in words; nothing without a bound."""
+        named = {"largest_turn": "turns up to", "largest_force": "normal forces up to"}
+        words = [f"{named[name]} {number}" for name, number in self.to_dict().items()]
+        return f", among {' and '.join(words)}" if words else ""
+
     @classmethod
     def of(cls, largest_turn: Any = None, largest_force: Any = None) -> Range:
         """Return the range of two exact numbers; None is no bound.
@@ -38,13 +51,18 @@ class Range:
         Raises:
             InputError: no exact number, or one below 0.
         """
-        found = []
+        found = list[Fraction | None]()
         for name, value in (("largest_turn", largest_turn), ("largest_force", largest_force)):
             number = None if value is None else rational(value, name)
             if number is not None and number < 0:
                 raise GraspError(f"{name} is {shown(value)}; give a number of at least 0")
             found.append(number)
         return cls(*found)
+
+    @property
+    def bounds(self) -> Bounds:
+        """The bounds as keyword arguments of `equilibrium.solve`."""
+        return {"largest_turn": self.largest_turn, "largest_force": self.largest_force}
 
     def holds(self, motion: Sequence[Any], forces: Iterable[Sequence[Any]]) -> bool:
         """Return whether a motion and forces, the normal one first, keep the bounds."""
@@ -59,6 +77,8 @@ class Range:
 
 
 NO_RANGE = Range()
+#: What pictures say of an equilibrium beyond the usual range.
+SMALL = "beyond small motions: it turns or pushes too far for the linear model"
 
 
 def turns_of(motion: Sequence[Any]) -> Sequence[Any]:
@@ -73,17 +93,14 @@ def usual_range(wrench: RationalVector, preloads: Iterable[Fraction]) -> Range:
     return Range(USUAL_TURN, USUAL_FORCE * size or None)
 
 
-def warning(motion: Sequence[Any], forces: Iterable[Sequence[Any]], every: bool) -> str:
+def warning(every: bool) -> str:
     """Return the line that a verdict has beyond the usual range.
 
     Args:
         every: whether this is known of all equilibria.
     """
-    turn = sum(float(x) ** 2 for x in turns_of(motion)) ** 0.5
-    most = max((float(force[0]) for force in forces), default=0.0)
     return (
-        f"beyond small motions: {'every' if every else 'the'} equilibrium {'' if every else 'found '}"
+        f"beyond small motions: {'every equilibrium' if every else 'the equilibrium found'} "
         f"turns by more than {to_text(USUAL_TURN)} or has a normal force above {USUAL_FORCE} times "
-        f"load and preload (here a turn of {turn:.3g}, forces up to {most:.3g}); --largest-turn "
-        "and --largest-force bound them"
+        "load and preload; --largest-turn and --largest-force bound them"
     )

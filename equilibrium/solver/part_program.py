@@ -1,8 +1,9 @@
 """The linear program of one part: a region of motions, with the states of some contacts fixed.
 
 Its variables are the virtual motion and, for contacts with a state, the multipliers of spring and
-slip, and of the bounds of a range. Either it finds numbers that close the part, or its own multipliers are a motion with forces
-that balance the load, and obey the law at all contacts with a state (Farkas).
+slip, and of the bounds of a range. Either it finds numbers that close the part, or its own
+multipliers are a motion with forces that balance the load, and obey the law at all contacts with a
+state (Farkas).
 """
 
 from __future__ import annotations
@@ -61,7 +62,6 @@ class RegionRows:
         self.turns = [u for u in (1, -1) if min(self.turn_row(u)) < 0]
         #: Whether contacts without a state have a multiplier of their spring.
         self.whole = len(generators) > 4
-
 
     def turn_row(self, u: int) -> list[Any]:
         """Return ``Q g_0 - u r`` at the generators; zeros where there is no largest turn."""
@@ -185,7 +185,7 @@ class PartProgram:
             entries[self.h[i]] = region.slip[j, i] * (unit // region.contacts.wrench_unit[i])
         within = region.contacts.within
         for column in self.rho.values():
-            entries[column] = -within.largest_force * unit * region.weight[j]
+            entries[column] = -(within.largest_force or 0) * unit * region.weight[j]
         for u, column in self.turn.items():
             entries[column] = -unit * region.turn_row(u)[j]
         entries[self.size - 1] = -region.weight[j]
@@ -240,7 +240,9 @@ class PartProgram:
             rounded = [round(x * size / largest) for x in numbers]
             for i, sign in self.limits:
                 arm, unit = self._limit(i, sign)
-                most = dot(arm, rounded[:3]) // unit + (rounded[self.rho[i]] if i in self.rho else 0)
+                most = dot(arm, rounded[:3]) // unit + (
+                    rounded[self.rho[i]] if i in self.rho else 0
+                )
                 rounded[self.alpha[i]] = min(rounded[self.alpha[i]], most)
             yield rounded
         yield primitive(numbers)

@@ -144,7 +144,7 @@ def _checked(
     point: list[int],
     scale: int,
 ) -> Solution | None:
-    """Return the solution if it satisfies the law, in the range: the motion is ``point[:3] / scale``."""
+    """Return the solution if it satisfies the law and the range; motion ``point[:3] / scale``."""
     motion = np.array([scale, *point[:3]], dtype=object)
     force = contacts.spring.dot(motion)
     slip = contacts.tangent.dot(motion[1:])

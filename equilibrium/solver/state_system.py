@@ -25,6 +25,7 @@ from .contact_rows import (
     cone_rows,
     negated,
     normal_force_row,
+    range_rows,
     slip_row,
     unit_row,
 )
@@ -107,11 +108,7 @@ def state_system(
                 inequalities.append(tuple(-direction * x for x in slip))
         forces.append((normal, tangential))
     rows = (*balance_rows(grasp, forces, wrench, n), *equalities)
-    turn, force = within.largest_turn, within.largest_force
-    if turn is not None:
-        inequalities += [(*unit[:-1], turn) for r in [unit_row(2, n)] for unit in (r, negated(r))]
-    if force is not None:
-        inequalities += [(*negated(normal)[:-1], force - normal[-1]) for normal, _ in forces]
+    inequalities += range_rows(within, (normal for normal, _ in forces), n)
     return StateSystem(states, rows, tuple(inequalities), tuple(forces))
 
 

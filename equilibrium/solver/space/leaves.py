@@ -105,7 +105,9 @@ def _rounded(rows: list[RationalVector], motion: list[float]) -> list[Fraction]:
 
 def _root_above(square: Fraction | int) -> Fraction:
     """Return a number just above a square root, or 0 for 0."""
-    return Fraction(math.isqrt(math.ceil(square * _ROOTS**2)) + 1, _ROOTS) if square else Fraction(0)
+    return (
+        Fraction(math.isqrt(math.ceil(square * _ROOTS**2)) + 1, _ROOTS) if square else Fraction(0)
+    )
 
 
 def _node(

@@ -80,7 +80,6 @@ class Relaxation:
     def __init__(
         self, contacts: SpatialContacts, wrench: RationalVector, within: Range = NO_RANGE
     ) -> None:
-        self.within = within
         c, search = contacts, SpatialContinuation(contacts, wrench)
         self.contacts, self.m = c, len(c.grasp)
         self.arms = np.array([1.0] * 3 + [1 / c.length] * 3)
@@ -90,6 +89,10 @@ class Relaxation:
         self.normal, self.tangents = c.normal * self.arms, c.tangents * self.arms
         self.stiffness = c.stiffness * self.step / self.force
         self.preload, self.friction = c.preload / self.force, c.friction
+        turn, most = within.largest_turn, within.largest_force
+        #: The largest turn as the right-hand side of a cone, and the largest force.
+        self.turn = [] if turn is None else [nearest(turn) / self.scale[3], 0.0, 0.0, 0.0]
+        self.most = np.inf if most is None else nearest(most) / self.force
         self.settings = clarabel.DefaultSettings()
         self.settings.verbose = False
         self.settings.presolve_enable = False
@@ -133,30 +136,23 @@ class Relaxation:
                 middle = (u + v) / np.hypot(*(u + v))
                 limit = self.friction[i] * float(u @ middle)
                 plus.add(np.zeros(6), 0.0, (j, limit), (j + 1, middle[0]), (j + 2, middle[1]))
-        turn, force = self.within.largest_turn, self.within.largest_force
-        bounds = plus.used
-        if force is not None:
-            most = nearest(force) / self.force
-            for j in column.values():
-                plus.add(np.zeros(6), most, (j, 1.0))
+        bounded = list(column.values()) * (self.most < np.inf)
+        for j in bounded:
+            plus.add(np.zeros(6), self.most, (j, 1.0))
         cones = np.zeros((3 * len(free), n))
         index = np.arange(6, n)
         cones[index - 6, index] = np.where(
             (index - 6) % 3 == 0, -self.friction[free].repeat(3), -1.0
         )
-        matrix = np.concatenate([zero.rows, plus.rows, cones])
-        right = np.concatenate([zero.ends, plus.ends, np.zeros(3 * len(free))])
+        turns = np.zeros((len(self.turn), n))
+        turns[1:, 3:6] = -np.eye(3)[: len(turns) and 3]
+        matrix = np.concatenate([zero.rows, plus.rows, cones, turns])
+        right = np.concatenate([zero.ends, plus.ends, np.zeros(3 * len(free)), self.turn])
         kinds = [clarabel.ZeroConeT(zero.used)]
         if plus.used:
             kinds.append(clarabel.NonnegativeConeT(plus.used))
         kinds += [clarabel.SecondOrderConeT(3)] * len(free)
-        if turn is not None:
-            # In units of the rotation, as the motion is.
-            end = np.zeros((4, n))
-            end[1:, 3:6] = -np.eye(3)
-            matrix = np.concatenate([matrix, end])
-            right = np.append(right, [nearest(turn) / self.scale[3], 0.0, 0.0, 0.0])
-            kinds.append(clarabel.SecondOrderConeT(4))
+        kinds += [clarabel.SecondOrderConeT(4)] * (len(turns) // 4)
         quadratic = csc_matrix((np.full(6, _SMALL_MOTION), (range(6), range(6))), shape=(n, n))
         solver = clarabel.DefaultSolver(
             quadratic, cost, csc_matrix(matrix), right, kinds, self.settings
@@ -164,12 +160,11 @@ class Relaxation:
         found = solver.solve()
         status = str(found.status)
         if status in ("PrimalInfeasible", "AlmostPrimalInfeasible"):
-            dual, rho = np.array(found.z), np.zeros(self.m)
-            if force is not None:
-                rho[free] = dual[zero.used + bounds : zero.used + plus.used]
-            ray = self._ray(states, place, zero.used, dual)
-            u = -dual[-3:] * self.force / self.scale[3] if turn is not None else np.zeros(3)
-            return ray._replace(turn=u, forces=rho)
+            dual, end = np.array(found.z), zero.used + plus.used
+            return self._ray(states, place, zero.used, dual)._replace(
+                turn=-dual[-3:] * self.force / self.scale[3] * bool(self.turn),
+                forces=np.bincount(free, dual[end - len(free) : end], self.m) * bool(bounded),
+            )
         if status not in ("Solved", "AlmostSolved"):
             return None
         x = np.array(found.x)
