@@ -174,7 +174,10 @@ def _verdict_lines(
 
 
 def _one_of_many(found: Verdict) -> Iterator[str]:
-    yield f"resisted{found.within}: the equilibrium found is below; there may be others, and --all lists them"
+    yield (
+        f"resisted{found.within}: the equilibrium found is below; there may be others, and --all "
+        "lists them"
+    )
     if found.solution is not None:
         yield from _equilibrium_lines(found.grasp, found.solution, found.states)
 

@@ -160,10 +160,12 @@ class Relaxation:
         found = solver.solve()
         status = str(found.status)
         if status in ("PrimalInfeasible", "AlmostPrimalInfeasible"):
-            dual, end = np.array(found.z), zero.used + plus.used
+            dual, rho = np.array(found.z), np.zeros(self.m)
+            end = zero.used + plus.used
+            rho[free] = dual[end - len(free) : end] * bool(bounded)
             return self._ray(states, place, zero.used, dual)._replace(
                 turn=-dual[-3:] * self.force / self.scale[3] * bool(self.turn),
-                forces=np.bincount(free, dual[end - len(free) : end], self.m) * bool(bounded),
+                forces=rho,
             )
         if status not in ("Solved", "AlmostSolved"):
             return None
