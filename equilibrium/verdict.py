@@ -27,12 +27,14 @@ from .model.grasp import Grasp, read_wrench
 from .model.range import NO_RANGE, Bounds, Range, usual_range, warning
 from .solver.contact_states import Codes, state_codes, states_at, states_of_code
 from .solver.equilibrium import Equilibrium, equilibrium_of, maximal
+from .solver.float_contacts import FloatContacts
 from .solver.integer_contacts import IntegerContacts
 from .solver.interval_filter import Screen
 from .solver.part_program import Node
 from .solver.resistance import resistance
 from .solver.state_equilibrium import Solution
 from .solver.state_system import States, state_system
+from .solver.units import Units
 from .spatial_verdict import NOT_RESISTED, RESISTED, SpatialVerdict, solve_in_space
 
 #: With more contacts all equilibria are listed only when asked for: their search takes long.
@@ -213,10 +215,7 @@ class Solver(Shown):
     def __init__(self, grasp: Grasp, largest_turn: Any = None, largest_force: Any = None) -> None:
         grasp.require_plane()
         self.grasp, self.within = grasp, Range.of(largest_turn, largest_force)
-
-    @cached_property
-    def _integers(self) -> IntegerContacts:
-        return IntegerContacts(self.grasp, self.within)
+        self._scaled: dict[Units, IntegerContacts] = {}
 
     @cached_property
     def _codes(self) -> Codes:
@@ -225,7 +224,7 @@ class Solver(Shown):
     @cached_property
     def screen(self) -> Screen:
         """The systems of all choices of contact states in floating point, with error bounds."""
-        return Screen(self._integers.floats, self._codes)
+        return Screen(FloatContacts(self.grasp), self._codes)
 
     @property
     def states(self) -> tuple[States, ...]:
@@ -237,10 +236,16 @@ class Solver(Shown):
     ) -> Verdict:
         """Decide one wrench; see the function `solve`."""
         applied = read_wrench(wrench)
-        found = resistance(self._integers, applied, time_limit, shorten)
+        units = Units.of(self.grasp, applied)
+        scaled = self._scaled.get(units)
+        if scaled is None:
+            scaled = IntegerContacts(units.grasp(self.grasp), units.range(self.within))
+            self._scaled = {units: scaled}
+        found = resistance(scaled, units.wrench(applied), time_limit, shorten)
         if isinstance(found, Solution):
+            found = units.solution_back(found)
             return Verdict(self.grasp, applied, found, self, within=self.within)
-        return Verdict(self.grasp, applied, None, self, found, self.within)
+        return Verdict(self.grasp, applied, None, self, units.tree_back(found), self.within)
 
     def solve_many(self, wrenches: Iterable[Iterable[Any]]) -> Iterator[Verdict]:
         """Decide one wrench after the other."""
