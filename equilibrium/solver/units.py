@@ -7,7 +7,6 @@ of two, which keeps the numbers of proofs short.
 
 from __future__ import annotations
 
-import math
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
