@@ -81,6 +81,7 @@ class Report(Shown):
     leaves: int = 0
     pyramid: int | None = None
     within: Range = NO_RANGE
+    shown_fields = ("kind", "problem", "leaves", "pyramid")
 
     def __bool__(self) -> bool:
         return not self.problem

@@ -177,6 +177,15 @@ def test_only_large_motions_have_a_warning(capsys):
     assert main([*arguments, "--largest-turn", "-1"]) == 2
 
 
+def test_a_picture_says_that_motions_are_not_small(tmp_path):
+    path = tmp_path / "grasp.svg"
+    arguments = ["draw", THREE, "--wrench", "0", "1/2", "1/2", "-o", str(path), "--text", "text"]
+    assert main(arguments) == 0
+    assert "beyond small motions" in path.read_text()
+    assert main([*arguments, "--largest-turn", "1/10"]) == 0
+    assert "no equilibrium, among turns up to 1/10" in path.read_text()
+
+
 def test_a_frictionless_disc_turns_too_far_to_resist_a_torque():
     """Normals that miss the centre by 10^-6 hold a torque by a turn without any meaning."""
     small = Fraction(1, 10**6)
