@@ -24,7 +24,7 @@ from arrangement.short_repr import Shown
 from .certificate.robust import Bounds, Steady, refuted_within, resisted_within
 from .inputs.incidences import other_rounding
 from .model.contact import Contact
-from .model.errors import TimeLimitError
+from .model.errors import GraspError, TimeLimitError
 from .model.grasp import Grasp
 from .model.unit_normal import unit_normal
 
@@ -159,7 +159,16 @@ def _in_time(solve: Solve, grasp: Grasp, wrench: RationalVector) -> Any:
 
 
 def robust(found: Any, bounds: Bounds, solve: Solve) -> Robustness:
-    """Decide, if possible, whether a verdict holds for all grasps within bounds."""
+    """Decide, if possible, whether a verdict holds for all grasps within bounds.
+
+    Raises:
+        GraspError: the verdict is about a range of motions and forces.
+    """
+    if found.within:
+        raise GraspError(
+            f"the verdict is {found.verdict}{found.within}; whether one holds for all grasps is "
+            "decided without a largest turn or force"
+        )
     name, grasp, wrench = found.verdict, found.grasp, found.wrench
     if name == "resisted":
         steady = _steady(found)

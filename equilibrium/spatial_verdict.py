@@ -27,9 +27,10 @@ from .certificate.document import (
 )
 from .certificate.reading import Enclosure
 from .certificate.robust import Bounds
-from .model.errors import UndecidedError
+from .model.errors import GraspError, UndecidedError
 from .model.grasp import Grasp, read_wrench
 from .model.pyramid import pyramid_edges, pyramid_words
+from .model.range import NO_RANGE, Range, usual_range, warning
 from .robustness import Robustness, WithinError, robust, within_error
 from .solver.space.equilibria import Proposal, SpatialSolution
 from .solver.space.pyramid import PyramidSearch
@@ -53,6 +54,7 @@ class SpatialVerdict:
         residual: when undecided, the least force that is left over at the best motion found, as a
             share of the largest force given.
         pyramid: edges of the friction pyramids asked for; None for round cones.
+        within: the range in which equilibria count.
     """
 
     grasp: Grasp
@@ -63,6 +65,7 @@ class SpatialVerdict:
     reason: str = ""
     residual: float = 0.0
     pyramid: int | None = None
+    within: Range = NO_RANGE
 
     def __repr__(self) -> str:
         wrench = vector_text(self.wrench)
@@ -119,7 +122,17 @@ class SpatialVerdict:
         if self.certificate is None:
             raise UndecidedError(f"an undecided verdict has no certificate: {self.reason}")
         question = self.grasp, self.wrench
-        return check(self.certificate.to_dict(), question=question, pyramid=self.pyramid)
+        document = self.certificate.to_dict()
+        return check(document, question=question, pyramid=self.pyramid, within=self.within)
+
+    @property
+    def warnings(self) -> tuple[str, ...]:
+        """Where no range was given: a line if the equilibrium shown is not one of small motions."""
+        if self.solution is None or self.within:
+            return ()
+        shown, usual = self.solution, usual_range(self.wrench, [c.preload for c in self.grasp])
+        motion, forces = list(shown.motion), list(shown.forces)
+        return () if usual.holds(motion, forces) else (warning(every=False),)
 
     def robust(self, **bounds: Any) -> Robustness:
         """Say whether this holds for all grasps within bounds: proved, refuted or undecided.
@@ -135,7 +148,9 @@ class SpatialVerdict:
         Raises:
             GraspError: it was not converted.
         """
-        return within_error(self, partial(solve_in_space, pyramid=self.pyramid))
+        return within_error(
+            self, partial(solve_in_space, pyramid=self.pyramid, **self.within.bounds)
+        )
 
     def to_dict(self) -> dict[str, Any]:
         """Return a JSON form; exact numbers are strings of rationals.
@@ -157,8 +172,10 @@ class SpatialVerdict:
             }
         if not self.decided:
             document |= {"reason": self.reason, "residual": self.residual}
+        if self.warnings:
+            document["warnings"] = list(self.warnings)
         question = {"wrench": [to_text(x) for x in self.wrench], "grasp": self.grasp.to_dict()}
-        return document | question
+        return document | self.within.to_dict() | question
 
 
 def solve_in_space(
@@ -168,6 +185,8 @@ def solve_in_space(
     time_limit: float | None = None,
     nodes: int = NODES,
     pyramid: int | None = None,
+    largest_turn: Any = None,
+    largest_force: Any = None,
 ) -> SpatialVerdict:
     """Decide whether a grasp in space resists a wrench; see `equilibrium.solve`.
 
@@ -176,28 +195,38 @@ def solve_in_space(
         nodes: of a tree; when they do not do the verdict is undecided.
         pyramid: edges of a friction pyramid in place of the round cone, see `pyramid_edges`; then
             the verdict is always decided, exactly, if there is time.
+        largest_turn, largest_force: see `equilibrium.solve`; for round cones only.
 
     >>> from equilibrium.io.files import read_grasp
     >>> solve_in_space(read_grasp("two-opposed-fingers"), [0, "3/5", "4/5", 0, 0, 0]).verdict
     'resisted'
     """
     applied = read_wrench(wrench, grasp.dimension)
+    within = Range.of(largest_turn, largest_force)
     deadline = math.inf if time_limit is None else time.monotonic() + time_limit
     if pyramid is not None:
+        if within:
+            raise GraspError(
+                "a largest turn or force goes with round cones; leave it out, or the pyramid"
+            )
         edges = pyramid_edges(pyramid)
         return _verdict(
             grasp, applied, PyramidSearch(grasp, applied, edges, deadline).decide(), pyramid
         )
 
     def accept(found: Proposal) -> bool:
-        return bool(_certificate(grasp, applied, found).verify())
+        return bool(_certificate(grasp, applied, found, within=within).verify())
 
-    found = SpatialSearch(SpatialContacts(grasp), applied, accept, deadline, nodes).decide()
-    return _verdict(grasp, applied, found)
+    search = SpatialSearch(SpatialContacts(grasp), applied, accept, deadline, nodes, within)
+    return _verdict(grasp, applied, search.decide(), within=within)
 
 
 def _verdict(
-    grasp: Grasp, applied: RationalVector, found: Any, pyramid: int | None = None
+    grasp: Grasp,
+    applied: RationalVector,
+    found: Any,
+    pyramid: int | None = None,
+    within: Range = NO_RANGE,
 ) -> SpatialVerdict:
     if isinstance(found, Open):
         return SpatialVerdict(
@@ -207,21 +236,30 @@ def _verdict(
             reason=found.reason,
             residual=found.residual,
             pyramid=pyramid,
+            within=within,
         )
     if isinstance(found, (dict, list)):
-        certificate = refuted_certificate(grasp, applied, found, pyramid)
-        return SpatialVerdict(
-            grasp, applied, NOT_RESISTED, certificate=certificate, pyramid=pyramid
+        certificate, answer = (
+            refuted_certificate(grasp, applied, found, pyramid, within),
+            NOT_RESISTED,
         )
-    certificate = _certificate(grasp, applied, found, pyramid)
-    return SpatialVerdict(grasp, applied, RESISTED, found, certificate, pyramid=pyramid)
+        found = None
+    else:
+        certificate, answer = _certificate(grasp, applied, found, pyramid, within), RESISTED
+    return SpatialVerdict(
+        grasp, applied, answer, found, certificate, pyramid=pyramid, within=within
+    )
 
 
 def _certificate(
-    grasp: Grasp, wrench: RationalVector, found: Proposal, pyramid: int | None = None
+    grasp: Grasp,
+    wrench: RationalVector,
+    found: Proposal,
+    pyramid: int | None = None,
+    within: Range = NO_RANGE,
 ) -> Certificate:
     if isinstance(found, SpatialSolution):
-        return resisted_certificate(grasp, wrench, found.motion, found.forces, pyramid)
+        return resisted_certificate(grasp, wrench, found.motion, found.forces, pyramid, within)
     box = Enclosure(
         found.basis,
         found.friction,
@@ -231,4 +269,4 @@ def _certificate(
         found.inverse,
         found.idle,
     )
-    return enclosed_certificate(grasp, wrench, box)
+    return enclosed_certificate(grasp, wrench, box, within)

@@ -12,7 +12,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, field
-from functools import cached_property
+from functools import cached_property, partial
 from typing import Any
 
 from arrangement.exact import RationalVector, to_text, vector_text
@@ -23,20 +23,26 @@ from arrangement.short_repr import Shown
 from .certificate.checker import Report, check
 from .certificate.document import Certificate, refuted_certificate, resisted_certificate
 from .certificate.robust import Bounds
+from .model.errors import TimeLimitError
 from .model.grasp import Grasp, read_wrench
+from .model.range import NO_RANGE, Range, RangeArguments, usual_range, warning
 from .robustness import Robustness, WithinError, robust, within_error
 from .solver.contact_states import Codes, state_codes, states_at, states_of_code
 from .solver.equilibrium import Equilibrium, equilibrium_of, maximal
+from .solver.float_contacts import FloatContacts
 from .solver.integer_contacts import IntegerContacts
 from .solver.interval_filter import Screen
 from .solver.part_program import Node
 from .solver.resistance import resistance
 from .solver.state_equilibrium import Solution
 from .solver.state_system import States, state_system
+from .solver.units import Units
 from .spatial_verdict import NOT_RESISTED, RESISTED, SpatialVerdict, solve_in_space
 
 #: With more contacts all equilibria are listed only when asked for: their search takes long.
 MOST_LISTED = 20
+#: For how long a verdict looks for an equilibrium of small motions, in seconds.
+_SECOND_LOOK = 3.0
 
 
 @dataclass(frozen=True)
@@ -46,6 +52,7 @@ class Verdict:
     Attributes:
         grasp, wrench: the question.
         solution: the equilibrium that the certificate shows; None when there is none.
+        within: the range in which equilibria count.
     """
 
     grasp: Grasp
@@ -53,6 +60,7 @@ class Verdict:
     solution: Solution | None
     _solver: Solver = field(repr=False, compare=False)
     _proof: Node = field(default=None, repr=False, compare=False)
+    within: Range = NO_RANGE
 
     def __repr__(self) -> str:
         wrench = vector_text(self.wrench)
@@ -91,13 +99,35 @@ class Verdict:
     def certificate(self) -> Certificate:
         """The proof, checkable without the solver."""
         if self.solution is None:
-            return refuted_certificate(self.grasp, self.wrench, self._proof)
+            return refuted_certificate(self.grasp, self.wrench, self._proof, within=self.within)
         shown = self.solution
-        return resisted_certificate(self.grasp, self.wrench, shown.motion, shown.forces)
+        found = shown.motion, shown.forces
+        return resisted_certificate(self.grasp, self.wrench, *found, within=self.within)
+
+    @cached_property
+    def warnings(self) -> tuple[str, ...]:
+        """Where no range was given: a line if no equilibrium is one of small motions.
+
+        Looking for another one than `solution` takes at most `_SECOND_LOOK` seconds.
+        """
+        if self.solution is None or self.within:
+            return ()
+        shown, usual = self.solution, usual_range(self.wrench, [c.preload for c in self.grasp])
+        if usual.holds(shown.motion, shown.forces):
+            return ()
+        every = True
+        try:
+            solver = Solver(self.grasp, **usual.bounds)
+            if solver.solve(self.wrench, time_limit=_SECOND_LOOK).stable:
+                return ()
+        except TimeLimitError:
+            every = False
+        return (warning(every),)
 
     def verify(self) -> Report:
         """Check the certificate, and that it answers this question; the report is true if so."""
-        return check(self.certificate.to_dict(), question=(self.grasp, self.wrench))
+        question = self.grasp, self.wrench
+        return check(self.certificate.to_dict(), question=question, within=self.within)
 
     def lists_all(self, every: bool | None = None) -> bool:
         """Return whether `to_dict` lists all equilibria."""
@@ -120,7 +150,9 @@ class Verdict:
             "stable": self.stable,
             "equilibria": listed,
             **({} if complete else {"complete": False}),
+            **({"warnings": list(self.warnings)} if self.warnings else {}),
             "wrench": [to_text(x) for x in self.wrench],
+            **self.within.to_dict(),
             "grasp": self.grasp.to_dict(),
         }
 
@@ -138,7 +170,7 @@ class Verdict:
         Raises:
             GraspError: it was not converted.
         """
-        return within_error(self, solve)
+        return within_error(self, partial(solve, **self.within.bounds))
 
     def _repr_html_(self) -> str | None:
         """What a notebook shows: every equilibrium with its forces."""
@@ -152,6 +184,8 @@ def solve(
     *,
     time_limit: float | None = None,
     shorten: bool = False,
+    largest_turn: Any = None,
+    largest_force: Any = None,
 ) -> Verdict | SpatialVerdict:
     """Decide exactly whether a grasp resists a wrench; the verdict finds all ways when asked.
 
@@ -163,6 +197,9 @@ def solve(
             ``(f_x, f_y, f_z, tau_x, tau_y, tau_z)``.
         time_limit: in seconds; none by default.
         shorten: look longer for a smaller proof that nothing balances the wrench.
+        largest_turn, largest_force: only equilibria count whose rotation (in space the length of
+            the rotation vector) and whose normal force at each contact are at most that; exact
+            numbers.
 
     Raises:
         TimeLimitError: the time has passed without an answer.
@@ -174,15 +211,17 @@ def solve(
     >>> solve(read_grasp("paper-three-contacts-preload-1"), [0, 1, 0]).stable
     True
     """
+    bounds: RangeArguments = {"largest_turn": largest_turn, "largest_force": largest_force}
     if grasp.dimension == 3:
-        return solve_in_space(grasp, wrench, time_limit=time_limit)
-    return Solver(grasp).solve(wrench, time_limit=time_limit, shorten=shorten)
+        return solve_in_space(grasp, wrench, time_limit=time_limit, **bounds)
+    return Solver(grasp, **bounds).solve(wrench, time_limit=time_limit, shorten=shorten)
 
 
 class Solver(Shown):
     """A grasp prepared for many wrenches: what one question computes serves the next.
 
     Every function about the wrenches that a grasp resists takes a solver in place of the grasp.
+    With bounds only equilibria in their range count; see the function `solve`.
 
     >>> from equilibrium.io.files import read_grasp
     >>> solver = Solver(read_grasp("paper-three-contacts-preload-1"))
@@ -192,13 +231,10 @@ class Solver(Shown):
 
     shown_fields = ("grasp",)
 
-    def __init__(self, grasp: Grasp) -> None:
+    def __init__(self, grasp: Grasp, largest_turn: Any = None, largest_force: Any = None) -> None:
         grasp.require_plane()
-        self.grasp = grasp
-
-    @cached_property
-    def _integers(self) -> IntegerContacts:
-        return IntegerContacts(self.grasp)
+        self.grasp, self.within = grasp, Range.of(largest_turn, largest_force)
+        self._scaled: dict[Units, IntegerContacts] = {}
 
     @cached_property
     def _codes(self) -> Codes:
@@ -207,7 +243,7 @@ class Solver(Shown):
     @cached_property
     def screen(self) -> Screen:
         """The systems of all choices of contact states in floating point, with error bounds."""
-        return Screen(self._integers.floats, self._codes)
+        return Screen(FloatContacts(self.grasp), self._codes)
 
     @property
     def states(self) -> tuple[States, ...]:
@@ -219,10 +255,16 @@ class Solver(Shown):
     ) -> Verdict:
         """Decide one wrench; see the function `solve`."""
         applied = read_wrench(wrench)
-        found = resistance(self._integers, applied, time_limit, shorten)
+        units = Units.of(self.grasp, applied)
+        scaled = self._scaled.get(units)
+        if scaled is None:
+            scaled = IntegerContacts(units.grasp(self.grasp), units.range(self.within))
+            self._scaled = {units: scaled}
+        found = resistance(scaled, units.wrench(applied), time_limit, shorten)
         if isinstance(found, Solution):
-            return Verdict(self.grasp, applied, found, self)
-        return Verdict(self.grasp, applied, None, self, found)
+            found = units.solution_back(found)
+            return Verdict(self.grasp, applied, found, self, within=self.within)
+        return Verdict(self.grasp, applied, None, self, units.tree_back(found), self.within)
 
     def solve_many(self, wrenches: Iterable[Iterable[Any]]) -> Iterator[Verdict]:
         """Decide one wrench after the other."""
@@ -237,7 +279,7 @@ class Solver(Shown):
         possible = self._codes[self.screen.possible(wrench)].tolist()
 
         def piece_of(states: States) -> Equilibrium | None:
-            return equilibrium_of(state_system(self.grasp, states, wrench))
+            return equilibrium_of(state_system(self.grasp, states, wrench, within=self.within))
 
         tried = map(states_of_code, watched(possible, "contact states"))
         pieces = [piece for piece in map(piece_of, tried) if piece]

@@ -67,7 +67,7 @@ def add_options(
             style = dict(_KINDS["length" if flag in LENGTHS else uses[0][1].kind])
             if any(option.many for _, option in uses):
                 style |= {"action": "append"} if "nargs" in style else _EXTEND
-            added = parser.add_argument(f"--{flag}", **style, help=_help(uses))
+            added = parser.add_argument(f"--{flag.replace('_', '-')}", **style, help=_help(uses))
             if uses[0][1].kind == "Wrench" and isinstance(parser, terminal.Parser):
                 parser.growing.append(added)
 

@@ -17,6 +17,9 @@ all ``e <= 0``, or if ``kappa >= 0``; ``kappa max(0, e)`` for the rest, as a con
 below its interpolation. The leaf holds if ``lambda . w g_0`` and all these are together at least 0
 at each generator, above 0 where ``g_0 > 0``: balance would make their sum over generators 0.
 
+Where only a range of motions counts, a leaf may use its bounds: kappa is larger by rho, and the
+sum smaller by ``(v Q + rho F + ...) g_0 - u r``, see `equilibrium.certificate.law.range_work`.
+
 In space a tree has states alone, with sectors of slip directions; `equilibrium.certificate.space`
 has its leaves, and `equilibrium.certificate.enclosure` equilibria in intervals. Where contacts and
 load lie in one plane, and cones are round, a planar tree will do: out of the plane forces do no
@@ -40,9 +43,10 @@ from equilibrium.model.errors import CertificateError, GraspError
 from equilibrium.model.grasp import Grasp, read_wrench
 from equilibrium.model.plane import in_plane
 from equilibrium.model.pyramid import pyramid_edges
+from equilibrium.model.range import NO_RANGE, Range
 
 from .enclosure import enclosure_problem
-from .law import law_problem, short, unit_wrenches
+from .law import law_problem, range_problem, range_work, short, unit_wrenches
 from .reading import (
     STATES,
     Leaf,
@@ -52,6 +56,7 @@ from .reading import (
     read_node,
     read_plane,
     read_question,
+    read_range,
 )
 from .space import (
     SpatialQuestion,
@@ -79,6 +84,7 @@ class Report(Shown):
         pyramid: edges of the friction pyramids that it is about; None for cones.
         compared: whether the question that it is about was compared with one asked.
         grasp, wrench: that question.
+        within: the range in which equilibria count.
     """
 
     kind: str
@@ -88,17 +94,23 @@ class Report(Shown):
     compared: bool = False
     grasp: Grasp = field(default_factory=Grasp)
     wrench: RationalVector = ()
+    within: Range = NO_RANGE
+    shown_fields = ("kind", "problem", "leaves", "pyramid")
 
     def __bool__(self) -> bool:
         return not self.problem
 
-    def asked(self, question: Question | None, pyramid: int | None = None) -> Report:
+    def asked(
+        self, question: Question | None, pyramid: int | None = None, within: Range = NO_RANGE
+    ) -> Report:
         """Return what this says of a question: nothing, if the certificate is about another one."""
         if question is None:
             return self
         problem = _difference(question, (self.grasp, self.wrench))
         if not problem and pyramid != self.pyramid:
             problem = "it is about other cones of friction"
+        if not problem and within != self.within:
+            problem = "it is about another range of motions and forces"
         return replace(self, problem=problem or self.problem, compared=True)
 
     @property
@@ -112,6 +124,7 @@ class Report(Shown):
         found: dict[str, Any] = {"problem": self.problem} if self.problem else {}
         if self.pyramid is not None:
             found["pyramid"] = self.pyramid
+        found |= self.within.to_dict()
         about = {"wrench": list(map(to_text, self.wrench)), "grasp": self.grasp.to_dict()}
         return {
             "valid": bool(self),
@@ -148,6 +161,7 @@ def check(
     document: Mapping[str, Any],
     question: Question | None = None,
     pyramid: int | None = None,
+    within: Range = NO_RANGE,
 ) -> Report:
     """Check a certificate, given as `Certificate.to_dict` or `read_certificate` returns it.
 
@@ -156,6 +170,7 @@ def check(
             says what it is about, and that this was compared with nothing.
         pyramid: with a question, the edges of the friction pyramids it has to be about; None for
             cones, in space round ones.
+        within: with a question, the range it has to be about.
 
     Raises:
         InputError: this is no certificate, whatever its numbers are: wrong keys or types, floats, a
@@ -164,36 +179,46 @@ def check(
     Complexity: O(m) integer operations for each node of the tree.
     """
     kind, grasp, wrench = read_question(document)
+    bounds = read_range(document)
     if kind == "resisted":
-        report = Report(kind, _equilibrium_problem(document, grasp, wrench))
+        report = Report(kind, _equilibrium_problem(document, grasp, wrench, bounds))
     elif grasp.dimension == 3:
-        report = _spatial_report(document, grasp, wrench)
+        report = _spatial_report(document, grasp, wrench, bounds)
     else:
-        report = _walk(document["tree"], _Question(grasp, wrench))
-    report = replace(report, pyramid=document.get("pyramid"), grasp=grasp, wrench=wrench)
-    return report.asked(question, pyramid)
+        report = _walk(document["tree"], _Question(grasp, wrench, bounds))
+    pyramid_of = document.get("pyramid")
+    report = replace(report, pyramid=pyramid_of, within=bounds, grasp=grasp, wrench=wrench)
+    return report.asked(question, pyramid, within)
 
 
-def _spatial_report(document: Mapping[str, Any], grasp: Grasp, wrench: RationalVector) -> Report:
+def _spatial_report(
+    document: Mapping[str, Any], grasp: Grasp, wrench: RationalVector, within: Range
+) -> Report:
     """Check a tree in space, or one in the plane that has all contacts and the load."""
     tree, edges = document["tree"], _edges(document)
     plane = read_plane(tree)
     if plane is None:
-        return _walk(tree, SpatialQuestion(grasp, wrench, edges), 3)
+        return _walk(tree, SpatialQuestion(grasp, wrench, edges, within), 3)
     if edges:
         raise CertificateError("tree.plane is for round cones")
     try:
-        question = _Question(*in_plane(grasp, wrench, plane.axes))
+        # The turn in the plane is a part of that in space, so the range of one holds the other's.
+        question = _Question(*in_plane(grasp, wrench, plane.axes), within)
     except GraspError as error:
         return Report("not resisted", f"tree.plane: {error}")
     return _walk(plane.tree, question)
 
 
-def _equilibrium_problem(document: Mapping[str, Any], grasp: Grasp, wrench: RationalVector) -> str:
+def _equilibrium_problem(
+    document: Mapping[str, Any], grasp: Grasp, wrench: RationalVector, within: Range
+) -> str:
     """Return what is wrong with the equilibrium of a certificate, or nothing."""
     if "enclosure" in document:
-        return enclosure_problem(grasp, wrench, read_enclosure(document["enclosure"], len(grasp)))
+        box = read_enclosure(document["enclosure"], len(grasp))
+        return enclosure_problem(grasp, wrench, box, within)
     found = read_equilibrium(document, len(grasp), grasp.dimension)
+    if problem := range_problem(within, *found):
+        return problem
     if grasp.dimension == 2:
         return law_problem(grasp, wrench, *found)
     return spatial_law_problem(grasp, wrench, *found, _edges(document))
@@ -231,7 +256,8 @@ class _Generator(NamedTuple):
 class _Question:
     """Grasp and wrench in integers."""
 
-    def __init__(self, grasp: Grasp, wrench: RationalVector) -> None:
+    def __init__(self, grasp: Grasp, wrench: RationalVector, within: Range = NO_RANGE) -> None:
+        self.within = within
         laws: list[tuple[RationalVector, ...]] = []
         for contact in grasp:
             normal, tangent = unit_wrenches(contact)
@@ -278,7 +304,12 @@ def _walk(tree: Any, question: _Question | SpatialQuestion, dimension: int = 2) 
             waiting += reversed(_parts(node, place, getattr(question, "edges", ())))
         else:
             leaves += 1
-            problem = problem or _leaf_problem(question, node, place)
+            if problem:
+                continue
+            if isinstance(question, _Question):
+                problem = _leaf_problem(question, node, place)
+            else:
+                problem = spatial_leaf_problem(question, node, place.states, place.path)
     return Report("not resisted", problem, leaves)
 
 
@@ -319,14 +350,17 @@ def _between(p: int, one: _Generator, q: int, other: _Generator) -> _Generator:
     return _Generator(*(tuple(x // common for x in row) for row in sums))
 
 
-def _leaf_problem(question: _Question | SpatialQuestion, leaf: Leaf, place: _Place) -> str:
+def _leaf_problem(question: _Question, leaf: Leaf, place: _Place) -> str:
     """Return the inequality of a leaf that fails, or nothing."""
-    if isinstance(question, SpatialQuestion):
-        return spatial_leaf_problem(question, leaf, place.states, place.path)
     scale = _denominator(leaf.motion)
     x, y, r = _times(leaf.motion, scale)
     load = sum(f * v for f, v in zip(question.wrench, (x, y, r), strict=True))
-    work: list[Any] = [load * generator.vector[0] for generator in place.region]
+    problem, taken = range_work(question.within, leaf.turn, leaf.forces)
+    if problem:
+        return f"{place.path}: {problem}"
+    unit, u = scale * question.unit, sum(leaf.turn[1:])
+    ends = [generator.vector for generator in place.region]
+    work: list[Any] = [load * g[0] - unit * (taken * g[0] - u * g[3]) for g in ends]
     springs = zip(*(generator.springs for generator in place.region), strict=True)
     slips = zip(*(generator.slips for generator in place.region), strict=True)
     for i, (contact, e, s) in enumerate(zip(question.contacts, springs, slips, strict=True)):
@@ -340,7 +374,8 @@ def _leaf_problem(question: _Question | SpatialQuestion, leaf: Leaf, place: _Pla
             rub = -rub
         elif not (state == "slip-" or (free and max(s) < 0)):
             rub = -abs(rub)
-        kappa = x * n0 + y * n1 + r * n2 + rub
+        extra = leaf.forces.get(i, Fraction(0)) * scale * contact.per_e
+        kappa = x * n0 + y * n1 + r * n2 + rub + extra
         if given is not None:
             alpha, h = given[0] * scale * contact.per_e, given[1] * scale * contact.per_s
             if broken := _broken_bound(state, alpha, h, kappa):
@@ -352,15 +387,15 @@ def _leaf_problem(question: _Question | SpatialQuestion, leaf: Leaf, place: _Pla
             work = [w + kappa * u for w, u in zip(work, e, strict=True)]
         elif kappa < 0:
             work = [w + kappa * max(0, u) for w, u in zip(work, e, strict=True)]
-    for total, (vector, *_) in zip(work, place.region, strict=True):
+    for total, vector in zip(work, ends, strict=True):
         if total < 0 or (total == 0 and vector[0]):
-            at, found = ", ".join(map(short, vector)), Fraction(total) / (scale * question.unit)
+            at, found = ", ".join(map(short, vector)), Fraction(total) / unit
             due = f"{short(found)}, and must be {'above' if vector[0] else 'at least'} 0"
             return f"{place.path}: at generator ({at}) the work of load and contacts is {due}"
     return ""
 
 
-def _broken_bound(state: Any, alpha: Fraction, h: Fraction, kappa: int) -> str:
+def _broken_bound(state: Any, alpha: Fraction, h: Fraction, kappa: Fraction) -> str:
     """Return which bound of the multipliers of a contact is broken, or nothing."""
     if alpha < 0 and state in (None, "detached"):
         return "alpha must be at least 0"

@@ -11,6 +11,7 @@ from typing import Any
 from arrangement.exact import RationalVector, to_text
 from arrangement.short_repr import Shown
 from equilibrium.model.grasp import Grasp
+from equilibrium.model.range import NO_RANGE, Range
 
 from .checker import Report, check
 from .reading import SCHEMA_VERSION, Enclosure
@@ -46,15 +47,17 @@ def resisted_certificate(
     motion: RationalVector,
     forces: Iterable[RationalVector],
     pyramid: int | None = None,
+    within: Range = NO_RANGE,
 ) -> Certificate:
     """Return the certificate of an equilibrium: its motion, normal and tangential forces."""
     listed = [_texts(pair) for pair in forces]
-    return _certificate(
-        "resisted", grasp, wrench, pyramid=pyramid, motion=_texts(motion), forces=listed
-    )
+    proof = {"motion": _texts(motion), "forces": listed}
+    return _certificate("resisted", grasp, wrench, pyramid, within, **proof)
 
 
-def enclosed_certificate(grasp: Grasp, wrench: RationalVector, enclosure: Enclosure) -> Certificate:
+def enclosed_certificate(
+    grasp: Grasp, wrench: RationalVector, enclosure: Enclosure, within: Range = NO_RANGE
+) -> Certificate:
     """Return the certificate of an equilibrium in space whose numbers are not rational."""
     friction = [
         "detached" if share is None else _texts(share) if share else "slip"
@@ -70,27 +73,37 @@ def enclosed_certificate(grasp: Grasp, wrench: RationalVector, enclosure: Enclos
     }
     if enclosure.idle:
         form["idle"] = list(map(_texts, enclosure.idle))
-    return _certificate("resisted", grasp, wrench, enclosure=form)
+    return _certificate("resisted", grasp, wrench, within=within, enclosure=form)
 
 
 def refuted_certificate(
-    grasp: Grasp, wrench: RationalVector, tree: Any, pyramid: int | None = None
+    grasp: Grasp,
+    wrench: RationalVector,
+    tree: Any,
+    pyramid: int | None = None,
+    within: Range = NO_RANGE,
 ) -> Certificate:
-    """Return the certificate that no equilibrium exists.
+    """Return the certificate that no equilibrium exists, in a range if one is given.
 
     Args:
         tree: the root node, in the form of `equilibrium.certificate.reading`.
         pyramid: edges of friction pyramids; None for round cones.
     """
-    return _certificate("not resisted", grasp, wrench, pyramid=pyramid, tree=tree)
+    return _certificate("not resisted", grasp, wrench, pyramid, within, tree=tree)
 
 
 def _certificate(
-    kind: str, grasp: Grasp, wrench: RationalVector, pyramid: int | None = None, **proof: Any
+    kind: str,
+    grasp: Grasp,
+    wrench: RationalVector,
+    pyramid: int | None = None,
+    within: Range = NO_RANGE,
+    **proof: Any,
 ) -> Certificate:
     if pyramid is not None:
         proof = {"pyramid": pyramid, **proof}
     question = {"grasp": Grasp(grasp.contacts, grasp.units).to_dict(), "wrench": _texts(wrench)}
+    question |= within.to_dict()
     document = {"schema_version": SCHEMA_VERSION, "certificate": kind, **question, **proof}
     return Certificate(json.dumps(document, separators=(",", ":")))
 

@@ -27,6 +27,7 @@ from typing import NamedTuple
 
 from arrangement.exact import RationalVector, dot
 from equilibrium.model.grasp import Grasp
+from equilibrium.model.range import NO_RANGE, Range
 
 from .reading import Enclosure
 from .space import frame
@@ -88,8 +89,10 @@ def product(row: Iterable[Interval], column: Iterable[Interval]) -> Interval:
     return total(x.times(y) for x, y in zip(row, column, strict=True))
 
 
-def enclosure_problem(grasp: Grasp, wrench: RationalVector, given: Enclosure) -> str:
-    """Return why an enclosure shows no equilibrium, or nothing."""
+def enclosure_problem(
+    grasp: Grasp, wrench: RationalVector, given: Enclosure, within: Range = NO_RANGE
+) -> str:
+    """Return why an enclosure shows no equilibrium of the range, or nothing."""
     for i, (contact, friction) in enumerate(zip(grasp, given.friction, strict=True)):
         _, *tangents = frame(contact)
         if friction and any(dot(t, motion) for motion in given.basis for t in tangents):
@@ -114,8 +117,8 @@ def enclosure_problem(grasp: Grasp, wrench: RationalVector, given: Enclosure) ->
         for m, r in zip(given.centre, given.radius, strict=True)
     ]
     try:
-        value, _ = _balance(grasp, wrench, given, [interval(m) for m in given.centre])
-        _, derivative = _balance(grasp, wrench, given, box)
+        value, _ = _balance(grasp, wrench, given, [interval(m) for m in given.centre], within)
+        _, derivative = _balance(grasp, wrench, given, box, within)
     except _BrokenLaw as broken:
         return str(broken)
     inverse = [[interval(x) for x in row] for row in given.inverse]
@@ -162,7 +165,11 @@ class _Linear(NamedTuple):
 
 
 def _balance(
-    grasp: Grasp, wrench: RationalVector, given: Enclosure, box: Sequence[Interval]
+    grasp: Grasp,
+    wrench: RationalVector,
+    given: Enclosure,
+    box: Sequence[Interval],
+    within: Range,
 ) -> tuple[list[Interval], list[list[Interval]]]:
     """Return the sum of all wrenches over a box, and its derivative, (6, 6).
 
@@ -170,6 +177,11 @@ def _balance(
         _BrokenLaw: a condition does not hold all over the box.
     """
     zeros = [Interval(0, 0)] * 6
+    if within.largest_turn is not None:
+        axes = [[interval(motion[j]) for motion in given.basis] for j in (3, 4, 5)]
+        turns = total(product(row, box[: len(row)]).square() for row in axes)
+        if turns.high > interval(within.largest_turn**2).low:
+            raise _BrokenLaw("the enclosure turns by more than the largest turn")
     sums = [_Linear(interval(w), zeros) for w in wrench]
     for i, (contact, friction) in enumerate(zip(grasp, given.friction, strict=True)):
         rows = frame(contact)
@@ -182,6 +194,9 @@ def _balance(
             continue
         if normal.value.low < 0:
             raise _BrokenLaw(f"contact {i + 1} is not attached all over the enclosure")
+        most = within.largest_force
+        if most is not None and normal.value.high > interval(most).low:
+            raise _BrokenLaw(f"contact {i + 1} has a normal force above the largest one")
         limit = normal.by(contact.friction)
         if not contact.friction:
             forces = [limit, limit]

@@ -14,8 +14,9 @@ from typing import Any, NamedTuple
 
 from arrangement.exact import IntegerVector, RationalVector, dot
 from equilibrium.model.grasp import Grasp
+from equilibrium.model.range import NO_RANGE, Range
 
-from .law import unit_wrenches
+from .law import range_work, unit_wrenches
 from .reading import STATES, Leaf, read_node
 
 #: Generators of all homogeneous motions (d_0, x, y, r).
@@ -45,7 +46,7 @@ class Works(NamedTuple):
         load: the work of the load.
         factors: for each contact its least work, as a factor of its normal force; None where it has
             no force.
-        least: all contacts together work at least that much; ``load + least > 0``.
+        least: all contacts and the bounds of a range work at least that much; ``load + least > 0``.
     """
 
     load: Fraction
@@ -78,9 +79,11 @@ def parts(document: Mapping[str, Any]) -> Iterator[Part]:
         waiting += [(child, *one) for child, one in zip(children, cut, strict=True)][::-1]
 
 
-def works(grasp: Grasp, wrench: RationalVector, together: Sequence[Part]) -> Works:
+def works(
+    grasp: Grasp, wrench: RationalVector, together: Sequence[Part], within: Range = NO_RANGE
+) -> Works:
     """Return the works on the virtual motion of one part, or of several that share it."""
-    each = [_works(grasp, wrench, part) for part in together]
+    each = [_works(grasp, wrench, part, within) for part in together]
     factors = [
         min((factor for factor in some if factor is not None), default=None)
         for some in zip(*(done.factors for done in each), strict=True)
@@ -88,10 +91,11 @@ def works(grasp: Grasp, wrench: RationalVector, together: Sequence[Part]) -> Wor
     return Works(each[0].load, factors, min(done.least for done in each))
 
 
-def _works(grasp: Grasp, wrench: RationalVector, part: Part) -> Works:
+def _works(grasp: Grasp, wrench: RationalVector, part: Part, within: Range) -> Works:
     region, states, leaf = part
     load, factors = Fraction(dot(wrench, leaf.motion)), []
-    work = [load * g[0] for g in region]
+    u, (_, taken) = sum(leaf.turn[1:]), range_work(within, leaf.turn, leaf.forces)
+    work = [(load - taken) * g[0] + u * g[3] for g in region]
     for i, contact in enumerate(grasp):
         normal, tangent = unit_wrenches(contact)
         e = [contact.preload * g[0] - contact.stiffness * dot(normal, g[1:]) for g in region]
@@ -102,7 +106,7 @@ def _works(grasp: Grasp, wrench: RationalVector, part: Part) -> Works:
         way = (state == "slip+" or (free and min(s) > 0)) - (
             state == "slip-" or (free and max(s) < 0)
         )
-        kappa -= way * rub if way else abs(rub)
+        kappa += leaf.forces.get(i, 0) - (way * rub if way else abs(rub))
         idle = state == "detached" or (state is None and max(e) <= 0)
         factors.append(None if idle else kappa)
         row: Sequence[Any] = [0] * len(region)

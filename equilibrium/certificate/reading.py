@@ -27,6 +27,10 @@ polygon, from the first, and slip between two such normals. Where contacts and l
 the tree may be ``{"plane": [u, v], "tree": node}`` with two axes of the plane, orthonormal, and a
 planar tree in coordinates along these. An equilibrium that has no
 rational numbers is shown by an "enclosure", see `equilibrium.certificate.enclosure`.
+
+With "largest_turn" or "largest_force" in the certificate only equilibria in this range count, see
+`equilibrium.model.range`. Then a leaf ``{"virtual_motion": ..., "multipliers": ..., "range":
+{"turn": [v, u], "forces": {"4": rho}}}`` may use it; u has three numbers in space.
 """
 
 from __future__ import annotations
@@ -35,13 +39,15 @@ from collections.abc import Mapping
 from fractions import Fraction
 from typing import Any, NamedTuple
 
-from arrangement.exact import RationalVector, rational_vector, shown
+from arrangement.exact import RationalVector, rational, rational_vector, shown
 from arrangement.io.files import check_keys, check_list
 from equilibrium.model.errors import CertificateError
 from equilibrium.model.grasp import Grasp, read_wrench
+from equilibrium.model.range import Range
 
 SCHEMA_VERSION = 3
 _KEYS = {"resisted": ("motion", "forces"), "not resisted": ("tree",)}
+_RANGE = ("largest_turn", "largest_force")
 _ENCLOSURE = ("basis", "friction", "pillars", "centre", "radius", "inverse")
 #: Numbers of a motion, in the plane and in space.
 SIZES = {2: 3, 3: 6}
@@ -53,10 +59,17 @@ _SPLITS = {2: ("orthants", "edge", *STATES), 3: ("attachment", "directions", "fa
 
 
 class Leaf(NamedTuple):
-    """A virtual motion, and (alpha, h) of some contacts."""
+    """A virtual motion, and (alpha, h) of some contacts.
+
+    Attributes:
+        turn: (v, u) of the largest turn, or nothing.
+        forces: rho of the largest force, of some contacts.
+    """
 
     motion: RationalVector
     multipliers: Mapping[int, RationalVector]
+    turn: RationalVector = ()
+    forces: Mapping[int, Fraction] = {}
 
 
 class Split(NamedTuple):
@@ -124,7 +137,7 @@ def read_question(document: Any) -> tuple[str, Grasp, RationalVector]:
         raise CertificateError(f"certificate is {shown(kind)}; known are {', '.join(_KEYS)}")
     common = ("schema_version", "certificate", "grasp", "wrench")
     shown_by = ("enclosure",) if "enclosure" in document else _KEYS[kind]
-    check_keys(document, (*common, *shown_by), ("pyramid",), "the certificate")
+    check_keys(document, (*common, *shown_by), ("pyramid", *_RANGE), "the certificate")
     if isinstance(document["grasp"], Mapping) and "outline" in document["grasp"]:
         raise CertificateError("the grasp of a certificate has no outline; leave it out")
     grasp = Grasp.from_dict(document["grasp"])
@@ -133,7 +146,15 @@ def read_question(document: Any) -> tuple[str, Grasp, RationalVector]:
         raise CertificateError("an enclosure shows that a grasp in space resists")
     if "pyramid" in document and ("enclosure" in document or grasp.dimension != 3):
         raise CertificateError("a pyramid is for a grasp in space, and needs no enclosure")
+    if "pyramid" in document and read_range(document):
+        raise CertificateError("a pyramid has no largest turn and no largest force")
     return kind, grasp, wrench
+
+
+def read_range(document: Mapping[str, Any]) -> Range:
+    """Return the range of a certificate; it bounds nothing where none is given."""
+    found = [rational(document[key], key) if key in document else None for key in _RANGE]
+    return Range.of(*found)
 
 
 def read_equilibrium(
@@ -229,20 +250,33 @@ def read_node(content: Any, path: str, contacts: int, dimension: int = 2) -> Lea
 
 
 def _long_leaf(content: Mapping[str, Any], path: str, contacts: int, dimension: int) -> Leaf:
-    check_keys(content, ("virtual_motion", "multipliers"), (), path)
+    check_keys(content, ("virtual_motion", "multipliers"), ("range",), path)
     motion = _rationals(content["virtual_motion"], SIZES[dimension], f"{path}.virtual_motion")
-    where, given = f"{path}.multipliers", content["multipliers"]
+    where = f"{path}.multipliers"
+    multipliers = {}
+    for i, row in _by_contacts(content["multipliers"], where, contacts).items():
+        size = 1 if isinstance(row, (list, tuple)) and len(row) == 1 else dimension
+        numbers = _rationals(row, size, f"{where}.{i}")
+        multipliers[i] = (*numbers, *[Fraction(0)] * (dimension - size))
+    bounds, where = content.get("range", {}), f"{path}.range"
+    check_keys(bounds, (), ("turn", "forces"), where)
+    turn: RationalVector = ()
+    if "turn" in bounds:
+        turn = _rationals(bounds["turn"], 2 if dimension == 2 else 4, f"{where}.turn")
+    given = _by_contacts(bounds.get("forces", {}), f"{where}.forces", contacts)
+    forces = {i: _rationals([x], 1, f"{where}.forces.{i}")[0] for i, x in given.items()}
+    return Leaf(motion, multipliers, turn, forces)
+
+
+def _by_contacts(given: Any, where: str, contacts: int) -> dict[int, Any]:
+    """Return an object whose keys are contacts."""
     if not isinstance(given, Mapping):
         raise CertificateError(f"{where} is {shown(given)}; expected an object by contacts")
     known = {str(i): i for i in range(contacts)} if given else {}
-    multipliers = {}
-    for key, row in given.items():
+    for key in given:
         if key not in known:
             raise CertificateError(f"{where}: {shown(key)} is no contact from 0 to {contacts - 1}")
-        size = 1 if isinstance(row, (list, tuple)) and len(row) == 1 else dimension
-        numbers = _rationals(row, size, f"{where}.{key}")
-        multipliers[known[key]] = (*numbers, *[Fraction(0)] * (dimension - size))
-    return Leaf(motion, multipliers)
+    return {known[key]: row for key, row in given.items()}
 
 
 def _rationals(value: Any, length: int, where: str) -> RationalVector:

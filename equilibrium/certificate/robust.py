@@ -28,7 +28,7 @@ from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import Grasp
 
 from .enclosure import Interval, _BrokenLaw, _Linear, _unit, interval, product, total
-from .reading import Split, read_node
+from .reading import Split, read_node, read_plane
 
 _ZERO = Interval(0, 0)
 
@@ -130,6 +130,8 @@ def ranges_of(contact: Contact, bounds: Bounds) -> Ranges:
 
 def refuted_within(grasp: Grasp, wrench: RationalVector, tree: Any, bounds: Bounds) -> str:
     """Return why a tree does not show "not resisted" for all grasps within bounds, or nothing."""
+    if read_plane(tree) is not None:
+        return "tree: the contacts of other grasps are not in one plane"
     contacts, n = [ranges_of(contact, bounds) for contact in grasp], len(wrench)
     axes = [(0, 1), *choices(range(1, n + 1), (1, -1))]
     region = [tuple(sign * (j == axis) for j in range(n + 1)) for axis, sign in axes]

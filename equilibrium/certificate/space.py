@@ -11,6 +11,9 @@ The cone of friction is round, ``|c_t| <= mu c_n``, and a contact that slips by 
   sector, else at an end: ``u . b / |u|`` or ``v . b / |v|``;
 * h = 0 but where it sticks, and in a sector, where ``h . u <= 0`` and ``h . v <= 0``.
 
+Where only a range counts, its bounds take ``v Q`` and all ``rho F`` from the sum, give ``u . r``
+for the rotation r of d, and let a be larger by rho, see `equilibrium.certificate.law.range_work`.
+
 Without multipliers alpha and h are 0. Where all these together do not depend on d, and are above
 minus the work of the load, nothing balances the load. Roots are compared by their squares.
 """
@@ -27,8 +30,9 @@ from arrangement.exact import IntegerVector, RationalVector, dot
 from equilibrium.model.contact import Contact
 from equilibrium.model.errors import CertificateError
 from equilibrium.model.grasp import Grasp
+from equilibrium.model.range import NO_RANGE, Range
 
-from .law import short
+from .law import range_work, short
 from .reading import Leaf, Split
 
 #: A sector from u to v, counter-clockwise by less than half a turn.
@@ -120,9 +124,13 @@ class SpatialQuestion:
     """
 
     def __init__(
-        self, grasp: Grasp, wrench: RationalVector, edges: Sequence[RationalVector] = ()
+        self,
+        grasp: Grasp,
+        wrench: RationalVector,
+        edges: Sequence[RationalVector] = (),
+        within: Range = NO_RANGE,
     ) -> None:
-        self.edges = edges
+        self.edges, self.within = edges, within
         contacts = list(grasp)
         works = math.lcm(*(x.denominator for x in (*wrench, *(c.preload for c in contacts))))
         self.load = tuple(int(x * works) for x in wrench)
@@ -130,6 +138,7 @@ class SpatialQuestion:
         units = [math.lcm(*(x.denominator for x in row)) for row in frames]
         pairs = list(zip(contacts, units, strict=True))
         motions = math.lcm(*(c.stiffness.denominator * unit for c, unit in pairs))
+        self.works, self.motions = works, motions
         self.contacts = [
             _Contact(
                 tuple(int(x * unit) for x in row),
@@ -216,18 +225,22 @@ def spatial_leaf_problem(
     question: SpatialQuestion, leaf: Leaf, states: Mapping[int, State], path: str
 ) -> str:
     """Return the inequality of a leaf that fails, or nothing."""
+    problem, taken = range_work(question.within, leaf.turn, leaf.forces)
+    if problem:
+        return f"{path}: {problem}"
     scale = math.lcm(
         *(x.denominator for row in (leaf.motion, *leaf.multipliers.values()) for x in row)
     )
     motion = [int(x * scale) for x in leaf.motion]
-    work, rest = dot(question.load, motion), [0] * 6
+    work: Any = dot(question.load, motion) - taken * scale * question.works
+    rest: list[Any] = [0] * 3 + [u * scale * question.motions for u in leaf.turn[1:] or (0, 0, 0)]
     for i, contact in enumerate(question.contacts):
         state = states.get(i, "undecided")
         given = leaf.multipliers.get(i)
         alpha, *h = (0, 0, 0) if given is None else (int(x * scale) for x in given)
         row = contact.wrenches
         a, *b = (dot(row[j : j + 6], motion) for j in (0, 6, 12))
-        room = a - alpha * contact.unit
+        room = a - (alpha - leaf.forces.get(i, 0) * scale) * contact.unit
         if question.edges:
             broken = _broken_pyramid(state, alpha, h, room, b, contact.friction, question.edges)
         else:
@@ -240,17 +253,17 @@ def spatial_leaf_problem(
             for j in range(6):
                 rest[j] += factors[0] * row[j] + factors[1] * row[6 + j] + factors[2] * row[12 + j]
     if any(rest):
-        return f"{path}: the sum of -alpha k N + h T is not 0"
+        return f"{path}: the sum of -alpha k N + h T" + " + u" * bool(leaf.turn) + " is not 0"
     return "" if work > 0 else f"{path}: the work of load and contacts is not above 0"
 
 
 def _broken_bound(
-    state: State, alpha: int, h: Sequence[int], room: int, b: Sequence[int], friction: Fraction
+    state: State, alpha: int, h: Sequence[int], room: Any, b: Sequence[int], friction: Fraction
 ) -> str:
     """Return which bound of the multipliers of a contact is broken, or nothing.
 
     Args:
-        room: ``a - alpha``, in the unit of b.
+        room: ``a + rho - alpha``, in the unit of b.
     """
     if alpha < 0 and state in ("undecided", "detached"):
         return "alpha must be at least 0"
@@ -277,7 +290,7 @@ def _broken_pyramid(
     state: State,
     alpha: int,
     h: Sequence[int],
-    room: int,
+    room: Any,
     b: Sequence[int],
     friction: Fraction,
     edges: Sequence[RationalVector],

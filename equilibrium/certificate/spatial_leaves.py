@@ -12,7 +12,9 @@ from typing import Any, NamedTuple
 
 from arrangement.exact import RationalVector, vector_text
 from equilibrium.model.grasp import Grasp
+from equilibrium.model.range import NO_RANGE, Range
 
+from .law import range_work
 from .reading import STATES, Leaf, read_node, read_plane
 
 
@@ -22,8 +24,9 @@ class SpatialLeaf(NamedTuple):
     Attributes:
         states: by contact, counted from 0, what is assumed of it, in words.
         motion: the virtual motion.
-        least: contacts do at least that much work on it, whatever they do; ``sum alpha q``. The
-            tree refutes a load w if ``motion . w + least > 0`` for all leaves.
+        least: contacts do at least that much work on it, whatever they do; ``sum alpha q``, less
+            what bounds of the range take. The tree refutes a load w if ``motion . w + least > 0``
+            for all leaves.
     """
 
     states: Mapping[int, str]
@@ -31,7 +34,7 @@ class SpatialLeaf(NamedTuple):
     least: Fraction
 
 
-def spatial_leaves(grasp: Grasp, tree: Any) -> Iterator[SpatialLeaf]:
+def spatial_leaves(grasp: Grasp, tree: Any, within: Range = NO_RANGE) -> Iterator[SpatialLeaf]:
     """Yield the leaves of a tree in the order of the document; none of one in the plane."""
     if read_plane(tree):
         return
@@ -42,7 +45,8 @@ def spatial_leaves(grasp: Grasp, tree: Any) -> Iterator[SpatialLeaf]:
         node = read_node(content, "tree", len(grasp), 3)
         if isinstance(node, Leaf):
             works = (row[0] * grasp.contacts[i].preload for i, row in node.multipliers.items())
-            yield SpatialLeaf(states, node.motion, sum(works, Fraction(0)))
+            _, taken = range_work(within, node.turn, node.forces)
+            yield SpatialLeaf(states, node.motion, sum(works, -taken))
             continue
         (i,), children = node.at, [child for _, child in node.children]
         parts: list[tuple[str, tuple[RationalVector, ...]]]

@@ -15,6 +15,7 @@ from equilibrium.model.errors import GraspError
 if TYPE_CHECKING:
     from equilibrium.inputs import Conversion
     from equilibrium.model.grasp import Grasp
+    from equilibrium.model.range import RangeArguments
 
 _AXES = ("F_X", "F_Y", "TAU")
 
@@ -88,6 +89,22 @@ def add_applied(
     ways: Any = parser.add_mutually_exclusive_group(required=required)
     add_wrench(ways, name, text, None)
     add_force(parser, ways)
+
+
+def add_range(parser: argparse.ArgumentParser) -> None:
+    """Add the bounds that an equilibrium has to keep in order to count; see `range_given`."""
+    text = "count only equilibria that turn by at most Q radians (default: any)"
+    add_number(parser, "--largest-turn", None, text)
+    text = "count only equilibria with normal forces of at most Q (default: any)"
+    add_number(parser, "--largest-force", None, text)
+
+
+def range_given(arguments: argparse.Namespace) -> RangeArguments:
+    """Return what `add_range` has read, as keyword arguments."""
+    return {
+        "largest_turn": arguments.largest_turn,
+        "largest_force": arguments.largest_force,
+    }
 
 
 def add_cone(parser: argparse.ArgumentParser) -> None:

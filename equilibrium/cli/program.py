@@ -12,6 +12,7 @@ from arrangement import terminal
 from arrangement.exact import dot
 from arrangement.number_form import vector
 from equilibrium.model.pyramid import pyramid_words
+from equilibrium.model.range import NO_RANGE, Range
 
 from . import draw, inputs, lab, methods, modes, wrench_sets
 from .arguments import (
@@ -19,8 +20,10 @@ from .arguments import (
     add_command,
     add_cone,
     add_grasp,
+    add_range,
     applied,
     grasp_of,
+    range_given,
     seconds,
     show,
 )
@@ -72,6 +75,7 @@ def _parser() -> terminal.Parser:
         "--time-limit", metavar="SECONDS", type=seconds, help="give up then (exit 2; in space 3)"
     )
     add_cone(solve)
+    add_range(solve)
     solve.add_argument(
         "--robust",
         nargs="+",
@@ -112,6 +116,7 @@ def _parser() -> terminal.Parser:
     add_grasp(verify, "--grasp")
     add_applied(verify, text="what the proof has to be about, with --grasp", required=False)
     add_cone(verify)
+    add_range(verify)
     add_command(commands, "list", _list, "list the built-in grasps", grasp=False)
     wrench_sets.add_commands(commands)
     methods.add_commands(commands)
@@ -147,27 +152,34 @@ def _solve(arguments: argparse.Namespace) -> int:
         raise GraspError("a literal reading has no certificate; omit one of the two options")
     grasp = grasp_of(arguments)
     wrench = applied(arguments, grasp)
+    bounds = range_given(arguments)
     if arguments.literal:
+        if set(bounds.values()) != {None}:
+            raise GraspError("a literal reading has no largest turn or force; omit one of the two")
         literal = solve_literal(grasp, wrench, arguments.literal)
         lines = _verdict_lines(literal.equilibria, grasp)
         return show(arguments, literal.to_dict(), lines, literal.stable, grasp)
-    limits = {"time_limit": arguments.time_limit, "shorten": arguments.shorten}
     if arguments.cone is None:
-        found = solve(grasp, wrench, **limits)
+        limit, shorten = arguments.time_limit, arguments.shorten
+        found = solve(grasp, wrench, time_limit=limit, shorten=shorten, **bounds)
     elif grasp.dimension == 2:
         raise GraspError(FLAT)
     else:
         limit = arguments.time_limit
-        found = solve_in_space(grasp, wrench, time_limit=limit, pyramid=arguments.cone)
+        found = solve_in_space(grasp, wrench, time_limit=limit, pyramid=arguments.cone, **bounds)
     if arguments.certificate is not None and found.certificate is not None:
         write_certificate(arguments.certificate, found.certificate)
     if isinstance(found, SpatialVerdict):
         yes = found.stable if found.decided else None
-        return _answer(arguments, found, found.to_dict(), spatial_lines(found), yes)
+        lines = chain(spatial_lines(found), found.warnings)
+        return _answer(arguments, found, found.to_dict(), lines, yes)
     every = arguments.all or None
     lines = (
-        _verdict_lines(found.equilibria, grasp) if found.lists_all(every) else _one_of_many(found)
+        _verdict_lines(found.equilibria, grasp, found.within)
+        if found.lists_all(every)
+        else _one_of_many(found)
     )
+    lines = chain(lines, found.warnings)
     if not found.stable:
         lines = chain(lines, proof_lines(found, arguments.certificate))
     return _answer(arguments, found, found.to_dict(every), lines, found.stable)
@@ -197,17 +209,24 @@ def _answer(
     return show(arguments, document, lines, yes, found.grasp)
 
 
-def _verdict_lines(pieces: Sequence[Equilibrium], grasp: Grasp) -> Iterator[str]:
+def _verdict_lines(
+    pieces: Sequence[Equilibrium], grasp: Grasp, within: Range = NO_RANGE
+) -> Iterator[str]:
     if not pieces:
-        yield "not resisted: no contact state admits an equilibrium"
+        yield f"not resisted{within}: no contact state admits an equilibrium"
         return
-    yield f"resisted: {len(pieces)} " + ("equilibrium" if len(pieces) == 1 else "equilibria")
+    yield f"resisted{within}: {len(pieces)} " + (
+        "equilibrium" if len(pieces) == 1 else "equilibria"
+    )
     for piece in pieces:
         yield from _equilibrium_lines(grasp, piece, piece.states, _freedom(piece))
 
 
 def _one_of_many(found: Verdict) -> Iterator[str]:
-    yield "resisted: the equilibrium found is below; there may be others, and --all lists them"
+    yield (
+        f"resisted{found.within}: the equilibrium found is below; there may be others, and --all "
+        "lists them"
+    )
     if found.solution is not None:
         yield from _equilibrium_lines(found.grasp, found.solution, found.states)
 
@@ -238,6 +257,7 @@ def _verify(arguments: argparse.Namespace) -> int:
     from equilibrium.model.errors import GraspError
 
     path, question, known = arguments.certificate, _asked(arguments), True
+    within = Range.of(**range_given(arguments))
     if arguments.proved:
         valid, kind = verify_proved(path)
         # What came on stdin only that program has read.
@@ -247,15 +267,16 @@ def _verify(arguments: argparse.Namespace) -> int:
         report = Report(kind, problem)
         if known:
             _, grasp, wrench = read_question(read_certificate(path))
-            report = replace(report, grasp=grasp, wrench=wrench).asked(question, arguments.cone)
+            report = replace(report, grasp=grasp, wrench=wrench)
+            report = report.asked(question, arguments.cone, within)
     else:
-        report = verify(path, question, arguments.cone)
+        report = verify(path, question, arguments.cone, within)
     speaker, left_out = ("proved", "leaves") if arguments.proved else ("Python", "")
     document = {k: value for k, value in report.to_dict().items() if k != left_out}
     if not known:
         del document["wrench"], document["grasp"]
     proof = f"{report.kind}, {report.leaves} leaves" if report.leaves else report.kind
-    proof += pyramid_words(report.pyramid, before=", with ")
+    proof += pyramid_words(report.pyramid, before=", with ") + str(report.within)
     said = f"valid: {proof}" if report else f"not valid: {terminal.printable(report.problem)}"
     lines = [f"{said} (by the {speaker} checker)", *report.question[: _MOST_LINES * known]]
     more = len(report.grasp) + 1 - _MOST_LINES
@@ -270,7 +291,8 @@ def _asked(arguments: argparse.Namespace) -> tuple[Grasp, RationalVector] | None
     """Return what a certificate has to be about, if that was given."""
     from equilibrium.model.errors import GraspError
 
-    names = ("grasp", "wrench", "force", "weight", "at", "preload", "cone")
+    loads = ("wrench", "force", "weight", "at")
+    names = ("grasp", *loads, "preload", "cone", "largest_turn", "largest_force")
     grasp, *load = (getattr(arguments, name) is not None for name in names)
     if grasp and any(load[:3]):
         wanted = grasp_of(arguments)

@@ -29,9 +29,9 @@ def proof_lines(verdict: Verdict, path: str | None = None) -> Iterator[str]:
         where = f", in {path}" if path else "; --certificate OUT.json writes it"
         yield f"proof: {len(found)} leaves{where}"
         return
-    yield "proof: whatever the contacts do, no forces balance"
+    yield f"proof{verdict.within}: whatever the contacts do, no forces balance"
     for where, together in cases.items():
-        done = works(verdict.grasp, verdict.wrench, together)
+        done = works(verdict.grasp, verdict.wrench, together, verdict.within)
         yield (
             f"  {where}on the virtual motion {vector(together[0].leaf.motion)} the load does work "
             f"{number(done.load)}, the contacts at least {number(done.least)}"

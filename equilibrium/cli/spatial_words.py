@@ -21,7 +21,7 @@ _MOST = 3
 
 def spatial_lines(found: SpatialVerdict) -> Iterator[str]:
     """Yield the verdict, and the equilibrium or the proof in short."""
-    cones = pyramid_words(found.pyramid, before=", with ")
+    cones = pyramid_words(found.pyramid, before=", with ") + str(found.within)
     if not found.decided:
         yield (
             f"undecided{cones}: neither an equilibrium nor a proof that there is none; "
@@ -35,7 +35,7 @@ def spatial_lines(found: SpatialVerdict) -> Iterator[str]:
         where = " in the plane of the contacts" if read_plane(tree) else ""
         yield f"not resisted{cones}: proof{where} with {counted(leaves, 'leaf', 'leaves')}"
         if leaves <= _MOST:
-            for leaf in spatial_leaves(found.grasp, tree):
+            for leaf in spatial_leaves(found.grasp, tree, found.within):
                 yield from _leaf_lines(found.wrench, leaf)
         return
     from equilibrium.solver.space.equilibria import SpatialSolution

@@ -14,16 +14,19 @@ from .arguments import (
     add_command,
     add_count,
     add_number,
+    add_range,
     add_wrench,
     applied,
     contacts_argument,
     grasp_of,
+    range_given,
     show,
 )
 
 if TYPE_CHECKING:
     from arrangement.polyhedra.intervals import Interval
     from equilibrium.model.grasp import Grasp
+    from equilibrium.verdict import Solver
     from equilibrium.wrench_sets import Gap, Region, ResistedSet, SearchMap, Segment
     from equilibrium.wrench_sets.spatial import SpatialMagnitudes
 
@@ -36,16 +39,20 @@ def add_commands(commands: Any) -> None:
     limit = add_command(commands, "limit", _limit, text)
     add_applied(limit, "--direction", "which way; not zero")
     add_wrench(limit, "--base", "a wrench that acts in any case (default: none)", _ZERO)
+    add_range(limit)
 
     text = "resisted wrenches of a plane (exit 1 if none)"
-    _add_plane(add_command(commands, "region", _region, text))
+    region = add_command(commands, "region", _region, text)
+    _add_plane(region)
+    add_range(region)
 
     text = "all resisted wrenches as half-spaces (exit 1 if none)"
-    add_command(commands, "polyhedra", _polyhedra, text)
+    add_range(add_command(commands, "polyhedra", _polyhedra, text))
 
     text = "how far a wrench may be scaled, and what would resist it (exit 1 if it is not resisted)"
     margin = add_command(commands, "margin", _margin, text)
     add_applied(margin)
+    add_range(margin)
     add_number(margin, "--width", Fraction(1, 2**20), "length of the friction bracket")
 
     text = "binary search in N directions (exit 1 if it errs)"
@@ -71,6 +78,12 @@ def _add_plane(parser: argparse.ArgumentParser) -> None:
     add_wrench(parser, "--second", "second span (default: 0 1 0)", (0, 1, 0))
 
 
+def _solver(arguments: argparse.Namespace, grasp: Grasp) -> Solver:
+    from equilibrium.verdict import Solver
+
+    return Solver(grasp, **range_given(arguments))
+
+
 def _limit(arguments: argparse.Namespace) -> int:
     from equilibrium.wrench_sets import resisted_magnitudes
 
@@ -78,7 +91,7 @@ def _limit(arguments: argparse.Namespace) -> int:
     direction = applied(arguments, grasp, "direction")
     if grasp.dimension == 3:
         return _spatial_limit(arguments, grasp, direction, arguments.base)
-    found = resisted_magnitudes(grasp, direction, arguments.base)
+    found = resisted_magnitudes(_solver(arguments, grasp), direction, arguments.base)
     lines = [f"resisted for t in {_intervals(found.intervals)}"]
     return show(arguments, found.to_dict(), lines, bool(found.intervals), grasp)
 
@@ -88,7 +101,8 @@ def _spatial_limit(
 ) -> int:
     from equilibrium.wrench_sets.spatial import spatial_magnitudes
 
-    found = spatial_magnitudes(grasp, direction, (0,) * 6 if base is _ZERO else base)
+    start = (0,) * 6 if base is _ZERO else base
+    found = spatial_magnitudes(grasp, direction, start, **range_given(arguments))
     yes = {"resisted": True, "not resisted": False}.get(found.verdict)
     return show(arguments, found.to_dict(), _border_lines(found), yes, grasp)
 
@@ -112,7 +126,7 @@ def _region(arguments: argparse.Namespace) -> int:
     from equilibrium.wrench_sets import resisted_region
 
     grasp, spans = grasp_of(arguments), (arguments.first, arguments.second)
-    region = resisted_region(grasp, spans, arguments.origin)
+    region = resisted_region(_solver(arguments, grasp), spans, arguments.origin)
     return show(arguments, region.to_dict(), _region_lines(region), bool(region.polygons), grasp)
 
 
@@ -139,7 +153,7 @@ def _polyhedra(arguments: argparse.Namespace) -> int:
     from equilibrium.wrench_sets import resisted_set
 
     grasp = grasp_of(arguments)
-    whole = resisted_set(grasp)
+    whole = resisted_set(_solver(arguments, grasp))
     return show(arguments, whole.to_dict(), _set_lines(whole), bool(whole.pieces), grasp)
 
 
@@ -160,9 +174,10 @@ def _margin(arguments: argparse.Namespace) -> int:
     question_document(grasp, wrench, "margin")
     if grasp.dimension == 3:
         return _spatial_limit(arguments, grasp, wrench, (0,) * 6)
-    found = margin(grasp, wrench)
-    preloads = sufficient_preloads(grasp, wrench)
-    friction = least_friction(grasp, wrench, arguments.width)
+    solver = _solver(arguments, grasp)
+    found = margin(solver, wrench)
+    preloads = sufficient_preloads(solver, wrench)
+    friction = least_friction(solver, wrench, arguments.width)
     remedies = {"preload": preloads.to_dict(), "friction": friction.to_dict()}
     lines = [
         f"resisted: {'yes' if found.resisted else 'no'}",

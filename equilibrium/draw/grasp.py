@@ -13,10 +13,11 @@ from arrangement.draw.items import Floats
 from arrangement.draw.labels import flattened, ring
 from arrangement.draw.legend import Legend
 from arrangement.draw.measuring import checked_width
-from arrangement.draw.registry import Corner, Vector, Wrench
+from arrangement.draw.registry import Corner, Exact, Vector, Wrench
 from arrangement.draw.scene import Scene
 from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import Grasp
+from equilibrium.model.range import SMALL, Range
 from equilibrium.solver.state_equilibrium import Solution
 from equilibrium.verdict import Solver
 
@@ -35,6 +36,8 @@ def draw_grasp(
     outline: Iterable[Corner] | None = None,
     piece: int = 1,
     direction: Vector | None = None,
+    largest_turn: Exact | None = None,
+    largest_force: Exact | None = None,
     width: float = 88.0,
 ) -> Scene:
     """Draw contacts with friction cones and preloads; with a wrench, the equilibrium too.
@@ -59,6 +62,7 @@ def draw_grasp(
         piece: which of the equilibria found (see `solve`), from 1, in the plane.
         direction: exact, towards the viewer, in space; if omitted, one from above that sees forces
             from the side.
+        largest_turn, largest_force: exact; only equilibria within them count, see `solve`.
         width: of the figure, in millimetres.
 
     Raises:
@@ -68,13 +72,14 @@ def draw_grasp(
     if grasp.dimension == 3:
         if outline is not None or piece != 1:
             raise GraspError("outline and piece are for grasps in the plane; leave them out")
-        solid, note = solved_in_space(grasp, wrench)
+        bounds = Range.of(largest_turn, largest_force)
+        solid, note = solved_in_space(grasp, wrench, bounds)
         return drawn_in_space(solid, direction, width, note)
     if direction is not None:
         raise GraspError("a direction is for grasps in space; leave it out")
     if wrench is None and piece != 1:
         raise GraspError("without a wrench nothing is solved; give one with the piece")
-    verdict = None if wrench is None else Solver(grasp).solve(wrench)
+    verdict = None if wrench is None else Solver(grasp, largest_turn, largest_force).solve(wrench)
     return drawn(layout_of(grasp, verdict, outline, piece), checked_width(width, 20.0))
 
 
@@ -262,8 +267,10 @@ def _lines(layout: Layout) -> Iterator[tuple[str, bool]]:
         yield f"w drawn about the middle of the contacts, torque {torque}", False
     if found is not None and layout.step is None:
         yield "no motion", False
+    if verdict.warnings:
+        yield SMALL, True
     if found is None:
-        yield "no equilibrium", True
+        yield f"no equilibrium{verdict.within}", True
     elif isinstance(found, Solution):
         yield "the equilibrium found; there may be others", False
     else:

@@ -114,7 +114,7 @@ def _motion(maps: ProofMaps, motion: RationalVector) -> dict[str, Any]:
 
 def _part(maps: ProofMaps, part: Part) -> dict[str, Any]:
     """Return a part: its motions, and the numbers of its inequality."""
-    done = works(maps.verdict.grasp, maps.verdict.wrench, [part])
+    done = works(maps.verdict.grasp, maps.verdict.wrench, [part], maps.verdict.within)
     total = done.load + done.least
     return {
         "motion": maps.ranks[part.leaf.motion],

@@ -18,6 +18,7 @@ from arrangement.draw.scene import Scene
 from arrangement.exact import IntegerVector
 from arrangement.polyhedra.surface import Patch, rounded
 from equilibrium.model.grasp import Grasp
+from equilibrium.model.range import NO_RANGE, SMALL, Range
 from equilibrium.spatial_verdict import solve_in_space
 
 from .keys import explain_grasp, symbol
@@ -34,14 +35,16 @@ _HIDDEN: dict[str, Any] = {"ec": GREY, "lw": 0.5, "ls": (0, (3, 2.5)), "role": "
 _DASHES: dict[str, Any] = {"axis": (0, (6, 2, 1, 2)), "link": (0, (5, 2.5))}
 
 
-def solved_in_space(grasp: Grasp, wrench: Wrench | None) -> tuple[SolidGrasp, str]:
+def solved_in_space(
+    grasp: Grasp, wrench: Wrench | None, within: Range = NO_RANGE
+) -> tuple[SolidGrasp, str]:
     """Return the pieces of a grasp, with the equilibrium under a wrench, and what is said of it."""
     if wrench is None:
         return SolidGrasp(grasp), ""
-    verdict = solve_in_space(grasp, wrench)
+    verdict = solve_in_space(grasp, wrench, **within.bounds)
     found = verdict.solution
     if found is None:
-        return SolidGrasp(grasp, wrench=verdict.wrench), verdict.verdict
+        return SolidGrasp(grasp, wrench=verdict.wrench), f"{verdict.verdict}{within}"
     frames = [(c.normal, *c.tangents) for c in grasp]
     forces = [
         [
@@ -50,7 +53,8 @@ def solved_in_space(grasp: Grasp, wrench: Wrench | None) -> tuple[SolidGrasp, st
         ]
         for shares, frame in zip(found.forces, frames, strict=True)
     ]
-    return SolidGrasp(grasp, list(found.motion), forces, verdict.wrench), ""
+    note = SMALL if verdict.warnings else ""
+    return SolidGrasp(grasp, list(found.motion), forces, verdict.wrench), note
 
 
 def drawn_in_space(solid: SolidGrasp, direction: Vector | None, width: float, note: str) -> Scene:

@@ -12,6 +12,7 @@ from equilibrium.certificate.checker import Question, Report, check
 from equilibrium.certificate.document import Certificate
 from equilibrium.certificate.reading import SCHEMA_VERSION
 from equilibrium.model.grasp import Grasp
+from equilibrium.model.range import NO_RANGE, Range
 
 if TYPE_CHECKING:
     from arrangement import Arrangement
@@ -51,13 +52,19 @@ def read_certificate(source: Source) -> dict[str, Any]:
     )
 
 
-def verify(source: Source, question: Question | None = None, pyramid: int | None = None) -> Report:
+def verify(
+    source: Source,
+    question: Question | None = None,
+    pyramid: int | None = None,
+    within: Range = NO_RANGE,
+) -> Report:
     """Check a certificate from a path, ``"-"`` (stdin) or a mapping; no solver is involved.
 
     Args:
-        question, pyramid: what it has to be about; see `equilibrium.certificate.checker.check`.
+        question, pyramid, within: what it has to be about; see
+            `equilibrium.certificate.checker.check`.
 
     Raises:
         InputError: the document has no readable form.
     """
-    return check(read_certificate(source), question, pyramid)
+    return check(read_certificate(source), question, pyramid, within)

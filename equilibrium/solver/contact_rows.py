@@ -13,6 +13,7 @@ from typing import TypeAlias, TypeVar
 from arrangement.exact import RationalVector
 from equilibrium.model.contact import Contact
 from equilibrium.model.pyramid import pyramid_edges
+from equilibrium.model.range import Range
 
 #: Normal and tangential force.
 Pair: TypeAlias = tuple[RationalVector, RationalVector]
@@ -32,6 +33,18 @@ def normal_force_row(contact: Contact, n: int = 3) -> RationalVector:
 def slip_row(contact: Contact, n: int = 3) -> RationalVector:
     """Return the motion of the contact point along the tangent, ``T . d``."""
     return (*contact.tangential_wrench, *[Fraction(0)] * (n - 2))
+
+
+def range_rows(
+    within: Range, normals: Iterable[RationalVector], n: int = 3
+) -> list[RationalVector]:
+    """Return what is at least 0 in a range, given the rows of normal forces."""
+    turn, force, rows = within.largest_turn, within.largest_force, list[RationalVector]()
+    if turn is not None:
+        rows = [(*(sign * x for x in unit_row(2, n)[:-1]), turn) for sign in (1, -1)]
+    if force is not None:
+        rows += [(*(-x for x in row[:-1]), force - row[-1]) for row in normals]
+    return rows
 
 
 def unit_row(column: int, n: int) -> RationalVector:

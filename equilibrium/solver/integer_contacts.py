@@ -14,8 +14,9 @@ from typing import Any, TypeAlias
 import numpy as np
 import numpy.typing as npt
 
-from arrangement.exact import RationalVector
+from arrangement.exact import RationalVector, primitive
 from equilibrium.model.grasp import Grasp
+from equilibrium.model.range import NO_RANGE, Range
 
 from .float_contacts import FloatContacts
 
@@ -32,10 +33,11 @@ class IntegerContacts:
         spring: (m, 4), the row ``(preload, -stiffness N)`` times `spring_unit`.
         normal, tangent: (m, 3), N and T times `wrench_unit`.
         friction: numerators over `friction_unit`.
+        within: the range in which equilibria count.
     """
 
-    def __init__(self, grasp: Grasp) -> None:
-        self.grasp = grasp
+    def __init__(self, grasp: Grasp, within: Range = NO_RANGE) -> None:
+        self.grasp, self.within = grasp, within
         m = len(grasp)
         spring, wrenches = [], []
         for c in grasp:
@@ -74,6 +76,21 @@ class IntegerContacts:
             self.normal * (self.shares * self.friction_unit)[:, None],
             self.tangent * (self.shares * self.friction)[:, None],
         )
+
+    @cached_property
+    def bounds(self) -> tuple[Whole, list[Any]]:
+        """The rows at least 0 at homogeneous motions in the range, and leaves for below 0."""
+        rows: list[Any] = []
+        turn, force = self.within.largest_turn, self.within.largest_force
+        if turn is not None:
+            rows = [({"turn": ["1", str(u)]}, (turn, 0, 0, -u)) for u in (1, -1)]
+        if force is not None:
+            for i, c in enumerate(self.grasp):
+                row = force - c.preload, *(c.stiffness * x for x in c.normal_wrench)
+                rows.append(({"forces": {str(i): "1"}}, row))
+        motion = {"virtual_motion": ["0"] * 3, "multipliers": {}}
+        leaves = [{**motion, "range": used} for used, _ in rows]
+        return whole([primitive(row) for _, row in rows], (len(rows), 4)), leaves
 
     @cached_property
     def floats(self) -> FloatContacts:

@@ -182,6 +182,7 @@ class MotionRegions:
         if not regions:
             return []
         generators, _ = self._scaled([r.generators for r in regions])
+        done = {n for n, region in enumerate(regions) if self._outside(region)}
         motions, values = self.virtual.best(self._floats(generators), self.rounds)
         # Near the border floats cannot tell 0 from what is enough.
         hopeful = np.flatnonzero(values > -_TINY).tolist()
@@ -191,12 +192,24 @@ class MotionRegions:
             if hopeful
             else []
         )
-        done = set()
         for n, motion, good in zip(hopeful, exact, tested, strict=True):
             if good:
                 regions[n].close([to_text(x) for x in motion])
                 done.add(n)
         return [region for n, region in enumerate(regions) if n not in done]
+
+    def _outside(self, region: _Region) -> bool:
+        """Close a region in which one bound of the range holds nowhere; return whether it does."""
+        rows, leaves = self.contacts.bounds
+        if not leaves:
+            return False
+        generators = np.array(region.generators, dtype=object)
+        values = generators.dot(rows.T)
+        least = (values < 0) | ((values == 0) & (generators[:, :1] == 0))
+        for k in np.flatnonzero(least.all(axis=0))[:1]:
+            region.close(leaves[k])
+            return True
+        return False
 
     def _halves(self, regions: list[_Region]) -> list[_Region]:
         """Cut each region at the edge that promises most: near the middle, or a spring."""

@@ -1,8 +1,9 @@
 """The linear program of one part: a region of motions, with the states of some contacts fixed.
 
 Its variables are the virtual motion and, for contacts with a state, the multipliers of spring and
-slip. Either it finds numbers that close the part, or its own multipliers are a motion with forces
-that balance the load, and obey the law at all contacts with a state (Farkas).
+slip, and of the bounds of a range. Either it finds numbers that close the part, or its own
+multipliers are a motion with forces that balance the load, and obey the law at all contacts with a
+state (Farkas).
 """
 
 from __future__ import annotations
@@ -57,8 +58,15 @@ class RegionRows:
         self.mixed = (low < 0) & (high > 0)
         one, other = (self.slip > 0).all(axis=0), (self.slip < 0).all(axis=0)
         self.known = one.astype(int) - other.astype(int)
+        #: The ways to turn in which some motions of the region go beyond the range.
+        self.turns = [u for u in (1, -1) if min(self.turn_row(u)) < 0]
         #: Whether contacts without a state have a multiplier of their spring.
         self.whole = len(generators) > 4
+
+    def turn_row(self, u: int) -> list[Any]:
+        """Return ``Q g_0 - u r`` at the generators; zeros where there is no largest turn."""
+        most = self.contacts.within.largest_turn
+        return [0 if most is None else most * g[0] - u * g[3] for g in self.generators]
 
 
 @dataclass(frozen=True)
@@ -96,7 +104,14 @@ class PartProgram:
         self.free = [i for i in region.kept if i not in self.springs]
         self.alpha = {i: 3 + n for n, i in enumerate(self.springs)}
         self.h = {i: 3 + len(self.springs) + n for n, i in enumerate(self.slips)}
-        self.size = 4 + len(self.springs) + len(self.slips)
+        used = 3 + len(self.springs) + len(self.slips)
+        #: Multipliers of the range: rho of contacts with alpha, two of the turn where it matters.
+        most = region.contacts.within.largest_force is not None
+        forced = [i for i in self.springs if most and states.get(i) != "detached"]
+        self.rho = {i: used + n for n, i in enumerate(forced)}
+        used += len(forced)
+        self.turn = {u: used + n for n, u in enumerate(region.turns)}
+        self.size = used + len(self.turn) + 1
         free = set(self.free)
         self.cuts = [
             Cut(cut.generator, {i: sign for i, sign in cut.signs.items() if i in free})
@@ -110,11 +125,16 @@ class PartProgram:
         for i in self.springs:
             for sign in self._signs(i):
                 arm, unit = self._limit(i, sign)
-                self.bounds.append(self._row({**dict(enumerate(arm)), self.alpha[i]: -unit}))
+                entries = {**dict(enumerate(arm)), self.alpha[i]: -unit}
+                if i in self.rho:
+                    entries[self.rho[i]] = unit
+                self.bounds.append(self._row(entries))
                 self.limits.append((i, sign))
         for i in self.springs:
             if states.get(i) in (None, "detached"):
                 self.bounds.append(self._row({self.alpha[i]: 1}))
+        for column in (*self.rho.values(), *self.turn.values()):
+            self.bounds.append(self._row({column: 1}))
         for i in self.slips:
             if states[i] != "stick":
                 self.bounds.append(self._row({self.h[i]: -1 if states[i] == "slip+" else 1}))
@@ -163,6 +183,11 @@ class PartProgram:
             entries[self.alpha[i]] = region.spring[j, i] * (unit // region.contacts.spring_unit[i])
         for i in self.slips:
             entries[self.h[i]] = region.slip[j, i] * (unit // region.contacts.wrench_unit[i])
+        within = region.contacts.within
+        for column in self.rho.values():
+            entries[column] = -(within.largest_force or 0) * unit * region.weight[j]
+        for u, column in self.turn.items():
+            entries[column] = -unit * region.turn_row(u)[j]
         entries[self.size - 1] = -region.weight[j]
         return self._row(entries)
 
@@ -199,7 +224,14 @@ class PartProgram:
             # A detached contact without multipliers has these.
             if alpha or h or self.states.get(i) != "detached":
                 given[str(i)] = [to_text(alpha), *([to_text(h)] if h else [])]
-        return {"virtual_motion": motion, "multipliers": given} if given else motion
+        used: dict[str, Any] = {}
+        if any(turns := [tried[column] for column in self.turn.values()]):
+            u = sum(sign * x for sign, x in zip(self.turn, turns, strict=True))
+            used["turn"] = [to_text(sum(turns)), to_text(u)]
+        if forces := {str(i): to_text(tried[k]) for i, k in self.rho.items() if tried[k]}:
+            used["forces"] = forces
+        leaf = {"virtual_motion": motion, "multipliers": given}
+        return {**leaf, "range": used} if used else leaf if given else motion
 
     def _integers(self, numbers: Sequence[Fraction]) -> Iterator[Sequence[int]]:
         """Yield roundings of multipliers, finer and finer; no alpha above its limit."""
@@ -208,7 +240,9 @@ class PartProgram:
             rounded = [round(x * size / largest) for x in numbers]
             for i, sign in self.limits:
                 arm, unit = self._limit(i, sign)
-                most = dot(arm, rounded[:3]) // unit
+                most = dot(arm, rounded[:3]) // unit + (
+                    rounded[self.rho[i]] if i in self.rho else 0
+                )
                 rounded[self.alpha[i]] = min(rounded[self.alpha[i]], most)
             yield rounded
         yield primitive(numbers)

@@ -144,7 +144,7 @@ def _checked(
     point: list[int],
     scale: int,
 ) -> Solution | None:
-    """Return the solution if it satisfies the law: the motion is ``point[:3] / scale``."""
+    """Return the solution if it satisfies the law and the range; motion ``point[:3] / scale``."""
     motion = np.array([scale, *point[:3]], dtype=object)
     force = contacts.spring.dot(motion)
     slip = contacts.tangent.dot(motion[1:])
@@ -172,4 +172,5 @@ def _checked(
         forces.append((normal, rub))
     if any(force[i] <= 0 and special[i] for i in special):
         return None
-    return Solution(tuple(Fraction(x, scale) for x in point[:3]), tuple(forces))
+    found = Solution(tuple(Fraction(x, scale) for x in point[:3]), tuple(forces))
+    return found if contacts.within.holds(found.motion, found.forces) else None

@@ -100,7 +100,7 @@ class StateSplits:
 
     def _worst(self, found: Solution, states: States) -> int | None:
         """Return the contact at which forces violate the law most, or None."""
-        worst, most = None, _ZERO
+        worst, largest, most = None, _ZERO, self.region.contacts.within.largest_force
         for i in self.region.kept:
             if states.get(i) in ("detached", "stick", "slip+", "slip-"):
                 continue
@@ -111,8 +111,10 @@ class StateSplits:
             excess = normal - max(_ZERO, c.preload - c.stiffness * moved)
             limit = c.friction * normal
             wrong = abs(excess) * 4
+            if most is not None:
+                wrong += max(_ZERO, normal - most)
             if slipped:
                 wrong += abs(limit + rub if slipped > 0 else limit - rub)
-            if wrong > most:
-                worst, most = i, wrong
+            if wrong > largest:
+                worst, largest = i, wrong
         return worst

@@ -17,6 +17,7 @@ from arrangement import linprog
 from arrangement.exact import RationalVector, dot, primitive
 from arrangement.linear import rank
 from equilibrium.model.grasp import Grasp
+from equilibrium.model.range import NO_RANGE, Range
 
 from .contact_rows import (
     DIRECTION,
@@ -24,6 +25,7 @@ from .contact_rows import (
     cone_rows,
     negated,
     normal_force_row,
+    range_rows,
     slip_row,
     unit_row,
 )
@@ -39,7 +41,8 @@ class StateSystem:
     Rows have one coefficient for each variable and the constant last. Equalities (``= 0``): the
     three balances, then ``T . d`` of each sticking contact. Inequalities (``>= 0``), contact by
     contact: the spring (``stiffness N . d - preload`` when detached, else the normal force); then
-    for slip the direction of ``T . d``, for stick ``friction c_n - c_t`` and the same with ``+``.
+    for slip the direction of ``T . d``, for stick ``friction c_n - c_t`` and the same with ``+``;
+    at last the bounds of a range.
 
     Attributes:
         forces: for each contact the (normal, tangential) force as two rows in the variables.
@@ -68,12 +71,14 @@ def state_system(
     *,
     friction_sign: int = 1,
     cell_check: bool = True,
+    within: Range = NO_RANGE,
 ) -> StateSystem:
     """Return the linear system of a choice of states.
 
     Args:
         friction_sign: -1 lets friction pull along the slip (a literal reading only).
         cell_check: False leaves out the direction of slip (a literal reading only).
+        within: conditions of this range come last.
     """
     n = 3 + states.count("stick")
     columns = iter(range(3, n))
@@ -103,6 +108,7 @@ def state_system(
                 inequalities.append(tuple(-direction * x for x in slip))
         forces.append((normal, tangential))
     rows = (*balance_rows(grasp, forces, wrench, n), *equalities)
+    inequalities += range_rows(within, (normal for normal, _ in forces), n)
     return StateSystem(states, rows, tuple(inequalities), tuple(forces))
 
 

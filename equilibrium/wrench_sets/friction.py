@@ -29,13 +29,14 @@ from equilibrium.solver.contact_rows import (
     cone_rows,
     negated,
     normal_force_row,
+    range_rows,
     slip_row,
     sum_row,
     unit_row,
 )
 from equilibrium.solver.contact_states import contact_states
 from equilibrium.solver.state_system import States
-from equilibrium.verdict import solve
+from equilibrium.verdict import Solver, prepare
 
 #: Coefficients above this are tried all at once only.
 LARGEST = 64
@@ -76,7 +77,7 @@ class FrictionBracket(Shown):
 
 
 def least_friction(
-    grasp: Grasp, wrench: Iterable[Any], width: Any = Fraction(1, 2**20)
+    grasp: Grasp | Solver, wrench: Iterable[Any], width: Any = Fraction(1, 2**20)
 ) -> FrictionBracket:
     """Bracket the least coefficient that, the same at all contacts, makes a grasp resist a wrench.
 
@@ -100,15 +101,16 @@ def least_friction(
     goal = rational(width, "width")
     if goal < _LEAST_WIDTH:
         raise GraspError(f"width is {shown(goal)}; it must be at least 2^-100")
-    search = _Search(grasp, read_wrench(wrench), goal)
+    search = _Search(prepare(grasp), read_wrench(wrench), goal)
     return search.run()
 
 
 class _Search:
     """The state of one search, from small coefficients to large ones."""
 
-    def __init__(self, grasp: Grasp, wrench: RationalVector, width: Fraction) -> None:
-        self.grasp, self.wrench, self.width = grasp, wrench, width
+    def __init__(self, solver: Solver, wrench: RationalVector, width: Fraction) -> None:
+        self.grasp, self.within = solver.grasp, solver.within
+        self.wrench, self.width = wrench, width
         self.first_open: Fraction | None = None
 
     def run(self) -> FrictionBracket:
@@ -151,13 +153,16 @@ class _Search:
         kept = []
         for choice in watched(states, "contact states"):
             equalities, inequalities, n = _relaxed_rows(self.grasp, choice, self.wrench, low, high)
+            normals = (normal_force_row(contact, n) for contact in self.grasp)
+            inequalities += range_rows(self.within, normals, n)
             if linprog.Program(n, inequalities, equalities).feasible:
                 kept.append(choice)
         return kept
 
     def resists(self, coefficient: Fraction) -> bool:
         """Return whether the wrench is resisted at one coefficient; exact."""
-        return solve(self.grasp.with_friction(coefficient), self.wrench).stable
+        solver = Solver(self.grasp.with_friction(coefficient), **self.within.bounds)
+        return solver.solve(self.wrench).stable
 
 
 def _relaxed_rows(

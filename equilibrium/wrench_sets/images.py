@@ -18,7 +18,14 @@ from arrangement.cones import Cone, both_ways
 from arrangement.exact import IntegerVector, dot, primitive, reduced
 from arrangement.polyhedra.polyhedron import Polyhedron, from_generators
 from equilibrium.model.grasp import Grasp
-from equilibrium.solver.contact_rows import friction_edges, negated, normal_force_row, slip_edge
+from equilibrium.model.range import NO_RANGE, Range
+from equilibrium.solver.contact_rows import (
+    friction_edges,
+    negated,
+    normal_force_row,
+    range_rows,
+    slip_edge,
+)
 
 #: Above this number, redundant images are removed before the next sticking contact.
 _MANY = 40
@@ -42,7 +49,7 @@ class _Integers(NamedTuple):
 class StateImages:
     """The contacts of one grasp in integers, ready for any choice of states."""
 
-    def __init__(self, grasp: Grasp) -> None:
+    def __init__(self, grasp: Grasp, within: Range = NO_RANGE) -> None:
         springs = [normal_force_row(contact) for contact in grasp]
         edges = []
         for contact in grasp:
@@ -62,6 +69,8 @@ class StateImages:
         ]
         self._whole = Cone(4)
         self._whole.cut((0, 0, 0, 1), keep_positive=True)
+        for row in range_rows(within, springs):
+            self._whole.cut(primitive(row), keep_positive=True)
         self._path: list[tuple[str, Cone]] = []
         self._plane: IntegerVector | None = None
 

@@ -17,13 +17,14 @@ from arrangement.exact import RationalVector, dot
 from equilibrium.certificate.spatial_leaves import spatial_leaves
 from equilibrium.model.contact import Contact
 from equilibrium.model.grasp import Grasp
+from equilibrium.model.range import NO_RANGE, Range
 from equilibrium.solver.space.equilibria import SpatialSolution
 from equilibrium.spatial_verdict import NOT_RESISTED, RESISTED, SpatialVerdict, solve_in_space
 
 #: The works of the leaves of a tree: of each a virtual motion, and what the preloads add.
 Works: TypeAlias = tuple[tuple[RationalVector, Fraction], ...]
 #: Magnitudes, without the ends; None where there is no end.
-Range: TypeAlias = tuple[Fraction | None, Fraction | None]
+Ends: TypeAlias = tuple[Fraction | None, Fraction | None]
 
 
 class KnownLoads:
@@ -31,24 +32,26 @@ class KnownLoads:
 
     Args:
         nodes: of the tree of each verdict, at most.
+        within: the range in which equilibria count; all between two of them are in it, too.
 
     Attributes:
         trees: the works of the leaves of each proof of a "no".
     """
 
-    def __init__(self, grasp: Grasp, nodes: int) -> None:
-        self.grasp, self.nodes = grasp, nodes
+    def __init__(self, grasp: Grasp, nodes: int, within: Range = NO_RANGE) -> None:
+        self.grasp, self.nodes, self.within = grasp, nodes, within
         self.trees: list[Works] = []
 
     def ask(self, wrench: RationalVector) -> SpatialVerdict:
         """Decide one load, and remember its proof."""
-        found = solve_in_space(self.grasp, wrench, nodes=self.nodes)
+        found = solve_in_space(self.grasp, wrench, nodes=self.nodes, **self.within.bounds)
         if found.verdict == NOT_RESISTED and found.certificate is not None:
             self.trees.append(self._works(found.certificate.to_dict()["tree"]))
         return found
 
     def _works(self, tree: object) -> Works:
-        return tuple((leaf.motion, leaf.least) for leaf in spatial_leaves(self.grasp, tree))
+        leaves = spatial_leaves(self.grasp, tree, self.within)
+        return tuple((leaf.motion, leaf.least) for leaf in leaves)
 
 
 class KnownMagnitudes:
@@ -83,7 +86,7 @@ class KnownMagnitudes:
             if blends(self.known.grasp, low[1], high[1]):
                 self.held.append((low[0], high[0]))
 
-    def refuting(self, t: Fraction) -> Range | None:
+    def refuting(self, t: Fraction) -> Ends | None:
         """Return the magnitudes that a tree refutes together with this one, if one does."""
         return next(
             (
@@ -94,7 +97,7 @@ class KnownMagnitudes:
             None,
         )
 
-    def _range(self, works: Works) -> Range | None:
+    def _range(self, works: Works) -> Ends | None:
         """Return for which magnitudes all works are above 0; None if for none.
 
         Of a proof in the plane, which has no such leaves, nothing is known.

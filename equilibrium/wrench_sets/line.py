@@ -26,9 +26,10 @@ from arrangement.progress import watched
 from arrangement.short_repr import Shown
 from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import Grasp, read_wrench
+from equilibrium.solver.contact_rows import sum_row
 from equilibrium.solver.contact_states import states_of_code
 from equilibrium.solver.elimination import gauss_jordan
-from equilibrium.solver.state_system import States, StateSystem, state_system
+from equilibrium.solver.state_system import StateSystem, state_system
 from equilibrium.verdict import Solver, prepare
 
 _MAGNITUDES: Interval = (Fraction(0), None)
@@ -93,7 +94,12 @@ def resisted_magnitudes(
     screen = solver.screen
     possible = screen.codes[screen.possible(start, along)].tolist()
     found = (
-        _interval(solver.grasp, states_of_code(row), start, along)
+        interval_between(
+            *(
+                state_system(solver.grasp, states_of_code(row), w, within=solver.within)
+                for w in (start, sum_row(start, along, 1))
+            )
+        )
         for row in watched(possible, "states")
     )
     parts = [part for part in found if part is not None]
@@ -103,31 +109,37 @@ def resisted_magnitudes(
     return Magnitudes(start, along, union(parts))
 
 
-def _interval(
-    grasp: Grasp, states: States, base: RationalVector, along: RationalVector
-) -> Interval | None:
-    """Return the magnitudes that one choice of states allows."""
-    system = state_system(grasp, states, base)
-    n = system.size
-    moved = (*along, *[Fraction(0)] * (n - 3))
-    rows = [(*row[:-1], u, row[-1]) for row, u in zip(system.equalities, moved, strict=True)]
-    reduced, pivots, scale = gauss_jordan(rows)
+def interval_between(at_zero: StateSystem, at_one: StateSystem) -> Interval | None:
+    """Return the t >= 0 with a solution, of systems whose constants are linear in t.
+
+    Args:
+        at_zero, at_one: the system for t = 0 and for t = 1.
+    """
+    n = at_zero.size
+    equalities, inequalities = (
+        [(*row[:-1], end[-1] - row[-1], row[-1]) for row, end in zip(*rows, strict=True)]
+        for rows in (
+            (at_zero.equalities, at_one.equalities),
+            (at_zero.inequalities, at_one.inequalities),
+        )
+    )
+    reduced, pivots, scale = gauss_jordan(equalities)
     if n + 1 in pivots:
         return None
     if pivots != list(range(n)):
-        return _by_programs(system, rows)
-    slopes = [Fraction(-row[n], scale) for row in reduced]
+        return _by_programs(n, inequalities, equalities)
+    slopes = [*(Fraction(-row[n], scale) for row in reduced), Fraction(1)]
     constants = [Fraction(-row[n + 1], scale) for row in reduced]
     allowed = where_positive(
-        (dot(row[:-1], slopes), dot(row[:-1], constants) + row[-1]) for row in system.inequalities
+        (dot(row[:-1], slopes), dot(row[:n], constants) + row[-1]) for row in inequalities
     )
     return None if allowed is None else intersection(allowed, _MAGNITUDES)
 
 
-def _by_programs(system: StateSystem, equalities: list[RationalVector]) -> Interval | None:
+def _by_programs(
+    n: int, inequalities: list[RationalVector], equalities: list[RationalVector]
+) -> Interval | None:
     """Return the least and largest magnitude when the equalities leave more than t free."""
-    n = system.size
-    inequalities = [(*row[:-1], Fraction(0), row[-1]) for row in system.inequalities]
     objective = [Fraction(0)] * n + [Fraction(1)]
     inequalities.append((*objective, Fraction(0)))
     program = linprog.Program(n + 1, inequalities, equalities)

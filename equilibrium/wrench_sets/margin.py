@@ -1,8 +1,9 @@
 """How far a wrench is from the boundary of what is resisted, and which preloads resist it.
 
-Both questions are intervals along one direction. For the preload this is so because the equations
-are homogeneous in motion, forces, wrench and preload together: a grasp whose preloads are p times
-those of another resists w exactly when the other one resists w / p.
+Both questions are intervals along one direction for each choice of contact states: of the wrench,
+or of the preload. The equations are homogeneous in motion, forces, wrench and preload together. So
+a grasp whose preloads are p times those of another resists w exactly when the other one resists
+w / p, if no range bounds motions and forces.
 """
 
 from __future__ import annotations
@@ -16,9 +17,11 @@ from arrangement.exact import RationalVector
 from arrangement.polyhedra.intervals import Interval, end_text, holds, texts, union
 from arrangement.short_repr import Shown
 from equilibrium.model.grasp import Grasp, read_wrench
-from equilibrium.verdict import Solver, prepare, solve
+from equilibrium.solver.contact_states import states_of_code
+from equilibrium.solver.state_system import state_system
+from equilibrium.verdict import Solver, prepare
 
-from .line import resisted_magnitudes
+from .line import interval_between, resisted_magnitudes
 
 _ALL: Interval = (Fraction(0), None)
 
@@ -107,7 +110,7 @@ class Preloads:
         }
 
 
-def sufficient_preloads(grasp: Grasp, wrench: Iterable[Any]) -> Preloads:
+def sufficient_preloads(grasp: Grasp | Solver, wrench: Iterable[Any]) -> Preloads:
     """Return all uniform preloads with which a grasp resists a wrench, exactly.
 
     The preloads of the grasp itself are replaced. A larger preload is not always better, so the
@@ -117,23 +120,17 @@ def sufficient_preloads(grasp: Grasp, wrench: Iterable[Any]) -> Preloads:
     >>> sufficient_preloads(read_grasp("paper-three-contacts"), [0, 3, 0]).least
     Fraction(3, 1)
     """
-    w = read_wrench(wrench)
-    unloaded = solve(grasp.with_preload(0), w).stable
-    parts: list[Interval] = [(Fraction(0), Fraction(0))] if unloaded else []
-    loaded = Solver(grasp.with_preload(1))
-    if any(w):
-        factors = resisted_magnitudes(loaded, w).intervals
-        parts += [_reciprocal(part) for part in factors if part[1] != 0]
-    elif loaded.solve(w).stable:
-        parts.append(_ALL)
+    w, within = read_wrench(wrench), prepare(grasp).within
+    given = prepare(grasp).grasp
+    unloaded, loaded = (given.with_preload(p) for p in (0, 1))
+    held = Solver(unloaded, **within.bounds).solve(w).stable
+    parts: list[Interval] = [(Fraction(0), Fraction(0))] if held else []
+    # Without a range a preload of p resists w where one of 1 resists w / p.
+    screen = Solver(loaded).screen
+    rest = (Fraction(0),) * 3
+    possible = screen.possible(rest, w) if any(w) else screen.possible(w)
+    for states in map(states_of_code, screen.codes[possible].tolist()):
+        systems = (state_system(one, states, w, within=within) for one in (unloaded, loaded))
+        if found := interval_between(*systems):
+            parts.append(found)
     return Preloads(w, union(parts))
-
-
-def _reciprocal(factors: Interval) -> Interval:
-    """Return the preloads ``1 / s`` of factors s > 0.
-
-    Without an upper end the wrench is a direction in which the piece never ends, and then no
-    preload at all is enough too: the end 0 belongs.
-    """
-    low, high = factors
-    return (Fraction(0) if high is None else 1 / high, 1 / low if low else None)

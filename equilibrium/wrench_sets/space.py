@@ -85,7 +85,7 @@ def images_of(
     solver: Solver, plane: IntegerVector | None = None
 ) -> Iterator[tuple[States, Polyhedron | None]]:
     """Yield all contact states with `StateImages.resisted_with`."""
-    images, found = StateImages(solver.grasp), {}
+    images, found = StateImages(solver.grasp, solver.within), {}
     for states in watched(sorted(solver.states), "contact states"):
         found[states] = images.resisted_with(states, plane)
     yield from ((states, found[states]) for states in solver.states)

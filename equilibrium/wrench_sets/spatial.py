@@ -18,6 +18,7 @@ from arrangement.exact import RationalVector, to_text
 from equilibrium.inputs.conversion import simplest_between
 from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import Grasp, read_wrench
+from equilibrium.model.range import Range
 from equilibrium.spatial_verdict import NOT_RESISTED, RESISTED, UNDECIDED
 
 from .known_loads import KnownLoads, KnownMagnitudes
@@ -104,6 +105,8 @@ def spatial_magnitudes(
     nodes: int = _NODES,
     loads: KnownLoads | None = None,
     every: int = 1,
+    largest_turn: Any = None,
+    largest_force: Any = None,
 ) -> SpatialMagnitudes:
     """Bracket the magnitudes that a grasp in space resists along a direction.
 
@@ -113,6 +116,7 @@ def spatial_magnitudes(
         nodes: of the tree of each verdict, at most.
         loads: what is known of the grasp already, which grows; with its own number of nodes.
         every: which of the sampled magnitudes are taken: each, every other, ...
+        largest_turn, largest_force: see `equilibrium.solve`; without `loads`.
 
     Raises:
         GraspError: the direction is zero.
@@ -126,7 +130,8 @@ def spatial_magnitudes(
     if not any(along):
         raise GraspError("the direction is zero; give one that is not")
 
-    known = KnownMagnitudes(loads or KnownLoads(grasp, nodes), along, start)
+    within = Range.of(largest_turn, largest_force)
+    known = KnownMagnitudes(loads or KnownLoads(grasp, nodes, within), along, start)
     unit = max((c.preload for c in grasp), default=Fraction(0)) or Fraction(1)
     tried = [Fraction(0), *(unit * Fraction(2) ** k for k in _POWERS[::every])]
     found = {k: known.verdict(tried[k]) for k in _ends_first(len(tried))}

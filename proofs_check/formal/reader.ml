@@ -224,6 +224,10 @@ let document value =
     | Some (Text ("resisted" | "not resisted" as kind)) -> kind
     | Some (Text ("stable" | "unstable")) -> malformed "this is an old certificate"
     | _ -> malformed "this is not a certificate" in
+  List.iter (fun key ->
+    if List.mem_assoc key members then
+      malformed "the certificate has a %s, and this checker knows no range of motions and forces" key)
+    [ "largest_turn"; "largest_force" ];
   let own = if kind = "resisted" then [ "motion"; "forces" ] else [ "tree" ] in
   ignore (keys "the certificate" ([ "schema_version"; "certificate"; "grasp"; "wrench" ] @ own) []
     value);

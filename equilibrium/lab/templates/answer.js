@@ -25,6 +25,14 @@ function describe() {
   describeMotion();
 }
 
+// Whether the linear model is meant for an equilibrium; the same bounds as those of a verdict.
+function isSmall({ motion, forces }) {
+  const { grasp, wrench } = state.found;
+  const preload = grasp.reduce((most, contact) => (order(contact.preload, most) > 0 ? contact.preload : most), ZERO);
+  const limit = times(ratio(100n), plus(plus(size(wrench[0]), size(wrench[1])), preload));
+  return order(size(motion[2]), ratio(1n, 10n)) <= 0 && (!limit.n || forces.every(([normal]) => order(normal, limit) <= 0));
+}
+
 function describeEquilibrium(box) {
   const { equilibria } = state.found;
   if (equilibria.length > 1) {
@@ -50,6 +58,7 @@ function describeEquilibrium(box) {
   });
   make("p", {}, box, piece.motion.some((x) => x.n) ? `Motion d = ${vectorText(piece.motion)}: ${motionWords(piece.motion)}.`
     : "Motion d = 0: the object rests where it is.");
+  if (!isSmall(piece)) make("p", { class: "hint" }, box, "Beyond small motions: it turns by more than 1/10 or has a normal force above 100 times load and preload, too far for the linear model.");
   const loose = (piece.ranges ?? []).slice(0, 3).flatMap((range, k) => (isPoint(range) ? [] : [`${"xyr"[k]} in ${rangeText(range)}`]));
   if (loose.length) make("p", {}, box, `All of them: ${loose.join(", ")}.`);
   make("p", { class: "hint" }, box, piece.ranges

@@ -14,23 +14,33 @@ from typing import Any
 import numpy as np
 
 from arrangement.exact import RationalVector, primitive, to_text
+from equilibrium.model.range import NO_RANGE, Range
 from equilibrium.solver.elimination import gauss_jordan
 from equilibrium.solver.spatial_contacts import SpatialContacts
 
 from .relaxation import Ray, State
 
+#: Roots are rounded up to multiples of one over this.
+_ROOTS = 2**30
 #: Numbers are rounded to multiples of one over the first, multipliers below the second left out.
 _FINE = ((2**10, 1e-6), (2**20, 1e-6), (2**34, 1e-9), (2**48, 1e-12))
 
 
 def exact_leaf(
-    contacts: SpatialContacts, wrench: RationalVector, states: Sequence[State], ray: Ray
+    contacts: SpatialContacts,
+    wrench: RationalVector,
+    states: Sequence[State],
+    ray: Ray,
+    within: Range = NO_RANGE,
 ) -> Any | None:
     """Return a leaf near a dual ray, or None where rounding finds none."""
     largest = float(np.abs(ray.virtual).max())
     if not 0 < largest < math.inf or not np.isfinite(ray.multipliers).all():
         return None
     grasp, kept = contacts.grasp, None
+    turns: list[RationalVector] = []
+    if ray.turn.any():
+        turns = [tuple(Fraction(int(j == k)) for j in range(6)) for k in (3, 4, 5)]
     for fine, nothing in _FINE:
         if kept is None or not np.array_equal(kept, ray.sizes > nothing):
             kept = ray.sizes > nothing
@@ -40,19 +50,26 @@ def exact_leaf(
                 contacts.springs[i][1:] if j == 0 else grasp.contacts[i].tangential_wrenches[j - 1]
                 for i, j in places
             ]
+            columns = turns + columns
             reduced, pivots, scale = gauss_jordan(list(zip(*columns, strict=True)))
         unit = fine / largest
         pinned = _pinned(contacts, states, ray, kept, nothing)
         motion = _rounded(pinned, [float(x) * unit for x in ray.virtual])
-        values = [Fraction(round(float(ray.multipliers[place]) * unit)) for place in places]
+        listed = [*(ray.turn if turns else ()), *(ray.multipliers[place] for place in places)]
+        values = [Fraction(round(float(x) * unit)) for x in listed]
         for row, pivot in zip(reduced, pivots, strict=False):
             others = sum(row[k] * values[k] for k in range(len(values)) if k not in pivots)
             values[pivot] = Fraction(-others) / scale
         given: dict[int, list[Fraction]] = {}
-        for (i, j), value in zip(places, values, strict=True):
+        for (i, j), value in zip(places, values[len(turns) :], strict=True):
             given.setdefault(int(i), [Fraction(0)] * 3)[j] = value
-        if _holds(contacts, wrench, states, motion, given):
-            return _node(motion, given)
+        turn = values[: len(turns)]
+        if turn:
+            turn = [_root_above(sum(x * x for x in turn)), *turn]
+        pushed = np.flatnonzero(ray.forces > nothing * largest).tolist()
+        rho = {i: Fraction(math.ceil(float(ray.forces[i]) * unit)) for i in pushed}
+        if _holds(contacts, wrench, states, motion, given, within, turn, rho):
+            return _node(motion, given, turn, rho)
     return None
 
 
@@ -86,15 +103,32 @@ def _rounded(rows: list[RationalVector], motion: list[float]) -> list[Fraction]:
     return found
 
 
-def _node(motion: list[Fraction], given: dict[int, list[Fraction]]) -> Any:
+def _root_above(square: Fraction | int) -> Fraction:
+    """Return a number just above a square root, or 0 for 0."""
+    return (
+        Fraction(math.isqrt(math.ceil(square * _ROOTS**2)) + 1, _ROOTS) if square else Fraction(0)
+    )
+
+
+def _node(
+    motion: list[Fraction],
+    given: dict[int, list[Fraction]],
+    turn: list[Fraction],
+    rho: dict[int, Fraction],
+) -> Any:
     """Return the form of a leaf, in coprime integers."""
-    every = motion + [x for row in given.values() for x in row]
+    every = [*motion, *(x for row in given.values() for x in row), *turn, *rho.values()]
     whole = [to_text(x) for x in primitive(every)]
-    if not given:
+    if not (given or turn or rho):
         return whole
     rows = {str(i): whole[6 + 3 * k : 9 + 3 * k] for k, i in enumerate(given)}
     short = {i: row[:1] if row[1:] == ["0", "0"] else row for i, row in rows.items()}
-    return {"virtual_motion": whole[:6], "multipliers": short}
+    leaf: dict[str, Any] = {"virtual_motion": whole[:6], "multipliers": short}
+    end = 6 + 3 * len(given) + len(turn)
+    used: dict[str, Any] = {"turn": whole[end - len(turn) : end]} if turn else {}
+    if rho:
+        used["forces"] = dict(zip(map(str, rho), whole[end:], strict=True))
+    return {**leaf, "range": used} if used else leaf
 
 
 def _holds(
@@ -103,9 +137,14 @@ def _holds(
     states: Sequence[State],
     motion: list[Fraction],
     given: dict[int, list[Fraction]],
+    within: Range,
+    turn: list[Fraction],
+    rho: dict[int, Fraction],
 ) -> bool:
     """Return whether a leaf whose linear terms cancel shows what it has to."""
     work = sum((w * x for w, x in zip(wrench, motion, strict=True)), Fraction(0))
+    work -= turn[0] * (within.largest_turn or 0) if turn else 0
+    work -= sum(rho.values()) * (within.largest_force or 0)
     for i, (contact, state) in enumerate(zip(contacts.grasp, states, strict=True)):
         alpha, *h = given.get(i, (Fraction(0),) * 3)
         work += alpha * contact.preload
@@ -119,7 +158,7 @@ def _holds(
             sum((x * y for x, y in zip(row, motion, strict=True) if y), Fraction(0))
             for row in (contact.normal_wrench, *contact.tangential_wrenches)
         )
-        if not _within(a - alpha, contact.friction, (s, t), state):
+        if not _within(a + rho.get(i, 0) - alpha, contact.friction, (s, t), state):
             return False
     return work > 0
 

@@ -17,6 +17,7 @@ from arrangement.linear import cross
 from equilibrium.model.errors import GraspError, TimeLimitError
 from equilibrium.model.grasp import Grasp
 from equilibrium.model.plane import in_plane
+from equilibrium.model.range import NO_RANGE, Range
 from equilibrium.solver.integer_contacts import IntegerContacts
 from equilibrium.solver.resistance import resistance
 from equilibrium.solver.state_equilibrium import Solution
@@ -25,9 +26,11 @@ from .equilibria import SpatialSolution
 
 
 def decide_in_plane(
-    grasp: Grasp, wrench: RationalVector, deadline: float
+    grasp: Grasp, wrench: RationalVector, deadline: float, within: Range = NO_RANGE
 ) -> SpatialSolution | dict[str, Any] | None:
     """Return an equilibrium or a proof, or None if no plane with rational axes has the question.
+
+    The range is that of space: what turns within it there turns within it in the plane, and back.
 
     Raises:
         TimeoutError: the deadline has passed.
@@ -39,7 +42,7 @@ def decide_in_plane(
         return None
     limit = None if deadline == math.inf else deadline - time.monotonic()
     try:
-        found = resistance(IntegerContacts(flat), load, limit)
+        found = resistance(IntegerContacts(flat, within), load, limit)
     except TimeLimitError:
         raise TimeoutError("the time is over") from None
     if not isinstance(found, Solution):

@@ -6,6 +6,7 @@ Unknowns are the motion and a force at each contact. The relaxed law, by the sta
 * detached: no force, ``q - k N . d <= 0``;
 * attached: ``c_n = q - k N . d``, ``|c_t| <= mu c_n``;
 * stick: attached, and ``T d = 0``;
+* in a range: ``c_n <= F``, and ``|r| <= Q`` for the rotation r of d;
 * slip in the sector from u to v: attached, T d in the sector, and c_t in the convex hull of
   ``-mu c_n`` times the arc from u to v.
 
@@ -24,6 +25,8 @@ from scipy.sparse import csc_matrix
 
 from arrangement.exact import RationalVector
 from arrangement.float_filter import Floats
+from equilibrium.model.range import NO_RANGE, Range
+from equilibrium.solver.float_contacts import nearest
 from equilibrium.solver.spatial_contacts import SpatialContacts
 
 from .balance import SpatialContinuation
@@ -49,12 +52,15 @@ class Ray(NamedTuple):
         virtual: (6,) virtual motion; multipliers: (m, 3), alpha and h.
         room: (m, 3), how far each multiplier may be changed.
         sizes: (m, 3), of the multipliers beside the virtual motion.
+        turn: (3,), u of the largest turn; forces: (m,), rho of the largest force.
     """
 
     virtual: Floats
     multipliers: Floats
     room: Floats
     sizes: Floats
+    turn: Floats
+    forces: Floats
 
 
 class Point(NamedTuple):
@@ -71,7 +77,9 @@ class Relaxation:
         scale: of the coordinates of a motion.
     """
 
-    def __init__(self, contacts: SpatialContacts, wrench: RationalVector) -> None:
+    def __init__(
+        self, contacts: SpatialContacts, wrench: RationalVector, within: Range = NO_RANGE
+    ) -> None:
         c, search = contacts, SpatialContinuation(contacts, wrench)
         self.contacts, self.m = c, len(c.grasp)
         self.arms = np.array([1.0] * 3 + [1 / c.length] * 3)
@@ -81,6 +89,10 @@ class Relaxation:
         self.normal, self.tangents = c.normal * self.arms, c.tangents * self.arms
         self.stiffness = c.stiffness * self.step / self.force
         self.preload, self.friction = c.preload / self.force, c.friction
+        turn, most = within.largest_turn, within.largest_force
+        #: The largest turn as the right-hand side of a cone, and the largest force.
+        self.turn = [] if turn is None else [nearest(turn) / self.scale[3], 0.0, 0.0, 0.0]
+        self.most = np.inf if most is None else nearest(most) / self.force
         self.settings = clarabel.DefaultSettings()
         self.settings.verbose = False
         self.settings.presolve_enable = False
@@ -91,7 +103,7 @@ class Relaxation:
         free = [i for i, state in enumerate(states) if state != "detached"]
         n = 6 + 3 * len(free)
         column = {i: 6 + 3 * k for k, i in enumerate(free)}
-        zero, plus = _Rows(n, 6 + 4 * self.m), _Rows(n, 4 * self.m)
+        zero, plus = _Rows(n, 6 + 4 * self.m), _Rows(n, 5 * self.m)
         zero.matrix[:6, 6:] = (
             -np.concatenate(
                 [self.normal[free, :, None], self.tangents[free].transpose(0, 2, 1)], axis=2
@@ -124,17 +136,23 @@ class Relaxation:
                 middle = (u + v) / np.hypot(*(u + v))
                 limit = self.friction[i] * float(u @ middle)
                 plus.add(np.zeros(6), 0.0, (j, limit), (j + 1, middle[0]), (j + 2, middle[1]))
+        bounded = list(column.values()) * (self.most < np.inf)
+        for j in bounded:
+            plus.add(np.zeros(6), self.most, (j, 1.0))
         cones = np.zeros((3 * len(free), n))
         index = np.arange(6, n)
         cones[index - 6, index] = np.where(
             (index - 6) % 3 == 0, -self.friction[free].repeat(3), -1.0
         )
-        matrix = np.concatenate([zero.rows, plus.rows, cones])
-        right = np.concatenate([zero.ends, plus.ends, np.zeros(3 * len(free))])
+        turns = np.zeros((len(self.turn), n))
+        turns[1:, 3:6] = -np.eye(3)[: len(turns) and 3]
+        matrix = np.concatenate([zero.rows, plus.rows, cones, turns])
+        right = np.concatenate([zero.ends, plus.ends, np.zeros(3 * len(free)), self.turn])
         kinds = [clarabel.ZeroConeT(zero.used)]
         if plus.used:
             kinds.append(clarabel.NonnegativeConeT(plus.used))
         kinds += [clarabel.SecondOrderConeT(3)] * len(free)
+        kinds += [clarabel.SecondOrderConeT(4)] * (len(turns) // 4)
         quadratic = csc_matrix((np.full(6, _SMALL_MOTION), (range(6), range(6))), shape=(n, n))
         solver = clarabel.DefaultSolver(
             quadratic, cost, csc_matrix(matrix), right, kinds, self.settings
@@ -142,7 +160,13 @@ class Relaxation:
         found = solver.solve()
         status = str(found.status)
         if status in ("PrimalInfeasible", "AlmostPrimalInfeasible"):
-            return self._ray(states, place, zero.used, np.array(found.z))
+            dual, rho = np.array(found.z), np.zeros(self.m)
+            end = zero.used + plus.used
+            rho[free] = dual[end - len(free) : end] * bool(bounded)
+            return self._ray(states, place, zero.used, dual)._replace(
+                turn=-dual[-3:] * self.force / self.scale[3] * bool(self.turn),
+                forces=rho,
+            )
         if status not in ("Solved", "AlmostSolved"):
             return None
         x = np.array(found.x)
@@ -183,7 +207,8 @@ class Relaxation:
                 room[i, 1:] = min(-h @ u, -h @ v)
         sizes = np.abs(multipliers) / max(float(np.abs(virtual).max()), 1e-300)
         units = np.array([1.0, *[self.force / self.step] * 2])
-        return Ray(virtual * self.arms, multipliers * units, room, sizes)
+        unused = np.zeros(3), np.zeros(self.m)
+        return Ray(virtual * self.arms, multipliers * units, room, sizes, *unused)
 
     def cone_ray(self) -> Ray | None:
         """Return a virtual motion on which the load works and no force in a cone does less.

@@ -12,6 +12,7 @@ import numpy as np
 
 from arrangement.exact import RationalVector
 from arrangement.float_filter import Floats
+from equilibrium.model.range import NO_RANGE, Range
 from equilibrium.solver.spatial_contacts import SpatialContacts
 
 from .balance import SpatialContinuation
@@ -72,6 +73,7 @@ class SpatialSearch:
         accept: whether a proposal is proved to be an equilibrium.
         deadline: of `time.monotonic`.
         nodes: of a tree, at most.
+        within: the range in which equilibria count; `accept` knows it, too.
     """
 
     def __init__(
@@ -81,10 +83,12 @@ class SpatialSearch:
         accept: Callable[[Proposal], bool],
         deadline: float = math.inf,
         nodes: int = NODES,
+        within: Range = NO_RANGE,
     ) -> None:
+        self.within = within
         self.contacts, self.wrench = contacts, wrench
         self.accept, self.deadline, self.nodes = accept, deadline, nodes
-        self.relaxation = Relaxation(contacts, wrench)
+        self.relaxation = Relaxation(contacts, wrench, within)
         if math.isfinite(deadline):
             self.relaxation.settings.time_limit = max(0.01, deadline - time.monotonic())
         self.smooth = SpatialContinuation(contacts, wrench)
@@ -124,8 +128,8 @@ class SpatialSearch:
             if not i:
                 found = self._tree(root, min(_FEW, self.nodes))
                 if isinstance(found, Open):
-                    grasp, deadline = self.contacts.grasp, self.deadline
-                    found = decide_in_plane(grasp, self.wrench, deadline) or found
+                    question = self.contacts.grasp, self.wrench, self.deadline, self.within
+                    found = decide_in_plane(*question) or found
                 if isinstance(found, Open):
                     found = self._exact_equilibrium() or found
                 if few or not isinstance(found, Open):
@@ -176,7 +180,7 @@ class SpatialSearch:
         """Return a leaf where a relaxation has no solution, or where its program failed."""
         if isinstance(found, Point):
             return None
-        leaf = found and exact_leaf(self.contacts, self.wrench, states, found)
+        leaf = found and exact_leaf(self.contacts, self.wrench, states, found, self.within)
         if leaf is None:
             inner = self.relaxation.inner_ray(states)
             leaf = inner and exact_leaf(self.contacts, self.wrench, states, inner)
