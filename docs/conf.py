@@ -10,6 +10,7 @@ from pathlib import Path
 import matplotlib as mpl
 
 import arrangement
+from arrangement.progress import Bar
 
 project = "slipstates"
 author = "The slipstates authors"
@@ -87,17 +88,22 @@ def make_figures(app):
     folder.mkdir(exist_ok=True)
     shared = [*source.glob("figures/_*.py"), *source.parent.glob("*/draw/**/*.py")]
     newest = max((path.stat().st_mtime for path in shared), default=0.0)
+    due = []
     for script in sorted(source.glob("figures/[!_]*.py")):
         stamp = folder / f".{script.stem}"
         read = [script, *source.rglob(f"{script.stem}.rst")]
         changed = max(newest, *(path.stat().st_mtime for path in read))
-        if stamp.exists() and stamp.stat().st_mtime > changed:
-            continue
+        if not stamp.exists() or stamp.stat().st_mtime <= changed:
+            due.append((script, stamp))
+    bar = Bar(len(due), "scripts of pictures")
+    for done, (script, stamp) in enumerate(due):
+        bar.update(done, script.name)
         with contextlib.chdir(folder), mpl.rc_context():
             runpy.run_path(str(script), run_name="__main__")
         if not any(folder.glob(f"{script.stem}*.*")):
             raise RuntimeError(f"{script} made no file {script.stem}*")
         stamp.touch()
+    bar.close()
     pages = Path(app.outdir) / "pages"
     pages.mkdir(parents=True, exist_ok=True)
     for page in folder.glob("*.html"):
