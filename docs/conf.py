@@ -139,8 +139,18 @@ def fold_answers(app, tree, name):
         section[:] = parts
 
 
+def fold_reference(app, name, template, context, tree):
+    """Unfold the reference in the sidebar on its own pages alone.
+
+    Else each of its pages stands in the sidebar of every page, which takes most of the build.
+    """
+    if whole := context.get("toctree"):
+        context["toctree"] = lambda **options: whole(**{**options, "collapse": True})
+
+
 def setup(app):
     app.add_js_file(None, body=_PRINTED)
+    app.connect("html-page-context", fold_reference, priority=100)  # before the theme asks for it
     app.connect("doctree-resolved", fold_answers)
     app.connect("builder-inited", make_figures)
     app.connect("autodoc-process-docstring", escape_mathematics, priority=400)
