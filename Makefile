@@ -8,6 +8,7 @@
 VENV := .venv
 BIN := $(VENV)/bin
 JOBS ?= 2
+CORES ?= $(shell getconf _NPROCESSORS_ONLN 2>/dev/null || echo 2)
 ARGS ?=
 
 # The first interpreter that is new enough, runs, and can make an environment.
@@ -46,7 +47,8 @@ $(BIN)/python:
 	echo "creating $(VENV) with $$("$$python" --version)"; \
 	"$$python" -m venv --clear $(VENV)
 
-INSTALL = $(BIN)/python -m pip install --quiet --disable-pip-version-check --constraint constraints.txt --editable
+# Python compiles a module when it is first imported; pip would compile all, most of its time.
+INSTALL = $(BIN)/python -m pip install --quiet --disable-pip-version-check --no-compile --constraint constraints.txt --editable
 
 $(VENV)/.stamp-run: pyproject.toml constraints.txt | $(BIN)/python
 	@echo "installing the package"
@@ -88,7 +90,7 @@ install: $(VENV)/.stamp-install
 
 verify: $(VENV)/.stamp-install
 	@mkdir -p report
-	$(BIN)/proofs-check run --report report/verdicts.html
+	$(BIN)/proofs-check run --jobs $(CORES) --report report/verdicts.html
 
 test: $(VENV)/.stamp-test
 	$(BIN)/python -m pytest -n $(JOBS) --dist worksteal $(ARGS)

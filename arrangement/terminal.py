@@ -172,11 +172,16 @@ def add_common_options(parser: argparse.ArgumentParser) -> None:
     )
 
 
-def add_worker_options(parser: argparse.ArgumentParser) -> None:
-    """Add who does the parts of a long computation: processes, machines or a cluster."""
+def add_jobs_option(parser: argparse.ArgumentParser) -> None:
+    """Add the number of processes."""
     parser.add_argument(
         "--jobs", type=integer_argument, default=1, metavar="N", help="processes (default: 1)"
     )
+
+
+def add_worker_options(parser: argparse.ArgumentParser) -> None:
+    """Add who does the parts of a long computation: processes, machines or a cluster."""
+    add_jobs_option(parser)
     parser.add_argument(
         "--shard",
         type=_shard,

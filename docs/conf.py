@@ -10,6 +10,7 @@ from pathlib import Path
 import matplotlib as mpl
 
 import arrangement
+from arrangement.progress import Bar
 
 project = "slipstates"
 author = "The slipstates authors"
@@ -87,17 +88,22 @@ def make_figures(app):
     folder.mkdir(exist_ok=True)
     shared = [*source.glob("figures/_*.py"), *source.parent.glob("*/draw/**/*.py")]
     newest = max((path.stat().st_mtime for path in shared), default=0.0)
+    due = []
     for script in sorted(source.glob("figures/[!_]*.py")):
         stamp = folder / f".{script.stem}"
         read = [script, *source.rglob(f"{script.stem}.rst")]
         changed = max(newest, *(path.stat().st_mtime for path in read))
-        if stamp.exists() and stamp.stat().st_mtime > changed:
-            continue
+        if not stamp.exists() or stamp.stat().st_mtime <= changed:
+            due.append((script, stamp))
+    bar = Bar(len(due), "scripts of pictures")
+    for done, (script, stamp) in enumerate(due):
+        bar.update(done, script.name)
         with contextlib.chdir(folder), mpl.rc_context():
             runpy.run_path(str(script), run_name="__main__")
         if not any(folder.glob(f"{script.stem}*.*")):
             raise RuntimeError(f"{script} made no file {script.stem}*")
         stamp.touch()
+    bar.close()
     pages = Path(app.outdir) / "pages"
     pages.mkdir(parents=True, exist_ok=True)
     for page in folder.glob("*.html"):
@@ -133,8 +139,18 @@ def fold_answers(app, tree, name):
         section[:] = parts
 
 
+def fold_reference(app, name, template, context, tree):
+    """Unfold the reference in the sidebar on its own pages alone.
+
+    Else each of its pages stands in the sidebar of every page, which takes most of the build.
+    """
+    if whole := context.get("toctree"):
+        context["toctree"] = lambda **options: whole(**{**options, "collapse": True})
+
+
 def setup(app):
     app.add_js_file(None, body=_PRINTED)
+    app.connect("html-page-context", fold_reference, priority=100)  # before the theme asks for it
     app.connect("doctree-resolved", fold_answers)
     app.connect("builder-inited", make_figures)
     app.connect("autodoc-process-docstring", escape_mathematics, priority=400)

@@ -183,7 +183,7 @@ class Claim(Shown):
         explain: a remark on one checked subject and its value.
         meaning: what the verdict means for the conclusions of the paper.
         rows: whether a report shows every case.
-        large: whether it takes so long that it is checked only when it is named.
+        large: whether it takes so long that it is checked only when it is named or asked for.
         formula: the statement in mathematics, in the part of TeX that `reports.formula` reads.
         section: heading of the paper under which a report lists the claim.
         file: of a user, from which the claim was loaded.

@@ -138,7 +138,13 @@ class Installed:
         created = run([python, "-m", "venv", "--without-pip", folder / "environment"], folder)
         if created.returncode:
             raise SystemExit(f"error: {python} makes no environment\n{created.stderr}")
-        options = ("--quiet", "--disable-pip-version-check", "--constraint", "constraints.txt")
+        options = (
+            "--quiet",
+            "--disable-pip-version-check",
+            "--no-compile",
+            "--constraint",
+            "constraints.txt",
+        )
         pip = (sys.executable, "-m", "pip", "--python", str(self.bin / "python"))
         for command in ((*pip, "install", *options, str(wheel)), (*pip, "check")):
             done = run(command, ROOT)

@@ -201,18 +201,9 @@ def label_boxes(made: Scene, pixels: Pixels) -> Iterator[tuple[str, slice, slice
             yield item.text, rows, columns
 
 
-def check_standalone(folder: Path, drawings: Drawings, view: str, name: str) -> None:
-    """Compile a document; all ink of its letters is in the boxes that our own letters have."""
-    made = scene(drawings, view, name)
-    sheets = []
-    for k, sheet in enumerate((made, without_labels(made))):
-        source = folder / f"{name}-{view}-{k}.tex"
-        source.write_text(tikz(sheet))
-        (found,) = pages(compiled(source))
-        sheets.append(found)
-    for pixels, length in zip(sheets[0].shape, reversed(made.paper), strict=False):
-        assert abs(pixels - length / 25.4 * RESOLUTION) <= 1
-    ink = np.abs(sheets[0] - sheets[1]).max(axis=2) > 0.1
+def check_letters(made: Scene, drawn: Pixels, bare: Pixels) -> None:
+    """All ink of the letters is in the boxes that our own letters have."""
+    ink = np.abs(drawn - bare).max(axis=2) > 0.1
     inside = np.zeros_like(ink)
     for text, rows, columns in label_boxes(made, ink):
         assert ink[rows, columns].any(), f"{text!r} is not there"
@@ -226,14 +217,29 @@ def test_a_document_compiles_and_its_letters_are_where_ours_are(
     drawings: Drawings, view: str, tmp_path: Path
 ) -> None:
     name = "reflection-b3" if drawings is OF_PLANES else "paper-four-contacts"
-    check_standalone(tmp_path, drawings, view, name)
+    made = scene(drawings, view, name)
+    sheets = []
+    for k, sheet in enumerate((made, without_labels(made))):
+        source = tmp_path / f"{k}.tex"
+        source.write_text(tikz(sheet))
+        (found,) = pages(compiled(source))
+        sheets.append(found)
+    for pixels, length in zip(sheets[0].shape, reversed(made.paper), strict=False):
+        assert abs(pixels - length / 25.4 * RESOLUTION) <= 1
+    check_letters(made, *sheets)
 
 
 @pytest.mark.campaign
 @pytest.mark.usefixtures("latex")
-@pytest.mark.parametrize(("drawings", "view"), VIEWS)
-def test_one_document_of_each_view(drawings: Drawings, view: str, tmp_path: Path) -> None:
-    check_standalone(tmp_path, drawings, view, shown(drawings, view))
+def test_letters_of_every_view_are_where_ours_are(tmp_path: Path) -> None:
+    """On pages of one document, in the corner of each."""
+    views = [scene(drawings, view, shown(drawings, view)) for drawings, view in VIEWS]
+    scenes = [sheet for made in views for sheet in (made, without_labels(made))]
+    source = document(tmp_path, scenes, [tikz(sheet, fragment=True) for sheet in scenes])
+    drawn = pages(compiled(source))
+    for made, sheet, bare in zip(views, drawn[::2], drawn[1::2], strict=True):
+        columns, rows = (round(length / 25.4 * RESOLUTION) for length in made.paper)
+        check_letters(made, sheet[:rows, :columns], bare[:rows, :columns])
 
 
 @pytest.mark.campaign

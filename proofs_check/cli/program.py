@@ -101,6 +101,8 @@ def _add_run(parser: argparse.ArgumentParser) -> None:
     )
     _add_seed(parser)
     _add_report(parser, "--report", remark="to write as well")
+    terminal.add_jobs_option(parser)
+    parser.add_argument("--large", action="store_true", help="the claims that take minutes, too")
     group = _add_own(parser)
     group.add_argument(
         "--save",

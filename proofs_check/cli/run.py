@@ -7,20 +7,40 @@ import json
 import shlex
 import shutil
 import textwrap
-from collections.abc import Iterator
+from collections.abc import Callable, Iterable, Iterator
 from dataclasses import replace
 from importlib.resources import files
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
-from arrangement import terminal
+from arrangement import terminal, workers
 from arrangement.io.writing import write_text_atomically
 from arrangement.progress import Bar, shown
 from proofs_check import claim_file, claims, user_claim
 from proofs_check.errors import OwnClaimError
-from proofs_check.evidence import Result, evaluate
+from proofs_check.evidence import evaluate
 from proofs_check.reports import forms, report, text
 from proofs_check.statement import Claim, Kind
+
+
+class _Asked(NamedTuple):
+    """What a command line asks for: claims by id, or those of files with the numbers for them."""
+
+    names: tuple[str, ...]
+    seed: int
+    samples: int | None
+    census: int | None
+    large: bool
+
+    @property
+    def from_files(self) -> bool:
+        """Whether claims of files are meant."""
+        return any(name.endswith(".py") for name in self.names)
+
+
+def _asked(names: Iterable[str], arguments: argparse.Namespace) -> _Asked:
+    options = (arguments.seed, arguments.samples, arguments.census)
+    return _Asked(tuple(dict.fromkeys(names)), *options, getattr(arguments, "large", False))
 
 
 def list_claims(arguments: argparse.Namespace) -> int:
@@ -66,52 +86,48 @@ def _described(claim: Claim, width: int) -> str:
 
 def run_claims(arguments: argparse.Namespace) -> int:
     """Check claims: those of the paper with the given ids, or all claims of the given files."""
-    names = list(dict.fromkeys(arguments.ids))
+    asked = _asked(arguments.ids, arguments)
     make = forms.form(Path(arguments.report).suffix) if arguments.report else None
-    from_files = any(name.endswith(".py") for name in names)
-    if from_files:
-        chosen = list(_own_claims(names, arguments))
-    else:
-        known = claims.registry()
-        chosen = [known[id] for id in names] or [claim for claim in known if not claim.large]
+    chosen = _chosen(asked)
     widths = text.columns(map(report.claim_record, chosen))
-    results: list[Result] = []
-    for result in _evaluated(chosen, arguments.seed, piped=arguments.json):
-        saved = _save(result, arguments.save) if from_files else ""
+    results: list[dict[str, Any]] = []
+    for found in _results(asked, chosen, arguments.jobs, piped=arguments.json):
+        saved = _save(found, arguments.save) if asked.from_files else ""
         if not arguments.json:
-            found = report.result_record(result)
             entry = text.entry(found, widths, _width())
-            if from_files:
+            if asked.from_files:
                 entry = "\n" * bool(results) + text.details(found, _width(), saved=saved)
             print(entry, flush=True)
-        results.append(result)
-    record = report.json_record(results, arguments.seed, **_about(names, arguments))
+        results.append(found)
+    record = report.json_record(results, asked.seed, **_about(asked))
     if make:
         write_text_atomically(arguments.report, make(record))
     if arguments.json:
         terminal.print_json(record)
-    elif not from_files:
+    elif not asked.from_files:
         print(f"\n{text.summary(record['results'])}")
     return terminal.YES if record["as_expected"] else terminal.NO
 
 
 def file_record(name: str, arguments: argparse.Namespace) -> dict[str, Any]:
     """Check the claims of one file and return the record."""
-    chosen = list(_own_claims([name], arguments))
-    results = list(_evaluated(chosen, arguments.seed, piped=True))
-    return report.json_record(results, arguments.seed, **_about([name], arguments))
+    asked = _asked([name], arguments)
+    results = list(_results(asked, _chosen(asked), 1, piped=True))
+    return report.json_record(results, asked.seed, **_about(asked))
 
 
-def _about(names: list[str], arguments: argparse.Namespace) -> dict[str, str]:
+def _about(asked: _Asked) -> dict[str, str]:
     """Return what a record says of its claims: title, source, and the command for the same run."""
     options = [
         word
         for option in ("seed", "samples", "census")
-        if (number := getattr(arguments, option)) is not None and (number or option != "seed")
+        if (number := getattr(asked, option)) is not None and (number or option != "seed")
         for word in (f"--{option}", str(number))
     ]
+    names = asked.names
+    options += ["--large"] if asked.large else []
     command = shlex.join(["proofs-check", "run", *names, *options])
-    if names and names[0].endswith(".py"):
+    if asked.from_files:
         title = claim_file.heading(names[0]).rstrip(".") or Path(names[0]).name
         return {"title": title, "about": ", ".join(names), "command": command}
     return {"title": claims.TITLE, "about": claims.SOURCE, "command": command}
@@ -136,30 +152,63 @@ def new_file(arguments: argparse.Namespace) -> int:
     return terminal.YES
 
 
-def _evaluated(chosen: list[Claim], seed: int, *, piped: bool) -> Iterator[Result]:
-    """Yield each result as soon as it is there, with the progress taken off the terminal.
+def _results(
+    asked: _Asked, chosen: list[Claim], jobs: int, *, piped: bool
+) -> Iterator[dict[str, Any]]:
+    """Yield the record of each result in order, with the progress taken off the terminal.
 
     Args:
         piped: whether progress is told in a pipe too, where nothing is printed meanwhile.
     """
     bar = Bar(len(chosen), "claims", piped=piped)
-    for done, claim in enumerate(chosen):
+    waiting: dict[int, dict[str, Any]] = {}
+    done = 0
 
-        def tick(cases: int, done: int = done, claim: Claim = claim) -> None:
-            bar.update(done, f"{claim.id}, {cases} cases")
+    def tick(cases: int) -> None:
+        bar.update(done, f"{chosen[done].id}, {cases} cases")
 
-        bar.update(done, claim.id)
-        try:
-            with shown(False):  # the bar tells
-                result = evaluate(claim, seed, tick)
-        finally:
-            bar.close()
-        yield result
+    due = workers.due(len(chosen), (1, 1), jobs)
+    jobs = min(jobs, len(chosen))
+    found = (
+        workers.on_processes(_result, asked, due, jobs)
+        if jobs > 1
+        else ((k, _record(claim, asked.seed, tick)) for k, claim in enumerate(chosen))
+    )
+    bar.update(done, chosen[done].id)
+    try:
+        for number, record in found:
+            waiting[number] = record
+            bar.update(done + len(waiting), f"{record['id']} is done")
+            while done in waiting:
+                bar.close()
+                done += 1
+                yield waiting.pop(done - 1)
+    finally:
+        bar.close()
 
 
-def _own_claims(names: list[str], arguments: argparse.Namespace) -> Iterator[Claim]:
+def _result(asked: _Asked, number: int) -> tuple[int, dict[str, Any]]:
+    """Check the claim with a number among those asked for, in a process of its own."""
+    return number, _record(_chosen(asked)[number], asked.seed)
+
+
+def _record(claim: Claim, seed: int, tick: Callable[[int], None] | None = None) -> dict[str, Any]:
+    with shown(False):  # the bar of the command tells
+        return report.result_record(evaluate(claim, seed, tick))
+
+
+def _chosen(asked: _Asked) -> list[Claim]:
+    """Return the claims of the paper with the given ids, or all claims of the given files."""
+    if asked.from_files:
+        return list(_own_claims(asked))
+    known = claims.registry()
+    every = (claim for claim in known if asked.large or not claim.large)
+    return [known[id] for id in asked.names] or list(every)
+
+
+def _own_claims(asked: _Asked) -> Iterator[Claim]:
     """Yield the claims of files, with the numbers that the command line names."""
-    samples, census = arguments.samples, arguments.census
+    names, samples, census = asked.names, asked.samples, asked.census
     if not all(name.endswith(".py") for name in names):
         raise OwnClaimError("ids and files are both given; run the claims of files on their own")
     if samples is not None and samples < 0:
@@ -167,8 +216,9 @@ def _own_claims(names: list[str], arguments: argparse.Namespace) -> Iterator[Cla
     if census is not None and census not in (0, *range(3, 9)):
         raise OwnClaimError(f"--census is {census}; give 3 to 8 planes, or 0")
     for claim in (claim for name in names for claim in claim_file.load(name)):
-        sampled = samples is not None and claim.domain
-        changed = replace(claim, samples=samples) if sampled else claim
+        changed = claim
+        if samples is not None and claim.domain:
+            changed = replace(claim, samples=samples)
         if census is not None and claim.domain and claim.domain.unit == "planes":
             others = [source for source in claim.sources if source.kind is not Kind.EXHAUSTIVE]
             types = user_claim.census_sources(census)
@@ -176,17 +226,17 @@ def _own_claims(names: list[str], arguments: argparse.Namespace) -> Iterator[Cla
         yield changed
 
 
-def _save(result: Result, folder: str) -> str:
+def _save(found: dict[str, Any], folder: str) -> str:
     """Write the smallest failure as an instance file; return its path, or "" without one.
 
     Commands that read arrangements or grasps read the file. An older one of that name is replaced.
     """
-    failure = result.evidence.counterexample
-    if failure is None or failure.document is None:
+    failure = found["counterexample"]
+    if failure is None or failure["instance"] is None:
         return ""
-    reason = f"smallest instance found on which {result.claim.id} fails: {failure.note}"
-    content: dict[str, Any] = {**failure.document, "description": reason}
-    target = Path(folder) / f"{result.claim.id}.json"
+    reason = f"smallest instance found on which {found['id']} fails: {failure['note']}"
+    content: dict[str, Any] = {**failure["instance"], "description": reason}
+    target = Path(folder) / f"{found['id']}.json"
     try:
         target.parent.mkdir(parents=True, exist_ok=True)
     except OSError as error:

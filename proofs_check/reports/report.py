@@ -179,17 +179,17 @@ def plain(value: Any) -> Any:
 
 
 def json_record(
-    results: Iterable[Result], seed: int, title: str = "", about: str = "", command: str = ""
+    results: list[dict[str, Any]], seed: int, title: str = "", about: str = "", command: str = ""
 ) -> dict[str, Any]:
     """Return the complete record of a run.
 
     Args:
-        results: in order.
+        results: their records, in order.
         seed: of the random instances.
         title, about: what was checked, and where it stands.
         command: that repeats the run.
     """
-    record = record_of([result_record(result) for result in results], seed, [environment()])
+    record = record_of(results, seed, [environment()])
     return {**record, "title": title, "about": about, "command": command, "date": date()}
 
 

@@ -46,11 +46,10 @@ class DualGraph:
 
 def from_signs(regions: list[Signs], facets: list[Signs], lines: list[Signs]) -> DualGraph:
     """Return the dual graph of the faces of R^3 with these sign vectors."""
-    vertices = frozenset(regions)
-    beside = {facet: [r for r in regions if _below(facet, r)] for facet in facets}
-    edges = {facet: frozenset(pair) for facet, pair in beside.items()}
-    around = (frozenset(edges[f] for f in facets if _below(line, f)) for line in lines)
-    return DualGraph(vertices, frozenset(edges.values()), tuple(around))
+    lines_below = _flags(lines, facets)
+    edges = {f: frozenset(beside) for f, beside in _flags(facets, regions).items()}
+    around = tuple(frozenset(edges[f] for f in above) for above in lines_below.values())
+    return DualGraph(frozenset(regions), frozenset(edges.values()), around)
 
 
 def from_covectors(planes: Planes) -> DualGraph:
@@ -63,9 +62,15 @@ def from_covectors(planes: Planes) -> DualGraph:
     return from_signs(levels[0], levels[1], levels[2])
 
 
-def _below(small: Signs, large: Signs) -> bool:
-    """Whether one covector is a face of another: equal wherever it is not zero."""
-    return all(a in (0, b) for a, b in zip(small, large, strict=True))
+def _flags(small: list[Signs], large: list[Signs]) -> dict[Signs, list[Signs]]:
+    """Return for each covector those that it is a face of: equal wherever it is not zero."""
+    larger = [(_bits(signs), signs) for signs in large]
+    return {s: [signs for b, signs in larger if not a & ~b] for s in small for a in [_bits(s)]}
+
+
+def _bits(signs: Signs) -> int:
+    """Return a number with a bit for each plane that the covector is above, and one for below."""
+    return sum(1 << 2 * k + (sign < 0) for k, sign in enumerate(signs) if sign)
 
 
 def _rank(vectors: list[tuple[int, ...]]) -> int:

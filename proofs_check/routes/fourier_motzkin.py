@@ -19,7 +19,7 @@ Whole: TypeAlias = tuple[int, ...]
 
 
 def project(
-    equalities: Sequence[Row], inequalities: Sequence[Row], keep: int
+    equalities: Sequence[Sequence[Fraction | int]], inequalities: Sequence[Row], keep: int
 ) -> list[Whole] | None:
     """Eliminate all variables but number `keep` (-1 keeps none).
 
@@ -63,9 +63,9 @@ def _cancelled(row: Whole, pivot: Whole, j: int) -> Whole:
     return _reduced([a * p - b * r for a, b in zip(row, pivot, strict=True)])
 
 
-def _whole(row: Sequence[Fraction]) -> Whole:
+def _whole(row: Sequence[Fraction | int]) -> Whole:
     """Return a positive multiple with coprime integer entries."""
-    scale = math.lcm(*(x.denominator for x in row))
+    scale = math.lcm(*[x.denominator for x in row])
     return _reduced([x.numerator * (scale // x.denominator) for x in row])
 
 

@@ -10,8 +10,9 @@ on the object, and ``forces + wrench = 0``.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from fractions import Fraction
 from functools import cached_property
 from itertools import product
@@ -180,7 +181,7 @@ class _Part:
 
     equality: Row
     inequalities: tuple[Row, ...]
-    force: tuple[Row, ...]
+    force: tuple[Sequence[Fraction | int], ...]
 
 
 class Systems:
@@ -193,22 +194,29 @@ class Systems:
     def __init__(self, question: Question, reading: Reading = MODEL, *, scaled: bool = False):
         self.size = 3 + len(question.contacts) + int(scaled) + 1
         place = -2 if scaled else -1
-        self.wrench = [_times(_unit(place % self.size, self.size), x) for x in question.wrench]
-        self.parts = [
+        unit = _unit(place % self.size, self.size)
+        wrench = tuple(_times(unit, x) for x in question.wrench)
+        parts = [
             {state: self._part(i, touch, state, reading) for state in reading.states}
             for i, touch in enumerate(question.touches)
         ]
+        # Whole numbers: the rows of balance are added up for every choice of states.
+        added = [wrench, *(part.force for ways in parts for part in ways.values())]
+        scale = math.lcm(*[x.denominator for rows in added for row in rows for x in row])
+        self.wrench = _scaled(wrench, scale)
+        self.parts = [
+            {state: replace(part, force=_scaled(part.force, scale)) for state, part in ways.items()}
+            for ways in parts
+        ]
 
-    def rows(self, states: Sequence[str]) -> tuple[list[Row], list[Row]]:
+    def rows(self, states: Sequence[str]) -> tuple[list[Sequence[Fraction | int]], list[Row]]:
         """Return equalities, those of the contacts first, and inequalities (``>= 0``)."""
         chosen = [parts[state] for parts, state in zip(self.parts, states, strict=True)]
-        equalities = [part.equality for part in chosen]
-        for j in range(3):
-            total = self.wrench[j]
-            for part in chosen:
-                if part.force:
-                    total = _plus(total, part.force[j])
-            equalities.append(total)
+        equalities: list[Sequence[Fraction | int]] = [part.equality for part in chosen]
+        forces = [self.wrench, *(part.force for part in chosen if part.force)]
+        equalities += [
+            tuple(map(sum, zip(*rows, strict=True))) for rows in zip(*forces, strict=True)
+        ]
         return equalities, [row for part in chosen for row in part.inequalities]
 
     def _part(self, i: int, touch: Touch, state: str, reading: Reading) -> _Part:
@@ -284,6 +292,10 @@ def _plus(left: Sequence[Fraction], right: Sequence[Fraction]) -> Row:
 
 def _times(row: Sequence[Fraction], factor: Fraction | int) -> Row:
     return tuple([x * factor if x else x for x in row])
+
+
+def _scaled(rows: Iterable[Sequence[Fraction | int]], scale: int) -> tuple[Whole, ...]:
+    return tuple(tuple([int(x * scale) for x in row]) for row in rows)
 
 
 def _unit(j: int, size: int) -> Row:

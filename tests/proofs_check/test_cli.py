@@ -62,6 +62,35 @@ def test_two_runs_with_one_seed_give_the_same_records(capsys: pytest.CaptureFixt
     assert records[0] == records[1] != []
 
 
+def test_processes_change_nothing_of_what_is_said(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """Nor its order, though a claim that takes long comes first."""
+    said, found = [], []
+    for jobs in ("1", "2"):
+        path = tmp_path / f"{jobs}.json"
+        names = ("slip-state-counts", *QUICK)
+        assert main(["run", *names, "--jobs", jobs, "--report", str(path)]) == 0
+        said.append(capsys.readouterr().out)
+        record = json.loads(path.read_text(encoding="utf-8"))
+        found.append([{**result, "milliseconds": 0} for result in record["results"]])
+        assert [result["id"] for result in found[-1]] == list(names)
+    assert said[0] == said[1]
+    assert found[0] == found[1]
+
+
+def test_claims_that_take_minutes_are_checked_when_asked_for(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    known = [registry()[id] for id in QUICK]
+    claims = Registry([known[0], replace(known[1], large=True)])
+    monkeypatch.setattr(proofs_check.claims, "registry", lambda: claims)
+    for options, ids in ((), QUICK[:1]), (("--large",), QUICK), (QUICK[1:], QUICK[1:]):
+        assert main(["run", *options, "--json"]) == 0
+        results = json.loads(capsys.readouterr().out)["results"]
+        assert [result["id"] for result in results] == list(ids)
+
+
 def test_exit_code_one_when_a_verdict_is_not_the_expected_one(
     monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:

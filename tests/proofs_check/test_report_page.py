@@ -19,7 +19,7 @@ VISIBLE = "return [...document.querySelectorAll('article')].filter(c => !c.hidde
 @pytest.fixture(scope="module")
 def page(tmp_path_factory: pytest.TempPathFactory) -> Path:
     path = tmp_path_factory.mktemp("report") / "verdicts.html"
-    results = [evaluate(registry()[id]) for id in IDS]
+    results = [report.result_record(evaluate(registry()[id])) for id in IDS]
     path.write_text(html_page(report.json_record(results, 0, "A paper")), encoding="utf-8")
     return path
 

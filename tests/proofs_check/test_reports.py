@@ -36,7 +36,7 @@ VOID = {"meta", "link", "br", "input"}
 
 @pytest.fixture(scope="module")
 def record() -> dict[str, Any]:
-    return report.json_record([evaluate(registry()[id], 3) for id in IDS], 3)
+    return report.json_record([report.result_record(evaluate(registry()[id], 3)) for id in IDS], 3)
 
 
 def hostile(text: str) -> dict[str, Any]:

@@ -76,12 +76,22 @@ class PolyhedralGraph:
 
     def require_polyhedral(self) -> None:
         """Raise `ArrangementError` unless the graph is planar and 3-connected. O(V E)."""
+        if self._not_polyhedral:
+            raise ArrangementError(self._not_polyhedral)
+
+    @cached_property
+    def _not_polyhedral(self) -> str:
+        """Why the graph is not planar or not 3-connected, or ""; a graph is looked at once."""
         graph = self.to_networkx()
         if self.vertex_count < 4 or not nx.check_planarity(graph)[0]:
-            raise ArrangementError("the graph is not planar, or has fewer than 4 vertices")
+            return "the graph is not planar, or has fewer than 4 vertices"
         for v in range(self.vertex_count):
-            if not nx.is_biconnected(graph.subgraph(set(graph) - {v})):
-                raise ArrangementError(f"the graph is not 3-connected: see vertex {v}")
+            # A copy, since a view asks for every neighbour whether it is left.
+            rest = graph.copy()
+            rest.remove_node(v)
+            if not nx.is_biconnected(rest):
+                return f"the graph is not 3-connected: see vertex {v}"
+        return ""
 
     def is_connected_part(self, part: Iterable[int]) -> bool:
         """Whether a nonempty set of vertices spans a connected graph."""

@@ -10,6 +10,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from fractions import Fraction
+from functools import lru_cache
 from typing import TypeAlias
 
 import networkx as nx
@@ -36,6 +37,7 @@ _MARGIN = 1e-7
 _DENOMINATORS = (6, 60, 2520, 1 << 16, 1 << 26, 1 << 36)
 
 
+@lru_cache(maxsize=64)
 def decide(graph: PolyhedralGraph) -> Certificate:
     """Decide whether a polyhedral graph can be inscribed in a sphere; return a verified proof.
 
@@ -47,12 +49,10 @@ def decide(graph: PolyhedralGraph) -> Certificate:
     E deg^2 bounded shortest-path searches to find cuts.
     """
     graph.require_polyhedral()
-    certificate: Certificate
     side = _larger_side(graph)
-    if side is not None:
-        certificate = IndependentSetCertificate(graph, side)
-    else:
-        certificate = _Program(graph).certificate()
+    if side is None:
+        return _Program(graph).certificate()  # what it returns is verified
+    certificate = IndependentSetCertificate(graph, side)
     certificate.verify()
     return certificate
 
