@@ -19,6 +19,7 @@ from .exact import (
     RationalVector,
     dot,
     fraction,
+    plain_integers,
     primitive,
     rational_vector,
     shown,
@@ -67,13 +68,14 @@ class Planes:
         dimension: int | None = None,
         axes: Iterable[str] = (),
     ) -> None:
-        rows = [
-            rational_vector(row, f"normals[{i}]", entry) for i, row in enumerate(_listed(normals))
+        rows: list[Any] = [
+            plain_integers(row) or rational_vector(row, f"normals[{i}]", entry)
+            for i, row in enumerate(_listed(normals))
         ]
         if offsets is None:
-            constants: RationalVector = (Fraction(0),) * len(rows)
+            constants: RationalVector = (0,) * len(rows)  # type: ignore[assignment]
         else:
-            constants = rational_vector(offsets, "offsets", entry)
+            constants = plain_integers(offsets) or rational_vector(offsets, "offsets", entry)  # type: ignore[assignment]
         *rows, constants = in_one_field([*rows, constants])
         if len(constants) != len(rows):
             raise InputError(
@@ -209,7 +211,7 @@ class Planes:
     @cached_property
     def rank(self) -> int:
         """The dimension of the span of the normals."""
-        return rank([plane[:-1] for plane in self._integer_planes])
+        return rank([self._integer_planes[members[0]][:-1] for members in self.distinct])
 
     @cached_property
     def is_central(self) -> bool:

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections import Counter
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from math import lcm
@@ -17,12 +18,16 @@ from arrangement.exact import (
     rational_vector,
     unoriented,
 )
+from arrangement.linear import ask_elimination, independent
 from arrangement.planes import Planes
 from arrangement.real_entries import entry
 from arrangement.symbolic import entries, exact_matrix
 
 from .configuration import pivot_columns
+from .low_rank import MAX_RANK
 
+#: Planes of low rank that are counted without a look at their factors.
+_MANY = 500
 Indices = int | Iterable[int]
 #: What comes out is of the class of what went in.
 AnyPlanes = TypeVar("AnyPlanes", bound=Planes)
@@ -190,6 +195,69 @@ def _on_flat(arrangement: Planes, chart: Chart) -> list[list[int]]:
     inserted = exact_matrix(columns, arrangement.dimension + 1).transpose()
     planes, inserted = arrangement.matrix.unify(inserted)
     return entries((planes * inserted).to_list(), arrangement.field)
+
+
+def irreducible_factors(arrangement: Planes) -> list[Planes]:
+    """Return arrangements whose product this one is, each in as few coordinates as its rank.
+
+    The normals of one are independent of those of the others, so its faces times theirs are the
+    faces of all; chi is the product too, but for a power of t. Coincident planes come once.
+
+    Source: P. Orlik, H. Terao, Arrangements of Hyperplanes (1992), lemma 2.50.
+
+    >>> from arrangement import Arrangement
+    >>> [len(factor) for factor in irreducible_factors(Arrangement([[1, 1], [2, 2], [1, 0]]))]
+    [1, 1]
+    """
+    import networkx as nx
+
+    planes = [arrangement.integer_planes[members[0]] for members in arrangement.distinct]
+    parallel: dict[IntegerVector, list[int]] = {}
+    for i, plane in enumerate(planes):
+        parallel.setdefault(unoriented(plane[:-1]), []).append(i)
+    normals = list(parallel)
+    parts = [[i] for i in range(len(normals))]
+    if not independent(normals):
+        columns = list(zip(*normals, strict=True))
+        ask_elimination(columns, len(normals))
+        reduced = exact_matrix(columns, len(normals)).rref_den()[0].to_sparse().rep
+        graph = nx.Graph()
+        graph.add_nodes_from(range(len(normals)))
+        for row in reduced.values():  # a circuit is a plane and those that its column has
+            nx.add_star(graph, row)
+        parts = [sorted(part) for part in nx.connected_components(graph)]
+    found = []
+    for part in parts:
+        own = [normals[i] for i in part]
+        kept = pivot_columns(own, arrangement.dimension)
+        chosen = sorted(i for normal in own for i in parallel[normal])
+        rows = [[planes[i][j] for j in kept] for i in chosen]
+        found.append(Planes(rows, [planes[i][-1] for i in chosen]))
+    return found
+
+
+def over_factors(
+    arrangement: Planes, numbers: Callable[[Planes], tuple[int, ...]]
+) -> tuple[int, ...] | None:
+    """Return the product, as polynomials, of numbers of the factors; None if there is one factor.
+
+    Where they are worth looking for: beyond rank 4, and of many planes.
+    """
+    if arrangement.dimension <= MAX_RANK and len(arrangement) <= _MANY:
+        return None
+    factors = irreducible_factors(arrangement)
+    if len(factors) <= 1:
+        return None
+    found = [1]
+    for factor, times in Counter(factors).items():
+        own = numbers(factor)
+        for _ in range(times):
+            longer = [0] * (len(found) + len(own) - 1)
+            for i, x in enumerate(found):
+                for j, y in enumerate(own):
+                    longer[i + j] += x * y
+            found = longer
+    return tuple(found)
 
 
 def _selected(arrangement: AnyPlanes, planes: Sequence[int]) -> AnyPlanes:

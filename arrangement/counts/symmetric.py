@@ -13,6 +13,7 @@ import math
 import time
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
+from functools import partial
 from math import comb, prod
 
 import numpy as np
@@ -28,6 +29,7 @@ from .configuration import Configuration, configuration
 from .images import Images, Words, groups, packed, unpacked
 from .low_rank import MAX_RANK, whitney_matrix
 from .modular import Integers, ModularVectors
+from .operations import over_factors
 
 #: Pairs of a flat and a plane that are worked on at once.
 _CHUNK = 1 << 19
@@ -96,6 +98,10 @@ def first_whitney_numbers(
     (1, -63, 1652, -22435, 159460, -510524, 371909)
     """
     deadline = deadline_after(time_limit)
+    if symmetry is None:
+        found = over_factors(arrangement, partial(first_whitney_numbers, time_limit=time_limit))
+        if found is not None:
+            return found
     config = configuration(arrangement)
     if config.rank <= MAX_RANK and symmetry is None:
         return tuple((-1) ** k * value for k, value in enumerate(whitney_matrix(config)[0]))
@@ -106,15 +112,15 @@ def first_whitney_numbers(
         generators = automorphisms.generators()
     else:
         generators = automorphisms.verified(_of_classes(arrangement, symmetry))
-    found: list[int] = []
+    numbers: list[int] = []
     try:
         for number in classes(config, generators, deadline).numbers():
-            found.append(number)
+            numbers.append(number)
     except TimeoutError:
-        known = ", ".join(map(str, found))
+        known = ", ".join(map(str, numbers))
         message = f"after {time_limit} seconds the first Whitney numbers {known} are final"
-        raise TimeLimitError(f"{message}; give more time for the others", tuple(found)) from None
-    return tuple(found)
+        raise TimeLimitError(f"{message}; give more time for the others", tuple(numbers)) from None
+    return tuple(numbers)
 
 
 def deadline_after(time_limit: float | None) -> float:
