@@ -40,6 +40,11 @@ def limit(times: float) -> Iterator[None]:
         _times.reset(token)
 
 
+def times() -> float:
+    """Return how many times the usual budget is allowed now."""
+    return _times.get()
+
+
 def excess(*, faces: float = 0, bytes: float = 0, seconds: float = 0) -> float:
     """Return how many times the budget that would take, the one that is most exceeded."""
     shares = ((faces, FACES), (bytes, BYTES), (seconds, SECONDS))
@@ -88,6 +93,12 @@ def about(number: float) -> str:
     if number == math.inf:
         return "more than 10^300"
     return f"10^{math.floor(math.log10(number))}"
+
+
+def choose(n: int, k: int) -> float:
+    """Return a binomial coefficient, infinity where it is far out of reach."""
+    few = min(k, n - k)
+    return math.comb(n, few) if few * math.log2(max(n, 2)) < 900 else math.inf
 
 
 def power(base: float, exponent: float) -> float:

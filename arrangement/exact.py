@@ -14,6 +14,7 @@ import reprlib
 from collections.abc import Callable, Iterable, Sequence
 from decimal import MAX_EMAX, MIN_EMIN, Context, Decimal, Inexact
 from fractions import Fraction
+from itertools import chain
 from operator import mul
 from typing import Any, TypeAlias
 
@@ -245,8 +246,8 @@ def unoriented(vector: Sequence[int]) -> IntegerVector:
 
 def largest(rows: Iterable[Iterable[int]]) -> float:
     """Return the largest size of an entry; infinity, beyond every bound, if one is irrational."""
-    entries = [x for row in rows for x in row]
-    if not all(isinstance(x, int) for x in entries):
+    entries = list(chain.from_iterable(rows))
+    if set(map(type, entries)) != {int} and not all(isinstance(x, int) for x in entries):
         return math.inf
     return max(map(abs, entries), default=0)
 

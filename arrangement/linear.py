@@ -26,10 +26,12 @@ def rank(rows: Sequence[Sequence[int]]) -> int:
     Rows that are independent modulo a prime are independent; that they span the others is checked.
     """
     if len(rows) and len(rows) * len(rows[0]) > _FEW and largest(rows) < math.inf:
+        if len(rows) < len(rows[0]):
+            rows = list(zip(*rows, strict=True))
         width = len(rows[0])
         if len(rows) > 2 * width and rank(rows[: 2 * width]) == width:
             return width
-        chosen = independent_rows(rows)
+        chosen = _independent(rows)
         if len(chosen) == min(width, len(rows)):
             return len(chosen)
         ask_elimination([rows[i] for i in chosen], width)
@@ -50,13 +52,7 @@ def rank(rows: Sequence[Sequence[int]]) -> int:
     return found
 
 
-def independent(rows: Sequence[Sequence[int]]) -> bool:
-    """Return whether integer rows are seen to be independent, modulo a prime."""
-    few = bool(rows) and len(rows) <= len(rows[0]) and largest(rows) < math.inf
-    return few and len(independent_rows(rows)) == len(rows)
-
-
-def independent_rows(rows: Sequence[Sequence[int]]) -> list[int]:
+def _independent(rows: Sequence[Sequence[int]]) -> list[int]:
     """Return which rows are independent of those before, modulo a prime."""
     import numpy as np
 
@@ -65,19 +61,18 @@ def independent_rows(rows: Sequence[Sequence[int]]) -> list[int]:
         seconds=len(rows) * len(rows[0]) * min(len(rows), len(rows[0])) * 1e-8,
     )
     left = np.array([[x % _PRIME for x in row] for row in rows], dtype=np.int64)
-    found = []
-    for i in range(len(left)):
-        row = left[i]
-        column = int((row != 0).argmax())
-        if row[column]:
-            found.append(i)
-            row = row * pow(int(row[column]), -1, _PRIME) % _PRIME
-            below = left[i + 1 :]
-            changed = np.flatnonzero(below[:, column])
-            factors = below[changed, column]
-            below[changed] = (below[changed] - factors[:, None] * row) % _PRIME
-        if len(found) == left.shape[1]:
-            break
+    found: list[int] = []
+    i = 0
+    while len(found) < left.shape[1] and left[i:].any():
+        i += int(left[i:].any(axis=1).argmax())
+        found.append(i)
+        column = int((left[i] != 0).argmax())
+        row = left[i] * pow(int(left[i, column]), -1, _PRIME) % _PRIME
+        i += 1
+        below = left[i:]
+        changed = np.flatnonzero(below[:, column])
+        factors = below[changed, column]
+        below[changed] = (below[changed] - factors[:, None] * row) % _PRIME
     return found
 
 

@@ -12,6 +12,7 @@ from functools import cached_property
 from itertools import combinations
 from typing import TYPE_CHECKING, Any, Self
 
+from . import budget
 from .algebraic_number import field_of, written
 from .errors import InputError
 from .exact import (
@@ -88,6 +89,17 @@ class Planes:
                 raise InputError(
                     f"normals[{i}] is the zero vector, which defines no plane; remove plane {i}"
                 )
+        bits = [
+            x.numerator.bit_length()
+            for row in rows
+            for x in row
+            if isinstance(x, (int, Fraction)) and x.numerator.bit_length() > 1000
+        ]
+        budget.ask(
+            f"the divisors of {len(bits)} numbers of up to {max(bits, default=0)} bits",
+            "round them",
+            seconds=sum(n * n for n in bits) * 1e-11,
+        )
         planes = tuple(primitive((*row, b)) for row, b in zip(rows, constants, strict=True))
         self.__dict__.update(dimension=d, axes=tuple(axes), _integer_planes=planes)
 

@@ -18,7 +18,7 @@ from arrangement.exact import (
     rational_vector,
     unoriented,
 )
-from arrangement.linear import ask_elimination, independent
+from arrangement.linear import ask_elimination
 from arrangement.planes import Planes
 from arrangement.real_entries import entry
 from arrangement.symbolic import entries, exact_matrix
@@ -209,31 +209,32 @@ def irreducible_factors(arrangement: Planes) -> list[Planes]:
     >>> [len(factor) for factor in irreducible_factors(Arrangement([[1, 1], [2, 2], [1, 0]]))]
     [1, 1]
     """
-    import networkx as nx
+    found = []
+    for planes in _parts(arrangement):
+        kept = pivot_columns([plane[:-1] for plane in planes], arrangement.dimension)
+        rows = [[plane[j] for j in kept] for plane in planes]
+        found.append(Planes(rows, [plane[-1] for plane in planes]))
+    return found
 
-    planes = [arrangement.integer_planes[members[0]] for members in arrangement.distinct]
-    parallel: dict[IntegerVector, list[int]] = {}
-    for i, plane in enumerate(planes):
-        parallel.setdefault(unoriented(plane[:-1]), []).append(i)
+
+def _parts(arrangement: Planes) -> list[list[IntegerVector]]:
+    """Return the planes of each factor."""
+    parallel: dict[IntegerVector, list[IntegerVector]] = {}
+    for members in arrangement.distinct:
+        plane = arrangement.integer_planes[members[0]]
+        parallel.setdefault(unoriented(plane[:-1]), []).append(plane)
     normals = list(parallel)
-    parts = [[i] for i in range(len(normals))]
-    if not independent(normals):
+    parts = [{i} for i in range(len(normals))]
+    if arrangement.rank < len(normals):
         columns = list(zip(*normals, strict=True))
         ask_elimination(columns, len(normals))
-        reduced = exact_matrix(columns, len(normals)).rref_den()[0].to_sparse().rep
-        graph = nx.Graph()
-        graph.add_nodes_from(range(len(normals)))
-        for row in reduced.values():  # a circuit is a plane and those that its column has
-            nx.add_star(graph, row)
-        parts = [sorted(part) for part in nx.connected_components(graph)]
-    found = []
-    for part in parts:
-        own = [normals[i] for i in part]
-        kept = pivot_columns(own, arrangement.dimension)
-        chosen = sorted(i for normal in own for i in parallel[normal])
-        rows = [[planes[i][j] for j in kept] for i in chosen]
-        found.append(Planes(rows, [planes[i][-1] for i in chosen]))
-    return found
+        parts = []
+        for row in exact_matrix(columns, len(normals)).rref_den()[0].to_sparse().rep.values():
+            # a plane and those that its column has are a circuit
+            joined = [part for part in parts if not part.isdisjoint(row)]
+            parts = [part for part in parts if part.isdisjoint(row)]
+            parts.append(set(row).union(*joined))
+    return [[plane for i in sorted(part) for plane in parallel[normals[i]]] for part in parts]
 
 
 def over_factors(
@@ -245,11 +246,10 @@ def over_factors(
     """
     if arrangement.dimension <= MAX_RANK and len(arrangement) <= _MANY:
         return None
-    factors = irreducible_factors(arrangement)
-    if len(factors) <= 1:
+    if len(_parts(arrangement)) <= 1:
         return None
     found = [1]
-    for factor, times in Counter(factors).items():
+    for factor, times in Counter(irreducible_factors(arrangement)).items():
         own = numbers(factor)
         for _ in range(times):
             longer = [0] * (len(found) + len(own) - 1)

@@ -19,6 +19,7 @@ from math import comb, prod
 import numpy as np
 from numpy.typing import NDArray
 
+from arrangement import budget
 from arrangement.errors import InputError, TimeLimitError
 from arrangement.exact import shown
 from arrangement.planes import Planes
@@ -114,8 +115,9 @@ def first_whitney_numbers(
         generators = automorphisms.verified(_of_classes(arrangement, symmetry))
     numbers: list[int] = []
     try:
-        for number in classes(config, generators, deadline).numbers():
-            numbers.append(number)
+        with budget.limit(budget.times() if time_limit is None else math.inf):
+            for number in classes(config, generators, deadline).numbers():
+                numbers.append(number)
     except TimeoutError:
         known = ", ".join(map(str, numbers))
         message = f"after {time_limit} seconds the first Whitney numbers {known} are final"
@@ -231,6 +233,12 @@ class Classes:
         keep = keep or rank < self.rank - 1
         parts, residues = [], np.zeros(len(self._moduli), dtype=np.int64)
         step = max(1, _CHUNK // self._vectors.count)
+        pairs = len(flats) * self._vectors.count
+        budget.ask(
+            f"what covers {len(flats):,} classes of flats of rank {rank - 1}",
+            "leave out planes, or count in parts (--store FOLDER)",
+            seconds=pairs * 1e-7 * self.rank,
+        )
         pieces = [flats[i : i + step] for i in range(0, len(flats), step)]
         for piece in watched(pieces, f"parts of rank {rank}"):
             if time.monotonic() > self._deadline:

@@ -117,7 +117,7 @@ def _ask(
     exact = None
     if budget.excess(**takes()) > 1 and count is not None:
         exact = tuple(count(planes))
-        faces = sum(exact)
+        faces = min(sum(exact), 10**300)
     try:
         many = "" if exact is not None else "up to "
         budget.ask(f"a list of the {many}{budget.about(faces)} faces of {planes!r}",
