@@ -69,9 +69,12 @@ class Planes:
         dimension: int | None = None,
         axes: Iterable[str] = (),
     ) -> None:
+        given = _listed(normals)
+        entries = sum(len(row) for row in given if isinstance(row, (list, tuple)))
+        budget.ask(f"{entries:,} numbers", "give fewer planes", bytes=60 * entries)
         rows: list[Any] = [
             plain_integers(row) or rational_vector(row, f"normals[{i}]", entry)
-            for i, row in enumerate(_listed(normals))
+            for i, row in enumerate(given)
         ]
         if offsets is None:
             constants: RationalVector = (0,) * len(rows)  # type: ignore[assignment]

@@ -25,6 +25,7 @@ class Engine:
         ranks: the ranks, of the planes or of the cone over affine ones, that it can do.
         can: the same in words.
         seconds, bytes: that a face takes.
+        order: it takes as much as m^order faces in any case, for m distinct planes.
     """
 
     list_faces: Callable[[Planes], tuple[Level, ...]]
@@ -32,6 +33,7 @@ class Engine:
     can: str
     seconds: float
     bytes: float
+    order: int = 0
 
 
 def cone_rank(planes: Planes) -> int:
@@ -47,6 +49,7 @@ ENGINES = {
         "rank up to 3, or up to 2 with planes that miss the origin",
         1e-7,
         20,
+        2,
     ),
     "affine-space": Engine(
         affine_space.list_faces,
@@ -54,6 +57,7 @@ ENGINES = {
         "rank 3, or 4 if all planes contain the origin",
         1e-6,
         120,
+        2,
     ),
     "any-dimension": Engine(any_dimension.list_faces, lambda planes: True, "every rank", 4e-6, 300),
 }
@@ -73,7 +77,6 @@ def enumerate_faces(
         InputError: no engine of this name, or one that cannot do these planes.
         OutOfReachError: the list takes more than the budget.
     """
-    planes = copy(planes)  # planes may keep their faces, so the faces do not keep those planes
     if engine is None:
         engine = next(name for name, known in ENGINES.items() if known.ranks(planes))
     if engine not in ENGINES:
@@ -82,6 +85,7 @@ def enumerate_faces(
     if not chosen.ranks(planes):
         raise InputError(f"the engine {engine} does {chosen.can}; these are {planes!r}")
     _ask(planes, chosen, count)
+    planes = copy(planes)  # planes may keep their faces, so the faces do not keep those planes
     return FaceSequence(planes, chosen.list_faces(planes), engine)
 
 
@@ -111,8 +115,9 @@ def _ask(
     faces = most_faces(len(planes.distinct), planes.rank, planes.is_central)
 
     def takes() -> dict[str, float]:
-        seconds = faces * engine.seconds * factor
-        return {"faces": faces, "seconds": seconds, "bytes": faces * engine.bytes}
+        work = max(faces, len(planes.distinct) ** engine.order)
+        seconds = work * engine.seconds * factor
+        return {"faces": faces, "seconds": seconds, "bytes": work * engine.bytes}
 
     exact = None
     if budget.excess(**takes()) > 1 and count is not None:
