@@ -197,7 +197,7 @@ def primitive(vector: Sequence[Fraction | int]) -> IntegerVector:
     (3, -2, 0)
     """
     if set(map(type, vector)) <= {int}:
-        return reduced(vector)
+        return reduced(vector)  # type: ignore[arg-type]
     scale = math.lcm(*(x.denominator for x in vector))
     return reduced([x.numerator * (scale // x.denominator) for x in vector])
 

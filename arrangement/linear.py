@@ -15,7 +15,6 @@ from typing import Any
 from . import budget
 from .exact import IntegerVector, dot, largest, reduced
 
-
 #: Of a matrix with more entries a basis is guessed modulo this prime, and proved.
 _FEW, _PRIME = 2000, 2**31 - 1
 
@@ -82,7 +81,7 @@ def ask_elimination(rows: Sequence[Sequence[Any]], width: int) -> None:
         return
     filled = sum(1 for row in rows for x in row if x)
     order = min(width, len(rows))
-    digits = 1 + order * largest(rows).bit_length() / 2000 if largest(rows) < math.inf else 20
+    digits = 1 + order * int(largest(rows)).bit_length() / 2000 if largest(rows) < math.inf else 20
     budget.ask(
         f"elimination in a matrix of {len(rows)} rows with {width} entries",
         "leave out planes or coordinates",

@@ -170,7 +170,7 @@ def add_common_options(parser: argparse.ArgumentParser) -> None:
     )
     parser.add_argument(
         "--limit",
-        type=_times,
+        type=times_argument,
         default=1.0,
         metavar="TIMES",
         help="let it take so many times the usual faces, bytes and seconds",
@@ -180,7 +180,8 @@ def add_common_options(parser: argparse.ArgumentParser) -> None:
     )
 
 
-def _times(text: str) -> float:
+def times_argument(text: str) -> float:
+    """Read how many times the budget is allowed."""
     try:
         return float(rational_argument(text))
     except OverflowError:

@@ -17,8 +17,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
-from arrangement.algebraic_number import field_of
 from arrangement import budget
+from arrangement.algebraic_number import field_of
 from arrangement.errors import InputError
 from arrangement.exact import largest, shown, work_factor
 from arrangement.number_field import NumberField

@@ -107,9 +107,7 @@ def most_faces(m: int, rank: int, central: bool) -> float:
     return found + central
 
 
-def _ask(
-    planes: Planes, engine: Engine, count: Callable[[Planes], Sequence[int]] | None
-) -> None:
+def _ask(planes: Planes, engine: Engine, count: Callable[[Planes], Sequence[int]] | None) -> None:
     """Refuse a list that is out of reach, by a bound where that is enough."""
     factor = work_factor(planes.integer_planes)
     faces = most_faces(len(planes.distinct), planes.rank, planes.is_central)
@@ -125,8 +123,11 @@ def _ask(
         faces = min(sum(exact), 10**300)
     try:
         many = "" if exact is not None else "up to "
-        budget.ask(f"a list of the {many}{budget.about(faces)} faces of {planes!r}",
-            "count them (arrangement count, counts.f_vector)", **takes())
+        budget.ask(
+            f"a list of the {many}{budget.about(faces)} faces of {planes!r}",
+            "count them (arrangement count, counts.f_vector)",
+            **takes(),
+        )
     except OutOfReachError as error:
         error.f_vector = exact
         raise

@@ -16,6 +16,7 @@ from inspect import Parameter, cleandoc
 from typing import TYPE_CHECKING
 
 from arrangement.io.writing import document_text
+from arrangement.terminal import times_argument
 
 if TYPE_CHECKING:
     from arrangement.arrangement import Arrangement
@@ -65,6 +66,9 @@ def add_families(parser: argparse.ArgumentParser) -> None:
                 metavar=_metavar(parameter),
                 help=_help(parameter),
             )
+        made.add_argument(
+            "--limit", type=times_argument, default=argparse.SUPPRESS, metavar="TIMES"
+        )
         made.add_argument("-o", "--output", metavar="PATH", help="a file (default: print it)")
 
 

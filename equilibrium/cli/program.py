@@ -7,7 +7,7 @@ from collections.abc import Iterator, Sequence
 from itertools import chain
 from typing import TYPE_CHECKING, Any
 
-from arrangement import terminal
+from arrangement import budget, terminal
 from arrangement.exact import dot
 from arrangement.number_form import vector
 from equilibrium.model.pyramid import pyramid_words
@@ -119,7 +119,8 @@ def _solve(arguments: argparse.Namespace) -> int:
         literal = solve_literal(grasp, wrench, arguments.literal)
         lines = _verdict_lines(literal.equilibria, grasp)
         return show(arguments, literal.to_dict(), lines, literal.stable, grasp)
-    limits = {"time_limit": arguments.time_limit, "shorten": arguments.shorten}
+    usual = arguments.time_limit or budget.SECONDS * budget.times()
+    limits = {"time_limit": usual, "shorten": arguments.shorten}
     if arguments.cone is None:
         found = solve(grasp, wrench, **limits)
     elif grasp.dimension == 2:
