@@ -24,14 +24,8 @@ _times: ContextVar[float] = ContextVar("_times", default=1.0)
 def limit(times: float) -> Iterator[None]:
     """Let what is inside take so many times the faces, bytes and seconds; `math.inf`: anything.
 
-    >>> from arrangement import families
-    >>> planes = families.coordinate(3)
-    >>> with limit(1e-9):
-    ...     try:
-    ...         planes.faces()
-    ...     except InputError as error:
-    ...         print(str(error)[:28])
-    a list of the 27 faces of <A
+    >>> with limit(2):
+    ...     ask("a list of all of them", faces=15_000_000)
     """
     if not times > 0:
         raise InputError(f"the limit is {times}; give a positive number of times the usual budget")
