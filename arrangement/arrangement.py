@@ -8,6 +8,7 @@ from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
 from . import completeness, regions
+from .counts.whitney import f_vector
 from .enumeration.choose import enumerate_faces
 from .enumeration.great_circles import SphereArrangement, sphere_arrangement
 from .enumeration.sequence import FaceSequence
@@ -57,13 +58,14 @@ class Arrangement(Planes):
 
         Raises:
             InputError: no such dimension or engine, or an engine that cannot do these planes.
+            OutOfReachError: the list takes more than the budget (`arrangement.budget`).
         """
-        found = self._faces if engine is None else enumerate_faces(self, engine)
+        found = self._faces if engine is None else enumerate_faces(self, engine, f_vector)
         return found if dimension is None else found.of_dimension(dimension)
 
     @cached_property
     def _faces(self) -> FaceSequence:
-        return enumerate_faces(self)
+        return enumerate_faces(self, count=f_vector)
 
     def regions(self) -> FaceSequence:
         """Return the faces of full dimension: the cells that no plane meets."""

@@ -21,6 +21,16 @@ class WorkerError(InputError):
     """Processes or machines that were to work, and cannot."""
 
 
+class OutOfReachError(InputError):
+    """More faces, bytes or seconds than the budget has (`arrangement.budget`).
+
+    Attributes:
+        f_vector: the numbers of faces that were to be listed, where they are known.
+    """
+
+    f_vector: tuple[int, ...] | None = None
+
+
 class UnfinishedError(InputError):
     """A count that is not at its end.
 

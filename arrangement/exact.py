@@ -14,6 +14,7 @@ import reprlib
 from collections.abc import Callable, Iterable, Sequence
 from decimal import MAX_EMAX, MIN_EMIN, Context, Decimal, Inexact
 from fractions import Fraction
+from itertools import chain
 from operator import mul
 from typing import Any, TypeAlias
 
@@ -29,6 +30,7 @@ MAX_TEXT_LENGTH = 100_000
 #: Digits that int() converts at once; it refuses more than 4300.
 _DIGITS = 2000
 
+_PLAIN = re.compile(r"-?[0-9]{1,18}", re.ASCII).fullmatch
 _INTEGER_OR_RATIO = re.compile(r"([+-]?[0-9]+)(?:/([0-9]+))?")
 _DECIMAL = re.compile(r"([+-]?(?:[0-9]+\.?[0-9]*|\.[0-9]+))(?:[eE]([+-]?[0-9]{1,4}))?")
 
@@ -173,6 +175,19 @@ def rational_vector(
     return tuple(read(value, f"{name}[{i}]") for i, value in enumerate(values))
 
 
+def plain_integers(values: Any) -> IntegerVector | None:
+    """Return the integers of a list, given as such or as short texts; None if it has others.
+
+    This is most of what is read, and ten times as fast as `rational_vector`.
+    """
+    if type(values) not in (list, tuple):
+        return None
+    try:
+        return tuple([x if type(x) is int else int(_PLAIN(x)[0]) for x in values])  # type: ignore[index]
+    except TypeError:
+        return None
+
+
 def primitive(vector: Sequence[Fraction | int]) -> IntegerVector:
     """Return the positive multiple of a rational vector with coprime integer entries.
 
@@ -181,6 +196,8 @@ def primitive(vector: Sequence[Fraction | int]) -> IntegerVector:
     >>> primitive([Fraction(1, 2), Fraction(-1, 3), 0])
     (3, -2, 0)
     """
+    if set(map(type, vector)) <= {int}:
+        return reduced(vector)  # type: ignore[arg-type]
     scale = math.lcm(*(x.denominator for x in vector))
     return reduced([x.numerator * (scale // x.denominator) for x in vector])
 
@@ -234,10 +251,17 @@ def unoriented(vector: Sequence[int]) -> IntegerVector:
 
 def largest(rows: Iterable[Iterable[int]]) -> float:
     """Return the largest size of an entry; infinity, beyond every bound, if one is irrational."""
-    entries = [x for row in rows for x in row]
-    if not are_integers(entries):
+    entries = list(chain.from_iterable(rows))
+    if set(map(type, entries)) != {int} and not are_integers(entries):
         return math.inf
     return max(map(abs, entries), default=0)
+
+
+def work_factor(rows: Iterable[Iterable[int]]) -> float:
+    """Return how many times as long products of these numbers take as those of machine words."""
+    size = largest(rows)
+    bits = 60 if size == math.inf else int(size).bit_length()
+    return 1.0 if bits <= 20 else 3 + (bits / 500) ** 1.6
 
 
 def fraction(x: Any) -> Any:

@@ -12,6 +12,7 @@ from functools import cached_property
 from itertools import combinations
 from typing import TYPE_CHECKING, Any, Self
 
+from . import budget
 from .algebraic_number import field_of, written
 from .errors import InputError
 from .exact import (
@@ -19,6 +20,7 @@ from .exact import (
     RationalVector,
     dot,
     fraction,
+    plain_integers,
     primitive,
     rational_vector,
     shown,
@@ -67,13 +69,17 @@ class Planes:
         dimension: int | None = None,
         axes: Iterable[str] = (),
     ) -> None:
-        rows = [
-            rational_vector(row, f"normals[{i}]", entry) for i, row in enumerate(_listed(normals))
+        given = _listed(normals)
+        entries = sum(len(row) for row in given if isinstance(row, (list, tuple)))
+        budget.ask(f"{entries:,} numbers", "give fewer planes", bytes=60 * entries)
+        rows: list[Any] = [
+            plain_integers(row) or rational_vector(row, f"normals[{i}]", entry)
+            for i, row in enumerate(given)
         ]
         if offsets is None:
-            constants: RationalVector = (Fraction(0),) * len(rows)
+            constants: RationalVector = (0,) * len(rows)  # type: ignore[assignment]
         else:
-            constants = rational_vector(offsets, "offsets", entry)
+            constants = plain_integers(offsets) or rational_vector(offsets, "offsets", entry)  # type: ignore[assignment]
         *rows, constants = in_one_field([*rows, constants])
         if len(constants) != len(rows):
             raise InputError(
@@ -86,6 +92,17 @@ class Planes:
                 raise InputError(
                     f"normals[{i}] is the zero vector, which defines no plane; remove plane {i}"
                 )
+        bits = [
+            x.numerator.bit_length()
+            for row in rows
+            for x in row
+            if isinstance(x, (int, Fraction)) and x.numerator.bit_length() > 1000
+        ]
+        budget.ask(
+            f"the divisors of {len(bits)} numbers of up to {max(bits, default=0)} bits",
+            "round them",
+            seconds=sum(n * n for n in bits) * 1e-11,
+        )
         planes = tuple(primitive((*row, b)) for row, b in zip(rows, constants, strict=True))
         self.__dict__.update(dimension=d, axes=tuple(axes), _integer_planes=planes)
 
@@ -219,7 +236,7 @@ class Planes:
     @cached_property
     def rank(self) -> int:
         """The dimension of the span of the normals."""
-        return rank([plane[:-1] for plane in self._integer_planes])
+        return rank([self._integer_planes[members[0]][:-1] for members in self.distinct])
 
     @cached_property
     def is_central(self) -> bool:

@@ -14,10 +14,14 @@ from contextlib import contextmanager
 from contextvars import ContextVar
 from typing import TypeVar
 
+from . import budget
+
 Item = TypeVar("Item")
 
 _WIDTH = 24
 _PAUSE = 0.2
+#: Seconds of the processor after which a loop is asked how long it will take.
+_MEASURED = 0.8
 #: Loops that end sooner show no line.
 _PATIENCE = 1.0
 #: Seconds to the first line in a pipe, and the longest time between two.
@@ -51,7 +55,8 @@ def note(text: str) -> None:
 def watched(items: Iterable[Item], unit: str, total: int | None = None) -> Iterable[Item]:
     """Return the items; inside `shown` a line tells how many are done, if it takes a while.
 
-    Of nested loops the outermost tells.
+    Of nested loops the outermost tells. One that will not end within the budget is refused as soon
+    as its pace is known.
 
     Args:
         unit: of what, in the plural.
@@ -66,11 +71,18 @@ def watched(items: Iterable[Item], unit: str, total: int | None = None) -> Itera
 def _telling(items: Iterable[Item], bar: Bar) -> Iterator[Item]:
     outermost = _wanted.get()
     _wanted.set(False)
+    began, asked = time.process_time(), False
     try:
         for done, item in enumerate(items, start=1):
             yield item
-            if outermost:
-                bar.update(done)
+            if not outermost:
+                continue
+            bar.update(done)
+            passed = time.process_time() - began
+            if bar.total and not asked and passed > _MEASURED:
+                asked = True
+                text = f"{bar.total:,} {bar.unit}, of which {done:,} are done"
+                budget.ask(text, seconds=passed / done * bar.total)
     finally:
         bar.close()
         _wanted.set(outermost)

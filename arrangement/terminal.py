@@ -11,6 +11,7 @@ from __future__ import annotations
 
 import argparse
 import json
+import math
 import os
 import re
 import sys
@@ -21,7 +22,7 @@ from itertools import takewhile
 from pathlib import Path
 from typing import Any, NoReturn
 
-from . import number_form, progress
+from . import budget, number_form, progress
 from .algebraic_number import AlgebraicNumber, written
 from .entry import fault
 from .errors import InputError, MissingExtraError
@@ -163,13 +164,28 @@ def command_parser(prog: str, description: str) -> Parser:
 
 
 def add_common_options(parser: argparse.ArgumentParser) -> None:
-    """Add ``--json`` and ``--traceback``, which every command has."""
+    """Add ``--json``, ``--limit`` and ``--traceback``, which every command has."""
     parser.add_argument(
         "--json", action="store_true", help="print JSON on stdout, and nothing else"
     )
     parser.add_argument(
+        "--limit",
+        type=times_argument,
+        default=1.0,
+        metavar="TIMES",
+        help="let it take so many times the usual faces, bytes and seconds",
+    )
+    parser.add_argument(
         "--traceback", action="store_true", help="after a fault of the program, show where it was"
     )
+
+
+def times_argument(text: str) -> float:
+    """Read how many times the budget is allowed."""
+    try:
+        return float(rational_argument(text))
+    except OverflowError:
+        return math.inf
 
 
 def add_jobs_option(parser: argparse.ArgumentParser) -> None:
@@ -268,11 +284,14 @@ def run(parser: Parser, argv: Sequence[str] | None = None) -> int:
         arguments = parser.parse_args(argv)
         exact = any(getattr(arguments, name, False) for name in ("json", "exact"))
         form = number_form.Form(exact, getattr(arguments, "digits", None) or number_form.DIGITS)
-        with progress.shown(), form.used():
+        with budget.limit(getattr(arguments, "limit", 1.0)), progress.shown(), form.used():
             code: int = arguments.command(arguments)
         sys.stdout.flush()
     except (InputError, MissingExtraError) as error:
         return _refuse(str(error))
+    except MemoryError:
+        _discard_stdout()
+        return _refuse("there is not enough memory on this machine for it; ask for less")
     except BrokenPipeError:
         _discard_stdout()
         return _BROKEN_PIPE

@@ -303,7 +303,6 @@ LIMITS = {
     "slip lab": ("equilibrium.lab.page:MAX_CONTACTS",),
     "arrangement lab": ("arrangement.lab.lines_input:MAX_PLANES",),
     "is exponential": ("equilibrium.methods.frictionless_slip:MAX_CONTACTS",),
-    "by points": ("arrangement.counts.points:MAX_SETS", "arrangement.counts.points:MAX_PAIRS"),
     "combinatorial types": ("arrangement.library.census.catalogue:MOST_PLANES",),
     "tables of types": (
         "arrangement.formats.chirotope:MOST_ELEMENTS",

@@ -17,9 +17,10 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
+from arrangement import budget
 from arrangement.algebraic_number import field_of
 from arrangement.errors import InputError
-from arrangement.exact import largest, shown
+from arrangement.exact import largest, shown, work_factor
 from arrangement.number_field import NumberField
 from arrangement.symbolic import entries, exact_matrix
 
@@ -45,6 +46,12 @@ class Automorphisms:
         infinity = [] if config.infinity is None else [config.infinity]
         rows = [*config.vectors, *infinity]
         self.size = len(rows)
+        budget.ask(
+            f"the symmetries of {self.size:,} planes of rank {config.rank}",
+            "leave out planes",
+            seconds=(self.size**2 + config.rank**2) * config.rank * 2e-7 * work_factor(rows),
+            bytes=60 * self.size**2,
+        )
         matrix = exact_matrix(rows, config.rank)
         self._products = _numbered_products(matrix, field_of(x for row in rows for x in row))
         order = _connected_order(self._products, first=-len(infinity) % self.size)

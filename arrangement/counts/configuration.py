@@ -12,6 +12,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from arrangement.exact import IntegerVector
+from arrangement.linear import ask_elimination
 from arrangement.planes import Planes
 from arrangement.symbolic import exact_matrix
 
@@ -54,6 +55,9 @@ def pivot_columns(rows: Sequence[Sequence[int]], width: int) -> tuple[int, ...]:
     A few rows mostly have the full rank, so they are asked before all of them. SymPy costs 0.1 ms
     more than plain elimination; counts of ten planes take 1.7 times as long, of fifty 1.2 times.
     """
+    if len(rows) == 1:
+        return tuple(j for j, x in enumerate(rows[0]) if x)[:1]
+    ask_elimination(rows, width)
     pivots: tuple[int, ...] = exact_matrix(rows[: 2 * width], width).rref_den()[2]
     if len(pivots) == width or len(rows) <= 2 * width:
         return pivots

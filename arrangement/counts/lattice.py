@@ -12,9 +12,11 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
 
+from arrangement import budget
 from arrangement.errors import InputError
 from arrangement.exact import IntegerVector, bits, unoriented
 from arrangement.planes import Planes
+from arrangement.progress import watched
 from arrangement.short_repr import Shown
 
 from .configuration import Configuration, configuration
@@ -91,7 +93,7 @@ class IntersectionLattice(Shown):
     def whitney_row(self, rank: int) -> tuple[int, ...]:
         """Return one row of `whitney_matrix`; the row of rank 0 is by far the cheapest."""
         row = [0] * len(self.masks)
-        for position in range(len(self.masks[rank])):
+        for position in watched(range(len(self.masks[rank])), f"flats of rank {rank}"):
             for j, values in enumerate(self._moebius_above(rank, position)):
                 row[rank + j] += sum(map(abs, values.values()))
         return tuple(row)
@@ -225,6 +227,13 @@ class _Quotients:
         position: dict[int, int] = {}
         covers: list[tuple[int, ...]] = []
         quotients: list[dict[int, IntegerVector]] = []
+        work = sum(map(len, self.vectors))
+        budget.ask(
+            f"what covers {len(self.masks):,} flats",
+            "count without the lattice (arrangement polynomial)",
+            seconds=3e-6 * work,
+            bytes=200 * work * keep,
+        )
         for mask, vectors in zip(self.masks, self.vectors, strict=True):
             groups: dict[IntegerVector, list[int]] = {}
             for plane, vector in vectors.items():

@@ -42,7 +42,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from arrangement.exact import largest, unoriented
+from arrangement import budget
+from arrangement.exact import largest, unoriented, work_factor
 
 from .configuration import Configuration
 from .modular import ModularVectors
@@ -51,6 +52,8 @@ from .modular import ModularVectors
 MAX_RANK = 4
 _INT64_MAX = 2**63 - 1
 _CHUNK = 1 << 19
+#: Planes through which flats of rank 2 are counted to foresee how many there are.
+_SAMPLE = 16
 _COLUMN_PAIRS = np.array([(0, 1), (0, 2), (0, 3), (1, 2), (1, 3), (2, 3)])
 _COLUMN_REST = np.array([(2, 3), (1, 3), (1, 2), (0, 3), (0, 2), (0, 1)])
 
@@ -96,6 +99,7 @@ def rank_two_groups(config: Configuration) -> Groups:
     For rank 3 and 4 only.
     """
     vectors, m = _matrix(config), len(config.vectors)
+    _ask(f"the flats of rank 2 of {m:,} planes", config, m * m / 2, 130 * m * m)
     if isinstance(vectors, ModularVectors):
         bases = np.arange(m)[:, None]
         groups = [_covers(vectors, bases, np.eye(m, vectors.count, dtype=np.bool_))]
@@ -114,6 +118,8 @@ def _below_top(config: Configuration) -> WhitneyMatrix:
         return ((1,),) if config.rank else ()
     if config.rank == 2:
         return ((1, m), (0, m))
+    if config.rank == 4 and m > _SAMPLE:
+        _ask(f"the flats of rank 3 of {m:,} planes", config, m * _about_rank_two(config), 0)
     lines = rank_two_groups(config)
     count, planes = len(lines.row), int(lines.size.sum()) + len(lines.row)
     if config.rank == 3:
@@ -160,6 +166,23 @@ def _rank_three_sums(config: Configuration, lines: Groups) -> tuple[int, int, in
         pairs += len(group.row)
         triples += int(on_line.sum())
     return points, point_planes, pairs, triples
+
+
+def _about_rank_two(config: Configuration) -> float:
+    """Return how many flats of rank 2 there are, from those through a sample of planes."""
+    vectors, m = _matrix(config), len(config.vectors)
+    if isinstance(vectors, ModularVectors):
+        return m * m / 2
+    rows = np.linspace(0, m - 1, _SAMPLE).astype(np.intp)
+    groups = _flats_only(_group(_contract_by_one(vectors, rows), rows), m)
+    return float((1 / (groups.size + 1)).sum()) * m / _SAMPLE
+
+
+def _ask(what: str, config: Configuration, pairs: float, bytes: float) -> None:
+    """Refuse to compare too many planes with too many flats."""
+    slow = 10 if largest(config.vectors) == math.inf else 1
+    seconds = pairs * 2.5e-7 * slow * work_factor(config.vectors)
+    budget.ask(what, "leave out planes", seconds=seconds, bytes=bytes)
 
 
 def _matrix(config: Configuration) -> Integers | ModularVectors:

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections import Counter
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from math import lcm
@@ -17,12 +18,16 @@ from arrangement.exact import (
     rational_vector,
     unoriented,
 )
+from arrangement.linear import ask_elimination
 from arrangement.planes import Planes
 from arrangement.real_entries import entry
 from arrangement.symbolic import entries, exact_matrix
 
 from .configuration import pivot_columns
+from .low_rank import MAX_RANK
 
+#: Planes of low rank that are counted without a look at their factors.
+_MANY = 500
 Indices = int | Iterable[int]
 #: What comes out is of the class of what went in.
 AnyPlanes = TypeVar("AnyPlanes", bound=Planes)
@@ -190,6 +195,69 @@ def _on_flat(arrangement: Planes, chart: Chart) -> list[list[int]]:
     inserted = exact_matrix(columns, arrangement.dimension + 1).transpose()
     planes, inserted = arrangement.matrix.unify(inserted)
     return entries((planes * inserted).to_list(), arrangement.field)
+
+
+def irreducible_factors(arrangement: Planes) -> list[Planes]:
+    """Return arrangements whose product this one is, each in as few coordinates as its rank.
+
+    The normals of one are independent of those of the others, so its faces times theirs are the
+    faces of all; chi is the product too, but for a power of t. Coincident planes come once.
+
+    Source: P. Orlik, H. Terao, Arrangements of Hyperplanes (1992), lemma 2.50.
+
+    >>> from arrangement import Arrangement
+    >>> [len(factor) for factor in irreducible_factors(Arrangement([[1, 1], [2, 2], [1, 0]]))]
+    [1, 1]
+    """
+    found = []
+    for planes in _parts(arrangement):
+        kept = pivot_columns([plane[:-1] for plane in planes], arrangement.dimension)
+        rows = [[plane[j] for j in kept] for plane in planes]
+        found.append(Planes(rows, [plane[-1] for plane in planes]))
+    return found
+
+
+def _parts(arrangement: Planes) -> list[list[IntegerVector]]:
+    """Return the planes of each factor."""
+    parallel: dict[IntegerVector, list[IntegerVector]] = {}
+    for members in arrangement.distinct:
+        plane = arrangement.integer_planes[members[0]]
+        parallel.setdefault(unoriented(plane[:-1]), []).append(plane)
+    normals = list(parallel)
+    parts = [{i} for i in range(len(normals))]
+    if arrangement.rank < len(normals):
+        columns = list(zip(*normals, strict=True))
+        ask_elimination(columns, len(normals))
+        parts = []
+        for row in exact_matrix(columns, len(normals)).rref_den()[0].to_sparse().rep.values():
+            # a plane and those that its column has are a circuit
+            joined = [part for part in parts if not part.isdisjoint(row)]
+            parts = [part for part in parts if part.isdisjoint(row)]
+            parts.append(set(row).union(*joined))
+    return [[plane for i in sorted(part) for plane in parallel[normals[i]]] for part in parts]
+
+
+def over_factors(
+    arrangement: Planes, numbers: Callable[[Planes], tuple[int, ...]]
+) -> tuple[int, ...] | None:
+    """Return the product, as polynomials, of numbers of the factors; None if there is one factor.
+
+    Where they are worth looking for: beyond rank 4, and of many planes.
+    """
+    if arrangement.dimension <= MAX_RANK and len(arrangement) <= _MANY:
+        return None
+    if len(_parts(arrangement)) <= 1:
+        return None
+    found = [1]
+    for factor, times in Counter(irreducible_factors(arrangement)).items():
+        own = numbers(factor)
+        for _ in range(times):
+            longer = [0] * (len(found) + len(own) - 1)
+            for i, x in enumerate(found):
+                for j, y in enumerate(own):
+                    longer[i + j] += x * y
+            found = longer
+    return tuple(found)
 
 
 def _selected(arrangement: AnyPlanes, planes: Sequence[int]) -> AnyPlanes:

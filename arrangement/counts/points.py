@@ -21,6 +21,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from arrangement import budget
 from arrangement.algebraic_number import residues
 from arrangement.errors import InputError
 from arrangement.exact import IntegerVector, shown
@@ -30,8 +31,6 @@ from arrangement.planes import Planes
 if TYPE_CHECKING:
     import sympy
 
-#: Sets of planes that are tested, and pairs of a line and a plane, at most.
-MAX_SETS, MAX_PAIRS = 10**6, 10**10
 _CHUNK = 1 << 20
 
 
@@ -91,11 +90,13 @@ def points_off(arrangement: Planes, prime: int) -> int:
     _check_prime(prime, arrangement)
     if not d:
         return 1
-    if prime ** (d - 1) * max(1, len(arrangement)) > MAX_PAIRS or d * prime**2 >= 1 << 63:
-        raise InputError(
-            f"{len(arrangement)} planes modulo {prime} in dimension {d} take too many steps; "
-            "use characteristic_polynomial"
-        )
+    if d * prime**2 >= 1 << 63:
+        raise InputError(f"{prime} is too large for words of 64 bits in dimension {d}")
+    budget.ask(
+        f"the points of F_{prime}^{d} off {len(arrangement)} planes",
+        "use characteristic_polynomial",
+        seconds=budget.power(prime, d - 1) * max(1, len(arrangement)) * 1e-8,
+    )
     planes = np.array(residues(arrangement.integer_planes, prime)).reshape(-1, d + 1)
     along, across = planes[planes[:, d - 1] == 0], planes[planes[:, d - 1] != 0]
     scale = np.array([pow(int(x), -1, prime) for x in across[:, d - 1]], dtype=np.int64)
@@ -123,11 +124,11 @@ def _minors(arrangement: Planes) -> Iterator[tuple[list[Any], tuple[int, ...]]]:
     if not arrangement.is_central:
         rows.append((0,) * arrangement.dimension + (1,))
     order = rank(rows)
-    if comb(len(rows), order) > MAX_SETS:
-        raise InputError(
-            f"{len(arrangement)} planes of rank {arrangement.rank} have over {MAX_SETS} bases to "
-            "test; use characteristic_polynomial"
-        )
+    budget.ask(
+        f"a test of the bases of {len(arrangement)} planes of rank {arrangement.rank}",
+        "use characteristic_polynomial",
+        seconds=comb(len(rows), order) * (order + 2) ** 3 * 4e-7,
+    )
     columns = [c for c in range(arrangement.dimension + 1) if any(row[c] for row in rows)]
     for chosen in combinations(range(len(rows)), order):
         divisor, others = 0, []

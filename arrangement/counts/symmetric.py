@@ -13,11 +13,13 @@ import math
 import time
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
+from functools import partial
 from math import comb, prod
 
 import numpy as np
 from numpy.typing import NDArray
 
+from arrangement import budget
 from arrangement.errors import InputError, TimeLimitError
 from arrangement.exact import shown
 from arrangement.planes import Planes
@@ -28,6 +30,7 @@ from .configuration import Configuration, configuration
 from .images import Images, Words, groups, packed, unpacked
 from .low_rank import MAX_RANK, whitney_matrix
 from .modular import Integers, ModularVectors
+from .operations import over_factors
 
 #: Pairs of a flat and a plane that are worked on at once.
 _CHUNK = 1 << 19
@@ -96,6 +99,10 @@ def first_whitney_numbers(
     (1, -63, 1652, -22435, 159460, -510524, 371909)
     """
     deadline = deadline_after(time_limit)
+    if symmetry is None:
+        found = over_factors(arrangement, partial(first_whitney_numbers, time_limit=time_limit))
+        if found is not None:
+            return found
     config = configuration(arrangement)
     if config.rank <= MAX_RANK and symmetry is None:
         return tuple((-1) ** k * value for k, value in enumerate(whitney_matrix(config)[0]))
@@ -106,15 +113,16 @@ def first_whitney_numbers(
         generators = automorphisms.generators()
     else:
         generators = automorphisms.verified(_of_classes(arrangement, symmetry))
-    found: list[int] = []
+    numbers: list[int] = []
     try:
-        for number in classes(config, generators, deadline).numbers():
-            found.append(number)
+        with budget.limit(budget.times() if time_limit is None else math.inf):
+            for number in classes(config, generators, deadline).numbers():
+                numbers.append(number)
     except TimeoutError:
-        known = ", ".join(map(str, found))
+        known = ", ".join(map(str, numbers))
         message = f"after {time_limit} seconds the first Whitney numbers {known} are final"
-        raise TimeLimitError(f"{message}; give more time for the others", tuple(found)) from None
-    return tuple(found)
+        raise TimeLimitError(f"{message}; give more time for the others", tuple(numbers)) from None
+    return tuple(numbers)
 
 
 def deadline_after(time_limit: float | None) -> float:
@@ -225,6 +233,12 @@ class Classes:
         keep = keep or rank < self.rank - 1
         parts, residues = [], np.zeros(len(self._moduli), dtype=np.int64)
         step = max(1, _CHUNK // self._vectors.count)
+        pairs = len(flats) * self._vectors.count
+        budget.ask(
+            f"what covers {len(flats):,} classes of flats of rank {rank - 1}",
+            "leave out planes, or count in parts (--store FOLDER)",
+            seconds=pairs * 1e-7 * self.rank,
+        )
         pieces = [flats[i : i + step] for i in range(0, len(flats), step)]
         for piece in watched(pieces, f"parts of rank {rank}"):
             if time.monotonic() > self._deadline:

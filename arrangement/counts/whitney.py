@@ -17,6 +17,7 @@ from .class_sums import flats_and_faces
 from .configuration import configuration
 from .lattice import intersection_lattice
 from .low_rank import MAX_RANK, WhitneyMatrix, whitney_matrix
+from .operations import over_factors
 from .symmetric import first_whitney_numbers
 
 if TYPE_CHECKING:
@@ -117,8 +118,7 @@ def bounded_region_count(arrangement: Planes, *, relative: bool = False) -> int:
     >>> bounded_region_count(Arrangement([[1, 0], [0, 1], [1, 1]], [0, 0, 1]))
     1
     """
-    config = configuration(arrangement)
-    if not relative and config.rank - (config.infinity is not None) < arrangement.dimension:
+    if not relative and arrangement.rank < arrangement.dimension:
         return 0
     return abs(sum(first_whitney_numbers(arrangement)))
 
@@ -137,15 +137,20 @@ def f_vector(arrangement: Planes) -> tuple[int, ...]:
     >>> f_vector(Arrangement([[1, 0, 0], [0, 1, 0], [1, 1, 1]]))
     (1, 6, 12, 8)
     """
+    sums = _faces_by_codimension(arrangement)
+    return (0,) * (arrangement.dimension + 1 - len(sums)) + tuple(reversed(sums))
+
+
+def _faces_by_codimension(arrangement: Planes) -> tuple[int, ...]:
+    product = over_factors(arrangement, _faces_by_codimension)
+    if product is not None:
+        return product
     config = configuration(arrangement)
-    by_classes = None
     if config.rank > MAX_RANK:
         by_classes = flats_and_faces(arrangement, config, faces=True)
-    if by_classes is None:
-        sums = [sum(row) for row in doubly_indexed_whitney_numbers(arrangement)]
-    else:
-        sums = list(by_classes[1])
-    return (0,) * (arrangement.dimension + 1 - len(sums)) + tuple(reversed(sums))
+        if by_classes is not None:
+            return by_classes[1]
+    return tuple(map(sum, doubly_indexed_whitney_numbers(arrangement)))
 
 
 def fukuda_bound(n: int, d: int, k: int) -> int:

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from copy import copy
 from dataclasses import dataclass
+from math import comb
 
-from arrangement.errors import InputError
-from arrangement.exact import shown
+from arrangement import budget
+from arrangement.errors import InputError, OutOfReachError
+from arrangement.exact import shown, work_factor
 from arrangement.planes import Planes
 
 from . import affine_space, any_dimension, great_circles
@@ -22,11 +24,16 @@ class Engine:
         list_faces: from planes to their faces of dimension 0, 1, ..., d.
         ranks: the ranks, of the planes or of the cone over affine ones, that it can do.
         can: the same in words.
+        seconds, bytes: that a face takes.
+        order: it takes as much as m^order faces in any case, for m distinct planes.
     """
 
     list_faces: Callable[[Planes], tuple[Level, ...]]
     ranks: Callable[[Planes], bool]
     can: str
+    seconds: float
+    bytes: float
+    order: int = 0
 
 
 def cone_rank(planes: Planes) -> int:
@@ -40,23 +47,36 @@ ENGINES = {
         great_circles.list_faces,
         lambda planes: cone_rank(planes) <= 3,
         "rank up to 3, or up to 2 with planes that miss the origin",
+        1e-7,
+        20,
+        2,
     ),
     "affine-space": Engine(
         affine_space.list_faces,
         lambda planes: planes.rank == 3 or cone_rank(planes) == 4,
         "rank 3, or 4 if all planes contain the origin",
+        1e-6,
+        120,
+        2,
     ),
-    "any-dimension": Engine(any_dimension.list_faces, lambda planes: True, "every rank"),
+    "any-dimension": Engine(any_dimension.list_faces, lambda planes: True, "every rank", 4e-6, 300),
 }
 
 
-def enumerate_faces(planes: Planes, engine: str | None = None) -> FaceSequence:
+def enumerate_faces(
+    planes: Planes,
+    engine: str | None = None,
+    count: Callable[[Planes], Sequence[int]] | None = None,
+) -> FaceSequence:
     """Return every face, listed by the fastest engine that can, or by the one that is named.
+
+    Args:
+        count: gives their numbers without listing any; asked where a bound is out of reach.
 
     Raises:
         InputError: no engine of this name, or one that cannot do these planes.
+        OutOfReachError: the list takes more than the budget.
     """
-    planes = copy(planes)  # planes may keep their faces, so the faces do not keep those planes
     if engine is None:
         engine = next(name for name, known in ENGINES.items() if known.ranks(planes))
     if engine not in ENGINES:
@@ -64,4 +84,50 @@ def enumerate_faces(planes: Planes, engine: str | None = None) -> FaceSequence:
     chosen = ENGINES[engine]
     if not chosen.ranks(planes):
         raise InputError(f"the engine {engine} does {chosen.can}; these are {planes!r}")
+    _ask(planes, chosen, count)
+    planes = copy(planes)  # planes may keep their faces, so the faces do not keep those planes
     return FaceSequence(planes, chosen.list_faces(planes), engine)
+
+
+def most_faces(m: int, rank: int, central: bool) -> float:
+    """Return how many faces m planes of a rank have at most: as many as in general position.
+
+    Source: R. Buck, American Mathematical Monthly 50 (1943); T. Zaslavsky, Memoirs AMS 154 (1975).
+
+    >>> most_faces(4, 3, True), most_faces(3, 3, False)
+    (51, 27)
+    """
+    if rank > 40:  # beyond 10^12: there are at least 2^rank regions
+        return budget.power(2, rank)
+    found = 0
+    for k in range(rank + 1):
+        left = m - k - central
+        regions = sum(comb(left, i) for i in range(rank - k + (not central))) if left >= 0 else 0
+        found += comb(m, k) * (regions * (1 + central) if k < rank or not central else 0)
+    return found + central
+
+
+def _ask(planes: Planes, engine: Engine, count: Callable[[Planes], Sequence[int]] | None) -> None:
+    """Refuse a list that is out of reach, by a bound where that is enough."""
+    factor = work_factor(planes.integer_planes)
+    faces = most_faces(len(planes.distinct), planes.rank, planes.is_central)
+
+    def takes() -> dict[str, float]:
+        work = max(faces, len(planes.distinct) ** engine.order)
+        seconds = work * engine.seconds * factor
+        return {"faces": faces, "seconds": seconds, "bytes": work * engine.bytes}
+
+    exact = None
+    if budget.excess(**takes()) > 1 and count is not None:
+        exact = tuple(count(planes))
+        faces = min(sum(exact), 10**300)
+    try:
+        many = "" if exact is not None else "up to "
+        budget.ask(
+            f"a list of the {many}{budget.about(faces)} faces of {planes!r}",
+            "count them (arrangement count, counts.f_vector)",
+            **takes(),
+        )
+    except OutOfReachError as error:
+        error.f_vector = exact
+        raise

@@ -52,9 +52,12 @@ def _planes(document: Mapping[str, Any]) -> Arrangement:
     field = _field(document["field"]) if "field" in document else None
 
     def numbers(value: Any, where: str) -> list[Any]:
+        given = check_list(value, where)
+        if set(map(type, given)).isdisjoint((list, tuple)):
+            return given
         return [
             _of_field(x, field, f"{where}[{i}]") if isinstance(x, (list, tuple)) else x
-            for i, x in enumerate(check_list(value, where))
+            for i, x in enumerate(given)
         ]
 
     planes = check_list(document["planes"], "planes")

@@ -61,20 +61,20 @@ def without_remarks(text: str, mark: str) -> str:
 def inside(text: str, start: int, pair: str) -> str:
     """Return what stands between the bracket at `start` and the one that closes it."""
     depth = 0
-    for place in range(start, len(text)):
-        depth += (text[place] == pair[0]) - (text[place] == pair[1])
+    for mark in re.compile(f"[{re.escape(pair)}]").finditer(text, start):
+        depth += 1 if mark[0] == pair[0] else -1
         if not depth:
-            return text[start + 1 : place]
+            return text[start + 1 : mark.start()]
     raise InputError(f"a bracket {pair[0]} is never closed")
 
 
 def split_outside(text: str, mark: str = ",") -> list[str]:
     """Split a text at the marks that stand in no bracket; a last empty part is left out."""
-    parts, depth = [""], 0
-    for letter in text:
-        depth += (letter in "([{") - (letter in ")]}")
-        if letter == mark and not depth:
-            parts.append("")
-        else:
-            parts[-1] += letter
+    parts, depth, begun = [], 0, 0
+    for found in re.compile(rf"[][(){{}}{mark}]").finditer(text):
+        depth += (found[0] in "([{") - (found[0] in ")]}")
+        if found[0] == mark and not depth:
+            parts.append(text[begun : found.start()])
+            begun = found.end()
+    parts.append(text[begun:])
     return [part.strip() for part in (parts if parts[-1].strip() else parts[:-1])]

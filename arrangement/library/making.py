@@ -7,6 +7,7 @@ import inspect
 from inspect import Parameter
 
 from arrangement.io.writing import document_text
+from arrangement.terminal import times_argument
 
 from .families import FAMILIES
 
@@ -38,6 +39,9 @@ def add_families(parser: argparse.ArgumentParser) -> None:
                 metavar=_metavar(parameter),
                 help=_help(parameter),
             )
+        made.add_argument(
+            "--limit", type=times_argument, default=argparse.SUPPRESS, metavar="TIMES"
+        )
         made.add_argument("-o", "--output", metavar="PATH", help="a file (default: print it)")
 
 

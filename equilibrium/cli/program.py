@@ -8,7 +8,7 @@ from dataclasses import replace
 from itertools import chain
 from typing import TYPE_CHECKING, Any
 
-from arrangement import terminal
+from arrangement import budget, terminal
 from arrangement.exact import dot
 from arrangement.number_form import vector
 from equilibrium.model.pyramid import pyramid_words
@@ -159,13 +159,14 @@ def _solve(arguments: argparse.Namespace) -> int:
         literal = solve_literal(grasp, wrench, arguments.literal)
         lines = _verdict_lines(literal.equilibria, grasp)
         return show(arguments, literal.to_dict(), lines, literal.stable, grasp)
+    # In space a minute, since proofs there are long.
+    usual = budget.SECONDS * budget.times() * (1 if grasp.dimension == 2 else 6)
+    limit = arguments.time_limit or usual
     if arguments.cone is None:
-        limit, shorten = arguments.time_limit, arguments.shorten
-        found = solve(grasp, wrench, time_limit=limit, shorten=shorten, **bounds)
+        found = solve(grasp, wrench, time_limit=limit, shorten=arguments.shorten, **bounds)
     elif grasp.dimension == 2:
         raise GraspError(FLAT)
     else:
-        limit = arguments.time_limit
         found = solve_in_space(grasp, wrench, time_limit=limit, pyramid=arguments.cone, **bounds)
     if arguments.certificate is not None and found.certificate is not None:
         write_certificate(arguments.certificate, found.certificate)

@@ -59,7 +59,7 @@ def add_commands(commands: Any) -> None:
     mapped = add_command(commands, "map", _map, text)
     add_count(mapped, "--directions", 72, "how many")
     add_number(mapped, "--tolerance", Fraction(1, 1000), "of the search")
-    add_number(mapped, "--limit", 1000, "largest magnitude tried")
+    add_number(mapped, "--largest", 1000, "largest magnitude tried")
 
     text = "wrench-space slice, no preload and preload 1, as data"
     _add_plane(add_command(commands, "figure", _figure, text, preload=False))
@@ -192,7 +192,7 @@ def _map(arguments: argparse.Namespace) -> int:
     from equilibrium.wrench_sets import search_map
 
     grasp = grasp_of(arguments)
-    found = search_map(grasp, arguments.directions, arguments.tolerance, arguments.limit)
+    found = search_map(grasp, arguments.directions, arguments.tolerance, arguments.largest)
     lines = _map_lines(found, _force(grasp))
     return show(arguments, found.to_dict(), lines, not found.disagreements, grasp)
 

@@ -70,7 +70,7 @@ def test_errors_on_purpose_are_one_line(
     assert "\x1b" not in captured.err
 
 
-@pytest.mark.parametrize("error", [ZeroDivisionError("x" * 999), RecursionError(), MemoryError()])
+@pytest.mark.parametrize("error", [ZeroDivisionError("x" * 999), RecursionError()])
 def test_a_fault_of_the_program_is_no_answer(
     error: Exception, capsys: pytest.CaptureFixture[str]
 ) -> None:

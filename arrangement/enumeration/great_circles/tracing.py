@@ -32,11 +32,12 @@ def build_incidence(crossings: Crossings) -> Incidence:
         np.empty(n * offsets[-1], np.int32) for n in (1, 1, 4, 4)
     )
     line_offsets = [np.zeros(1, np.int32)]
-    lines = 0
+    lines = end = 0
     for rows in _blocks(count):
         stars = _Stars.of(slots, crossings, rows)
-        line_offsets.append(stars.number_lines(slot_line, line_slots, lines, line_offsets[-1][-1]))
+        line_offsets.append(stars.number_lines(slot_line, line_slots, lines, end))
         lines += len(line_offsets[-1])
+        end = line_offsets[-1][-1] if line_offsets[-1].size else end
         stars.link(following, region)
     del slots, stars  # before the largest arrays are read and written
     leader = _number_regions(region)

@@ -1,7 +1,10 @@
-"""Argument checks that all families share."""
+"""Checks of arguments and of size that all families share."""
 
 from __future__ import annotations
 
+import math
+
+from arrangement import budget
 from arrangement.errors import InputError
 from arrangement.exact import shown
 
@@ -13,3 +16,18 @@ def at_least(value: int, least: int, name: str) -> int:
     if value < least:
         raise InputError(f"{name} is {shown(value)}; it must be at least {least}")
     return value
+
+
+def planned(planes: float, dimension: float, bits: float = 0) -> None:
+    """Refuse a member that is out of reach, before any plane of it is made.
+
+    Args:
+        bits: of an entry, where they are many.
+    """
+    entries = planes * dimension if math.inf not in (planes, dimension) else math.inf
+    budget.ask(
+        f"{budget.about(planes)} planes in dimension {budget.about(dimension)}",
+        "take a smaller member",
+        seconds=entries * (2e-6 + (bits * bits * 1e-11 if bits < 1e100 else math.inf)),
+        bytes=entries * (60 + bits / 8),
+    )

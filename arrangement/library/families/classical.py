@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from itertools import combinations, permutations, product
+from math import comb
 
 from arrangement.algebraic_number import AlgebraicNumber
 from arrangement.arrangement import Arrangement
 from arrangement.linear import unit_vectors
 from arrangement.number_field import NumberField
 
-from .checks import at_least
+from .checks import at_least, planned
 
 
 def generic(m: int, d: int = 3, *, affine: bool = False) -> Arrangement:
@@ -28,6 +29,7 @@ def generic(m: int, d: int = 3, *, affine: bool = False) -> Arrangement:
     """
     at_least(m, 0, "m")
     at_least(d, 1, "d")
+    planned(m, d, d * m.bit_length())
     normals = [[t**power for power in range(d)] for t in range(1, m + 1)]
     offsets = [t**d for t in range(1, m + 1)] if affine else None
     return Arrangement(normals, offsets, dimension=d)
@@ -44,6 +46,7 @@ def pencil(m: int, d: int = 3) -> Arrangement:
     """
     at_least(m, 0, "m")
     at_least(d, 2, "d")
+    planned(m, d)
     return Arrangement([[1, t, *(0,) * (d - 2)] for t in range(m)], dimension=d)
 
 
@@ -61,6 +64,7 @@ def near_pencil(m: int, d: int = 3) -> Arrangement:
     """
     at_least(m, 3, "m")
     at_least(d, 3, "d")
+    planned(m, d)
     rows = [[1, t, *(0,) * (d - 2)] for t in range(m - 1)]
     return Arrangement([*rows, [0, 0, 1, *(0,) * (d - 3)]])
 
@@ -76,6 +80,7 @@ def coordinate(d: int) -> Arrangement:
     (1, 6, 12, 8)
     """
     at_least(d, 1, "d")
+    planned(d, d)
     return Arrangement(unit_vectors(d))
 
 
@@ -89,6 +94,7 @@ def braid(n: int) -> Arrangement:
     (0, 1, 6, 6)
     """
     at_least(n, 1, "n")
+    planned(comb(n, 2), n)
     return Arrangement(differences(n), dimension=n)
 
 
@@ -102,6 +108,7 @@ def type_b(n: int) -> Arrangement:
     (1, 26, 72, 48)
     """
     at_least(n, 1, "n")
+    planned(n * n, n)
     return Arrangement([*unit_vectors(n), *differences(n), *sums(n)])
 
 
@@ -115,6 +122,7 @@ def type_d(n: int) -> Arrangement:
     (1, 14, 36, 24)
     """
     at_least(n, 2, "n")
+    planned(n * (n - 1), n)
     return Arrangement([*differences(n), *sums(n)])
 
 

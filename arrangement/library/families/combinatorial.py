@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 from itertools import product
+from math import comb
 
+from arrangement import budget
 from arrangement.arrangement import Arrangement
 
-from .checks import at_least
+from .checks import at_least, planned
 from .classical import sums
 
 
@@ -21,6 +23,7 @@ def threshold(n: int) -> Arrangement:
     46
     """
     at_least(n, 1, "n")
+    planned(comb(n, 2), n)
     return Arrangement(sums(n), dimension=n)
 
 
@@ -35,6 +38,7 @@ def threshold_functions(n: int) -> Arrangement:
     14
     """
     at_least(n, 0, "n")
+    planned(budget.power(2, n), n + 1)
     return Arrangement([(1, *x) for x in product((0, 1), repeat=n)])
 
 
@@ -49,4 +53,5 @@ def resonance(n: int) -> Arrangement:
     32
     """
     at_least(n, 1, "n")
+    planned(budget.power(2, n), n)
     return Arrangement([x for x in product((0, 1), repeat=n) if any(x)])

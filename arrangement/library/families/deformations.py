@@ -8,12 +8,13 @@ each with its offsets (see `coxeter`).
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Sequence
+from math import comb
 from typing import TYPE_CHECKING
 
 from arrangement.arrangement import Arrangement
 
-from .checks import at_least
+from .checks import at_least, planned
 from .classical import differences, sums
 from .graphs import edge_differences
 from .root_systems import positive_roots
@@ -90,6 +91,7 @@ def ish(n: int) -> Arrangement:
     16
     """
     at_least(n, 1, "n")
+    planned(n * n, n)
     pairs = [(i, j) for i in range(n) for j in range(i + 1, n)]
     first = [[int(k == 0) - int(k == j) for k in range(n)] for _, j in pairs]
     offsets = [0] * len(pairs) + [i + 1 for i, _ in pairs]
@@ -107,14 +109,16 @@ def ish_b(n: int) -> Arrangement:
     25
     """
     at_least(n, 1, "n")
+    planned(2 * n * n, n)
     axes = [(i, k) for i in range(1, n + 1) for k in range(i - n, n - i + 2)]
     units = [[int(j == i) for j in range(1, n + 1)] for i, _ in axes]
     mirrors = [*differences(n), *sums(n)]
     return Arrangement([*mirrors, *units], [*(0 for _ in mirrors), *(k for _, k in axes)])
 
 
-def _deformed(type: int | str | nx.Graph, offsets: Iterable[int]) -> Arrangement:
+def _deformed(type: int | str | nx.Graph, offsets: Sequence[int]) -> Arrangement:
     """Return the planes of every root with every offset."""
+    size = offsets[-1] - offsets[0] + 1  # a range too long for len()
     if isinstance(type, str) and not type[:1].isdigit():
         rows = [list(root) for root in positive_roots(type)]
         dimension = len(rows[0])
@@ -122,7 +126,9 @@ def _deformed(type: int | str | nx.Graph, offsets: Iterable[int]) -> Arrangement
         rows, dimension = edge_differences(type)
     else:
         dimension = at_least(type, 1, "type")
+        planned(comb(dimension, 2) * size, dimension)
         rows = differences(dimension)
+    planned(len(rows) * size, dimension)
     planes = [(row, offset) for row in rows for offset in offsets]
     return Arrangement(
         [row for row, _ in planes], [offset for _, offset in planes], dimension=dimension

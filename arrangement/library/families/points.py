@@ -2,15 +2,17 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Iterator, Mapping
 from itertools import combinations, permutations, product
 
+from arrangement import budget
 from arrangement.arrangement import Arrangement
 from arrangement.errors import InputError
 from arrangement.exact import IntegerVector, shown
 from arrangement.linear import determinant
 
-from .checks import at_least
+from .checks import at_least, planned
 from .randoms import random_integer
 
 
@@ -53,6 +55,8 @@ def separations(polytope: str, n: int) -> Arrangement:
     at_least(n, 1, "n")
     if polytope not in _VERTICES:
         raise InputError(f"the polytope is {shown(polytope)}; there are {', '.join(_VERTICES)}")
+    vertices = {"cross-polytope": 2 * n, "permutohedron": math.gamma(min(n, 169) + 1)}
+    planned(vertices.get(polytope, budget.power(2, n)), n + 1)
     return Arrangement([(1, *vertex) for vertex in _VERTICES[polytope](n)])
 
 
@@ -75,6 +79,7 @@ def discriminantal(n: int, d: int = 3, *, affine: bool = False, seed: int = 0) -
     at_least(d, 1, "d")
     at_least(n, d, "n")
     width = d + affine
+    planned(budget.choose(n, width - 1), width, 400 * width)
     points = random_integer(n, d, bound=999, seed=seed).integer_planes
     vectors = [(*point[:-1], 1) if affine else point[:-1] for point in points]
     rows = []

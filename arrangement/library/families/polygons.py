@@ -7,7 +7,8 @@ from itertools import accumulate
 from arrangement.algebraic_number import Real
 from arrangement.arrangement import Arrangement
 from arrangement.errors import InputError
-from arrangement.exact import quotient
+from arrangement.exact import quotient, shown
+from arrangement.polynomials import MAX_DEGREE
 from arrangement.real_entries import real_vector
 
 from .checks import at_least
@@ -69,6 +70,10 @@ def _multiples(n: int) -> tuple[list[Real], list[Real]]:
     """Return 2 cos(k x) and sin(k x) / sin(x) for x = 2 pi / n, k = 0, ..., n - 1."""
     import sympy
 
+    if n > 8 * MAX_DEGREE**2 or sympy.totient(n) > 2 * MAX_DEGREE:  # its degree is half of that
+        raise InputError(
+            f"the cosine of 2 pi / {shown(n)} has a degree above {MAX_DEGREE}; take fewer planes"
+        )
     t = real_vector([2 * sympy.cos(2 * sympy.pi / n)], "the cosine")[0]
     cosines: list[Real] = [2, t]
     sines: list[Real] = [0, 1]

@@ -8,7 +8,7 @@ from random import Random
 from arrangement.arrangement import Arrangement
 from arrangement.exact import IntegerVector
 
-from .checks import at_least
+from .checks import at_least, planned
 
 
 def random_integer(
@@ -25,6 +25,7 @@ def random_integer(
     at_least(m, 0, "m")
     at_least(d, 1, "d")
     at_least(bound, 1, "bound")
+    planned(m, d, bound.bit_length())
     source = Random(seed)
     normals = [_nonzero(source, d, bound) for _ in range(m)]
     offsets = [source.randint(-bound, bound) for _ in range(m)] if affine else None
@@ -60,6 +61,7 @@ def random_sphere(m: int, d: int = 3, *, bits: int = 20, seed: int = 0) -> Arran
     at_least(m, 0, "m")
     at_least(d, 1, "d")
     at_least(bits, 1, "bits")
+    planned(m, d, 4 * bits)
     source = Random(seed)
     return Arrangement([_unit_multiple(source, d, bits) for _ in range(m)], dimension=d)
 

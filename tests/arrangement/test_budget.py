@@ -1,0 +1,166 @@
+"""No input is without end: hostile questions are answered, or refused soon with a forecast."""
+
+from __future__ import annotations
+
+import json
+import math
+import os
+import resource
+import subprocess
+import sys
+from collections.abc import Sequence
+from pathlib import Path
+from random import Random
+from typing import Any
+
+import pytest
+
+from arrangement import Arrangement, budget, counts
+from arrangement.enumeration.choose import most_faces
+from arrangement.errors import OutOfReachError
+from arrangement.library import families
+
+#: Seconds of the processor in which a refusal ends, on a machine with other work; megabytes.
+REFUSED_IN, MEGABYTES = 4, 500
+_FAMILIES = {
+    "braid": ("n",),
+    "coordinate": ("d",),
+    "discriminantal": ("n", "d"),
+    "generic": ("m", "d"),
+    "ish": ("n",),
+    "linial": ("type",),
+    "near-pencil": ("m", "d"),
+    "pencil": ("m", "d"),
+    "random-integer": ("m", "d", "bound"),
+    "random-sphere": ("m", "d", "bits"),
+    "regular": ("planes",),
+    "resonance": ("n",),
+    "shi": ("type", "m"),
+    "threshold": ("n",),
+    "threshold-functions": ("n",),
+    "type-b": ("n",),
+    "type-d": ("n",),
+}
+
+
+def _planes(source: Random) -> dict[str, Any]:
+    """Return planes of a size that may be out of reach: few entries in all, so that they fit."""
+    d = source.choice((1, 2, 3, 3, 4, 5, 8, 30, 200))
+    m = min(source.choice((5, 20, 60, 300, 3000, 30_000)), 60_000 // d)
+    bound = source.choice((1, 3, 1000, 10**9, 10**40))
+    rows = [[source.randint(-bound, bound) for _ in range(d)] for _ in range(m)]
+    for row in rows:
+        row[0] = row[0] or 1
+    found: dict[str, Any] = {"schema_version": 1, "planes": rows}
+    if source.random() < 0.4:
+        found["offsets"] = [source.randint(-bound, bound) for _ in range(m)]
+    return found
+
+
+def question(number: int, folder: Path) -> list[str]:
+    """Return the words of a hostile question, the same for the same number."""
+    source = Random(number)
+    kind = source.randrange(4)
+    if kind == 0:
+        name = source.choice(sorted(_FAMILIES))
+        size = [10 ** source.randint(1, 12) * source.randint(1, 9) for _ in range(3)]
+        values = zip(_FAMILIES[name], size, strict=False)
+        return ["arrangement", "make", name, *(w for k, v in values for w in (f"--{k}", str(v)))]
+    if kind == 1:
+        m = source.choice((3, 12, 100, 1000))
+        contacts = [
+            {
+                "point": ["0", "1"] if source.random() < 0.5 else [str(source.randint(-9, 9)), "1"],
+                "normal": source.choice([["0", "1"], ["1", "0"], ["3/5", "4/5"], ["-1", "0"]]),
+                "friction": source.choice(["0", "1/2", "1" + "0" * 80]),
+                "preload": source.choice(["0", "1", "1" + "0" * 70]),
+            }
+            for _ in range(m)
+        ]
+        path = folder / f"{number}.json"
+        path.write_text(json.dumps({"schema_version": 1, "contacts": contacts}))
+        command = source.choice(("solve", "limit", "margin", "compare", "modes"))
+        asked = {"limit": "--direction", "modes": ""}.get(command, "--wrench")
+        return ["equilibrium", command, str(path), *([asked, "1", "2", "3"] if asked else [])]
+    path = folder / f"{number}.json"
+    path.write_text(json.dumps(_planes(source)))
+    command = source.choice(
+        ("count", "polynomial", "faces", "identify", "draw lines", "draw dual", "convert")
+    )
+    more = {"draw": ["-o", str(folder / f"{number}.svg")], "convert": ["--to", "chirotope"]}
+    word, *view = command.split()
+    return ["arrangement", word, *view, str(path), *more.get(word, [])]
+
+
+def asked(words: Sequence[str], seconds: int = 90) -> tuple[int, float, float, str]:
+    """Return the exit code, seconds of the processor, megabytes, and the last line of stderr."""
+    limits = (4 * 2**30, 4 * 2**30)
+    with subprocess.Popen(
+        [str(Path(sys.executable).with_name(words[0])), *words[1:]],
+        stdout=subprocess.DEVNULL,
+        stderr=subprocess.PIPE,
+        text=True,
+        preexec_fn=lambda: (
+            resource.setrlimit(resource.RLIMIT_AS, limits),
+            resource.setrlimit(resource.RLIMIT_CPU, (seconds, seconds)),
+        )[0],
+    ) as process:
+        assert process.stderr is not None
+        said = process.stderr.read()
+        _, status, used = os.wait4(process.pid, 0)
+        process.returncode = os.waitstatus_to_exitcode(status)
+    last = said.strip().splitlines()[-1:] or [""]
+    return process.returncode, used.ru_utime, used.ru_maxrss / 1024, last[0]
+
+
+def check(number: int, folder: Path) -> None:
+    words = question(number, folder)
+    code, seconds, megabytes, said = asked(words)
+    told = (number, words, code, seconds, megabytes, said)
+    assert code in (0, 1, 2, 3), told
+    assert megabytes < MEGABYTES, told
+    assert code != 2 or (seconds < REFUSED_IN and said.startswith("error: ")), told
+
+
+@pytest.mark.parametrize("number", [2, 8, 29])
+def test_a_hostile_question_is_answered_or_refused_soon(number: int, tmp_path: Path) -> None:
+    check(number, tmp_path)
+
+
+@pytest.mark.campaign
+@pytest.mark.parametrize("number", range(100, 600))
+def test_hostile_questions_are_answered_or_refused_soon(number: int, tmp_path: Path) -> None:
+    check(number, tmp_path)
+
+
+@pytest.mark.parametrize("m", range(6))
+@pytest.mark.parametrize("d", range(1, 5))
+@pytest.mark.parametrize("affine", [False, True])
+def test_the_bound_is_attained_in_general_position(m: int, d: int, affine: bool) -> None:
+    planes = families.generic(m, d, affine=affine)
+    assert most_faces(m, planes.rank, planes.is_central) == len(planes.faces())
+
+
+def test_a_list_is_refused_by_its_exact_size_and_the_limit_allows_it() -> None:
+    planes = families.coordinate(5)
+    with budget.limit(1e-6), pytest.raises(OutOfReachError, match="243 faces") as refused:
+        planes.faces()
+    assert refused.value.f_vector == (1, 10, 40, 80, 80, 32)
+    assert len(planes.faces()) == 243
+
+
+def test_planes_of_independent_parts_are_counted_part_by_part() -> None:
+    assert sum(counts.f_vector(families.coordinate(30))) == 3**30
+    chi = counts.first_whitney_numbers(families.coordinate(200))
+    assert chi == tuple((-1) ** k * math.comb(200, k) for k in range(201))
+    skew = Arrangement(
+        [[1, 1, 0, 0, 0], [1, -1, 0, 0, 0], [1, 0, 0, 0, 0], [0, 1, 1, 1, 1], [0, 1, 1, 1, 1]],
+        [0, 0, 0, 1, 2],
+    )
+    assert [len(part) for part in counts.irreducible_factors(skew)] == [3, 2]
+    assert counts.f_vector(skew) == skew.f_vector
+
+
+def test_lines_in_two_directions_fill_a_grid() -> None:
+    grid = Arrangement([[1, 0]] * 200 + [[0, 1]] * 200, [*range(200), *range(200)])
+    assert grid.f_vector == (200**2, 2 * 200 * 201, 201**2) == counts.f_vector(grid)
