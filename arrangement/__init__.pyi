@@ -1,9 +1,23 @@
 from . import counts as counts
-from .algebraic_number import AlgebraicNumber as AlgebraicNumber
 from .arrangement import Arrangement as Arrangement
-from .completeness import (
+from .console.writing import write_text_atomically as write_text_atomically
+from .counts.completeness import (
     CompletenessEvidence as CompletenessEvidence,
     certify_complete as certify_complete,
+)
+from .duals.inscribed import (
+    Inscribability as Inscribability,
+    inscribability as inscribability,
+    representative_hull as representative_hull,
+)
+from .duals.zonohedron import (
+    DualPolygon as DualPolygon,
+    DualPolyhedron as DualPolyhedron,
+    DualSegment as DualSegment,
+    dual_polygon as dual_polygon,
+    dual_polyhedron as dual_polyhedron,
+    dual_segment as dual_segment,
+    dual_zonotope as dual_zonotope,
 )
 from .enumeration.great_circles import (
     Incidence as Incidence,
@@ -19,33 +33,19 @@ from .errors import (
     InputError as InputError,
     MissingExtraError as MissingExtraError,
 )
-from .exact import (
+from .library import census as census, families as families
+from .library.census import Identification as Identification, identify as identify
+from .library.files.table import read_arrangement as read_arrangement
+from .numbers import budget as budget
+from .numbers.exact import (
     from_floats as from_floats,
     primitive as primitive,
     rational as rational,
     to_text as to_text,
 )
-from .faces import Face as Face
-from .formats.table import read_arrangement as read_arrangement
-from .io.writing import write_text_atomically as write_text_atomically
-from .library import census as census, families as families
-from .library.census import Identification as Identification, identify as identify
-from .number_field import NumberField as NumberField
-from .planes import Planes as Planes
-from .polyhedra.dual import (
-    DualPolygon as DualPolygon,
-    DualPolyhedron as DualPolyhedron,
-    DualSegment as DualSegment,
-    dual_polygon as dual_polygon,
-    dual_polyhedron as dual_polyhedron,
-    dual_segment as dual_segment,
-    dual_zonotope as dual_zonotope,
-)
-from .polyhedra.inscribed import (
-    Inscribability as Inscribability,
-    inscribability as inscribability,
-    representative_hull as representative_hull,
-)
-from .symbolic import to_sympy as to_sympy
+from .numbers.number_field import AlgebraicNumber as AlgebraicNumber, NumberField as NumberField
+from .numbers.symbolic import to_sympy as to_sympy
+from .planes.faces import Face as Face
+from .planes.planes import Planes as Planes
 
 __version__: str

@@ -1,6 +1,6 @@
 """`python -m arrangement` is the same as the console script."""
 
-from .entry import main
+from .console.entry import main
 
 if __name__ == "__main__":
     raise SystemExit(main())

@@ -7,16 +7,17 @@ from collections.abc import Iterable, Iterator
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
-from . import completeness, regions
+from .console.plugins import InlinePage, named
+from .counts import completeness
 from .counts.whitney import f_vector
+from .enumeration import regions
 from .enumeration.choose import enumerate_faces
 from .enumeration.great_circles import SphereArrangement, sphere_arrangement
 from .enumeration.sequence import FaceSequence
 from .errors import InputError
-from .exact import shown, vector_text
-from .faces import Face
-from .planes import Planes
-from .plugins import InlinePage, named
+from .numbers.exact import shown, vector_text
+from .planes.faces import Face
+from .planes.planes import Planes
 
 if TYPE_CHECKING:
     import networkx as nx
@@ -58,7 +59,7 @@ class Arrangement(Planes):
 
         Raises:
             InputError: no such dimension or engine, or an engine that cannot do these planes.
-            OutOfReachError: the list takes more than the budget (`arrangement.budget`).
+            OutOfReachError: the list takes more than the budget (`arrangement.numbers.budget`).
         """
         found = self._faces if engine is None else enumerate_faces(self, engine, f_vector)
         return found if dimension is None else found.of_dimension(dimension)
@@ -195,14 +196,14 @@ class Arrangement(Planes):
         Raises:
             InputError: other planes, or too many.
         """
-        return InlinePage(named("arrangement.lab.lines:lab_page")(self))
+        return InlinePage(named("arrangement.pictures.lab.lines:lab_page")(self))
 
     def _repr_svg_(self) -> str | None:
         """Return what a notebook shows: the great circles, where there are any."""
-        text: str | None = named("arrangement.draw.notebook:arrangement_svg")(self)
+        text: str | None = named("arrangement.pictures.notebook:arrangement_svg")(self)
         return text
 
     def _repr_html_(self) -> str | None:
         """Return what a notebook shows where there is no picture: a table of counts."""
-        text: str | None = named("arrangement.draw.notebook:arrangement_html")(self)
+        text: str | None = named("arrangement.pictures.notebook:arrangement_html")(self)
         return text

@@ -8,12 +8,13 @@ from dataclasses import asdict
 from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
-from . import budget, terminal
+from .console import terminal
+from .console.number_form import sign_text, vector
 from .errors import InputError, OutOfReachError
-from .exact import shown
-from .formats.command import add_format_commands
-from .io import files
-from .number_form import sign_text, vector
+from .library.files import json_files
+from .library.files.command import add_format_commands
+from .numbers import budget
+from .numbers.exact import shown
 
 if TYPE_CHECKING:
     from .arrangement import Arrangement
@@ -103,7 +104,9 @@ def _parser() -> terminal.Parser:
     add_format_commands(add)
 
     draw = add("draw", _draw, "draw pictures and pages, or export models to hold")
-    draw.later = lambda: _later("draw.command").add_options(draw, _later("draw.views").DRAWINGS)
+    draw.later = lambda: _later("drawing.command").add_options(
+        draw, _later("pictures.views").DRAWINGS
+    )
 
     text = "a page in which lines and great circles are dragged, counted at once"
     page = add("lab", _lab, text, file="?")
@@ -121,7 +124,7 @@ def _later(module: str) -> Any:
 
 
 def _read(arguments: argparse.Namespace) -> Arrangement:
-    from .formats.table import read_arrangement
+    from .library.files.table import read_arrangement
 
     return read_arrangement(arguments.file)
 
@@ -199,7 +202,7 @@ def _whitney_numbers(arrangement: Arrangement, arguments: argparse.Namespace) ->
     from tempfile import TemporaryDirectory
 
     from .counts import by_points, first_whitney_numbers
-    from .counts_in_parts import PARTS, first_whitney_numbers_in_parts
+    from .counts.classes.in_parts import PARTS, first_whitney_numbers_in_parts
 
     shared = arguments.shard != (1, 1) or arguments.dask is not None
     if shared and arguments.store is None:
@@ -223,8 +226,8 @@ def _whitney_numbers(arrangement: Arrangement, arguments: argparse.Namespace) ->
 
 
 def _forecast(arrangement: Arrangement, arguments: argparse.Namespace) -> int:
-    from .counts.forecast import forecast
-    from .progress import duration
+    from .console.progress import duration
+    from .counts.classes.forecast import forecast
 
     ranks = list(forecast(arrangement))
     total = sum(entry.seconds for entry in ranks)
@@ -287,12 +290,12 @@ def _identify(arguments: argparse.Namespace) -> int:
 
 
 def _bounds(arguments: argparse.Namespace) -> int:
-    from .draw.counts import check_largest, counts_table
+    from .pictures.diagrams.counts import check_largest, counts_table
 
     check_largest(arguments.largest)
     table = counts_table(arguments.largest)
     if arguments.output is not None:
-        from .draw.counts import write_counts
+        from .pictures.diagrams.counts import write_counts
 
         width = {} if arguments.width is None else {"width": arguments.width}
         write_counts(arguments.output, largest=arguments.largest, **width)
@@ -307,8 +310,8 @@ def _bounds(arguments: argparse.Namespace) -> int:
 
 
 def _draw(arguments: argparse.Namespace) -> int:
-    from .draw.command import given_options, write
-    from .draw.views import drawings_of
+    from .drawing.command import given_options, write
+    from .pictures.views import drawings_of
 
     arrangement = _read(arguments)
     drawings = drawings_of(arrangement)
@@ -316,8 +319,8 @@ def _draw(arguments: argparse.Namespace) -> int:
 
 
 def _lab(arguments: argparse.Namespace) -> int:
-    from .io.writing import write_text_atomically
-    from .lab.lines import lab_page
+    from .console.writing import write_text_atomically
+    from .pictures.lab.lines import lab_page
 
     planes = None if arguments.file is None else _read(arguments)
     page = lab_page(planes, title=arguments.title, exercises=arguments.exercises)
@@ -328,7 +331,7 @@ def _lab(arguments: argparse.Namespace) -> int:
 
 
 def _make(arguments: argparse.Namespace) -> int:
-    from .io.writing import write_or_print
+    from .console.writing import write_or_print
     from .library.making import document
 
     write_or_print(arguments.output, document(arguments))
@@ -340,7 +343,7 @@ def _list(arguments: argparse.Namespace) -> int:
         from .library.making import described
 
         return terminal.print_names(described(), arguments.json)
-    return terminal.print_names(files.described("planes"), arguments.json)
+    return terminal.print_names(json_files.described("planes"), arguments.json)
 
 
 if __name__ == "__main__":

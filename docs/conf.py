@@ -10,7 +10,7 @@ from pathlib import Path
 import matplotlib as mpl
 
 import arrangement
-from arrangement.progress import Bar
+from arrangement.console.progress import Bar
 
 project = "slipstates"
 author = "The slipstates authors"

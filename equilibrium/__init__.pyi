@@ -1,13 +1,18 @@
-from . import inputs as inputs, methods as methods, wrench_sets as wrench_sets
+from . import methods as methods, wrench_sets as wrench_sets
 from .certificate.checker import Report as Report, check as check
 from .certificate.document import Certificate as Certificate
-from .io.files import (
+from .decide.verdict import Solver as Solver, Verdict as Verdict, solve as solve
+from .grasps import inputs as inputs
+from .grasps.files import (
     read_certificate as read_certificate,
     read_grasp as read_grasp,
     verify as verify,
     write_certificate as write_certificate,
 )
-from .methods.printed_model import LiteralVerdict as LiteralVerdict, solve_literal as solve_literal
+from .methods.contact_laws.printed_model import (
+    LiteralVerdict as LiteralVerdict,
+    solve_literal as solve_literal,
+)
 from .model.contact import Contact as Contact
 from .model.errors import (
     CertificateError as CertificateError,
@@ -20,10 +25,9 @@ from .model.outline import Circle as Circle, Mesh as Mesh, Polygon as Polygon
 from .model.unit_normal import UnitNormal as UnitNormal, unit_normal as unit_normal
 from .model.units import Units as Units
 from .modes import ContactModes as ContactModes, Mode as Mode
-from .solver.contact_states import contact_states as contact_states
-from .solver.equilibrium import Equilibrium as Equilibrium
-from .solver.state_equilibrium import Solution as Solution
-from .verdict import Solver as Solver, Verdict as Verdict, solve as solve
+from .plane.search.state_equilibrium import Solution as Solution
+from .plane.states.contact_states import contact_states as contact_states
+from .plane.states.equilibrium import Equilibrium as Equilibrium
 from .wrench_sets import (
     least_friction as least_friction,
     margin as margin,

@@ -21,12 +21,12 @@ from typing import Any, Generic, TypeAlias, TypeVar
 
 import numpy as np
 
-from arrangement.counts.symmetric import deadline_after
+from arrangement.console.progress import watched
+from arrangement.console.short_repr import Shown
+from arrangement.counts.classes.symmetric import deadline_after
 from arrangement.enumeration.fan import Fan
 from arrangement.errors import TimeLimitError
-from arrangement.exact import IntegerVector, primitive
-from arrangement.progress import watched
-from arrangement.short_repr import Shown
+from arrangement.numbers.exact import IntegerVector, primitive
 from equilibrium.model.grasp import Grasp
 
 Contacts: TypeAlias = tuple[int, ...]

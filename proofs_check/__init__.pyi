@@ -1,11 +1,13 @@
-from .claim_file import load as load
 from .claims import registry as registry
+from .course.exercise import Exercise as Exercise, exercise as exercise
 from .errors import (
     ClaimError as ClaimError,
     OwnClaimError as OwnClaimError,
     UnknownClaimError as UnknownClaimError,
 )
-from .evidence import (
+from .own_claims.claim_file import load as load
+from .own_claims.user_claim import claim as claim
+from .statements.evidence import (
     Evidence as Evidence,
     Part as Part,
     Record as Record,
@@ -14,8 +16,7 @@ from .evidence import (
     evaluate as evaluate,
     verdict_of as verdict_of,
 )
-from .exercise import Exercise as Exercise, exercise as exercise
-from .statement import (
+from .statements.statement import (
     Case as Case,
     Claim as Claim,
     Domain as Domain,
@@ -27,6 +28,5 @@ from .statement import (
     Verdict as Verdict,
     View as View,
 )
-from .user_claim import claim as claim
 
 __version__: str

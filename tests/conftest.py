@@ -10,7 +10,7 @@ from pathlib import Path
 import pytest
 from hypothesis import HealthCheck, settings
 
-from arrangement import progress
+from arrangement.console import progress
 from tests import latex as tex
 from tests.browser import MISSING, Browser, left_out, programs, running
 from tests.javascript.check import node

@@ -26,7 +26,7 @@ from typing import Any
 sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
 
 from arrangement.errors import InputError
-from arrangement.exact import to_text
+from arrangement.numbers.exact import to_text
 from equilibrium import check, read_certificate, solve
 from equilibrium.certificate.document import refuted_certificate
 from equilibrium.certificate.reading import read_question

@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 from typing import Any
 
-from arrangement.io.files import instances
+from arrangement.library.files.json_files import instances
 
 
 def contacts(name: str) -> Any:

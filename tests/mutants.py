@@ -62,14 +62,16 @@ TARGETS = {
     "reading": Target("equilibrium.certificate.reading", CHECKER),
     "space": Target("equilibrium.certificate.space", SPACE),
     "enclosure": Target("equilibrium.certificate.enclosure", SPACE),
-    "loads": Target("equilibrium.wrench_sets.known_loads", ("tests/equilibrium/test_space.py",)),
+    "loads": Target("equilibrium.wrench_sets.spatial", ("tests/equilibrium/test_space.py",)),
     "final": Target(
         "arrangement.library.census.final_polynomials",
         ("tests/arrangement/test_identify.py",),
     ),
     "modular": Target("arrangement.counts.modular", MODULAR),
     "lowrank": Target("arrangement.counts.low_rank", ("tests/arrangement/test_counts.py",)),
-    "field": Target("arrangement.number_field", ("tests/arrangement/test_number_field.py",)),
+    "field": Target(
+        "arrangement.numbers.number_field", ("tests/arrangement/test_number_field.py",)
+    ),
     "circles": Target("arrangement.enumeration.great_circles.predicates", CIRCLES),
     "crossings": Target("arrangement.enumeration.great_circles.crossings", CIRCLES),
     "predicates": Target(
@@ -77,13 +79,13 @@ TARGETS = {
         ("tests/arrangement/test_affine_space.py",),
         24,
     ),
-    "states": Target("equilibrium.solver.state_system", SOLVER, 12),
-    "elimination": Target("equilibrium.solver.elimination", SOLVER, 12),
-    "pieces": Target("equilibrium.solver.equilibrium", SOLVER, 12),
-    "leaves": Target("equilibrium.solver.leaf_test", SEARCH, 12),
-    "guess": Target("equilibrium.solver.state_equilibrium", SEARCH, 12),
-    "splits": Target("equilibrium.solver.state_splits", SEARCH, 12),
-    "program": Target("equilibrium.solver.part_program", SEARCH, 12),
+    "states": Target("equilibrium.plane.states.state_system", SOLVER, 12),
+    "elimination": Target("equilibrium.plane.elimination", SOLVER, 12),
+    "pieces": Target("equilibrium.plane.states.equilibrium", SOLVER, 12),
+    "leaves": Target("equilibrium.plane.search.leaf_test", SEARCH, 12),
+    "guess": Target("equilibrium.plane.search.state_equilibrium", SEARCH, 12),
+    "splits": Target("equilibrium.plane.search.state_splits", SEARCH, 12),
+    "program": Target("equilibrium.plane.search.part_program", SEARCH, 12),
     "oracle": Target("proofs_check.routes.oracle", ("tests/proofs_check/test_oracle.py",), 12),
 }
 

@@ -124,12 +124,12 @@ for name in ("arrangement", "equilibrium", "proofs_check"):
             except arrangement.errors.MissingExtraError as error:
                 assert "figures" in str(error)
 from arrangement.library.census import census
-from arrangement.formats.table import read_arrangement
+from arrangement.library.files.table import read_arrangement
 from arrangement.library.instances import paths as arrangements
-from arrangement.io.schemas import arrangement_schema
-from equilibrium.io.files import read_grasp
-from equilibrium.instances import paths as grasps
-from equilibrium.io.schemas import grasp_schema
+from arrangement.library.files.documents import arrangement_schema
+from equilibrium.grasps.files import read_grasp
+from equilibrium.grasps.instances import paths as grasps
+from equilibrium.grasps.schemas import grasp_schema
 assert len(census(5)) > 1 and arrangement_schema() and grasp_schema()
 assert arrangements() and grasps()
 for name in arrangements():

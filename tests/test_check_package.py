@@ -12,7 +12,11 @@ import pytest
 from tests.check_package import FILES, complaints, untried, wrong_files
 from tests.package_commands import PROGRAMS, Command
 
-WHEEL = {"arrangement/__init__.py", "arrangement/py.typed", "equilibrium/instances/a.json"}
+WHEEL = {
+    "arrangement/__init__.py",
+    "arrangement/py.typed",
+    "equilibrium/grasps/instances/contacts/a.json",
+}
 ARCHIVE = WHEEL | FILES | {"tests/test_a.py", "docs/index.rst", "PKG-INFO", ".gitignore"}
 TRACKED = WHEEL | FILES | {"tests/test_a.py", "docs/index.rst", ".ci/run"}
 
@@ -39,7 +43,9 @@ def test_rubbish_in_the_source_archive_is_found(path: str) -> None:
     assert f"rubbish in the source archive: {path}" in wrong_files(ARCHIVE | {path}, WHEEL, TRACKED)
 
 
-@pytest.mark.parametrize("path", ["Makefile", "docs/index.rst", "equilibrium/instances/a.json"])
+@pytest.mark.parametrize(
+    "path", ["Makefile", "docs/index.rst", "equilibrium/grasps/instances/contacts/a.json"]
+)
 def test_a_file_that_the_source_archive_lacks_is_found(path: str) -> None:
     assert f"not in the source archive: {path}" in wrong_files(ARCHIVE - {path}, WHEEL, TRACKED)
 

@@ -15,11 +15,11 @@ import pytest
 
 from arrangement import cli as arrangement_cli, read_arrangement
 from arrangement.enumeration.choose import ENGINES
-from arrangement.lab.lines_exercises import line_exercises
 from arrangement.library.families import simplicial, simplicial_entries
+from arrangement.pictures.lab.lines import line_exercises
 from equilibrium.cli import program as equilibrium_cli
-from equilibrium.lab.exercises import slip_exercises
 from equilibrium.methods.registry import DECIDING
+from equilibrium.pictures.lab.exercises import slip_exercises
 from proofs_check.cli import program as claims_cli
 from tests.docpages import ROOT, Page, blocks, commands, loose_literals
 
@@ -135,7 +135,7 @@ def test_every_dotted_name_on_a_page_is_there() -> None:
     }
     assert len(found) > 20
     assert {one for one in found if not known(one[1])} == set()
-    assert not known("equilibrium.solver.no_such_room")
+    assert not known("equilibrium.plane.no_such_room")
 
 
 def test_every_test_on_a_page_is_there() -> None:
@@ -293,23 +293,29 @@ def test_numbers_on_pages_are_those_of_the_code() -> None:
 
 #: The last words of a row of the table of limits: the constants that it names.
 LIMITS = {
-    "CSV file)": ("arrangement.io.files:MAX_BYTES", "equilibrium.inputs.csv_file:MAX_BYTES"),
-    "a certificate": ("equilibrium.io.files:MAX_CERTIFICATE_BYTES",),
-    "one number": ("arrangement.exact:MAX_TEXT_LENGTH",),
-    "space in a file": ("arrangement.formats.documents:MAX_DIMENSION",),
-    "interactive page": ("arrangement.draw.globe:MAX_CIRCLES", "arrangement.draw.page:MAX_CIRCLES"),
-    "Hasse diagram": ("arrangement.draw.lattice:MAX_FLATS",),
-    "resisted forces": ("equilibrium.draw.page:MAX_CONTACTS",),
-    "slip lab": ("equilibrium.lab.page:MAX_CONTACTS",),
-    "arrangement lab": ("arrangement.lab.lines_input:MAX_PLANES",),
-    "is exponential": ("equilibrium.methods.frictionless_slip:MAX_CONTACTS",),
+    "CSV file)": (
+        "arrangement.library.files.json_files:MAX_BYTES",
+        "equilibrium.grasps.inputs.csv_file:MAX_BYTES",
+    ),
+    "a certificate": ("equilibrium.grasps.files:MAX_CERTIFICATE_BYTES",),
+    "one number": ("arrangement.numbers.exact:MAX_TEXT_LENGTH",),
+    "space in a file": ("arrangement.library.files.documents:MAX_DIMENSION",),
+    "interactive page": (
+        "arrangement.pictures.sphere.globe:MAX_CIRCLES",
+        "arrangement.pictures.page.page:MAX_CIRCLES",
+    ),
+    "Hasse diagram": ("arrangement.pictures.diagrams.lattice:MAX_FLATS",),
+    "resisted forces": ("equilibrium.pictures.pages.page:MAX_CONTACTS",),
+    "slip lab": ("equilibrium.pictures.lab.page:MAX_CONTACTS",),
+    "arrangement lab": ("arrangement.pictures.lab.lines:MAX_PLANES",),
+    "is exponential": ("equilibrium.methods.contact_laws.frictionless_slip:MAX_CONTACTS",),
     "combinatorial types": ("arrangement.library.census.catalogue:MOST_PLANES",),
     "tables of types": (
-        "arrangement.formats.chirotope:MOST_ELEMENTS",
-        "proofs_check.printed_table:MOST_PSEUDOLINES",
+        "arrangement.library.files.others.chirotope:MOST_ELEMENTS",
+        "proofs_check.course.printed_table:MOST_PSEUDOLINES",
     ),
-    "in ``import``": ("arrangement.formats.table:MAX_IMPORT_BYTES",),
-    "after the other": ("proofs_check.sweep.sweep:MOST", "arrangement.terminal:MOST"),
+    "in ``import``": ("arrangement.library.files.table:MAX_IMPORT_BYTES",),
+    "after the other": ("proofs_check.sweep.sweep:MOST", "arrangement.console.terminal:MOST"),
     "of a proof": ("equilibrium.certificate.checker:MAX_DEPTH",),
 }
 

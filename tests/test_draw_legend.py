@@ -9,19 +9,19 @@ from typing import Any
 import pytest
 
 from arrangement import InputError, read_arrangement
-from arrangement.draw import DRAWINGS as OF_PLANES
-from arrangement.draw.items import Label
-from arrangement.draw.layout import BELOW, laid_out, picture_width
-from arrangement.draw.measuring import measure
-from arrangement.draw.output import own_settings
-from arrangement.draw.registry import Drawings
-from arrangement.draw.scene import Scene
+from arrangement.drawing.output import own_settings
+from arrangement.drawing.registry import Drawings
+from arrangement.drawing.scene.items import Label
+from arrangement.drawing.scene.layout import BELOW, laid_out, picture_width
+from arrangement.drawing.scene.measuring import measure
+from arrangement.drawing.scene.scene import Scene
+from arrangement.pictures import DRAWINGS as OF_PLANES
 from equilibrium import read_grasp
-from equilibrium.draw import DRAWINGS as OF_GRASPS
+from equilibrium.pictures import DRAWINGS as OF_GRASPS
 
 SUBJECTS = {
-    "arrangement.draw": read_arrangement("five-generic-planes"),
-    "equilibrium.draw": read_grasp("paper-three-contacts-preload-1"),
+    "arrangement.pictures": read_arrangement("five-generic-planes"),
+    "equilibrium.pictures": read_grasp("paper-three-contacts-preload-1"),
 }
 OPTIONS: dict[str, dict[str, Any]] = {
     "methods": {"wrenches": [(0, 1, 0), (1, 0, 0)]},
@@ -82,7 +82,7 @@ def test_without_a_legend_captions_stay(tmp_path: Path) -> None:
 
 
 def test_a_place_that_does_not_exist_names_the_nearest(tmp_path: Path) -> None:
-    planes = SUBJECTS["arrangement.draw"]
+    planes = SUBJECTS["arrangement.pictures"]
     with pytest.raises(InputError, match="did you mean below"):
         OF_PLANES.write(planes, tmp_path / "a.svg", "sphere", legend="belw")
     with pytest.raises(InputError, match="legend or theme is for pictures"):

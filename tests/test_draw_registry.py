@@ -15,15 +15,15 @@ import pytest
 
 from arrangement import Arrangement, ArrangementError, InputError, read_arrangement
 from arrangement.cli import main as draw_planes
-from arrangement.draw import DRAWINGS as OF_PLANES
-from arrangement.draw.command import _KINDS
-from arrangement.draw.items import ROLES, Ball, Item, Label, Mark
-from arrangement.draw.registry import Drawings
-from arrangement.draw.scene import Scene
-from arrangement.draw.views import drawings_of, write_drawing
+from arrangement.drawing.command import _KINDS
+from arrangement.drawing.registry import Drawings
+from arrangement.drawing.scene.items import ROLES, Ball, Item, Label, Mark
+from arrangement.drawing.scene.scene import Scene
+from arrangement.pictures import DRAWINGS as OF_PLANES
+from arrangement.pictures.views import drawings_of, write_drawing
 from equilibrium import read_grasp
 from equilibrium.cli.program import main as draw_grasp
-from equilibrium.draw import DRAWINGS as OF_GRASPS
+from equilibrium.pictures import DRAWINGS as OF_GRASPS
 from tests.docpages import ROOT
 
 KINDS = ("view", "model", "page")
@@ -34,8 +34,8 @@ ALL = [
     for name in getattr(drawings, f"{kind}s")
 ]
 SUBJECTS = {
-    "arrangement.draw": read_arrangement("braid-a3"),
-    "equilibrium.draw": read_grasp("paper-three-contacts-preload-1"),
+    "arrangement.pictures": read_arrangement("braid-a3"),
+    "equilibrium.pictures": read_grasp("paper-three-contacts-preload-1"),
 }
 
 
@@ -168,24 +168,30 @@ def imports(path: Path, package: str) -> Iterator[str]:
         if isinstance(node, ast.ImportFrom) and node.module:
             if node.level == 1:
                 yield f"{package}.{node.module}"
-            elif node.level == 0 and node.module.startswith(package + "."):
+            elif node.level == 0 and re.match(
+                r"(arrangement|equilibrium)\.(drawing|pictures)\.", node.module
+            ):
                 yield node.module
 
 
 def test_no_circle_of_imports_among_the_drawings() -> None:
     graph = {}
-    for package in ("arrangement.draw", "equilibrium.draw"):
-        for path in ROOT.joinpath(*package.split(".")).glob("*.py"):
-            graph[f"{package}.{path.stem}"] = set(imports(path, package))
+    for package in ("arrangement.drawing", "arrangement.pictures", "equilibrium.pictures"):
+        for path in ROOT.joinpath(*package.split(".")).rglob("*.py"):
+            name = ".".join(path.relative_to(ROOT).with_suffix("").parts)
+            room = name.rpartition(".")[0]
+            graph[name.removesuffix(".__init__")] = set(imports(path, room))
     assert len(graph) > 40
     list(TopologicalSorter(graph).static_order())
-    graph["arrangement.draw.scene"].add("arrangement.draw.sphere")
+    graph["arrangement.drawing.scene.scene"].add("arrangement.pictures.sphere.sphere")
     with pytest.raises(CycleError):
         list(TopologicalSorter(graph).static_order())
     views = {f"{d.package}.{t.split(':')[0]}" for d in (OF_PLANES, OF_GRASPS)
              for t in (*d.views.values(), *d.models.values(), *d.pages.values())}  # fmt: skip
-    for low in ("registry", "command", "scene", "figure", "output"):
-        assert not graph[f"arrangement.draw.{low}"] & views - {"arrangement.draw.sphere"}
+    for low in ("registry", "command", "scene.scene", "figure", "output"):
+        assert not graph[f"arrangement.drawing.{low}"] & views - {
+            "arrangement.pictures.sphere.sphere"
+        }
 
 
 @pytest.mark.parametrize(

@@ -6,10 +6,10 @@ import shlex
 import pytest
 
 from arrangement import read_arrangement
-from arrangement.draw import DRAWINGS as OF_PLANES
-from arrangement.draw.registry import Drawings
-from arrangement.draw.views import drawings_of
-from equilibrium.draw import DRAWINGS as OF_GRASPS
+from arrangement.drawing.registry import Drawings
+from arrangement.pictures import DRAWINGS as OF_PLANES
+from arrangement.pictures.views import drawings_of
+from equilibrium.pictures import DRAWINGS as OF_GRASPS
 from tests.docpages import ROOT, blocks, commands
 
 TEXT = (ROOT / "docs" / "gallery.rst").read_text(encoding="utf-8")

@@ -8,11 +8,11 @@ from pathlib import Path
 import pytest
 
 from arrangement.cli import main as arrangement_main
-from arrangement.formats.table import read_arrangement
-from arrangement.lab.lines import lab_page as lines_page
+from arrangement.library.files.table import read_arrangement
+from arrangement.pictures.lab.lines import lab_page as lines_page
 from equilibrium.cli.program import main
-from equilibrium.io.files import read_grasp
-from equilibrium.lab import lab_page
+from equilibrium.grasps.files import read_grasp
+from equilibrium.pictures.lab import lab_page
 from tests.browser import Browser
 
 PAGES: dict[str, Callable[..., str]] = {"slip": lab_page, "lines": lines_page}

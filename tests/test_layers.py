@@ -59,44 +59,72 @@ def test_no_modules_import_each_other_in_a_circle() -> None:
 
 def test_a_planted_circle_is_found(tmp_path: Path) -> None:
     copy_packages(tmp_path)
-    with (tmp_path / "arrangement" / "planes.py").open("a", encoding="utf-8") as stream:
-        stream.write("\ndef draw():\n    from .draw import notebook\n")
+    with (tmp_path / "arrangement" / "planes" / "planes.py").open("a", encoding="utf-8") as stream:
+        stream.write("\ndef draw():\n    from arrangement.pictures import notebook\n")
     [found] = circles(tmp_path)
-    assert {"arrangement.planes", "arrangement.draw.notebook"} <= set(found)
+    assert {"arrangement.planes.planes", "arrangement.pictures.notebook"} <= set(found)
 
 
 PLANTED = [
-    ("arrangement/exact.py", "import equilibrium.model.grasp", "Planes know no forces"),
-    ("equilibrium/model/errors.py", "import proofs_check.statement", "Planes know no forces"),
-    ("arrangement/errors.py", "import arrangement.planes", "Inside arrangement"),
+    ("arrangement/numbers/exact.py", "import equilibrium.model.grasp", "Planes know no forces"),
+    (
+        "equilibrium/model/errors.py",
+        "import proofs_check.statements.statement",
+        "Planes know no forces",
+    ),
+    ("arrangement/errors.py", "import arrangement.planes.planes", "Inside arrangement"),
     ("arrangement/enumeration/any_dimension.py", "import arrangement.counts", "Inside arrangement"),
-    ("arrangement/counts/whitney.py", "import arrangement.linprog", "take nothing from enum"),
+    (
+        "arrangement/counts/whitney.py",
+        "import arrangement.numbers.linear.programs",
+        "take nothing from enum",
+    ),
     (
         "arrangement/counts/whitney.py",
         "import arrangement.enumeration.great_circles",
         "enumerators",
     ),
     ("equilibrium/model/grasp.py", "import equilibrium.cli", "Inside equilibrium"),
-    ("equilibrium/certificate/document.py", "import equilibrium.verdict", "Inside equilibrium"),
     (
-        "equilibrium/certificate/checker.py",
-        "import equilibrium.solver.resistance",
+        "equilibrium/certificate/document.py",
+        "import equilibrium.decide.verdict",
         "Inside equilibrium",
     ),
     (
-        "equilibrium/solver/leaf_test.py",
+        "equilibrium/certificate/checker.py",
+        "import equilibrium.plane.search.resistance",
+        "The checker of cert",
+    ),
+    (
+        "equilibrium/plane/search/leaf_test.py",
         "import equilibrium.certificate.checker",
         "Inside equilibrium",
     ),
-    ("equilibrium/certificate/checker.py", "import arrangement.linprog", "The checker of cert"),
+    (
+        "equilibrium/certificate/checker.py",
+        "import arrangement.numbers.linear.programs",
+        "The checker of cert",
+    ),
     ("equilibrium/certificate/checker.py", "import arrangement.enumeration", "The checker of cert"),
-    ("proofs_check/routes/oracle.py", "import equilibrium.verdict", "brute-force route"),
+    ("proofs_check/routes/oracle.py", "import equilibrium.decide.verdict", "brute-force route"),
     ("proofs_check/routes/oracle.py", "import arrangement.counts", "brute-force route"),
-    ("proofs_check/statement.py", "import proofs_check.reports.report", "Inside proofs_check"),
-    ("proofs_check/routes/rivin.py", "import proofs_check.evidence", "Inside proofs_check"),
-    ("proofs_check/routes/rivin.py", "import arrangement.polyhedra.inscribed", "Second routes"),
+    (
+        "proofs_check/statements/statement.py",
+        "import proofs_check.reports.report",
+        "Inside proofs_check",
+    ),
+    (
+        "proofs_check/routes/rivin.py",
+        "import proofs_check.statements.evidence",
+        "Inside proofs_check",
+    ),
+    ("proofs_check/routes/rivin.py", "import arrangement.duals.inscribed", "Second routes"),
     ("proofs_check/routes/dual_graph.py", "import arrangement.enumeration", "Second routes"),
-    ("proofs_check/routes/fourier_motzkin.py", "import arrangement.exact", "brute-force route"),
+    (
+        "proofs_check/routes/fourier_motzkin.py",
+        "import arrangement.numbers.exact",
+        "brute-force route",
+    ),
 ]
 
 
@@ -132,7 +160,7 @@ def test_a_module_without_a_layer_is_caught(tmp_path: Path, package: str) -> Non
     ("old", "new"),
     [
         ("arrangement/enumeration", "arrangement/listing"),
-        ("arrangement/linprog.py", "arrangement/simplex.py"),
+        ("arrangement/numbers/linear/programs.py", "arrangement/numbers/linear/simplex.py"),
         ("equilibrium/certificate", "equilibrium/proof"),
         ("proofs_check/routes/oracle.py", "proofs_check/routes/brute.py"),
     ],
@@ -171,7 +199,7 @@ def test_counts_work_with_the_enumerators_out_of_reach() -> None:
     """Three generic planes have (1, 6, 12, 8) faces: eight octants and what bounds them."""
     program = """
 import sys
-for name in ("arrangement", "completeness", "enumeration", "linprog"):
+for name in ("arrangement", "counts.completeness", "enumeration", "numbers.linear.programs"):
     sys.modules["arrangement." + name] = None
 from arrangement import Planes
 from arrangement.counts import f_vector
@@ -186,3 +214,83 @@ def test_certificates_are_read_and_checked_without_numpy() -> None:
         "assert not {'numpy', 'sympy', 'scipy'} & set(sys.modules)"
     )
     subprocess.run([sys.executable, "-c", program], cwd=ROOT, timeout=120, check=True)
+
+
+#: Runs where a part of the packages is gone: three planes have (1, 6, 12, 8) faces.
+REST = """
+from arrangement import Arrangement
+from arrangement.counts import f_vector
+from equilibrium import read_grasp, solve
+planes = Arrangement([[1, 0, 0], [0, 1, 0], [0, 0, 1]])
+assert tuple(f_vector(planes)) == tuple(planes.f_vector) == (1, 6, 12, 8)
+grasp = read_grasp("paper-three-contacts-preload-1")
+assert solve(grasp, (0, 1, 0)) and not solve(grasp, (0, 50, 0))
+assert solve(grasp, (0, 50, 0)).certificate.verify()
+"""
+#: What the paper does not need, each with the modules that are its doors.
+ANNEXES = {
+    "space": (
+        "equilibrium/space",
+        "equilibrium/decide/spatial_verdict.py",
+        "equilibrium/pictures/space",
+        "equilibrium/wrench_sets/spatial.py",
+    ),
+    "contact modes": ("equilibrium/modes.py",),
+    "census": ("arrangement/library/census",),
+    "families": ("arrangement/library/families",),
+    "formats of others": ("arrangement/library/files/others",),
+    "labs": ("arrangement/pictures/lab", "equilibrium/pictures/lab"),
+    "pictures": ("arrangement/pictures", "arrangement/drawing", "equilibrium/pictures"),
+}
+
+
+@pytest.mark.parametrize("annex", ANNEXES)
+def test_the_rest_counts_and_decides_without(annex: str, tmp_path: Path) -> None:
+    copy_packages(tmp_path)
+    for part in ANNEXES[annex]:
+        gone = tmp_path / part
+        (shutil.rmtree if gone.is_dir() else Path.unlink)(gone)
+    command = [sys.executable, "-c", REST]
+    environment = {**os.environ, "PYTHONPATH": str(tmp_path)}
+    subprocess.run(command, cwd=tmp_path, env=environment, timeout=120, check=True)
+
+
+def test_no_folder_holds_more_than_twelve() -> None:
+    """Files and folders; on the ground floor of a package not what Python asks for."""
+    asked = {"__init__.py", "__init__.pyi", "__main__.py", "py.typed"}
+    folders = [
+        folder
+        for package in PACKAGES
+        for folder in (ROOT / package, *(ROOT / package).rglob("*"))
+        if folder.is_dir() and not {"__pycache__", "_build"} & set(folder.parts)
+    ]
+    assert len(folders) > 50
+    for folder in folders:
+        inside = {path.name for path in folder.iterdir()} - {"__pycache__", "_build"}
+        assert len(inside - (asked if folder.parent == ROOT else set())) <= 12, folder
+
+
+def test_the_kit_draws_what_is_neither_planes_nor_a_grasp(tmp_path: Path) -> None:
+    """A triangle with its name, as a picture and as TikZ, where nothing but the kit is in reach."""
+    pytest.importorskip("matplotlib")
+    program = """
+import sys
+rooms = ("planes", "counts", "enumeration", "duals", "arrangement", "library", "pictures")
+for name in rooms:
+    sys.modules["arrangement." + name] = None
+sys.modules["equilibrium"] = None
+from arrangement.drawing.registry import write_scene
+from arrangement.drawing.scene.scene import Scene
+def triangle():
+    scene = Scene(60, 40)
+    scene.polygon([(-50, -30), (50, -30), (0, 30)], gid="triangle", ec="#000000")
+    scene.write((0, 0), "a triangle")
+    return scene
+for ending in ("svg", "tex"):
+    write_scene("triangle." + ending, triangle, letters=True)
+"""
+    environment = {**os.environ, "PYTHONPATH": str(ROOT)}
+    command = [sys.executable, "-c", program]
+    subprocess.run(command, cwd=tmp_path, env=environment, timeout=120, check=True)
+    for ending in ("svg", "tex"):
+        assert "triangle" in (tmp_path / f"triangle.{ending}").read_text(encoding="utf-8"), ending

@@ -9,8 +9,8 @@ from collections.abc import Sequence
 
 import pytest
 
-from arrangement.draw import DRAWINGS as OF_PLANES
-from equilibrium.draw import DRAWINGS as OF_GRASPS
+from arrangement.pictures import DRAWINGS as OF_PLANES
+from equilibrium.pictures import DRAWINGS as OF_GRASPS
 from tests.instances import ARRANGEMENTS, PLANAR
 
 #: Draws views of some instances and prints a digest of each file. What the second list names is
@@ -20,12 +20,12 @@ from tests.instances import ARRANGEMENTS, PLANAR
 SCRIPT = """
 import hashlib, importlib, inspect, io, sys
 from arrangement import InputError, read_arrangement
-from arrangement.draw import DRAWINGS as planes
-from arrangement.draw.figure import figure
-from arrangement.draw.output import PICTURES, own_settings, picture_bytes
-from arrangement.draw.tikz import tikz
+from arrangement.pictures import DRAWINGS as planes
+from arrangement.drawing.figure import figure
+from arrangement.drawing.output import PICTURES, own_settings, picture_bytes
+from arrangement.drawing.tikz.tikz import tikz
 from equilibrium import read_grasp
-from equilibrium.draw import DRAWINGS as grasps
+from equilibrium.pictures import DRAWINGS as grasps
 NEEDED = {"methods": {"wrenches": [(0, 2, 0), (1, -1, 0)]}, "proof": {"wrench": (0, -1, 0)}}
 
 def draw(name, drawings, read, view):

@@ -12,16 +12,16 @@ import numpy as np
 import pytest
 
 from arrangement import InputError, read_arrangement
-from arrangement.draw import DRAWINGS as OF_PLANES
-from arrangement.draw.figure import figure
-from arrangement.draw.items import ROLES, Label
-from arrangement.draw.output import own_settings, picture_bytes
-from arrangement.draw.registry import Drawings
-from arrangement.draw.scene import Scene
-from arrangement.draw.tex_text import tex_text
-from arrangement.draw.tikz import tikz
+from arrangement.drawing.figure import figure
+from arrangement.drawing.output import own_settings, picture_bytes
+from arrangement.drawing.registry import Drawings
+from arrangement.drawing.scene.items import ROLES, Label
+from arrangement.drawing.scene.scene import Scene
+from arrangement.drawing.tikz.tex_text import tex_text
+from arrangement.drawing.tikz.tikz import tikz
+from arrangement.pictures import DRAWINGS as OF_PLANES
 from equilibrium import read_grasp
-from equilibrium.draw import DRAWINGS as OF_GRASPS
+from equilibrium.pictures import DRAWINGS as OF_GRASPS
 from tests.instances import PLANAR
 from tests.latex import RESOLUTION, Pixels, compiled, page_count, pages, unlike
 

@@ -4,7 +4,16 @@ Independent of every enumerator by construction: this package works by spans of 
 imports nothing but errors, exact numbers and planes. So its counts can certify an enumeration.
 """
 
-from .lattice import Flat, IntersectionLattice, intersection_lattice, moebius, t_vector
+from .classes.symmetric import first_whitney_numbers
+from .lattice import (
+    Flat,
+    IntersectionLattice,
+    exponents,
+    intersection_lattice,
+    modular_chain,
+    moebius,
+    t_vector,
+)
 from .operations import (
     addition,
     cone,
@@ -26,8 +35,6 @@ from .oriented_matroid import (
     topes,
 )
 from .points import by_points, points_off
-from .supersolvable import exponents, modular_chain
-from .symmetric import first_whitney_numbers
 from .whitney import (
     WhitneyNumbers,
     bounded_region_count,

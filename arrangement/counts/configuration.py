@@ -11,10 +11,10 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from arrangement.exact import IntegerVector
-from arrangement.linear import ask_elimination
-from arrangement.planes import Planes
-from arrangement.symbolic import exact_matrix
+from arrangement.numbers.exact import IntegerVector
+from arrangement.numbers.linear.rank import ask_elimination
+from arrangement.numbers.symbolic import exact_matrix
+from arrangement.planes.planes import Planes
 
 
 @dataclass(frozen=True)

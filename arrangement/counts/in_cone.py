@@ -11,9 +11,9 @@ from __future__ import annotations
 from collections.abc import Sequence
 from operator import mul
 
-from arrangement.cones import Cone
-from arrangement.exact import IntegerVector
-from arrangement.planes import Planes
+from arrangement.numbers.exact import IntegerVector
+from arrangement.numbers.linear.cones import Cone
+from arrangement.planes.planes import Planes
 
 from .lattice import IntersectionLattice
 

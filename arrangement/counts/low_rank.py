@@ -42,8 +42,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from arrangement import budget
-from arrangement.exact import largest, unoriented, work_factor
+from arrangement.numbers import budget
+from arrangement.numbers.exact import largest, unoriented, work_factor
 
 from .configuration import Configuration
 from .modular import ModularVectors

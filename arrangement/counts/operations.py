@@ -10,7 +10,7 @@ from math import lcm
 from typing import Any, TypeVar
 
 from arrangement.errors import InputError
-from arrangement.exact import (
+from arrangement.numbers.exact import (
     IntegerVector,
     RationalVector,
     primitive,
@@ -18,10 +18,10 @@ from arrangement.exact import (
     rational_vector,
     unoriented,
 )
-from arrangement.linear import ask_elimination
-from arrangement.planes import Planes
-from arrangement.real_entries import entry
-from arrangement.symbolic import entries, exact_matrix
+from arrangement.numbers.linear.rank import ask_elimination
+from arrangement.numbers.real_entries import entry
+from arrangement.numbers.symbolic import entries, exact_matrix
+from arrangement.planes.planes import Planes
 
 from .configuration import pivot_columns
 from .low_rank import MAX_RANK

@@ -12,9 +12,9 @@ from collections.abc import Mapping
 from itertools import combinations
 
 from arrangement.errors import InputError
-from arrangement.exact import shown, sign
-from arrangement.linear import determinant
-from arrangement.planes import Planes
+from arrangement.numbers.exact import shown, sign
+from arrangement.numbers.linear.rank import determinant
+from arrangement.planes.planes import Planes
 
 from .configuration import pivot_columns
 from .operations import cone

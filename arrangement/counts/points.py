@@ -21,12 +21,12 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from arrangement import budget
-from arrangement.algebraic_number import residues
 from arrangement.errors import InputError
-from arrangement.exact import IntegerVector, shown
-from arrangement.linear import determinant, rank
-from arrangement.planes import Planes
+from arrangement.numbers import budget
+from arrangement.numbers.exact import IntegerVector, shown
+from arrangement.numbers.linear.rank import determinant, rank
+from arrangement.numbers.number_field import residues
+from arrangement.planes.planes import Planes
 
 if TYPE_CHECKING:
     import sympy

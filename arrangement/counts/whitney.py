@@ -9,16 +9,16 @@ import math
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, NamedTuple
 
+from arrangement.console.short_repr import table
 from arrangement.errors import InputError
-from arrangement.planes import Planes
-from arrangement.short_repr import table
+from arrangement.planes.planes import Planes
 
-from .class_sums import flats_and_faces
+from .classes.class_sums import flats_and_faces
+from .classes.symmetric import first_whitney_numbers
 from .configuration import configuration
 from .lattice import intersection_lattice
 from .low_rank import MAX_RANK, WhitneyMatrix, whitney_matrix
 from .operations import over_factors
-from .symmetric import first_whitney_numbers
 
 if TYPE_CHECKING:
     import sympy

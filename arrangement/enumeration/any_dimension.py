@@ -16,7 +16,7 @@ by arrays over one level at a time.
 Cost: polynomial in the output for fixed d. There are no more flats than faces; each flat is
 cut by at most m planes, and every (facet, face) pair is visited once, in arrays: 16 planes in R^6
 (289,000 faces) take about a second. Numbers, of a field too, are int64 coefficients wherever a
-bound of their size allows, else Python integers: see `arrangement.coefficients`.
+bound of their size allows, else Python integers: see `arrangement.numbers.coefficients`.
 """
 
 from __future__ import annotations
@@ -27,9 +27,15 @@ from typing import Any, TypeAlias
 import numpy as np
 from numpy.typing import NDArray
 
-from arrangement.coefficients import Coefficients, Integers, for_products, largest_entry, primitive
-from arrangement.linear import rank, unit_vectors
-from arrangement.planes import Planes
+from arrangement.numbers.coefficients import (
+    Coefficients,
+    Integers,
+    for_products,
+    largest_entry,
+    primitive,
+)
+from arrangement.numbers.linear.rank import rank, unit_vectors
+from arrangement.planes.planes import Planes
 
 from .packing import Words, grouped, pack, unpack
 from .sequence import Level, Rows, Signs, no_faces

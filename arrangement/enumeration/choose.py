@@ -7,10 +7,10 @@ from copy import copy
 from dataclasses import dataclass
 from math import comb
 
-from arrangement import budget
 from arrangement.errors import InputError, OutOfReachError
-from arrangement.exact import shown, work_factor
-from arrangement.planes import Planes
+from arrangement.numbers import budget
+from arrangement.numbers.exact import shown, work_factor
+from arrangement.planes.planes import Planes
 
 from . import affine_space, any_dimension, great_circles
 from .sequence import FaceSequence, Level

@@ -18,8 +18,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from arrangement.coefficients import Integers, for_products, largest_entry
-from arrangement.linear import unit_vectors
+from arrangement.numbers.coefficients import Integers, for_products, largest_entry
+from arrangement.numbers.linear.rank import unit_vectors
 
 from .packing import Bits
 from .sequence import Signs, integer_matrix, primitive_rows

@@ -22,11 +22,11 @@ from functools import cached_property
 from itertools import combinations
 from typing import TYPE_CHECKING, TypeAlias
 
+from arrangement.console.short_repr import Shown
 from arrangement.errors import InputError
-from arrangement.exact import IntegerVector, RationalVector, dot, sign
-from arrangement.linprog import Infeasible, feasible_point
-from arrangement.planes import Planes
-from arrangement.short_repr import Shown
+from arrangement.numbers.exact import IntegerVector, RationalVector, dot, sign
+from arrangement.numbers.linear.programs import Infeasible, feasible_point
+from arrangement.planes.planes import Planes
 
 if TYPE_CHECKING:
     import networkx as nx

@@ -12,9 +12,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from arrangement.coefficients import Integers
-from arrangement.linear import rank
-from arrangement.planes import Planes
+from arrangement.numbers.coefficients import Integers
+from arrangement.numbers.linear.rank import rank
+from arrangement.planes.planes import Planes
 
 from .sequence import Level, Rows, no_faces
 

@@ -15,9 +15,10 @@ from typing import Any, TypeAlias, overload
 import numpy as np
 from numpy.typing import NDArray
 
-from arrangement.coefficients import SAFE, Coefficients, Integers
+from arrangement.console.short_repr import Shown
 from arrangement.errors import InputError
-from arrangement.exact import (
+from arrangement.numbers.coefficients import SAFE, Coefficients, Integers
+from arrangement.numbers.exact import (
     IntegerVector,
     RationalVector,
     fraction,
@@ -25,9 +26,8 @@ from arrangement.exact import (
     quotient,
     shown,
 )
-from arrangement.faces import Face
-from arrangement.planes import Planes
-from arrangement.short_repr import Shown
+from arrangement.planes.faces import Face
+from arrangement.planes.planes import Planes
 
 Signs: TypeAlias = NDArray[np.int8]
 Rows: TypeAlias = "slice | NDArray[np.intp]"

@@ -9,9 +9,9 @@ import argparse
 import io
 from dataclasses import asdict
 
-from arrangement import terminal
+from arrangement.console import terminal
+from arrangement.console.writing import write_bytes_atomically
 from arrangement.errors import InputError
-from arrangement.io.writing import write_bytes_atomically
 
 
 def add_commands(parser: argparse.ArgumentParser) -> None:
@@ -61,7 +61,7 @@ def _planes(arguments: argparse.Namespace, least: int) -> int:
 
 def _show(arguments: argparse.Namespace) -> int:
     from .census import PUBLISHED, PUBLISHED_SIMPLE
-    from .census.tables import table
+    from .census.making.tables import table
 
     planes = _planes(arguments, 3)
     found = table(planes)
@@ -83,7 +83,7 @@ def _show(arguments: argparse.Namespace) -> int:
 
 def _check(arguments: argparse.Namespace) -> int:
     from .census import MOST_PLANES, PUBLISHED
-    from .census.tables import check
+    from .census.making.tables import check
 
     if not 0 <= arguments.sample <= PUBLISHED[MOST_PLANES - 1]:
         raise InputError(f"--sample is {arguments.sample}; give 0 to {PUBLISHED[MOST_PLANES - 1]}")
@@ -105,7 +105,7 @@ def _check(arguments: argparse.Namespace) -> int:
 def _build(arguments: argparse.Namespace) -> int:
     import numpy as np
 
-    from .census.build import build
+    from .census.making.build import build
 
     planes = _planes(arguments, 4)
     output = arguments.output or f"types{planes}.npz"

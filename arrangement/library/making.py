@@ -6,8 +6,8 @@ import argparse
 import inspect
 from inspect import Parameter
 
-from arrangement.io.writing import document_text
-from arrangement.terminal import times_argument
+from arrangement.console.terminal import times_argument
+from arrangement.console.writing import document_text
 
 from .families import FAMILIES
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Sequence
 from typing import Any
 
-from arrangement.draw import save_figure
+from arrangement.pictures import save_figure
 
 BLUE, ORANGE, GREEN, GREY, PALE = "#0072b2", "#d55e00", "#00735a", "#767676", "#eeeae2"
 MM = 1 / 25.4

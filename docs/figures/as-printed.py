@@ -1,7 +1,7 @@
 """Two figures as books print them: a Shi arrangement, and one of the simplicial catalogue."""
 
-from arrangement.draw import write_drawing
 from arrangement.library.families import shi, simplicial
+from arrangement.pictures import write_drawing
 
 for suffix in ("svg", "tex"):
     write_drawing(shi(3), f"as-printed-shi.{suffix}", "lines", width=110)

@@ -1,5 +1,5 @@
 """Numbers of faces of central planes against the bounds of the paper, over the number of planes."""
 
-from arrangement.draw import draw_counts, save_figure
+from arrangement.pictures import draw_counts, save_figure
 
 save_figure("counts-against-bounds.svg", draw_counts)

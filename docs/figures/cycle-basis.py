@@ -5,7 +5,7 @@ import numpy as np
 from matplotlib.figure import Figure
 
 from arrangement import published_enumeration, read_arrangement
-from arrangement.draw.output import save_figure
+from arrangement.drawing.output import save_figure
 
 BLUE, VERMILION, GREY = "#0072b2", "#d55e00", "#767676"
 

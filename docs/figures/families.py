@@ -1,8 +1,8 @@
 """The named families in rank 3: central planes on a sphere, or lines of the plane."""
 
 from arrangement.counts import essentialization
-from arrangement.draw import write_drawing
 from arrangement.library import families
+from arrangement.pictures import write_drawing
 
 SPHERES = {
     "coxeter": families.coxeter("A3"),

@@ -1,7 +1,7 @@
 """Two fingers on a cube in space: an equilibrium, and why a larger load is not resisted."""
 
 from equilibrium import read_grasp
-from equilibrium.draw import write_drawing
+from equilibrium.pictures import write_drawing
 
 fingers = read_grasp("two-opposed-fingers")
 for name, view, load in (("held", "grasp", (0, 0, -1)), ("lost", "proof", (0, 0, -3))):

@@ -12,7 +12,7 @@ import networkx as nx
 from matplotlib.patches import FancyArrowPatch
 from matplotlib.path import Path
 
-from arrangement.draw import save_figure
+from arrangement.pictures import save_figure
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 ROW, GAP, RIGHT, WIDTH = 6.5, 2.0, 142.0, 178.0  # mm: a room, between layers, their end, all

@@ -4,7 +4,7 @@ from itertools import pairwise
 
 from matplotlib.figure import Figure
 
-from arrangement.draw.output import save_figure
+from arrangement.drawing.output import save_figure
 from equilibrium import read_grasp
 
 FILLS = ("#ffffff", "#fdf0c0", "#b9dfd3", "#7fb9d8")

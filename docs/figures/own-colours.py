@@ -1,7 +1,7 @@
 """Great circles whose regions are coloured by a rule of one's own, and a note on the picture."""
 
 from arrangement import read_arrangement
-from arrangement.draw import DrawnRegion, draw_sphere, save_figure
+from arrangement.pictures import DrawnRegion, draw_sphere, save_figure
 
 
 def colour(region: DrawnRegion) -> str:

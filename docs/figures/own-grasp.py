@@ -6,7 +6,7 @@ import textwrap
 from pathlib import Path
 
 from equilibrium import Grasp
-from equilibrium.draw import write_drawing
+from equilibrium.pictures import write_drawing
 
 PAGE = Path(__file__).parents[1] / "howto" / "own-grasp.rst"
 

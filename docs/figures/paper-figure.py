@@ -1,8 +1,8 @@
 """The two pictures that the guide to figures makes by command."""
 
-from arrangement.draw import write_drawing as draw_planes
+from arrangement.pictures import write_drawing as draw_planes
 from equilibrium import read_grasp
-from equilibrium.draw import write_drawing as draw_grasp
+from equilibrium.pictures import write_drawing as draw_grasp
 
 grasp = read_grasp("paper-three-contacts-preload-1")
 draw_grasp(grasp, "paper-figure-grasp.svg", "grasp", wrench=(0, 1, 0))

@@ -1,8 +1,8 @@
 """A grasp all of whose contacts slip, with the forces that oppose the slip."""
 
-from arrangement.draw.output import save_figure
+from arrangement.drawing.output import save_figure
 from equilibrium import read_grasp
-from equilibrium.draw import draw_grasp
+from equilibrium.pictures import draw_grasp
 
 save_figure(
     "slip-state.svg",

@@ -4,9 +4,9 @@ from math import comb
 
 from matplotlib.figure import Figure
 
-from arrangement.draw.output import save_figure
+from arrangement.drawing.output import save_figure
 from equilibrium import contact_states
-from equilibrium.inputs import random_grasp
+from equilibrium.grasps.inputs import random_grasp
 
 BLACK, BLUE, VERMILION = "black", "#0072b2", "#d55e00"
 

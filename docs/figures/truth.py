@@ -5,9 +5,9 @@ from fractions import Fraction
 from _plane import BLUE, GREY, arrow, body, dot, label, panels, save
 
 from arrangement import read_arrangement
-from arrangement.draw import write_drawing as draw_planes
+from arrangement.pictures import write_drawing as draw_planes
 from equilibrium import read_grasp, solve_literal
-from equilibrium.draw import write_drawing as draw_grasp
+from equilibrium.pictures import write_drawing as draw_grasp
 
 TENTHS = [
     [(-5, -10), (10, -10), (10, 10), (-5, 10), (-5, 4), (0, 4), (0, -4), (-5, -4)],

@@ -36,8 +36,8 @@ from fractions import Fraction
 from itertools import product
 from typing import Any, NamedTuple, TypeAlias
 
-from arrangement.exact import IntegerVector, RationalVector, to_text, vector_text
-from arrangement.short_repr import Shown
+from arrangement.console.short_repr import Shown
+from arrangement.numbers.exact import IntegerVector, RationalVector, to_text, vector_text
 from equilibrium.model.contact import VALUES
 from equilibrium.model.errors import CertificateError, GraspError
 from equilibrium.model.grasp import Grasp, read_wrench
@@ -58,13 +58,7 @@ from .reading import (
     read_question,
     read_range,
 )
-from .space import (
-    SpatialQuestion,
-    State,
-    spatial_law_problem,
-    spatial_leaf_problem,
-    split_states,
-)
+from .space import SpatialQuestion, State, spatial_law_problem, spatial_leaf_problem, split_states
 
 #: A grasp and a wrench.
 Question: TypeAlias = tuple[Grasp, RationalVector]

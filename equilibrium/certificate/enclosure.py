@@ -25,7 +25,7 @@ from collections.abc import Iterable, Sequence
 from fractions import Fraction
 from typing import NamedTuple
 
-from arrangement.exact import RationalVector, dot
+from arrangement.numbers.exact import RationalVector, dot
 from equilibrium.model.grasp import Grasp
 from equilibrium.model.range import NO_RANGE, Range
 

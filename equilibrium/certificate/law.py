@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from fractions import Fraction
 
-from arrangement.exact import RationalVector, number_text
+from arrangement.numbers.exact import RationalVector, number_text
 from equilibrium.model.contact import Contact
 from equilibrium.model.grasp import Grasp
 from equilibrium.model.range import Range, turns_of

@@ -39,8 +39,8 @@ from collections.abc import Mapping
 from fractions import Fraction
 from typing import Any, NamedTuple
 
-from arrangement.exact import RationalVector, rational, rational_vector, shown
-from arrangement.io.files import check_keys, check_list
+from arrangement.library.files.json_files import check_keys, check_list
+from arrangement.numbers.exact import RationalVector, rational, rational_vector, shown
 from equilibrium.model.errors import CertificateError
 from equilibrium.model.grasp import Grasp, read_wrench
 from equilibrium.model.range import Range

@@ -26,7 +26,7 @@ from fractions import Fraction
 from itertools import pairwise
 from typing import Any, NamedTuple, TypeAlias
 
-from arrangement.exact import IntegerVector, RationalVector, dot
+from arrangement.numbers.exact import IntegerVector, RationalVector, dot
 from equilibrium.model.contact import Contact
 from equilibrium.model.errors import CertificateError
 from equilibrium.model.grasp import Grasp

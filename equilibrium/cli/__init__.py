@@ -1,5 +1,5 @@
 """The command ``equilibrium``."""
 
-from arrangement.entry import entry
+from arrangement.console.entry import entry
 
 main = entry("equilibrium.cli.program")

@@ -8,12 +8,12 @@ from collections.abc import Callable, Iterable
 from fractions import Fraction
 from typing import TYPE_CHECKING, Any, TypeAlias
 
-from arrangement import terminal
-from arrangement.exact import RationalVector, to_text
+from arrangement.console import terminal
+from arrangement.numbers.exact import RationalVector, to_text
 from equilibrium.model.errors import GraspError
 
 if TYPE_CHECKING:
-    from equilibrium.inputs import Conversion
+    from equilibrium.grasps.inputs import Conversion
     from equilibrium.model.grasp import Grasp
     from equilibrium.model.range import RangeArguments
 
@@ -212,7 +212,7 @@ def contacts_argument(text: str) -> int:
 
 def read(arguments: argparse.Namespace) -> Grasp:
     """Return the grasp as its source has it; on stderr say what had to be rounded."""
-    from equilibrium.inputs import read_any
+    from equilibrium.grasps.inputs import read_any
 
     found = read_any(
         arguments.grasp, round_normals=arguments.round_normals, as_given=arguments.as_given

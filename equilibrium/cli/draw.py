@@ -16,16 +16,16 @@ def add_commands(commands: Any) -> None:
 
 
 def _add_options(draw: argparse.ArgumentParser) -> None:
-    from arrangement.draw.command import add_options
-    from equilibrium.draw.views import DRAWINGS
+    from arrangement.drawing.command import add_options
+    from equilibrium.pictures.views import DRAWINGS
 
     add_options(draw, DRAWINGS, own=("preload",))
     add_force(draw, draw.add_mutually_exclusive_group())
 
 
 def _draw(arguments: argparse.Namespace) -> int:
-    from arrangement.draw.command import given_options, write
-    from equilibrium.draw.views import DRAWINGS, drawings_of
+    from arrangement.drawing.command import given_options, write
+    from equilibrium.pictures.views import DRAWINGS, drawings_of
 
     grasp = read(arguments)
     if load := force_given(arguments, grasp.dimension):

@@ -12,8 +12,8 @@ from collections.abc import Sequence
 from fractions import Fraction
 from typing import TYPE_CHECKING, Any
 
-from arrangement import terminal
-from arrangement.io.writing import write_text_atomically
+from arrangement.console import terminal
+from arrangement.console.writing import write_text_atomically
 
 from .arguments import (
     add_as_given,
@@ -26,7 +26,7 @@ from .arguments import (
 )
 
 if TYPE_CHECKING:
-    from equilibrium.inputs import Conversion
+    from equilibrium.grasps.inputs import Conversion
     from equilibrium.model.grasp import Grasp
 
 
@@ -110,7 +110,7 @@ def _add(
     """Add a kind of input whose conversion rounds.
 
     Args:
-        reader: the function of `equilibrium.inputs`.
+        reader: the function of `equilibrium.grasps.inputs`.
         given, options: the arguments that it takes, without and with their names.
     """
     parser = add_command(kinds, name, _converted, text, grasp=False, numbers=False)
@@ -132,7 +132,7 @@ def _add_output(parser: argparse.ArgumentParser) -> None:
 
 
 def _random(arguments: argparse.Namespace) -> int:
-    from equilibrium.inputs import random_grasp, star_outline
+    from equilibrium.grasps.inputs import random_grasp, star_outline
 
     if arguments.space:
         grasp = random_grasp(arguments.contacts, arguments.seed, dimension=3)

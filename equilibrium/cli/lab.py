@@ -5,7 +5,7 @@ from __future__ import annotations
 import argparse
 from typing import Any
 
-from arrangement import terminal
+from arrangement.console import terminal
 
 from .arguments import add_applied, add_command, force_given, grasp_of
 
@@ -24,8 +24,8 @@ def add_commands(commands: Any) -> None:
 
 
 def _lab(arguments: argparse.Namespace) -> int:
-    from arrangement.io.writing import write_text_atomically
-    from equilibrium.lab import lab_page
+    from arrangement.console.writing import write_text_atomically
+    from equilibrium.pictures.lab import lab_page
 
     grasp = None if arguments.grasp is None else grasp_of(arguments)
     wrench = force_given(arguments) or arguments.wrench

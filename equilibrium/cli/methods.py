@@ -8,8 +8,8 @@ from fractions import Fraction
 from math import gcd
 from typing import TYPE_CHECKING, Any
 
-from arrangement.exact import IntegerVector, rational
-from arrangement.number_form import number, vector
+from arrangement.console.number_form import number, vector
+from arrangement.numbers.exact import IntegerVector, rational
 from equilibrium.model.pyramid import pyramid_words
 
 from .arguments import (
@@ -26,7 +26,7 @@ from .arguments import (
 
 if TYPE_CHECKING:
     from equilibrium.methods.compare import Comparison
-    from equilibrium.methods.grasp_wrench_space import GraspWrenchSpace
+    from equilibrium.methods.friction_cones.grasp_wrench_space import GraspWrenchSpace
     from equilibrium.methods.survey import Example, Survey
     from equilibrium.model.grasp import Grasp
 
@@ -63,7 +63,7 @@ def add_commands(commands: Any) -> None:
 
 
 def _compare(arguments: argparse.Namespace) -> int:
-    from equilibrium.inputs.documents import question_document
+    from equilibrium.grasps.inputs.documents import question_document
     from equilibrium.methods.compare import compare
 
     grasp = grasp_of(arguments)
@@ -81,7 +81,7 @@ def _comparison_lines(found: Comparison) -> Iterator[str]:
 
 
 def _wrench_space(arguments: argparse.Namespace) -> int:
-    from equilibrium.methods.grasp_wrench_space import GraspWrenchSpace
+    from equilibrium.methods.friction_cones.grasp_wrench_space import GraspWrenchSpace
 
     grasp = grasp_of(arguments)
     edges = _edges(arguments, grasp)
@@ -113,7 +113,7 @@ def _wrench_space(arguments: argparse.Namespace) -> int:
 
 def _edges(arguments: argparse.Namespace, grasp: Grasp) -> int:
     """Return the edges of the pyramids of a hull; refuse what would take minutes."""
-    from equilibrium.methods.grasp_wrench_space import MOST_IN_HULL
+    from equilibrium.methods.friction_cones.grasp_wrench_space import MOST_IN_HULL
     from equilibrium.model.errors import GraspError
     from equilibrium.model.pyramid import FLAT, pyramid_edges
 

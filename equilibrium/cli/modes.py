@@ -6,8 +6,8 @@ import argparse
 from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any
 
-from arrangement.number_form import sign_text, vector
-from arrangement.progress import shown
+from arrangement.console.number_form import sign_text, vector
+from arrangement.console.progress import shown
 
 from .arguments import add_command, grasp_of, seconds, show
 

@@ -8,9 +8,10 @@ from dataclasses import replace
 from itertools import chain
 from typing import TYPE_CHECKING, Any
 
-from arrangement import budget, terminal
-from arrangement.exact import dot
-from arrangement.number_form import vector
+from arrangement.console import terminal
+from arrangement.console.number_form import vector
+from arrangement.numbers import budget
+from arrangement.numbers.exact import dot
 from equilibrium.model.pyramid import pyramid_words
 from equilibrium.model.range import NO_RANGE, Range
 
@@ -31,13 +32,13 @@ from .proof_words import proof_lines
 from .spatial_words import spatial_lines
 
 if TYPE_CHECKING:
-    from arrangement.exact import RationalVector
+    from arrangement.numbers.exact import RationalVector
+    from equilibrium.decide.spatial_verdict import SpatialVerdict
+    from equilibrium.decide.verdict import Verdict
     from equilibrium.model.grasp import Grasp
-    from equilibrium.solver.equilibrium import Equilibrium
-    from equilibrium.solver.state_equilibrium import Solution
-    from equilibrium.solver.state_system import States
-    from equilibrium.spatial_verdict import SpatialVerdict
-    from equilibrium.verdict import Verdict
+    from equilibrium.plane.search.state_equilibrium import Solution
+    from equilibrium.plane.states.equilibrium import Equilibrium
+    from equilibrium.plane.states.state_system import States
 
 #: Lines of the question of a proof.
 _MOST_LINES = 21
@@ -135,18 +136,18 @@ def _bound(text: str) -> tuple[str, str]:
 
 
 def _list(arguments: argparse.Namespace) -> int:
-    from arrangement.io.files import described
+    from arrangement.library.files.json_files import described
 
     return terminal.print_names(described("contacts"), arguments.json)
 
 
 def _solve(arguments: argparse.Namespace) -> int:
-    from equilibrium.io.files import write_certificate
-    from equilibrium.methods.printed_model import solve_literal
+    from equilibrium.decide.spatial_verdict import SpatialVerdict, solve_in_space
+    from equilibrium.decide.verdict import solve
+    from equilibrium.grasps.files import write_certificate
+    from equilibrium.methods.contact_laws.printed_model import solve_literal
     from equilibrium.model.errors import GraspError
     from equilibrium.model.pyramid import FLAT
-    from equilibrium.spatial_verdict import SpatialVerdict, solve_in_space
-    from equilibrium.verdict import solve
 
     if arguments.literal and arguments.certificate is not None:
         raise GraspError("a literal reading has no certificate; omit one of the two options")
@@ -253,8 +254,8 @@ def _freedom(piece: Equilibrium) -> str:
 def _verify(arguments: argparse.Namespace) -> int:
     from equilibrium.certificate.checker import Report
     from equilibrium.certificate.reading import read_question
-    from equilibrium.io.files import read_certificate, verify
-    from equilibrium.io.proved_checker import verify_proved
+    from equilibrium.grasps.files import read_certificate, verify
+    from equilibrium.grasps.proved_checker import verify_proved
     from equilibrium.model.errors import GraspError
 
     path, question, known = arguments.certificate, _asked(arguments), True

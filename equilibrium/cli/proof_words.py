@@ -5,11 +5,11 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any
 
-from arrangement.number_form import number, vector
+from arrangement.console.number_form import number, vector
 
 if TYPE_CHECKING:
     from equilibrium.certificate.leaves import Part
-    from equilibrium.verdict import Verdict
+    from equilibrium.decide.verdict import Verdict
 
 #: Longer proofs are only counted.
 _MOST = 3

@@ -5,14 +5,14 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any
 
-from arrangement.exact import RationalVector, dot
-from arrangement.number_form import DIGITS, counted, number, vector
+from arrangement.console.number_form import DIGITS, counted, number, vector
+from arrangement.numbers.exact import RationalVector, dot
+from equilibrium.certificate.leaves import SpatialLeaf, spatial_leaves
 from equilibrium.certificate.reading import read_plane
-from equilibrium.certificate.spatial_leaves import SpatialLeaf, spatial_leaves
 from equilibrium.model.pyramid import pyramid_words
 
 if TYPE_CHECKING:
-    from equilibrium.spatial_verdict import SpatialVerdict
+    from equilibrium.decide.spatial_verdict import SpatialVerdict
 
 
 #: Longer proofs are only counted.
@@ -38,7 +38,7 @@ def spatial_lines(found: SpatialVerdict) -> Iterator[str]:
             for leaf in spatial_leaves(found.grasp, tree, found.within):
                 yield from _leaf_lines(found.wrench, leaf)
         return
-    from equilibrium.solver.space.equilibria import SpatialSolution
+    from equilibrium.space.equilibria import SpatialSolution
 
     exact = isinstance(found.solution, SpatialSolution)
     yield f"resisted{cones}: " + (

@@ -7,7 +7,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from fractions import Fraction
 from typing import TYPE_CHECKING, Any
 
-from arrangement.number_form import bracket, number, vector
+from arrangement.console.number_form import bracket, number, vector
 
 from .arguments import (
     add_applied,
@@ -24,9 +24,9 @@ from .arguments import (
 )
 
 if TYPE_CHECKING:
-    from arrangement.polyhedra.intervals import Interval
+    from arrangement.numbers.linear.intervals import Interval
+    from equilibrium.decide.verdict import Solver
     from equilibrium.model.grasp import Grasp
-    from equilibrium.verdict import Solver
     from equilibrium.wrench_sets import Gap, Region, ResistedSet, SearchMap, Segment
     from equilibrium.wrench_sets.spatial import SpatialMagnitudes
 
@@ -79,7 +79,7 @@ def _add_plane(parser: argparse.ArgumentParser) -> None:
 
 
 def _solver(arguments: argparse.Namespace, grasp: Grasp) -> Solver:
-    from equilibrium.verdict import Solver
+    from equilibrium.decide.verdict import Solver
 
     return Solver(grasp, **range_given(arguments))
 
@@ -166,7 +166,7 @@ def _set_lines(whole: ResistedSet) -> Iterator[str]:
 
 
 def _margin(arguments: argparse.Namespace) -> int:
-    from equilibrium.inputs.documents import question_document
+    from equilibrium.grasps.inputs.documents import question_document
     from equilibrium.wrench_sets import least_friction, margin, sufficient_preloads
 
     grasp = grasp_of(arguments)

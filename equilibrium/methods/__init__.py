@@ -7,7 +7,7 @@ is their table, `compare` asks all of them, `survey` counts how often they disag
 
 from .compare import Answer, Comparison, ask, compare
 from .figure import resistance_figure
-from .grasp_wrench_space import GraspWrenchSpace
+from .friction_cones.grasp_wrench_space import GraspWrenchSpace
 from .method import Method
 from .registry import METHODS, method_named
 from .survey import smallest_examples, survey

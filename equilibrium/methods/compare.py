@@ -6,8 +6,8 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 from typing import Any
 
-from arrangement.exact import RationalVector, to_text
-from arrangement.progress import watched
+from arrangement.console.progress import watched
+from arrangement.numbers.exact import RationalVector, to_text
 from equilibrium.model.errors import GraspError, UndecidedError
 from equilibrium.model.grasp import Grasp, read_wrench
 from equilibrium.model.pyramid import FLAT, pyramid_edges
@@ -125,7 +125,7 @@ def compare(grasp: Grasp, wrench: Iterable[Any], *, pyramid: int | None = None) 
         preloads where such forces exist, and their tangential springs are as stiff as the normal
         ones.
 
-    >>> from equilibrium.io.files import read_grasp
+    >>> from equilibrium.grasps.files import read_grasp
     >>> compare(read_grasp("paper-three-contacts"), [0, -1, 0]).disagreeing
     ('linear-compliance',)
     """

@@ -5,11 +5,11 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from typing import Any
 
-from arrangement.exact import to_text
+from arrangement.numbers.exact import to_text
 from equilibrium.model.grasp import Grasp
 from equilibrium.wrench_sets.plane import FORCES, resisted_region
 
-from .grasp_wrench_space import GraspWrenchSpace
+from .friction_cones.grasp_wrench_space import GraspWrenchSpace
 
 
 def resistance_figure(

@@ -6,8 +6,8 @@ from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
 from typing import Any, TypeAlias
 
-from arrangement.exact import RationalVector
-from arrangement.polyhedra.polyhedron import Polyhedron
+from arrangement.numbers.exact import RationalVector
+from arrangement.numbers.linear.polyhedron import Polyhedron
 from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import Grasp
 from equilibrium.wrench_sets.plane import FORCES, Region, region_of

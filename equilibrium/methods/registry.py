@@ -3,18 +3,18 @@
 from __future__ import annotations
 
 from arrangement.errors import refusal
-from arrangement.exact import shown
+from arrangement.numbers.exact import shown
 from equilibrium.model.errors import GraspError
 
-from .complete import COMPLETE
-from .cones import CONES
-from .form_closure import FORM_CLOSURE
-from .frictionless_slip import FRICTIONLESS_SLIP
-from .grasp_wrench_space import WRENCH_SPACE, WRENCH_SPACE_L1, WRENCH_SPACE_LINF
-from .linear_compliance import LINEAR_COMPLIANCE
+from .contact_laws.complete import COMPLETE
+from .contact_laws.frictionless_slip import FRICTIONLESS_SLIP
+from .contact_laws.linear_compliance import LINEAR_COMPLIANCE
+from .contact_laws.printed_model import PRINTED
+from .friction_cones.cones import CONES
+from .friction_cones.form_closure import FORM_CLOSURE
+from .friction_cones.grasp_wrench_space import WRENCH_SPACE, WRENCH_SPACE_L1, WRENCH_SPACE_LINF
+from .friction_cones.weak_strong import FRICTIONLESS, STRONG, WEAK
 from .method import Method
-from .printed_model import PRINTED
-from .weak_strong import FRICTIONLESS, STRONG, WEAK
 
 #: By key. The first one is the measure of the others.
 METHODS: dict[str, Method] = {
@@ -49,7 +49,7 @@ def method_named(key: str) -> Method:
     Raises:
         GraspError: a key that is not in the table.
 
-    >>> from equilibrium.io.files import read_grasp
+    >>> from equilibrium.grasps.files import read_grasp
     >>> method_named("weak").region(read_grasp("paper-three-contacts")).unlimited[0].whole
     True
     """

@@ -14,9 +14,9 @@ from fractions import Fraction
 from random import Random
 from typing import Any
 
-from arrangement.exact import RationalVector, to_text
-from arrangement.progress import watched
-from equilibrium.inputs.random import random_grasp, random_wrench
+from arrangement.console.progress import watched
+from arrangement.numbers.exact import RationalVector, to_text
+from equilibrium.grasps.inputs.random import random_grasp, random_wrench
 from equilibrium.model.contact import Contact
 from equilibrium.model.grasp import Grasp
 

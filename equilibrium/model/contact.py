@@ -17,7 +17,9 @@ from fractions import Fraction
 from functools import cached_property
 from typing import Any
 
-from arrangement.exact import (
+from arrangement.console.short_repr import Shown
+from arrangement.library.files.json_files import check_keys, check_list
+from arrangement.numbers.exact import (
     RationalVector,
     dot,
     number_text,
@@ -26,9 +28,7 @@ from arrangement.exact import (
     to_text,
     vector_text,
 )
-from arrangement.io.files import check_keys, check_list
-from arrangement.linear import cross
-from arrangement.short_repr import Shown
+from arrangement.numbers.linear.rank import cross
 
 from .errors import GraspError
 from .outline import coordinates

@@ -6,9 +6,9 @@ from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
 
-from arrangement.exact import rational, shown, to_text
-from arrangement.io.files import check_keys
-from arrangement.short_repr import Shown
+from arrangement.console.short_repr import Shown
+from arrangement.library.files.json_files import check_keys
+from arrangement.numbers.exact import rational, shown, to_text
 
 from .errors import GraspError
 

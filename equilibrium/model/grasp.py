@@ -12,11 +12,11 @@ from typing import TYPE_CHECKING, Any
 
 # Its facade is loaded when a grasp is asked for its planes; the checker never does.
 import arrangement
-from arrangement.exact import RationalVector, rational_vector, shown
-from arrangement.io.files import check_keys, check_list
-from arrangement.io.writing import write_text_atomically
-from arrangement.number_form import counted
-from arrangement.plugins import InlinePage, named
+from arrangement.console.number_form import counted
+from arrangement.console.plugins import InlinePage, named
+from arrangement.console.writing import write_text_atomically
+from arrangement.library.files.json_files import check_keys, check_list
+from arrangement.numbers.exact import RationalVector, rational_vector, shown
 
 from .contact import IN_SPACE, Contact, contact_of, wrench_at
 from .data_error import DataError
@@ -180,13 +180,13 @@ class Grasp:
         Raises:
             InputError: more than 8 contacts, or contacts in space.
         """
-        return InlinePage(named("equilibrium.lab.page:lab_page")(self))
+        return InlinePage(named("equilibrium.pictures.lab.page:lab_page")(self))
 
     def _repr_svg_(self) -> str | None:
         """Return what a notebook shows: the picture, where matplotlib is installed."""
         if self.dimension != 2:
             return None
-        text: str | None = named("equilibrium.draw.notebook:grasp_svg")(self)
+        text: str | None = named("equilibrium.pictures.notebook:grasp_svg")(self)
         return text
 
     def to_dict(self) -> dict[str, Any]:

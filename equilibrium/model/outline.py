@@ -7,9 +7,9 @@ from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any, ClassVar, TypeAlias
 
-from arrangement.exact import RationalVector, rational, rational_vector, shown, to_text
-from arrangement.io.files import check_keys, check_list
-from arrangement.short_repr import Shown
+from arrangement.console.short_repr import Shown
+from arrangement.library.files.json_files import check_keys, check_list
+from arrangement.numbers.exact import RationalVector, rational, rational_vector, shown, to_text
 
 from .errors import GraspError
 

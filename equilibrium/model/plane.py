@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 from fractions import Fraction
 
-from arrangement.exact import RationalVector, dot
-from arrangement.linear import cross
+from arrangement.numbers.exact import RationalVector, dot
+from arrangement.numbers.linear.rank import cross
 
 from .contact import Contact, wrench_at
 from .errors import GraspError

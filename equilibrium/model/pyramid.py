@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 
-from arrangement.exact import RationalVector, shown
+from arrangement.numbers.exact import RationalVector, shown
 
 from .errors import GraspError
 from .unit_normal import unit_normal

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any, TypedDict
 
-from arrangement.exact import RationalVector, rational, shown, to_text
+from arrangement.numbers.exact import RationalVector, rational, shown, to_text
 
 from .errors import GraspError
 

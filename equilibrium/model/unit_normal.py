@@ -12,9 +12,9 @@ from collections.abc import Iterable
 from fractions import Fraction
 from typing import Any, NamedTuple
 
-from arrangement.exact import RationalVector, dot, from_floats, shown
-from arrangement.linear import cross
-from arrangement.short_repr import table
+from arrangement.console.short_repr import table
+from arrangement.numbers.exact import RationalVector, dot, from_floats, shown
+from arrangement.numbers.linear.rank import cross
 
 from .errors import GraspError
 

@@ -9,9 +9,9 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any
 
-from arrangement.exact import shown
-from arrangement.io.files import check_keys
-from arrangement.short_repr import Shown
+from arrangement.console.short_repr import Shown
+from arrangement.library.files.json_files import check_keys
+from arrangement.numbers.exact import shown
 
 from .errors import GraspError
 

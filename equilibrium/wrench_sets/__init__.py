@@ -7,7 +7,7 @@
 * below them: `images` of one choice of contact states, `directions` in a plane.
 """
 
-from arrangement.polyhedra.polyhedron import Polyhedron
+from arrangement.numbers.linear.polyhedron import Polyhedron
 
 from .friction import FrictionBracket, least_friction
 from .gaps import Gap, gaps

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
 
-from arrangement.exact import IntegerVector, to_text
+from arrangement.numbers.exact import IntegerVector, to_text
 
 _AXES: tuple[IntegerVector, ...] = ((1, 0), (0, 1), (-1, 0), (0, -1))
 

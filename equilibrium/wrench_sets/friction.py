@@ -14,15 +14,16 @@ from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
 
-from arrangement import linprog
-from arrangement.exact import RationalVector, rational, shown
-from arrangement.polyhedra.intervals import end_text
-from arrangement.progress import watched
-from arrangement.short_repr import Shown
-from equilibrium.inputs.conversion import simplest_between
+from arrangement.console.progress import watched
+from arrangement.console.short_repr import Shown
+from arrangement.numbers.exact import RationalVector, rational, shown
+from arrangement.numbers.linear import programs
+from arrangement.numbers.linear.intervals import end_text
+from equilibrium.decide.verdict import Solver, prepare
+from equilibrium.grasps.inputs.conversion import simplest_between
 from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import Grasp, read_wrench
-from equilibrium.solver.contact_rows import (
+from equilibrium.plane.contact_rows import (
     DIRECTION,
     Pair,
     balance_rows,
@@ -34,9 +35,8 @@ from equilibrium.solver.contact_rows import (
     sum_row,
     unit_row,
 )
-from equilibrium.solver.contact_states import contact_states
-from equilibrium.solver.state_system import States
-from equilibrium.verdict import Solver, prepare
+from equilibrium.plane.states.contact_states import contact_states
+from equilibrium.plane.states.state_system import States
 
 #: Coefficients above this are tried all at once only.
 LARGEST = 64
@@ -93,7 +93,7 @@ def least_friction(
     looked at; after the first few ranges few states are left. Without any program where 0 is
     enough.
 
-    >>> from equilibrium.io.files import read_grasp
+    >>> from equilibrium.grasps.files import read_grasp
     >>> found = least_friction(read_grasp("paper-four-contacts-preload-1"), [0, 2, 0], "1/1000")
     >>> found.low < Fraction(1, 2) <= found.high
     True
@@ -155,7 +155,7 @@ class _Search:
             equalities, inequalities, n = _relaxed_rows(self.grasp, choice, self.wrench, low, high)
             normals = (normal_force_row(contact, n) for contact in self.grasp)
             inequalities += range_rows(self.within, normals, n)
-            if linprog.Program(n, inequalities, equalities).feasible:
+            if programs.Program(n, inequalities, equalities).feasible:
                 kept.append(choice)
         return kept
 

@@ -12,9 +12,9 @@ from fractions import Fraction
 from random import Random
 from typing import Any
 
-from arrangement.exact import RationalVector, to_text
-from arrangement.polyhedra.intervals import Interval, texts
-from arrangement.progress import watched
+from arrangement.console.progress import watched
+from arrangement.numbers.exact import RationalVector, to_text
+from arrangement.numbers.linear.intervals import Interval, texts
 from equilibrium.model.contact import Contact
 from equilibrium.model.grasp import Grasp
 

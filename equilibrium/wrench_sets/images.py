@@ -14,12 +14,12 @@ from fractions import Fraction
 from math import lcm
 from typing import NamedTuple
 
-from arrangement.cones import Cone, both_ways
-from arrangement.exact import IntegerVector, dot, primitive, reduced
-from arrangement.polyhedra.polyhedron import Polyhedron, from_generators
+from arrangement.numbers.exact import IntegerVector, dot, primitive, reduced
+from arrangement.numbers.linear.cones import Cone, both_ways
+from arrangement.numbers.linear.polyhedron import Polyhedron, from_generators
 from equilibrium.model.grasp import Grasp
 from equilibrium.model.range import NO_RANGE, Range
-from equilibrium.solver.contact_rows import (
+from equilibrium.plane.contact_rows import (
     friction_edges,
     negated,
     normal_force_row,

@@ -12,9 +12,11 @@ from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
 
-from arrangement import linprog
-from arrangement.exact import RationalVector, dot
-from arrangement.polyhedra.intervals import (
+from arrangement.console.progress import watched
+from arrangement.console.short_repr import Shown
+from arrangement.numbers.exact import RationalVector, dot
+from arrangement.numbers.linear import programs
+from arrangement.numbers.linear.intervals import (
     Interval,
     holds,
     intersection,
@@ -22,15 +24,13 @@ from arrangement.polyhedra.intervals import (
     union,
     where_positive,
 )
-from arrangement.progress import watched
-from arrangement.short_repr import Shown
+from equilibrium.decide.verdict import Solver, prepare
 from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import Grasp, read_wrench
-from equilibrium.solver.contact_rows import sum_row
-from equilibrium.solver.contact_states import states_of_code
-from equilibrium.solver.elimination import gauss_jordan
-from equilibrium.solver.state_system import StateSystem, state_system
-from equilibrium.verdict import Solver, prepare
+from equilibrium.plane.contact_rows import sum_row
+from equilibrium.plane.elimination import gauss_jordan
+from equilibrium.plane.states.contact_states import states_of_code
+from equilibrium.plane.states.state_system import StateSystem, state_system
 
 _MAGNITUDES: Interval = (Fraction(0), None)
 
@@ -83,7 +83,7 @@ def resisted_magnitudes(
     error bound; for those that this leaves possible an exact elimination, and for singular ones two
     exact linear programs. Source: [HaasHeger2018], the maps of resisted forces, without search.
 
-    >>> from equilibrium.io.files import read_grasp
+    >>> from equilibrium.grasps.files import read_grasp
     >>> resisted_magnitudes(read_grasp("paper-three-contacts-preload-1"), [0, 1, 0]).intervals
     ((Fraction(0, 1), Fraction(1, 1)),)
     """
@@ -142,7 +142,7 @@ def _by_programs(
     """Return the least and largest magnitude when the equalities leave more than t free."""
     objective = [Fraction(0)] * n + [Fraction(1)]
     inequalities.append((*objective, Fraction(0)))
-    program = linprog.Program(n + 1, inequalities, equalities)
+    program = programs.Program(n + 1, inequalities, equalities)
     least = program.least(objective)
     if least is None:
         return None

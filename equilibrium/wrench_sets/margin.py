@@ -13,13 +13,13 @@ from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
 
-from arrangement.exact import RationalVector
-from arrangement.polyhedra.intervals import Interval, end_text, holds, texts, union
-from arrangement.short_repr import Shown
+from arrangement.console.short_repr import Shown
+from arrangement.numbers.exact import RationalVector
+from arrangement.numbers.linear.intervals import Interval, end_text, holds, texts, union
+from equilibrium.decide.verdict import Solver, prepare
 from equilibrium.model.grasp import Grasp, read_wrench
-from equilibrium.solver.contact_states import states_of_code
-from equilibrium.solver.state_system import state_system
-from equilibrium.verdict import Solver, prepare
+from equilibrium.plane.states.contact_states import states_of_code
+from equilibrium.plane.states.state_system import state_system
 
 from .line import interval_between, resisted_magnitudes
 
@@ -73,7 +73,7 @@ class Margin(Shown):
 def margin(grasp: Grasp | Solver, wrench: Iterable[Any]) -> Margin:
     """Return the exact factors by which a wrench may be scaled.
 
-    >>> from equilibrium.io.files import read_grasp
+    >>> from equilibrium.grasps.files import read_grasp
     >>> margin(read_grasp("paper-three-contacts-preload-1"), [0, "1/2", 0]).around
     (Fraction(0, 1), Fraction(2, 1))
     """
@@ -116,7 +116,7 @@ def sufficient_preloads(grasp: Grasp | Solver, wrench: Iterable[Any]) -> Preload
     The preloads of the grasp itself are replaced. A larger preload is not always better, so the
     whole set is returned; its least element is `Preloads.least`.
 
-    >>> from equilibrium.io.files import read_grasp
+    >>> from equilibrium.grasps.files import read_grasp
     >>> sufficient_preloads(read_grasp("paper-three-contacts"), [0, 3, 0]).least
     Fraction(3, 1)
     """

@@ -14,13 +14,13 @@ from typing import Any
 
 import numpy as np
 
-from arrangement.exact import IntegerVector, RationalVector, dot, to_text
-from arrangement.polyhedra.intervals import Interval, is_long, remainder, union
-from arrangement.polyhedra.polyhedron import Polyhedron
-from arrangement.polyhedra.separation import possibly_meeting, sides
-from arrangement.progress import watched
-from arrangement.short_repr import Shown
-from equilibrium.solver.contact_rows import negated
+from arrangement.console.progress import watched
+from arrangement.console.short_repr import Shown
+from arrangement.numbers.exact import IntegerVector, RationalVector, dot, to_text
+from arrangement.numbers.linear.intervals import Interval, is_long, remainder, union
+from arrangement.numbers.linear.polyhedron import Polyhedron
+from arrangement.numbers.linear.separation import possibly_meeting, sides
+from equilibrium.plane.contact_rows import negated
 
 
 @dataclass(frozen=True)

@@ -12,7 +12,8 @@ from fractions import Fraction
 from functools import cached_property
 from typing import Any
 
-from arrangement.exact import (
+from arrangement.console.short_repr import Shown
+from arrangement.numbers.exact import (
     IntegerVector,
     RationalVector,
     dot,
@@ -20,14 +21,13 @@ from arrangement.exact import (
     rational_vector,
     to_text,
 )
-from arrangement.linear import cross
-from arrangement.polyhedra.intervals import Interval
-from arrangement.polyhedra.polyhedron import Polyhedron
-from arrangement.short_repr import Shown
+from arrangement.numbers.linear.intervals import Interval
+from arrangement.numbers.linear.polyhedron import Polyhedron
+from arrangement.numbers.linear.rank import cross
+from equilibrium.decide.verdict import Solver, prepare
 from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import Grasp, read_wrench
-from equilibrium.solver.state_system import States
-from equilibrium.verdict import Solver, prepare
+from equilibrium.plane.states.state_system import States
 
 from .directions import Sector, counter_clockwise, sectors
 from .outline import Outline, outline_of
@@ -109,7 +109,7 @@ def resisted_region(
 
     Source: [HaasHeger2018], the maps of resisted forces without and with preload, exactly.
 
-    >>> from equilibrium.io.files import read_grasp
+    >>> from equilibrium.grasps.files import read_grasp
     >>> region = resisted_region(read_grasp("paper-three-contacts"))
     >>> [sector.to_dict()["start"] for sector in region.unlimited]
     [['-1', '0']]

@@ -13,8 +13,9 @@ from fractions import Fraction
 from math import cos, pi, sin
 from typing import Any
 
-from arrangement.exact import RationalVector, rational, shown, to_text
-from arrangement.polyhedra.intervals import (
+from arrangement.console.progress import watched
+from arrangement.numbers.exact import RationalVector, rational, shown, to_text
+from arrangement.numbers.linear.intervals import (
     Interval,
     end_text,
     holds,
@@ -23,7 +24,6 @@ from arrangement.polyhedra.intervals import (
     texts,
     union,
 )
-from arrangement.progress import watched
 from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import Grasp
 from equilibrium.model.unit_normal import unit_normal

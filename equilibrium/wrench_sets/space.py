@@ -10,15 +10,15 @@ from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
 
-from arrangement.exact import IntegerVector, RationalVector
-from arrangement.polyhedra.intervals import Interval, intersection, union
-from arrangement.polyhedra.polyhedron import Polyhedron
-from arrangement.polyhedra.separation import surely_outside
-from arrangement.progress import watched
-from arrangement.short_repr import Shown
+from arrangement.console.progress import watched
+from arrangement.console.short_repr import Shown
+from arrangement.numbers.exact import IntegerVector, RationalVector
+from arrangement.numbers.linear.intervals import Interval, intersection, union
+from arrangement.numbers.linear.polyhedron import Polyhedron
+from arrangement.numbers.linear.separation import surely_outside
+from equilibrium.decide.verdict import Solver, prepare
 from equilibrium.model.grasp import Grasp, read_wrench
-from equilibrium.solver.state_system import States
-from equilibrium.verdict import Solver, prepare
+from equilibrium.plane.states.state_system import States
 
 from .images import StateImages
 
@@ -71,7 +71,7 @@ def resisted_set(grasp: Grasp | Solver) -> ResistedSet:
     Complexity: two conversions between conditions and generators in four homogeneous coordinates
     for each choice of contact states: O(m^2) of them without preload, O(m^3) with.
 
-    >>> from equilibrium.io.files import read_grasp
+    >>> from equilibrium.grasps.files import read_grasp
     >>> whole = resisted_set(read_grasp("paper-three-contacts"))
     >>> whole.contains([0, -5, 0]), whole.contains([0, 1, 0])
     (True, False)

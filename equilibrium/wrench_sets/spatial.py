@@ -1,4 +1,9 @@
-"""Which magnitudes along a direction a grasp in space resists: brackets of the ends, both proved.
+"""What a grasp in space resists: loads that are known, and magnitudes along a direction.
+
+The load enters a tree in one place: the works of its leaves, ``lambda . w + sum alpha q``. So a
+tree refutes every load for which all of them are above 0, an open convex set. And where two exact
+equilibria have contacts that do the same, all between them are equilibria too: springs and cones
+are convex, and a slip in one direction has one friction force.
 
 The set of resisted magnitudes need not be an interval, and in space its ends are algebraic numbers
 of no small degree. So verdicts are asked for at sampled magnitudes, and where they change the
@@ -8,20 +13,149 @@ not looked at.
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from itertools import pairwise
-from typing import Any
+from typing import Any, TypeAlias
 
-from arrangement.exact import RationalVector, to_text
-from equilibrium.inputs.conversion import simplest_between
+from arrangement.numbers.exact import RationalVector, dot, to_text
+from equilibrium.certificate.leaves import spatial_leaves
+from equilibrium.decide.spatial_verdict import (
+    NOT_RESISTED,
+    RESISTED,
+    UNDECIDED,
+    SpatialVerdict,
+    solve_in_space,
+)
+from equilibrium.grasps.inputs.conversion import simplest_between
+from equilibrium.model.contact import Contact
 from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import Grasp, read_wrench
-from equilibrium.model.range import Range
-from equilibrium.spatial_verdict import NOT_RESISTED, RESISTED, UNDECIDED
+from equilibrium.model.range import NO_RANGE, Range
+from equilibrium.space.equilibria import SpatialSolution
 
-from .known_loads import KnownLoads, KnownMagnitudes
+#: The works of the leaves of a tree: of each a virtual motion, and what the preloads add.
+Works: TypeAlias = tuple[tuple[RationalVector, Fraction], ...]
+#: Magnitudes, without the ends; None where there is no end.
+Ends: TypeAlias = tuple[Fraction | None, Fraction | None]
+
+
+class KnownLoads:
+    """What is proved of the loads of one grasp.
+
+    Args:
+        nodes: of the tree of each verdict, at most.
+        within: the range in which equilibria count; all between two of them are in it, too.
+
+    Attributes:
+        trees: the works of the leaves of each proof of a "no".
+    """
+
+    def __init__(self, grasp: Grasp, nodes: int, within: Range = NO_RANGE) -> None:
+        self.grasp, self.nodes, self.within = grasp, nodes, within
+        self.trees: list[Works] = []
+
+    def ask(self, wrench: RationalVector) -> SpatialVerdict:
+        """Decide one load, and remember its proof."""
+        found = solve_in_space(self.grasp, wrench, nodes=self.nodes, **self.within.bounds)
+        if found.verdict == NOT_RESISTED and found.certificate is not None:
+            self.trees.append(self._works(found.certificate.to_dict()["tree"]))
+        return found
+
+    def _works(self, tree: object) -> Works:
+        leaves = spatial_leaves(self.grasp, tree, self.within)
+        return tuple((leaf.motion, leaf.least) for leaf in leaves)
+
+
+class KnownMagnitudes:
+    """What is proved of the loads ``base + t along``, t >= 0."""
+
+    def __init__(self, known: KnownLoads, along: RationalVector, base: RationalVector) -> None:
+        self.known, self.along, self.base = known, along, base
+        self.refuted = [found for tree in known.trees if (found := self._range(tree)) is not None]
+        self.held: list[tuple[Fraction, Fraction]] = []
+        self._equilibria: list[tuple[Fraction, SpatialSolution]] = []
+
+    def verdict(self, t: Fraction) -> str:
+        """Return what follows from earlier proofs, or decide."""
+        if self.refuting(t) is not None:
+            return NOT_RESISTED
+        if any(low <= t <= high for low, high in self.held):
+            return RESISTED
+        wrench = tuple(b + t * x for b, x in zip(self.base, self.along, strict=True))
+        found = self.known.ask(wrench)
+        if found.verdict == NOT_RESISTED and (around := self._range(self.known.trees[-1])):
+            self.refuted.append(around)
+        if isinstance(found.solution, SpatialSolution):
+            self._hold(t, found.solution)
+        return found.verdict
+
+    def _hold(self, t: Fraction, solution: SpatialSolution) -> None:
+        """Remember an equilibrium, and what lies between it and its neighbours."""
+        new = (t, solution)
+        self._equilibria = sorted([*self._equilibria, new], key=lambda x: x[0])
+        k = self._equilibria.index(new)
+        for low, high in pairwise(self._equilibria[max(0, k - 1) : k + 2]):
+            if blends(self.known.grasp, low[1], high[1]):
+                self.held.append((low[0], high[0]))
+
+    def refuting(self, t: Fraction) -> Ends | None:
+        """Return the magnitudes that a tree refutes together with this one, if one does."""
+        return next(
+            (
+                (low, high)
+                for low, high in self.refuted
+                if (low is None or low < t) and (high is None or t < high)
+            ),
+            None,
+        )
+
+    def _range(self, works: Works) -> Ends | None:
+        """Return for which magnitudes all works are above 0; None if for none.
+
+        Of a proof in the plane, which has no such leaves, nothing is known.
+        """
+        if not works:
+            return None
+        low: Fraction | None = None
+        high: Fraction | None = None
+        for motion, rest in works:
+            start, slope = dot(motion, self.base) + rest, dot(motion, self.along)
+            if not slope:
+                if start <= 0:
+                    return None
+                continue
+            end = Fraction(-start) / slope
+            if slope > 0:
+                low = end if low is None else max(low, end)
+            else:
+                high = end if high is None else min(high, end)
+        return None if low is not None and high is not None and low >= high else (low, high)
+
+
+def blends(grasp: Grasp, one: SpatialSolution, other: SpatialSolution) -> bool:
+    """Return whether all that is between two equilibria is one, as each contact does the same."""
+    return all(
+        _same(contact, [(x.motion, x.forces[i]) for x in (one, other)])
+        for i, contact in enumerate(grasp)
+    )
+
+
+def _same(contact: Contact, both: Sequence[tuple[RationalVector, RationalVector]]) -> bool:
+    """Return whether a contact is on one side of its spring, and slips in one direction or not."""
+    springs = [
+        contact.preload - contact.stiffness * dot(contact.normal_wrench, motion)
+        for motion, _ in both
+    ]
+    if max(springs) <= 0:
+        return True
+    (a, b), (c, d) = (
+        tuple(dot(row, motion) for row in contact.tangential_wrenches) for motion, _ in both
+    )
+    one_way = a * d == b * c and a * c + b * d >= 0 and any((a, b)) == any((c, d))
+    return min(springs) >= 0 and one_way
+
 
 #: Powers of two of the sampled magnitudes, times the largest preload or 1.
 _POWERS = range(-6, 9)
@@ -121,7 +255,7 @@ def spatial_magnitudes(
     Raises:
         GraspError: the direction is zero.
 
-    >>> from equilibrium.io.files import read_grasp
+    >>> from equilibrium.grasps.files import read_grasp
     >>> fingers = read_grasp("two-opposed-fingers")
     >>> spatial_magnitudes(fingers, [0, 1, 0, 0, 0, 0]).borders[0].resisted
     Fraction(1, 1)

@@ -8,7 +8,7 @@ from dataclasses import replace
 from importlib import import_module
 from itertools import chain
 
-from proofs_check.statement import Claim, Registry
+from proofs_check.statements.statement import Claim, Registry
 
 #: The paper that the claims are about.
 TITLE = (
@@ -33,20 +33,20 @@ _PLACES = {"Table": "VI", "Eq. 11": "IV", "Eq": "III", "Algorithm 2": "V", "our"
 
 #: Modules of this package, in order within a section; each has a tuple CLAIMS.
 TOPICS: tuple[str, ...] = (
-    "counting",
-    "dual",
-    "steps",
-    "types",
-    "sphere",
-    "model",
-    "tables",
-    "equations",
-    "directions",
-    "methods",
-    "certificates",
-    "space",
-    "families",
-    "modes",
+    "planes.counting",
+    "planes.dual",
+    "planes.steps",
+    "planes.types",
+    "planes.sphere",
+    "forces.model",
+    "forces.tables",
+    "forces.equations",
+    "forces.directions",
+    "forces.methods",
+    "forces.certificates",
+    "forces.space",
+    "planes.families",
+    "forces.modes",
 )
 
 

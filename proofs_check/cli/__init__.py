@@ -1,5 +1,5 @@
 """The command ``proofs-check``."""
 
-from arrangement.entry import entry
+from arrangement.console.entry import entry
 
 main = entry("proofs_check.cli.program")

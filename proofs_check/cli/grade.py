@@ -6,8 +6,8 @@ import argparse
 import shutil
 from collections.abc import Mapping
 
-from arrangement import terminal
-from proofs_check.exercise import FORMS, Exercise, grade, load_exercises
+from arrangement.console import terminal
+from proofs_check.course.exercise import FORMS, Exercise, grade, load_exercises
 from proofs_check.reports import text
 
 

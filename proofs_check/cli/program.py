@@ -7,7 +7,7 @@ import re
 from collections.abc import Callable, Sequence
 from importlib import import_module
 
-from arrangement import terminal
+from arrangement.console import terminal
 
 
 def main(argv: Sequence[str] | None = None) -> int:

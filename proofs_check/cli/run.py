@@ -13,14 +13,15 @@ from importlib.resources import files
 from pathlib import Path
 from typing import Any, NamedTuple
 
-from arrangement import terminal, workers
-from arrangement.io.writing import write_text_atomically
-from arrangement.progress import Bar, shown
-from proofs_check import claim_file, claims, user_claim
+from arrangement.console import terminal, workers
+from arrangement.console.progress import Bar, shown
+from arrangement.console.writing import write_text_atomically
+from proofs_check import claims
 from proofs_check.errors import OwnClaimError
-from proofs_check.evidence import evaluate
+from proofs_check.own_claims import claim_file, user_claim
 from proofs_check.reports import forms, report, text
-from proofs_check.statement import Claim, Kind
+from proofs_check.statements.evidence import evaluate
+from proofs_check.statements.statement import Claim, Kind
 
 
 class _Asked(NamedTuple):

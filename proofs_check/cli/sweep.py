@@ -6,11 +6,11 @@ import argparse
 from pathlib import Path
 from typing import Any
 
-from arrangement import terminal
+from arrangement.console import terminal
+from arrangement.console.progress import Bar, duration, shown
+from arrangement.console.writing import write_text_atomically
 from arrangement.errors import InputError
-from arrangement.io.files import read_document
-from arrangement.io.writing import write_text_atomically
-from arrangement.progress import Bar, duration, shown
+from arrangement.library.files.json_files import read_document
 from proofs_check.errors import SweepError
 from proofs_check.reports import forms
 from proofs_check.reports.text import verdict

@@ -6,8 +6,8 @@ import argparse
 from collections import Counter
 from dataclasses import asdict
 
-from arrangement import terminal
-from proofs_check.printed_table import Row, check_table, value_text
+from arrangement.console import terminal
+from proofs_check.course.printed_table import Row, check_table, value_text
 
 _WORDS = {True: "agree", False: "differ", None: "not computed"}
 

@@ -11,9 +11,9 @@ Run time: about 2 seconds.
 from collections.abc import Sequence
 from fractions import Fraction
 
-from arrangement.exact import dot
+from arrangement.numbers.exact import dot
 from equilibrium import Contact, Grasp, solve
-from equilibrium.methods.form_closure import form_closure
+from equilibrium.methods.friction_cones.form_closure import form_closure
 from proofs_check import claim
 
 

@@ -21,7 +21,7 @@ fi
 
 rm -rf _build
 mkdir _build
-cp ./*.v ./*.ml _build/
+cp ./*.v program/*.ml _build/
 cd _build
 
 # In the order in which they build on one another.

@@ -7,9 +7,9 @@ from collections.abc import Iterator
 from itertools import combinations_with_replacement, product
 
 from arrangement.arrangement import Arrangement
-from arrangement.exact import primitive
 from arrangement.library import census
-from proofs_check.statement import Case, Source, proved
+from arrangement.numbers.exact import primitive
+from proofs_check.statements.statement import Case, Source, proved
 
 Vector = tuple[int, ...]
 #: The numbers of planes for which every type is checked in a default run.

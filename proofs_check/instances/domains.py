@@ -17,7 +17,7 @@ from equilibrium.model.contact import Contact
 from equilibrium.model.grasp import Grasp
 from proofs_check.errors import UnknownDomainError
 from proofs_check.routes.oracle import Question
-from proofs_check.statement import Case, Domain
+from proofs_check.statements.statement import Case, Domain
 
 from .arrangements import random_arrangement
 from .grasps import grasp_of

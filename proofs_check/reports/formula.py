@@ -11,7 +11,7 @@ import re
 from xml.etree import ElementTree as ET
 
 from arrangement.errors import InputError
-from arrangement.exact import shown
+from arrangement.numbers.exact import shown
 
 NAMES = frozenset(
     (

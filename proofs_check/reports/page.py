@@ -17,7 +17,7 @@ from typing import Any
 from jinja2 import Environment, PackageLoader, StrictUndefined
 from markupsafe import Markup
 
-from arrangement.draw.html_page import BASE_STYLE, Template, framed
+from arrangement.drawing.pages.html_page import BASE_STYLE, Template, framed
 from arrangement.errors import InputError
 
 from .formula import mathml

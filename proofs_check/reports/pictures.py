@@ -6,13 +6,13 @@ import re
 from collections.abc import Iterator, Mapping
 from typing import Any
 
-from arrangement.draw.output import require_matplotlib
-from arrangement.draw.views import DRAWINGS as OF_PLANES
+from arrangement.drawing.output import require_matplotlib
 from arrangement.errors import MissingExtraError
-from arrangement.formats.table import read_arrangement
-from equilibrium.draw.views import DRAWINGS as OF_GRASPS
+from arrangement.library.files.table import read_arrangement
+from arrangement.pictures.views import DRAWINGS as OF_PLANES
+from equilibrium.decide.verdict import solve
 from equilibrium.model.grasp import Grasp
-from equilibrium.verdict import solve
+from equilibrium.pictures.views import DRAWINGS as OF_GRASPS
 
 #: What a page says where pictures are missing.
 WITHOUT = "Pictures need matplotlib: pip install 'slipstates[figures]', then make the report again."

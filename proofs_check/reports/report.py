@@ -1,4 +1,4 @@
-"""The JSON record of results: every case with the values of all routes side by side.
+"""A record as a report, and with what it was found.
 
 Text, Markdown, HTML and LaTeX are made from it in `text` and `forms`.
 """
@@ -6,19 +6,81 @@ Text, Markdown, HTML and LaTeX are made from it in `text` and `forms`.
 from __future__ import annotations
 
 import json
+import os
+import platform
+import subprocess
+import time
 from collections.abc import Iterable, Mapping
 from dataclasses import asdict
+from datetime import UTC, datetime
 from fractions import Fraction
+from functools import lru_cache
+from importlib.metadata import PackageNotFoundError, version
+from pathlib import Path
 from typing import Any
 
-from arrangement.exact import to_text
-from arrangement.number_form import counted
+from arrangement.console.number_form import counted
+from arrangement.numbers.exact import to_text
 from proofs_check.errors import ClaimError
-from proofs_check.evidence import Evidence, Failure, Part, Record, Result
-from proofs_check.statement import Claim, Kind
+from proofs_check.statements.evidence import Evidence, Failure, Part, Record, Result
+from proofs_check.statements.statement import Claim, Kind
 
-from .environment import date, environment
 from .text import value_text
+
+LIBRARIES = ("slipstates", "networkx", "numpy", "scipy", "sympy")
+
+
+@lru_cache(maxsize=1)
+def environment() -> dict[str, Any]:
+    """Return the versions and the commit as a record for JSON."""
+    return {
+        "python": platform.python_version(),
+        "versions": {name: _version(name) for name in LIBRARIES},
+        "commit": commit(Path(__file__).resolve().parents[2]),
+    }
+
+
+def date() -> str:
+    """Return the time in UTC, or that of SOURCE_DATE_EPOCH, for builds that repeat."""
+    given = os.environ.get("SOURCE_DATE_EPOCH", "")
+    seconds = int(given) if given.isdecimal() and len(given) < 12 else time.time()
+    return datetime.fromtimestamp(seconds, UTC).strftime("%Y-%m-%dT%H:%M:%SZ")
+
+
+def commit(folder: Path) -> str | None:
+    """Return the commit of a checkout, with "+changes" when files differ from it.
+
+    None when `folder` is not the top of a git checkout (an installed package, even one that was
+    installed inside some other project's checkout) or git cannot be run.
+    """
+    top = _git(folder, "rev-parse", "--show-toplevel")
+    if top is None or Path(top).resolve() != folder.resolve():
+        return None
+    head = _git(folder, "rev-parse", "HEAD")
+    changes = _git(folder, "status", "--porcelain", "--untracked-files=no")
+    return f"{head}+changes" if head and changes else head
+
+
+def _git(folder: Path, *arguments: str) -> str | None:
+    try:
+        done = subprocess.run(
+            ["git", "-C", str(folder), *arguments],
+            capture_output=True,
+            text=True,
+            timeout=10,
+            check=True,
+        )
+    except (OSError, subprocess.SubprocessError):
+        return None
+    return done.stdout.strip()
+
+
+def _version(name: str) -> str:
+    try:
+        return version(name)
+    except PackageNotFoundError:
+        return "not installed"
+
 
 SCHEMA_VERSION = 1
 

@@ -8,8 +8,8 @@ from collections import Counter
 from collections.abc import Iterable, Mapping, Sequence
 from typing import Any
 
-from arrangement.exact import rational
-from arrangement.number_form import counted, number
+from arrangement.console.number_form import counted, number
+from arrangement.numbers.exact import rational
 
 Record = Mapping[str, Any]
 _FRACTION = re.compile(r"-?[0-9]+/[1-9][0-9]*", re.ASCII)

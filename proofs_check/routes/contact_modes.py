@@ -9,11 +9,11 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from arrangement.cones import generators
 from arrangement.counts.configuration import pivot_columns
 from arrangement.counts.in_cone import f_vector_in_cone
-from arrangement.exact import IntegerVector, bits, dot
-from arrangement.planes import Planes
+from arrangement.numbers.exact import IntegerVector, bits, dot
+from arrangement.numbers.linear.cones import generators
+from arrangement.planes.planes import Planes
 
 
 def mode_counts(

@@ -13,7 +13,7 @@ from dataclasses import dataclass
 from functools import cached_property
 
 from arrangement import counts
-from arrangement.planes import Planes
+from arrangement.planes.planes import Planes
 
 Signs = tuple[int, ...]
 Edge = frozenset[Signs]

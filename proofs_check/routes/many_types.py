@@ -12,9 +12,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from arrangement.float_filter import Booleans
-from arrangement.library.census.chirotopes import Signs, alternating
-from arrangement.library.census.codes import Integers
+from arrangement.library.census.chirotopes import Integers, Signs, alternating
+from arrangement.numbers.float_filter import Booleans
 
 #: Types that are worked on together.
 _TOGETHER = 50

@@ -7,7 +7,7 @@ it. Source: I. Rivin, Annals of Mathematics 143 (1996).
 
 The planar dual of the graph of regions is the arrangement itself: its vertices are rays, and the
 cycle around a region is the face of that region. Here cycles are listed outright, up to the weight
-1 that is in question. The checker in `arrangement.polyhedra.inscribed` uses flows instead.
+1 that is in question. The checker in `arrangement.duals.inscribed` uses flows instead.
 """
 
 from __future__ import annotations

@@ -9,9 +9,9 @@ from __future__ import annotations
 from typing import Any
 
 from arrangement.library.census import MOST_PLANES
-from proofs_check.evidence import verdict_from
 from proofs_check.reports.report import instance_text, record_of
-from proofs_check.statement import Kind, Verdict
+from proofs_check.statements.evidence import verdict_from
+from proofs_check.statements.statement import Kind, Verdict
 
 from .store import Store
 from .sweep import EACH, Plan, Total, read_plan, total

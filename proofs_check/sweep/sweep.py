@@ -14,18 +14,17 @@ from functools import lru_cache
 from pathlib import Path
 from typing import Any
 
-from arrangement import workers
 from arrangement.arrangement import Arrangement
-from arrangement.exact import shown
+from arrangement.console import workers
 from arrangement.library.census import MOST_PLANES, PUBLISHED, census
 from arrangement.library.census.catalogue import chirotopes
-from proofs_check.claim_file import file_digest
+from arrangement.numbers.exact import shown
 from proofs_check.errors import DamagedStoreError, SweepError
-from proofs_check.evidence import OUTCOMES, check
 from proofs_check.instances.domains import count, size
-from proofs_check.reports.environment import environment
-from proofs_check.reports.report import plain
-from proofs_check.statement import Case, Claim
+from proofs_check.own_claims.claim_file import file_digest
+from proofs_check.reports.report import environment, plain
+from proofs_check.statements.evidence import OUTCOMES, check
+from proofs_check.statements.statement import Case, Claim
 
 from . import store
 from .store import Chunk, Store

@@ -7,11 +7,11 @@ from __future__ import annotations
 
 from typing import Any
 
-from proofs_check.claim_file import load
 from proofs_check.claims import registry
 from proofs_check.errors import SweepError
+from proofs_check.own_claims.claim_file import load
 from proofs_check.reports.report import claim_record
-from proofs_check.statement import Claim, Domain
+from proofs_check.statements.statement import Claim, Domain
 
 
 def split(name: str) -> tuple[str | None, str]:

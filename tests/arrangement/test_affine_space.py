@@ -14,8 +14,8 @@ from arrangement.counts import f_vector
 from arrangement.enumeration.affine_space import predicates
 from arrangement.enumeration.choose import enumerate_faces
 from arrangement.enumeration.sequence import FaceSequence
-from arrangement.exact import sign
-from arrangement.linear import determinant
+from arrangement.numbers.exact import sign
+from arrangement.numbers.linear.rank import determinant
 from tests.arrangement.strategies import arrangements
 
 NEAR = Fraction(1, 10**30)

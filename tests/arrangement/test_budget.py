@@ -15,10 +15,11 @@ from typing import Any
 
 import pytest
 
-from arrangement import Arrangement, budget, counts
+from arrangement import Arrangement, counts
 from arrangement.enumeration.choose import most_faces
 from arrangement.errors import OutOfReachError
 from arrangement.library import families
+from arrangement.numbers import budget
 
 #: Seconds of the processor in which a refusal ends, on a machine with other work; megabytes.
 REFUSED_IN, MEGABYTES = 4, 500

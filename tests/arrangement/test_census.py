@@ -9,14 +9,8 @@ import pytest
 from hypothesis import given, settings, strategies as st
 
 from arrangement import Arrangement, InputError
-from arrangement.library.census import (
-    MOST_PLANES,
-    PUBLISHED,
-    PUBLISHED_SIMPLE,
-    catalogue,
-    census,
-    generate,
-)
+from arrangement.library.census import MOST_PLANES, PUBLISHED, PUBLISHED_SIMPLE, catalogue, census
+from arrangement.library.census.making import generate
 
 
 @pytest.mark.parametrize("planes", range(3, MOST_PLANES + 1))

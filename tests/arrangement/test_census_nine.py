@@ -10,18 +10,17 @@ import pytest
 import sympy
 
 from arrangement import Arrangement, cli, families, identify
-from arrangement.library.census import (
-    PSEUDOLINES,
-    PUBLISHED,
-    PUBLISHED_SIMPLE,
-    build,
-    catalogue,
-    census,
+from arrangement.library.census import PSEUDOLINES, PUBLISHED, PUBLISHED_SIMPLE, catalogue, census
+from arrangement.library.census.chirotopes import (
+    canonical,
+    chirotope_of,
+    regions,
+    t_vectors,
+    triples,
 )
-from arrangement.library.census.chirotopes import chirotope_of, regions, t_vectors, triples
-from arrangement.library.census.codes import canonical
 from arrangement.library.census.final_polynomials import proves_no_coordinates
-from arrangement.library.census.tables import check, table
+from arrangement.library.census.making import build
+from arrangement.library.census.making.tables import check, table
 
 
 def test_types_of_nine_planes_are_made_when_asked_for() -> None:

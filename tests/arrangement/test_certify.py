@@ -9,7 +9,7 @@ import pytest
 from hypothesis import given, settings, strategies as st
 
 from arrangement import Arrangement, Face, counts
-from arrangement.completeness import certify_complete
+from arrangement.counts.completeness import certify_complete
 
 from .strategies import arrangements
 

@@ -12,17 +12,12 @@ import trimesh
 from hypothesis import given, settings, strategies as st
 
 from arrangement import Arrangement
-from arrangement.draw import write_drawing
-from arrangement.draw.coordinates import (
-    CHOICES,
-    even_map,
-    in_coordinates,
-    symmetry,
-)
-from arrangement.draw.graph import planar_graph
-from arrangement.formats.table import read_arrangement
+from arrangement.console.progress import shown
 from arrangement.library.families import generic, near_pencil, simplicial, type_b
-from arrangement.progress import shown
+from arrangement.library.files.table import read_arrangement
+from arrangement.pictures import write_drawing
+from arrangement.pictures.duals.graph import planar_graph
+from arrangement.pictures.sphere.coordinates import CHOICES, even_map, in_coordinates, symmetry
 
 normals = st.lists(st.tuples(*[st.integers(-9, 9)] * 3).filter(any), min_size=1, max_size=6)
 SKEW = np.array([[3, 1, -1], [0, 2, 1], [1, 0, 5]])

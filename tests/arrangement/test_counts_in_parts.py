@@ -10,9 +10,10 @@ from typing import Any
 import numpy as np
 import pytest
 
-from arrangement import Arrangement, InputError, cli, counts, counts_in_parts
+from arrangement import Arrangement, InputError, cli, counts
+from arrangement.counts.classes import in_parts as counts_in_parts
+from arrangement.counts.classes.forecast import forecast
 from arrangement.counts.configuration import configuration
-from arrangement.counts.forecast import forecast
 from arrangement.errors import TimeLimitError, UnfinishedError
 from arrangement.library import families
 

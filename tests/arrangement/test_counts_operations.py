@@ -11,7 +11,7 @@ from hypothesis import given, settings, strategies as st
 
 from arrangement import Arrangement, InputError, counts
 from arrangement.counts.operations import flat_chart
-from arrangement.exact import dot
+from arrangement.numbers.exact import dot
 
 from . import oracle
 from .oracle import T

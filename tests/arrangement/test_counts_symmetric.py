@@ -15,12 +15,12 @@ from hypothesis import given, settings
 from sympy.combinatorics import Permutation, PermutationGroup
 
 from arrangement import Arrangement, InputError, NumberField, counts
-from arrangement.counts import class_sums
-from arrangement.counts.automorphisms import Automorphisms
+from arrangement.counts.classes import class_sums
+from arrangement.counts.classes.automorphisms import Automorphisms
+from arrangement.counts.classes.images import Images, packed, unpacked
+from arrangement.counts.classes.symmetric import moduli_above
 from arrangement.counts.configuration import configuration
-from arrangement.counts.images import Images, packed, unpacked
 from arrangement.counts.modular import ModularVectors
-from arrangement.counts.symmetric import moduli_above
 from arrangement.errors import TimeLimitError
 from arrangement.library import families
 

@@ -16,12 +16,12 @@ from matplotlib.image import imread
 from arrangement import Arrangement, InputError, MissingExtraError
 from arrangement.cli import main
 from arrangement.counts import f_vector
-from arrangement.draw import draw_sphere, save_figure, write_drawing
-from arrangement.draw.colours import DrawnRegion, colouring
-from arrangement.draw.figure import figure
-from arrangement.draw.output import picture_bytes
-from arrangement.draw.scene import Scene
-from arrangement.formats.table import read_arrangement
+from arrangement.drawing.colours import DrawnRegion, colouring
+from arrangement.drawing.figure import figure
+from arrangement.drawing.output import picture_bytes
+from arrangement.drawing.scene.scene import Scene
+from arrangement.library.files.table import read_arrangement
+from arrangement.pictures import draw_sphere, save_figure, write_drawing
 from tests.drawn import paths
 
 NAMES = ["four-generic-planes", "braid-a3", "reflection-b3", "pencil", "coincident-planes"]

@@ -11,14 +11,14 @@ import pytest
 import shapely
 
 from arrangement import InputError
-from arrangement.draw import DRAWINGS
-from arrangement.draw.items import Item, Label, Path
-from arrangement.draw.labels import flattened
-from arrangement.draw.layout import laid_out
-from arrangement.draw.measuring import measure
-from arrangement.draw.output import own_settings
-from arrangement.draw.scene import Scene
-from arrangement.formats.table import read_arrangement
+from arrangement.drawing.output import own_settings
+from arrangement.drawing.scene.items import Item, Label, Path
+from arrangement.drawing.scene.labels import flattened
+from arrangement.drawing.scene.layout import laid_out
+from arrangement.drawing.scene.measuring import measure
+from arrangement.drawing.scene.scene import Scene
+from arrangement.library.files.table import read_arrangement
+from arrangement.pictures import DRAWINGS
 
 INSTANCES = [
     "braid-a3", "braid-a3-in-r4", "coincident-planes", "coordinate-planes", "cube-diagonals",
@@ -48,7 +48,7 @@ OTHER_OPTIONS: list[tuple[str, str, dict[str, Any]]] = [
 
 def scene_of(view: str, name: str, **options: Any) -> Scene:
     module, _, function = DRAWINGS.views[view].partition(":")
-    draw = getattr(importlib.import_module(f"arrangement.draw.{module}"), function)
+    draw = getattr(importlib.import_module(f"arrangement.pictures.{module}"), function)
     with own_settings():
         scene: Scene = laid_out(draw.scene(read_arrangement(name), **options))
     return scene

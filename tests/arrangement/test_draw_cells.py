@@ -14,10 +14,10 @@ from hypothesis import given, settings, strategies as st
 
 from arrangement import Arrangement, InputError
 from arrangement.cli import main
-from arrangement.draw import cells_page, draw_cells
-from arrangement.draw.cells import MOST
-from arrangement.draw.scene import Scene
-from arrangement.formats.table import read_arrangement
+from arrangement.drawing.scene.scene import Scene
+from arrangement.library.files.table import read_arrangement
+from arrangement.pictures import cells_page, draw_cells
+from arrangement.pictures.space.cells import MOST
 from tests.browser import Browser
 
 SIMPLEX = Arrangement([[1, 0, 0], [0, 1, 0], [0, 0, 1], [1, 1, 1]], [0, 0, 0, 1])

@@ -13,14 +13,14 @@ from hypothesis import given, settings, strategies as st
 from arrangement import Arrangement, InputError
 from arrangement.cli import main
 from arrangement.counts import f_vector
-from arrangement.draw import arrangement_page, draw_lines, draw_sphere, write_drawing
-from arrangement.draw.essential import SPACES, fits, in_space
-from arrangement.draw.items import Label
-from arrangement.draw.layout import laid_out
-from arrangement.draw.models import cells_model
-from arrangement.draw.scene import Scene
-from arrangement.draw.views import DRAWINGS, drawings_of
-from arrangement.formats.table import read_arrangement
+from arrangement.drawing.scene.items import Label
+from arrangement.drawing.scene.layout import laid_out
+from arrangement.drawing.scene.scene import Scene
+from arrangement.library.files.table import read_arrangement
+from arrangement.pictures import arrangement_page, draw_lines, draw_sphere, write_drawing
+from arrangement.pictures.duals.models import cells_model
+from arrangement.pictures.essential import SPACES, fits, in_space
+from arrangement.pictures.views import DRAWINGS, drawings_of
 from tests.instances import PLANAR
 
 BRAID = read_arrangement("braid-a3-in-r4")
@@ -42,7 +42,7 @@ def test_braids_in_four_dimensions_are_drawn_and_the_caption_says_how(
     assert main(command) == (2 if view == "lines" else 0)
     module, _, name = DRAWINGS.views[view].partition(":")
     if view not in ("lines", "lattice"):
-        draw = getattr(__import__(f"arrangement.draw.{module}", fromlist=[name]), name)
+        draw = getattr(__import__(f"arrangement.pictures.{module}", fromlist=[name]), name)
         scene = laid_out(draw.scene(BRAID))
         assert isinstance(scene, Scene)
         *_, last = (item.text for item in scene.items if isinstance(item, Label))

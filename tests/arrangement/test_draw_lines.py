@@ -11,14 +11,14 @@ from hypothesis import given, settings, strategies as st
 
 from arrangement import Arrangement, InputError
 from arrangement.counts import bounded_region_count, f_vector
-from arrangement.draw import draw_gnomonic, draw_lines
-from arrangement.draw.items import Label
-from arrangement.draw.labels import HAIR
-from arrangement.draw.layout import laid_out
-from arrangement.draw.line_charts import LinesChart
-from arrangement.draw.measuring import area
-from arrangement.draw.scene import Scene
-from arrangement.formats.table import read_arrangement
+from arrangement.drawing.scene.items import Label
+from arrangement.drawing.scene.labels import HAIR
+from arrangement.drawing.scene.layout import laid_out
+from arrangement.drawing.scene.measuring import area
+from arrangement.drawing.scene.scene import Scene
+from arrangement.library.files.table import read_arrangement
+from arrangement.pictures import draw_gnomonic, draw_lines
+from arrangement.pictures.diagrams.line_charts import LinesChart
 
 LESSON = Arrangement([[0, 1], [-4, -3], [4, -3]], [0, -12, -12])
 LINES = {

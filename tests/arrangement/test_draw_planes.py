@@ -17,11 +17,11 @@ from hypothesis import given, settings, strategies as st
 from arrangement import Arrangement, InputError
 from arrangement.cli import main
 from arrangement.counts import f_vector
-from arrangement.draw.exploded_cells import lifted_cells
-from arrangement.draw.painting import Facet, Stage
-from arrangement.draw.planes import draw_planes
-from arrangement.formats.table import read_arrangement
-from arrangement.polyhedra.cells import cut_cells
+from arrangement.duals.cells import cut_cells
+from arrangement.library.files.table import read_arrangement
+from arrangement.pictures.space.exploded_cells import lifted_cells
+from arrangement.pictures.space.painting import Facet, Stage
+from arrangement.pictures.space.planes import draw_planes
 from tests.drawn import paths
 
 from .strategies import arrangements

@@ -11,21 +11,21 @@ import pytest
 from hypothesis import given, strategies as st
 
 from arrangement.cli import main
-from arrangement.draw import DRAWINGS as OF_PLANES
-from arrangement.draw.items import Ball, Label, Path
-from arrangement.draw.output import own_settings
-from arrangement.draw.scene import Scene
-from arrangement.draw.themes import _from_oklab, _oklab, themed
-from arrangement.formats.table import read_arrangement
-from equilibrium.draw import DRAWINGS as OF_GRASPS
-from equilibrium.io.files import read_grasp
+from arrangement.drawing.output import own_settings
+from arrangement.drawing.scene.items import Ball, Label, Path
+from arrangement.drawing.scene.scene import Scene
+from arrangement.drawing.themes import _from_oklab, _oklab, themed
+from arrangement.library.files.table import read_arrangement
+from arrangement.pictures import DRAWINGS as OF_PLANES
+from equilibrium.grasps.files import read_grasp
+from equilibrium.pictures import DRAWINGS as OF_GRASPS
 
 unit = st.floats(0, 1)
 
 
 def scene_of(drawings: Any, package: str, view: str, subject: Any, **options: Any) -> Scene:
     module, _, function = drawings.views[view].partition(":")
-    draw = getattr(importlib.import_module(f"{package}.draw.{module}"), function)
+    draw = getattr(importlib.import_module(f"{package}.pictures.{module}"), function)
     with own_settings():
         scene: Scene = draw.scene(subject, **options)
     return scene

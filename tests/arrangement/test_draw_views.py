@@ -16,7 +16,17 @@ from hypothesis import assume, given, settings, strategies as st
 from arrangement import Arrangement, InputError
 from arrangement.cli import main
 from arrangement.counts import f_vector, region_count, whitney_numbers
-from arrangement.draw import (
+from arrangement.drawing.colours import PALETTE
+from arrangement.drawing.figure import figure
+from arrangement.drawing.output import own_settings
+from arrangement.drawing.scene.items import Path as Drawn
+from arrangement.drawing.scene.labels import covering, keep_off, spread
+from arrangement.drawing.scene.layers import layered_orders
+from arrangement.drawing.scene.scene import Scene
+from arrangement.duals.inscribed import representative_hull
+from arrangement.duals.zonohedron import dual_polyhedron
+from arrangement.library.files.table import read_arrangement
+from arrangement.pictures import (
     draw_counts,
     draw_dual,
     draw_gnomonic,
@@ -24,20 +34,10 @@ from arrangement.draw import (
     draw_lattice,
     draw_stereographic,
 )
-from arrangement.draw.colours import PALETTE
-from arrangement.draw.figure import figure
-from arrangement.draw.graph import PlanarGraph, planar_graph
-from arrangement.draw.items import Path as Drawn
-from arrangement.draw.labels import covering, keep_off, spread
-from arrangement.draw.layers import layered_orders
-from arrangement.draw.output import own_settings
-from arrangement.draw.projections import Chart, stereographic
-from arrangement.draw.scene import Scene
-from arrangement.draw.solids import dual_solid
-from arrangement.draw.tutte import tutte_places
-from arrangement.formats.table import read_arrangement
-from arrangement.polyhedra.dual import dual_polyhedron
-from arrangement.polyhedra.inscribed import representative_hull
+from arrangement.pictures.duals.graph import PlanarGraph, planar_graph
+from arrangement.pictures.duals.solids import dual_solid
+from arrangement.pictures.duals.tutte import tutte_places
+from arrangement.pictures.sphere.projections import Chart, stereographic
 from tests.drawn import paths
 
 NAMES = [

@@ -13,7 +13,7 @@ import pytest
 from hypothesis import assume, given, settings, strategies as st
 
 from arrangement import Arrangement, ArrangementError, InputError, counts
-from arrangement.polyhedra.dual import (
+from arrangement.duals.zonohedron import (
     DualPolyhedron,
     dual_polygon,
     dual_polyhedron,

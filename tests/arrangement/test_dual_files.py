@@ -12,7 +12,7 @@ import trimesh
 from hypothesis import given, settings
 
 from arrangement import Arrangement, ArrangementError, InputError
-from arrangement.polyhedra.dual import dual_polyhedron
+from arrangement.duals.zonohedron import dual_polyhedron
 
 from .test_dual import A3, CUBE_DIAGONALS, DEGENERATE, SQUARE_AXES, rank_three, rank_three_only
 

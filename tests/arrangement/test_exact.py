@@ -14,7 +14,7 @@ import sympy
 from hypothesis import given, strategies as st
 
 from arrangement import InputError, from_floats, primitive, rational, to_text
-from arrangement.exact import MAX_TEXT_LENGTH, common_digits, number_text, shown
+from arrangement.numbers.exact import MAX_TEXT_LENGTH, common_digits, number_text, shown
 
 
 @pytest.mark.ground_types

@@ -16,8 +16,8 @@ import sympy
 
 from arrangement import Arrangement, InputError, counts
 from arrangement.library import families
-from arrangement.library.families.published import PublishedCount, published_counts
 from arrangement.library.families.simplicial import printed_vectors
+from arrangement.library.published import PublishedCount, published_counts
 
 T = sympy.Symbol("t")
 

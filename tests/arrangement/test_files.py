@@ -13,7 +13,13 @@ from typing import Any
 import pytest
 
 from arrangement import Arrangement, InputError, read_arrangement, write_text_atomically
-from arrangement.io.files import MAX_BYTES, check_keys, check_list, instances, read_document
+from arrangement.library.files.json_files import (
+    MAX_BYTES,
+    check_keys,
+    check_list,
+    instances,
+    read_document,
+)
 from tests.instances import is_in_space
 
 THREE = {"schema_version": 1, "planes": [["1", "0", "0"], ["0", "1", "0"], ["1/2", "-0.25", 3]]}

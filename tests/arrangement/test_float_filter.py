@@ -12,7 +12,7 @@ from hypothesis import given, settings, strategies as st
 
 from arrangement.enumeration.affine_space import predicates
 from arrangement.enumeration.affine_space.predicates import PlaneTable, scaled_floats
-from arrangement.float_filter import EXACT, SMALLEST, UNIT, certain, error_bound, scaled
+from arrangement.numbers.float_filter import EXACT, SMALLEST, UNIT, certain, error_bound, scaled
 
 #: The largest entry with ``24 B^4 <= 2^53``.
 LARGEST = 4401

@@ -15,8 +15,8 @@ from hypothesis import given, settings, strategies as st
 
 from arrangement import Arrangement, InputError, census, counts, families, read_arrangement
 from arrangement.cli import main
-from arrangement.formats.table import FORMATS, Entries, converted
 from arrangement.library.census import identify
+from arrangement.library.files.table import FORMATS, Entries, converted
 
 CENTRAL = Arrangement([[1, 0, 0], [0, 1, 0], [2, -3, 5], [-4, 6, -10], ["1/2", "1/3", -1]])
 AFFINE = Arrangement([[1, 0], [0, -1], [1, 1], [2, "-1/2"]], [0, "3/2", -4, 7])

@@ -16,7 +16,7 @@ from arrangement.enumeration.great_circles.predicates import (
     integer_array,
     turns,
 )
-from arrangement.float_filter import error_bound, signs_of
+from arrangement.numbers.float_filter import error_bound, signs_of
 from tests.arrangement.test_great_circles import B3, GENERIC, NEAR_PENCIL, PENCIL
 
 Normals = list[tuple[int, ...]]

@@ -16,22 +16,15 @@ from hypothesis import given, settings, strategies as st
 from arrangement import Arrangement, InputError, cli
 from arrangement.counts import cone
 from arrangement.library import families
-from arrangement.library.census import (
-    PUBLISHED,
-    catalogue,
-    census,
-    finschi_fukuda,
-    generate,
-    identify,
-)
-from arrangement.library.census.chirotopes import chirotope_of, extended, triples
-from arrangement.library.census.codes import canonical
+from arrangement.library.census import PUBLISHED, catalogue, census, finschi_fukuda, identify
+from arrangement.library.census.chirotopes import canonical, chirotope_of, extended, triples
 from arrangement.library.census.extensions import extensions
 from arrangement.library.census.final_polynomials import (
     Comparison,
     final_polynomial,
     proves_no_coordinates,
 )
+from arrangement.library.census.making import generate
 
 
 def chirotopes(planes: int) -> np.ndarray:

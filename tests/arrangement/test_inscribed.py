@@ -15,13 +15,9 @@ from hypothesis import given, settings, strategies as st
 from scipy.spatial import ConvexHull
 
 from arrangement import Arrangement, ArrangementError, InputError, dual_polyhedron, inscribability
+from arrangement.duals.inscribed import PolyhedralGraph, WeightCertificate, decide
 from arrangement.library.families import generic, near_pencil, simplicial, type_b
-from arrangement.linprog import Optimal, minimize
-from arrangement.polyhedra.inscribed import (
-    PolyhedralGraph,
-    WeightCertificate,
-    decide,
-)
+from arrangement.numbers.linear.programs import Optimal, minimize
 
 from .test_dual import A3, CUBE_DIAGONALS, SQUARE_AXES, rank_three, rank_three_only
 

@@ -9,13 +9,13 @@ import networkx as nx
 import pytest
 
 from arrangement import Arrangement, ArrangementError, inscribability
-from arrangement.library.families import generic
-from arrangement.polyhedra.inscribed import (
+from arrangement.duals.inscribed import (
     FarkasCertificate,
     IndependentSetCertificate,
     WeightCertificate,
     decide,
 )
+from arrangement.library.families import generic
 
 from .test_dual import A3
 from .test_inscribed import polyhedral, rhombic_dodecahedron, truncated_cube

@@ -12,17 +12,17 @@ import pytest
 from hypothesis import assume, given, settings, strategies as st
 
 from arrangement import Arrangement, ArrangementError, InputError, dual_polyhedron
-from arrangement.exact import dot
-from arrangement.library.families import generic, type_b
-from arrangement.polyhedra.dual import DualPolyhedron
-from arrangement.polyhedra.inscribed import (
+from arrangement.duals.inscribed import (
     hull as hull_module,
     inscribed_zonotope,
     representative_hull,
     sphere_hull,
     sphere_points,
 )
-from arrangement.polyhedra.inscribed.points import rational_direction
+from arrangement.duals.inscribed.hull import rational_direction
+from arrangement.duals.zonohedron import DualPolyhedron
+from arrangement.library.families import generic, type_b
+from arrangement.numbers.exact import dot
 
 from .test_dual import A3, SQUARE_AXES, rank_three, rank_three_only
 

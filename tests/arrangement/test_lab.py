@@ -14,12 +14,11 @@ import pytest
 from arrangement import Arrangement, InputError
 from arrangement.cli import main
 from arrangement.counts import characteristic_polynomial, t_vector
-from arrangement.formats.table import read_arrangement
-from arrangement.lab.lines import lab_page
-from arrangement.lab.lines_input import MAX_PLANES
+from arrangement.enumeration.regions import walls
 from arrangement.library import families
 from arrangement.library.census import census
-from arrangement.regions import walls
+from arrangement.library.files.table import read_arrangement
+from arrangement.pictures.lab.lines import MAX_PLANES, lab_page
 from tests.browser import Browser
 from tests.labs import checked, choose, enter, invalid, open_file, problem
 
@@ -146,7 +145,7 @@ def test_it_names_every_type_of_up_to_six_planes(opened: Browser) -> None:
 
 
 def test_types_agree_with_canonical_tope_graphs(opened: Browser) -> None:
-    from arrangement.library.census.generate import canonical_form
+    from arrangement.library.census.making.generate import canonical_form
 
     names = {
         canonical_form(planes): f"{m}.{k}"

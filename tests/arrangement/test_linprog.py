@@ -10,7 +10,13 @@ import pytest
 from hypothesis import given, settings, strategies as st
 
 from arrangement.errors import ArrangementError
-from arrangement.linprog import Infeasible, Optimal, Unbounded, feasible_point, minimize
+from arrangement.numbers.linear.programs import (
+    Infeasible,
+    Optimal,
+    Unbounded,
+    feasible_point,
+    minimize,
+)
 
 from . import oracle
 

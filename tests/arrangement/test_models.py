@@ -19,11 +19,11 @@ from hypothesis import given, settings, strategies as st
 from arrangement import Arrangement, ArrangementError, InputError
 from arrangement.cli import main
 from arrangement.counts import region_count
-from arrangement.draw import write_drawing
-from arrangement.formats.table import read_arrangement
-from arrangement.io.meshes import Part, model_bytes
-from arrangement.polyhedra.body import body_around
-from arrangement.polyhedra.cells import Cells, cut_cells
+from arrangement.drawing.solids.meshes import Part, model_bytes
+from arrangement.duals.body import body_around
+from arrangement.duals.cells import Cells, cut_cells
+from arrangement.library.files.table import read_arrangement
+from arrangement.pictures import write_drawing
 
 from .strategies import arrangements
 

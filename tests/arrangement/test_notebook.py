@@ -13,8 +13,8 @@ from xml.etree import ElementTree as ET
 import pytest
 
 from arrangement import Arrangement
-from arrangement.formats.table import read_arrangement
-from arrangement.short_repr import Shown
+from arrangement.console.short_repr import Shown
+from arrangement.library.files.table import read_arrangement
 
 AFFINE = Arrangement([[1, 0], [0, 1], [1, 1]], [0, 0, 1])
 

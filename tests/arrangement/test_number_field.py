@@ -15,17 +15,10 @@ import sympy
 from sympy import CRootOf, GoldenRatio, Rational, cos, pi, sqrt
 from sympy.abc import x
 
-from arrangement import (
-    Arrangement,
-    InputError,
-    NumberField,
-    counts,
-    number_field,
-    read_arrangement,
-    to_sympy,
-)
+from arrangement import Arrangement, InputError, NumberField, counts, read_arrangement, to_sympy
 from arrangement.cli import main
 from arrangement.library import families
+from arrangement.numbers import number_field
 
 GOLDEN = NumberField([-1, -1, 1], [1, 2])
 FIELDS = {

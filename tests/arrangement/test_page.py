@@ -12,11 +12,11 @@ import pytest
 
 from arrangement import Arrangement, InputError
 from arrangement.cli import main
-from arrangement.draw import arrangement_page, cells_page
-from arrangement.draw.page import MAX_CIRCLES, equation
-from arrangement.formats.table import read_arrangement
+from arrangement.duals.zonohedron import dual_polyhedron
 from arrangement.library import families
-from arrangement.polyhedra.dual import dual_polyhedron
+from arrangement.library.files.table import read_arrangement
+from arrangement.pictures import arrangement_page, cells_page
+from arrangement.pictures.page.page import MAX_CIRCLES, equation
 from tests.browser import Browser
 
 #: Regions, arcs and crossings, from the literature: coordinate planes (cube), A3 (permutohedron),

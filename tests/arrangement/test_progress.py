@@ -6,8 +6,8 @@ import sys
 
 import pytest
 
-from arrangement import progress, terminal
-from arrangement.progress import Bar, shown, watched
+from arrangement.console import progress, terminal
+from arrangement.console.progress import Bar, shown, watched
 
 
 def test_the_bar_gives_the_rate_of_this_run_and_the_remaining_time() -> None:

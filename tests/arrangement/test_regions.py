@@ -13,7 +13,7 @@ from scipy.spatial import ConvexHull
 
 from arrangement import Arrangement, Face, InputError, counts, families
 from arrangement.enumeration.choose import ENGINES
-from arrangement.exact import dot
+from arrangement.numbers.exact import dot
 
 from .strategies import arrangements
 

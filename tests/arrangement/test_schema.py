@@ -6,8 +6,8 @@ import jsonschema
 import pytest
 
 from arrangement.errors import InputError
-from arrangement.formats.table import read_arrangement
-from arrangement.io.schemas import arrangement_schema
+from arrangement.library.files.documents import arrangement_schema
+from arrangement.library.files.table import read_arrangement
 from arrangement.library.instances import paths
 
 VALIDATOR = jsonschema.Draft202012Validator(arrangement_schema())

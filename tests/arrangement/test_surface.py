@@ -8,10 +8,10 @@ import numpy as np
 import pytest
 from hypothesis import assume, given, settings, strategies as st
 
-from arrangement.draw.depth_tree import back_to_front, depth_tree
-from arrangement.exact import IntegerVector
-from arrangement.polyhedra.polyhedron import Polyhedron, from_conditions, from_generators
-from arrangement.polyhedra.surface import Patch, facets, surface
+from arrangement.drawing.solids.depth_tree import back_to_front, depth_tree
+from arrangement.drawing.solids.surface import Patch, facets, surface
+from arrangement.numbers.exact import IntegerVector
+from arrangement.numbers.linear.polyhedron import Polyhedron, from_conditions, from_generators
 
 CORNER = st.tuples(*[st.integers(0, 3)] * 3)
 #: Low and high corners; flat ones among them.

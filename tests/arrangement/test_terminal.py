@@ -12,8 +12,9 @@ from typing import Any
 
 import pytest
 
-from arrangement import InputError, MissingExtraError, terminal
-from arrangement.entry import entry
+from arrangement import InputError, MissingExtraError
+from arrangement.console import terminal
+from arrangement.console.entry import entry
 
 
 def parser_for(function: Any) -> terminal.Parser:
@@ -168,7 +169,7 @@ def test_a_fault_at_import_is_no_answer(
 @pytest.mark.parametrize(
     ("module", "words"),
     [
-        ("arrangement.entry", "count pencil"),
+        ("arrangement.console.entry", "count pencil"),
         ("equilibrium.cli", "limit ladder --direction 0 1 0"),
         ("proofs_check.cli", "run euler"),
     ],

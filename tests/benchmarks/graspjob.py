@@ -31,7 +31,7 @@ from typing import Any
 sys.path.insert(0, str(Path(__file__).resolve().parents[2]))
 
 from equilibrium import Contact, Grasp, Solver, check, solve
-from equilibrium.inputs.random import random_grasp, random_wrench
+from equilibrium.grasps.inputs.random import random_grasp, random_wrench
 
 Wrench = tuple[Fraction, ...]
 Found = dict[str, Any]

@@ -204,7 +204,7 @@ FIELD_QUESTIONS = ("great circles", "all faces", "any dimension", "polynomial")
 
 
 def _in_print(label: str) -> tuple[Any, int | None]:
-    from arrangement.library.families.published import published_counts
+    from arrangement.library.published import published_counts
 
     entry = next(entry for entry in published_counts() if entry.label == label)
     return entry.planes(), entry.regions
@@ -250,7 +250,7 @@ def foretold(n: int) -> Work:
     """Ours: the forecast of a count, of the resonance arrangement in R^n; its seconds."""
     import sympy  # noqa: F401
 
-    from arrangement.counts.forecast import forecast
+    from arrangement.counts.classes.forecast import forecast
     from arrangement.library.families import resonance
 
     planes = resonance(n)

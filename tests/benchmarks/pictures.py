@@ -10,8 +10,8 @@ import tempfile
 from pathlib import Path
 
 from arrangement.library.families import random_integer
-from equilibrium.inputs import random_grasp
-from equilibrium.io.files import read_grasp
+from equilibrium.grasps.files import read_grasp
+from equilibrium.grasps.inputs import random_grasp
 
 #: The command has to end within so many seconds of processor time.
 AIM = 3.0

@@ -39,8 +39,8 @@ from scipy.sparse import csc_matrix
 sys.path.insert(0, str(Path(__file__).resolve().parents[2]))
 
 from equilibrium import Grasp
-from equilibrium.inputs.random import random_grasp, random_wrench
-from equilibrium.spatial_verdict import solve_in_space
+from equilibrium.decide.spatial_verdict import solve_in_space
+from equilibrium.grasps.inputs.random import random_grasp, random_wrench
 from tests.equilibrium import exotic
 
 Wrench = tuple[Fraction, ...]

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from equilibrium import solve
-from equilibrium.verdict import Verdict
+from equilibrium.decide.verdict import Verdict
 
 from . import oracle
 from .awkward import Question

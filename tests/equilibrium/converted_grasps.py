@@ -6,10 +6,10 @@ from fractions import Fraction
 from random import Random
 from typing import Any
 
-from arrangement.exact import RationalVector, dot
-from arrangement.linear import cross
+from arrangement.numbers.exact import RationalVector, dot
+from arrangement.numbers.linear.rank import cross
 from equilibrium import Contact, Grasp
-from equilibrium.inputs import Conversion, from_float_data
+from equilibrium.grasps.inputs import Conversion, from_float_data
 from equilibrium.model.unit_normal import unit_normal
 
 SHAPES = ("circle", "ellipse", "polygon", "box", "box in space", "ball")

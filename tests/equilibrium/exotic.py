@@ -12,7 +12,7 @@ from fractions import Fraction
 from random import Random
 
 from equilibrium import Contact, Grasp
-from equilibrium.inputs.random import random_grasp
+from equilibrium.grasps.inputs.random import random_grasp
 
 from . import awkward
 

@@ -16,7 +16,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 from itertools import product
 
-from arrangement import linprog
+from arrangement.numbers.linear import programs
 from equilibrium import Contact, Grasp
 
 #: Coefficients, and the constant last.
@@ -64,10 +64,10 @@ def intervals(
     for _, equal, least, _ in _systems(grasp, base, direction=direction):
         objective = [0] * (len(equal[0]) - 2) + [1]
         rows = [*least, [*objective, 0]]
-        low = linprog.minimize(objective, rows, equal)
-        if not isinstance(low, linprog.Infeasible):
-            high = linprog.minimize([-x for x in objective], rows, equal)
-            found.append((low.value, None if isinstance(high, linprog.Unbounded) else -high.value))
+        low = programs.minimize(objective, rows, equal)
+        if not isinstance(low, programs.Infeasible):
+            high = programs.minimize([-x for x in objective], rows, equal)
+            found.append((low.value, None if isinstance(high, programs.Unbounded) else -high.value))
     return found
 
 

@@ -24,12 +24,8 @@ from arrangement.errors import InputError
 from equilibrium import Contact, Grasp
 from equilibrium.certificate import checker, enclosure, law, reading, space
 from equilibrium.certificate.checker import MAX_DEPTH, Report, check
-from equilibrium.certificate.document import (
-    Certificate,
-    refuted_certificate,
-    resisted_certificate,
-)
-from equilibrium.io.schemas import certificate_schema
+from equilibrium.certificate.document import Certificate, refuted_certificate, resisted_certificate
+from equilibrium.grasps.schemas import certificate_schema
 from equilibrium.model.errors import CertificateError
 
 from . import judge, oracle, trees
@@ -454,8 +450,12 @@ def test_the_checker_sees_no_solver_no_numpy_and_no_floats(module):
         a.name for node in ast.walk(tree) if isinstance(node, ast.Import) for a in node.names
     }
     standard = {"__future__", "math", "typing", "fractions", "itertools", "dataclasses"}
-    values = {"arrangement.exact", "arrangement.io.files", "equilibrium.model.grasp"}
-    values |= {"equilibrium.model.contact", "arrangement.short_repr"}
+    values = {
+        "arrangement.numbers.exact",
+        "arrangement.library.files.json_files",
+        "equilibrium.model.grasp",
+    }
+    values |= {"equilibrium.model.contact", "arrangement.console.short_repr"}
     values |= {"equilibrium.model.errors", "equilibrium.model.pyramid", "collections.abc"}
     values |= {"equilibrium.model.plane", "equilibrium.model.range"}
     values |= {"enclosure", "law", "reading", "space"}

@@ -8,10 +8,10 @@ from pathlib import Path
 import pytest
 
 from arrangement.cli import main as arrangement_main
-from arrangement.exact import number_text
+from arrangement.numbers.exact import number_text
 from equilibrium import read_grasp, solve
 from equilibrium.cli.program import main
-from equilibrium.inputs.random import random_grasp
+from equilibrium.grasps.inputs.random import random_grasp
 
 from .test_resistance import hard
 

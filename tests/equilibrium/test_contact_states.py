@@ -6,8 +6,8 @@ import pytest
 from hypothesis import given, settings
 
 from equilibrium import Grasp, Solver, contact_states, read_grasp
-from equilibrium.inputs.random import random_grasp
-from equilibrium.solver.contact_states import states_at
+from equilibrium.grasps.inputs.random import random_grasp
+from equilibrium.plane.states.contact_states import states_at
 
 from . import oracle
 from .awkward import question

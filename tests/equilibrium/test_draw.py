@@ -17,11 +17,16 @@ from hypothesis import example, given, settings
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 
-from arrangement.draw.labels import flattened
-from arrangement.draw.layout import laid_out
+from arrangement.drawing.scene.labels import flattened
+from arrangement.drawing.scene.layout import laid_out
 from equilibrium import Contact, Grasp, GraspError, read_grasp, solve
 from equilibrium.cli.program import main
-from equilibrium.draw import (
+from equilibrium.grasps.inputs import random_grasp, star_outline
+from equilibrium.methods import METHODS, resistance_figure
+from equilibrium.methods.compare import compare
+from equilibrium.methods.registry import WITH_REGION
+from equilibrium.model.outline import Circle, Polygon
+from equilibrium.pictures import (
     DRAWINGS,
     draw_compare,
     draw_grasp,
@@ -31,16 +36,11 @@ from equilibrium.draw import (
     draw_resist,
     draw_slice,
 )
-from equilibrium.draw.body import body, frame_of
-from equilibrium.draw.layout import layout_of
-from equilibrium.draw.page import resist_page
-from equilibrium.draw.slices import slices
-from equilibrium.draw.style import nice, number
-from equilibrium.inputs import random_grasp, star_outline
-from equilibrium.methods import METHODS, resistance_figure
-from equilibrium.methods.compare import compare
-from equilibrium.methods.registry import WITH_REGION
-from equilibrium.model.outline import Circle, Polygon
+from equilibrium.pictures.grasp.body import body, frame_of
+from equilibrium.pictures.grasp.layout import layout_of
+from equilibrium.pictures.pages.page import resist_page
+from equilibrium.pictures.style import nice, number
+from equilibrium.pictures.wrenches.slices import slices
 from equilibrium.wrench_sets import gaps, resisted_region, search_map
 from tests.arrangement.test_draw_boxes import offences
 from tests.drawn import paths

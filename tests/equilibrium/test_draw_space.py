@@ -13,19 +13,19 @@ import numpy as np
 import pytest
 import trimesh
 
-from arrangement.draw.items import Label, Path as Line
-from arrangement.draw.scene import Scene
+from arrangement.drawing.scene.items import Label, Path as Line
+from arrangement.drawing.scene.scene import Scene
 from equilibrium import Contact, Grasp, GraspError, Mesh, read_grasp
 from equilibrium.cli import main
-from equilibrium.draw import space_slice
-from equilibrium.draw.grasp import draw_grasp
-from equilibrium.draw.proof import draw_proof
-from equilibrium.draw.screw import Screw
-from equilibrium.draw.slices import draw_slice
-from equilibrium.draw.solid_grasp import SolidGrasp
-from equilibrium.draw.space_grasp import drawn_in_space
-from equilibrium.draw.space_page import grasp_model, grasp_page
-from equilibrium.spatial_verdict import RESISTED, UNDECIDED
+from equilibrium.decide.spatial_verdict import RESISTED, UNDECIDED
+from equilibrium.pictures.grasp.grasp import draw_grasp
+from equilibrium.pictures.grasp.proof import draw_proof
+from equilibrium.pictures.space import space_slice
+from equilibrium.pictures.space.pieces import Screw
+from equilibrium.pictures.space.solid_grasp import SolidGrasp
+from equilibrium.pictures.space.space_grasp import drawn_in_space
+from equilibrium.pictures.space.space_page import grasp_model, grasp_page
+from equilibrium.pictures.wrenches.slices import draw_slice
 from equilibrium.wrench_sets.spatial import SpatialMagnitudes
 from tests.arrangement.test_draw_boxes import offences
 

@@ -8,17 +8,17 @@ from pathlib import Path
 
 import pytest
 
-from arrangement.draw.items import Label
-from arrangement.draw.layout import laid_out
-from arrangement.draw.scene import Scene
+from arrangement.drawing.scene.items import Label
+from arrangement.drawing.scene.layout import laid_out
+from arrangement.drawing.scene.scene import Scene
 from arrangement.errors import InputError
 from equilibrium import Contact, GraspError, read_grasp
 from equilibrium.cli.program import main
-from equilibrium.draw.window import joint_window
-from equilibrium.draw.wrench_box import WALLS, WrenchBox, wrench_box
-from equilibrium.draw.wrench_page import wrench_set_model, wrench_set_page
-from equilibrium.draw.wrench_set import draw_wrench_set
 from equilibrium.model.grasp import Grasp
+from equilibrium.pictures.wrenches.window import joint_window
+from equilibrium.pictures.wrenches.wrench_box import WALLS, WrenchBox, wrench_box
+from equilibrium.pictures.wrenches.wrench_page import wrench_set_model, wrench_set_page
+from equilibrium.pictures.wrenches.wrench_set import draw_wrench_set
 from equilibrium.wrench_sets import resisted_region, resisted_set
 from tests.arrangement.test_draw_boxes import offences
 from tests.instances import PLANAR

@@ -12,7 +12,8 @@ from hypothesis import given, settings, strategies as st
 from arrangement.cli import main as arrangement_main
 from arrangement.errors import InputError
 from equilibrium.cli.program import main
-from equilibrium.inputs import (
+from equilibrium.grasps.files import read_grasp
+from equilibrium.grasps.inputs import (
     OnEdge,
     from_float_data,
     from_polygon,
@@ -26,8 +27,7 @@ from equilibrium.inputs import (
     snapped,
     star_outline,
 )
-from equilibrium.inputs.csv_file import parse_csv, tangential_arrangement
-from equilibrium.io.files import read_grasp
+from equilibrium.grasps.inputs.csv_file import parse_csv, tangential_arrangement
 from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import Grasp
 from equilibrium.model.outline import Circle, Polygon

@@ -5,10 +5,10 @@ from fractions import Fraction
 
 import pytest
 
-from equilibrium.instances import paths
-from equilibrium.io.files import read_grasp
-from equilibrium.methods.printed_model import solve_literal
-from equilibrium.verdict import solve
+from equilibrium.decide.verdict import solve
+from equilibrium.grasps.files import read_grasp
+from equilibrium.grasps.instances import paths
+from equilibrium.methods.contact_laws.printed_model import solve_literal
 from equilibrium.wrench_sets import resisted_magnitudes
 
 

@@ -10,11 +10,11 @@ import pytest
 from hypothesis import given, settings
 
 from equilibrium import Grasp, Solver, solve
-from equilibrium.inputs.random import random_grasp
-from equilibrium.solver.contact_states import states_of_code
-from equilibrium.solver.equilibrium import equilibrium_of
-from equilibrium.solver.interval_filter import Screen
-from equilibrium.solver.state_system import state_system
+from equilibrium.grasps.inputs.random import random_grasp
+from equilibrium.plane.states.contact_states import states_of_code
+from equilibrium.plane.states.equilibrium import equilibrium_of
+from equilibrium.plane.states.interval_filter import Screen
+from equilibrium.plane.states.state_system import state_system
 
 from . import oracle
 from .awkward import question

@@ -10,9 +10,9 @@ import pytest
 from hypothesis import given, settings, strategies as st
 
 from equilibrium import Contact, Grasp, Solver, contact_states
-from equilibrium.inputs.random import random_grasp, random_wrench
-from equilibrium.solver.contact_states import states_of_code
-from equilibrium.solver.interval_filter import Screen
+from equilibrium.grasps.inputs.random import random_grasp, random_wrench
+from equilibrium.plane.states.contact_states import states_of_code
+from equilibrium.plane.states.interval_filter import Screen
 from equilibrium.wrench_sets.line import _interval, resisted_magnitudes
 
 from .awkward import question

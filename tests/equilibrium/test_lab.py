@@ -17,11 +17,11 @@ from equilibrium import Contact, Grasp, solve
 from equilibrium.certificate.checker import check
 from equilibrium.certificate.law import law_problem
 from equilibrium.cli.program import main
-from equilibrium.instances import paths
-from equilibrium.io.files import read_grasp
-from equilibrium.lab import lab_page
-from equilibrium.solver.contact_states import contact_states
-from equilibrium.verdict import Solver
+from equilibrium.decide.verdict import Solver
+from equilibrium.grasps.files import read_grasp
+from equilibrium.grasps.instances import paths
+from equilibrium.pictures.lab import lab_page
+from equilibrium.plane.states.contact_states import contact_states
 from equilibrium.wrench_sets import resisted_set
 from tests.browser import Browser
 from tests.instances import is_in_space

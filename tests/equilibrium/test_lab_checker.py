@@ -18,11 +18,11 @@ import pytest
 
 from equilibrium import Contact, Grasp, solve
 from equilibrium.certificate.checker import check
-from equilibrium.lab import lab_page
-from equilibrium.lab.page import DECIDES
-from equilibrium.methods.printed_model import OPTIONS, solve_literal
+from equilibrium.methods.contact_laws.printed_model import OPTIONS, solve_literal
 from equilibrium.methods.registry import METHODS
 from equilibrium.model.errors import CertificateError
+from equilibrium.pictures.lab import lab_page
+from equilibrium.pictures.lab.page import DECIDES
 from tests.equilibrium.test_lab import Question, questions, texts
 from tests.javascript.check import node, paths
 

@@ -6,8 +6,8 @@ from fractions import Fraction
 
 from hypothesis import given, settings, strategies as st
 
-from arrangement.linprog import Infeasible, Optimal, feasible_point, minimize
-from equilibrium.solver.min_norm_point import least_point
+from arrangement.numbers.linear.programs import Infeasible, Optimal, feasible_point, minimize
+from equilibrium.plane.states.min_norm_point import least_point
 
 PLANE = [(1, 0, 0), (0, 1, 0)]
 

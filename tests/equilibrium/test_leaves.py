@@ -8,9 +8,9 @@ from typing import Any
 
 import pytest
 
-from equilibrium.solver.integer_contacts import IntegerContacts
-from equilibrium.solver.leaf_test import closed
-from equilibrium.solver.motion_regions import ORTHANTS
+from equilibrium.plane.contacts import IntegerContacts
+from equilibrium.plane.search.leaf_test import closed
+from equilibrium.plane.search.motion_regions import ORTHANTS
 
 from . import judge
 from .awkward import Question, question

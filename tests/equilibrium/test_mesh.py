@@ -10,11 +10,11 @@ import numpy as np
 import pytest
 import trimesh
 
-from arrangement.exact import dot
+from arrangement.numbers.exact import dot
 from equilibrium import GraspError, Mesh
 from equilibrium.cli import main
-from equilibrium.inputs import on_mesh
-from equilibrium.inputs.mesh import KINDS, Surface
+from equilibrium.grasps.inputs import on_mesh
+from equilibrium.grasps.inputs.mesh import KINDS, Surface
 
 
 @pytest.fixture

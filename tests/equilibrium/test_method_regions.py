@@ -8,10 +8,10 @@ from itertools import pairwise
 import pytest
 from hypothesis import example, given, settings, strategies as st
 
-from arrangement.exact import RationalVector
+from arrangement.numbers.exact import RationalVector
 from equilibrium import Contact, Grasp, GraspError, read_grasp
 from equilibrium.methods.compare import ask
-from equilibrium.methods.grasp_wrench_space import GraspWrenchSpace
+from equilibrium.methods.friction_cones.grasp_wrench_space import GraspWrenchSpace
 from equilibrium.methods.registry import METHODS, WITH_REGION, method_named
 from equilibrium.wrench_sets import Region
 

@@ -4,14 +4,14 @@ from fractions import Fraction
 
 import pytest
 
-from equilibrium.io.files import read_grasp
-from equilibrium.methods.cones import cones
-from equilibrium.methods.form_closure import form_closure
-from equilibrium.methods.frictionless_slip import frictionless_slip
-from equilibrium.methods.grasp_wrench_space import GraspWrenchSpace
-from equilibrium.methods.linear_compliance import linear_compliance
-from equilibrium.methods.springs import balancing_friction
-from equilibrium.methods.weak_strong import weak_strong
+from equilibrium.grasps.files import read_grasp
+from equilibrium.methods.contact_laws.frictionless_slip import frictionless_slip
+from equilibrium.methods.contact_laws.linear_compliance import linear_compliance
+from equilibrium.methods.contact_laws.springs import balancing_friction
+from equilibrium.methods.friction_cones.cones import cones
+from equilibrium.methods.friction_cones.form_closure import form_closure
+from equilibrium.methods.friction_cones.grasp_wrench_space import GraspWrenchSpace
+from equilibrium.methods.friction_cones.weak_strong import weak_strong
 from equilibrium.model.contact import Contact
 from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import Grasp

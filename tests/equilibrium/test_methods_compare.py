@@ -8,13 +8,13 @@ import pytest
 
 from equilibrium import GraspError, methods, solve, solve_literal
 from equilibrium.cli.program import main
-from equilibrium.io.files import read_grasp
+from equilibrium.grasps.files import read_grasp
 from equilibrium.methods.compare import ask, compare
-from equilibrium.methods.frictionless_slip import frictionless_slip
+from equilibrium.methods.contact_laws.frictionless_slip import frictionless_slip
+from equilibrium.methods.friction_cones.weak_strong import weak_strong
 from equilibrium.methods.method import Method
 from equilibrium.methods.registry import DECIDING, METHODS
 from equilibrium.methods.survey import OTHERS, shrunk, size, smallest_examples, survey
-from equilibrium.methods.weak_strong import weak_strong
 from equilibrium.wrench_sets.margin import margin
 
 

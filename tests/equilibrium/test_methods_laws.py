@@ -8,15 +8,15 @@ from hypothesis import given, settings, strategies as st
 from scipy.optimize import linprog
 from scipy.spatial import ConvexHull
 
-from arrangement.exact import dot
-from equilibrium.methods.cones import cones
-from equilibrium.methods.form_closure import form_closure
-from equilibrium.methods.frictionless_slip import frictionless_slip
-from equilibrium.methods.grasp_wrench_space import GraspWrenchSpace, _hull, _volume
-from equilibrium.methods.linear_compliance import linear_compliance
-from equilibrium.methods.weak_strong import mass_matrix, weak_strong
-from equilibrium.solver.contact_rows import friction_edges
-from equilibrium.verdict import solve
+from arrangement.numbers.exact import dot
+from equilibrium.decide.verdict import solve
+from equilibrium.methods.contact_laws.frictionless_slip import frictionless_slip
+from equilibrium.methods.contact_laws.linear_compliance import linear_compliance
+from equilibrium.methods.friction_cones.cones import cones
+from equilibrium.methods.friction_cones.form_closure import form_closure
+from equilibrium.methods.friction_cones.grasp_wrench_space import GraspWrenchSpace, _hull, _volume
+from equilibrium.methods.friction_cones.weak_strong import mass_matrix, weak_strong
+from equilibrium.plane.contact_rows import friction_edges
 
 from .methods_strategies import frictions, grasps, small, turned, wrenches
 

@@ -7,19 +7,19 @@ import numpy as np
 import pytest
 from scipy.spatial import ConvexHull
 
-from arrangement.exact import dot
+from arrangement.numbers.exact import dot
 from equilibrium.cli.program import main
-from equilibrium.draw.methods import draw_methods
-from equilibrium.inputs.random import random_grasp
-from equilibrium.io.files import read_grasp
+from equilibrium.grasps.files import read_grasp
+from equilibrium.grasps.inputs.random import random_grasp
 from equilibrium.methods.compare import compare
-from equilibrium.methods.form_closure import form_closure
-from equilibrium.methods.grasp_wrench_space import GraspWrenchSpace
+from equilibrium.methods.friction_cones.form_closure import form_closure
+from equilibrium.methods.friction_cones.grasp_wrench_space import GraspWrenchSpace
+from equilibrium.methods.friction_cones.round_cones import round_cones
 from equilibrium.methods.registry import DECIDING_IN_SPACE
-from equilibrium.methods.round_cones import round_cones
 from equilibrium.model.contact import Contact
 from equilibrium.model.grasp import Grasp
-from equilibrium.solver.contact_rows import friction_edges
+from equilibrium.pictures.wrenches.methods import draw_methods
+from equilibrium.plane.contact_rows import friction_edges
 
 LOADS = [(0, 1, 0), (1, 1, 0), (-3, 7, 1), (0, -5, 2)]
 

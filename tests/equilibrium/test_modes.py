@@ -10,7 +10,7 @@ import pytest
 from arrangement import Arrangement
 from equilibrium import ContactModes, Grasp, read_grasp
 from equilibrium.cli import main
-from equilibrium.inputs import random_grasp
+from equilibrium.grasps.inputs import random_grasp
 from proofs_check.routes.contact_modes import mode_counts
 
 Row = tuple[int, ...]

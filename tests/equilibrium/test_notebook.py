@@ -10,12 +10,12 @@ from xml.etree import ElementTree as ET
 import pytest
 from hypothesis import given, settings
 
-from arrangement.exact import to_text
+from arrangement.numbers.exact import to_text
 from equilibrium import Contact, Grasp, Units, read_grasp, solve
 from equilibrium.certificate.checker import Report
-from equilibrium.draw.notebook import MOST_PIECES
 from equilibrium.model import unit_normal
 from equilibrium.model.outline import Circle, Polygon
+from equilibrium.pictures.notebook import MOST_PIECES
 
 from .strategies import grasps, wrenches
 

@@ -16,11 +16,11 @@ import pytest
 from arrangement import InputError
 from equilibrium import solve
 from equilibrium.cli.program import main
-from equilibrium.draw import resist_page
-from equilibrium.draw.page import MAX_CONTACTS
-from equilibrium.io.files import read_grasp
+from equilibrium.grasps.files import read_grasp
 from equilibrium.model.contact import Contact
 from equilibrium.model.grasp import Grasp
+from equilibrium.pictures import resist_page
+from equilibrium.pictures.pages.page import MAX_CONTACTS
 from tests.browser import Browser
 from tests.labs import invalid, problem
 

@@ -9,7 +9,7 @@ from hypothesis import given, settings
 
 from equilibrium import Contact, Grasp, GraspError, read_grasp, solve, solve_literal
 from equilibrium.cli.program import LITERAL
-from equilibrium.methods.printed_model import OPTIONS
+from equilibrium.methods.contact_laws.printed_model import OPTIONS
 
 from .strategies import grasps, wrenches
 

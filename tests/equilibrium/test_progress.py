@@ -7,9 +7,9 @@ from pathlib import Path
 
 import pytest
 
-from arrangement import progress
+from arrangement.console import progress
 from equilibrium.cli.program import main
-from equilibrium.inputs import random_grasp
+from equilibrium.grasps.inputs import random_grasp
 
 LONG = {
     "solve": ("--wrench", "-1", "0", "0"),

@@ -10,9 +10,9 @@ import pytest
 from equilibrium import Grasp, GraspError, read_grasp, solve
 from equilibrium.certificate.leaves import parts, works
 from equilibrium.cli.program import main
-from equilibrium.draw import proof_page
-from equilibrium.draw.style import number, vector
-from equilibrium.inputs import random_grasp
+from equilibrium.grasps.inputs import random_grasp
+from equilibrium.pictures import proof_page
+from equilibrium.pictures.style import number, vector
 from tests.browser import Browser
 
 BELOW = [c for c in random_grasp(150, 7) if c.normal[1] > 0]

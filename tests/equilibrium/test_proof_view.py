@@ -11,17 +11,17 @@ import numpy as np
 import pytest
 from hypothesis import given, settings, strategies as st
 
-from arrangement.draw.items import Label, Path
-from arrangement.draw.layout import laid_out
-from arrangement.draw.measuring import area
-from arrangement.exact import dot
+from arrangement.drawing.scene.items import Label, Path
+from arrangement.drawing.scene.layout import laid_out
+from arrangement.drawing.scene.measuring import area
+from arrangement.numbers.exact import dot
 from equilibrium import Contact, Grasp, GraspError, Solver, Verdict, check, read_grasp, solve
 from equilibrium.certificate.document import refuted_certificate
 from equilibrium.certificate.leaves import Part, parts, works
 from equilibrium.cli.program import main
 from equilibrium.cli.proof_words import proof_lines
-from equilibrium.draw import draw_proof
-from equilibrium.inputs import random_grasp
+from equilibrium.grasps.inputs import random_grasp
+from equilibrium.pictures import draw_proof
 
 from .trees import TooLarge, refutation
 

@@ -9,8 +9,9 @@ import pytest
 
 from equilibrium import read_grasp, solve
 from equilibrium.cli import main
-from equilibrium.io import proved_checker, write_certificate
-from equilibrium.io.proved_checker import PROGRAM, verify_proved
+from equilibrium.grasps import proved_checker
+from equilibrium.grasps.files import write_certificate
+from equilibrium.grasps.proved_checker import PROGRAM, verify_proved
 from equilibrium.model.errors import CertificateError
 
 

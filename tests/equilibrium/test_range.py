@@ -11,11 +11,11 @@ import pytest
 
 from equilibrium import Contact, Grasp, Solver, check, read_grasp, solve
 from equilibrium.cli.program import main
-from equilibrium.inputs.random import random_grasp, random_wrench
+from equilibrium.decide.spatial_verdict import solve_in_space
+from equilibrium.grasps.inputs.random import random_grasp, random_wrench
 from equilibrium.model.errors import GraspError
 from equilibrium.model.range import Range
-from equilibrium.solver.units import unit_of
-from equilibrium.spatial_verdict import solve_in_space
+from equilibrium.plane.search.units import unit_of
 from equilibrium.wrench_sets import margin, resisted_magnitudes, resisted_set, sufficient_preloads
 from equilibrium.wrench_sets.spatial import spatial_magnitudes
 

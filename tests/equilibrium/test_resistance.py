@@ -14,12 +14,12 @@ from hypothesis import given, settings
 from equilibrium import Contact, Grasp, Solver, TimeLimitError, read_grasp, solve
 from equilibrium.certificate.checker import check
 from equilibrium.certificate.document import refuted_certificate
-from equilibrium.inputs.random import random_grasp, random_wrench
-from equilibrium.solver.continuation import find_equilibrium
-from equilibrium.solver.integer_contacts import IntegerContacts
-from equilibrium.solver.motion_regions import HALF_SPACE, MotionRegions
-from equilibrium.solver.state_equilibrium import Guess, Solution, exact_equilibrium
-from equilibrium.solver.state_splits import StateSplits
+from equilibrium.grasps.inputs.random import random_grasp, random_wrench
+from equilibrium.plane.contacts import IntegerContacts
+from equilibrium.plane.search.continuation import find_equilibrium
+from equilibrium.plane.search.motion_regions import HALF_SPACE, MotionRegions
+from equilibrium.plane.search.state_equilibrium import Guess, Solution, exact_equilibrium
+from equilibrium.plane.search.state_splits import StateSplits
 from equilibrium.wrench_sets.line import resisted_magnitudes
 
 from . import oracle

@@ -6,13 +6,13 @@ from fractions import Fraction
 
 import pytest
 
-from arrangement.exact import dot
+from arrangement.numbers.exact import dot
 from equilibrium import Contact, Grasp, solve
 from equilibrium.certificate.robust import Bounds, refuted_within, resisted_within
 from equilibrium.cli.program import main
-from equilibrium.inputs import from_float_data, read_csv
-from equilibrium.inputs.incidences import other_rounding
-from equilibrium.io.files import read_grasp
+from equilibrium.grasps.files import read_grasp
+from equilibrium.grasps.inputs import from_float_data, read_csv
+from equilibrium.grasps.inputs.incidences import other_rounding
 from equilibrium.model.errors import GraspError
 
 from .converted_grasps import SHAPES, converted, original
@@ -161,8 +161,8 @@ class TestRobust:
 
     @pytest.mark.parametrize("seed", range(5))
     def test_random_grasps_within_bounds_do_not_contradict_a_proof(self, seed):
-        from equilibrium.inputs import random_grasp, random_wrench
-        from equilibrium.robustness import _drawn
+        from equilibrium.decide.robustness import _drawn
+        from equilibrium.grasps.inputs import random_grasp, random_wrench
 
         verdict = solve(random_grasp(4, seed), random_wrench(seed))
         found = verdict.robust(degrees="1/50", friction="1%", stiffness="1%", preload="1%")

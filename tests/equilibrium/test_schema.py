@@ -11,16 +11,16 @@ import pytest
 from arrangement.errors import InputError
 from equilibrium.certificate.checker import check
 from equilibrium.cli.program import main
-from equilibrium.inputs import random_grasp
-from equilibrium.instances import paths
-from equilibrium.io.files import read_grasp
-from equilibrium.io.schemas import certificate_schema, grasp_schema
+from equilibrium.decide.verdict import solve
+from equilibrium.grasps.files import read_grasp
+from equilibrium.grasps.inputs import random_grasp
+from equilibrium.grasps.instances import paths
+from equilibrium.grasps.schemas import certificate_schema, grasp_schema
 from equilibrium.model.contact import Contact
 from equilibrium.model.errors import CertificateError, GraspError
 from equilibrium.model.grasp import Grasp
 from equilibrium.model.outline import Circle, Polygon
 from equilibrium.model.units import Units
-from equilibrium.verdict import solve
 
 VALIDATOR = jsonschema.Draft202012Validator(grasp_schema())
 CONTACT = {"point": ["-1", 0], "normal": ["3/5", "-0.8"], "friction": "1/2"}

@@ -14,24 +14,29 @@ import pytest
 from scipy.optimize import linprog
 
 from arrangement.errors import InputError
-from arrangement.linprog import Infeasible, feasible_point
+from arrangement.numbers.linear.programs import Infeasible, feasible_point
 from equilibrium.certificate.checker import check
 from equilibrium.certificate.document import refuted_certificate, resisted_certificate
 from equilibrium.cli.program import main
-from equilibrium.inputs import random_grasp, random_wrench, read_any
-from equilibrium.io.files import read_grasp
-from equilibrium.io.schemas import certificate_schema
+from equilibrium.decide.spatial_verdict import solve_in_space
+from equilibrium.decide.verdict import Solver, solve
+from equilibrium.grasps.files import read_grasp
+from equilibrium.grasps.inputs import random_grasp, random_wrench, read_any
+from equilibrium.grasps.schemas import certificate_schema
 from equilibrium.model.contact import Contact
 from equilibrium.model.errors import GraspError, UndecidedError
 from equilibrium.model.grasp import Grasp
 from equilibrium.model.pyramid import pyramid_edges
 from equilibrium.model.unit_normal import unit_normal
-from equilibrium.solver.space.equilibria import SpatialSolution
-from equilibrium.solver.space.plane import decide_in_plane
-from equilibrium.spatial_verdict import solve_in_space
-from equilibrium.verdict import Solver, solve
-from equilibrium.wrench_sets.known_loads import KnownLoads, KnownMagnitudes, _same, blends
-from equilibrium.wrench_sets.spatial import spatial_magnitudes
+from equilibrium.space.equilibria import SpatialSolution
+from equilibrium.space.plane import decide_in_plane
+from equilibrium.wrench_sets.spatial import (
+    KnownLoads,
+    KnownMagnitudes,
+    _same,
+    blends,
+    spatial_magnitudes,
+)
 
 from . import awkward, exotic, sectors
 

@@ -9,7 +9,7 @@ from random import Random
 import pytest
 import sympy
 
-from arrangement.exact import dot
+from arrangement.numbers.exact import dot
 from equilibrium.certificate.document import enclosed_certificate, resisted_certificate
 from equilibrium.certificate.enclosure import Interval, _balance, _BrokenLaw, interval, total
 from equilibrium.certificate.reading import Enclosure, Leaf, Split

@@ -5,7 +5,7 @@ from fractions import Fraction
 import pytest
 
 from equilibrium.cli.program import main
-from equilibrium.io.files import read_grasp
+from equilibrium.grasps.files import read_grasp
 
 THREE = "paper-three-contacts-preload-1"
 

@@ -6,13 +6,13 @@ import numpy as np
 import pytest
 from hypothesis import given, settings, strategies as st
 
-from arrangement.cones import generators
-from arrangement.exact import dot, primitive
-from arrangement.linear import cross
-from arrangement.polyhedra.polyhedron import from_conditions
-from arrangement.polyhedra.separation import possibly_meeting, sides, surely_outside
-from equilibrium.inputs.random import random_grasp
-from equilibrium.solver.contact_states import contact_states
+from arrangement.numbers.exact import dot, primitive
+from arrangement.numbers.linear.cones import generators
+from arrangement.numbers.linear.polyhedron import from_conditions
+from arrangement.numbers.linear.rank import cross
+from arrangement.numbers.linear.separation import possibly_meeting, sides, surely_outside
+from equilibrium.grasps.inputs.random import random_grasp
+from equilibrium.plane.states.contact_states import contact_states
 from equilibrium.wrench_sets import outline, space
 from equilibrium.wrench_sets.images import StateImages
 from equilibrium.wrench_sets.outline import outline_of

@@ -4,10 +4,10 @@ import pytest
 from hypothesis import given, settings, strategies as st
 
 from arrangement.errors import InputError
-from equilibrium.io.files import read_grasp
+from equilibrium.decide.verdict import solve
+from equilibrium.grasps.files import read_grasp
 from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import Grasp
-from equilibrium.verdict import solve
 from equilibrium.wrench_sets.gaps import gaps
 from equilibrium.wrench_sets.line import resisted_magnitudes
 

@@ -4,13 +4,13 @@ from itertools import pairwise
 import pytest
 from hypothesis import given, settings, strategies as st
 
-from arrangement.polyhedra.intervals import holds, remainder, union
-from arrangement.polyhedra.polyhedron import from_conditions
-from equilibrium.io.files import read_grasp
+from arrangement.numbers.linear.intervals import holds, remainder, union
+from arrangement.numbers.linear.polyhedron import from_conditions
+from equilibrium.decide.verdict import solve
+from equilibrium.grasps.files import read_grasp
 from equilibrium.model.contact import Contact
 from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import Grasp
-from equilibrium.verdict import solve
 from equilibrium.wrench_sets.directions import counter_clockwise, sectors
 from equilibrium.wrench_sets.outline import outline_of
 from equilibrium.wrench_sets.plane import polygon_cycle, resisted_region

@@ -4,14 +4,14 @@ from itertools import combinations, product
 import sympy
 from hypothesis import given, settings, strategies as st
 
-from arrangement import linprog
-from arrangement.cones import generators
-from arrangement.exact import dot
-from arrangement.polyhedra.polyhedron import from_conditions, from_generators
-from equilibrium.io.files import read_grasp
+from arrangement.numbers.exact import dot
+from arrangement.numbers.linear import programs
+from arrangement.numbers.linear.cones import generators
+from arrangement.numbers.linear.polyhedron import from_conditions, from_generators
+from equilibrium.decide.verdict import solve
+from equilibrium.grasps.files import read_grasp
 from equilibrium.model.contact import Contact
 from equilibrium.model.grasp import Grasp
-from equilibrium.verdict import solve
 from equilibrium.wrench_sets.line import resisted_magnitudes
 from equilibrium.wrench_sets.space import StateImages, resisted_set
 from equilibrium.wrench_sets.spatial import spatial_magnitudes
@@ -82,8 +82,8 @@ def test_no_condition_of_a_polyhedron_is_redundant(generating):
         return
     for i, row in enumerate(shape.inequalities):
         others = [*shape.inequalities[:i], *shape.inequalities[i + 1 :]]
-        answer = linprog.minimize(row[:3], others, shape.equalities)
-        assert isinstance(answer, linprog.Unbounded) or answer.value + row[3] < 0
+        answer = programs.minimize(row[:3], others, shape.equalities)
+        assert isinstance(answer, programs.Unbounded) or answer.value + row[3] < 0
 
 
 @settings(max_examples=40)

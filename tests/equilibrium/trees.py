@@ -12,8 +12,8 @@ from itertools import product
 from random import Random
 from typing import Any
 
-from arrangement.exact import primitive, to_text
-from arrangement.linprog import Infeasible, feasible_point
+from arrangement.numbers.exact import primitive, to_text
+from arrangement.numbers.linear.programs import Infeasible, feasible_point
 from equilibrium import Grasp
 
 Generator = tuple[int, ...]

@@ -15,15 +15,14 @@ import subprocess
 import sys
 import tempfile
 from collections.abc import Iterable, Sequence
-from importlib.resources import files
 from pathlib import Path
 from typing import Any
 
-from arrangement.draw.html_page import BASE_SCRIPT, Template
-from arrangement.lab import lines
-from arrangement.lab.page import SHARED
-from equilibrium.draw import page as resist
-from equilibrium.lab import page as slip
+from arrangement.drawing.pages.html_page import BASE_SCRIPT, Template, place
+from arrangement.pictures.lab import lines
+from arrangement.pictures.lab.page import SHARED
+from equilibrium.pictures.lab import page as slip
+from equilibrium.pictures.pages import page as resist
 
 HERE = Path(__file__).parent
 #: The modules of each page, in their order.
@@ -45,7 +44,7 @@ OPTIONS = {
 
 def paths(templates: Iterable[Template]) -> list[Path]:
     """Return the files of templates."""
-    return [Path(str(files(package))) / "templates" / name for package, name in templates]
+    return [place(template) for template in templates]
 
 
 def node() -> bool:

@@ -9,7 +9,8 @@ from typing import Any
 import pytest
 
 from equilibrium import solve
-from proofs_check.claims import certificates, registry
+from proofs_check.claims import registry
+from proofs_check.claims.forces import certificates
 from proofs_check.instances.grasps import grasp_of
 from proofs_check.routes.leaves import leaf_count
 

@@ -15,8 +15,8 @@ from arrangement.errors import InputError
 from equilibrium import Grasp, check, read_grasp, solve
 from proofs_check import exercise
 from proofs_check.cli.program import main
+from proofs_check.course.exercise import FORMS, grade, load_exercises
 from proofs_check.errors import OwnClaimError
-from proofs_check.exercise import FORMS, grade, load_exercises
 
 GRASP = read_grasp("opposed-contacts")
 YES = solve(GRASP, (1, 0, 0)).certificate.to_dict()

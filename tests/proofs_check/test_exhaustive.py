@@ -11,7 +11,7 @@ from arrangement.arrangement import Arrangement
 from arrangement.library.census import PUBLISHED, PUBLISHED_SIMPLE, census
 from proofs_check import Kind, Verdict, evaluate, registry
 from proofs_check.instances.arrangements import census_cases
-from proofs_check.statement import exhaustive
+from proofs_check.statements.statement import exhaustive
 
 #: Text in `over` -> the types it promises.
 PROMISED = {

@@ -6,7 +6,7 @@ from fractions import Fraction
 
 from hypothesis import given, settings, strategies as st
 
-from equilibrium.verdict import solve
+from equilibrium.decide.verdict import solve
 from proofs_check.instances.grasps import grasp_of, paper_question
 from proofs_check.instances.paper_tables import FOUR_CONTACT_GRASP, THREE_CONTACT_GRASP
 from proofs_check.routes.fourier_motzkin import project

@@ -6,7 +6,7 @@ from fractions import Fraction
 
 import pytest
 
-from equilibrium.io.files import read_grasp
+from equilibrium.grasps.files import read_grasp
 from proofs_check.instances import paper_tables as printed
 from proofs_check.instances.grasps import grasp_of, paper_question
 

@@ -10,7 +10,7 @@ import pytest
 
 from arrangement import InputError
 from proofs_check.cli.program import main
-from proofs_check.printed_table import check_table
+from proofs_check.course.printed_table import check_table
 
 EXAMPLES = files("proofs_check.examples")
 

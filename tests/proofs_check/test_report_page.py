@@ -7,9 +7,9 @@ from pathlib import Path
 import pytest
 
 from proofs_check.claims import registry
-from proofs_check.evidence import evaluate
 from proofs_check.reports import report
 from proofs_check.reports.page import html_page
+from proofs_check.statements.evidence import evaluate
 from tests.browser import Browser
 
 IDS = ("single-solution", "step-1-square-bound", "fukuda-bound", "method-linear-compliance")

@@ -11,7 +11,7 @@ import arrangement.library.census
 from arrangement.arrangement import Arrangement
 from arrangement.enumeration.paper_steps import published_enumeration
 from proofs_check import Verdict, evaluate, registry
-from proofs_check.claims import steps, types
+from proofs_check.claims.planes import steps, types
 from proofs_check.instances.arrangements import simple_arrangement
 from proofs_check.routes.dual_graph import from_covectors
 

@@ -14,13 +14,13 @@ from typing import Any
 import pytest
 from hypothesis import given, settings, strategies as st
 
-from arrangement import workers
+from arrangement.console import workers
 from arrangement.errors import WorkerError
 from proofs_check.claims import registry
 from proofs_check.cli.program import main
 from proofs_check.errors import SweepError
-from proofs_check.evidence import verdict_from
-from proofs_check.statement import Verdict
+from proofs_check.statements.evidence import verdict_from
+from proofs_check.statements.statement import Verdict
 from proofs_check.sweep import report as sweepreport, store
 from proofs_check.sweep.sweep import Plan, instance, merge, plan_sweep, run_chunk, sweep, total
 from proofs_check.sweep.sweepable import about, target

@@ -15,7 +15,8 @@ from pathlib import Path
 
 import pytest
 
-from arrangement import counts, counts_in_parts
+from arrangement import counts
+from arrangement.counts.classes import in_parts
 from arrangement.library import families
 from proofs_check.errors import SweepError
 from proofs_check.sweep import report as sweepreport, store
@@ -143,11 +144,11 @@ def test_a_cluster_counts_flats_in_parts(
     cluster: tuple[Path, list[subprocess.Popen[bytes]]],
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
-    monkeypatch.setattr(counts_in_parts, "_FEW", 0)
+    monkeypatch.setattr(in_parts, "_FEW", 0)
     address = json.loads(cluster[0].read_text(encoding="utf-8"))["address"]
     for planes in (families.resonance(5), families.h4(), families.simplicial(35, 1)):
         folder = tmp_path / str(len(planes))
-        spread = counts_in_parts.first_whitney_numbers_in_parts(planes, folder, dask=address)
+        spread = in_parts.first_whitney_numbers_in_parts(planes, folder, dask=address)
         assert spread == counts.first_whitney_numbers(planes)
 
 

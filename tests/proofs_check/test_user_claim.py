@@ -13,15 +13,15 @@ from hypothesis import given, settings, strategies as st
 
 from arrangement import Arrangement, dual_polyhedron, read_arrangement
 from arrangement.library.census import census
-from equilibrium.io.files import read_grasp
+from equilibrium.grasps.files import read_grasp
 from equilibrium.model.grasp import Grasp
 from proofs_check import claim
 from proofs_check.cli.program import main
 from proofs_check.errors import OwnClaimError, UnknownDomainError
-from proofs_check.evidence import evaluate
 from proofs_check.instances.domains import DOMAINS, domain, known_families, size
-from proofs_check.shrink import shrink, smaller_instances
-from proofs_check.statement import Verdict
+from proofs_check.own_claims.shrink import shrink, smaller_instances
+from proofs_check.statements.evidence import evaluate
+from proofs_check.statements.statement import Verdict
 
 HEAD = "from proofs_check import claim\n"
 

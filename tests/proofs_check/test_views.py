@@ -13,9 +13,9 @@ import pytest
 
 from arrangement import Arrangement
 from arrangement.library.families import generic
-from equilibrium.io.files import read_grasp
-from proofs_check.reports.environment import commit
+from equilibrium.grasps.files import read_grasp
 from proofs_check.reports.pictures import pictures
+from proofs_check.reports.report import commit
 
 
 def drawn(instance: dict[str, Any] | None) -> list[str]:

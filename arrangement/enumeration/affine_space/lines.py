@@ -12,11 +12,11 @@ from dataclasses import dataclass, fields
 
 import numpy as np
 
+from arrangement.console.progress import watched
 from arrangement.enumeration.packing import Bits, Words, pack, unit_words
 from arrangement.errors import ArrangementError
-from arrangement.exact import quotient
-from arrangement.float_filter import Floats, Signs
-from arrangement.progress import watched
+from arrangement.numbers.exact import quotient
+from arrangement.numbers.float_filter import Floats, Signs
 
 from .predicates import Indices, PlaneTable
 

@@ -4,13 +4,13 @@ from __future__ import annotations
 
 import numpy as np
 
-from arrangement.coefficients import Integers
 from arrangement.enumeration import great_circles
 from arrangement.enumeration.reduction import from_dimension, in_dimension, joined
 from arrangement.enumeration.sequence import Level, Rows, Signs, no_faces
-from arrangement.exact import dot
-from arrangement.linear import cut, unit_vectors
-from arrangement.planes import Planes
+from arrangement.numbers.coefficients import Integers
+from arrangement.numbers.exact import dot
+from arrangement.numbers.linear.rank import cut, unit_vectors
+from arrangement.planes.planes import Planes
 
 from .faces import space_levels
 

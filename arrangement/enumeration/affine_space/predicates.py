@@ -11,8 +11,8 @@ determinant of three normals and D4 that of four rows,
 
 Error bound. A row is divided by a power of two, which moves nothing, and rounded to floats. All
 determinants are sums of products; no product takes more than `_ROUNDINGS`, in any order of
-summation, so `arrangement.float_filter` bounds the error. S = 0 proves that the determinant is 0:
-four planes through the origin need no integers.
+summation, so `arrangement.numbers.float_filter` bounds the error. S = 0 proves that the
+determinant is 0: four planes through the origin need no integers.
 
 Small integers. For entries up to B, the six products of D4 and each partial sum are at most
 ``24 B^4`` (each D and M at most ``2 B^2``), those of all other determinants less. If that is at
@@ -27,8 +27,8 @@ from typing import Any, TypeAlias
 import numpy as np
 from numpy.typing import NDArray
 
-from arrangement.exact import IntegerVector, largest
-from arrangement.float_filter import (
+from arrangement.numbers.exact import IntegerVector, largest
+from arrangement.numbers.float_filter import (
     EXACT,
     UNUSABLE,
     Floats,

@@ -12,10 +12,10 @@ from typing import TypeAlias
 
 import numpy as np
 
+from arrangement.console.short_repr import Shown
 from arrangement.errors import InputError
-from arrangement.exact import IntegerVector, primitive, unoriented
-from arrangement.planes import Planes
-from arrangement.short_repr import Shown
+from arrangement.numbers.exact import IntegerVector, primitive, unoriented
+from arrangement.planes.planes import Planes
 
 from .crossings import Crossings, sort_crossings
 from .incidence import Incidence, Indices

@@ -25,9 +25,9 @@ from functools import cmp_to_key
 import numpy as np
 from numpy.typing import NDArray
 
-from arrangement.exact import IntegerVector
-from arrangement.float_filter import Signs
-from arrangement.linear import triple_product
+from arrangement.numbers.exact import IntegerVector
+from arrangement.numbers.float_filter import Signs
+from arrangement.numbers.linear.rank import triple_product
 
 from .predicates import ExactSigns, FilteredSigns, Indices, Integers
 

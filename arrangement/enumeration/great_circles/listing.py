@@ -7,10 +7,10 @@ from typing import TypeAlias
 import numpy as np
 from numpy.typing import NDArray
 
-from arrangement.coefficients import Integers
 from arrangement.enumeration.reduction import cone, from_dimension, in_dimension, upper_half
 from arrangement.enumeration.sequence import Level, Rows
-from arrangement.planes import Planes
+from arrangement.numbers.coefficients import Integers
+from arrangement.planes.planes import Planes
 
 from .arrangement import SphereArrangement, sphere_arrangement
 from .signs import PackedSigns, unpack

@@ -31,8 +31,8 @@ from typing import Any, TypeAlias
 import numpy as np
 from numpy.typing import NDArray
 
-from arrangement.exact import largest
-from arrangement.float_filter import (
+from arrangement.numbers.exact import largest
+from arrangement.numbers.float_filter import (
     EXACT,
     UNUSABLE,
     Booleans,

@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 
 from arrangement.enumeration.sequence import primitive_rows
 from arrangement.errors import ArrangementError
-from arrangement.exact import IntegerVector
+from arrangement.numbers.exact import IntegerVector
 
 from .incidence import Incidence, Indices
 from .predicates import Integers, integer_array, turns

@@ -16,12 +16,11 @@ from numpy.typing import NDArray
 from arrangement.arrangement import Arrangement
 from arrangement.counts.oriented_matroid import chirotope
 from arrangement.errors import InputError
-from arrangement.exact import shown, sign
 from arrangement.library.families import perles
-from arrangement.linear import triple_product
+from arrangement.numbers.exact import shown, sign
+from arrangement.numbers.linear.rank import triple_product
 
-from .chirotopes import Signs, chirotope_of, regions
-from .codes import Integers, canonical
+from .chirotopes import Integers, Signs, canonical, chirotope_of, regions
 from .final_polynomials import Comparison
 
 #: The largest number of planes in the shipped list.

@@ -22,7 +22,7 @@ from typing import NamedTuple, TypeAlias
 
 import numpy as np
 
-from arrangement.linprog import Infeasible, feasible_point
+from arrangement.numbers.linear.programs import Infeasible, feasible_point
 
 from .chirotopes import triples
 

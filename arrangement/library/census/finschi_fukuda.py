@@ -21,13 +21,12 @@ from itertools import combinations
 import numpy as np
 from numpy.typing import NDArray
 
-from arrangement import terminal
-from arrangement.io.writing import write_bytes_atomically
-from arrangement.progress import watched
+from arrangement.console import terminal
+from arrangement.console.progress import watched
+from arrangement.console.writing import write_bytes_atomically
 
 from .catalogue import MOST_PLANES, PUBLISHED, chirotopes, without_coordinates
-from .chirotopes import Signs, alternating, pairs
-from .codes import Integers
+from .chirotopes import Integers, Signs, alternating, pairs
 
 #: Chirotopes that are worked on together.
 _TOGETHER = 200

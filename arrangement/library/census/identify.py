@@ -13,11 +13,10 @@ from arrangement.arrangement import Arrangement
 from arrangement.errors import InputError
 from arrangement.library.families import braid, coordinate, near_pencil, simplicial, type_b
 from arrangement.library.families.simplicial import simplicial_entries
-from arrangement.planes import Planes
+from arrangement.planes.planes import Planes
 
 from .catalogue import MOST_PLANES, chirotopes, exact_chirotope, normals, places
-from .chirotopes import Signs, t_vectors
-from .codes import Coded, canonical, carried
+from .chirotopes import Coded, Signs, canonical, carried, t_vectors
 
 
 @dataclass(frozen=True)

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import math
 
-from arrangement import budget
 from arrangement.errors import InputError
-from arrangement.exact import shown
+from arrangement.numbers import budget
+from arrangement.numbers.exact import shown
 
 
 def at_least(value: int, least: int, name: str) -> int:

@@ -5,10 +5,9 @@ from __future__ import annotations
 from itertools import combinations, permutations, product
 from math import comb
 
-from arrangement.algebraic_number import AlgebraicNumber
 from arrangement.arrangement import Arrangement
-from arrangement.linear import unit_vectors
-from arrangement.number_field import NumberField
+from arrangement.numbers.linear.rank import unit_vectors
+from arrangement.numbers.number_field import AlgebraicNumber, NumberField
 
 from .checks import at_least, planned
 

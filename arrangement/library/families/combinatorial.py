@@ -5,8 +5,8 @@ from __future__ import annotations
 from itertools import product
 from math import comb
 
-from arrangement import budget
 from arrangement.arrangement import Arrangement
+from arrangement.numbers import budget
 
 from .checks import at_least, planned
 from .classical import sums

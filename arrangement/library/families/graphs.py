@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING
 
 from arrangement.arrangement import Arrangement
 from arrangement.errors import InputError
-from arrangement.exact import shown
+from arrangement.numbers.exact import shown
 
 if TYPE_CHECKING:
     import networkx as nx

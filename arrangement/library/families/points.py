@@ -6,11 +6,11 @@ import math
 from collections.abc import Callable, Iterator, Mapping
 from itertools import combinations, permutations, product
 
-from arrangement import budget
 from arrangement.arrangement import Arrangement
 from arrangement.errors import InputError
-from arrangement.exact import IntegerVector, shown
-from arrangement.linear import determinant
+from arrangement.numbers import budget
+from arrangement.numbers.exact import IntegerVector, shown
+from arrangement.numbers.linear.rank import determinant
 
 from .checks import at_least, planned
 from .randoms import random_integer

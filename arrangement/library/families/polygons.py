@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from itertools import accumulate
 
-from arrangement.algebraic_number import Real
 from arrangement.arrangement import Arrangement
 from arrangement.errors import InputError
-from arrangement.exact import quotient, shown
-from arrangement.polynomials import MAX_DEGREE
-from arrangement.real_entries import real_vector
+from arrangement.numbers.exact import quotient, shown
+from arrangement.numbers.number_field import Real
+from arrangement.numbers.polynomials import MAX_DEGREE
+from arrangement.numbers.real_entries import real_vector
 
 from .checks import at_least
 
@@ -27,7 +27,7 @@ def regular(planes: int) -> Arrangement:
 
     Raises:
         InputError: a number of planes that is neither even nor 4k + 1, or too small; or a cosine
-            of a degree above `arrangement.polynomials.MAX_DEGREE`.
+            of a degree above `arrangement.numbers.polynomials.MAX_DEGREE`.
 
     >>> regular(10).f_vector
     (1, 32, 90, 60)

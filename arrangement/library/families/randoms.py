@@ -6,7 +6,7 @@ from math import isqrt
 from random import Random
 
 from arrangement.arrangement import Arrangement
-from arrangement.exact import IntegerVector
+from arrangement.numbers.exact import IntegerVector
 
 from .checks import at_least, planned
 

@@ -11,7 +11,7 @@ import re
 
 from arrangement.arrangement import Arrangement
 from arrangement.errors import InputError
-from arrangement.exact import IntegerVector, shown
+from arrangement.numbers.exact import IntegerVector, shown
 
 from .classical import h3, h4
 from .polygons import mirrors

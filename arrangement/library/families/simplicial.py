@@ -29,7 +29,7 @@ from typing import Any
 
 from arrangement.arrangement import Arrangement
 from arrangement.errors import InputError
-from arrangement.number_field import NumberField
+from arrangement.numbers.number_field import NumberField
 
 from .polygons import regular
 

@@ -8,7 +8,8 @@ from importlib.resources.abc import Traversable
 
 def paths() -> dict[str, Traversable]:
     """Return the built-in arrangements: their files by name."""
-    found = {path.name: path for path in files(__name__).iterdir()}
+    folders = (folder for folder in files(__name__).iterdir() if folder.is_dir())
+    found = {path.name: path for folder in folders for path in folder.iterdir()}
     return {
         name.removesuffix(".json"): found[name] for name in sorted(found) if name.endswith(".json")
     }

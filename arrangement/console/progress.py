@@ -1,0 +1,168 @@
+"""What is done, the rate and the remaining time: a line on stderr that changes on a terminal.
+
+Elsewhere (a pipe, a log) what takes more than two seconds prints a line for an item that is
+finished, at growing distances. Long loops of the packages run over `watched` items. They show
+nothing by themselves; a command turns their line on with `shown`, and `note` too.
+"""
+
+from __future__ import annotations
+
+import sys
+import time
+from collections.abc import Callable, Iterable, Iterator, Sized
+from contextlib import contextmanager
+from contextvars import ContextVar
+from typing import TypeVar
+
+from arrangement.numbers import budget
+
+Item = TypeVar("Item")
+
+_WIDTH = 24
+_PAUSE = 0.2
+#: Seconds of the processor after which a loop is asked how long it will take.
+_MEASURED = 0.8
+#: Loops that end sooner show no line.
+_PATIENCE = 1.0
+#: Seconds to the first line in a pipe, and the longest time between two.
+_FIRST, _LONGEST = 2.0, 60.0
+
+#: Whether `watched` loops show a line.
+_wanted: ContextVar[bool] = ContextVar("_wanted", default=False)
+
+
+def on_terminal() -> bool:
+    """Return whether someone reads stderr on a terminal."""
+    return sys.stderr.isatty()
+
+
+@contextmanager
+def shown(wanted: bool = True) -> Iterator[None]:
+    """Let the loops over `watched` items inside show their line, or keep them quiet."""
+    token = _wanted.set(wanted)
+    try:
+        yield
+    finally:
+        _wanted.reset(token)
+
+
+def note(text: str) -> None:
+    """Say on stderr, inside `shown`, what was left out or replaced."""
+    if _wanted.get():
+        print(text, file=sys.stderr)
+
+
+def watched(items: Iterable[Item], unit: str, total: int | None = None) -> Iterable[Item]:
+    """Return the items; inside `shown` a line tells how many are done, if it takes a while.
+
+    Of nested loops the outermost tells. One that will not end within the budget is refused as soon
+    as its pace is known.
+
+    Args:
+        unit: of what, in the plural.
+        total: their number, if they have no length.
+    """
+    if not _wanted.get():
+        return items
+    known = len(items) if isinstance(items, Sized) else total
+    return _telling(items, Bar(known, unit, patience=_PATIENCE))
+
+
+def _telling(items: Iterable[Item], bar: Bar) -> Iterator[Item]:
+    outermost = _wanted.get()
+    _wanted.set(False)
+    began, asked = time.process_time(), False
+    try:
+        for done, item in enumerate(items, start=1):
+            yield item
+            if not outermost:
+                continue
+            bar.update(done)
+            passed = time.process_time() - began
+            if bar.total and not asked and passed > _MEASURED:
+                asked = True
+                text = f"{bar.total:,} {bar.unit}, of which {done:,} are done"
+                budget.ask(text, seconds=passed / done * bar.total)
+    finally:
+        bar.close()
+        _wanted.set(outermost)
+
+
+class Bar:
+    """Progress of a known or unknown total.
+
+    Args:
+        total: what is to be done; None if unknown (see `begin`).
+        unit: of what, in the plural.
+        started_with: what was done before, so that the rate is of this run alone.
+        patience: seconds before anything is written on a terminal.
+        piped: whether anything is written when stderr is no terminal.
+    """
+
+    def __init__(
+        self,
+        total: int | None,
+        unit: str,
+        started_with: int = 0,
+        clock: Callable[[], float] = time.monotonic,
+        patience: float = 0.0,
+        piped: bool = True,
+    ) -> None:
+        self.total, self.unit, self.first, self.done = total, unit, started_with, started_with
+        self._clock = clock
+        self._start = clock()
+        self._drawn: float | None = None
+        self._terminal = on_terminal()
+        self._due = self._start + (patience if self._terminal else _FIRST)
+        self.note = ""
+        self.visible = self._terminal or piped
+
+    def begin(self, done: int, total: int) -> None:
+        """Say what was done before, and the total, once both are known."""
+        self.first, self.total, self._start = done, total, self._clock()
+
+    def update(self, done: int, note: str | None = None) -> None:
+        """Say how much is done now, and what is at work."""
+        self.done = done
+        self.note = self.note if note is None else note
+        now = self._clock()
+        if not self.visible or now < self._due:
+            return
+        if self._terminal:
+            self._drawn, self._due = now, now + _PAUSE
+            print(f"\r\x1b[K{self.text()}", end="", file=sys.stderr, flush=True)
+        else:
+            self._due = now + min(max(_FIRST, (now - self._start) / 4), _LONGEST)
+            print(self.text(), file=sys.stderr, flush=True)
+
+    def close(self) -> None:
+        """Take the line away."""
+        if self._drawn is not None:
+            print("\r\x1b[K", end="", file=sys.stderr, flush=True)
+
+    def text(self) -> str:
+        """Return the line: a bar, numbers, the rate, the remaining time, what is at work."""
+        return f"{self._numbers()}: {self.note}" if self.note else self._numbers()
+
+    def _numbers(self) -> str:
+        passed = self._clock() - self._start
+        rate = (self.done - self.first) / passed if passed > 0 else 0.0
+        speed = f"{rate:.3g} {self.unit}/s"
+        if self.total is None:
+            return f"{self.done} {self.unit}, {speed}"
+        filled = _WIDTH * self.done // self.total if self.total else _WIDTH
+        bar = f"[{'#' * filled}{'.' * (_WIDTH - filled)}]"
+        left = duration((self.total - self.done) / rate) if rate > 0 else "?"
+        return f"{bar} {self.done}/{self.total} {self.unit}, {speed}, {left} left"
+
+
+def duration(seconds: float) -> str:
+    """Return a time in hours, minutes and seconds, rounded up.
+
+    >>> duration(3725), duration(59.2)
+    ('1:02:05', '1:00')
+    """
+    whole = int(-(-seconds // 1))
+    minutes, rest = divmod(whole, 60)
+    hours, minutes = divmod(minutes, 60)
+    return f"{hours}:{minutes:02}:{rest:02}" if hours else f"{minutes}:{rest:02}"

@@ -1,0 +1,351 @@
+"""What the three commands share: arguments, one JSON object a line, errors, exit codes.
+
+Exit codes: 0 yes (or done), 1 no (or refuted), 2 bad input or output that cannot be written,
+70 a fault of the program (``--traceback`` shows where).
+Answers go to stdout, everything else to stderr. With ``--json``, stdout carries nothing but JSON.
+Long loops show how far they are, on a terminal (`progress`).
+This module imports no numerical library, so that ``--help`` answers at once.
+"""
+
+from __future__ import annotations
+
+import argparse
+import json
+import math
+import os
+import re
+import sys
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from difflib import get_close_matches
+from fractions import Fraction
+from itertools import takewhile
+from pathlib import Path
+from typing import Any, NoReturn
+
+from arrangement.errors import InputError, MissingExtraError
+from arrangement.numbers import budget
+from arrangement.numbers.exact import rational, shown
+from arrangement.numbers.number_field import AlgebraicNumber, written
+
+from . import number_form, progress
+from .entry import fault
+
+YES = 0
+NO = 1
+_BAD_INPUT = 2
+#: Neither yes nor no was proved.
+UNDECIDED = 3
+#: What a shell reports for a program that SIGINT or SIGPIPE ended (128 + the signal's number).
+_INTERRUPTED = 130
+_BROKEN_PIPE = 141
+
+#: Most things that one command does one after the other.
+MOST = 1_000_000
+_NEGATIVE_NUMBER = re.compile(r"-\.?[0-9]")
+_WITH_UNIT = re.compile(r"[-+]?[0-9./]+ ?[A-Za-z]+")
+
+
+class Parser(argparse.ArgumentParser):
+    """An argument parser that takes ``-1/2`` and ``-0.25`` as values, not as options.
+
+    A subcommand's parser names its function with ``set_defaults(command=function)``; the function
+    takes the parsed arguments and returns an exit code (see `run`).
+    """
+
+    def __init__(self, **options: Any) -> None:
+        options.setdefault("allow_abbrev", False)
+        super().__init__(**options)
+        # argparse asks this pattern which words that start with "-" are values.
+        self._negative_number_matcher = _NEGATIVE_NUMBER
+
+        #: Adds the options that take time to find out, when they are asked for.
+        self.later: Callable[[], None] | None = None
+        #: Options that take so many numbers or more, as many as there are.
+        self.growing: list[argparse.Action] = []
+        self._words: Sequence[str] = ()
+
+    def parse_known_args(self, args: Any = None, namespace: Any = None) -> Any:
+        """Parse, with all options; ``--help`` comes through here too."""
+        later, self.later = self.later, None
+        if later is not None:
+            later()
+        words = sys.argv[1:] if args is None else args
+        self._words = words
+        found, rest = super().parse_known_args(list(self._separated(words)), namespace)
+        for word in rest:
+            self.error(self._unknown(word))
+        for action in self._actions:
+            if getattr(found, action.dest, None) == "" and action.dest != "title":
+                name = "/".join(action.option_strings) or action.metavar
+                self.error(f"argument {name}: it is empty; give a name")
+        return found, rest
+
+    def _separated(self, words: Sequence[str]) -> Iterator[str]:
+        """Split ``0,1,0`` and ``0, 1, 0``, in one word or several, where several are taken."""
+        due = 0
+        for i, word in enumerate(words):
+            name, equals, value = word.partition("=")
+            option = self._option_string_actions.get(name)
+            if option is not None:
+                if option in self.growing:
+                    given = [value, *words[i + 1 :]] if equals else words[i + 1 :]
+                    option.nargs = max(option.nargs, _numbers(given))  # type: ignore[type-var]
+                due = _numbers_after(option)
+            if option is not None and due and equals:
+                yield name
+                word = value
+            elif option is not None or not due:
+                yield word
+                continue
+            parts = re.split(r"[\s,]+", word.strip(", "))
+            due = max(due - len(parts), 0)
+            yield from parts
+
+    def _check_value(self, action: argparse.Action, value: Any) -> None:
+        """Name the nearest choices of a misspelt one."""
+        if action.choices is not None and value not in action.choices:
+            known = list(action.choices)
+            text = f"there is no {shown(value)}; known are {', '.join(known)}{_meant(value, known)}"
+            raise argparse.ArgumentError(action, text)
+
+    def _unknown(self, word: str) -> str:
+        kind = "option" if word.startswith("-") else "place for"
+        return f"there is no {kind} {shown(word)}{_meant(word, self._option_string_actions)}"
+
+    def error(self, message: str) -> NoReturn:
+        """Print one line with the error to stderr; exit with 2.
+
+        Where something is missing, an option that is misspelt may be it.
+        """
+        options = (word.partition("=")[0] for word in self._words if word[:2] == "--" != word)
+        misspelt = (word for word in options if word not in self._option_string_actions)
+        if "required" in message and (word := next(misspelt, None)):
+            message = self._unknown(word)
+        for action in self._actions:
+            if action.choices and message.endswith(f"required: {action.metavar}"):
+                message += f"; known are {', '.join(map(str, action.choices))}"
+        self.exit(_BAD_INPUT, f"error: {printable(message)} ({self.prog} --help tells more)\n")
+
+
+def _numbers_after(option: argparse.Action) -> int:
+    """Return how many numbers an option takes at most."""
+    if option.nargs == "+" and option.type is rational_argument:
+        return MOST
+    return option.nargs if isinstance(option.nargs, int) else 0
+
+
+def _numbers(words: Sequence[str]) -> int:
+    """Return how many numbers come first, in one word or several."""
+    parts = (part for word in words for part in re.split(r"[\s,]+", word.strip(", ")))
+    return sum(1 for _ in takewhile(re.compile(r"[-+]?[.]?[0-9]").match, parts))
+
+
+def _meant(word: str, known: Iterable[str]) -> str:
+    near = get_close_matches(word, known, 3)
+    return f"; did you mean {' or '.join(near)}?" if near else ""
+
+
+class _Version(argparse.Action):
+    """Print the version of the distribution, read only when it is asked for."""
+
+    def __init__(self, option_strings: Sequence[str], dest: str, **options: Any) -> None:
+        super().__init__(option_strings, argparse.SUPPRESS, nargs=0, help="print the version")
+
+    def __call__(self, parser: argparse.ArgumentParser, *_: Any) -> NoReturn:
+        from arrangement import __version__
+
+        print(f"{parser.prog} {__version__}")
+        parser.exit(YES)
+
+
+def command_parser(prog: str, description: str) -> Parser:
+    """Return the parser of one program, with ``--version`` and no subcommand yet."""
+    parser = Parser(prog=prog, description=description)
+    parser.add_argument("--version", action=_Version)
+    return parser
+
+
+def add_common_options(parser: argparse.ArgumentParser) -> None:
+    """Add ``--json``, ``--limit`` and ``--traceback``, which every command has."""
+    parser.add_argument(
+        "--json", action="store_true", help="print JSON on stdout, and nothing else"
+    )
+    parser.add_argument(
+        "--limit",
+        type=times_argument,
+        default=1.0,
+        metavar="TIMES",
+        help="let it take so many times the usual faces, bytes and seconds",
+    )
+    parser.add_argument(
+        "--traceback", action="store_true", help="after a fault of the program, show where it was"
+    )
+
+
+def times_argument(text: str) -> float:
+    """Read how many times the budget is allowed."""
+    try:
+        return float(rational_argument(text))
+    except OverflowError:
+        return math.inf
+
+
+def add_jobs_option(parser: argparse.ArgumentParser) -> None:
+    """Add the number of processes."""
+    parser.add_argument(
+        "--jobs", type=integer_argument, default=1, metavar="N", help="processes (default: 1)"
+    )
+
+
+def add_worker_options(parser: argparse.ArgumentParser) -> None:
+    """Add who does the parts of a long computation: processes, machines or a cluster."""
+    add_jobs_option(parser)
+    parser.add_argument(
+        "--shard",
+        type=_shard,
+        default=(1, 1),
+        metavar="I/N",
+        help="do only the I-th of N parts, for machines without a cluster",
+    )
+    parser.add_argument("--dask", metavar="ADDRESS", help="of a scheduler that has workers")
+
+
+def _shard(text: str) -> tuple[int, int]:
+    """Read 2/5."""
+    found = re.fullmatch(r"([0-9]{1,6})/([0-9]{1,6})", text, re.ASCII)
+    if found is None or not 1 <= int(found[1]) <= int(found[2]):
+        raise argparse.ArgumentTypeError(
+            f"{text!r} is not a shard; write 2/5 for the second of five"
+        )
+    return int(found[1]), int(found[2])
+
+
+def add_number_options(parser: argparse.ArgumentParser) -> None:
+    """Add ``--exact`` and ``--digits``, for commands that print numbers; `run` heeds them."""
+    form = parser.add_mutually_exclusive_group()
+    form.add_argument("--exact", action="store_true", help="print every number exactly")
+    text = f"of numbers that are too long to be printed exactly (default: {number_form.DIGITS})"
+    form.add_argument("--digits", type=_digits, metavar="N", help=text)
+
+
+def _digits(text: str) -> int:
+    if not text.isascii() or not text.isdigit() or not 1 <= int(text[:5]) <= 1000:
+        raise argparse.ArgumentTypeError(f"{shown(text)} digits; give 1 to 1000")
+    return int(text)
+
+
+def rational_argument(text: str) -> Fraction:
+    """Read an exact number from the command line (the ``type=`` of an argument)."""
+    if _WITH_UNIT.fullmatch(text):
+        raise argparse.ArgumentTypeError(
+            f"{shown(text)} has a unit; write the number alone: lengths and forces are in the "
+            "units of the grasp, times in seconds (lengths on paper may have units)"
+        )
+    try:
+        return rational(text, "value")
+    except InputError as error:
+        raise argparse.ArgumentTypeError(str(error)) from None
+
+
+def count_argument(text: str) -> int:
+    """Read a number of things to do, one after the other, or a seed."""
+    if re.fullmatch(r"[0-9]{1,9}", text, re.ASCII) is None or int(text) > MOST:
+        raise argparse.ArgumentTypeError(
+            f"{shown(text)} is no whole number from 0 to {MOST}; more takes days: go in parts"
+        )
+    return int(text)
+
+
+def integer_argument(text: str) -> int:
+    """Read a whole number of ordinary size, such as a dimension or a seed."""
+    if re.fullmatch(r"-?[0-9]{1,18}", text, re.ASCII) is None:
+        raise argparse.ArgumentTypeError(f"{shown(text)} is no whole number of up to 18 digits")
+    return int(text)
+
+
+def length_argument(text: str) -> float:
+    """Read a length on paper or of a model, which is no exact number."""
+    try:
+        return float(rational_argument(text))
+    except OverflowError:
+        raise argparse.ArgumentTypeError(f"{shown(text)} is too long for paper") from None
+
+
+def run(parser: Parser, argv: Sequence[str] | None = None) -> int:
+    """Parse the arguments, call the subcommand, and return its exit code.
+
+    Bad input ends with one line ``error: ...`` on stderr and exit code 2, without a traceback;
+    whatever is not expected, with one line and exit code 70. A reader that closes the pipe
+    (``| head``) ends the command quietly.
+    """
+    if sys.stderr is None:  # closed by the shell; print would write to stdout instead
+        sys.stderr = Path(os.devnull).open("w", encoding="utf-8")  # noqa: SIM115
+    if sys.stdout is None:
+        return _refuse("standard output is closed, so there is nowhere to answer; open it")
+    try:
+        arguments = parser.parse_args(argv)
+        exact = any(getattr(arguments, name, False) for name in ("json", "exact"))
+        form = number_form.Form(exact, getattr(arguments, "digits", None) or number_form.DIGITS)
+        with budget.limit(getattr(arguments, "limit", 1.0)), progress.shown(), form.used():
+            code: int = arguments.command(arguments)
+        sys.stdout.flush()
+    except (InputError, MissingExtraError) as error:
+        return _refuse(str(error))
+    except MemoryError:
+        _discard_stdout()
+        return _refuse("there is not enough memory on this machine for it; ask for less")
+    except BrokenPipeError:
+        _discard_stdout()
+        return _BROKEN_PIPE
+    except OSError as error:
+        _discard_stdout()
+        return _refuse(f"cannot write the output: {error.strerror or error}")
+    except KeyboardInterrupt:
+        return _INTERRUPTED
+    except Exception as error:
+        _discard_stdout()
+        return fault(error, argv)
+    return code
+
+
+def print_json(value: Any) -> None:
+    """Print one JSON value on one line of stdout; rationals become strings such as ``"7/3"``."""
+    print(json.dumps(value, default=_encode, allow_nan=False))
+
+
+def print_names(described: Mapping[str, str], as_json: bool) -> int:
+    """Print names with their descriptions, one a line."""
+    if as_json:
+        print_json({"names": [{"name": n, "description": text} for n, text in described.items()]})
+        return YES
+    width = max(map(len, described), default=0)
+    for name, text in described.items():
+        print(f"{name:<{width}}  {text}".rstrip())
+    return YES
+
+
+def printable(text: str) -> str:
+    """Return text that is safe on a terminal: control characters and stray bytes are escaped."""
+    return "".join(c if c.isprintable() else ascii(c)[1:-1] for c in text)
+
+
+def _encode(value: Any) -> str | list[str]:
+    if isinstance(value, (Fraction, AlgebraicNumber)):
+        return written(value)
+    raise TypeError(f"{type(value).__name__} has no JSON form")
+
+
+def _refuse(message: str) -> int:
+    print(f"error: {printable(message)}", file=sys.stderr)
+    return _BAD_INPUT
+
+
+def _discard_stdout() -> None:
+    """Send what is still buffered nowhere, so that the interpreter does not complain at exit."""
+    try:
+        descriptor = sys.stdout.fileno()
+    except (OSError, ValueError):
+        return
+    devnull = os.open(os.devnull, os.O_WRONLY)
+    os.dup2(devnull, descriptor)
+    os.close(devnull)

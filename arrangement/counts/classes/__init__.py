@@ -1,0 +1,1 @@
+"""Counts by classes of flats under the symmetries of the normals, also in parts."""

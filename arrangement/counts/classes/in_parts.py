@@ -1,0 +1,259 @@
+"""Whitney numbers of large arrangements, in parts that are files: resumed, shared, spread.
+
+The flats of a rank are split in parts by a hash of what stands for their class; the lower half of
+the ranks, which has few, is one part each. A file holds what comes up from one part, split for the
+rank after. So a part needs its share of every file of the rank before and nothing else, every class
+has one part, and it does not matter which process makes which file, or how often all are stopped.
+
+A folder has the file ``plan.json`` and a folder for each rank. Files appear whole or not at all.
+The files that others made of the same arrangement can be copied to it.
+"""
+
+from __future__ import annotations
+
+import io
+import json
+import math
+import time
+import zlib
+from collections.abc import Iterator
+from dataclasses import dataclass
+from fractions import Fraction
+from functools import lru_cache
+from pathlib import Path
+from typing import Any
+from zipfile import BadZipFile
+
+import numpy as np
+from numpy.typing import NDArray
+
+from arrangement.console import workers
+from arrangement.console.progress import note, watched
+from arrangement.console.writing import reason, write_bytes_atomically
+from arrangement.counts.configuration import Configuration, configuration
+from arrangement.errors import InputError, TimeLimitError, UnfinishedError
+from arrangement.numbers import budget
+from arrangement.numbers.exact import shown
+from arrangement.numbers.number_field import NumberField, field_of, written
+from arrangement.planes.planes import Planes
+
+from .automorphisms import Automorphisms
+from .symmetric import Classes, Flats, classes, deadline_after
+
+#: Parts of a rank in the upper half. More take less memory each; fewer see more repeats at once.
+PARTS = 64
+#: A rank with fewer flats is done in this process.
+_FEW = 20_000
+#: Flats that are put together at once.
+_MANY = 1 << 20
+_LAYOUT = 1
+_FACTOR = np.uint64(0xD6E8FEB86659FD93)
+
+
+def first_whitney_numbers_in_parts(
+    arrangement: Planes,
+    folder: str | Path,
+    *,
+    parts: int = PARTS,
+    jobs: int = 1,
+    shard: tuple[int, int] = (1, 1),
+    dask: str | None = None,
+    time_limit: float | None = None,
+) -> tuple[int, ...]:
+    """Return what `counts.first_whitney_numbers` does; what is done is kept in a folder.
+
+    Args:
+        folder: made when there is none; one with parts of the same arrangement is gone on with.
+        parts: of each rank in the upper half, in a new folder.
+        jobs: processes on this machine.
+        shard: (i, n): of each rank only every n-th part, beginning with the i-th.
+        dask: address of a scheduler; its workers must see the folder under the same path.
+        time_limit: in seconds.
+
+    Raises:
+        InputError: a bad argument, a folder of other planes or a damaged one, workers that die.
+        UnfinishedError: parts of others are missing, or (`TimeLimitError`) the time is over; its
+            `known` has the numbers that are final.
+        MissingExtraError: `dask` is given and not installed.
+    """
+    deadline = deadline_after(time_limit)
+    root = str(Path(folder).absolute())
+    if not workers.due(parts, shard, jobs):
+        raise InputError(f"parts is {shown(parts)} and shard {shard}; give a part to each shard")
+    _prepare(Path(root), configuration(arrangement), parts)
+    made = _made(root)
+
+    def residues() -> Iterator[NDArray[np.int64]]:
+        flats = 1
+        for rank in range(1, made.classes.rank):
+            parts = made.parts(rank)
+            missing = _missing(root, rank, parts)
+            due = workers.due(parts, shard, jobs) if parts > 1 else range(1)
+            todo = [part for part in due if part in missing]
+            done = workers.done(_run, (root, rank), todo, *((jobs, dask) if flats > _FEW else ()))
+            for _ in watched(done, f"parts of rank {rank}", len(todo)):
+                if time.monotonic() > deadline:
+                    raise TimeoutError
+            if missing := _missing(root, rank, parts):
+                raise _MissingPartsError(
+                    f"{parts - len(missing)} of the {parts} parts of rank {rank}"
+                )
+            files = [_read(root, rank, part, "residues", "flats") for part in range(parts)]
+            flats = sum(int(file["flats"]) for file in files)
+            yield np.sum([file["residues"] for file in files], axis=0)
+
+    known: list[int] = []
+    try:
+        with budget.limit(math.inf):  # what is done is kept
+            for rank, number in enumerate(made.classes.from_residues(residues())):
+                note(f"rank {rank}: Whitney number {number}")
+                known.append(number)
+    except TimeoutError:
+        raise TimeLimitError(
+            f"after {time_limit} seconds {_final(known)}; run the same command again to go on",
+            tuple(known),
+        ) from None
+    except _MissingPartsError as error:
+        raise UnfinishedError(
+            f"{folder} has {error}, and {_final(known)}; when the other shards are done and their "
+            "files are there too, run the same command again",
+            tuple(known),
+        ) from None
+    return tuple(known)
+
+
+class _MissingPartsError(Exception):
+    """Says how many parts there are."""
+
+
+def _final(known: list[int]) -> str:
+    return f"the first Whitney numbers {', '.join(map(str, known))} are final"
+
+
+def _prepare(root: Path, config: Configuration, parts: int) -> None:
+    """Write the plan of a new folder; refuse a folder that has another."""
+    plan = root / "plan.json"
+    vectors = [list(map(written, v)) for v in config.vectors]
+    infinity = config.infinity and list(map(written, config.infinity))
+    record: dict[str, Any] = {"layout": _LAYOUT, "rank": config.rank}
+    if field := field_of(x for vector in config.vectors for x in vector):
+        record["field"] = field.to_dict()
+    record |= {"vectors": vectors, "infinity": infinity}
+    if not config.rank:
+        raise InputError("there are no planes to count in parts")
+    search = Automorphisms(config)
+    try:
+        if not plan.exists():
+            for rank in range(1, config.rank):
+                _place(str(root), rank, 0).parent.mkdir(parents=True, exist_ok=True)
+            record |= {"parts": parts, "generators": search.generators().tolist()}
+            content = json.dumps(record)
+            write_bytes_atomically(plan, content.encode())
+        found = json.loads(plan.read_bytes())
+    except (OSError, ValueError) as error:
+        raise InputError(f"cannot use the folder {root}: {reason(error)}; name another") from None
+    if not isinstance(found, dict) or any(found.get(key) != record[key] for key in record):
+        raise InputError(f"{root} has parts of other planes; name another folder")
+    try:  # a file may come from anywhere
+        search.verified(found["generators"])
+        if not found["parts"] >= 1:
+            raise ValueError(found["parts"])
+    except (KeyError, TypeError, ValueError, IndexError):
+        raise InputError(
+            f"{plan} has other parts or symmetries than planes can have; name another folder"
+        ) from None
+
+
+@dataclass(frozen=True)
+class _Made:
+    classes: Classes
+    most: int
+
+    def parts(self, rank: int) -> int:
+        """Return how many parts the flats below a rank have."""
+        return self.most if 2 * rank > self.classes.rank else 1
+
+
+@lru_cache(maxsize=1)
+def _made(root: str) -> _Made:
+    """Return what a folder is about; each process makes it once."""
+    plan = json.loads((Path(root) / "plan.json").read_bytes())
+    field = NumberField(*plan["field"].values()) if "field" in plan else None
+
+    def vector(entries: list[Any]) -> tuple[Any, ...]:
+        return tuple(
+            field.number(list(map(Fraction, x))) if field and isinstance(x, list) else int(x)
+            for x in entries
+        )
+
+    vectors = tuple(map(vector, plan["vectors"]))
+    infinity = plan["infinity"] and vector(plan["infinity"])
+    config = Configuration(vectors, infinity, plan["rank"])
+    size = len(vectors) + (infinity is not None)
+    generators = np.array(plan["generators"], dtype=np.intp).reshape(-1, size)
+    return _Made(classes(config, generators, math.inf), plan["parts"])
+
+
+def _run(plan: tuple[str, int], part: int) -> None:
+    """Make the file of one part of a rank."""
+    root, rank = plan
+    made = _made(root)
+    with budget.limit(math.inf):
+        found, residues = made.classes.above(_below(root, rank, part), rank)
+    content: dict[str, Any] = {"residues": residues, "flats": np.array(len(found))}
+    if len(found):
+        factors = np.cumprod(np.full(found.images.shape[1], _FACTOR))
+        parts = np.uint64(made.parts(rank + 1))
+        bucket = ((found.images * factors).sum(axis=1) >> np.uint64(32)) % parts
+        for number in np.unique(bucket):
+            one = bucket == number
+            content |= {
+                f"bases-{number}": found.bases[one].astype(np.int32),
+                f"members-{number}": found.members[one],
+                f"images-{number}": found.images[one],
+                f"values-{number}": found.values[:, one].astype(np.uint32),
+            }
+    stream = io.BytesIO()
+    np.savez_compressed(stream, **content)
+    write_bytes_atomically(_place(root, rank, part), stream.getvalue())
+
+
+def _below(root: str, rank: int, part: int) -> Flats:
+    """Return the flats of the rank before, one of each class of this part."""
+    made = _made(root)
+    if rank == 1:
+        return made.classes.bottom()
+    gathered, waiting = [made.classes.bottom()[:0]], 0
+    for number in range(made.parts(rank - 1)):
+        names = [f"{name}-{part}" for name in ("bases", "members", "images", "values")]
+        if found := _read(root, rank - 1, number, *names):
+            bases, members, images, values = (found[name] for name in names)
+            flats = Flats(bases.astype(np.int64), members, images, values.astype(np.int64))
+            gathered = [*gathered, flats] if len(gathered[0]) else [flats]
+            waiting += len(flats)
+            if waiting > _MANY:
+                gathered, waiting = [made.classes.merged(Flats.joined(gathered))], 0
+    together = Flats.joined(gathered)
+    return made.classes.merged(together) if len(together) else together
+
+
+def _place(root: str, rank: int, part: int) -> Path:
+    return Path(root) / f"rank-{rank:02}" / f"part-{part:02}.npz"
+
+
+def _missing(root: str, rank: int, parts: int) -> set[int]:
+    return {part for part in range(parts) if not _place(root, rank, part).exists()}
+
+
+def _read(root: str, rank: int, part: int, *names: str) -> dict[str, NDArray[Any]]:
+    """Return those arrays of a file that it has."""
+    place = _place(root, rank, part)
+    try:
+        with np.load(place, allow_pickle=False) as file:
+            if "residues" not in file:
+                raise ValueError("it is no part of a count")
+            return {name: file[name] for name in names if name in file}
+    except (OSError, ValueError, EOFError, BadZipFile, zlib.error) as error:
+        raise InputError(
+            f"{place} cannot be read ({reason(error)}); delete it and run the command again"
+        ) from None

@@ -1,0 +1,285 @@
+"""Whitney numbers of the first kind by Weisner's theorem, over classes of flats.
+
+For a flat X let |X| be the number of distinct planes through it. Summed over the planes through X,
+Weisner's theorem says ``|X| mu(X) = - sum of mu(Y) (|X| - |Y|)`` over the flats Y that X covers. So
+the sum of mu over a rank follows from the rank below, and of the flats that symmetries take to each
+other one is enough. The page on proofs has the argument, and why classes that are finer than orbits
+are right together: what each holds may then be a fraction, and is kept modulo primes.
+"""
+
+from __future__ import annotations
+
+import math
+import time
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import dataclass
+from functools import partial
+from math import comb, prod
+
+import numpy as np
+from numpy.typing import NDArray
+
+from arrangement.console.progress import watched
+from arrangement.counts.configuration import Configuration, configuration
+from arrangement.counts.low_rank import MAX_RANK, whitney_matrix
+from arrangement.counts.modular import Integers, ModularVectors
+from arrangement.counts.operations import over_factors
+from arrangement.errors import InputError, TimeLimitError
+from arrangement.numbers import budget
+from arrangement.numbers.exact import shown
+from arrangement.planes.planes import Planes
+
+from .automorphisms import Automorphisms, Permutations
+from .images import Images, Words, groups, packed, unpacked
+
+#: Pairs of a flat and a plane that are worked on at once.
+_CHUNK = 1 << 19
+
+
+@dataclass(frozen=True)
+class Flats:
+    """Flats of one rank, one of each class.
+
+    Attributes:
+        bases: independent vectors of each flat.
+        members: the vectors of each flat, packed.
+        images: what stands for the class of each flat, packed.
+        values: what each class adds to the sum of mu over the rank, a row for each modulus.
+    """
+
+    bases: Integers
+    members: Words
+    images: Words
+    values: Integers
+
+    def __len__(self) -> int:
+        return len(self.bases)
+
+    @classmethod
+    def joined(cls, parts: Sequence[Flats]) -> Flats:
+        """Return the flats of all parts."""
+        return cls(
+            np.concatenate([part.bases for part in parts]),
+            np.concatenate([part.members for part in parts]),
+            np.concatenate([part.images for part in parts]),
+            np.concatenate([part.values for part in parts], axis=1),
+        )
+
+    def __getitem__(self, part: slice | NDArray[np.intp]) -> Flats:
+        return Flats(self.bases[part], self.members[part], self.images[part], self.values[:, part])
+
+
+def first_whitney_numbers(
+    arrangement: Planes,
+    *,
+    symmetry: Sequence[Sequence[int]] | None = None,
+    time_limit: float | None = None,
+) -> tuple[int, ...]:
+    """Return the sums of mu(X) over the flats X of rank 0, 1, ...: the coefficients of chi.
+
+    Linear symmetries of the normals (of the cone, if planes miss the origin) are found and used;
+    up to rank 4 (affine: 3) the formulas of `low_rank` are faster, unless symmetries are given.
+
+    Args:
+        symmetry: permutations of the planes to be used in place of those that a search finds;
+            plane i goes to entry i. An empty list means none.
+        time_limit: in seconds.
+
+    Raises:
+        InputError: a permutation that no linear map makes of the planes.
+        TimeLimitError: the time is over; its `known` has the numbers that are final.
+
+    Complexity: with m planes and c classes of flats of rank at most r - 2 (affine: r - 1), O(c m)
+    operations modulo primes, and as many images of sets as classes have covers.
+
+    Source: [Weisner1935]; [BrysiewiczEbleKuehne2023] for the use of symmetries.
+
+    >>> from arrangement.library import families
+    >>> first_whitney_numbers(families.resonance(6))
+    (1, -63, 1652, -22435, 159460, -510524, 371909)
+    """
+    deadline = deadline_after(time_limit)
+    if symmetry is None:
+        found = over_factors(arrangement, partial(first_whitney_numbers, time_limit=time_limit))
+        if found is not None:
+            return found
+    config = configuration(arrangement)
+    if config.rank <= MAX_RANK and symmetry is None:
+        return tuple((-1) ** k * value for k, value in enumerate(whitney_matrix(config)[0]))
+    if config.rank == 0:
+        return (1,)
+    automorphisms = Automorphisms(config)
+    if symmetry is None:
+        generators = automorphisms.generators()
+    else:
+        generators = automorphisms.verified(_of_classes(arrangement, symmetry))
+    numbers: list[int] = []
+    try:
+        with budget.limit(budget.times() if time_limit is None else math.inf):
+            for number in classes(config, generators, deadline).numbers():
+                numbers.append(number)
+    except TimeoutError:
+        known = ", ".join(map(str, numbers))
+        message = f"after {time_limit} seconds the first Whitney numbers {known} are final"
+        raise TimeLimitError(f"{message}; give more time for the others", tuple(numbers)) from None
+    return tuple(numbers)
+
+
+def deadline_after(time_limit: float | None) -> float:
+    """Return when so many seconds are over, by the monotonic clock."""
+    if time_limit is None:
+        return math.inf
+    if not time_limit > 0:
+        raise InputError(f"time_limit is {shown(time_limit)}; give a positive number of seconds")
+    return time.monotonic() + time_limit
+
+
+def _of_classes(planes: Planes, symmetry: Sequence[Sequence[int]]) -> list[list[int]]:
+    """Return permutations of planes as permutations of the classes of coincident planes."""
+    found = []
+    for number, given in enumerate(symmetry):
+        try:
+            each_once = sorted(given) == list(range(len(planes)))
+        except TypeError:
+            each_once = False
+        if not each_once:
+            raise InputError(
+                f"symmetry[{number}] is {shown(given)}; give the images of the planes 0 to "
+                f"{len(planes) - 1}, each once"
+            )
+        image = [planes.class_of[given[members[0]]] for members in planes.distinct]
+        if any(image[planes.class_of[i]] != planes.class_of[j] for i, j in enumerate(given)):
+            raise InputError(
+                f"symmetry[{number}] takes coincident planes to planes that do not coincide; "
+                "give a permutation that keeps them together"
+            )
+        found.append(image)
+    return found
+
+
+class Classes:
+    """The flats of a configuration, rank by rank.
+
+    Args:
+        images: what tells flats apart.
+        deadline: of the monotonic clock.
+        moduli: primes; their product exceeds what is to be told from its residues.
+    """
+
+    def __init__(
+        self, config: Configuration, images: Images, deadline: float, moduli: Sequence[int]
+    ) -> None:
+        self._planes, self.rank = len(config.vectors), config.rank
+        self._central = config.infinity is None
+        rows = [*config.vectors, *([] if config.infinity is None else [config.infinity])]
+        self._vectors, self._images, self._deadline = (
+            ModularVectors(rows, config.rank),
+            images,
+            deadline,
+        )
+        self._moduli = moduli
+        self._modulus = np.array(self._moduli)[:, None]
+        self._inverses = np.array(
+            [[0, *(pow(k, -1, q) for k in range(1, self._planes + 1))] for q in self._moduli]
+        )
+
+    def numbers(self) -> Iterator[int]:
+        """Yield the Whitney numbers of the first kind; `TimeoutError` ends them at the deadline."""
+        flats = self.bottom()
+
+        def residues() -> Iterator[Integers]:
+            nonlocal flats
+            for rank in range(1, self.rank):
+                flats, found = self.above(flats, rank)
+                yield found
+
+        yield from self.from_residues(residues())
+
+    def from_residues(self, residues: Iterable[Integers]) -> Iterator[int]:
+        """Yield the Whitney numbers, given the residues of those of rank 1, 2, ...
+
+        The top of a central arrangement follows, because all numbers together are chi(1) = 0.
+        """
+        from sympy.ntheory.modular import crt
+
+        total = 1
+        yield total
+        for rank, found in enumerate(residues, start=1):
+            size = int(crt(self._moduli, ((-1) ** rank * found % self._modulus[:, 0]).tolist())[0])
+            total += (-1) ** rank * size
+            yield (-1) ** rank * size
+        if self._central:
+            yield -total
+
+    def levels(self) -> Iterator[Flats]:
+        """Yield one flat of each class, rank by rank, but for the top of a central arrangement."""
+        flats = self.bottom()
+        yield flats
+        for rank in range(1, self.rank):
+            flats, _ = self.above(flats, rank, keep=True)
+            yield flats
+
+    def bottom(self) -> Flats:
+        """Return the whole space."""
+        empty = packed(np.zeros((1, self._vectors.count), dtype=np.bool_))
+        return Flats(np.zeros((1, 0), np.int64), empty, empty, np.ones_like(self._modulus))
+
+    def above(self, flats: Flats, rank: int, *, keep: bool = False) -> tuple[Flats, Integers]:
+        """Return one flat of each class above flats of the rank before, and residues.
+
+        The residues, one for each modulus, are what the flats below add to the Whitney number of
+        the rank. Flats of the last rank have none above them and are left out, unless to be kept.
+        """
+        keep = keep or rank < self.rank - 1
+        parts, residues = [], np.zeros(len(self._moduli), dtype=np.int64)
+        step = max(1, _CHUNK // self._vectors.count)
+        pairs = len(flats) * self._vectors.count
+        budget.ask(
+            f"what covers {len(flats):,} classes of flats of rank {rank - 1}",
+            "leave out planes, or count in parts (--store FOLDER)",
+            seconds=pairs * 1e-7 * self.rank,
+        )
+        pieces = [flats[i : i + step] for i in range(0, len(flats), step)]
+        for piece in watched(pieces, f"parts of rank {rank}"):
+            if time.monotonic() > self._deadline:
+                raise TimeoutError
+            members = unpacked(piece.members, self._vectors.count)
+            covers = self._vectors.covers(piece.bases, members)
+            if not self._central:
+                covers = covers.without(self._planes)
+            sizes = members.sum(axis=1)[covers.below] + covers.added
+            values = piece.values[:, covers.below] * -covers.added % self._modulus
+            values = values * self._inverses[:, sizes] % self._modulus
+            residues = (residues + values.sum(axis=1)) % self._modulus[:, 0]
+            if keep:
+                above = members[covers.below]
+                above[covers.cover, covers.member] = True
+                bases = np.column_stack([piece.bases[covers.below], covers.plane])
+                images = self._images.small(above)
+                parts.append(self.merged(Flats(bases, packed(above), images, values)))
+        return (self.merged(Flats.joined(parts)) if parts else flats[:0]), residues
+
+    def merged(self, flats: Flats) -> Flats:
+        """Return one flat of each class, with the sum of the values of all."""
+        order, start = groups(flats.images)
+        first = np.flatnonzero(start)
+        values = np.add.reduceat(flats.values[:, order], first, axis=1) % self._modulus
+        one = order[first]
+        return Flats(flats.bases[one], flats.members[one], flats.images[one], values)
+
+
+def classes(config: Configuration, generators: Permutations, deadline: float) -> Classes:
+    """Return the classes under some automorphisms, with moduli for the Whitney numbers."""
+    # their sizes are at most binomial coefficients
+    moduli = moduli_above(max(comb(len(config.vectors), rank) for rank in range(config.rank)))
+    return Classes(config, Images(generators), deadline, moduli)
+
+
+def moduli_above(bound: int, below: int = 1 << 31) -> list[int]:
+    """Return the largest primes below 2^31, or less, with a product above the bound."""
+    from sympy import prevprime
+
+    found: list[int] = []
+    while prod(found) <= bound:
+        found.append(int(prevprime(found[-1] if found else below)))
+    return found

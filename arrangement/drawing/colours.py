@@ -1,0 +1,211 @@
+"""Colours of regions and planes, the same in all views; safe in grey and for the colour-blind."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from dataclasses import dataclass
+from typing import TypeAlias, TypeVar
+
+from arrangement.errors import InputError, refusal
+from arrangement.numbers.exact import shown
+
+#: Light to dark, so that the order stays in grey: numbers of sides 2, 3, 4, 5, 6, and more.
+PALETTE = ("#ffffff", "#fdf0c0", "#b9dfd3", "#7fb9d8", "#6a96c8", "#8a7fb5")
+
+#: Regions with a common side, never of one colour; the second row for opposite regions.
+CHECKERS = (PALETTE[1], PALETTE[3], "#d8a640", "#3f7fae")
+
+COLOURINGS = ("sides", "parity", "signs", "none")
+
+#: Inks; the colours are those of Okabe and Ito.
+BLACK, GREY, PALE, BLUE, VERMILION = "#000000", "#767676", "#f2f2f2", "#0072b2", "#d55e00"
+
+#: The surface of a ball or cube on its cells.
+SKIN = "#f3ead8"
+
+#: For planes, when each has a colour of its own (P. Tol's muted scheme, dark ones first). A number
+#: stands beside every use.
+PLANE_COLOURS = (
+    "#332288", "#cc6677", "#117733", "#882255", "#999933", "#aa4499", "#44aa99", "#88ccee",
+    "#ddaa33",
+)  # fmt: skip
+
+
+@dataclass(frozen=True)
+class DrawnRegion:
+    """What a colouring may look at: the sign vector of a region and its number of sides."""
+
+    signs: tuple[int, ...]
+    sides: int
+
+
+Paint = TypeVar("Paint", bound=Callable[..., str])
+Painter: TypeAlias = Callable[[DrawnRegion], str]
+
+
+@dataclass(frozen=True)
+class Colouring:
+    """A colour for each region, and what a legend says of it.
+
+    Attributes:
+        paint: the colour of a region.
+        name: of the colouring; None for a function of one's own.
+    """
+
+    paint: Painter
+    name: str | None
+
+    def keys(self, drawn: Iterable[DrawnRegion]) -> list[tuple[str, str]]:
+        """Return fills and what they mean, for the regions that are drawn."""
+        if self.name == "sides":
+            numbers = sorted({region.sides for region in drawn} - {0})
+            return [(side_colour(k), f"{k} sides" if k > 1 else "1 side") for k in numbers]
+        if self.name == "parity":
+            return [(CHECKERS[0], "even"), (CHECKERS[1], "odd number of minus signs")]
+        if self.name == "opposite":
+            pairs = zip(("even", "odd"), CHECKERS[:2], CHECKERS[2:], strict=True)
+            return [
+                (fill, f"{text}{more}")
+                for text, light, dark in pairs
+                for more, fill in ((", + on plane 1", light), (", \u2212 on plane 1", dark))
+            ]
+        groups: dict[str, set[int]] = {}
+        for region in drawn if self.name == "signs" else ():
+            groups.setdefault(self.paint(region), set()).add(region.signs.count(-1))
+        entries: list[tuple[str, str]] = []
+        for fill, counts in sorted(groups.items(), key=lambda item: min(item[1])):
+            low, high = min(counts), max(counts)
+            entries.append((fill, f"{low}" if low == high else f"{low}\u2013{high}"))
+        if entries:
+            entries[-1] = (entries[-1][0], f"{entries[-1][1]} minus signs")
+        return entries
+
+
+def colouring(
+    colour: str | Painter | None,
+    antipodes: str | None,
+    regions: Sequence[DrawnRegion],
+    pairs: Sequence[tuple[int, int]],
+    classes: Sequence[Sequence[int]],
+) -> Colouring:
+    """Return the colouring of a name, or the one that suits an arrangement best.
+
+    Args:
+        colour: "sides", "signs", "parity", "none", or a function. If omitted: the number of
+            sides where it tells neighbours apart, else the parity of minus signs, which always
+            does. So two colours are enough for distinct planes.
+        antipodes: "same" or "opposite" colours for opposite regions of central planes. With
+            c distinct planes parity gives the same ones if c is even, else the two opposite ones.
+            Otherwise more colours are needed. Same and c odd: at least four if the planes are in
+            general position [Youngs1996]; as many as the rule of saturation (DSATUR) takes.
+            Opposite and c even: four, by parity and the side of plane 1.
+        regions: all of them.
+        pairs: the numbers of regions with a common side.
+        classes: of coincident planes, each counted once.
+
+    Raises:
+        InputError: an unknown name, or antipodes with another colouring than parity.
+    """
+    if antipodes not in (None, "same", "opposite"):
+        raise refusal(f"antipodes is {shown(antipodes)}", antipodes, ("same", "opposite"))
+    if isinstance(colour, str) and colour not in COLOURINGS:
+        raise refusal(f"the colouring is {shown(colour)}", colour, COLOURINGS)
+    if antipodes is not None and colour not in (None, "parity"):
+        raise InputError("antipodes goes with the colouring parity; leave out the other colouring")
+    if colour is None:
+        apart = all(regions[a].sides != regions[b].sides for a, b in pairs)
+        colour = "sides" if apart and pairs and antipodes is None else "parity"
+    if colour != "parity":
+        return Colouring(painter(colour), colour if isinstance(colour, str) else None)
+    firsts = [members[0] for members in classes]
+
+    def parity(region: DrawnRegion) -> int:
+        return sum(region.signs[k] < 0 for k in firsts) % 2
+
+    if antipodes == "opposite" and firsts and len(firsts) % 2 == 0:
+        return Colouring(
+            lambda region: CHECKERS[parity(region) + 2 * (region.signs[0] < 0)], "opposite"
+        )
+    if antipodes == "same" and len(firsts) % 2:
+        return Colouring(_projective(regions, pairs), "same")
+    return Colouring(lambda region: CHECKERS[parity(region)], "parity")
+
+
+def _projective(regions: Sequence[DrawnRegion], pairs: Sequence[tuple[int, int]]) -> Painter:
+    """Return colours that opposite regions share and neighbours do not."""
+    import networkx as nx
+
+    names = [max(r.signs, tuple(-s for s in r.signs)) for r in regions]
+    graph = nx.Graph((names[a], names[b]) for a, b in pairs)
+    found = nx.greedy_color(graph, "DSATUR")
+
+    def paint(region: DrawnRegion) -> str:
+        name = max(region.signs, tuple(-s for s in region.signs))
+        return (*CHECKERS, *PALETTE[4:])[found.get(name, 0) % 6]
+
+    return paint
+
+
+def painter(colour: str | Painter) -> Painter:
+    """Return the function that colours a region: sides, signs, none, or the given function.
+
+    Raises:
+        InputError: a name that is unknown.
+    """
+    painters: dict[str, Painter] = {
+        "sides": lambda region: side_colour(region.sides),
+        "signs": lambda region: PALETTE[
+            round(5 * region.signs.count(-1) / max(1, len(region.signs)))
+        ],
+        "none": lambda region: "#ffffff",
+    }
+    return chosen(colour, painters)
+
+
+def chosen(colour: str | Paint, painters: Mapping[str, Paint]) -> Paint:
+    """Return a colouring by name, or the given function.
+
+    Raises:
+        InputError: a name that is unknown.
+    """
+    if not isinstance(colour, str):
+        return colour
+    if colour not in painters:
+        raise refusal(f"the colouring is {shown(colour)}", colour, painters)
+    return painters[colour]
+
+
+def side_colour(sides: int) -> str:
+    """Return the colour of a region by its number of sides."""
+    return PALETTE[min(max(sides - 2, 0), 5)]
+
+
+def plane_colour(label: int) -> str:
+    """Return the colour of a class of planes; black when the scheme is exhausted."""
+    return PLANE_COLOURS[label] if label < len(PLANE_COLOURS) else "#000000"
+
+
+def fill_colour(label: int) -> str:
+    """Return the colour of the facets of a class of planes; the scheme begins anew when it ends."""
+    return PLANE_COLOURS[label % len(PLANE_COLOURS)]
+
+
+def letter_colour(label: int) -> str:
+    """Return the colour of a class of planes, dark enough for letters on white (4.5 to 1, WCAG)."""
+    channels = [int(plane_colour(label)[k : k + 2], 16) / 255 for k in (1, 3, 5)]
+    weights = 0.2126, 0.7152, 0.0722
+    while sum(w * x**2.2 for w, x in zip(weights, channels, strict=True)) > 0.18:
+        channels = [0.95 * x for x in channels]
+    return "#" + "".join(f"{round(255 * x):02x}" for x in channels)
+
+
+def darkened(colour: str, light: float) -> str:
+    """Return a colour ``#rrggbb`` as a share of the light shows it."""
+    channels = (int(colour[k : k + 2], 16) for k in (1, 3, 5))
+    return "#" + "".join(f"{round(light * x):02x}" for x in channels)
+
+
+def pale(colour: str, white: float = 0.42) -> str:
+    """Return a colour ``#rrggbb`` mixed with a share of white."""
+    channels = (int(colour[k : k + 2], 16) for k in (1, 3, 5))
+    return "#" + "".join(f"{round(x + (255 - x) * white):02x}" for x in channels)

@@ -1,0 +1,142 @@
+"""The subcommand ``draw`` of both programs: its options are those of the registered views."""
+
+from __future__ import annotations
+
+import argparse
+from collections.abc import Collection, Iterator, Mapping
+from typing import Any
+
+from arrangement.console import terminal
+from arrangement.errors import InputError
+
+from .output import LEGENDS, THEMES
+from .registry import LENGTHS, LETTERS, Drawings, Option
+
+_KINDS: dict[str, dict[str, Any]] = {
+    "str": {"metavar": "NAME"},
+    "AxisNames": {"nargs": "?", "const": True, "metavar": "NAMES"},
+    "int": {"type": terminal.integer_argument, "metavar": "K"},
+    "float": {"type": terminal.length_argument, "metavar": "N"},
+    "length": {"metavar": "LENGTH"},
+    "Exact": {"type": terminal.rational_argument, "metavar": "Q"},
+    "Vector": {"type": terminal.rational_argument, "nargs": 3, "metavar": ("X", "Y", "Z")},
+    "Wrench": {"type": terminal.rational_argument, "nargs": 3, "metavar": ("FX", "FY", "TAU")},
+    "Corner": {"type": lambda text: text.split(","), "metavar": "X,Y"},
+    "bool": {"action": argparse.BooleanOptionalAction, "default": None},
+}
+#: Options of all pictures.
+_PRINTING = ("font_size", "text", "fragment", "theme", "legend")
+#: Options of several values that are written one by one.
+_FLAGS = {"wrenches": "wrench"}
+
+
+def add_options(
+    parser: argparse.ArgumentParser, drawings: Drawings, own: Collection[str] = ()
+) -> None:
+    """Add the options of all that can be drawn, but for those that the command has itself."""
+    parser.add_argument(
+        "-o", "--output", required=True, metavar="PATH",
+        help=".svg, .pdf, .png, .tex (TikZ): a picture; .html: an interactive page"
+        + "; .stl, .glb, .obj: a model" * bool(drawings.models),
+    )  # fmt: skip
+    for kind, suffix in (("view", "picture"), ("model", "model")):
+        if known := getattr(drawings, f"{kind}s"):
+            text = f"of a {suffix}: {', '.join(known)} (default: the first)"
+            parser.add_argument(f"--{kind}", metavar=kind.upper(), help=text)
+    parser.add_argument(
+        "--font-size", metavar="LENGTH",
+        help="of a picture, of its larger letters, such as 8pt; lines follow (default: 7pt)",
+    )  # fmt: skip
+    parser.add_argument(
+        "--text", metavar="KIND", help=f"in .svg: {' or '.join(LETTERS)} (default: the first)"
+    )
+    parser.add_argument(
+        "--fragment", action="store_true", default=None, help="in .tex: no document, for \\input"
+    )
+    parser.add_argument(
+        "--theme", metavar="NAME", help=f"of a picture: {', '.join(THEMES)} (default: the first)"
+    )
+    parser.add_argument(
+        "--legend", metavar="PLACE", help=f"of a picture: {', '.join(LEGENDS)} (default: the first)"
+    )
+    found: dict[str, list[tuple[str, Option]]] = {}
+    for name, option in _every(drawings):
+        found.setdefault(_flag(option), []).append((name, option))
+    for flag, uses in found.items():
+        if flag not in own:
+            style = dict(_KINDS["length" if flag in LENGTHS else uses[0][1].kind])
+            if any(option.many for _, option in uses):
+                style |= {"action": "append"} if "nargs" in style else _EXTEND
+            added = parser.add_argument(f"--{flag.replace('_', '-')}", **style, help=_help(uses))
+            if uses[0][1].kind == "Wrench" and isinstance(parser, terminal.Parser):
+                parser.growing.append(added)
+
+
+_EXTEND = {"action": "extend", "nargs": "+"}
+
+
+def _every(drawings: Drawings) -> Iterator[tuple[str, Option]]:
+    for kind in ("view", "model", "page"):
+        for name in getattr(drawings, f"{kind}s"):
+            shown = name if kind == "view" else f"{kind} {name}"
+            yield from ((shown, option) for option in drawings.options(kind, name).values())
+
+
+def _flag(option: Option) -> str:
+    return _FLAGS.get(option.name, option.name)
+
+
+def _help(uses: list[tuple[str, Option]]) -> str:
+    """Say what an option means, view by view where that differs."""
+    texts: dict[str, list[str]] = {}
+    for name, option in uses:
+        text = option.text.partition(". ")[0].replace("`", "").rstrip(".")
+        texts.setdefault(text, []).append(name)
+    return "; ".join(f"{', '.join(names)}: {text}" for text, names in texts.items()).replace(
+        "%", "%%"
+    )
+
+
+def given_options(
+    arguments: argparse.Namespace, drawings: Drawings, known: Drawings | None = None
+) -> dict[str, Any]:
+    """Return the options that were given, as the view, model or page takes them.
+
+    Args:
+        drawings: of the subject.
+        known: all those whose options the parser has, if they are more.
+    """
+    known = known or drawings
+    kind, name = drawings.target(arguments.output, arguments.view, _model(arguments))
+    takes = {_flag(option): option for option in drawings.options(kind, name).values()}
+    printing = {key: getattr(arguments, key) for key in _PRINTING}
+    options: dict[str, Any] = {key: x for key, x in printing.items() if x is not None}
+    for flag in dict.fromkeys(_flag(option) for _, option in _every(known)):
+        value = getattr(arguments, flag)
+        if value is None:
+            continue
+        option = takes.get(flag)
+        repeated = any(_flag(o) == flag and o.many for _, o in _every(known))
+        if option is not None and repeated and not option.many:
+            if len(value) > 1:
+                raise InputError(f"--{flag} is given {len(value)} times; {name} takes one")
+            (value,) = value
+        options[flag if option is None else option.name] = value
+    return options
+
+
+def write(
+    arguments: argparse.Namespace, drawings: Drawings, subject: Any, options: Mapping[str, Any]
+) -> int:
+    """Write the file, and with ``--json`` say what it is."""
+    written = drawings.write(
+        subject, arguments.output, arguments.view, _model(arguments), **options
+    )
+    if arguments.json:
+        terminal.print_json({"output": arguments.output, **written})
+    return terminal.YES
+
+
+def _model(arguments: argparse.Namespace) -> str | None:
+    found: str | None = getattr(arguments, "model", None)
+    return found

@@ -1,0 +1,135 @@
+"""Pictures as files: the suffix decides the format. No slow import happens here before it must."""
+
+from __future__ import annotations
+
+import io
+import os
+from collections.abc import Callable, Iterable, Mapping
+from contextlib import AbstractContextManager, suppress
+from fractions import Fraction
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from arrangement.console.writing import write_bytes_atomically
+from arrangement.errors import InputError, MissingExtraError
+from arrangement.numbers.exact import rational, shown
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+PICTURES = (".pdf", ".png", ".svg")
+TIKZ = (".tex",)
+MODELS = (".glb", ".obj", ".stl")
+PAGES = (".html",)
+#: The first one is the default.
+LEGENDS = ("below", "right", "none")
+THEMES = ("light", "dark", "mono")
+
+#: What makes files repeat: fixed identifiers, no dates, letters as outlines.
+_STYLE = {"svg.hashsalt": "arrangement", "svg.fonttype": "path", "font.size": 7.0}
+_METADATA: dict[str, dict[str, Any]] = {
+    ".svg": {"Date": None},
+    ".pdf": {"CreationDate": None},
+    ".png": {"Software": None},
+}
+
+
+def require_matplotlib() -> Any:
+    """Return matplotlib, or say which extra installs it and what places labels."""
+    try:
+        import matplotlib as mpl
+        import shapely  # noqa: F401
+    except ImportError:
+        raise MissingExtraError(
+            "pictures need matplotlib and shapely: install the extra with "
+            "pip install 'slipstates[figures]'"
+        ) from None
+    return mpl
+
+
+#: In millimetres; a point is that of TeX, as in ``\\the\\columnwidth``.
+_UNITS = {"mm": 1.0, "cm": 10.0, "in": 25.4, "pt": 25.4 / 72.27}
+
+
+def millimetres(value: object, name: str, unit: str = "mm") -> float:
+    """Return a length for paper or print as a float, or refuse what is not positive and finite.
+
+    Args:
+        value: a number, or a text such as ``84``, ``8.4cm``, ``3.3in``, ``252pt``.
+        name: of the length, for the error.
+        unit: of a number without one.
+    """
+    number: object = value
+    if isinstance(value, str):
+        given = value.strip()
+        unit = next((end for end in _UNITS if given.endswith(end)), unit)
+        with suppress(InputError):
+            number = rational(given.removesuffix(unit).strip())
+    if isinstance(number, (int, float, Fraction)) and 0 < number < 100_000:
+        length = float(number) * _UNITS[unit]
+        if length < 10_000:
+            return length
+    raise InputError(
+        f"{name} is {shown(value)}; give a number above 0 in {unit}, or one with mm, cm, in or pt "
+        "after it, below ten metres"
+    )
+
+
+def points(value: object, name: str) -> float:
+    """Return a length such as ``8``, ``8pt`` or ``3mm`` in points, or refuse it."""
+    return millimetres(value, name, "pt") / _UNITS["pt"]
+
+
+def ending(path: str | os.PathLike[str], known: Iterable[str]) -> str:
+    """Return the suffix of a file that can be written, in lower case.
+
+    Raises:
+        InputError: it is none of those known, or there is no such folder.
+    """
+    place, ends = Path(path), ", ".join(known)
+    suffix = place.suffix.lower()
+    if place.is_dir():
+        raise InputError(f"{shown(str(path))} is a folder; name a file")
+    if not suffix:
+        raise InputError(f"the file name {shown(str(path))} has no ending; known are {ends}")
+    if suffix not in ends.split(", "):
+        raise InputError(f"the file name ends in {shown(suffix)}; known are {ends}")
+    if not place.parent.is_dir():
+        raise InputError(f"there is no folder {shown(str(place.parent))}; make it first")
+    return suffix
+
+
+def save_figure(path: str | os.PathLike[str], make: Callable[[], Figure]) -> None:
+    """Write the figure that `make` returns, in the format of the suffix; the same bytes each time.
+
+    Raises:
+        InputError: the suffix is not one of a picture, or there is no place to write.
+        MissingExtraError: matplotlib is absent.
+    """
+    suffix = ending(path, PICTURES)
+    write_bytes_atomically(path, picture_bytes(suffix, make))
+
+
+def picture_bytes(suffix: str, make: Callable[[], Figure], letters: bool = False) -> bytes:
+    """Return the figure that `make` returns as a file; in SVG with letters instead of outlines."""
+    stream = io.BytesIO()
+    with own_settings({"svg.fonttype": "none"} if letters else {}):
+        make().savefig(stream, format=suffix[1:], dpi=300, metadata=_METADATA[suffix])
+    return stream.getvalue()
+
+
+def own_settings(more: Mapping[str, Any] | None = None) -> AbstractContextManager[None]:
+    """Return a context in which matplotlib has the settings of our pictures, not the user's."""
+    mpl = require_matplotlib()
+    # Whoever asks for the backend loads all of pyplot; figures of their own need none.
+    plain = {key: value for key, value in mpl.rcParamsDefault.items() if key != "backend"}
+    settings: AbstractContextManager[None] = mpl.rc_context({**plain, **_STYLE, **(more or {})})
+    return settings
+
+
+def svg_text(make: Callable[[], Figure]) -> str | None:
+    """Return a figure as SVG text; None without matplotlib, or when `make` refuses."""
+    try:
+        return picture_bytes(".svg", make).decode("utf-8")
+    except (InputError, MissingExtraError):
+        return None

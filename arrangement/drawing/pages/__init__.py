@@ -1,0 +1,1 @@
+"""Pages: each one HTML file that needs nothing from outside."""

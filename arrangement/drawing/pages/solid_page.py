@@ -1,0 +1,119 @@
+"""A page on which convex pieces in space turn, in an exact order of painting for every direction.
+
+The pieces hang on a tree of planes (see `depth_tree`): what is beyond a plane is painted first.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+from typing import Any
+
+import numpy as np
+
+from arrangement.drawing.scene.items import Floats
+
+from .html_page import BASE_SCRIPT, BASE_STYLE, one_page, own
+
+
+@dataclass(frozen=True)
+class Face:
+    """A convex polygon, segment or point.
+
+    Attributes:
+        corners: (k, 3).
+        fill: ``#rrggbb``, or ``#rrggbbaa`` to shine through.
+        normal: outward; None for segments and points.
+        edges: (e, 2, 3); the lines drawn.
+        piece: the number of what is told of it, or -1.
+        middle: (3,) of the solid that it moves with, if it does.
+        sheet: whether both sides are seen.
+        faint: whether the lines are thin and grey.
+        ink: of the lines, instead of black.
+    """
+
+    corners: Floats
+    fill: str
+    normal: Floats | None
+    edges: Floats
+    piece: int = -1
+    middle: Floats | None = None
+    sheet: bool = False
+    faint: bool = False
+    ink: str = ""
+
+
+@dataclass
+class Branch:
+    """A plane by its normal, the faces in it, and what is before and behind it (numbers, or -1)."""
+
+    normal: Sequence[float]
+    faces: list[Face] = field(default_factory=list)
+    front: int = -1
+    back: int = -1
+
+
+@dataclass
+class SolidPage:
+    """What a page shows.
+
+    Attributes:
+        title, summary, counts: texts.
+        axes: (3, 3); the first view: right, up, towards the viewer.
+        radius: of a ball around everything.
+        tree: the first branch is the root.
+        pieces: name and facts of each piece.
+        legend: colours with texts.
+        frame: segments (k, 2, 3) behind everything.
+        marks: texts at points, before everything.
+        apart: how far solids stand apart at first, 1 for in place; 0 if they cannot.
+    """
+
+    title: str
+    summary: str
+    counts: str
+    axes: Floats
+    radius: float
+    tree: list[Branch]
+    pieces: list[tuple[str, list[tuple[str, str]]]]
+    legend: list[tuple[str, str]]
+    frame: Any = ()
+    marks: Sequence[tuple[Any, str]] = ()
+    apart: float = 0.0
+
+    def text(self) -> str:
+        """Return the page."""
+        data = {
+            "title": self.title, "summary": self.summary, "counts": self.counts,
+            "axes": _floats(self.axes), "radius": round(self.radius, 6),
+            "nodes": [
+                {"row": _floats(branch.normal), "front": branch.front, "back": branch.back,
+                 "faces": list(map(_face, branch.faces))}
+                for branch in self.tree
+            ],
+            "pieces": [{"name": name, "facts": facts} for name, facts in self.pieces],
+            "legend": self.legend, "frame": _floats(self.frame), "apart": self.apart,
+            "marks": [{"at": _floats(at), "text": text} for at, text in self.marks],
+        }  # fmt: skip
+        return one_page(
+            self.title, own("solid.html"), [BASE_STYLE, own("solid.css")],
+            [BASE_SCRIPT, own("solid.js")], data, ["spin", "home", "theme", "print"],
+        )  # fmt: skip
+
+
+def _face(face: Face) -> dict[str, Any]:
+    found: dict[str, Any] = {
+        "at": _floats(face.corners), "fill": face.fill, "edges": _floats(face.edges),
+        "piece": face.piece if face.piece >= 0 else None,
+    }  # fmt: skip
+    if face.normal is not None and face.normal.any():
+        found["normal"] = _floats(face.normal / np.linalg.norm(face.normal))
+    if face.middle is not None:
+        found["middle"] = _floats(face.middle)
+    return found | {
+        key: getattr(face, key) for key in ("sheet", "faint", "ink") if getattr(face, key)
+    }
+
+
+def _floats(array: Any) -> Any:
+    return (np.round(np.asarray(array, dtype=float), 5) + 0.0).tolist()

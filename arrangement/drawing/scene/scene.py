@@ -1,0 +1,236 @@
+"""A scene: the items of a picture and its legend.
+
+A view adds items to a `Scene`; a writer (`figure`, `tikz`) reads them and knows no view. See
+`items` for roles and styles. The legend is data until `layout` places it.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
+from dataclasses import dataclass, field
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from arrangement.drawing.output import require_matplotlib
+
+from .items import LIGHT, Ball, Box, Floats, Item, Label, Mark, Path, Place, moved, role_of, scaled
+from .measuring import FONT, GAP, POINTS, measure
+
+
+class Key(NamedTuple):
+    """A symbol and what it means.
+
+    Attributes:
+        symbol: items whose left end, at half their height, is at (0, 0).
+        width: of the symbol, in points.
+        text: its meaning.
+    """
+
+    symbol: Sequence[Item]
+    width: float
+    text: str
+
+
+@dataclass
+class Legend:
+    """The entries, in their order.
+
+    Attributes:
+        lines: of text, and whether they are emphatic; emphatic ones stand above the keys.
+        keys: symbols with their meanings.
+        table: short texts, read column by column.
+        captions: what is said of the picture even where it has no legend.
+    """
+
+    lines: list[tuple[str, bool]] = field(default_factory=list)
+    keys: list[Key] = field(default_factory=list)
+    table: list[str] = field(default_factory=list)
+    captions: list[str] = field(default_factory=list)
+
+    def line(self, text: str, emphasis: bool = False) -> None:
+        """Add a line of text."""
+        self.lines.append((text, emphasis))
+
+    def key(self, symbol: Symbol, text: str) -> None:
+        """Add a symbol and what it means."""
+        self.keys.append(Key(*symbol, text))
+
+    def extend(self, other: Legend) -> None:
+        """Add the entries of another one."""
+        for name in ("lines", "keys", "table", "captions"):
+            getattr(self, name).extend(getattr(other, name))
+
+
+#: The items and the width of a symbol.
+Symbol = tuple[Sequence[Item], float]
+
+
+#: Besides "round": corners of small shapes.
+_SHAPES = {
+    "square": ((-0.9, -0.9), (0.9, -0.9), (0.9, 0.9), (-0.9, 0.9)),
+    "diamond": ((0, -1.25), (1.25, 0), (0, 1.25), (-1.25, 0)),
+    "triangle": ((-1.2, -0.8), (1.2, -0.8), (0, 1.3)),
+    "star": tuple(
+        (r * math.sin(k * math.pi / 5), r * math.cos(k * math.pi / 5))
+        for k, r in enumerate((1.8, 0.75) * 5)
+    ),
+}
+
+
+class Scene:
+    """A sheet of paper on which `write` lets no label cover another or leave the sheet.
+
+    Attributes:
+        paper: width and height in millimetres.
+        width, height: in points.
+        items: in the order in which they were added.
+        boxes: what is covered by labels so far.
+        legend: what is said below or beside the picture.
+    """
+
+    def __init__(self, width: float, height: float) -> None:
+        """Take width and height in millimetres."""
+        require_matplotlib()
+        self.paper = width, height
+        self.width, self.height = width * POINTS, height * POINTS
+        self.items: list[Item] = []
+        self.boxes: list[Box] = []
+        self.legend = Legend()
+        self._clip: Box | tuple[Place, float] | None = None
+
+    @contextmanager
+    def clipped(self, clip: Box | tuple[Place, float]) -> Iterator[None]:
+        """Cut what is added meanwhile to a box or a disc."""
+        self._clip = clip
+        yield
+        self._clip = None
+
+    def scaled(self, factor: float) -> Scene:
+        """Return the same sheet enlarged: paper, letters and lines."""
+        grown = Scene(*(factor * length for length in self.paper))
+        grown.items = [scaled(item, factor) for item in self.items]
+        return grown
+
+    def measure(self, text: str, size: float = FONT, rotation: float = 0.0) -> tuple[float, float]:
+        """Return the width and height of a text, in points."""
+        return measure(text, size, rotation)
+
+    def box(self, at: Place, text: str, size: float, rotation: float = 0.0) -> Box:
+        """Return the box of a text centred at a point."""
+        w, h = self.measure(text, size, rotation)
+        return (at[0] - w / 2, at[1] - h / 2, at[0] + w / 2, at[1] + h / 2)
+
+    def is_free(self, box: Box) -> bool:
+        """Whether a box is on the sheet and covers no label."""
+        left, bottom, right, top = box
+        if left < GAP or bottom < GAP or right > self.width - GAP or top > self.height - GAP:
+            return False
+        return not any(
+            left < r + GAP and right > l - GAP and bottom < t + GAP and top > b - GAP
+            for l, b, r, t in self.boxes  # noqa: E741
+        )
+
+    def write(
+        self,
+        at: Place,
+        text: str,
+        size: float = FONT,
+        *,
+        anchor: tuple[float, float] = (0.5, 0.5),
+        rotation: float = 0.0,
+        **style: Any,
+    ) -> bool:
+        """Write a text if its place is free; return whether it was.
+
+        Args:
+            at: a point of the scene.
+            text: one or several lines.
+            size: in points.
+            anchor: the point of the text that is put there: (0, 0) its lower left corner,
+                (1, 1) its upper right one.
+            rotation: in degrees.
+            style: see the module.
+        """
+        w, h = self.measure(text, size, rotation)
+        x, y = at[0] + (0.5 - anchor[0]) * w, at[1] + (0.5 - anchor[1]) * h
+        box = (x - w / 2, y - h / 2, x + w / 2, y + h / 2)
+        if not self.is_free(box):
+            return False
+        self.boxes.append(box)
+        ha = "left" if anchor[0] == 0 else "right" if anchor[0] == 1 else "center"
+        place = {"left": box[0], "right": box[2], "center": x}[ha], y
+        self.text(place, text, size, ha=ha, rotation=rotation, **style)
+        return True
+
+    def text(
+        self,
+        at: Place,
+        text: str,
+        size: float = FONT,
+        *,
+        ha: str = "center",
+        va: str = "center",
+        rotation: float = 0.0,
+        **style: Any,
+    ) -> None:
+        """Write a text, whatever is there."""
+        place = float(at[0]), float(at[1])
+        self._add(
+            Label, {"zorder": 6, **style}, place=place, text=text, size=size, ha=ha, va=va,
+            rotation=rotation,
+        )  # fmt: skip
+
+    def curve(self, points: Floats, **style: Any) -> None:
+        """Draw control points (3k + 1, 2) of cubic curves, joined."""
+        self._add(Path, style, points=points, kind="curve")
+
+    def circle(self, centre: Place, radius: float, **style: Any) -> None:
+        """Draw a circle."""
+        self._add(Path, style, points=np.asarray(centre), kind="circle", radius=radius)
+
+    def ball(
+        self, centre: Place, radius: float, near: str = "#ffffff", far: str = "#c0c4cc",
+        focus: tuple[float, float] = LIGHT, **style: Any,
+    ) -> None:  # fmt: skip
+        """Draw a shaded ball; with colours that let through, such as ``#00000040``, a shadow."""
+        place = float(centre[0]), float(centre[1])
+        self._add(
+            Ball, {"role": "ball", **style}, centre=place, radius=radius, focus=focus, near=near,
+            far=far,
+        )  # fmt: skip
+
+    def marker(self, at: Place, size: float, shape: str, **style: Any) -> None:
+        """Draw a small shape of about the area of a disc with radius `size`; see `_SHAPES`."""
+        if shape == "round":
+            self.circle(at, size, **style)
+        else:
+            self.polygon([(at[0] + size * x, at[1] + size * y) for x, y in _SHAPES[shape]], **style)
+
+    def polygon(self, corners: Any, **style: Any) -> None:
+        """Draw a closed polygon."""
+        self._add(Path, style, points=np.asarray(corners), kind="polygon")
+
+    def line(self, points: Any, **style: Any) -> None:
+        """Draw an open polygonal line."""
+        self._add(Path, style, points=np.asarray(points), kind="line")
+
+    def mark(self, at: Place, sign: str, size: float, **style: Any) -> None:
+        """Draw a disc "o", a cross "x" or a dash "_" of a size in points."""
+        self._add(Mark, style, place=(float(at[0]), float(at[1])), sign=sign, size=size)
+
+    def _add(self, sort: type[Item], style: dict[str, Any], **what: Any) -> None:
+        rest = {key: x for key, x in style.items() if key not in ("gid", "zorder", "role")}
+        name, order = style.get("gid", ""), style.get("zorder")
+        role = style.get("role") or role_of(sort, name, rest)
+        self.items.append(
+            sort(name=name, role=role, order=order, clip=self._clip, style=rest, **what)
+        )
+
+    def place(self, other: Scene, x: float, y: float) -> None:
+        """Add all that another scene shows, its lower left corner at (x, y), and its legend."""
+        self.items += [moved(item, x, y) for item in other.items]
+        self.boxes += [(l + x, b + y, r + x, t + y) for l, b, r, t in other.boxes]  # noqa: E741
+        self.legend.extend(other.legend)

@@ -1,0 +1,1 @@
+"""Solids as they are drawn: surfaces, their order in depth, meshes."""

@@ -1,0 +1,146 @@
+"""Convex polygons in a plane of R^3 as loops of points, exactly.
+
+In space points are homogeneous integers ``(x, y, z, w)``, w > 0. In a plane ``row`` one of the
+coordinates is left out, one along which the plane is not parallel to its axis.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from fractions import Fraction
+from functools import cmp_to_key
+
+from arrangement.numbers.exact import IntegerVector, dot, primitive, reduced, sign
+from arrangement.numbers.linear.intervals import Interval, remainder
+from arrangement.numbers.linear.rank import cross, triple_product
+
+Loop = list[IntegerVector]
+Segment = tuple[IntegerVector, IntegerVector]
+
+
+def between(p: IntegerVector, q: IntegerVector, at_p: int, at_q: int) -> IntegerVector:
+    """Return where a linear form vanishes between two points; its values there differ in sign."""
+    s, t = abs(at_q), abs(at_p)
+    return reduced([s * x + t * y for x, y in zip(p, q, strict=True)])
+
+
+def clipped(loop: Sequence[IntegerVector], values: Sequence[int]) -> Loop:
+    """Return the part of a convex polygon where a linear form, known at its corners, is not < 0."""
+    kept: Loop = []
+    for k, (p, at) in enumerate(zip(loop, values, strict=True)):
+        if at * values[k - 1] < 0:
+            cut = between(loop[k - 1], p, values[k - 1], at)
+            if cut not in kept:
+                kept.append(cut)
+        if at >= 0:
+            kept.append(p)
+    return kept
+
+
+def _dropped(row: IntegerVector) -> int:
+    """Return the coordinate that is left out of points in a plane."""
+    return max(range(3), key=lambda k: abs(row[k]))
+
+
+def flattened(row: IntegerVector, points: Iterable[IntegerVector]) -> Loop:
+    """Return points of a plane with one coordinate left out."""
+    gone = _dropped(row)
+    return [reduced([x for k, x in enumerate(p) if k != gone]) for p in points]
+
+
+def ordered(row: IntegerVector, points: Iterable[IntegerVector]) -> Loop:
+    """Return the corners of the hull of points in a plane, in cyclic order (A. Andrew, 1979)."""
+    gone = _dropped(row)
+    flat = {tuple([x for k, x in enumerate(p) if k != gone]): p for p in points}
+    listed = sorted(flat, key=cmp_to_key(_before))
+    if len(listed) < 3:
+        return [flat[p] for p in listed]
+
+    def half(along: Iterable[IntegerVector]) -> Loop:
+        chain: Loop = []
+        for p in along:
+            while len(chain) > 1 and triple_product(chain[-2], chain[-1], p) <= 0:
+                chain.pop()
+            chain.append(p)
+        return chain[:-1]
+
+    return [flat[p] for p in half(listed) + half(reversed(listed))]
+
+
+def _before(p: IntegerVector, q: IntegerVector) -> int:
+    """Return what is below 0 for a point left of another, or below it."""
+    return p[0] * q[2] - q[0] * p[2] or p[1] * q[2] - q[1] * p[2]
+
+
+def lifted(row: IntegerVector, point: IntegerVector) -> IntegerVector:
+    """Return the point of a plane with one coordinate left out."""
+    gone = _dropped(row)
+    rest = [x for k, x in enumerate(row) if k != gone]
+    scale = abs(row[gone])
+    found = [scale * x for x in point]
+    found.insert(gone, -sign(row[gone]) * dot(rest, point))
+    return reduced(found)
+
+
+def _split(loop: Loop, line: IntegerVector) -> tuple[Loop, Loop]:
+    """Return the parts of a polygon where a form is > 0 and < 0; nothing for one without area."""
+    values = [dot(line, p) for p in loop]
+    if max(values) <= 0:
+        return [], loop
+    if min(values) >= 0:
+        return loop, []
+    above, below = [], []
+    for k, (p, at) in enumerate(zip(loop, values, strict=True)):
+        if at * values[k - 1] < 0:
+            cut = between(loop[k - 1], p, values[k - 1], at)
+            above.append(cut)
+            below.append(cut)
+        if at >= 0:
+            above.append(p)
+        if at <= 0:
+            below.append(p)
+    return above, below
+
+
+def minus(loop: Loop, cover: Loop) -> list[Loop]:
+    """Return convex pieces of a polygon outside another; both run counter-clockwise."""
+    pieces, rest = [], loop
+    for p, q in zip(cover, [*cover[1:], cover[0]], strict=True):
+        rest, outside = _split(rest, cross(p, q))
+        if not rest:
+            return [loop]
+        if outside:
+            pieces.append(outside)
+    return pieces
+
+
+def creases_of(loops: Sequence[Loop]) -> list[list[Segment]]:
+    """Return for each polygon the parts of its edges with no other polygon across."""
+    sides: dict[IntegerVector, list[Interval]] = {}
+    listed = []
+    for loop in loops:
+        own = []
+        for p, q in zip(loop, [*loop[1:], loop[0]], strict=True):
+            line = reduced(cross(p, q))
+            k = 0 if line[1] else 1
+            ends = Fraction(p[k], p[2]), Fraction(q[k], q[2])
+            part = (min(ends), max(ends))
+            sides.setdefault(line, []).append(part)
+            own.append((line, k, part))
+        listed.append(own)
+    found = []
+    for own in listed:
+        creases = []
+        for line, k, part in own:
+            across = sides.get(tuple(-x for x in line), ())
+            rest = remainder(part, across)
+            creases += [(_at(line, k, low), _at(line, k, high)) for low, high in rest]
+        found.append(creases)
+    return found
+
+
+def _at(line: IntegerVector, k: int, value: Fraction | None) -> IntegerVector:
+    """Return the point of a line of the plane with this coordinate k."""
+    assert value is not None
+    other = Fraction(-(line[k] * value + line[2]), line[1 - k])
+    return primitive((value, other, Fraction(1)) if k == 0 else (other, value, Fraction(1)))

@@ -1,0 +1,271 @@
+"""The surface of a finite union of convex polytopes in R^3, in flat pieces, exactly.
+
+A generic point of a facet lies on the surface exactly when no polytope has it and points right
+behind it. So what is left of every facet, after the sections of those polytopes with its plane are
+taken away, is the surface: polygons, cut into convex ones. Parts without volume stay as sheets,
+segments and points. Points are homogeneous integers ``(x, y, z, w)``, w > 0.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+from functools import cached_property
+
+import numpy as np
+from numpy.typing import NDArray
+
+from arrangement.console.progress import watched
+from arrangement.numbers.exact import IntegerVector, dot, primitive, unoriented
+from arrangement.numbers.linear.intervals import remainder
+from arrangement.numbers.linear.polyhedron import Polyhedron
+from arrangement.numbers.linear.rank import determinant
+
+from .flat_polygons import Loop, Segment, between, creases_of, flattened, lifted, minus, ordered
+
+#: Of rounded coordinates, over the largest of them: far above any error of rounding.
+_APART = 1e-9
+
+
+@dataclass(frozen=True)
+class Patch:
+    """A convex piece of the surface.
+
+    Attributes:
+        row: ``(a, b)`` with ``a . x + b = 0`` on it and < 0 in the solid behind it; of a segment
+            or a point zeros.
+        corners: in cyclic order.
+        edges: the parts of its edges where the surface bends or ends.
+        sheet: whether there is no solid behind it.
+        name: whatever its user makes of it.
+    """
+
+    row: IntegerVector
+    corners: tuple[IntegerVector, ...]
+    edges: tuple[Segment, ...] = ()
+    sheet: bool = False
+    name: str = ""
+
+
+def surface(shapes: Iterable[Polyhedron]) -> tuple[Patch, ...]:
+    """Return the surface of the union of bounded polyhedra in R^3 of any dimension.
+
+    >>> from arrangement.numbers.linear.polyhedron import from_conditions
+    >>> def box(low, high):
+    ...     rows = [((1, 0, 0), low), ((0, 1, 0), 0), ((0, 0, 1), 0)]
+    ...     rows = [(*n, -b) for n, b in rows]
+    ...     return from_conditions([*rows, (-1, 0, 0, high), (0, -1, 0, 1), (0, 0, -1, 1)], (), 3)
+    >>> len(surface([box(0, 2), box(1, 3)])), len(surface([box(0, 1), box(2, 3)]))
+    (10, 12)
+    """
+    every = list(shapes)
+    solids = _Solids([_Solid(shape) for shape in every if shape.dimension == 3])
+    flat = [shape for shape in every if shape.dimension == 2]
+    facets: dict[IntegerVector, dict[frozenset[IntegerVector], Loop]] = {}
+    for solid in solids.listed:
+        for row, corners in solid.facets:
+            facets.setdefault(row, {})[frozenset(corners)] = corners
+    # A facet with a solid on either side is inside, and most are.
+    alone = {
+        row: [c for ends, c in facets[row].items() if ends not in facets.get(_turned(row), ())]
+        for row in sorted(facets)
+    }
+    sheets: dict[IntegerVector, list[Loop]] = {}
+    for shape in flat:
+        row = unoriented(shape.equalities[0])
+        sheets.setdefault(row, []).append(ordered(row, _homogeneous(shape)))
+    return (
+        *(
+            p
+            for row in watched([row for row in alone if alone[row]], "planes of faces")
+            for p in _patches(row, alone[row], solids, sheet=False)
+        ),
+        *(p for row in sorted(sheets) for p in _patches(row, sheets[row], solids, sheet=True)),
+        *_thin(every),
+    )
+
+
+def facets(
+    shape: Polyhedron,
+) -> tuple[Loop, tuple[tuple[int, ...], ...], tuple[IntegerVector, ...]]:
+    """Return the corners of a polytope of dimension 3, its facets as cycles, and outward rows.
+
+    Cycles run counter-clockwise seen from outside.
+    """
+    solid = _Solid(shape)
+    number = {p: k for k, p in enumerate(solid.points)}
+    cycles = []
+    for row, loop in solid.facets:
+        p, q, r = loop[:3]
+        ahead = determinant([(*row[:3], 0), p, q, r])
+        cycles.append(tuple(number[x] for x in (loop if ahead > 0 else reversed(loop))))
+    return solid.points, tuple(cycles), tuple(row for row, _ in solid.facets)
+
+
+class _Solid:
+    """A polytope with its facets as (outward row, corners), and its edges."""
+
+    def __init__(self, shape: Polyhedron) -> None:
+        self.points = _homogeneous(shape)
+        self.facets = []
+        for inward in shape.inequalities:
+            row = _turned(inward)
+            self.facets.append((row, ordered(row, [p for p in self.points if not dot(row, p)])))
+        self.rows = {row for row, _ in self.facets}
+        self.corners = set(self.points)
+
+    @cached_property
+    def edges(self) -> set[Segment]:
+        """Its edges, each once."""
+        return {
+            (min(p, q), max(p, q))
+            for _, loop in self.facets
+            for p, q in zip(loop, [*loop[1:], loop[0]], strict=True)
+        }
+
+    def reaches(self, row: IntegerVector) -> bool:
+        """Return whether it has points where ``row`` is positive."""
+        return row not in self.rows and any(dot(row, p) > 0 for p in self.points)
+
+    def section(self, row: IntegerVector) -> Loop:
+        """Return what it covers of a plane, if that has an area."""
+        values = {p: dot(row, p) for p in self.points}
+        found = {p for p, at in values.items() if at == 0}
+        for p, q in self.edges:
+            if values[p] * values[q] < 0:
+                found.add(between(p, q, values[p], values[q]))
+        return ordered(row, found) if len(found) > 2 else []
+
+
+class _Solids:
+    """Polytopes, with rounded corners and rows to find those that matter at a place quickly."""
+
+    def __init__(self, listed: Sequence[_Solid]) -> None:
+        self.listed = listed
+        self.starts = np.cumsum([0, *(len(solid.points) for solid in listed)])[:-1]
+        self.points = rounded([p for solid in listed for p in solid.points])
+        self.low, self.high = (
+            f.reduceat(self.points, self.starts) if listed else self.points
+            for f in (np.minimum, np.maximum)
+        )
+        #: The largest first: they cover most.
+        self.order = np.argsort(-np.prod(self.high - self.low, axis=1), kind="stable")
+        #: Rounding moves values of forms by far less than this.
+        self.far = _APART * max(1.0, float(np.abs(self.points).max(initial=0.0)))
+        self.rows = _unit_rows([row for solid in listed for row, _ in solid.facets])
+        self.row_starts = np.cumsum([0, *(len(solid.facets) for solid in listed)])[:-1]
+
+    def near(self, row: IntegerVector, loop: Loop, *, sheet: bool) -> list[_Solid] | None:
+        """Return the polytopes that may cover a part of a polygon in a plane; None if one has all.
+
+        Those left out have no area in common with it: they are apart by much more than rounding
+        moves points, or exactly one of their facets has the polygon on its outer side.
+        """
+        if not self.listed:
+            return []
+        corners, far = rounded(loop), 4 * self.far
+        values = self.points @ _unit_rows([row])[0, :3] + _unit_rows([row])[0, 3]
+        most = np.maximum.reduceat(values, self.starts)
+        found = (self.low <= corners.max(axis=0) + far) & (self.high >= corners.min(axis=0) - far)
+        near = (
+            found.all(axis=1) & (np.minimum.reduceat(values, self.starts) <= far) & (most >= -far)
+        )
+        # One row for each corner, one column for each facet.
+        sides = corners @ self.rows[:, :3].T + self.rows[:, 3]
+        most_outside, least = sides.max(axis=0), sides.min(axis=0)
+        near &= np.maximum.reduceat(least, self.row_starts) <= far
+        beyond = np.maximum.reduceat(most_outside, self.row_starts)
+        listed, planes = [], (row, _turned(row))
+
+        def holds(solid: int, values: NDArray[np.float64], side: int) -> Iterator[bool]:
+            """Yield for facets of a polytope whether the corners are on a side, or on the facet.
+
+            Only what the floats leave open is computed; those surely on the other side are left
+            out.
+            """
+            first, facets = int(self.row_starts[solid]), self.listed[solid].facets
+            own = values[first : first + len(facets)]
+            for i in np.flatnonzero(own >= -far).tolist():
+                normal = facets[i][0]
+                if side < 0 or normal not in planes:
+                    unsure = np.flatnonzero(np.abs(sides[:, first + i]) <= far).tolist()
+                    yield all(
+                        (side < 0 and loop[k] in self.listed[solid].corners)
+                        or side * dot(normal, loop[k]) >= 0
+                        for k in unsure
+                    )
+
+        for k in self.order[near[self.order]].tolist():
+            solid = self.listed[k]
+            if not (sheet or most[k] > far or solid.reaches(row)):
+                continue
+            if beyond[k] <= far and all(holds(k, most_outside, -1)):
+                return None
+            if not any(holds(k, least, 1)):
+                listed.append(solid)
+        return listed
+
+
+def _unit_rows(rows: Sequence[IntegerVector]) -> NDArray[np.float64]:
+    """Return rows divided by their largest entries, (k, 4)."""
+    return np.array([[x / max(map(abs, row)) for x in row] for row in rows]).reshape(-1, 4)
+
+
+def rounded(points: Iterable[IntegerVector]) -> NDArray[np.float64]:
+    """Return homogeneous points as floats, (k, 3)."""
+    return np.array([[x / p[3] for x in p[:3]] for p in points]).reshape(-1, 3)
+
+
+def _homogeneous(shape: Polyhedron) -> Loop:
+    return list(shape.homogeneous[0])
+
+
+def _turned(row: IntegerVector) -> IntegerVector:
+    return tuple([-x for x in row])
+
+
+def _patches(
+    row: IntegerVector, loops: Sequence[Loop], solids: _Solids, *, sheet: bool
+) -> Iterator[Patch]:
+    """Yield what is seen of polygons in a plane, as convex polygons without overlaps."""
+    kept: list[Loop] = []
+    sections: dict[int, Loop] = {}
+    for loop in loops:
+        near = solids.near(row, loop, sheet=sheet)
+        if near is None:
+            continue
+        left = [flattened(row, loop)]
+        for cover in kept:
+            left = [rest for part in left for rest in minus(part, cover)]
+        for solid in near:
+            if not left:
+                break
+            if id(solid) not in sections:
+                sections[id(solid)] = flattened(row, solid.section(row))
+            if cover := sections[id(solid)]:
+                left = [piece for part in left for piece in minus(part, cover)]
+        kept += left
+    edges = creases_of(kept)
+    for loop, creases in zip(kept, edges, strict=True):
+        ends = tuple((lifted(row, p), lifted(row, q)) for p, q in creases)
+        yield Patch(row, tuple(lifted(row, p) for p in loop), ends, sheet)
+
+
+def _thin(shapes: Sequence[Polyhedron]) -> Iterator[Patch]:
+    """Yield the parts of segments, and the points, that lie in nothing larger."""
+    for shape in (shape for shape in shapes if shape.dimension < 2):
+        larger = [other for other in shapes if other.dimension > shape.dimension]
+        if shape.dimension == 1:
+            p, q = shape.points
+            step = [b - a for a, b in zip(p, q, strict=True)]
+            covered = [part for other in larger if (part := other.along(p, step))]
+            for low, high in remainder((Fraction(0), Fraction(1)), covered):
+                if low is not None and high is not None and low < high:
+                    ends = tuple(
+                        primitive((*(a + t * b for a, b in zip(p, step, strict=True)), Fraction(1)))
+                        for t in (low, high)
+                    )
+                    yield Patch((0,) * 4, ends, ((ends[0], ends[1]),), sheet=True)
+        elif shape.dimension == 0 and not any(other.contains(shape.points[0]) for other in larger):
+            yield Patch((0,) * 4, (_homogeneous(shape)[0],), sheet=True)

@@ -1,0 +1,182 @@
+"""The cells of an arrangement inside a body: convex solids, cut exactly.
+
+Every cell is a closed surface by construction: the cut faces close what the cut has opened, and
+all cells share one list of points. Nothing is rounded here.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+
+from arrangement.enumeration.choose import enumerate_faces
+from arrangement.errors import InputError
+from arrangement.numbers.exact import IntegerVector, reduced, shown
+from arrangement.numbers.linear.rank import cycle_edges
+from arrangement.planes.planes import Planes
+
+from .body import Body, body_around
+
+
+@dataclass(frozen=True)
+class Cell:
+    """The part of one region inside the body.
+
+    Attributes:
+        signs: of the region, over the input planes.
+        sides: the same over the classes of coincident planes, for the first plane of each.
+        faces: cycles of points, counter-clockwise seen from outside.
+        walls: for each face the class of planes that it lies on, or ``-1 - f`` for a part of face
+            f of the body.
+    """
+
+    signs: tuple[int, ...]
+    sides: tuple[int, ...]
+    faces: tuple[tuple[int, ...], ...]
+    walls: tuple[int, ...]
+
+
+@dataclass(frozen=True)
+class Cells:
+    """All cells, or chosen ones, of an arrangement inside a body, over one list of points.
+
+    Attributes:
+        points: homogeneous integer points ``(x, y, z, w)``, w > 0.
+        cells: in the order of `Arrangement.regions`' sign vectors, sorted.
+    """
+
+    arrangement: Planes
+    body: Body
+    points: tuple[IntegerVector, ...]
+    cells: tuple[Cell, ...]
+
+
+def cut_cells(
+    arrangement: Planes,
+    kind: str = "ball",
+    centre: Sequence[object] | None = None,
+    radius: object | None = None,
+) -> Cells:
+    """Cut a body along all planes.
+
+    Args:
+        arrangement: in R^3; central or not, of any rank, coincident planes allowed.
+        kind: "ball" or "cube".
+        centre, radius: of the body; see `body_around`.
+
+    Raises:
+        InputError: as `body_around`.
+
+    Complexity: each plane is tried on every cell: O(m (corners + faces of all cells)).
+    """
+    body = body_around(arrangement, kind, centre, radius)
+    knife = _Knife(body.corners)
+    walls = tuple(-1 - face for face in range(len(body.faces)))
+    solids: list[tuple[tuple[int, ...], _Solid]] = [((), (body.faces, walls))]
+    for label, members in enumerate(arrangement.distinct):
+        plane = arrangement.integer_planes[members[0]]
+        knife.take(label, (*plane[:3], -plane[3]))
+        solids = [
+            ((*sides, side), part)
+            for sides, solid in solids
+            for side, part in knife.halves(solid).items()
+        ]
+    cells = tuple(
+        sorted(
+            (Cell(arrangement.over_planes(sides), sides, *solid) for sides, solid in solids),
+            key=lambda cell: cell.signs,
+        )
+    )
+    return Cells(arrangement, body, tuple(knife.points), cells)
+
+
+def read_signs(arrangement: Planes, text: str) -> tuple[int, ...]:
+    """Read the sign vector of a region from a text such as ``"+-+"``.
+
+    Raises:
+        InputError: other characters, another length, or no such region.
+    """
+    symbols = {"+": 1, "-": -1, "−": -1}
+    if not isinstance(text, str) or not set(text) <= set(symbols):
+        raise InputError(f"the cell is {shown(text)}; write one + or - for each plane, as in +-+")
+    signs = tuple(symbols[c] for c in text)
+    if len(signs) != len(arrangement):
+        raise InputError(
+            f"the cell {shown(text)} has {len(signs)} signs and there are {len(arrangement)} planes"
+        )
+    regions = enumerate_faces(arrangement).of_dimension(arrangement.dimension)
+    if not (regions.signs == signs).all(axis=1).any():
+        raise InputError(
+            f"no region has the signs {shown(text)}; `arrangement faces FILE --dimension 3` "
+            "lists them"
+        )
+    return signs
+
+
+#: faces and walls, as in `Cell`
+_Solid = tuple[tuple[tuple[int, ...], ...], tuple[int, ...]]
+
+
+class _Knife:
+    """Cuts convex solids by one plane after the other; new points are shared by all."""
+
+    def __init__(self, corners: Sequence[IntegerVector]) -> None:
+        self.points = list(corners)
+        self.index = {point: i for i, point in enumerate(self.points)}
+        self.label = -1
+        self.values: list[int] = []
+
+    def take(self, label: int, plane: IntegerVector) -> None:
+        """Take the next plane, ``(a, b, c, d)`` for ``a x + b y + c z + d w = 0``."""
+        a, b, c, d = plane
+        self.label = label
+        self.values = [a * x + b * y + c * z + d * w for x, y, z, w in self.points]
+
+    def halves(self, solid: _Solid) -> Mapping[int, _Solid]:
+        """Return the parts of a solid on the sides +1 and -1, as far as they have a volume."""
+        faces, _ = solid
+        corners = {i for face in faces for i in face}
+        above = any(self.values[i] > 0 for i in corners)
+        below = any(self.values[i] < 0 for i in corners)
+        if above and below:
+            return {1: self._half(solid, 1), -1: self._half(solid, -1)}
+        return {1 if above else -1: solid}
+
+    def _half(self, solid: _Solid, side: int) -> _Solid:
+        """Return the part on one side, closed by a face in the plane."""
+        faces, walls = [], []
+        for face, wall in zip(*solid, strict=True):
+            kept = self._clipped(face, side)
+            if len(kept) > 2:
+                faces.append(kept)
+                walls.append(wall)
+        edges = {edge for face in faces for edge in cycle_edges(face)}
+        following = {b: a for a, b in edges if (b, a) not in edges}
+        lid = [min(following)]
+        while following[lid[-1]] != lid[0]:
+            lid.append(following[lid[-1]])
+        assert len(lid) == len(following), "a cut through a convex solid is one polygon"
+        return (*faces, tuple(lid)), (*walls, self.label)
+
+    def _clipped(self, face: tuple[int, ...], side: int) -> tuple[int, ...]:
+        kept = []
+        for p, q in cycle_edges(face):
+            at_p, at_q = side * self.values[p], side * self.values[q]
+            if at_p >= 0:
+                kept.append(p)
+            if at_p * at_q < 0:
+                kept.append(self._between(p, q))
+        return tuple(kept)
+
+    def _between(self, p: int, q: int) -> int:
+        """Return the point where the plane meets the segment between two points."""
+        at_p, at_q = self.values[p], self.values[q]
+        if at_p < 0:
+            p, q, at_p, at_q = q, p, at_q, at_p
+        here, there = self.points[p], self.points[q]
+        point = reduced([at_p * y - at_q * x for x, y in zip(here, there, strict=True)])
+        if point not in self.index:
+            self.index[point] = len(self.points)
+            self.points.append(point)
+            self.values.append(0)
+        return self.index[point]

@@ -1,0 +1,45 @@
+"""The dual and the unit sphere: points in the regions, their hull, and duals that are inscribed.
+
+[HaasHeger2018], section IV.A, takes a point of the unit sphere in each region and says that the
+dual polyhedron with these vertices is convex. Two questions follow, and both are decided exactly:
+
+* *These points:* the hull of given points is convex, but are its edges the adjacencies? See
+  `representative_hull`.
+* *Any points:* is there a convex polyhedron at all that has the graph of the dual and its vertices
+  on a sphere? `inscribability` answers by Rivin's criterion. A "no" rules out every choice of
+  points. A "yes" gives some inscribed polyhedron with this graph; that its vertices can also be
+  placed in their regions is a further condition: `representative_hull` checks it for points at
+  hand, and `inscribed_zonotope` finds such points by an exact linear program where a zonotope has
+  them.
+
+Rooms: `points`, `hull`, `certificates` (the criterion and its checkers), `search` and `cuts` (find
+weights or a refutation; share no code with the checkers), `zonotope`, `report`.
+"""
+
+from .certificates import (
+    FarkasCertificate,
+    IndependentSetCertificate,
+    PolyhedralGraph,
+    WeightCertificate,
+)
+from .hull import RepresentativeHull, SphereHull, representative_hull, sphere_hull, sphere_points
+from .report import Inscribability, inscribability
+from .search import decide
+from .zonotope import InscribedZonotope, inscribed_zonotope
+
+__all__ = [
+    "FarkasCertificate",
+    "IndependentSetCertificate",
+    "Inscribability",
+    "InscribedZonotope",
+    "PolyhedralGraph",
+    "RepresentativeHull",
+    "SphereHull",
+    "WeightCertificate",
+    "decide",
+    "inscribability",
+    "inscribed_zonotope",
+    "representative_hull",
+    "sphere_hull",
+    "sphere_points",
+]

@@ -1,0 +1,305 @@
+"""Rational points of the sphere, one in each region, and their hull.
+
+Orientation: a triangle (a, b, c) is counter-clockwise seen from outside. A point p lies on its
+inner side when ``det[a 1; b 1; c 1; p 1] > 0``.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+from functools import cached_property
+from typing import TypeAlias
+
+import numpy as np
+
+from arrangement.duals.zonohedron import DualPolyhedron
+from arrangement.errors import InputError
+from arrangement.numbers.exact import IntegerVector, RationalVector, dot
+from arrangement.numbers.linear.rank import triple_product
+
+
+def sphere_points(dual: DualPolyhedron, bits: int = 10) -> tuple[RationalVector, ...]:
+    """Return a rational point of the unit sphere in the region of each vertex of the dual.
+
+    The point is near the middle of the region's rays. It is the stereographic image of a point
+    with coordinates that are multiples of 2^-bits; `bits` is doubled until the point lies in the
+    region, which is tested by integer signs. Opposite regions get opposite points.
+
+    >>> from arrangement import Arrangement, dual_polyhedron
+    >>> cube = dual_polyhedron(Arrangement([[1, 0, 0], [0, 1, 0], [0, 0, 1]]))
+    >>> {sum(x * x for x in point) for point in sphere_points(cube)}
+    {Fraction(1, 1)}
+    """
+    planes = [plane[:3] for plane in dual.arrangement.integer_planes]
+    found = []
+    for middle, signs in zip(_middles(dual), dual.signs.tolist(), strict=True):
+        sides = [tuple(s * x for x in plane) for s, plane in zip(signs, planes, strict=True)]
+        found.append(_inside(middle, sides, bits))
+    return tuple(found)
+
+
+def _middles(dual: DualPolyhedron) -> list[IntegerVector]:
+    """Return for each region a positive combination of its rays, of about equal lengths."""
+    lengths = [math.isqrt(dot(ray, ray)) + 1 for ray in dual.face_normals]
+    scale = 16 * max(lengths)
+    sums = [[0, 0, 0] for _ in dual.integer_vertices]
+    for ray, length, cycle in zip(dual.face_normals, lengths, dual.faces, strict=True):
+        factor = scale // length
+        for vertex in cycle:
+            total = sums[vertex]
+            for k in range(3):
+                total[k] += factor * ray[k]
+    return [tuple(total) for total in sums]
+
+
+def _inside(middle: IntegerVector, sides: list[IntegerVector], bits: int) -> RationalVector:
+    """Return a unit vector near `middle` on the positive side of all the given normals."""
+    while True:
+        *numerators, denominator = rational_direction(middle, bits)
+        if all(dot(side, numerators) > 0 for side in sides):
+            return tuple(Fraction(x, denominator) for x in numerators)
+        bits *= 2
+
+
+def rational_direction(vector: IntegerVector, bits: int) -> IntegerVector:
+    """Return integers (x, y, z, q) with x^2 + y^2 + z^2 = q^2, near the direction of a vector.
+
+    The vector v is projected from the pole of its largest coordinate v_k, the far one:
+    ``a_j = v_j / (|v| + |v_k|)``, rounded to multiples of 2^-bits, then back to the sphere by
+    ``(2 a, 1 - |a|^2) / (1 + |a|^2)``. Integers only; ``v`` and ``-v`` give opposite points.
+    """
+    k = max(range(3), key=lambda j: abs(vector[j]))
+    guard = bits + 4
+    length = math.isqrt(dot(vector, vector) << 2 * guard)
+    divisor = length + (abs(vector[k]) << guard)
+    unit = 1 << bits
+    point = [_rounded(x << (guard + bits), divisor) for x in vector]
+    square = sum(a * a for j, a in enumerate(point) if j != k)
+    result = [2 * unit * a for a in point]
+    result[k] = (unit * unit - square) * (1 if vector[k] > 0 else -1)
+    return (*result, unit * unit + square)
+
+
+def _rounded(numerator: int, denominator: int) -> int:
+    """Return the nearest integer to a ratio; halves go away from zero."""
+    size = (2 * abs(numerator) + denominator) // (2 * denominator)
+    return size if numerator >= 0 else -size
+
+
+Triangle: TypeAlias = tuple[int, int, int]
+Edge: TypeAlias = tuple[int, int]
+
+
+@dataclass(frozen=True, slots=True)
+class SphereHull:
+    """The hull of points on the unit sphere with the origin inside, triangulated.
+
+    Every point is a vertex, for no point of a sphere lies in the hull of others. So there are
+    V vertices, 3V - 6 edges and 2V - 4 triangles. Flat faces are triangulated arbitrarily.
+
+    Attributes:
+        points: exact unit vectors.
+        triangles: counter-clockwise seen from outside.
+        edges: of the triangulation, each as (smaller, larger).
+        flat_edges: those whose two triangles lie in one plane: no edges of the hull proper.
+    """
+
+    points: tuple[RationalVector, ...]
+    triangles: tuple[Triangle, ...]
+    edges: frozenset[Edge]
+    flat_edges: frozenset[Edge]
+
+    @property
+    def true_edges(self) -> frozenset[Edge]:
+        """The edges of the hull itself, with flat faces left whole."""
+        return self.edges - self.flat_edges
+
+
+@dataclass(frozen=True)
+class RepresentativeHull:
+    """The hull of one unit vector for each region, compared with the adjacency of regions.
+
+    Attributes:
+        dual: the dual polyhedron; its vertex v and point v belong to the same region.
+        hull: the exact hull of the points.
+    """
+
+    dual: DualPolyhedron
+    hull: SphereHull
+
+    @cached_property
+    def adjacencies(self) -> frozenset[Edge]:
+        """The pairs of regions that share a facet."""
+        return frozenset((min(pair), max(pair)) for pair in self.dual.edges.tolist())
+
+    @cached_property
+    def missing(self) -> frozenset[Edge]:
+        """The adjacent pairs that are no edges of the hull."""
+        return self.adjacencies - self.hull.true_edges
+
+    @property
+    def is_dual(self) -> bool:
+        """Whether the edges of the hull are exactly the adjacencies: the dual is inscribed."""
+        return self.adjacencies == self.hull.true_edges
+
+
+def representative_hull(
+    dual: DualPolyhedron, points: Sequence[RationalVector] | None = None
+) -> RepresentativeHull:
+    """Return the exact hull of one point of the unit sphere for each region.
+
+    Args:
+        dual: the dual polyhedron of the arrangement.
+        points: for each vertex of the dual an exact unit vector inside its region; if omitted,
+            `sphere_points` chooses.
+
+    Raises:
+        InputError: a point is not on the unit sphere or not inside its region.
+
+    The origin is always strictly inside: any direction u is a combination of three independent
+    normals; a region on the right sides of these three planes has a point p with u . p > 0.
+    """
+    chosen = sphere_points(dual) if points is None else tuple(map(tuple, points))
+    if len(chosen) != len(dual.signs):
+        raise InputError(f"there are {len(chosen)} points for {len(dual.signs)} regions")
+    for v, (point, signs) in enumerate(zip(chosen, dual.signs.tolist(), strict=True)):
+        if dual.arrangement.signs_at(point) != tuple(signs):
+            raise InputError(f"points[{v}] is not inside the region of vertex {v}")
+    return RepresentativeHull(dual, sphere_hull(chosen))
+
+
+def sphere_hull(points: Sequence[RationalVector]) -> SphereHull:
+    """Return the exact hull of distinct rational points of the unit sphere around the origin.
+
+    Qhull proposes triangles; if they do not pass the exact check, an exact incremental hull takes
+    over. The check: every directed edge occurs once, with its reverse; all triangles are
+    positively oriented about the origin; a ray meets only one triangle, so that they tile the
+    sphere once; and no edge is reentrant. A star-shaped body without reentrant edges is convex.
+
+    Raises:
+        InputError: a point off the sphere, two equal points, or the origin is not strictly inside.
+
+    Complexity: O(V log V) for the proposal and O(V) determinants; O(V^2) for the fallback.
+    """
+    homogeneous = [_homogeneous(i, point) for i, point in enumerate(points)]
+    if len(set(homogeneous)) < len(homogeneous):
+        raise InputError("two points are equal; give distinct points")
+    for propose in (_qhull, _incremental):
+        triangles = propose(homogeneous)
+        flat = _flat_edges_if_hull(homogeneous, triangles)
+        if flat is not None:
+            edges = frozenset(edge for a, b, c in triangles for edge in _edges(a, b, c))
+            return SphereHull(tuple(map(tuple, points)), tuple(triangles), edges, flat)
+    raise InputError("the origin is not strictly inside the hull of the points")
+
+
+def _homogeneous(i: int, point: RationalVector) -> IntegerVector:
+    """Return integers (x, y, z, q), q > 0, with point = (x, y, z) / q."""
+    if len(point) != 3 or sum(Fraction(x) ** 2 for x in point) != 1:
+        raise InputError(f"points[{i}] is not on the unit sphere of R^3")
+    q = math.lcm(*(Fraction(x).denominator for x in point))
+    return (*(int(x * q) for x in point), q)
+
+
+def plane(a: IntegerVector, b: IntegerVector, c: IntegerVector) -> IntegerVector:
+    """Return h with ``h . p = det[a; b; c; p]`` for homogeneous points: positive inside."""
+    without = [[[*row[:k], *row[k + 1 :]] for row in (a, b, c)] for k in range(4)]
+    return tuple((1 if k % 2 else -1) * triple_product(*rows) for k, rows in enumerate(without))
+
+
+def _edges(a: int, b: int, c: int) -> list[Edge]:
+    return [(min(u, v), max(u, v)) for u, v in ((a, b), (b, c), (c, a))]
+
+
+def _flat_edges_if_hull(
+    points: list[IntegerVector], triangles: list[Triangle]
+) -> frozenset[Edge] | None:
+    """Return the flat edges if the triangles are the hull (see `sphere_hull`), else None."""
+    opposite: dict[Edge, int] = {}
+    for a, b, c in triangles:
+        if triple_product(points[a][:3], points[b][:3], points[c][:3]) <= 0:
+            return None
+        opposite.update({(a, b): c, (b, c): a, (c, a): b})
+    if len(triangles) != 2 * len(points) - 4 or len(opposite) != 3 * len(triangles):
+        return None
+    flat = set()
+    for a, b, c in triangles:
+        h = plane(points[a], points[b], points[c])
+        for u, v in ((a, b), (b, c), (c, a)):
+            beyond = opposite.get((v, u))
+            height = -1 if beyond is None else dot(h, points[beyond])
+            if height < 0:
+                return None
+            if height == 0:
+                flat.add((min(u, v), max(u, v)))
+    used = {v for triangle in triangles for v in triangle}
+    if len(used) < len(points) or not _covers_once(points, triangles):
+        return None
+    return frozenset(flat)
+
+
+def _covers_once(points: list[IntegerVector], triangles: list[Triangle]) -> bool:
+    """Whether the ray through the middle of the first triangle meets no other one."""
+    directions = [point[:3] for point in points]
+    middle = [sum(column) for column in zip(*(directions[v] for v in triangles[0]), strict=True)]
+    meets = 0
+    for triangle in triangles:
+        corners = [directions[v] for v in triangle]
+        tests = ([middle if j == k else corners[j] for j in range(3)] for k in range(3))
+        meets += all(triple_product(*rows) >= 0 for rows in tests)
+    return meets == 1
+
+
+def _qhull(points: list[IntegerVector]) -> list[Triangle]:
+    """Propose the triangles of the hull in floating point, oriented by exact signs."""
+    from scipy.spatial import ConvexHull, QhullError
+
+    try:
+        simplices = ConvexHull(np.array([[x / p[3] for x in p[:3]] for p in points])).simplices
+    except QhullError:
+        return []
+    return [_oriented(points, tuple(simplex)) for simplex in simplices.tolist()]
+
+
+def _oriented(points: list[IntegerVector], triangle: tuple[int, ...]) -> Triangle:
+    a, b, c = triangle
+    positive = triple_product(*(points[v][:3] for v in triangle)) > 0
+    return (a, b, c) if positive else (a, c, b)
+
+
+def _incremental(points: list[IntegerVector]) -> list[Triangle]:
+    """Exact hull, one point at a time; a face counts as visible only from strictly outside.
+
+    A point in the plane of a face, but outside it, then only adds triangles to that flat face.
+    """
+    first = _simplex(points)
+    a, b, c, d = first
+    if dot(plane(points[a], points[b], points[c]), points[d]) < 0:
+        b, c = c, b
+    faces = {
+        t: plane(*(points[v] for v in t)) for t in ((a, b, c), (a, c, d), (a, d, b), (b, d, c))
+    }
+    for p in range(len(points)):
+        if p in first:
+            continue
+        visible = [t for t, h in faces.items() if dot(h, points[p]) < 0]
+        border = {edge for x, y, z in visible for edge in ((x, y), (y, z), (z, x))}
+        for t in visible:
+            del faces[t]
+        for u, v in border:
+            if (v, u) not in border:
+                faces[u, v, p] = plane(points[u], points[v], points[p])
+    return list(faces)
+
+
+def _simplex(points: list[IntegerVector]) -> tuple[int, int, int, int]:
+    """Return four points that are not in one plane. Three points of a sphere are never aligned."""
+    if len(points) >= 4:
+        base = plane(*points[:3])
+        for d in range(3, len(points)):
+            if dot(base, points[d]):
+                return 0, 1, 2, d
+    raise InputError("all points lie in one plane; the origin is not strictly inside their hull")

@@ -1,0 +1,247 @@
+"""The search for Rivin weights: linear programs with cutting planes; floats propose only.
+
+The program maximises t with ``t <= w(e) <= 1/2 - t``, ``w(at v) = 1`` and ``w(C) >= 1 + t`` for the
+cutsets found so far. If t > 0 and no other cutset is violated, weights are rounded to an exact
+solution; if t <= 0, the dual solution is rounded to a Farkas certificate. If rounding fails, the
+rows in question go to `arrangement.numbers.linear.programs`. Whatever comes out has passed its own
+`verify`.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from fractions import Fraction
+from functools import lru_cache
+from typing import TypeAlias
+
+import networkx as nx
+import numpy as np
+import numpy.typing as npt
+
+from arrangement.errors import ArrangementError
+from arrangement.numbers.linear.programs import Optimal, minimize
+
+from .certificates import (
+    Certificate,
+    FarkasCertificate,
+    IndependentSetCertificate,
+    PolyhedralGraph,
+    WeightCertificate,
+)
+from .cuts import DualDistances, Side
+
+Floats: TypeAlias = npt.NDArray[np.float64]
+
+_TOLERANCE = 1e-9
+#: Below this margin the answer is taken to be "no", and must then be proved.
+_MARGIN = 1e-7
+_DENOMINATORS = (6, 60, 2520, 1 << 16, 1 << 26, 1 << 36)
+
+
+@lru_cache(maxsize=64)
+def decide(graph: PolyhedralGraph) -> Certificate:
+    """Decide whether a polyhedral graph can be inscribed in a sphere; return a verified proof.
+
+    Raises:
+        ArrangementError: the graph is not planar and 3-connected, or (never seen) the search found
+            neither weights nor a contradiction.
+
+    Complexity: polynomial; one linear program for each round of cuts, E + 1 variables, and about
+    E deg^2 bounded shortest-path searches to find cuts.
+    """
+    graph.require_polyhedral()
+    side = _larger_side(graph)
+    if side is None:
+        return _Program(graph).certificate()  # what it returns is verified
+    certificate = IndependentSetCertificate(graph, side)
+    certificate.verify()
+    return certificate
+
+
+def _larger_side(graph: PolyhedralGraph) -> Side | None:
+    """Return the larger side of a bipartite graph with unequal sides."""
+    network = graph.to_networkx()
+    if not nx.is_bipartite(network):
+        return None
+    sides = nx.bipartite.sets(network)
+    larger = max(sides, key=len)
+    return frozenset(larger) if 2 * len(larger) > graph.vertex_count else None
+
+
+@dataclass(frozen=True, slots=True)
+class _Solution:
+    """An optimum: weights, margin t, and the multipliers of the rows in `_Program.rows` order."""
+
+    weights: Floats
+    margin: float
+    multipliers: Floats
+    vertex_multipliers: Floats
+
+
+class _Program:
+    """The linear program of one graph, with the cutsets found so far."""
+
+    def __init__(self, graph: PolyhedralGraph) -> None:
+        self.graph = graph
+        self.cuts: list[Side] = []
+        self.dual = DualDistances(graph)
+
+    def certificate(self) -> Certificate:
+        while True:
+            solution = self.solve()
+            if solution.margin <= _MARGIN:
+                return self.refutation(solution)
+            new = set(
+                self.dual.light_cuts(solution.weights.tolist(), 1 + solution.margin - _TOLERANCE)
+            )
+            if not new - set(self.cuts):
+                return self.weights(solution)
+            self.cuts += sorted(new - set(self.cuts), key=sorted)
+
+    def rows(self) -> list[tuple[dict[int, int], Fraction]]:
+        """Return the inequalities ``row . w + constant >= t``: lower and upper bounds, cutsets."""
+        count = len(self.graph.edges)
+        lower = [({e: 1}, Fraction(0)) for e in range(count)]
+        upper = [({e: -1}, Fraction(1, 2)) for e in range(count)]
+        cuts = [
+            (
+                {e: 1 for e, (u, v) in enumerate(self.graph.edges) if (u in side) != (v in side)},
+                Fraction(-1),
+            )
+            for side in self.cuts
+        ]
+        return [*lower, *upper, *cuts]
+
+    def solve(self) -> _Solution:
+        """Maximise t in floating point."""
+        from scipy.optimize import linprog
+        from scipy.sparse import csr_array
+
+        rows, edges = self.rows(), self.graph.edges
+        entries = [(i, e, -x) for i, (row, _) in enumerate(rows) for e, x in row.items()]
+        entries += [(i, len(edges), 1) for i in range(len(rows))]
+        i, j, x = (np.array(column) for column in zip(*entries, strict=True))
+        shape = (len(rows), len(edges) + 1)
+        ends = [(v, e) for e, edge in enumerate(edges) for v in edge]
+        vertex, edge = (np.array(column) for column in zip(*ends, strict=True))
+        count = self.graph.vertex_count
+        answer = linprog(
+            [0.0] * len(edges) + [-1.0],
+            csr_array((x.astype(float), (i, j)), shape=shape),
+            [float(constant) for _, constant in rows],
+            csr_array((np.ones(len(ends)), (vertex, edge)), shape=(count, len(edges) + 1)),
+            [1.0] * count,
+            [(None, None)] * len(edges) + [(None, 1.0)],
+            method="highs-ds",
+        )
+        if answer.status != 0:
+            raise ArrangementError(f"the float linear program ended with: {answer.message}")
+        return _Solution(
+            answer.x[:-1], float(answer.x[-1]), -answer.ineqlin.marginals, -answer.eqlin.marginals
+        )
+
+    def weights(self, solution: _Solution) -> WeightCertificate:
+        """Round to weights that sum to 1 at every vertex exactly; take the first that verify."""
+        for denominator in _DENOMINATORS:
+            rounded = [Fraction(round(w * denominator), denominator) for w in solution.weights]
+            exact = _balanced(self.graph, rounded)
+            if exact is not None and all(0 < w < Fraction(1, 2) for w in exact):
+                certificate = WeightCertificate(self.graph, exact)
+                try:
+                    certificate.verify()
+                except ArrangementError:
+                    continue
+                return certificate
+        raise ArrangementError("the weights found are too close to the boundary to be rounded")
+
+    def refutation(self, solution: _Solution) -> FarkasCertificate:
+        """Round the multipliers; if that fails, solve the rows in use exactly, then all rows."""
+        for limit in (12, 100, 10**4, 10**6):
+            multipliers = [Fraction(x).limit_denominator(limit) for x in solution.multipliers]
+            vertices = [Fraction(x).limit_denominator(limit) for x in solution.vertex_multipliers]
+            certificate = self.farkas(multipliers, vertices)
+            if _verified(certificate):
+                return certificate
+        used = [i for i, x in enumerate(solution.multipliers) if x > _TOLERANCE]
+        for chosen in (used, range(len(solution.multipliers))):
+            multipliers, vertices = self.exact_multipliers(list(chosen))
+            certificate = self.farkas(multipliers, vertices)
+            if _verified(certificate):
+                return certificate
+        raise ArrangementError("the margin is positive but too small; no certificate was found")
+
+    def farkas(self, multipliers: list[Fraction], vertices: list[Fraction]) -> FarkasCertificate:
+        edges = self.graph.edges
+        count = len(edges)
+        positive = {i: x for i, x in enumerate(multipliers) if x}
+        return FarkasCertificate(
+            self.graph,
+            tuple(vertices),
+            {edges[i]: x for i, x in positive.items() if i < count},
+            {edges[i - count]: x for i, x in positive.items() if count <= i < 2 * count},
+            tuple((self.cuts[i - 2 * count], x) for i, x in positive.items() if i >= 2 * count),
+        )
+
+    def exact_multipliers(self, chosen: list[int]) -> tuple[list[Fraction], list[Fraction]]:
+        """Maximise t over some of the rows exactly; an unbounded t gives zeros."""
+        rows, count = self.rows(), len(self.graph.edges)
+        inequalities: list[list[Fraction | int]] = []
+        for i in chosen:
+            row, constant = rows[i]
+            inequalities.append([*(row.get(e, 0) for e in range(count)), -1, constant])
+        equalities = [
+            [*(int(v in edge) for edge in self.graph.edges), 0, -1]
+            for v in range(self.graph.vertex_count)
+        ]
+        answer = minimize([0] * count + [-1], inequalities, equalities)
+        multipliers = [Fraction(0)] * len(rows)
+        if not isinstance(answer, Optimal):
+            return multipliers, [Fraction(0)] * self.graph.vertex_count
+        for i, x in zip(chosen, answer.inequality_multipliers, strict=True):
+            multipliers[i] = x
+        return multipliers, list(answer.equality_multipliers)
+
+
+def _verified(certificate: FarkasCertificate) -> bool:
+    try:
+        certificate.verify()
+    except ArrangementError:
+        return False
+    return True
+
+
+def _balanced(graph: PolyhedralGraph, weights: list[Fraction]) -> tuple[Fraction, ...] | None:
+    """Change the weights of a spanning tree so that every vertex has sum 1, exactly.
+
+    The tree is peeled from its leaves. A defect that remains at the root is split by an edge that
+    closes an odd cycle, if there is one: adding x to it adds 2x or -2x to the defect.
+    """
+    index = {edge: e for e, edge in enumerate(graph.edges)}
+    tree = list(nx.bfs_edges(graph.to_networkx(), 0))
+    parent = {v: u for u, v in tree}
+    depth = {0: 0}
+    for u, v in tree:
+        depth[v] = depth[u] + 1
+
+    def peel() -> Fraction:
+        missing = [Fraction(1)] * graph.vertex_count
+        for e, (u, v) in enumerate(graph.edges):
+            if parent.get(u) != v and parent.get(v) != u:
+                missing[u] -= weights[e]
+                missing[v] -= weights[e]
+        for _, v in reversed(tree):
+            u = parent[v]
+            weights[index[min(u, v), max(u, v)]] = missing[v]
+            missing[u] -= missing[v]
+        return missing[0]
+
+    defect = peel()
+    if defect:
+        odd = (e for e, (u, v) in enumerate(graph.edges) if (depth[u] - depth[v]) % 2 == 0)
+        e = next(odd, None)
+        if e is None:
+            return None
+        weights[e] += defect / 2 * (1 if depth[graph.edges[e][0]] % 2 == 0 else -1)
+        if peel():
+            return None
+    return tuple(weights)

@@ -1,1 +1,0 @@
-"""Formats: the own documents, and the languages of others. One module each, one table."""

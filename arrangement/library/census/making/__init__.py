@@ -1,0 +1,1 @@
+"""How the lists of types were made, and what they say in numbers."""

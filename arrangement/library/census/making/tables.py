@@ -1,0 +1,138 @@
+"""What the census says as a whole: numbers of types by regions and by points, and its checks."""
+
+from __future__ import annotations
+
+from collections import Counter
+from dataclasses import dataclass
+from hashlib import sha256
+
+import numpy as np
+
+from arrangement.console.progress import watched
+from arrangement.library.census.catalogue import (
+    MOST_PLANES,
+    PUBLISHED,
+    chirotopes,
+    normals,
+    place_keys,
+    places,
+    without_coordinates,
+)
+from arrangement.library.census.chirotopes import extended, t_vectors, triples
+from arrangement.library.census.extensions import extensions
+from arrangement.library.census.final_polynomials import proves_no_coordinates
+
+#: Types that are worked on together.
+_TOGETHER = 5000
+
+
+@dataclass(frozen=True)
+class Table:
+    """The types of m distinct planes of rank 3, counted.
+
+    Attributes:
+        types, simple, simplicial: how many there are.
+        by_regions: how many have so many regions.
+        by_points: how many have so many points on 2, 3, ... planes: the t-vector from t2 on,
+            without zeros at its end.
+        digest: SHA-256 of all normals, in order, one signed byte an entry.
+    """
+
+    types: int
+    simple: int
+    simplicial: int
+    by_regions: dict[int, int]
+    by_points: dict[tuple[int, ...], int]
+    digest: str
+
+
+def table(planes: int) -> Table:
+    """Count the types of so many planes, 3 to 9; those of nine take half a minute."""
+    rows = normals(planes)
+    parts = watched(_parts(len(rows)), "parts of the types")
+    points = np.concatenate([t_vectors(chirotopes(planes, part), planes) for part in parts])
+    lines = np.arange(planes + 1)
+    regions = 2 + 2 * (points * (lines - 1))[:, 2:].sum(1)
+    facets = 2 * points @ lines
+    t_vector = Counter(np.trim_zeros(row, "b")[2:] for row in map(tuple, points.tolist()))
+    return Table(
+        types=len(rows),
+        simple=int((points[:, 3:] == 0).all(1).sum()),
+        simplicial=int((2 * facets == 3 * regions).sum()),
+        by_regions=dict(sorted(Counter(regions.tolist()).items())),
+        by_points=dict(sorted(t_vector.items(), reverse=True)),
+        digest=sha256(rows.astype(np.int8).tobytes()).hexdigest(),
+    )
+
+
+@dataclass(frozen=True)
+class Check:
+    """What a check of the list of nine planes found.
+
+    Attributes:
+        different: the types are in strict order of their codes: no two are the same.
+        proofs: proofs that hold, each for another type without coordinates.
+        parents: types of eight planes that were extended without coordinates.
+        extensions: in how many ways.
+        listed: how many of these are types of the list.
+        without: how many are types without coordinates.
+    """
+
+    different: bool
+    proofs: int
+    parents: int
+    extensions: int
+    listed: int
+    without: int
+
+    @property
+    def holds(self) -> bool:
+        """Nothing speaks against the list."""
+        return self.different and self.listed + self.without == self.extensions
+
+
+def check(sample: int, seed: int = 0, *, order: bool = True) -> Check:
+    """Check the list of nine planes by a route without coordinates, on a sample.
+
+    Args:
+        sample: types of eight planes to extend, 0 to 4890.
+        seed: of their choice.
+        order: check the order of the whole list too, which takes two minutes.
+    """
+    proved = _proved()
+    signs = chirotopes(MOST_PLANES - 1)
+    chosen = np.random.default_rng(seed).permutation(len(signs))[:sample]
+    total = listed = without = 0
+    for parent in watched(chosen, "types of eight planes"):
+        added = extensions(signs[parent], MOST_PLANES - 1)
+        larger = extended(signs[parent], added, MOST_PLANES - 1)
+        found = places(larger) >= 0
+        total, listed = total + len(larger), listed + int(found.sum())
+        if not found.all():
+            without += sum(row in proved for row in map(tuple, place_keys(larger[~found]).tolist()))
+    return Check(_in_order() if order else True, len(proved), sample, total, listed, without)
+
+
+def _proved() -> set[tuple[int, ...]]:
+    """Return the keys of the types that are shown to have no coordinates."""
+    names = [tuple(row) for row in triples(MOST_PLANES).tolist()]
+    proved = [
+        signs
+        for signs, proof in without_coordinates()
+        if proves_no_coordinates(dict(zip(names, signs.tolist(), strict=True)), proof)
+    ]
+    return set(map(tuple, place_keys(np.array(proved)).tolist()))
+
+
+def _in_order() -> bool:
+    last: tuple[int, ...] = ()
+    for part in watched(_parts(PUBLISHED[MOST_PLANES]), "parts of the list"):
+        for row in map(tuple, place_keys(chirotopes(MOST_PLANES, part)).tolist()):
+            if row <= last:
+                return False
+            last = row
+    return True
+
+
+def _parts(total: int) -> list[slice]:
+    return [slice(low, min(low + _TOGETHER, total)) for low in range(0, total, _TOGETHER)]

@@ -1,0 +1,1 @@
+"""Files of arrangements: the own documents, and the formats of others."""

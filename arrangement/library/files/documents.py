@@ -1,0 +1,113 @@
+"""Documents of arrangements, the own form of files, and their JSON Schema.
+
+An arrangement::
+
+    {"schema_version": 1, "planes": [["0", "1", "-1"], ["1", "0", "0"]], "offsets": ["0", "2"]}
+
+with optional ``offsets``, ``dimension`` (needed only when there are no planes) and
+``description``. Irrational entries are in a ``field``, and are lists of the coefficients of the
+powers 1, a, a^2, ... of the root that it names (here the golden ratio)::
+
+    {"schema_version": 1, "planes": [["1", ["0", "1"]]],
+     "field": {"minimal_polynomial": ["-1", "-1", "1"], "interval": ["1", "2"]}}
+
+Packages above this one add further kinds of document that stand for an arrangement
+(`arrangement.console.plugins`).
+"""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Callable, Mapping
+from importlib.resources import files
+from typing import Any
+
+from arrangement.arrangement import Arrangement
+from arrangement.console.plugins import added, named
+from arrangement.errors import InputError
+from arrangement.library.files.json_files import check_document, check_keys, check_list, kind_of
+from arrangement.numbers.exact import rational_vector
+from arrangement.numbers.number_field import NumberField
+
+
+def arrangement_schema() -> dict[str, Any]:
+    """Return the schema.
+
+    >>> arrangement_schema()["title"]
+    'Arrangement'
+    """
+    text = files(__package__).joinpath("arrangement.schema.json").read_text(encoding="utf-8")
+    schema: dict[str, Any] = json.loads(text)
+    return schema
+
+
+#: Of a document of the kind "planes"; the first two are needed.
+KEYS = ("schema_version", "planes", "offsets", "dimension", "description", "field")
+#: Largest dimension that a file may name for an arrangement (rows of planes speak for themselves).
+MAX_DIMENSION = 1000
+
+
+def arrangement_of(document: Any, name: str) -> Arrangement:
+    """Return the arrangement that a document called `name` stands for.
+
+    Raises:
+        InputError: for anything that is not exactly a valid document.
+    """
+    others = added("documents")
+    found = check_document(document, ["planes", *others], name)
+    kind = next((key for key in others if key in found), None)
+    read: Callable[[Mapping[str, Any]], Arrangement] = named(others[kind]) if kind else _planes
+    return read(found)
+
+
+def _planes(document: Mapping[str, Any]) -> Arrangement:
+    """Read a document of the kind "planes"."""
+    check_keys(document, KEYS[:2], KEYS[2:], "the arrangement")
+    field = _field(document["field"]) if "field" in document else None
+
+    def numbers(value: Any, where: str) -> list[Any]:
+        given = check_list(value, where)
+        if set(map(type, given)).isdisjoint((list, tuple)):
+            return given
+        return [
+            _of_field(x, field, f"{where}[{i}]") if isinstance(x, (list, tuple)) else x
+            for i, x in enumerate(given)
+        ]
+
+    planes = check_list(document["planes"], "planes")
+    return Arrangement(
+        [numbers(row, f"planes[{i}]") for i, row in enumerate(planes)],
+        numbers(document["offsets"], "offsets") if "offsets" in document else None,
+        dimension=_dimension(document["dimension"]) if "dimension" in document else None,
+    )
+
+
+def _field(value: Any) -> NumberField:
+    keys = ("minimal_polynomial", "interval")
+    check_keys(value, keys, (), "the field")
+    return NumberField(*(check_list(value[key], key) for key in keys))
+
+
+def _of_field(value: Any, field: NumberField | None, where: str) -> Any:
+    """Return the number with these coefficients of the powers of the root."""
+    if field is None:
+        raise InputError(
+            f'{where} is a list, which is a number of a field; add the key "field" with a minimal '
+            "polynomial and an interval, or write a rational number"
+        )
+    found: Any = 0
+    if not 0 < len(value) <= field.degree:
+        raise InputError(
+            f"{where} has {len(value)} coefficients; a number of this field has 1 to {field.degree}"
+        )
+    for c in reversed(rational_vector(value, where)):
+        found = found * field.root + c
+    return found
+
+
+def _dimension(value: Any) -> int:
+    if type(value) is not int or not 0 <= value <= MAX_DIMENSION:
+        raise InputError(
+            f"dimension is {kind_of(value)}; expected an integer from 0 to {MAX_DIMENSION}"
+        )
+    return value

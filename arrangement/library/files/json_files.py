@@ -1,0 +1,253 @@
+"""Files: strict reading of JSON documents, built-in documents by name, and safe writing.
+
+A document is a JSON object with ``"schema_version": 1``. Numbers in it are integers or strings
+such as ``"7/3"`` and ``"-0.25"``; a float is refused, because its decimal text and its binary
+value differ. Nothing from a file is ever evaluated. Every refusal is an `InputError` that says
+where, what, and the rule.
+
+Built-in documents are those that the packages add (`arrangement.console.plugins`).
+"""
+
+from __future__ import annotations
+
+import json
+import os
+import re
+import sys
+from collections.abc import Collection, Iterable, Mapping
+from difflib import get_close_matches
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, BinaryIO, TypeAlias
+
+from arrangement.console.plugins import added, named
+from arrangement.console.writing import reason
+from arrangement.errors import InputError
+from arrangement.numbers.exact import MAX_TEXT_LENGTH, integer, shown
+
+if TYPE_CHECKING:
+    from importlib.resources.abc import Traversable
+
+#: What a document can be read from: a path, ``"-"`` (stdin), a built-in name, or a mapping.
+Source: TypeAlias = "str | os.PathLike[str] | Mapping[str, Any]"
+
+SCHEMA_VERSION = 1
+#: Largest file that is read, unless a caller allows more.
+MAX_BYTES = 4 * 2**20
+
+_NAME = re.compile(r"[a-z0-9]+(?:-[a-z0-9]+)*")
+
+
+def read_document(
+    source: Source,
+    kinds: Collection[str],
+    *,
+    max_bytes: int = MAX_BYTES,
+    floats: bool = False,
+    versions: Collection[int] = (SCHEMA_VERSION,),
+) -> dict[str, Any]:
+    """Read a JSON object that has a known ``schema_version`` and exactly one of the keys `kinds`.
+
+    The caller checks the remaining keys with `check_keys`. A name such as ``paper-three-contacts``
+    means the built-in document even when a file of that name exists; write ``./name`` for the file.
+
+    Args:
+        floats: take numbers such as 0.1 and 1e-3 too, as the binary floats that they are; for data
+            whose conversion is the purpose.
+
+    Raises:
+        InputError: a file that cannot be read, is longer than `max_bytes`, is not UTF-8, is not
+            strict JSON (duplicate keys, NaN, floats, deep nesting), or is no such document.
+    """
+    if isinstance(source, Mapping):
+        document: Any = dict(source)
+        name = "the document"
+    else:
+        text, name = read_text(source, max_bytes)
+        document = parse_json(text, name, floats=floats)
+    return check_document(document, kinds, name, versions)
+
+
+def check_document(
+    document: Any, kinds: Collection[str], name: str, versions: Collection[int] = (SCHEMA_VERSION,)
+) -> dict[str, Any]:
+    """Check that a JSON value is a document of exactly one of the kinds; return it."""
+    if not isinstance(document, dict):
+        raise InputError(f"{name} holds {kind_of(document)}; a document is a JSON object")
+    _check_kind(document, kinds, name, versions)
+    return document
+
+
+def check_keys(
+    mapping: Any, required: Iterable[str], optional: Iterable[str], where: str
+) -> Mapping[str, Any]:
+    """Check that `mapping` is a mapping with all required keys and no unknown ones; return it."""
+    if not isinstance(mapping, Mapping):
+        raise InputError(f"{where} is {kind_of(mapping)}; expected a JSON object")
+    known = [*required, *optional]
+    for key in mapping:
+        if key not in known:
+            raise InputError(
+                f"{where} has the unknown key {shown(key)}; known keys are {', '.join(known)}"
+            )
+    for key in required:
+        if key not in mapping:
+            raise InputError(f'{where} has no key "{key}"; it is required')
+    if not isinstance(mapping.get("description", ""), str):
+        raise InputError(f"the description of {where} is not a text; write a string")
+    return mapping
+
+
+def check_list(value: Any, where: str, length: int | None = None) -> list[Any]:
+    """Check that `value` is a list (of the given length); return it as a list."""
+    if not isinstance(value, (list, tuple)):
+        raise InputError(f"{where} is {kind_of(value)}; expected a list")
+    if length is not None and len(value) != length:
+        raise InputError(f"{where} has {len(value)} entries; expected {length}")
+    return list(value)
+
+
+def described(kind: str) -> dict[str, str]:
+    """Return the descriptions of the built-in documents of a kind by name."""
+    documents = {name: json.loads(path.read_bytes()) for name, path in instances().items()}
+    return {name: d.get("description", "") for name, d in documents.items() if kind in d}
+
+
+def instances() -> dict[str, Traversable]:
+    """Return every built-in document by name, in alphabetical order."""
+    found: dict[str, Traversable] = {}
+    for place in added("instances").values():
+        found.update(named(place)())
+    return dict(sorted(found.items()))
+
+
+def _built_in(name: str) -> Traversable | None:
+    """Look a name up in one package after the other, loading no more of them than needed."""
+    tables = (named(place)() for place in added("instances").values())
+    return next((table[name] for table in tables if name in table), None)
+
+
+def _path_text(source: Any) -> str:
+    if not isinstance(source, (str, os.PathLike)):
+        raise InputError(
+            f"the source is {kind_of(source)}; give a path, a built-in name or a mapping"
+        )
+    return os.fsdecode(source)
+
+
+def read_text(source: str | os.PathLike[str], max_bytes: int = MAX_BYTES) -> tuple[str, str]:
+    """Return the UTF-8 text of stdin, a built-in document or a file, and its name for messages.
+
+    Raises:
+        InputError: it cannot be read, is longer than `max_bytes`, or is not UTF-8.
+    """
+    name = "standard input" if source == "-" else shown(_path_text(source))
+    try:
+        return _read_bytes(source, name, max_bytes).decode("utf-8-sig"), name
+    except UnicodeDecodeError as error:
+        raise InputError(f"{name} is not UTF-8 text (byte {error.start} is wrong)") from None
+
+
+def _read_bytes(source: str | os.PathLike[str], name: str, max_bytes: int) -> bytes:
+    """Return the content of stdin, a built-in document or a file, with a limit on its length."""
+    try:
+        if source == "-":
+            if sys.stdin is None:
+                raise InputError("standard input is closed; give a path or a built-in name")
+            return _limited(sys.stdin.buffer, name, max_bytes)
+        if isinstance(source, str) and _NAME.fullmatch(source):
+            built_in = _built_in(source)
+            if built_in is not None:
+                return built_in.read_bytes()
+        with Path(source).open("rb") as stream:
+            return _limited(stream, name, max_bytes)
+    except (OSError, ValueError) as error:
+        if isinstance(error, InputError):
+            raise
+        near = get_close_matches(str(source), instances(), 3)
+        meant = "" if os.sep in str(source) else "; `list` prints the built-in names"
+        if near:
+            meant = f"; did you mean the built-in {' or '.join(near)}?"
+        raise InputError(f"cannot read {name}: {reason(error)}{meant}") from None
+
+
+def _limited(stream: BinaryIO, name: str, max_bytes: int) -> bytes:
+    content = stream.read(max_bytes + 1)
+    if len(content) > max_bytes:
+        raise InputError(f"{name} is longer than {max_bytes} bytes, the most that is read")
+    return content
+
+
+def parse_json(text: str, name: str, *, floats: bool = False) -> Any:
+    """Parse strict JSON: no duplicate keys, no floats unless wanted, no NaN, flat."""
+    try:
+        return json.loads(
+            text,
+            object_pairs_hook=_without_duplicates,
+            parse_int=_parse_integer,
+            parse_float=float if floats else _refuse_float,
+            parse_constant=_refuse_constant,
+        )
+    except InputError as error:
+        raise InputError(f"{name}: {error}") from None
+    except json.JSONDecodeError as error:
+        raise InputError(
+            f"{name} is not valid JSON: {error.msg} (line {error.lineno}, column {error.colno})"
+        ) from None
+    except RecursionError:
+        raise InputError(f"{name} is nested too deeply; no document needs that") from None
+
+
+def _without_duplicates(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
+    mapping: dict[str, Any] = {}
+    for key, value in pairs:
+        if key in mapping:
+            raise InputError(f"the key {shown(key)} appears twice in one object; keep one")
+        mapping[key] = value
+    return mapping
+
+
+def _parse_integer(text: str) -> int:
+    if len(text) > MAX_TEXT_LENGTH:
+        raise InputError(
+            f"an integer has {len(text)} digits; at most {MAX_TEXT_LENGTH} are read as one number"
+        )
+    return integer(text)
+
+
+def _refuse_float(text: str) -> Any:
+    raise InputError(
+        f'the number {shown(text)} is a float; write an integer or a string such as "1/4", "-0.25"'
+    )
+
+
+def _refuse_constant(text: str) -> Any:
+    raise InputError(f'{text} is not an exact number; write an integer or a string such as "1/4"')
+
+
+def _check_kind(
+    document: dict[str, Any], kinds: Collection[str], name: str, versions: Collection[int]
+) -> None:
+    """Check the version of the schema, and that the document is of exactly one of the kinds."""
+    if "schema_version" not in document:
+        due = max(versions)
+        raise InputError(f'{name} has no key "schema_version"; add "schema_version": {due}')
+    version = document["schema_version"]
+    if type(version) is not int or version not in versions:
+        raise InputError(
+            f"{name} has schema_version {shown(version)}; this version reads {max(versions)}"
+        )
+    present = [kind for kind in kinds if kind in document]
+    if len(present) != 1:
+        found = " and ".join(present) if present else "none"
+        raise InputError(
+            f"{name} must have exactly one of the keys {', '.join(sorted(kinds))}; it has {found}"
+        )
+
+
+def kind_of(value: Any) -> str:
+    """Name what a JSON value is, with its content where that is short."""
+    if isinstance(value, Mapping):
+        return "an object"
+    if isinstance(value, (list, tuple)):
+        return "a list"
+    return "null" if value is None else shown(value)

@@ -1,0 +1,62 @@
+"""A plain matrix: a normal a line, numbers with spaces or commas between, ``#`` for remarks.
+
+The offset of ``n . x = b`` stands last, behind a bar: ``1 0 | 2``. Brackets around lines are passed
+over, so what Sage, NumPy and polymake print is read too.
+"""
+
+from __future__ import annotations
+
+import re
+
+from arrangement.arrangement import Arrangement
+from arrangement.errors import InputError
+from arrangement.library.files.form import rational_planes
+from arrangement.numbers.exact import shown
+
+_REMARK = re.compile(r"#.*")
+_MATRIX = re.compile(r"(?=[^0-9]*[0-9])[-+0-9./eE,;|()\[\]\s]+")
+#: A number or a list of JSON, where there would be one row here.
+_VALUE = re.compile(r"\[[^[]*|[-+0-9./eE]+")
+#: Between two rows of one line.
+_BETWEEN = re.compile(r"[\])][\s,;]*[\[(]")
+
+
+def recognises(text: str) -> bool:
+    """Whether a text has numbers alone, and is no value of JSON."""
+    plain = _REMARK.sub("", text).strip()
+    return _MATRIX.fullmatch(plain) is not None and _VALUE.fullmatch(plain) is None
+
+
+def numbers(line: str) -> list[str]:
+    """Return the numbers of a line, as they are written."""
+    plain = line.strip().strip("()[],;")
+    if any(bracket in plain for bracket in "()[]"):
+        raise InputError(f"the line {shown(line)} has brackets inside; write one normal a line")
+    return re.split(r"\s*[\s,;]\s*", plain.strip())
+
+
+def read(text: str) -> Arrangement:
+    """Read a normal from each line."""
+    plain = _BETWEEN.sub("\n", _REMARK.sub("", text))
+    lines = [line for line in plain.splitlines() if line.strip(" \t()[],;")]
+    parts = [line.partition("|") for line in lines]
+    rows = [numbers(normal) for normal, _, _ in parts]
+    if not any(bar for _, bar, _ in parts):
+        return Arrangement(rows)
+    offsets = [numbers(offset)[0] if bar else "0" for _, bar, offset in parts]
+    for (_, _, offset), line in zip(parts, lines, strict=True):
+        if len(numbers(offset)) > 1:
+            raise InputError(
+                f"the line {shown(line)} has several offsets; write one behind the bar"
+            )
+    return Arrangement(rows, offsets)
+
+
+def write(arrangement: Arrangement) -> str:
+    """Write a normal on each line."""
+    if not len(arrangement):
+        raise InputError("there is no plane, and a matrix of no rows has no dimension; write json")
+    lines = [(" ".join(map(str, p[:-1])), p[-1]) for p in rational_planes(arrangement)]
+    if arrangement.is_central:
+        return "".join(f"{normal}\n" for normal, _ in lines)
+    return "".join(f"{normal} | {offset}\n" for normal, offset in lines)

@@ -1,0 +1,191 @@
+"""The table of formats, the one reader of files, and conversion."""
+
+from __future__ import annotations
+
+import os
+import re
+from collections.abc import Callable, Mapping
+from pathlib import Path
+from typing import cast
+
+from arrangement.arrangement import Arrangement
+from arrangement.console.plugins import added, named
+from arrangement.console.writing import document_text
+from arrangement.errors import InputError
+from arrangement.library.files.json_files import Source, parse_json, read_text
+from arrangement.numbers.exact import shown
+
+from . import documents
+from .form import Format
+from .others import chirotope, christ, graphs, macaulay2, matrix, oscar, polymake, sage
+
+
+def _names(program: str) -> Callable[[str], object]:
+    """Return whether a text is JSON with the namespace of a program."""
+    return re.compile(rf'(?s)\s*\{{(?=.*"_ns")(?=.*"{program}")').match
+
+
+_GRAPH = "the planes themselves; it cannot be read back"
+#: By name. On reading the first that recognises a text is taken; what none does is a document.
+FORMATS: dict[str, Format] = {
+    form.name: form
+    for form in (
+        Format(
+            "json",
+            (".json",),
+            read=lambda text: documents.arrangement_of(parse_json(text, "it"), "it"),
+            write=lambda arrangement: document_text(arrangement.to_dict()),
+        ),
+        Format("polymake", (".hyar",), _names("polymake"), polymake.read, polymake.write),
+        Format("oscar", (".mrdi",), _names("Oscar"), oscar.read, oscar.write),
+        Format("sage", (".sage",), sage.SAGE.search, sage.read, sage.write, loses=sage.loses),
+        Format(
+            "macaulay2", (".m2",), macaulay2.ARRANGEMENT.search, macaulay2.read, macaulay2.write
+        ),
+        Format(
+            "chirotope",
+            (".chi",),
+            chirotope.recognises,
+            chirotope.read,
+            chirotope.write,
+            chirotope.split,
+            chirotope.loses,
+        ),
+        Format(
+            "topcom",
+            (),
+            chirotope.TOPCOM.fullmatch,
+            chirotope.read_topcom,
+            chirotope.write_topcom,
+            loses=chirotope.loses,
+        ),
+        Format("christ", (), christ.recognises, christ.read, split=christ.split),
+        Format("matrix", (".txt", ".csv"), matrix.recognises, matrix.read, matrix.write),
+        *(
+            Format(name, endings, write=write, loses=lambda _: _GRAPH)
+            for name, endings, write in (
+                ("off", (".off",), graphs.off),
+                ("dot", (".dot", ".gv"), lambda planes: graphs.dot(graphs.dual(planes))),
+                ("graphml", (".graphml",), lambda planes: graphs.graphml(graphs.dual(planes))),
+                ("lattice-dot", (), lambda planes: graphs.dot(graphs.lattice(planes))),
+                ("lattice-graphml", (), lambda planes: graphs.graphml(graphs.lattice(planes))),
+            )
+        ),
+    )
+}
+_BY_ENDING = {ending: form for form in FORMATS.values() for ending in form.endings}
+#: Largest file of many arrangements that is read.
+MAX_IMPORT_BYTES = 64 * 2**20
+
+
+def read_arrangement(source: Source) -> Arrangement:
+    """Read an arrangement from a path, ``"-"`` (stdin), a built-in name or a mapping.
+
+    Which of the formats a text is in is seen from the text. A grasp file (or name,
+    or table of contacts) is accepted too, when the package that knows grasps is installed: its
+    tangential planes are meant.
+
+    Raises:
+        InputError: for anything that is not exactly a valid text of one arrangement.
+
+    >>> read_arrangement({"schema_version": 1, "planes": [["0", "1", "-1"], ["0", "-1", "-1"]]})
+    <Arrangement: 2 planes (2 distinct) in R^3, rank 2, central>
+    """
+    if isinstance(source, Mapping):
+        return documents.arrangement_of(dict(source), "the document")
+    return read_with_rest(source)[0]
+
+
+def read_with_rest(source: str | os.PathLike[str]) -> tuple[Arrangement, str]:
+    """Read an arrangement, and name what else a document of another kind has."""
+    text, name = read_text(source)
+    form = _form_of(text, Path(source).suffix.lower())
+    if not form.recognises(text) and not text.lstrip().startswith(("{", "[")):
+        tables = (named(place)(text) for place in added("tables").values())
+        if (table := next((x for x in tables if x is not None), None)) is not None:
+            return cast(Arrangement, table), ""
+    if form.name == "json":
+        if text.strip() and text.lstrip()[0] not in '{["' and not str(source).endswith(".json"):
+            raise InputError(f"{name} is in none of the formats that are read: {_named('read')}")
+        document = parse_json(text, name)
+        found = documents.arrangement_of(document, name)
+        return found, ", ".join(key for key in document if key not in documents.KEYS)
+    return Entries(form, text, name).only(), ""
+
+
+def _named(what: str) -> str:
+    return ", ".join(form.name for form in FORMATS.values() if getattr(form, what))
+
+
+def _form_of(text: str, ending: str) -> Format:
+    """Return the format of a text, by its content; where that says nothing, by its ending."""
+    known = next((form for form in FORMATS.values() if form.recognises(text)), None)
+    return known or _BY_ENDING.get(ending, FORMATS["json"])
+
+
+class Entries:
+    """The arrangements that a text holds; each is made when it is asked for."""
+
+    def __init__(self, form: Format, text: str, name: str) -> None:
+        if form.read is None:
+            raise InputError(f"the format {form.name} is only written; {_named('read')} are read")
+        self._where = f"{name}, read as {form.name}"
+        self._read, self._form = form.read, form.name
+        try:
+            self._texts = form.split(text)
+        except InputError as error:
+            raise InputError(f"{self._where}: {error}") from None
+
+    def __len__(self) -> int:
+        return len(self._texts)
+
+    def __getitem__(self, number: int) -> Arrangement:
+        """Return the arrangement with this number, from 1 on."""
+        if not 1 <= number <= len(self):
+            raise InputError(f"the number is {number}; {self._where} has 1 to {len(self)}")
+        try:
+            return self._read(self._texts[number - 1])
+        except InputError as error:
+            which = f", entry {number}" if len(self) > 1 else ""
+            raise InputError(f"{self._where}{which}: {error}") from None
+
+    def only(self) -> Arrangement:
+        """Return the one arrangement, or say how to choose one of several."""
+        if len(self) != 1:
+            raise InputError(
+                f"{self._where}: there are {len(self)} arrangements; choose one with "
+                f"arrangement import {self._form} FILE --number 1 -o ONE.json"
+            )
+        return self[1]
+
+
+def format_named(name: str) -> Format:
+    """Return the format of this name."""
+    if name not in FORMATS:
+        raise InputError(f"there is no format {shown(name)}; known are {', '.join(FORMATS)}")
+    return FORMATS[name]
+
+
+def format_of_file(path: str) -> Format:
+    """Return the format that the ending of a file's name means."""
+    ending = Path(path).suffix.lower()
+    if ending not in _BY_ENDING:
+        raise InputError(
+            f"the file name ends in {shown(ending)}; known are {', '.join(_BY_ENDING)}. Or write "
+            "--to NAME; pictures and models are made by arrangement draw"
+        )
+    return _BY_ENDING[ending]
+
+
+def converted(arrangement: Arrangement, form: Format) -> str:
+    """Return the text of an arrangement in a format.
+
+    Raises:
+        InputError: the format is only read, or cannot hold this arrangement.
+    """
+    if form.write is None:
+        raise InputError(f"the format {form.name} is only read; {_named('write')} are written")
+    try:
+        return form.write(arrangement)
+    except InputError as error:
+        raise InputError(f"cannot write {form.name}: {error}") from None

@@ -1,0 +1,1 @@
+"""Exact numbers, fields of real numbers, arrays of them, and bounds for floats."""

@@ -1,0 +1,102 @@
+"""What one question may cost, in faces, bytes and seconds: the one room for limits of size.
+
+Whoever is about to list, count, make or read something says here first what that will take. What is
+out of reach is refused before it begins, with the forecast. Forecasts are of one processor of
+2025; they may be wrong by a factor of three. `limit` raises the budget, the option ``--limit`` too.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from contextlib import contextmanager
+from contextvars import ContextVar
+
+from arrangement.errors import InputError, OutOfReachError
+
+#: What a question may take.
+FACES, BYTES, SECONDS = 10_000_000, 400 * 2**20, 10
+#: So many times.
+_times: ContextVar[float] = ContextVar("_times", default=1.0)
+
+
+@contextmanager
+def limit(times: float) -> Iterator[None]:
+    """Let what is inside take so many times the faces, bytes and seconds; `math.inf`: anything.
+
+    >>> with limit(2):
+    ...     ask("a list of all of them", faces=15_000_000)
+    """
+    if not times > 0:
+        raise InputError(f"the limit is {times}; give a positive number of times the usual budget")
+    token = _times.set(times)
+    try:
+        yield
+    finally:
+        _times.reset(token)
+
+
+def times() -> float:
+    """Return how many times the usual budget is allowed now."""
+    return _times.get()
+
+
+def excess(*, faces: float = 0, bytes: float = 0, seconds: float = 0) -> float:
+    """Return how many times the budget that would take, the one that is most exceeded."""
+    shares = ((faces, FACES), (bytes, BYTES), (seconds, SECONDS))
+    # integers may be too long for floats
+    return max(n / most if n < 1e300 else math.inf for n, most in shares) / _times.get()
+
+
+def ask(
+    what: str, instead: str = "", *, faces: float = 0, bytes: float = 0, seconds: float = 0
+) -> None:
+    """Refuse what is out of reach.
+
+    Args:
+        what: it is, such as "a list of 5 planes".
+        instead: what to ask, without a full stop.
+
+    Raises:
+        OutOfReachError: with the forecast.
+    """
+    over = excess(faces=faces, bytes=bytes, seconds=seconds)
+    if over <= 1:
+        return
+    takes = (
+        (faces, FACES, f"{about(faces)} faces"),
+        (bytes, BYTES, f"{about(bytes / 2**20 if bytes < 1e300 else bytes)} MB"),
+        (seconds, SECONDS, f"{about(seconds)} seconds"),
+    )
+    forecast = " and ".join(text for n, most, text in takes if n > most * _times.get())
+    times = over * _times.get()
+    remedies = [instead] if instead else []
+    if times < 1e6:
+        remedies.append(f"--limit {math.ceil(1.2 * times)} allows it")
+    raise OutOfReachError(
+        f"{what}: this would take about {forecast}; " + (", or ".join(remedies) or "ask for less")
+    )
+
+
+def about(number: float) -> str:
+    """Return a number rounded, however large it is.
+
+    >>> about(1234567), about(10**400), about(0.25)
+    ('1,230,000', '10^400', '0.25')
+    """
+    if number < 1e15:
+        return f"{float(f'{number:.3g}'):,.15g}"
+    if number == math.inf:
+        return "more than 10^300"
+    return f"10^{math.floor(math.log10(number))}"
+
+
+def choose(n: int, k: int) -> float:
+    """Return a binomial coefficient, infinity where it is far out of reach."""
+    few = min(k, n - k)
+    return math.comb(n, few) if few * math.log2(max(n, 2)) < 900 else math.inf
+
+
+def power(base: float, exponent: float) -> float:
+    """Return a power, infinity where it is far out of reach."""
+    return base**exponent if exponent * math.log2(max(base, 2)) < 900 else math.inf

@@ -1,0 +1,364 @@
+"""Exact numbers: how rationals come in, how they go out, and primitive integer vectors.
+
+Inside the package a number is a :class:`fractions.Fraction` or a Python integer. Everything
+from outside passes through :func:`rational`, which never turns a float into a rational
+silently and never evaluates text.
+"""
+
+from __future__ import annotations
+
+import math
+import numbers
+import re
+import reprlib
+from collections.abc import Callable, Iterable, Sequence
+from decimal import MAX_EMAX, MIN_EMIN, Context, Decimal, Inexact
+from fractions import Fraction
+from itertools import chain
+from operator import mul
+from typing import Any, TypeAlias
+
+from arrangement.errors import InputError
+
+IntegerVector: TypeAlias = tuple[int, ...]
+RationalVector: TypeAlias = tuple[Fraction, ...]
+#: What :func:`rational` accepts (sympy, numpy and flint numbers are recognised by their interface).
+Rational: TypeAlias = int | Fraction | str | numbers.Rational | Any
+
+#: Longest text accepted as one number; reading longer text costs quadratic time.
+MAX_TEXT_LENGTH = 100_000
+#: Digits that int() converts at once; it refuses more than 4300.
+_DIGITS = 2000
+
+_PLAIN = re.compile(r"-?[0-9]{1,18}", re.ASCII).fullmatch
+_INTEGER_OR_RATIO = re.compile(r"([+-]?[0-9]+)(?:/([0-9]+))?")
+_DECIMAL = re.compile(r"([+-]?(?:[0-9]+\.?[0-9]*|\.[0-9]+))(?:[eE]([+-]?[0-9]{1,4}))?")
+
+
+def rational(value: Rational, name: str = "number") -> Fraction:
+    """Return `value` as an exact rational, or refuse it.
+
+    Accepted: ``int``, ``Fraction``, sympy ``Rational``, numpy integers, flint and gmpy rationals,
+    and text such as ``"7/3"``, ``"-0.25"`` or ``"-1e-3"`` (ASCII digits, an exponent of at most
+    four digits, at most 100000 characters). Refused: floats, Booleans, NaN, everything else.
+
+    Raises:
+        InputError: the message has `name`, the value, the rule and the remedy.
+
+    >>> rational("7/3"), rational("-0.25"), rational(5)
+    (Fraction(7, 3), Fraction(-1, 4), Fraction(5, 1))
+    """
+    if isinstance(value, bool) or type(value).__name__ in ("bool_", "bool"):
+        raise InputError(f"{name} is the Boolean {value}; write 0 or 1 if a number is meant")
+    if isinstance(value, Fraction):
+        return value
+    if isinstance(value, int):
+        return Fraction(value)
+    if isinstance(value, str):
+        return _from_text(value, name)
+    if isinstance(value, numbers.Rational):
+        return Fraction(int(value.numerator), int(value.denominator))
+    if isinstance(value, numbers.Real):
+        raise InputError(
+            f"{name} is the float {shown(value)}, expected an exact number; write a string "
+            'such as "7/3" or "-0.25", or convert on purpose with arrangement.from_floats'
+        )
+    numerator, denominator = (getattr(value, k, None) for k in ("numerator", "denominator"))
+    if isinstance(numerator, int) and isinstance(denominator, int):  # sympy's PythonMPQ
+        return Fraction(numerator, denominator)
+    if hasattr(value, "p") and hasattr(value, "q"):  # python-flint's fmpq
+        return Fraction(int(value.p), int(value.q))
+    if hasattr(value, "__index__"):  # python-flint's fmpz, gmpy2's mpz
+        return Fraction(value.__index__())
+    raise InputError(
+        f"{name} is {shown(value)} of type {type(value).__name__}; give an integer, a Fraction, "
+        'a sympy Rational or a string such as "7/3"'
+    )
+
+
+def _from_text(text: str, name: str) -> Fraction:
+    """Parse a rational from text with two fixed patterns; nothing is ever evaluated."""
+    if len(text) > MAX_TEXT_LENGTH:
+        raise InputError(
+            f"{name} is a text of {len(text)} characters ({shown(text)}); "
+            f"at most {MAX_TEXT_LENGTH} are read as one number"
+        )
+    ratio = _INTEGER_OR_RATIO.fullmatch(text)
+    if ratio is not None:
+        denominator = integer(ratio[2]) if ratio[2] else 1
+        if denominator == 0:
+            raise InputError(f"{name} is {shown(text)}, which divides by zero")
+        return Fraction(integer(ratio[1]), denominator)
+    decimal = _DECIMAL.fullmatch(text)
+    if decimal is not None:
+        whole, _, decimals = decimal[1].partition(".")
+        power = int(decimal[2] or 0) - len(decimals)
+        digits = integer(whole + decimals)
+        return Fraction(digits * 10**power) if power > 0 else Fraction(digits, 10**-power)
+    raise InputError(
+        f'{name} is {shown(text)}, which is not an exact number; write "7/3", "-0.25", "1e-3" or '
+        '"12" (exponents of at most four digits, no spaces, no expressions)'
+    )
+
+
+def integer(text: str) -> int:
+    """Return the integer of a sign and decimal digits, in halves: int() refuses very long ones."""
+    if len(text) <= _DIGITS:
+        return int(text)
+    if text[0] in "+-":
+        size = integer(text[1:])
+        return -size if text[0] == "-" else size
+    middle = len(text) // 2
+    return int(integer(text[:middle]) * 10 ** (len(text) - middle) + integer(text[middle:]))
+
+
+class _Short(reprlib.Repr):
+    """A representation of bounded length and depth that never fails on huge numbers."""
+
+    def repr_int(self, x: int, level: int) -> str:
+        return to_text(x)
+
+    def repr_Fraction(self, x: Fraction, level: int) -> str:
+        return to_text(x)
+
+
+_short = _Short()
+_short.maxlevel = 2
+_short.maxstring = _short.maxlong = _short.maxother = 60
+
+
+def shown(value: object) -> str:
+    """Return a short form of a rejected value for an error message, however large or deep."""
+    text = _short.repr(value)
+    return text if len(text) <= 60 else f"{text[:40]}...{text[-10:]}"
+
+
+def from_floats(values: Any) -> Any:
+    """Convert binary floats to the rationals that they are, exactly and on purpose.
+
+    Args:
+        values: a number, or a sequence or array of any depth. Integers and rationals pass
+            through.
+
+    Returns:
+        A `Fraction`, or nested tuples of them in the shape of `values`.
+
+    Raises:
+        InputError: for NaN or an infinite value.
+
+    >>> from_floats([0.5, 0.1])
+    (Fraction(1, 2), Fraction(3602879701896397, 36028797018963968))
+    """
+    if hasattr(values, "tolist"):  # numpy arrays and scalars
+        values = values.tolist()
+    if isinstance(values, float):
+        if not math.isfinite(values):
+            raise InputError(f"float {values} is not a number; only finite floats can be converted")
+        return Fraction(values)
+    if isinstance(values, Iterable) and not isinstance(values, (str, bytes)):
+        return tuple(from_floats(value) for value in values)
+    return rational(values, "value to convert")
+
+
+def rational_vector(
+    values: Any, name: str = "vector", read: Callable[[Any, str], Any] = rational
+) -> RationalVector:
+    """Return a sequence of accepted numbers as a tuple of `Fraction`; errors name the entry.
+
+    Args:
+        read: what takes an entry and its name to a number.
+    """
+    if callable(getattr(values, "flat", None)):  # SymPy's matrices
+        values = values.flat()
+    if isinstance(values, (str, bytes)) or not isinstance(values, Iterable):
+        raise InputError(f"{name} is {shown(values)}; give a sequence of exact numbers")
+    return tuple(read(value, f"{name}[{i}]") for i, value in enumerate(values))
+
+
+def plain_integers(values: Any) -> IntegerVector | None:
+    """Return the integers of a list, given as such or as short texts; None if it has others.
+
+    This is most of what is read, and ten times as fast as `rational_vector`.
+    """
+    if type(values) not in (list, tuple):
+        return None
+    try:
+        return tuple([x if type(x) is int else int(_PLAIN(x)[0]) for x in values])  # type: ignore[index]
+    except TypeError:
+        return None
+
+
+def primitive(vector: Sequence[Fraction | int]) -> IntegerVector:
+    """Return the positive multiple of a rational vector with coprime integer entries.
+
+    The direction is kept, so ``v`` and ``-v`` stay different; the zero vector stays zero.
+
+    >>> primitive([Fraction(1, 2), Fraction(-1, 3), 0])
+    (3, -2, 0)
+    """
+    if set(map(type, vector)) <= {int}:
+        return reduced(vector)  # type: ignore[arg-type]
+    scale = math.lcm(*(x.denominator for x in vector))
+    return reduced([x.numerator * (scale // x.denominator) for x in vector])
+
+
+def reduced(vector: Sequence[int]) -> IntegerVector:
+    """Divide an integer vector by the greatest common divisor of its entries.
+
+    Of algebraic integers it is the positive multiple whose first nonzero entry is rational, again
+    with integer coefficients that have no common divisor: one vector for each direction.
+    """
+    if not are_integers(vector):
+        return _reduced_in_field(vector)
+    divisor = math.gcd(*vector)
+    return tuple(vector) if divisor <= 1 else tuple([x // divisor for x in vector])
+
+
+def are_integers(vector: Iterable[Any]) -> bool:
+    """Return whether all entries are integers, of Python or numpy; else some are irrational."""
+    # A list takes half the time of a generator, in the inner loops of others.
+    return all([isinstance(x, int) or hasattr(x, "__index__") for x in vector])  # noqa: C419
+
+
+def _reduced_in_field(vector: Sequence[Any]) -> tuple[Any, ...]:
+    first = next(x for x in vector if x)
+    if not isinstance(first, int):
+        inverse = 1 / abs(first)
+        vector = [x * inverse for x in vector]
+    scale = math.lcm(*(x.denominator for x in vector))
+    whole = [x.numerator * (scale // x.denominator) for x in vector]
+    divisor = math.gcd(*(x if isinstance(x, int) else x.content for x in whole))
+    return tuple(x // divisor for x in whole)
+
+
+def unoriented(vector: Sequence[int]) -> IntegerVector:
+    """Return the coprime multiple whose first nonzero entry is positive: one name for a line.
+
+    >>> unoriented([0, -4, 6])
+    (0, 2, -3)
+    """
+    if are_integers(vector):
+        divisor = math.gcd(*vector)
+    else:
+        vector, divisor = _reduced_in_field(vector), 1
+    for x in vector:
+        if x:
+            if x < 0:
+                divisor = -divisor
+            break
+    return tuple(vector) if divisor in (0, 1) else tuple(x // divisor for x in vector)
+
+
+def largest(rows: Iterable[Iterable[int]]) -> float:
+    """Return the largest size of an entry; infinity, beyond every bound, if one is irrational."""
+    entries = list(chain.from_iterable(rows))
+    if set(map(type, entries)) != {int} and not are_integers(entries):
+        return math.inf
+    return max(map(abs, entries), default=0)
+
+
+def work_factor(rows: Iterable[Iterable[int]]) -> float:
+    """Return how many times as long products of these numbers take as those of machine words."""
+    size = largest(rows)
+    bits = 60 if size == math.inf else int(size).bit_length()
+    return 1.0 if bits <= 20 else 3 + (bits / 500) ** 1.6
+
+
+def fraction(x: Any) -> Any:
+    """Return an integer as a `Fraction`, and any other exact number as it is."""
+    return Fraction(x) if isinstance(x, int) else x
+
+
+def quotient(x: Any, y: Any) -> Any:
+    """Return x / y of exact numbers; of two integers as a `Fraction`."""
+    return Fraction(x, y) if isinstance(x, int) and isinstance(y, int) else x / y
+
+
+def bits(mask: int) -> tuple[int, ...]:
+    """Return the positions of the ones of a mask, increasing.
+
+    >>> bits(0b1101)
+    (0, 2, 3)
+    """
+    found = []
+    while mask:
+        lowest = mask & -mask
+        found.append(lowest.bit_length() - 1)
+        mask ^= lowest
+    return tuple(found)
+
+
+def to_text(value: Fraction | int) -> str:
+    """Return the canonical text of a rational of any size: ``"7/3"``, ``"2"``, ``"-1/2"``."""
+    numerator = _integer_text(value.numerator)
+    return (
+        numerator if value.denominator == 1 else f"{numerator}/{_integer_text(value.denominator)}"
+    )
+
+
+def number_text(value: Fraction | int, digits: int = 6, longest: int = 12) -> str:
+    """Return a rational of any size for people: exact if that is short, else a decimal number.
+
+    A decimal number is the nearest one of so many digits; the sign ≈ says where it is rounded.
+
+    >>> number_text(Fraction(-1, 3)), number_text(Fraction(40579, 5242880)), number_text(10**40)
+    ('-1/3', '≈0.00773983', '1e+40')
+    """
+    if not isinstance(value, (int, Fraction)):  # an irrational number of a field
+        return f"≈{float(value):.{digits}g}"
+    size = value.numerator.bit_length() + value.denominator.bit_length()
+    if size <= 4 * longest and len(text := to_text(value)) <= longest:
+        return text
+    near, rounded = _decimal(value, digits)
+    return "≈" * rounded + near
+
+
+def common_digits(low: Fraction | int, high: Fraction | int, digits: int = 6) -> str | None:
+    """Return the decimal number, of most digits, to which both ends are rounded; None if none is.
+
+    >>> common_digits(Fraction(40579, 524288), Fraction(81159, 1048576))
+    '0.0774'
+    """
+    for fewer in range(digits, 0, -1):
+        (one, _), (other, _) = _decimal(low, fewer), _decimal(high, fewer)
+        if one == other:
+            return one
+    return None
+
+
+def _decimal(value: Fraction | int, digits: int) -> tuple[str, bool]:
+    """Return the nearest decimal number of so many digits, and whether it is another number."""
+    context = Context(prec=digits, Emin=MIN_EMIN, Emax=MAX_EMAX)
+    near = context.divide(Decimal(value.numerator), Decimal(value.denominator))
+    mantissa, e, power = f"{near:g}".partition("e")
+    if "." in mantissa:
+        mantissa = mantissa.rstrip("0").rstrip(".")
+    return mantissa + e + power, bool(context.flags[Inexact])
+
+
+def vector_text(values: Iterable[Fraction | int]) -> str:
+    """Return a vector with short numbers: ``"(1, -1/2, 0)"``."""
+    return f"({', '.join(number_text(x) for x in values)})"
+
+
+def _integer_text(value: int) -> str:
+    """Return the decimal digits of an integer, in halves: str() refuses very long ones."""
+    if value.bit_length() <= 2000:
+        return str(value)
+    if value < 0:
+        return "-" + _integer_text(-value)
+    half = value.bit_length() * 3 // 20
+    upper, lower = divmod(value, 10**half)
+    return _integer_text(upper) + _integer_text(lower).zfill(half)
+
+
+def sign(value: Fraction | int) -> int:
+    """Return -1, 0 or 1."""
+    return (value > 0) - (value < 0)
+
+
+def dot(left: Sequence[Any], right: Sequence[Any]) -> Any:
+    """Return the scalar product of two exact vectors of equal length."""
+    if len(left) != len(right):
+        raise ValueError(f"the vectors have {len(left)} and {len(right)} entries")
+    return sum(map(mul, left, right))

@@ -1,0 +1,1 @@
+"""Exact linear algebra: ranks, linear programs, cones and polyhedra."""

@@ -1,0 +1,175 @@
+"""Small exact linear algebra on integer vectors: rank, and subspaces cut by one plane at a time.
+
+The enumerators have many tiny matrices, where building SymPy's costs more than the arithmetic:
+they take 7 to 13 times as long to `cut` a space of dimension 4 in R^6, 14 times for the `rank` of
+ten rows of length 3. To certify the faces of 30 planes of R^3, with a rank for each set of zeros,
+takes 2.4 times as long in all.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Sequence
+from typing import Any, TypeVar
+
+from arrangement.numbers import budget
+from arrangement.numbers.exact import IntegerVector, dot, largest, reduced
+
+#: Of a matrix with more entries a basis is guessed modulo this prime, and proved.
+_FEW, _PRIME = 2000, 2**31 - 1
+
+
+def rank(rows: Sequence[Sequence[int]]) -> int:
+    """Return the rank of integer row vectors, by fraction-free elimination.
+
+    Rows that are independent modulo a prime are independent; that they span the others is checked.
+    """
+    if len(rows) and len(rows) * len(rows[0]) > _FEW and largest(rows) < math.inf:
+        if len(rows) < len(rows[0]):
+            rows = list(zip(*rows, strict=True))
+        width = len(rows[0])
+        if len(rows) > 2 * width and rank(rows[: 2 * width]) == width:
+            return width
+        chosen = _independent(rows)
+        if len(chosen) == min(width, len(rows)):
+            return len(chosen)
+        ask_elimination([rows[i] for i in chosen], width)
+        left = unit_vectors(width)
+        for i in chosen:
+            left = cut(left, [dot(rows[i], vector) for vector in left])
+        if not any(dot(row, vector) for vector in left for row in rows):
+            return len(chosen)
+    remaining = [tuple(row) for row in rows if any(row)]
+    found = 0
+    while remaining:
+        pivot_row = remaining.pop()
+        found += 1
+        column = next(j for j, x in enumerate(pivot_row) if x)
+        remaining = [
+            row for row in (_eliminated(row, pivot_row, column) for row in remaining) if any(row)
+        ]
+    return found
+
+
+def _independent(rows: Sequence[Sequence[int]]) -> list[int]:
+    """Return which rows are independent of those before, modulo a prime."""
+    import numpy as np
+
+    budget.ask(
+        f"the rank of {len(rows)} rows",
+        seconds=len(rows) * len(rows[0]) * min(len(rows), len(rows[0])) * 1e-8,
+    )
+    left = np.array([[x % _PRIME for x in row] for row in rows], dtype=np.int64)
+    found: list[int] = []
+    i = 0
+    while len(found) < left.shape[1] and left[i:].any():
+        i += int(left[i:].any(axis=1).argmax())
+        found.append(i)
+        column = int((left[i] != 0).argmax())
+        row = left[i] * pow(int(left[i, column]), -1, _PRIME) % _PRIME
+        i += 1
+        below = left[i:]
+        changed = np.flatnonzero(below[:, column])
+        factors = below[changed, column]
+        below[changed] = (below[changed] - factors[:, None] * row) % _PRIME
+    return found
+
+
+def ask_elimination(rows: Sequence[Sequence[Any]], width: int) -> None:
+    """Refuse to eliminate in a matrix that is too large for it; few entries stay few."""
+    if len(rows) * width <= _FEW:
+        return
+    filled = sum(1 for row in rows for x in row if x)
+    order = min(width, len(rows))
+    digits = 1 + order * int(largest(rows)).bit_length() / 2000 if largest(rows) < math.inf else 20
+    budget.ask(
+        f"elimination in a matrix of {len(rows)} rows with {width} entries",
+        "leave out planes or coordinates",
+        seconds=3e-7 * digits * filled**2 * order / max(1, len(rows) * width),
+    )
+
+
+def _eliminated(row: Sequence[int], pivot_row: Sequence[int], column: int) -> IntegerVector:
+    """Return the combination of two rows whose entry in `column` is zero."""
+    factor, pivot = row[column], pivot_row[column]
+    if factor == 0:
+        return tuple(row)
+    return reduced([pivot * a - factor * b for a, b in zip(row, pivot_row, strict=True)])
+
+
+_Corner = TypeVar("_Corner")
+
+
+def cycle_edges(corners: Sequence[_Corner]) -> Iterator[tuple[_Corner, _Corner]]:
+    """Return the directed edges of a polygon.
+
+    >>> list(cycle_edges("abc"))
+    [('a', 'b'), ('b', 'c'), ('c', 'a')]
+    """
+    return zip(corners, (*corners[1:], *corners[:1]), strict=True)
+
+
+def cross(left: Sequence[Any], right: Sequence[Any]) -> tuple[Any, Any, Any]:
+    """Return the cross product of two exact vectors of R^3; zero if they are parallel."""
+    a, b, c = left
+    x, y, z = right
+    return b * z - c * y, c * x - a * z, a * y - b * x
+
+
+def triple_product(a: Sequence[Any], b: Sequence[Any], c: Sequence[Any]) -> Any:
+    """Return ``a . (b x c)``, the determinant of three exact vectors of R^3."""
+    return dot(a, cross(b, c))
+
+
+def determinant(rows: Sequence[Sequence[int]]) -> int:
+    """Return the determinant of a square integer matrix by Bareiss' fraction-free elimination.
+
+    Every division is exact, and every intermediate number is a minor of the matrix. A chirotope
+    takes many tiny determinants: SymPy's take 1.3 to 2.2 times as long in all.
+    Source: E. Bareiss, Math. Comp. 22 (1968).
+
+    >>> determinant([[2, 1], [1, 3]])
+    5
+    """
+    matrix = [list(row) for row in rows]
+    size, sign, previous = len(matrix), 1, 1
+    for k in range(size):
+        swap = next((i for i in range(k, size) if matrix[i][k]), None)
+        if swap is None:
+            return 0
+        if swap != k:
+            matrix[k], matrix[swap] = matrix[swap], matrix[k]
+            sign = -sign
+        pivot = matrix[k][k]
+        for row in matrix[k + 1 :]:
+            factor = row[k]
+            for j in range(k + 1, size):
+                row[j] = (row[j] * pivot - factor * matrix[k][j]) // previous
+        previous = pivot
+    return sign * previous
+
+
+def unit_vectors(dimension: int) -> list[IntegerVector]:
+    """Return the standard basis of R^dimension."""
+    return [tuple(int(i == j) for j in range(dimension)) for i in range(dimension)]
+
+
+def cut(basis: Sequence[IntegerVector], values: Sequence[int]) -> list[IntegerVector]:
+    """Return a basis of the vectors of a subspace at which a linear form vanishes.
+
+    Args:
+        basis: k independent integer vectors.
+        values: the values of the form at the basis vectors, not all zero.
+
+    Returns:
+        k - 1 independent primitive integer vectors.
+    """
+    pivot = next(j for j, value in enumerate(values) if value)
+    base, top = basis[pivot], values[pivot]
+    return [
+        vector
+        if values[j] == 0
+        else reduced([top * a - values[j] * b for a, b in zip(vector, base, strict=True)])
+        for j, vector in enumerate(basis)
+        if j != pivot
+    ]

@@ -1,0 +1,1 @@
+"""Lines in the plane, the lattice of flats, and counts as charts."""

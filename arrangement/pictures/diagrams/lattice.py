@@ -1,0 +1,194 @@
+"""The intersection lattice as a Hasse diagram."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from arrangement.arrangement import Arrangement
+from arrangement.console.number_form import counted
+from arrangement.counts import Flat, IntersectionLattice, intersection_lattice
+from arrangement.drawing.figure import picture
+from arrangement.drawing.scene.items import Floats
+from arrangement.drawing.scene.layers import layered_orders
+from arrangement.drawing.scene.measuring import GAP, POINTS, checked_width
+from arrangement.drawing.scene.scene import Scene
+from arrangement.errors import InputError
+from arrangement.pictures.essential import RAISED
+from arrangement.pictures.sphere.disc import plane_names
+
+#: Flats of one rank beyond which a picture of one page shows nothing.
+MAX_FLATS = 500
+_INK = "#882255"
+
+
+@picture
+def draw_lattice(
+    arrangement: Arrangement,
+    *,
+    width: float = 88.0,
+    moebius: bool = True,
+) -> Scene:
+    """Draw the intersections of planes, ordered by reverse inclusion, as a Hasse diagram.
+
+    One row for each rank, the whole space at the bottom; the planes stand in input order, and the
+    order of the rows above keeps crossings few. A flat is named by the planes that contain it,
+    counted from 1; runs of four and more are shortened. Where the names of a row do not fit even
+    in small letters they are turned, and where they still do not fit the row has dots, and a note
+    says so. At the left stand the number of flats of the rank and, with `moebius`, the sum of
+    their Moebius values: the Whitney numbers.
+
+    Elements: ``flat-2-5`` (rank, position in `IntersectionLattice.flats`) and ``cover-7``.
+
+    Args:
+        arrangement: any; for affine planes the diagram is a semilattice.
+        width: of the figure, in millimetres.
+        moebius: write mu(whole space, X) under the name of each flat X.
+
+    Raises:
+        InputError: more than 500 flats of one rank.
+        MissingExtraError: matplotlib is absent.
+    """
+    width = checked_width(width)
+    lattice = intersection_lattice(arrangement)
+    largest = max(map(len, lattice.flats))
+    if largest > MAX_FLATS:
+        raise InputError(f"{largest} flats of one rank; a picture shows at most {MAX_FLATS}")
+    return _Picture(lattice, width, moebius).draw()
+
+
+@dataclass(frozen=True)
+class _Row:
+    """How the flats of one rank are written: in which size, turned or not, or as dots (size 0).
+
+    `widths` are the shares of the flats in the width of the row.
+    """
+
+    names: list[str]
+    values: list[str]
+    size: float
+    turned: bool
+    heights: tuple[float, float]
+    widths: list[float]
+
+    @property
+    def height(self) -> float:
+        return sum(self.heights)
+
+
+class _Picture:
+    def __init__(self, lattice: IntersectionLattice, width: float, moebius: bool) -> None:
+        self.lattice, self.moebius = lattice, moebius
+        trial = Scene(width, 10.0)
+        margins = [self._margin(rank) for rank in range(len(lattice.flats))]
+        self.left = max(trial.measure(text, 6.0)[0] for text in margins) + 8.0
+        self.right = trial.width - 4.0
+        self.rows = [self._row(trial, flats) for flats in lattice.flats]
+        edges = sum(len(above) for level in lattice.covers for above in level)
+        self.gap = min(70.0, max(26.0, 20.0 + 0.5 * edges))
+        dots = [str(rank) for rank, row in enumerate(self.rows) if not row.size]
+        height = sum(row.height for row in self.rows) + self.gap * (len(self.rows) - 1)
+        self.scene = Scene(width, (height + 14.0) / POINTS)
+        if dots:
+            text = f"dots at rank {', '.join(dots)}: no room for names"
+            self.scene.legend.captions.append(text)
+        if moebius:
+            self.scene.legend.line(
+                "under each name: the M\u00f6bius value \u03bc(whole space, flat)"
+            )
+        self.margins = margins
+
+    def _margin(self, rank: int) -> str:
+        flats = self.lattice.flats[rank]
+        text = f"rank {rank}\n{counted(len(flats), 'flat')}"
+        if self.moebius:
+            total = sum(self.lattice.moebius[flat] for flat in flats)
+            text += f"\n\u03a3\u03bc = {_signed(total)}"
+        return text
+
+    def _row(self, scene: Scene, flats: tuple[Flat, ...]) -> _Row:
+        names = [self._name(flat) for flat in flats]
+        values = [_signed(self.lattice.moebius[flat]) for flat in flats] if self.moebius else []
+        room = self.right - self.left
+        for turned in (False, True):
+            angle = 90.0 if turned else 0.0
+            for size in (7.0, 6.0, 5.0):
+                boxes = [scene.measure(name, size, angle) for name in names]
+                small = [scene.measure(value, size - 0.5, angle) for value in values]
+                widths = [max(w, v) for (w, _), (v, _) in zip(boxes, small or boxes, strict=True)]
+                gap, most = (2.4 if turned else 5.0), max(widths)
+                if (most + gap) * len(flats) <= room:
+                    widths = [most] * len(flats)
+                elif sum(widths) + gap * len(flats) > room:
+                    continue
+                heights = (max(h for _, h in boxes), max((h for _, h in small), default=0.0))
+                if turned and small:
+                    heights = (heights[0], heights[1] + 2.0)
+                free = (room - sum(widths)) / len(flats)
+                return _Row(names, values, size, turned, heights, [w + free for w in widths])
+        return _Row(names, [], 0.0, False, (4.0, 0.0), [room / len(flats)] * len(flats))
+
+    def _name(self, flat: Flat) -> str:
+        if not flat.rank:
+            return "\u211d" + str(flat.dimension).translate(RAISED)
+        return plane_names(flat.planes)
+
+    def draw(self) -> Scene:
+        lattice, scene = self.lattice, self.scene
+        orders = layered_orders([len(flats) for flats in lattice.flats], lattice.covers, fixed=2)
+        bottom, spans = 8.0, []
+        for rank, row in enumerate(self.rows):
+            widths = np.array(row.widths)[orders[rank]]
+            x = np.empty(len(widths))
+            x[orders[rank]] = self.left + np.cumsum(widths) - widths / 2
+            scene.write(
+                (4.0, bottom + row.height / 2), self.margins[rank], 6.0, anchor=(0.0, 0.5),
+                color="0.25", multialignment="left",
+            )  # fmt: skip
+            spans.append(self._write_row(rank, x, bottom))
+            bottom += row.height + self.gap
+        self._covers(spans)
+        return scene
+
+    def _write_row(self, rank: int, x: Floats, bottom: float) -> Floats:
+        """Write one row; return x, bottom and top (n, 3) of each flat, where covers are tied."""
+        row, spans = self.rows[rank], []
+        lower = row.heights[1]
+        angle = 90.0 if row.turned else 0.0
+        dot = min(1.3, 0.4 * row.widths[0])
+        for k, at in enumerate(x.tolist()):
+            gid = f"flat-{rank}-{k}"
+            foot = (at, bottom + lower)
+            if not row.size or not self.scene.write(
+                foot, row.names[k], row.size, anchor=(0.5, 0.0), rotation=angle, gid=gid
+            ):
+                self.scene.circle((at, bottom + 2.0), dot, fc="black", zorder=4, gid=gid)
+                spans.append((at, bottom + 2.0, bottom + 2.0))
+                continue
+            if row.values:
+                under = foot[1] - GAP - (2.0 if row.turned else 0.1)
+                self.scene.write(
+                    (at, under), row.values[k], row.size - 0.5,
+                    anchor=(0.5, 1.0), rotation=angle, color=_INK,
+                )  # fmt: skip
+            top = foot[1] + self.scene.measure(row.names[k], row.size, angle)[1]
+            spans.append((at, bottom - 2.5, top + 0.8))
+        return np.array(spans)
+
+    def _covers(self, spans: list[Floats]) -> None:
+        number = 0
+        for rank, level in enumerate(self.lattice.covers[:-1]):
+            edges = sum(map(len, level))
+            style: dict[str, Any] = {"lw": 0.7 if edges < 60 else 0.4 if edges < 300 else 0.2}
+            style["ec"] = "0.2" if edges < 60 else "0.4"
+            for k, above in enumerate(level):
+                for cover in above:
+                    ends = [spans[rank][k, [0, 2]], spans[rank + 1][cover, [0, 1]]]
+                    self.scene.line(ends, zorder=2, gid=f"cover-{number}", **style)
+                    number += 1
+
+
+def _signed(value: int) -> str:
+    return f"\u2212{-value}" if value < 0 else str(value)

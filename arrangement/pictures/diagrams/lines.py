@@ -1,0 +1,307 @@
+"""Lines of the plane: cut to a window that shows all vertices, or with the line at infinity."""
+
+from __future__ import annotations
+
+from collections import Counter
+from typing import Any
+
+import numpy as np
+
+from arrangement.arrangement import Arrangement
+from arrangement.console.number_form import counted
+from arrangement.drawing.colours import (
+    BLUE,
+    PALETTE,
+    VERMILION,
+    Colouring,
+    DrawnRegion,
+    Painter,
+    colouring,
+)
+from arrangement.drawing.figure import picture
+from arrangement.drawing.scene.items import Floats
+from arrangement.drawing.scene.labels import (
+    SIZES,
+    along,
+    covering,
+    keep_off,
+    sign_text,
+    write_beside,
+)
+from arrangement.drawing.scene.measuring import POINTS, checked_width
+from arrangement.drawing.scene.scene import Scene
+from arrangement.errors import InputError, refusal
+from arrangement.numbers.exact import shown
+from arrangement.pictures.essential import shown_as
+from arrangement.pictures.region_labels import RegionLabels, dot, explain_regions, swatch
+from arrangement.pictures.space.axes import arrow
+from arrangement.pictures.sphere.disc import alone, label_regions, plane_names
+
+from .line_charts import LinesChart
+
+#: Room around the window for the names of the lines, in points.
+MARGIN = 14.0
+FACES = ("regions", "all")
+_BOUNDED, _UNBOUNDED = PALETTE[2], "#ffffff"
+_LINE: dict[str, Any] = {"ec": "black", "lw": 0.9, "zorder": 3, "role": "circle"}
+
+
+@picture
+@shown_as("lines")
+def draw_lines(
+    arrangement: Arrangement,
+    *,
+    projective: bool = False,
+    faces: str = "regions",
+    labels: str | None = None,
+    colour: str | Painter = "bounded",
+    sides: bool = False,
+    width: float = 88.0,
+) -> Scene:
+    """Draw lines of the plane in a window with all their vertices, or in the projective plane.
+
+    A number at its end names a line: k for the k-th one, counted from 1. The legend counts the
+    regions. Lines without a common point are shown around their points nearest to 0.
+
+    With `projective` the whole plane is a disc: the half sphere above it, in stereographic
+    projection, so that lines are arcs of circles. The rim is the line at infinity. Opposite points
+    of it are one point; so the ends of a line have one name. A dot is where parallel lines meet.
+
+    Elements: ``region-3``, ``line-2`` for a class of coincident lines, ``vertex-5``; in the disc
+    ``front-7`` for edges, ``limb-1`` for the rim, ``infinity-4`` for the dots.
+
+    Args:
+        arrangement: of rank at most 2; in another space than R^2 its essentialisation.
+        projective: show the line at infinity.
+        faces: that have labels: "regions"; or "all", with edges and vertices.
+        labels: "signs"; "numbers" for regions in the order of `Arrangement.regions`, with a table
+            of sign vectors below; "none". If omitted, signs of up to four lines, or of all faces.
+        colour: "bounded" (bounded regions are tinted), or as for `draw_sphere`.
+        sides: at each line, an arrow to its positive side.
+        width: of the figure, in millimetres.
+
+    Raises:
+        InputError: rank 3 or more, too many lines, unknown faces, labels or colouring.
+        MissingExtraError: matplotlib is absent.
+    """
+    if faces not in FACES:
+        raise refusal(f"the faces are {shown(faces)}", faces, FACES)
+    everything = faces == "all"
+    if everything and labels == "numbers":
+        raise InputError("numbers are for regions only; with all faces, labels are signs or none")
+    kind = "signs" if everything and labels is None else labels
+    names = RegionLabels(arrangement, kind if len(arrangement) else "none")
+    sheet = (_Disc if projective else _Window)(
+        LinesChart(arrangement), checked_width(width), names, colour
+    )
+    if sides:
+        sheet.mark_sides()
+    if everything and names.kind == "signs":
+        sheet.label_faces()
+    sheet.label_regions()
+    sheet.explain()
+    for what, number in (+sheet.missing).items():
+        sheet.scene.legend.captions.append(f"no room for some labels: {what} {number}")
+    return sheet.scene
+
+
+class _Sheet:
+    """What both pictures share.
+
+    Attributes:
+        lines: points along each class of lines, from one end to the other.
+        outlines: the regions and their borders.
+        edges, vertices: points along the edges, and places of the vertices, by number.
+        arms: the arrows to positive sides.
+    """
+
+    scene: Scene
+    #: How many labels were left out, besides those of regions.
+    missing: Counter[str]
+    notes: tuple[str, ...] = ()
+
+    def __init__(
+        self, chart: LinesChart, width: float, names: RegionLabels, colour: str | Painter
+    ) -> None:
+        self.chart, self.names, self.missing = chart, names, Counter()
+        self.regions = [DrawnRegion(s, chart.sides[s]) for s in chart.regions.values()]
+        bounded = chart.bounded
+        if colour == "bounded":
+            fill = {True: _BOUNDED, False: _UNBOUNDED}
+            self.colours = Colouring(lambda r: fill[r.signs in bounded], colour)
+        else:
+            self.colours = colouring(colour, None, self.regions, (), chart.lines.distinct)
+        self.paint = self.colours.paint
+        self.lines: list[Floats] = []
+        self.outlines: list[tuple[DrawnRegion, Floats]] = []
+        self.edges: dict[int, Floats] = {}
+        self.vertices: dict[int, Floats] = {}
+        self.arms: list[Floats] = []
+        self.rim: list[Floats] = []
+        self.draw(width)
+
+    def draw(self, width: float) -> None:
+        """Draw regions, lines, and the names of lines."""
+        raise NotImplementedError
+
+    def explain(self) -> None:
+        """Say in the legend what is drawn."""
+        legend = self.scene.legend
+        if self.colours.name == "bounded":
+            count, rest = len(self.chart.bounded), len(self.regions) - len(self.chart.bounded)
+            style = {"ec": "black", "lw": 0.5}
+            if count:
+                text = counted(count, "bounded region")
+                legend.key(swatch(_BOUNDED, **style), text)
+            legend.key(swatch(_UNBOUNDED, **style), f"{rest} unbounded")
+        explain_regions(self.scene, self.colours, self.names, self.regions)
+        for note in self.notes:
+            legend.line(note)
+        if self.notes and self.chart.parallels:
+            legend.key(dot("round", fc="black"), "parallel lines meet")
+
+    def label_regions(self) -> None:
+        """Write the names of the regions."""
+        within = (0.0, 0.0, self.scene.width, self.scene.height)
+        lines = [*self.edges.values(), *self.rim, *self.arms]
+        label_regions(self.scene, self.names, self.outlines, lines, self.arms, within)
+
+    def label_faces(self) -> None:
+        """Mark the vertices, and write sign vectors beside them and on the edges."""
+        for e in self.chart.edges:
+            self.missing["edges"] += not self._label_edge(e)
+        off = keep_off([*self.edges.values(), *self.arms])
+        for v, signs in self.chart.vertices.items():
+            self.scene.circle(self.vertices[v], 1.7, fc=VERMILION, ec="none", zorder=4,
+                              gid=f"vertex-{v}")  # fmt: skip
+            self.missing["vertices"] += not write_beside(
+                self.scene, self.vertices[v], [sign_text(signs)], SIZES, off=off,
+                distance=3.0, color=VERMILION,
+            )  # fmt: skip
+
+    def _label_edge(self, edge: int) -> bool:
+        """Write a sign vector on an edge, off all others, or beside it."""
+        text = sign_text(self.chart.edges[edge])
+        others = [*(line for e, line in self.edges.items() if e != edge), *self.arms]
+        off = keep_off(others)
+        for size in SIZES:
+            for share in (0.5, 0.4, 0.6, 0.3, 0.7, 0.2, 0.8):
+                place = _along(self.edges[edge], share)
+                left, low, right, high = box = self.scene.box(place, text, size)
+                on_others = covering(off, np.array([box])).any()
+                if not on_others and self.scene.write(place, text, size, color=BLUE):
+                    plate = [(left, low), (right, low), (right, high), (left, high)]
+                    self.scene.polygon(plate, fc="white", ec="none", zorder=3.5, role="line")
+                    return True
+        return write_beside(
+            self.scene, _along(self.edges[edge], 0.5), [text], SIZES, color=BLUE, distance=1.5,
+            off=keep_off([*others, self.edges[edge]]),
+        )  # fmt: skip
+
+    def mark_sides(self) -> None:
+        """Draw an arrow across each line, near an end, to its positive side."""
+        whole = self.chart.globe.whole.arrangement
+        for label, (members, points) in enumerate(zip(whole.distinct, self.lines, strict=True)):
+            share = min(0.3, 9 / float(np.linalg.norm(np.diff(points, axis=0), axis=1).sum()))
+            start, way = _along(points, share), _along(points, 1.1 * share) - _along(points, share)
+            way /= np.linalg.norm(way)
+            left = np.array([-way[1], way[0]])
+            sides = {
+                np.sign(float(whole.integer_planes[k][:3] @ self.plane(start + left)))
+                for k in members
+            }
+            for side in sorted(sides):
+                tip = start + 9 * side * left
+                self.arms.append(np.array([start, tip]))
+                arrow(self.scene, start, tip, ec="black", lw=0.7, zorder=4, role="arrow",
+                      gid=f"side-{label}")  # fmt: skip
+
+    def plane(self, place: Floats) -> Floats:
+        """Return the homogeneous point of the plane at a place on paper."""
+        raise NotImplementedError
+
+
+class _Window(_Sheet):
+    """A rectangle of the plane."""
+
+    def draw(self, width: float) -> None:
+        chart = self.chart
+        x, y = (float(half) for half in chart.half)
+        names = [plane_names(members) for members in chart.lines.distinct]
+        trial = Scene(width, 10.0)
+        margin = max([MARGIN, *(trial.measure(name)[0] + 5 for name in names)])
+        room = trial.width - 2 * margin
+        scale = room / max(2 * x, 1.2 * y)
+        self.scene = Scene(width, 2 * (y * scale + margin) / POINTS)
+        self.centre = np.array([self.scene.width / 2, margin + y * scale])
+        self.scale = scale
+
+        def at(points: Floats) -> Floats:
+            return self.centre + scale * points
+
+        for r, signs in chart.regions.items():
+            region, outline = DrawnRegion(signs, chart.sides[signs]), at(chart.outline(r))
+            self.scene.polygon(outline, fc=self.paint(region), ec="none", gid=f"region-{r}")
+            self.outlines.append((region, outline))
+        self.edges = {e: at(chart.edge(e)) for e in chart.edges}
+        self.vertices = {v: at(chart.vertex(v)) for v in chart.vertices}
+        for label, name in enumerate(names):
+            ends = at(chart.line(label))
+            self.lines.append(ends)
+            self.scene.line(ends, gid=f"line-{label}", capstyle="butt", **_LINE)
+            self._name(ends, name)
+
+    def plane(self, place: Floats) -> Floats:
+        return np.append((place - self.centre) / self.scale, 1.0)
+
+    def _name(self, ends: Floats, text: str) -> None:
+        """Write the name of a line beyond one of its ends, where there is more room."""
+        half = np.array(self.scene.measure(text)) / 2
+        for extra in (0.0, 3.0, 6.0):
+            for near, far in (ends, ends[::-1]):
+                way = (near - far) / np.linalg.norm(near - far)
+                reach = 2.5 + extra + float((half / np.maximum(np.abs(way), 1e-9)).min())
+                if self.scene.write(near + reach * way, text, style="italic"):
+                    return
+        self.missing["lines"] += 1
+
+
+class _Disc(_Sheet):
+    """The projective plane, with the line at infinity as a rim."""
+
+    notes = ("rim: the line at infinity; opposite points of it are one point",)
+
+    def draw(self, width: float) -> None:
+        chart = self.chart
+        self.disc = alone(chart.globe, chart.drawn, self.names, width)
+        self.scene = self.disc.scene
+        self.outlines, self.rim, _ = self.disc.curves(self.paint, both_ends=True)
+        # What meets across the rim is one region, with the sides of both parts.
+        self.regions = [region for region, _ in self.outlines]
+        self.edges = {e: self._curve(e) for e in chart.edges}
+        seen = {v: chart.globe.points[v] for v in chart.vertices}
+        self.vertices = {v: self.disc.on_paper(p[:2] / (1 + p[2])) for v, p in seen.items()}
+        ends = {e: set(chart.incidence.origin[2 * e : 2 * e + 2].tolist()) for e in chart.edges}
+        for label in range(chart.globe.whole.circle_count):
+            own = (e for e in chart.edges if int(chart.incidence.arc_circle[e]) == label)
+            outer = next(e for e in own if not ends[e] <= chart.vertices.keys())
+            first_inside = int(chart.incidence.origin[2 * outer]) in chart.vertices
+            points = self.edges[outer]
+            self.lines.append(points[::-1] if first_inside else points)
+        for v in chart.parallels:
+            place = self.disc.on_paper(chart.globe.points[v][:2])
+            self.scene.circle(place, 2.2, fc="black", ec="white", lw=0.5, zorder=4,
+                              gid=f"infinity-{v}")  # fmt: skip
+
+    def plane(self, place: Floats) -> Floats:
+        x, y = (place - np.array(self.disc.centre)) / self.disc.radius
+        return np.array([2 * x, 2 * y, 1 - x * x - y * y])
+
+    def _curve(self, edge: int) -> Floats:
+        return along(self.disc.on_paper(self.chart.drawn.arc(edge)), 12)
+
+
+def _along(points: Floats, share: float) -> Floats:
+    """Return the point at a share of the length of a polygonal line."""
+    at = np.concatenate([[0.0], np.cumsum(np.linalg.norm(np.diff(points, axis=0), axis=1))])
+    return np.array([np.interp(share * at[-1], at, column) for column in points.T])

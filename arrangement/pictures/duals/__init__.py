@@ -1,0 +1,1 @@
+"""Duals and graphs of regions, and solids as model files."""

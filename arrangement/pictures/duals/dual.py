@@ -1,0 +1,282 @@
+"""The dual polyhedron beside the great circles, in corresponding colours."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+
+from arrangement.arrangement import Arrangement
+from arrangement.drawing.colours import (
+    BLUE,
+    VERMILION,
+    DrawnRegion,
+    Painter,
+    letter_colour,
+    plane_colour,
+)
+from arrangement.drawing.figure import picture
+from arrangement.drawing.registry import Vector
+from arrangement.drawing.scene.items import Box, Floats
+from arrangement.drawing.scene.labels import SIZES, keep_off, ring, tried, write_along, write_beside
+from arrangement.drawing.scene.measuring import checked_width
+from arrangement.drawing.scene.scene import Scene
+from arrangement.duals.zonohedron import dual_polyhedron
+from arrangement.numbers.exact import IntegerVector
+from arrangement.pictures.essential import shown_as
+from arrangement.pictures.region_labels import RegionLabels, explain_regions, stroke
+from arrangement.pictures.sphere.coordinates import in_coordinates
+from arrangement.pictures.sphere.disc import HIDDEN, Disc, front, plane_names, rim_width
+from arrangement.pictures.sphere.globe import TO_LIGHT, Globe, clear_direction
+from arrangement.pictures.sphere.projections import orthographic
+
+from .solids import Solid, dual_solid, hull_solid
+
+#: Below this width the two panels stand one above the other; in millimetres.
+SIDE_BY_SIDE = 120.0
+
+
+@picture
+@shown_as("dual")
+def draw_dual(
+    arrangement: Arrangement,
+    *,
+    direction: Vector | None = None,
+    colour: str | Painter | None = None,
+    antipodes: str | None = None,
+    labels: str | None = None,
+    width: float = 180.0,
+    hull: bool = False,
+    coordinates: str | None = None,
+) -> Scene:
+    """Draw the great circles of central planes in R^3, and beside them the dual polyhedron.
+
+    Both are seen from the same direction. A region of the sphere and its vertex of the dual have
+    the same colour and sign vector; a circle and its zone of parallel edges have the same colour
+    and number. Both are lit from the upper left, from in
+    front. Hidden edges are dashed; which are hidden is decided exactly. The generators of
+    the dual have length 1. In rank 2 the dual is a polygon, in rank 1 a segment.
+
+    With `hull` the second panel has instead the convex hull of one point of the unit sphere for
+    each region (see `arrangement.representative_hull`). Edges of the hull between
+    regions that are not adjacent stand out, and so do adjacencies that are no edges of the hull;
+    the legend counts them.
+
+    Elements: in the first panel as for the sphere; in the second ``vertex-3``, ``edge-7``, and
+    ``face-2`` for the visible faces.
+
+    Args:
+        arrangement: central, in R^3, of rank 1 to 3; rank 3 for the hull.
+        direction: the exact direction towards the viewer; if omitted, one from above in which no
+            circle is edge-on and no vertex hides its opposite.
+        colour, antipodes, labels: as for `draw_sphere`.
+        width: of the figure, in millimetres; below 120 the panels stand one above the other.
+        hull: draw the hull of representatives.
+        coordinates: as for `draw_sphere`; for the hull "given" if omitted.
+
+    Raises:
+        InputError: another space or rank, planes off the origin, too many circles, unknown
+            colouring.
+        MissingExtraError: matplotlib is absent.
+    """
+    width, names = checked_width(width), RegionLabels(arrangement, labels)
+    if coordinates is None and hull:
+        coordinates = "given"
+    arrangement, direction = in_coordinates(coordinates, arrangement, direction)
+    globe = Globe(arrangement, direction)
+    if direction is None and not hull:
+        globe = Globe(arrangement, _oblique_direction(globe))
+    colours = globe.colouring(colour, antipodes)
+    if hull:
+        from arrangement.duals.inscribed import representative_hull
+
+        found = representative_hull(dual_polyhedron(arrangement))
+        solid = hull_solid(found, globe.direction, globe.axes)
+        points = np.array([[float(x) for x in p] for p in found.hull.points]) @ globe.axes.T
+    else:
+        solid, points = dual_solid(arrangement, globe.direction, globe.axes), None
+    beside = width >= SIDE_BY_SIDE
+    panel = width / 2 if beside else width
+    scene = Scene(width, panel * (1 if beside else 2))
+    size = scene.width / 2 if beside else scene.width
+    first = (size / 2, scene.height - size / 2)
+    second = (size * 1.5, first[1]) if beside else (size / 2, first[1] - size)
+    radius = size / 2 - rim_width(scene, globe, names)
+    disc = Disc(scene, first, radius, globe, front(globe, orthographic), names, _ink(hull), True)
+    _sphere(disc, colours.paint, points, (0.0, first[1] - size / 2, size, scene.height))
+    picture = _Picture(scene, globe, solid, [colours.paint(r) for r in _regions(globe, solid)],
+                       names, hull)  # fmt: skip
+    picture.draw(second, radius if hull else size / 2 - 19.0, size / 2)
+    explain_regions(scene, colours, names, globe.regions)
+    if hull:
+        _explain_hull(scene, solid)
+    else:
+        scene.legend.line("vertex = region, zone of parallel edges = circle; hidden ones dashed")
+    return scene
+
+
+def _regions(globe: Globe, solid: Solid) -> list[DrawnRegion]:
+    """Return the regions in the order of the vertices."""
+    by_signs = {region.signs: region for region in globe.regions}
+    return [by_signs[signs] for signs in solid.signs]
+
+
+def _oblique_direction(globe: Globe) -> IntegerVector:
+    """Return a direction clear of the limb as usual, and of the vertices of the dual."""
+    whole = globe.whole
+    lines = [*whole.circle_normals, *(whole.ray(v) for v in range(whole.vertex_count))]
+    if not whole.circle_count:
+        return clear_direction(lines)
+    corners = dual_solid(whole.arrangement, (0, 0, 1), np.eye(3)).corners
+    corners = corners / np.linalg.norm(corners, axis=1, keepdims=True)
+
+    def apart(units: Floats) -> Floats:
+        near = np.abs(units @ corners.T).max(axis=1)
+        found: Floats = np.sqrt(np.maximum(0, 1 - near**2))
+        return found
+
+    return clear_direction(lines, apart)
+
+
+def _ink(hull: bool) -> Any:
+    return None if hull else plane_colour
+
+
+def _sphere(disc: Disc, paint: Painter, points: Floats | None, within: Box) -> None:
+    """Draw the first panel, with the representatives in front as dots."""
+    dots: list[Floats] = []
+    if points is not None:
+        places = disc.on_paper(points[points[:, 2] > 0][:, :2])
+        dots = [ring(place, 1.1, 9) for place in places]
+        for place in places:
+            disc.scene.circle(place, 1.1, fc="black", ec="none", zorder=4, role="point")
+    disc.draw(paint, avoid=dots, within=within)
+
+
+class _Picture:
+    """The second panel."""
+
+    def __init__(
+        self,
+        scene: Scene,
+        globe: Globe,
+        solid: Solid,
+        fills: Sequence[str],
+        names: RegionLabels,
+        hull: bool,
+    ) -> None:
+        self.scene, self.globe, self.solid, self.hull = scene, globe, solid, hull
+        self.fills, self.names = fills, names
+
+    def draw(self, centre: tuple[float, float], radius: float, half: float) -> None:
+        """Draw into the square around `centre` with sides of twice `half`."""
+        solid, scene = self.solid, self.scene
+        largest = 1.0 if self.hull else float(np.linalg.norm(solid.places, axis=1).max())
+        self.places = np.array(centre) + solid.places * (radius / max(largest, 1e-9))
+        self.limb: list[Floats] = []
+        if self.hull:
+            scene.circle(centre, radius, fill=False, ec="0.6", lw=0.4, zorder=1, gid="limb")
+            self.limb = [ring(centre, radius)]
+        for k, (cycle, normal) in enumerate(solid.faces):
+            grey = str(round(0.8 + 0.19 * max(0.0, float(TO_LIGHT @ normal)), 3))
+            scene.polygon(self.places[list(cycle)], fc=grey, ec="none", zorder=1, gid=f"face-{k}")
+        small = self._inscribe(radius)
+        for e, (u, v, c) in enumerate(solid.edges):
+            style = self._style(c, solid.edge_hidden[e])
+            style["lw"] *= min(1.0, small / 1.6)
+            scene.line(self.places[[u, v]], gid=f"edge-{e}", **style)
+        for v, place in enumerate(self.places):
+            hidden = solid.vertex_hidden[v]
+            style = (
+                {"lw": 0.35, "zorder": 2.5} if hidden else {"lw": min(0.7, small / 2), "zorder": 5}
+            )
+            r = small * (0.7 if hidden else 1.0)
+            scene.circle(place, r, fc=self.fills[v], ec="black", gid=f"vertex-{v}", **style)
+        if not self.hull:
+            self._zones(small)
+        self._labels(
+            np.array(centre),
+            small,
+            (centre[0] - half, centre[1] - half, centre[0] + half, centre[1] + half),
+        )
+
+    def _inscribe(self, radius: float) -> float:
+        """Return the radius of the vertices: for a number inside, if they are far enough apart."""
+        seen = self.places[~np.array(self.solid.vertex_hidden)]
+        gaps = np.linalg.norm(seen[:, None] - seen, axis=2) + 99.0 * np.eye(len(seen))
+        digits = max(len(self._text(v)) for v in range(len(self.places)))
+        inside = 2.6 + 1.6 * digits
+        self.inside = self.names.kind == "numbers" and gaps.min() > 2 * inside + 1
+        edges = self.places[[edge[:2] for edge in self.solid.edges]]
+        lengths = np.linalg.norm(edges[:, 0] - edges[:, 1], axis=1)
+        crowded = max(0.5, 0.28 * float(np.quantile(lengths, 0.1)))
+        return inside if self.inside else min(2.6, radius / 14, crowded)
+
+    def _text(self, v: int) -> str:
+        return next(iter(self.names.forms(self.solid.signs[v])), "")
+
+    def _style(self, label: int, hidden: bool) -> dict[str, Any]:
+        style: dict[str, Any] = {"capstyle": "round"}
+        if self.hull:
+            style |= _HULL_STYLES[min(label, 0)]
+            return style | HIDDEN if hidden else style
+        style["ec"] = plane_colour(label)
+        if hidden:
+            return style | HIDDEN
+        return style | {"lw": 1.5, "zorder": 4}
+
+    def _zones(self, small: float) -> None:
+        """Write the number of each circle beside an edge of its zone, the longest that is free."""
+        solid, classes = self.solid, self.globe.whole.arrangement.distinct
+        by_class: dict[int, list[tuple[float, int]]] = {}
+        for e, (u, v, c) in enumerate(solid.edges):
+            if not solid.edge_hidden[e]:
+                length = float(np.linalg.norm(self.places[u] - self.places[v]))
+                by_class.setdefault(c, []).append((-round(length, 3), e))
+        off = self._off(small + 0.5)
+        for c, edges in sorted(by_class.items()):
+            text = plane_names(classes[c])
+            for _, e in sorted(edges):
+                ends = self.places[list(solid.edges[e][:2])]
+                ink = {"color": letter_colour(c), "style": "italic"}
+                if write_along(self.scene, ends, text, 6.0, off, **ink):
+                    break
+
+    def _off(self, small: float) -> Any:
+        """Return what no label may cover: edges, vertices, and the limb of a hull."""
+        edges = self.places[[edge[:2] for edge in self.solid.edges]]
+        return keep_off([*edges, *self.limb], discs=self.places, radius=small)
+
+    def _labels(self, centre: Floats, small: float, within: Box) -> None:
+        """Write the names of the vertices: inside, or beside, where no other vertex is as near."""
+        solid, far = self.solid, np.round(np.linalg.norm(self.places - centre, axis=1), 4)
+        off = self._off(small)
+        order = sorted(range(len(far)), key=lambda v: (solid.vertex_hidden[v], -far[v]))
+        for v in order[: tried(len(far))] if self.names.kind != "none" else ():
+            hidden = solid.vertex_hidden[v]
+            if self.inside and not hidden:
+                self.scene.write(self.places[v], self._text(v), SIZES[1], zorder=7)
+                continue
+            away = self.places[v] - centre if far[v] else (0.0, 1.0)
+            write_beside(
+                self.scene, self.places[v], self.names.forms(solid.signs[v]), SIZES[:2],
+                off=off, away=away, distance=small * (0.7 if hidden else 1) + 1.0,
+                within=within, others=np.delete(self.places, v, axis=0),
+                color="0.45" if hidden else "black",
+            )  # fmt: skip
+
+
+def _explain_hull(scene: Scene, solid: Solid) -> None:
+    """Add the kinds of edges to the legend, with their numbers."""
+    labels = [min(c, 0) for _, _, c in solid.edges]
+    names = {0: "hull and adjacency", -1: "hull only", -2: "adjacency only"}
+    for kind, text in names.items():
+        scene.legend.key(stroke(**_HULL_STYLES[kind]), f"{text}: {labels.count(kind)}")
+
+
+_HULL_STYLES: dict[int, dict[str, Any]] = {
+    0: {"ec": "black", "lw": 0.9, "zorder": 3},
+    -1: {"ec": VERMILION, "lw": 1.7, "zorder": 4},
+    -2: {"ec": BLUE, "lw": 1.4, "ls": (0, (1.2, 1.2)), "zorder": 4.5},
+}

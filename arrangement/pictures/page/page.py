@@ -1,0 +1,243 @@
+"""An interactive page: the great circles and the dual side by side, turning together.
+
+What is merged when a plane is taken away, and every number that the page shows, is exact; floats
+place curves on the screen.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+from arrangement.arrangement import Arrangement
+from arrangement.console.number_form import Form, counted, sign_text, vector
+from arrangement.drawing.pages.html_page import BASE_SCRIPT, BASE_STYLE, Template, one_page
+from arrangement.drawing.registry import Vector
+from arrangement.duals.zonohedron.incidence import dual_incidence
+from arrangement.enumeration.great_circles import SphereArrangement
+from arrangement.errors import InputError, refusal
+from arrangement.numbers.exact import IntegerVector, RationalVector, shown, to_text
+from arrangement.pictures.essential import brought, caption
+from arrangement.pictures.sphere.coordinates import CHOICES, even_map, is_narrow, symmetric_map
+from arrangement.pictures.sphere.globe import Globe, clear_direction, picture_axes, unit_vectors
+
+#: Distinct planes beyond which a page is too slow to turn by hand.
+MAX_CIRCLES = 30
+COLOURINGS = ("sides", "signs", "parity", "none")
+
+
+def arrangement_page(
+    arrangement: Arrangement,
+    *,
+    title: str | None = None,
+    colour: str | None = None,
+    direction: Vector | None = None,
+    coordinates: str | None = None,
+) -> str:
+    """Return one HTML page, complete in itself, for central planes in R^3.
+
+    It shows the regions on the sphere and the dual (polyhedron, polygon or segment), which turn
+    together. What lies under the pointer lights up in both, with its sign vector and an exact
+    point. Planes can be taken away and put back.
+
+    Args:
+        arrangement: central, of rank at most 3, up to `MAX_CIRCLES` distinct planes.
+        title: a heading; if omitted, the number of planes.
+        colour: of the regions at first: "sides" (by number of sides), "signs" (by number of minus
+            signs), "parity" (two colours), "none"; if omitted, sides if they differ, else parity.
+        direction: the exact first direction towards the viewer; if omitted, a clear one.
+        coordinates: at first: "given"; "symmetric", after a linear map that shows the symmetry of
+            the planes; "even", after one that spreads the normals evenly. If omitted, symmetric
+            where that differs, but for planes of motions, and even where the planes are narrow.
+
+    Raises:
+        InputError: another space, planes off the origin, too many planes, unknown colouring.
+    """
+    if colour is not None and colour not in COLOURINGS:
+        raise refusal(f"the colouring is {shown(colour)}", colour, COLOURINGS)
+    summary = _summary(arrangement)
+    arrangement = brought(arrangement, "arrangement")
+    if len(arrangement.distinct) > MAX_CIRCLES:
+        raise InputError(
+            f"{len(arrangement.distinct)} distinct planes; a page shows at most {MAX_CIRCLES}"
+        )
+    if coordinates is not None and coordinates not in CHOICES:
+        raise refusal(f"the coordinates are {shown(coordinates)}", coordinates, CHOICES)
+    globe = Globe(arrangement, direction)
+    heading = title if title is not None else _heading(arrangement)
+    data = {
+        "title": heading,
+        "summary": summary,
+        "colour": colour,
+        "axes": _floats(globe.axes),
+        "even": _shaped(globe, arrangement, coordinates, direction),
+        **_cells(globe.whole),
+    }
+    scripts = ("model.js", "ball.js", "globe.js", "arrangement.js", "controls.js")
+    return one_page(
+        heading,
+        _own("arrangement.html"),
+        [BASE_STYLE, _own("arrangement.css")],
+        [BASE_SCRIPT, *map(_own, scripts)],
+        data,
+        ["spin", "home", "theme", "print"],
+    )
+
+
+def _own(name: str) -> Template:
+    return "arrangement.pictures.page", name
+
+
+def _shaped(
+    globe: Globe, arrangement: Arrangement, coordinates: str | None, direction: Vector | None
+) -> dict[str, Any] | None:
+    """Return what the page needs to show the planes symmetric, else evened out; None below rank 3.
+
+    Args:
+        coordinates: those at first; None: the symmetric ones, or narrow planes evened out.
+    """
+    sphere = globe.whole
+    if sphere.rank < 3:
+        return None
+    units = np.array([_unit(normal) for normal in sphere.circle_normals])
+    symmetric = None if coordinates == "even" else symmetric_map(arrangement)
+    for_normals = even_map(units) if symmetric is None else symmetric
+    for_points = np.linalg.inv(for_normals).T
+    rays = np.array([_unit(sphere.ray(v)) for v in range(sphere.vertex_count)]) @ for_points.T
+    lines = _integers(np.concatenate([units @ for_normals.T, rays]))
+    towards = _integers(np.array([_unit(globe.direction)]) @ for_points.T)[0]
+    at_first = coordinates in ("symmetric", "even")
+    if coordinates is None and not arrangement.axes:
+        at_first = is_narrow(units) or symmetric is not None
+    return {
+        "normals": _floats(for_normals),
+        "points": _floats(for_points),
+        "axes": _floats(picture_axes(clear_direction(lines) if direction is None else towards)),
+        "name": "evened out" if symmetric is None else "symmetric",
+        "at_first": at_first,
+    }
+
+
+def _integers(vectors: Any) -> list[IntegerVector]:
+    """Return vectors near multiples of some floats."""
+    units = vectors / np.linalg.norm(vectors, axis=1, keepdims=True)
+    return [tuple(row) for row in np.rint(units * 10**6).astype(int).tolist()]
+
+
+def _heading(arrangement: Arrangement) -> str:
+    number = len(arrangement)
+    return f"Arrangement of {counted(number, 'plane')}"
+
+
+def _summary(arrangement: Arrangement) -> str:
+    number, distinct = len(arrangement), len(arrangement.distinct)
+    planes = f"{counted(number, 'plane')} through the origin"
+    same = f", {distinct} of them distinct" if distinct < number else ""
+    facts = (f"{planes}{same}", f"rank {arrangement.rank}", caption(arrangement, 3))
+    return "; ".join(filter(None, (*facts, generator_text(arrangement))))
+
+
+def _cells(sphere: SphereArrangement) -> dict[str, Any]:
+    """Return planes, circles, arcs, crossings and regions with all that joins them."""
+    arrangement, topology = sphere.arrangement, sphere.incidence
+    normals = [plane[:3] for plane in arrangement.integer_planes]
+    longest = max((_longest(normal) for normal in normals), default=1)
+    planes = [
+        {
+            "normal": _exact(normal),
+            "unit": _unit(normal),
+            "length": _longest(normal) / longest * _norm(normal),
+            "equation": equation(normal),
+            "circle": int(circle),
+        }
+        for normal, circle in zip(normals, sphere.plane_circle.tolist(), strict=True)
+    ]
+    around = dual_incidence(arrangement).faces if sphere.vertex_count else ()
+    return {
+        "planes": planes,
+        "classes": [list(members) for members in arrangement.distinct],
+        "circles": [_unit(normal) for normal in sphere.circle_normals],
+        "arcs": [_arc(sphere, arc) for arc in range(sphere.arc_count)],
+        "points": [
+            {
+                "ray": _exact(sphere.ray(vertex)),
+                "unit": _unit(sphere.ray(vertex)),
+                "circles": topology.circles_at(vertex).tolist(),
+                "around": list(cycle),
+            }
+            for vertex, cycle in enumerate(around)
+        ],
+        "regions": [_region(sphere, region) for region in range(sphere.region_count)],
+    }
+
+
+def _arc(sphere: SphereArrangement, arc: int) -> dict[str, Any]:
+    topology, halves = sphere.incidence, slice(2 * arc, 2 * arc + 2)
+    witness = sphere.arc_witness(arc)
+    return {
+        "circle": int(topology.arc_circle[arc]),
+        "ends": topology.origin[halves].tolist(),
+        "sides": topology.region[halves].tolist(),
+        "witness": _exact(witness),
+        "inside": _unit(witness),
+    }
+
+
+def _region(sphere: SphereArrangement, region: int) -> dict[str, Any]:
+    witness = sphere.region_witness(region)
+    return {
+        "signs": sign_text(sphere.region_signs(region)),
+        "witness": _exact(witness),
+        "inside": _unit(witness),
+        "boundary": sphere.incidence.boundary(region).tolist() if sphere.rank else [],
+    }
+
+
+def equation(normal: IntegerVector, offset: int = 0) -> str:
+    """Return the equation of a plane, such as ``x - 2y + z = 0`` or ``2x + (1 + a) y = 0``."""
+    text = ""
+    for entry, name in zip(normal, "xyz", strict=True):
+        if entry:
+            joint = ("-" if entry < 0 else "") if not text else (" - " if entry < 0 else " + ")
+            factor = to_text(abs(entry)) if abs(entry) != 1 else ""
+            if not isinstance(entry, int):
+                factor = factor.replace("*", "")
+                factor = f"({factor}) " if " " in factor else f"{factor} "
+            text += f"{joint}{factor}{name}"
+    return f"{text} = {to_text(offset)}"
+
+
+def point_text(point: RationalVector) -> str:
+    """Return the exact coordinates of a point, however long they are."""
+    with Form(exact=True).used():
+        return vector(point)
+
+
+def generator_text(arrangement: Arrangement) -> str:
+    """Return what the letter a in the numbers of a page is; nothing for rational planes."""
+    return "" if arrangement.field is None else f"numbers in {arrangement.field!r}"
+
+
+def _exact(vector: IntegerVector) -> list[str]:
+    return [to_text(x) for x in vector]
+
+
+def _longest(vector: IntegerVector) -> int:
+    return max(map(abs, vector))
+
+
+def _norm(vector: IntegerVector) -> float:
+    """Return the Euclidean length over the largest entry."""
+    return float(np.linalg.norm([float(x / _longest(vector)) for x in vector]))
+
+
+def _unit(vector: IntegerVector) -> list[float]:
+    """Return a unit vector; the zero vector stays."""
+    unit: list[float] = _floats(unit_vectors([vector])[0]) if any(vector) else [0.0] * len(vector)
+    return unit
+
+
+def _floats(array: Any) -> Any:
+    """Return nested lists of floats with eight digits, and no negative zero."""
+    return (np.round(array, 8) + 0.0).tolist()

@@ -1,0 +1,216 @@
+"""All cells of an arrangement in a cube or a ball, apart: a picture, and a page to turn.
+
+Each cell moves away from the centre by the same multiple of the way to its own middle. Planes keep
+the cells apart after that: if x and the middle c of a cell are beyond a plane ``n . x = b``, then
+``x + t c`` is beyond ``n . x = (1 + t) b``. So the order of painting is that of the cells in place,
+and exact (see `painting`).
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from arrangement.arrangement import Arrangement
+from arrangement.console.number_form import counted
+from arrangement.drawing.colours import SKIN, fill_colour, pale
+from arrangement.drawing.figure import picture
+from arrangement.drawing.pages.solid_page import Branch, Face, SolidPage
+from arrangement.drawing.registry import Exact, Vector
+from arrangement.drawing.scene.measuring import checked_width
+from arrangement.drawing.scene.scene import Scene
+from arrangement.duals.cells import Cell, Cells, cut_cells
+from arrangement.errors import InputError
+from arrangement.numbers.exact import shown
+from arrangement.numbers.linear.rank import cycle_edges
+from arrangement.pictures.duals.models import centroid
+from arrangement.pictures.essential import brought, caption, shown_as
+from arrangement.pictures.page.page import equation, generator_text, point_text
+from arrangement.pictures.region_labels import RegionLabels
+from arrangement.pictures.sphere.coordinates import in_coordinates
+from arrangement.pictures.sphere.disc import plane_names
+from arrangement.pictures.sphere.globe import Floats, picture_axes, view_direction
+
+from .axes import StagedAxes
+from .exploded_cells import Lifted, sharp
+from .painting import Stage, unit_points, walls_of_edges
+from .plane_names import Names
+from .planesheet import PlanesSheet
+from .view_direction import clear_sight
+
+#: More cells hide each other, and are too many for a page.
+MOST = 400
+#: Up to so many cells have labels.
+_NAMED = 60
+
+
+@picture
+@shown_as("cells")
+def draw_cells(
+    arrangement: Arrangement,
+    *,
+    body: str = "cube",
+    centre: Vector | None = None,
+    radius: Exact | None = None,
+    explode: float = 1.5,
+    direction: Vector | None = None,
+    labels: str | None = None,
+    coordinates: str | None = None,
+    width: float = 88.0,
+) -> Scene:
+    """Draw the cells of planes in R^3, cut off by a cube or a ball, as solids that stand apart.
+
+    A wall has the colour of its plane, what the body cuts is bare. Sign vectors stand on the cells
+    where they fit. Cells are painted back to front in an exact order.
+
+    Elements: ``cell-++-``, one for each visible face.
+
+    Args:
+        arrangement: of rank at most 3, central or not, coincident planes allowed; in another space
+            than R^3 its essentialisation.
+        body: "cube" or "ball".
+        centre, radius: exact, of the body, instead of one that contains all vertices.
+        explode: by how much the middles of the cells are farther apart than in place; at least 1.
+        direction: exact, towards the viewer; if omitted, one in which no plane is edge-on.
+        labels: of cells, as for `draw_sphere`, on faces that have room; none for more than 60 cells
+            if omitted.
+        coordinates: of central planes, as for `draw_planes`.
+        width: of the figure, in millimetres.
+
+    Raises:
+        InputError: rank above 3, too many planes or cells, unknown body, a bad factor.
+        MissingExtraError: matplotlib is absent.
+    """
+    width = checked_width(width)
+    if coordinates is None and not (centre is None and radius is None):
+        coordinates = "given"
+    arrangement, direction = in_coordinates(coordinates, arrangement, direction)
+    cells = _cells(arrangement, body, centre, radius, explode)
+    towards = clear_sight(cells) if direction is None else view_direction(direction)
+    stage = Stage(cells, towards)
+    lifted = []
+    for cell in cells.cells:
+        shift = _middle(stage.points, cell) * (explode - 1)
+        lifted.append(Lifted(cell, stage.points + shift, shift))
+    names = RegionLabels(arrangement, labels, len(lifted), _NAMED)
+    signs = [cell.signs for cell in cells.cells]
+    sheet = PlanesSheet(
+        stage, lifted, lambda facet: fill_colour(facet.label), width, StagedAxes(stage, ()),
+        apart=True,
+    )  # fmt: skip
+    left = 0 if names.kind == "none" else Names(sheet, names).name_cells(beside=False)
+    legend = sheet.scene.legend
+    names.explain(legend, signs)
+    if left:
+        legend.captions.append(
+            f"{left} of {len(lifted)} cells are hidden or too narrow for a label"
+        )
+    return sheet.scene
+
+
+def cells_page(
+    arrangement: Arrangement,
+    *,
+    title: str | None = None,
+    centre: Vector | None = None,
+    radius: Exact | None = None,
+    explode: float = 1.3,
+    direction: Vector | None = None,
+) -> str:
+    """Return one HTML page, complete in itself: the cells of planes in R^3, in a cube, to turn.
+
+    They can be moved apart. A cell under the pointer tells its sign vector, its planes, whether it
+    is bounded, and an exact point.
+
+    Args:
+        arrangement: of rank at most 3, central or not.
+        title: a heading; if omitted, the number of planes.
+        centre, radius: exact, of the cube, instead of one that contains all vertices.
+        explode: how far the cells stand apart at first, from 1 to 3.
+        direction: exact, towards the viewer at first; if omitted, one in which no plane is edge-on.
+
+    Raises:
+        InputError: rank above 3, too many planes or cells, a bad factor.
+    """
+    number = counted(len(arrangement), "plane")
+    note, arrangement = caption(arrangement, 3), brought(arrangement, "cells")
+    cells = _cells(arrangement, "cube", centre, radius, explode)
+    towards = clear_sight(cells) if direction is None else view_direction(direction)
+    points = unit_points(cells)
+    tree, told = [Branch((0, 0, 1))], []
+    regions = {face.signs: face for face in arrangement.regions()}
+    firsts = arrangement.distinct_planes
+    for k, cell in enumerate(cells.cells):
+        leaf = _leaf(tree, [plane[:3] for plane in firsts], cell.sides)
+        tree[leaf].faces += _faces(points, cell, k)
+        walls = sorted({wall for wall in cell.walls if wall >= 0})
+        sign = "".join("+" if s > 0 else "\u2212" for s in cell.signs)
+        told.append((sign or "all", [
+            ("planes", "; ".join(equation(firsts[w][:3], firsts[w][3]) for w in walls) or "none"),
+            ("a point", point_text(regions[cell.signs].witness)),
+            ("in the cube", "whole" if len(walls) == len(set(cell.walls)) else "cut off"),
+        ]))  # fmt: skip
+    legend = [
+        (pale(fill_colour(label)), f"{plane_names(members)}: {equation(first[:3], first[3])}")
+        for label, (members, first) in enumerate(zip(arrangement.distinct, firsts, strict=True))
+    ]
+    body = cells.body
+    corner = ", ".join(map(str, body.centre))
+    facts = (f"{number}, rank {arrangement.rank}", note, generator_text(arrangement))
+    return SolidPage(
+        title if title is not None else f"Cells of {number}",
+        "; ".join(filter(None, facts)),
+        f"{len(cells.cells)} cells in a cube with centre ({corner}) and edge "
+        f"{float(2 * body.radius):.4g}",
+        picture_axes(towards), 3**0.5, tree, told, [*legend, (SKIN, "cut by the cube")],
+        apart=float(explode),
+    ).text()  # fmt: skip
+
+
+def _cells(
+    arrangement: Arrangement,
+    body: str,
+    centre: Vector | None,
+    radius: Exact | None,
+    explode: float,
+) -> Cells:
+    """Return the cells in a body, or refuse the request."""
+    if not isinstance(explode, int | float) or not 1 <= explode <= 3:
+        raise InputError(f"explode is {shown(explode)}; give a factor from 1 to 3")
+    cells = cut_cells(arrangement, body, centre, radius)
+    if len(cells.cells) > MOST:
+        raise InputError(
+            f"{len(cells.cells)} cells; at most {MOST} can be told apart. A smaller radius shows a "
+            "part, the view planes shows the planes"
+        )
+    return cells
+
+
+def _middle(points: Floats, cell: Cell) -> Floats:
+    return centroid(points, cell.faces)
+
+
+def _leaf(tree: list[Branch], normals: list[tuple[int, ...]], sides: tuple[int, ...]) -> int:
+    """Return the branch of a cell below those of all planes, which are made as they are needed."""
+    at = 0
+    for normal, side in zip(normals, sides, strict=True):
+        tree[at].normal = normal
+        way = "front" if side > 0 else "back"
+        if getattr(tree[at], way) < 0:
+            setattr(tree[at], way, len(tree))
+            tree.append(Branch((0, 0, 1)))
+        at = getattr(tree[at], way)
+    return at
+
+
+def _faces(points: Floats, cell: Cell, number: int) -> list[Face]:
+    """Return the faces of a cell for a page."""
+    middle, walls = _middle(points, cell), walls_of_edges(cell)
+    found = []
+    for face, wall in zip(cell.faces, cell.walls, strict=True):
+        corners = points[list(face)]
+        edges = [points[[a, b]] for a, b in cycle_edges(face) if sharp(*walls[a, b], smooth=False)]
+        normal = np.cross(corners[1] - corners[0], corners[2] - corners[0])
+        fill = SKIN if wall < 0 else pale(fill_colour(wall))
+        lines = np.array(edges).reshape(-1, 2, 3)
+        found.append(Face(corners, fill, normal, lines, number, middle))
+    return found

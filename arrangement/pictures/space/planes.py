@@ -1,0 +1,111 @@
+"""The planes of an arrangement in a ball or a cube, cut at their intersections, back to front."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+from arrangement.arrangement import Arrangement
+from arrangement.drawing.colours import chosen, darkened, fill_colour
+from arrangement.drawing.figure import picture
+from arrangement.drawing.registry import AxisNames, Exact, Vector
+from arrangement.drawing.scene.measuring import checked_width
+from arrangement.drawing.scene.scene import Scene
+from arrangement.duals.cells import cut_cells, read_signs
+from arrangement.pictures.essential import shown_as
+from arrangement.pictures.region_labels import RegionLabels
+from arrangement.pictures.sphere.coordinates import in_coordinates
+from arrangement.pictures.sphere.globe import TO_LIGHT, view_direction
+
+from .axes import StagedAxes, drawn_axes
+from .exploded_cells import lifted_cells
+from .painting import Stage
+from .plane_names import Names
+from .planesheet import DrawnFacet, FacetPainter, PlanesSheet
+from .view_direction import clear_sight
+
+
+@picture
+@shown_as("planes")
+def draw_planes(
+    arrangement: Arrangement,
+    *,
+    body: str = "ball",
+    centre: Vector | None = None,
+    radius: Exact | None = None,
+    direction: Vector | None = None,
+    lift: Iterable[str] = (),
+    colour: str | FacetPainter = "planes",
+    labels: str | None = None,
+    axes: AxisNames | None = None,
+    sides: bool = False,
+    width: float = 88.0,
+    coordinates: str | None = None,
+) -> Scene:
+    """Draw the planes of an arrangement in R^3 inside a ball or a cube, cell by cell.
+
+    Every facet is a polygon of its own (``facet-3-plane-1``), cut at the other planes. They are
+    painted back to front in an exact order (see `painting`), so that nothing hides wrongly. The
+    projection is orthographic. A number beside the body names a plane: k for the k-th, counted
+    from 1. For planes that are not central, the body contains all vertices (see `body_around`).
+
+    Args:
+        arrangement: of rank at most 3, central or not, coincident planes allowed; in another space
+            than R^3 its essentialisation.
+        body: "ball" or "cube".
+        centre, radius: exact, of the body, instead of one that contains all vertices. For planes
+            whose vertices are far apart; what is outside is left out.
+        direction: exact, towards the viewer; if omitted, one in which no plane is edge-on.
+        lift: sign vectors of cells such as ``"+-+"``, over the input planes. These cells are
+            drawn as solids, moved outward.
+        colour: "planes" (each its own colour), "shade" (grey by the angle to the light), "none",
+            or a function from a `DrawnFacet` to a colour.
+        labels: of lifted cells, as for `draw_sphere`.
+        axes: names of the axes; True for ``x,y,z``; or "none"; if omitted, there are some
+            where the coordinates have a meaning, as x, y, r of the motions of a grasp.
+        sides: mark the positive side of each plane by an arrow.
+        width: of the figure, in millimetres.
+        coordinates: as for `draw_sphere`; "given" if omitted and the body has a given place.
+
+    Raises:
+        InputError: another space, too many planes, no such cell, lifted cells that hide each
+            other in a circle, unknown body or colouring.
+        MissingExtraError: matplotlib is absent.
+    """
+    paint = _painter(colour)
+    paper = checked_width(width)
+    texts = [lift] if isinstance(lift, str) else list(lift)
+    raised = [read_signs(arrangement, text) for text in texts]
+    names = RegionLabels(arrangement, labels, len(raised))
+    if coordinates is None and not (centre is None and radius is None):
+        coordinates = "given"
+    shown, coordinates = drawn_axes(arrangement, axes, coordinates)
+    arrangement, direction = in_coordinates(coordinates, arrangement, direction)
+    toward = None if direction is None else view_direction(direction)
+    cells = cut_cells(arrangement, body, centre, radius)
+    if toward is None:
+        toward = clear_sight(cells, raised)
+    stage = Stage(cells, toward)
+    lifted = lifted_cells(stage, raised)
+    picture = PlanesSheet(stage, lifted, paint, paper, StagedAxes(stage, shown))
+    writer = Names(picture, names)
+    if sides:
+        writer.mark_sides()
+    writer.number_planes()
+    writer.name_axes()
+    writer.name_cells()
+    names.explain(picture.scene.legend, raised)
+    return picture.scene
+
+
+def _painter(colour: str | FacetPainter) -> FacetPainter:
+    painters: dict[str, FacetPainter] = {
+        "planes": lambda facet: darkened(fill_colour(facet.label), 0.7 + 0.3 * _light(facet)),
+        "shade": lambda facet: darkened("#ffffff", 0.1 + 0.85 * _light(facet)),
+        "none": lambda facet: "#ffffff",
+    }
+    return chosen(colour, painters)
+
+
+def _light(facet: DrawnFacet) -> float:
+    """Return how much a facet faces the light, from either side."""
+    return abs(float(TO_LIGHT @ facet.normal))

@@ -1,0 +1,97 @@
+"""A direction of view in which no plane is edge-on and few things coincide by accident."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from itertools import combinations, product
+
+import numpy as np
+
+from arrangement.duals.cells import Cells
+from arrangement.numbers.exact import IntegerVector, primitive, unoriented
+from arrangement.pictures.sphere.globe import Floats, unit_vectors
+
+#: Pairs of lines that are compared at most; the rest of a large arrangement hardly matters.
+_MOST_PAIRS = 400
+
+
+def clear_sight(cells: Cells, lifted: Sequence[tuple[int, ...]] = ()) -> IntegerVector:
+    """Return a direction from above that shows the planes well.
+
+    It avoids planes seen edge-on or from straight ahead. Less strictly, it avoids directions in
+    which two planes are seen at the same angle, or two of these lines fall together: intersections
+    of planes, axes, diagonals of a cube.
+    Lifted cells move sideways in the picture, a little towards the viewer. The choice is one of a
+    fixed list, so that it is exact and repeats.
+    """
+    views = [v for v in product(range(-7, 8), range(-7, 8), range(1, 6)) if primitive(v) == v]
+    units = unit_vectors(views)
+    views = [v for v, u in zip(views, units, strict=True) if 0.25 < u[2] < 0.62]
+    units = unit_vectors(views)
+    normals = [plane[:3] for plane in cells.arrangement.integer_planes]
+    score = np.ones(len(views))
+    if normals:
+        facing = np.abs(units @ unit_vectors(normals).T)
+        oblique = np.minimum(facing, 0.8 * np.sqrt(np.maximum(0.0, 1 - facing**2)))
+        score = np.minimum(score, oblique.min(axis=1))
+        score = np.minimum(score, 2 * _asymmetry(units, unit_vectors(normals)))
+    score = np.minimum(score, 3 * _clearance(units, _lines(cells, normals)))
+    for way in _ways(cells, lifted):
+        towards = units @ way
+        score *= np.exp(-(((towards - 0.3) / 0.35) ** 2))
+    score *= 1 + 0.02 * units[:, 0] - 0.05 * units[:, 1]
+    return views[int(np.argmax(np.round(score, 9)))]
+
+
+def _lines(cells: Cells, normals: Sequence[IntegerVector]) -> list[IntegerVector]:
+    """Return the directions of intersections of planes, the axes, and the diagonals of a cube."""
+    crosses = {_line(np.cross(a, b).tolist()) for a, b in combinations(_small(normals), 2)}
+    fixed = {(1, 0, 0), (0, 1, 0), (0, 0, 1)}
+    if cells.body.kind == "cube":
+        fixed |= {(1, 1, 1), (1, 1, -1), (1, -1, 1), (-1, 1, 1)}
+    return sorted(line for line in crosses | fixed if any(line))
+
+
+def _small(normals: Sequence[IntegerVector]) -> list[tuple[int, ...]]:
+    """Return normals with entries short enough for machine integers."""
+    return [n for n in normals if max(map(abs, n)) < 2**30]
+
+
+def _line(vector: Sequence[int]) -> IntegerVector:
+    return unoriented(primitive(vector))
+
+
+def _asymmetry(units: Floats, normals: Floats) -> Floats:
+    """Return how far each view is from the planes of symmetry between two of the planes."""
+    pairs = list(combinations(normals, 2))[:_MOST_PAIRS]
+    return _apart(units, [mirror for a, b in pairs for mirror in (a - b, a + b)])
+
+
+def _clearance(units: Floats, lines: Sequence[IntegerVector]) -> Floats:
+    """Return how far each view is from the planes spanned by two of the lines."""
+    pairs = list(combinations(unit_vectors(lines), 2))[:_MOST_PAIRS]
+    return _apart(units, [np.cross(a, b) for a, b in pairs])
+
+
+def _apart(units: Floats, normals: Sequence[Floats]) -> Floats:
+    """Return how far each view is from planes; normals of length 0 do not count."""
+    rows = np.array(normals).reshape(-1, 3)
+    lengths = np.linalg.norm(rows, axis=1)
+    rows = rows[lengths > 1e-6] / lengths[lengths > 1e-6, None]
+    apart: Floats = np.abs(units @ rows.T).min(axis=1, initial=1.0)
+    return apart
+
+
+def _ways(cells: Cells, lifted: Sequence[tuple[int, ...]]) -> list[Floats]:
+    """Return the unit directions from the centre to the lifted cells."""
+    from .painting import unit_points
+
+    points, ways = unit_points(cells), []
+    for cell in cells.cells:
+        if cell.signs in lifted:
+            corners = points[sorted({i for face in cell.faces for i in face})]
+            middle = corners.mean(axis=0)
+            length = float(np.linalg.norm(middle))
+            if length > 1e-9:
+                ways.append(middle / length)
+    return ways

@@ -1,0 +1,1 @@
+"""Central planes as great circles: on the sphere and in its charts."""

@@ -1,0 +1,258 @@
+"""The front half of the sphere as a disc: regions, arcs, names at the rim, labels."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from arrangement.drawing.colours import DrawnRegion, Painter, letter_colour
+from arrangement.drawing.scene.items import Box, Floats
+from arrangement.drawing.scene.labels import (
+    SIZES,
+    Leaders,
+    along,
+    flattened,
+    keep_off,
+    spread,
+    turn,
+    write_inside,
+)
+from arrangement.drawing.scene.scene import Scene
+from arrangement.numbers.exact import dot
+from arrangement.pictures.region_labels import RegionLabels
+
+from .globe import Globe
+from .projections import Drawn, Projection
+
+#: Room for the numbers of the planes between the rim and the border, at least; in points.
+RIM = 13.0
+#: What is hidden: thinner, lighter, dashed. One rule for spheres and polyhedra.
+HIDDEN: dict[str, Any] = {
+    "lw": 0.5, "ls": (0, (3, 3)), "alpha": 0.5, "zorder": 2, "role": "hidden"
+}  # fmt: skip
+#: From so many circles on lines are thinner.
+_MANY = 15
+#: More regions than this get no leader lines.
+_MOST_LEADERS = 150
+
+
+@dataclass(frozen=True)
+class Disc:
+    """A place on a scene for the front half of a globe.
+
+    Attributes:
+        scene: the scene.
+        centre, radius: of the limb, in points.
+        globe: what is seen.
+        drawn: its arcs and regions, cut at the limb, as curves.
+        names: of the regions.
+        ink: the colour of each class of planes; if omitted, black.
+        solid: whether it is a ball, shaded, with the arcs on its far side dashed.
+    """
+
+    scene: Scene
+    centre: tuple[float, float]
+    radius: float
+    globe: Globe
+    drawn: Drawn
+    names: RegionLabels
+    ink: Callable[[int], str] | None = None
+    solid: bool = False
+
+    def on_paper(self, points: Floats) -> Floats:
+        """Return points of the disc in points of the scene."""
+        return np.array(self.centre) + self.radius * points
+
+    def draw(
+        self,
+        paint: Painter,
+        *,
+        both_ends: bool = False,
+        avoid: Sequence[Floats] = (),
+        within: Box | None = None,
+    ) -> list[Floats]:
+        """Draw everything, labels of regions off the lines `avoid`; return all lines, (k, 2)."""
+        outlines, arcs, hidden = self.curves(paint, both_ends=both_ends)
+        inner = [*hidden, *avoid]
+        box = within or (0.0, self.scene.height - self.scene.width, *_corner(self.scene))
+        lines = [*arcs, *inner]
+        label_regions(self.scene, self.names, outlines, lines, inner, box)
+        return lines
+
+    def curves(
+        self, paint: Painter, *, both_ends: bool = False
+    ) -> tuple[list[tuple[DrawnRegion, Floats]], list[Floats], list[Floats]]:
+        """Draw everything but labels of regions; return outlines, near arcs and far arcs."""
+        outlines = []
+        for piece, region in self.globe.front.items():
+            outline = self.on_paper(self.drawn.outline(piece))
+            self.scene.curve(outline, fc=paint(region), ec="none", gid=f"region-{piece}")
+            outlines.append((region, flattened(outline)))
+        if self.solid:
+            self.scene.ball(self.centre, self.radius, "#ffffff55", "#0000003c", zorder=1.5)
+        hidden = self._hidden()
+        self._names(both_ends)
+        return outlines, self._arcs(), hidden
+
+    def _hidden(self) -> list[Floats]:
+        """Draw the half of each circle on the far side, dashed; return points along them."""
+        globe, found = self.globe, []
+        for circle, normal in enumerate(globe.normals if self.solid else ()):
+            if circle != globe.limb:
+                start = np.array([normal[1], -normal[0], 0.0]) / math.hypot(normal[0], normal[1])
+                curve = self.on_paper(self.drawn.projection(normal, start, math.pi))
+                ink = self.ink(circle) if self.ink is not None else "black"
+                style = {**HIDDEN, "lw": HIDDEN["lw"] * thinner(globe.whole.circle_count)}
+                self.scene.curve(curve, fill=False, ec=ink, gid=f"back-{circle}", **style)
+                found.append(along(curve))
+        return found
+
+    def _arcs(self) -> list[Floats]:
+        """Draw the arcs on the near side and the limb; return points along them."""
+        globe, drawn, found = self.globe, self.drawn, []
+        is_plane = len(globe.cut.arrangement.distinct[globe.limb]) > 1
+        for arc, circle in enumerate(drawn.sphere.incidence.arc_circle.tolist()):
+            colour = self.ink(circle) if self.ink is not None else "black"
+            style: dict[str, Any] = {"fill": False, "capstyle": "round", "zorder": 3}
+            if circle == globe.limb:
+                colour = colour if is_plane else "black"
+                style |= {"ec": colour, "lw": 1.6 if is_plane else 0.6, "gid": f"limb-{arc}"}
+            elif dot(globe.cut.arc_witness(arc), globe.direction) > 0:
+                thick = 1.3 if self.ink is not None else 0.9
+                thick *= thinner(globe.whole.circle_count)
+                style |= {"ec": colour, "lw": thick, "gid": f"front-{arc}"}
+            else:
+                continue
+            curve = self.on_paper(drawn.arc(arc))
+            self.scene.curve(curve, **style)
+            found.append(along(curve))
+        return found
+
+    def _names(self, both_ends: bool) -> None:
+        """Write the numbers of the planes outside the rim, pushed apart along it."""
+        wanted: list[tuple[float, float, str, int]] = []
+        globe = self.globe
+        for circle, members in enumerate(globe.cut.arrangement.distinct):
+            text = plane_names(members, len(globe.whole.arrangement))
+            if not text:
+                continue
+            ends = [0.25] if circle == globe.limb else list(self.drawn.ends(circle))
+            if circle != globe.limb and not both_ends:
+                gap = [min((abs(turn(a - b)) for b, *_ in wanted), default=4.0) for a in ends]
+                ends = ends[:1] if gap[0] >= gap[1] - 1e-9 else ends[1:]
+            # Angles of one point of the rim differ by rounding, also by a whole turn.
+            near = [(end + 1e-9) % (2 * math.pi) - 1e-9 for end in ends]
+            wanted += [(round(a, 8), self._lean(circle, a), text, circle) for a in near]
+        wanted.sort()
+        placed = spread([angle for angle, *_ in wanted], 9.0 / (self.radius + RIM / 2))
+        for (angle, _, text, circle), at in zip(wanted, placed, strict=True):
+            ends_at = np.array([[math.cos(angle), math.sin(angle)], [math.cos(at), math.sin(at)]])
+            leader = self.on_paper(ends_at * [[1.0], [1 + 2.6 / self.radius]])
+            colour = self.ink(circle) if self.ink is not None else "black"
+            self.scene.line(leader, ec=colour, lw=0.4, zorder=2)
+            self._name(ends_at[1], text, letter_colour(circle) if self.ink else "black")
+
+    def _lean(self, circle: int, angle: float) -> float:
+        """Return how far a circle leans counter-clockwise from a point of the rim inwards."""
+        x, y, z = self.globe.normals[circle].tolist()
+        across = y * math.cos(angle) - x * math.sin(angle)
+        return -z / across if circle != self.globe.limb else 0.0
+
+    def _name(self, outward: Floats, text: str, colour: str) -> None:
+        for size in (7.0, 6.0, 5.0):
+            w, h = self.scene.measure(text, size)
+            beyond = 3.4 + (abs(outward[0]) * w + abs(outward[1]) * h) / 2
+            for extra in (0.0, 2.0, 4.0):
+                place = np.array(self.centre) + (self.radius + beyond + extra) * outward
+                if self.scene.write(place, text, size, color=colour, style="italic"):
+                    return
+
+
+def thinner(count: int) -> float:
+    """Return by what lines are multiplied where so many planes are drawn."""
+    return min(1.0, math.sqrt(_MANY / max(1, count)))
+
+
+def _corner(scene: Scene) -> tuple[float, float]:
+    return scene.width, scene.height
+
+
+def label_regions(
+    scene: Scene,
+    names: RegionLabels,
+    outlines: Sequence[tuple[DrawnRegion, Floats]],
+    lines: Sequence[Floats],
+    inner: Sequence[Floats],
+    within: Box,
+) -> None:
+    """Write the names of regions, first inside, then those that do not fit on leader lines.
+
+    Args:
+        scene: where to.
+        names: counts those that are left out.
+        outlines: of the regions.
+        lines: all lines drawn, each (k, 2); no label covers one.
+        inner: those among them that are no borders of regions.
+        within: a part of the scene that leader lines must not leave.
+    """
+    off = keep_off(inner)
+    small = [
+        (region, outline)
+        for region, outline in outlines
+        if names.forms(region.signs)
+        and not any(
+            write_inside(scene, outline, text, off=off) for text in names.forms(region.signs)
+        )
+    ]
+    leaders = Leaders(scene, lines, within, [outline for _, outline in outlines])
+    for region, outline in small:
+        text = names.forms(region.signs)[0]
+        names.left_out += len(outlines) > _MOST_LEADERS or not any(
+            leaders.write(outline, text, size) for size in SIZES[1:]
+        )
+
+
+def alone(
+    globe: Globe, drawn: Drawn, names: RegionLabels, width: float, *, solid: bool = False
+) -> Disc:
+    """Return a disc that fills its scene; `width` in millimetres."""
+    scene = Scene(width, width)
+    centre = (scene.width / 2, scene.width / 2)
+    radius = scene.width / 2 - rim_width(scene, globe, names)
+    return Disc(scene, centre, radius, globe, drawn, names, solid=solid)
+
+
+def rim_width(scene: Scene, globe: Globe, names: RegionLabels | None = None) -> float:
+    """Return the room that numbers of planes and short labels need outside the limb, in points."""
+    arrangement = globe.whole.arrangement
+    widths = [5.5 + scene.measure(plane_names(x), 7.0)[0] for x in arrangement.distinct]
+    # Up to three signs fit into most regions.
+    beside_ball = names and names.kind == "signs" and len(arrangement) > 3
+    forms = names.forms((1,) * len(arrangement)) if names and beside_ball else []
+    beside = min(24.0, 3.5 + max((scene.measure(text, SIZES[1])[0] for text in forms), default=0.0))
+    return max([RIM, beside, *widths])
+
+
+def front(globe: Globe, projection: Projection) -> Drawn:
+    """Return the arrangement with the limb as one more circle, in a projection."""
+    return Drawn(globe.cut, globe.points, globe.normals, projection)
+
+
+def plane_names(members: Sequence[int], count: int | None = None) -> str:
+    """Return plane numbers counted from 1, runs of four and more shortened: ``1,2,5-9``."""
+    numbers = [k + 1 for k in members if count is None or k < count]
+    parts: list[str] = []
+    while numbers:
+        run = 1
+        while run < len(numbers) and numbers[run] == numbers[0] + run:
+            run += 1
+        if run >= 4:
+            parts.append(f"{numbers[0]}\u2013{numbers[run - 1]}")
+        else:
+            parts += map(str, numbers[:run])
+        numbers = numbers[run:]
+    return ",".join(parts)

@@ -1,0 +1,190 @@
+"""Planes as lines of the projective plane: a chart with its line at infinity as the rim."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from itertools import combinations, product
+
+import numpy as np
+
+from arrangement.arrangement import Arrangement
+from arrangement.drawing.colours import Painter
+from arrangement.drawing.figure import picture
+from arrangement.drawing.registry import Vector
+from arrangement.drawing.scene.items import Floats
+from arrangement.drawing.scene.labels import ring
+from arrangement.drawing.scene.measuring import checked_width
+from arrangement.drawing.scene.scene import Scene
+from arrangement.numbers.exact import IntegerVector, dot, primitive, reduced, unoriented
+from arrangement.numbers.linear.rank import cross
+from arrangement.pictures.essential import shown_as
+from arrangement.pictures.region_labels import RegionLabels, explain_regions
+
+from .coordinates import in_coordinates, symmetry
+from .disc import alone, front, plane_names
+from .globe import Globe, best_direction, picture_axes, unit_vectors
+from .projections import Chart, Drawn, StraightChart, orthographic
+
+_BOTH_ENDS = 16
+
+
+@picture
+@shown_as("gnomonic")
+def draw_gnomonic(
+    arrangement: Arrangement,
+    *,
+    direction: Vector | None = None,
+    colour: str | Painter | None = None,
+    antipodes: str | None = None,
+    labels: str | None = None,
+    width: float = 88.0,
+    coordinates: str | None = None,
+) -> Scene:
+    """Draw central planes in R^3 as lines of the projective plane.
+
+    The sphere is projected from its centre to the plane that touches it at the given direction,
+    so that great circles become lines of this chart. The rim is the line at infinity; the two
+    ends of a line are one point, and a region that reaches the rim goes on at the opposite part
+    of it, with all signs changed.
+
+    Lines are straight up to the rim when no two of them are parallel and no crossing is far away.
+    Otherwise the chart is to scale inside a thin dotted circle only. Outside it distances are
+    compressed: each line bends to the point of the rim in its own direction, and parallel lines
+    meet there.
+
+    Every region of the chart and every arc is an element of its own (``region-3``, ``front-7``,
+    ``limb-2``). A number names a line, at both of its ends where there are few: k for the k-th
+    plane, counted from 1. If a plane is itself at infinity, the rim is drawn thick, and the note
+    says so.
+
+    Args:
+        arrangement: central, of rank at most 3; in another space than R^3 its essentialisation.
+        direction: the exact direction of the middle; if omitted, one in which all rays stay far
+            from infinity; of more than six planes an axis of most symmetries, if there is one, else
+            one in which the crossings spread evenly.
+        colour, antipodes, labels: as for `draw_sphere`.
+        width: of the figure, in millimetres.
+        coordinates: as for `draw_sphere`.
+
+    Raises:
+        InputError: another space, planes off the origin, too many circles, unknown colouring.
+        MissingExtraError: matplotlib is absent.
+    """
+    width = checked_width(width)
+    names = RegionLabels(arrangement, labels)
+    arrangement, direction = in_coordinates(coordinates, arrangement, direction)
+    globe = Globe(arrangement, direction)
+    if direction is None:
+        globe = _upright(Globe(arrangement, _central_direction(globe)))
+    colours = globe.colouring(colour, antipodes)
+    disc = alone(globe, _chart(globe), names, width)
+    dotted = []
+    if isinstance(disc.drawn.projection, Chart):
+        inner = disc.drawn.projection.inner
+        style = {"lw": 0.5, "ls": (0, (1, 2)), "zorder": 2, "gid": "to-scale", "role": "line"}
+        disc.scene.circle(disc.centre, disc.radius * inner, fill=False, ec="black", **style)
+        dotted = [ring(disc.centre, disc.radius * inner)]
+    disc.draw(colours.paint, both_ends=globe.whole.circle_count <= _BOTH_ENDS, avoid=dotted)
+    explain_regions(disc.scene, colours, names, globe.front.values())
+    disc.scene.legend.line(_note(globe))
+    return disc.scene
+
+
+def _note(globe: Globe) -> str:
+    members = globe.cut.arrangement.distinct[globe.limb]
+    names = plane_names(members, len(globe.whole.arrangement))
+    if not names:
+        return "rim: the line at infinity; signs up to a common change"
+    many = "planes" if len(members) > 2 else "plane"
+    return f"rim: the line at infinity, {many} {names}; signs up to a common change"
+
+
+def _chart(globe: Globe) -> Drawn:
+    """Return straight lines where they show everything, else the compressed chart."""
+    inside = globe.points[globe.points[:, 2] > 1e-9]
+    places = inside[:, :2] / inside[:, 2:]
+    incidence, limb = globe.cut.incidence, globe.limb
+    at_rim = [len(incidence.circles_at(v)) for v in incidence.crossings(limb).tolist()]
+    if not len(places):
+        places = np.zeros((1, 2))
+    middle = (places.min(axis=0) + places.max(axis=0)) / 2
+    distances = np.sort(np.linalg.norm(places - middle, axis=1))
+    typical, farthest = float(distances[(len(distances) - 1) // 2]), float(distances[-1])
+    few = globe.whole.circle_count <= _OPEN and max(at_rim, default=2) == 2
+    if few and farthest <= 5 * typical + 1e-9:
+        chart = Drawn(globe.cut, globe.points, globe.normals, orthographic)
+        # No line is to pass by near the rim or beyond it.
+        a, b, c = np.delete(globe.normals, limb, axis=0).T
+        gaps = np.abs(c + a * middle[0] + b * middle[1]) / np.hypot(a, b)
+        reach = max(0.5, 1.35 * farthest, 1.3 * float(gaps.max(initial=0.0)))
+        return StraightChart(**vars(chart), limb=limb, middle=middle, reach=reach)
+    return front(globe, _even_chart(np.linalg.norm(places, axis=1)))
+
+
+def _even_chart(spans: Floats) -> Chart:
+    """Return a chart that is to scale for most points at these distances from its middle."""
+    return Chart(max(0.3, float(np.quantile(spans, 0.7))))
+
+
+def _upright(globe: Globe) -> Globe:
+    """Turn the picture so that the first line through the middle, if there is one, is upright."""
+    normals = unit_vectors(globe.whole.circle_normals) @ globe.axes.T
+    for x, y, z in normals.tolist():
+        if abs(z) < _AT_LIMB:
+            right = (x * globe.axes[0] + y * globe.axes[1]) / math.copysign(math.hypot(x, y), x)
+            globe.axes = np.array([right, np.cross(globe.axes[2], right), globe.axes[2]])
+            break
+    return globe
+
+
+#: So many lines leave enough room in the middle from everywhere.
+_OPEN = 6
+#: Rays so near to the limb are meant to lie on it: coordinates are rounded.
+_AT_LIMB = 1e-3
+
+
+def _central_direction(globe: Globe) -> IntegerVector:
+    """Return where the farthest ray is nearest, on few planes; or where the rays spread evenly.
+
+    Many symmetric planes are seen along an axis of most symmetries.
+    """
+    arrangement = globe.whole.arrangement
+    rays = sorted({unoriented(globe.whole.ray(v)) for v in range(globe.whole.vertex_count)})
+    if len(rays) < 2:
+        return globe.direction
+    lines = unit_vectors(rays)
+    inside = np.abs(lines @ lines.T)
+    if globe.whole.circle_count <= _OPEN:
+        return best_direction(arrangement, lambda units: np.abs(units @ lines.T).min(axis=1), rays)
+    found = symmetry(arrangement)
+    if found is not None:
+        kept = found.stabilizers(lines)
+        # Of equal ones that from which the rays that are not at infinity are nearest.
+        nearest = np.where(inside > _AT_LIMB, inside, 1.0).min(axis=1).round(3)
+        best = max(range(len(rays)), key=lambda v: (kept[v], nearest[v], rays[v]))
+        if kept[best] > 2:
+            return _along(rays[best], [rays[v] for v in np.flatnonzero(inside[best] < _AT_LIMB)])
+    views = [v for v in product(range(-3, 4), repeat=3) if v == unoriented(primitive(v)) and any(v)]
+    return max(views, key=lambda view: _evenness(picture_axes(view), lines))
+
+
+def _along(ray: IntegerVector, others: Sequence[IntegerVector]) -> IntegerVector:
+    """Return a direction near a ray on whose limb the others lie, which are nearly there."""
+    for one, two in combinations(others, 2):
+        normal = reduced(cross(one, two))
+        return normal if dot(normal, ray) > 0 else reduced(cross(two, one))
+    return reduced(cross(others[0], cross(ray, others[0]))) if others else ray
+
+
+def _evenness(axes: Floats, lines: Floats) -> float:
+    """Return how far apart, in the mean of logarithms, rays are in the chart with these axes."""
+    from scipy.spatial import KDTree
+
+    points = lines @ axes.T
+    points = np.where(points[:, 2:] < 0, -points, points)
+    front = points[points[:, 2] > 1e-9]
+    chart = _even_chart(np.linalg.norm(front[:, :2] / front[:, 2:], axis=1))
+    places = chart.project(points)
+    gaps = KDTree(places).query(places, k=2)[0][:, 1]
+    return round(float(np.log(gaps + 0.005).mean()), 6)

@@ -1,0 +1,126 @@
+"""The great circles on the sphere, as a picture: regions coloured, hidden halves dashed."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import replace
+
+import numpy as np
+
+from arrangement.arrangement import Arrangement
+from arrangement.drawing.colours import Painter
+from arrangement.drawing.figure import picture
+from arrangement.drawing.registry import AxisNames, Vector
+from arrangement.drawing.scene.items import Floats
+from arrangement.drawing.scene.labels import keep_off, write_beside
+from arrangement.drawing.scene.measuring import checked_width
+from arrangement.drawing.scene.scene import Scene
+from arrangement.pictures.essential import shown_as
+from arrangement.pictures.region_labels import RegionLabels, explain_regions
+from arrangement.pictures.space.axes import INK, REACH, arrow, drawn_axes, within_reach
+
+from .coordinates import in_coordinates
+from .disc import HIDDEN, Disc, alone, front
+from .globe import Globe, unit_vectors
+from .projections import orthographic
+
+
+@picture
+@shown_as("sphere")
+def draw_sphere(
+    arrangement: Arrangement,
+    *,
+    direction: Vector | None = None,
+    colour: str | Painter | None = None,
+    antipodes: str | None = None,
+    labels: str | None = None,
+    axes: AxisNames | None = None,
+    sides: bool = False,
+    width: float = 88.0,
+    coordinates: str | None = None,
+) -> Scene:
+    """Draw the great circles of central planes in R^3 as seen from a direction.
+
+    The ball is lit from the upper left, from in front; arcs on its far side are dashed. A number
+    at the limb names a circle: k for the k-th plane, counted from 1. A label that does not fit
+    into its region stands beside it, with a line to a dot inside. Every visible region and every
+    arc, cut at the limb, is an element of its own with a name (``region-3``, ``front-7``); so
+    is the far half of a circle (``back-2``).
+
+    Args:
+        arrangement: central, of rank at most 3; in another space than R^3 its essentialisation.
+        direction: exact, towards the viewer; if omitted, one in which no circle is edge-on.
+        colour: "sides" (by number of sides), "parity" (two colours, by number of minus signs),
+            "signs" (shades, by number of minus signs), "none", or a function from a `DrawnRegion`
+            to a colour; if omitted, sides if they tell neighbours apart, else parity.
+        antipodes: "same" or "opposite" colours for opposite regions (see `colours.colouring`); if
+            omitted, whatever two colours give.
+        labels: of regions: "signs"; "numbers" in the order of `Arrangement.regions`, with a table
+            of sign vectors below; "none". If omitted, signs of up to four planes, else numbers.
+        axes: names of the axes; True for ``x,y,z``; or "none"; if omitted, there are some
+            where the coordinates have a meaning, as x, y, r of the motions of a grasp.
+        sides: mark the positive side of each plane by an arrow.
+        width: of the figure, in millimetres.
+        coordinates: "symmetric": after a linear map that shows the symmetry of the planes and
+            changes no sign vector; "even": after one that spreads the normals evenly; "given". If
+            omitted, symmetric (narrow planes: even), but for planes of motions and with axes.
+
+    Raises:
+        InputError: another space, planes off the origin, too many circles, unknown colouring.
+        MissingExtraError: matplotlib is absent.
+    """
+    width, names = checked_width(width), RegionLabels(arrangement, labels)
+    shown, coordinates = drawn_axes(arrangement, axes, coordinates)
+    arrangement, direction = in_coordinates(coordinates, arrangement, direction)
+    globe = Globe(arrangement, direction)
+    colours = globe.colouring(colour, antipodes)
+    disc = alone(globe, front(globe, orthographic), names, width, solid=True)
+    arms, arrows = [], []
+    if shown:
+        disc = replace(disc, radius=within_reach(globe.axes.T, disc.scene.width / 2, disc.radius))
+        arms = [_axis(disc, k) for k in range(3)]
+        disc.scene.circle(disc.centre, 1.0, fc=INK, ec="none", zorder=2.5, gid="origin")
+    if sides:
+        arrows = [_side(disc, c) for c in range(globe.whole.circle_count)]
+    lines = disc.draw(colours.paint, avoid=[*arms, *arrows])
+    off = keep_off(lines)
+    for name, (_, tip) in zip(shown, arms, strict=True):
+        write_beside(
+            disc.scene, tip, [name], (7.0, 6.0), off=off,
+            away=tip - np.array(disc.centre), distance=2.0, style="italic",
+        )  # fmt: skip
+    explain_regions(disc.scene, colours, names, globe.front.values())
+    return disc.scene
+
+
+def _axis(disc: Disc, k: int) -> Floats:
+    """Draw a coordinate axis from the origin, dashed where the ball hides it; return its ends."""
+    way = disc.globe.axes[:, k]
+    tip = disc.on_paper(REACH * way[:2])
+    flat = float(np.linalg.norm(way[:2]))
+    # In front it leaves the ball where it meets it, else where it passes the limb.
+    out = 1.0 if way[2] > 0 else 1 / max(flat, 1e-9)
+    start = disc.on_paper(min(out, REACH) * way[:2])
+    hidden = {**HIDDEN, "zorder": 2.2, "gid": f"axis-{k + 1}-hidden"}
+    disc.scene.line([disc.centre, start], ec=INK, **hidden)
+    if out < REACH:
+        arrow(disc.scene, start, tip, zorder=3.5, gid=f"axis-{k + 1}")
+    return np.array([disc.centre, tip])
+
+
+def _side(disc: Disc, circle: int) -> Floats:
+    """Draw an arrow to the positive side of a circle, off its crossings; return its ends."""
+    sphere, axes = disc.globe.whole, disc.globe.axes
+    first = sphere.arrangement.integer_planes[sphere.arrangement.distinct[circle][0]][:3]
+    normal = axes @ unit_vectors([first])[0]
+    near = np.array([0.0, 0.0, 1.0]) - normal[2] * normal
+    near /= np.linalg.norm(near)
+    along = np.cross(normal, near)
+    vertices = disc.globe.points
+    spots = [math.cos(t) * near + math.sin(t) * along for t in np.arange(-9, 10) * 0.1]
+    clear = [round(float(np.linalg.norm(vertices - p, axis=1).min(initial=9.0)), 6) for p in spots]
+    foot = spots[int(np.argmax(clear))]
+    tip = math.cos(0.1) * foot + math.sin(0.1) * normal
+    ends = disc.on_paper(np.array([foot[:2], tip[:2]]))
+    arrow(disc.scene, *ends, ec="black", lw=0.7, zorder=3.5, gid=f"side-{circle}", role="arrow")
+    return ends

@@ -1,0 +1,218 @@
+"""Great circles in stereographic projection: every circle is a circle on paper."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+
+from arrangement.arrangement import Arrangement
+from arrangement.drawing.colours import DrawnRegion, Painter
+from arrangement.drawing.figure import picture
+from arrangement.drawing.registry import Vector
+from arrangement.drawing.scene.items import Floats
+from arrangement.drawing.scene.labels import (
+    along,
+    flattened,
+    keep_off,
+    ring,
+    write_beside,
+    write_inside,
+)
+from arrangement.drawing.scene.measuring import checked_width
+from arrangement.drawing.scene.scene import Scene
+from arrangement.errors import InputError
+from arrangement.numbers.exact import IntegerVector
+from arrangement.pictures.essential import shown_as
+from arrangement.pictures.region_labels import RegionLabels, explain_regions
+
+from .coordinates import in_coordinates
+from .disc import HIDDEN, alone, front, label_regions, plane_names, rim_width
+from .globe import Globe, best_direction, unit_vectors
+from .projections import Drawn, stereographic
+
+#: The whole plane is shown of itself when all circles end within this many radii of the limb.
+FARTHEST = 3.3
+
+
+@picture
+@shown_as("stereographic")
+def draw_stereographic(
+    arrangement: Arrangement,
+    *,
+    direction: Vector | None = None,
+    colour: str | Painter | None = None,
+    antipodes: str | None = None,
+    labels: str | None = None,
+    width: float = 88.0,
+    whole: bool | None = None,
+    coordinates: str | None = None,
+) -> Scene:
+    """Draw the great circles of central planes in R^3 in stereographic projection.
+
+    The point of the sphere in the given direction is the middle of the picture, the opposite
+    point is at infinity. The limb, the great circle half-way, is dashed and has radius 1. A
+    number names a circle: k for the k-th plane, counted from 1.
+
+    There are two pictures. The whole one has both halves of the sphere: every circle is complete,
+    and the region with the opposite point is all that is outside. The other one is the front half
+    alone, a disc; the back half shows the same with opposite signs.
+
+    Every region and every arc is an element of its own (``region-3``, ``arc-7``; in the disc
+    ``front-7``, ``limb-2``).
+
+    Args:
+        arrangement: central, of rank at most 3; in another space than R^3 its essentialisation.
+        direction: the exact direction of the middle; if omitted, one is chosen.
+        colour, antipodes, labels: as for `draw_sphere`.
+        width: of the figure, in millimetres.
+        whole: both halves, or the front half; if omitted, both where all circles stay within
+            3.3 radii, as for few circles.
+        coordinates: as for `draw_sphere`.
+
+    Raises:
+        InputError: another space, planes off the origin, too many circles, unknown colouring; or
+            the whole is asked for and the direction lies on a plane.
+        MissingExtraError: matplotlib is absent.
+    """
+    width = checked_width(width)
+    names = RegionLabels(arrangement, labels)
+    arrangement, direction = in_coordinates(coordinates, arrangement, direction)
+    globe = Globe(arrangement, direction)
+    if direction is None and whole is not False:
+        central = Globe(arrangement, _inner_direction(globe))
+        if whole or _farthest(central) <= FARTHEST:
+            globe, whole = central, True
+    if whole is None:
+        whole = 0 < _farthest(globe) <= FARTHEST
+    colours = globe.colouring(colour, antipodes)
+    if not whole:
+        disc = alone(globe, front(globe, stereographic), names, width)
+        disc.draw(colours.paint)
+        explain_regions(disc.scene, colours, names, globe.front.values())
+        return disc.scene
+    if math.isinf(_farthest(globe)):
+        k = next(i for i, s in enumerate(arrangement.signs_at(globe.direction)) if s == 0)
+        raise InputError(
+            f"the direction lies on plane {k + 1}, whose circle would pass through infinity; "
+            "choose another direction, or the front half alone (whole=False)"
+        )
+    scene = Scene(width, width)
+    _Whole(globe, scene, colours.paint, names).draw()
+    explain_regions(scene, colours, names, globe.regions)
+    return scene
+
+
+class _Whole:
+    """The picture of both halves: a frame, the outer region, and all others on top of it."""
+
+    def __init__(self, globe: Globe, scene: Scene, paint: Painter, names: RegionLabels) -> None:
+        self.scene, self.globe, self.paint, self.names = scene, globe, paint, names
+        self.centre = np.array([scene.width / 2, scene.height - scene.width / 2])
+        self.half = scene.width / 2 - 1.5
+        self.normals = unit_vectors(globe.whole.circle_normals).reshape(-1, 3) @ globe.axes.T
+        low, high = self._extent()
+        self.middle = (low + high) / 2
+        self.scale = (self.half - rim_width(scene, globe)) / max(float((high - low).max()) / 2, 1.0)
+        rays = [globe.whole.ray(v) for v in range(globe.whole.vertex_count)]
+        points = unit_vectors(rays) @ globe.axes.T if rays else np.empty((0, 3))
+        self.drawn = Drawn(globe.whole, points, self.normals, stereographic)
+
+    def _extent(self) -> tuple[Floats, Floats]:
+        """Return the lower left and upper right corners of all circles and the limb."""
+        a, b, c = self.normals.T
+        centres = np.stack([a / c, b / c], axis=1)
+        radii = 1 / np.abs(c)[:, None]
+        low = np.vstack([centres - radii, [[-1.0, -1.0]]]).min(axis=0)
+        return low, np.vstack([centres + radii, [[1.0, 1.0]]]).max(axis=0)
+
+    def on_paper(self, points: Floats) -> Floats:
+        return self.centre + self.scale * (points - self.middle)
+
+    def draw(self) -> None:
+        outlines = self._fill()
+        lines = []
+        for arc in range(self.globe.whole.arc_count):
+            curve = self.on_paper(self.drawn.arc(arc))
+            self.scene.curve(curve, fill=False, ec="black", lw=0.9, zorder=3, gid=f"arc-{arc}")
+            lines.append(along(curve))
+        limb = self.on_paper(np.zeros((1, 2)))[0]
+        self.scene.circle(limb, self.scale, fill=False, ec="black", gid="limb", **HIDDEN)
+        corners = self._corners()
+        self.scene.polygon(corners, fill=False, ec="black", lw=0.4, ls=(0, (1, 2)), role="border")
+        self._names(lines)
+        dashes = ring(limb, self.scale)
+        a, b, c = self.normals.T
+        centres = self.on_paper(np.stack([a / c, b / c], axis=1))
+        discs = map(ring, centres, self.scale / np.abs(c))
+        for text in self.outer:
+            write_inside(self.scene, corners, text, off=keep_off([], discs))
+        label_regions(
+            self.scene, self.names, outlines, [*lines, dashes], [dashes],
+            (*(corners[0] + 2), *(corners[2] - 2)),
+        )  # fmt: skip
+
+    def _fill(self) -> list[tuple[DrawnRegion, Floats]]:
+        """Fill the outer region first, then all others; return all but it with outlines."""
+        globe = self.globe
+        found: list[tuple[DrawnRegion, Floats]] = []
+        outside = globe.whole.arrangement.signs_at([-x for x in globe.direction])
+        numbers = sorted(enumerate(globe.regions), key=lambda item: item[1].signs != outside)
+        for r, region in numbers:
+            style: dict[str, Any] = {"fc": self.paint(region), "ec": "none", "gid": f"region-{r}"}
+            if region.signs == outside:
+                self.scene.polygon(self._corners(), **style)
+                self.outer = self.names.forms(region.signs)[:1]
+            else:
+                outline = self.on_paper(self.drawn.outline(r))
+                self.scene.curve(outline, **style)
+                found.append((region, flattened(outline)))
+        return found
+
+    def _corners(self) -> Floats:
+        signs = np.array([[-1, -1], [1, -1], [1, 1], [-1, 1]])
+        return self.centre + self.half * signs
+
+    def _names(self, lines: Sequence[Floats]) -> None:
+        """Write each circle's number outside its farthest point, or else close to its line."""
+        classes, off = self.globe.whole.arrangement.distinct, keep_off(lines)
+        for k in sorted(range(len(classes)), key=lambda k: abs(self.normals[k, 2])):
+            text = plane_names(classes[k])
+            for step in range(84):
+                if self._name(k, text, step, off):
+                    break
+
+    def _name(self, k: int, text: str, step: int, off: Any) -> bool:
+        """Try a place, farther and farther from the farthest point of a circle."""
+        a, b, c = self.normals[k].tolist()
+        centre, radius = np.array([a / c, b / c]), 1 / abs(c)
+        angle = math.atan2(b * c, a * c) + (step + 1) // 2 * 0.075 * (1 if step % 2 else -1)
+        outward = np.array([math.cos(angle), math.sin(angle)])
+        rim = self.on_paper((centre + radius * outward)[None])[0]
+        return write_beside(
+            self.scene, rim, [text], (7.0, 6.0), off=off, away=outward, distance=1.2,
+            within=tuple(np.concatenate([self._corners()[0] + 4, self._corners()[2] - 4])),
+            turns=2, style="italic",
+        )  # fmt: skip
+
+
+def _farthest(globe: Globe) -> float:
+    """Return how far the circles reach from the middle of the picture, in radii of the limb."""
+    if not globe.whole.circle_count:
+        return 1.0
+    if 0 in globe.whole.arrangement.signs_at(globe.direction):
+        return math.inf
+    heights = np.abs(unit_vectors(globe.whole.circle_normals) @ globe.axes[2])
+    return float(((1 + np.sqrt(np.maximum(0, 1 - heights**2))) / heights).max())
+
+
+def _inner_direction(globe: Globe) -> IntegerVector:
+    """Return the direction that keeps farthest from all planes."""
+    if not globe.whole.circle_count:
+        return (1, 1, 1)
+    normals = unit_vectors(globe.whole.circle_normals).T
+    return best_direction(
+        globe.whole.arrangement, lambda units: np.abs(units @ normals).min(axis=1)
+    )

@@ -1,0 +1,1 @@
+"""Planes and their faces: the value types."""

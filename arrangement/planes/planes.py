@@ -1,0 +1,332 @@
+"""Arrangements of planes: exact, immutable, in input order, in any dimension and rank.
+
+A plane is ``{x : n . x = b}``. Its positive side is ``n . x > b``. The word "plane" is used in
+every dimension (a line in R^2, a hyperplane in R^5).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from fractions import Fraction
+from functools import cached_property
+from itertools import combinations
+from typing import TYPE_CHECKING, Any, Self
+
+from arrangement.errors import InputError
+from arrangement.numbers import budget
+from arrangement.numbers.exact import (
+    IntegerVector,
+    RationalVector,
+    dot,
+    fraction,
+    plain_integers,
+    primitive,
+    rational_vector,
+    shown,
+    sign,
+    unoriented,
+)
+from arrangement.numbers.linear.rank import rank
+from arrangement.numbers.number_field import NumberField, field_of, written
+from arrangement.numbers.real_entries import entry, in_one_field, real_vector
+from arrangement.numbers.symbolic import equations_of, exact_matrix, planes_of
+
+if TYPE_CHECKING:
+    import sympy
+    from sympy.polys.matrices import DomainMatrix
+
+
+class Planes:
+    """Finitely many planes ``n_i . x = b_i`` in R^d: a value that knows no algorithm.
+
+    `arrangement.Arrangement` is the same with its faces; its page says how planes are stored.
+
+    Args:
+        normals: m vectors of length d, exact numbers (see `arrangement.rational`); or a SymPy
+            matrix or an array of them, m x d.
+        offsets: m exact numbers; if omitted, all planes pass through the origin.
+        dimension: d; needed only when there are no planes.
+        axes: names of the coordinates where these mean something, as motions x, y, r do. A label:
+            no comparison looks at it, but pictures keep such coordinates.
+
+    Raises:
+        InputError: a float, a zero normal (named by its index), or lengths that differ.
+
+    >>> Planes([[2, 0, 0], [0, 1, 0], ["1/2", "1/3", 1]]).integer_planes
+    ((1, 0, 0, 0), (0, 1, 0, 0), (3, 2, 6, 0))
+    """
+
+    dimension: int
+    axes: tuple[str, ...]
+    _integer_planes: tuple[IntegerVector, ...]
+
+    def __init__(
+        self,
+        normals: Iterable[Iterable[Any]],
+        offsets: Iterable[Any] | None = None,
+        *,
+        dimension: int | None = None,
+        axes: Iterable[str] = (),
+    ) -> None:
+        given = _listed(normals)
+        entries = sum(len(row) for row in given if isinstance(row, (list, tuple)))
+        budget.ask(f"{entries:,} numbers", "give fewer planes", bytes=60 * entries)
+        rows: list[Any] = [
+            plain_integers(row) or rational_vector(row, f"normals[{i}]", entry)
+            for i, row in enumerate(given)
+        ]
+        if offsets is None:
+            constants: RationalVector = (0,) * len(rows)  # type: ignore[assignment]
+        else:
+            constants = plain_integers(offsets) or rational_vector(offsets, "offsets", entry)  # type: ignore[assignment]
+        *rows, constants = in_one_field([*rows, constants])
+        if len(constants) != len(rows):
+            raise InputError(
+                f"there are {len(rows)} normals and {len(constants)} offsets; give one offset "
+                "for each normal, or none at all"
+            )
+        d = _common_length(rows, dimension)
+        for i, row in enumerate(rows):
+            if not any(row):
+                raise InputError(
+                    f"normals[{i}] is the zero vector, which defines no plane; remove plane {i}"
+                )
+        bits = [
+            x.numerator.bit_length()
+            for row in rows
+            for x in row
+            if isinstance(x, (int, Fraction)) and x.numerator.bit_length() > 1000
+        ]
+        budget.ask(
+            f"the divisors of {len(bits)} numbers of up to {max(bits, default=0)} bits",
+            "round them",
+            seconds=sum(n * n for n in bits) * 1e-11,
+        )
+        planes = tuple(primitive((*row, b)) for row, b in zip(rows, constants, strict=True))
+        self.__dict__.update(dimension=d, axes=tuple(axes), _integer_planes=planes)
+
+    @classmethod
+    def from_equations(
+        cls, equations: Iterable[Any], symbols: Iterable[sympy.Symbol] | None = None
+    ) -> Self:
+        """Return the planes of linear equations in SymPy symbols.
+
+        Args:
+            equations: ``Eq(left, right)``, or expressions that are zero on the plane. The positive
+                side is where the left side is the larger one, or the expression is positive.
+            symbols: the coordinates in their order. If omitted, all symbols of the equations,
+                sorted by name; then a coordinate that no equation has is missing.
+
+        Raises:
+            InputError: text, which is never evaluated; or a term that is not a rational number
+                times one of the symbols, or not a rational constant. The message names it.
+
+        >>> from sympy import Eq
+        >>> from sympy.abc import x, y, z
+        >>> Planes.from_equations([Eq(x, y), 2*x + 3*z - 1], (x, y, z)).integer_planes
+        ((1, -1, 0, 0), (2, 0, 3, 1))
+        """
+        normals, offsets, dimension = planes_of(equations, symbols)
+        return cls(normals, offsets, dimension=dimension or None)
+
+    def equations(self, symbols: Iterable[sympy.Symbol] | None = None) -> tuple[sympy.Eq, ...]:
+        """Return an equation ``n . x = b`` for each plane, in the stored scaling.
+
+        Args:
+            symbols: one for each coordinate; if omitted, x, y, z, or x1, x2, ... beyond R^3.
+
+        >>> Planes([[2, -1], [0, 3]], [1, 2]).equations()
+        (Eq(2*x - y, 1), Eq(3*y, 2))
+        """
+        return equations_of(self._integer_planes, self.dimension, symbols)
+
+    def __setattr__(self, name: str, value: object) -> None:
+        raise AttributeError(f"planes are immutable, so {name} cannot be set; build new ones")
+
+    def __delattr__(self, name: str) -> None:
+        raise AttributeError(f"planes are immutable, so {name} cannot be deleted")
+
+    def __getstate__(self) -> dict[str, Any]:
+        """Copies and pickles carry the planes, not what was computed from them."""
+        stored = ("dimension", "axes", "_integer_planes")
+        return {name: self.__dict__[name] for name in stored}
+
+    @property
+    def integer_planes(self) -> tuple[IntegerVector, ...]:
+        """The planes as coprime integers ``(n_1, ..., n_d, b)``, in input order."""
+        return self._integer_planes
+
+    @cached_property
+    def matrix(self) -> DomainMatrix:
+        """The planes as a SymPy matrix over ZZ, or over their field: rows ``n_1 ... n_d b``."""
+        return exact_matrix(self._integer_planes, self.dimension + 1)
+
+    @property
+    def normals(self) -> tuple[RationalVector, ...]:
+        """The normals in input order, in the stored (coprime integer) scaling."""
+        return tuple(tuple(map(fraction, plane[:-1])) for plane in self._integer_planes)
+
+    @property
+    def offsets(self) -> RationalVector:
+        """The offsets in input order, in the stored (coprime integer) scaling."""
+        return tuple(fraction(plane[-1]) for plane in self._integer_planes)
+
+    def __len__(self) -> int:
+        return len(self._integer_planes)
+
+    def __eq__(self, other: object) -> bool:
+        if not isinstance(other, Planes):
+            return NotImplemented
+        return (self.dimension, self._integer_planes) == (other.dimension, other._integer_planes)
+
+    def __hash__(self) -> int:
+        return hash((self.dimension, self._integer_planes))
+
+    def __repr__(self) -> str:
+        kind = "central" if self.is_central else "affine"
+        return (
+            f"<{type(self).__name__}: {len(self)} planes ({len(self.distinct)} distinct) in "
+            f"R^{self.dimension}, rank {self.rank}, {kind}>"
+        )
+
+    @cached_property
+    def field(self) -> NumberField | None:
+        """The field of the entries; None if all are rational, in the stored scaling."""
+        return field_of(x for plane in self._integer_planes for x in plane)
+
+    @cached_property
+    def class_of(self) -> tuple[int, ...]:
+        """For each plane, the index of its class of coincident planes."""
+        index: dict[IntegerVector, int] = {}
+        return tuple(index.setdefault(unoriented(p), len(index)) for p in self._integer_planes)
+
+    @cached_property
+    def distinct(self) -> tuple[tuple[int, ...], ...]:
+        """The classes of coincident planes, as plane indices, in order of first appearance."""
+        classes: dict[int, list[int]] = {}
+        for plane, label in enumerate(self.class_of):
+            classes.setdefault(label, []).append(plane)
+        return tuple(tuple(members) for members in classes.values())
+
+    @cached_property
+    def firsts(self) -> tuple[int, ...]:
+        """The first plane of each class of coincident planes, by number."""
+        return tuple(members[0] for members in self.distinct)
+
+    @cached_property
+    def distinct_planes(self) -> tuple[IntegerVector, ...]:
+        """The first plane of each class of coincident planes, as in `integer_planes`."""
+        return tuple(self._integer_planes[first] for first in self.firsts)
+
+    @cached_property
+    def orientation(self) -> tuple[int, ...]:
+        """For each plane, +1 if it is oriented like the first plane of its class, else -1."""
+        first = self.distinct_planes
+        return tuple(
+            1 if plane == first[label] else -1
+            for plane, label in zip(self._integer_planes, self.class_of, strict=True)
+        )
+
+    def over_planes(self, sides: Sequence[int]) -> tuple[int, ...]:
+        """Return a sign vector, from the sides of the first plane of each class."""
+        turned = zip(self.orientation, self.class_of, strict=True)
+        return tuple(flip * sides[label] for flip, label in turned)
+
+    @cached_property
+    def rank(self) -> int:
+        """The dimension of the span of the normals."""
+        return rank([self._integer_planes[members[0]][:-1] for members in self.distinct])
+
+    @cached_property
+    def is_central(self) -> bool:
+        """Whether all offsets are zero, so that every plane passes through the origin."""
+        return all(plane[-1] == 0 for plane in self._integer_planes)
+
+    @cached_property
+    def has_common_point(self) -> bool:
+        """Whether some point, the origin or another one, lies on every plane.
+
+        >>> Planes([[1, 0], [0, 1], [1, 1]], [1, 1, 2]).has_common_point
+        True
+        """
+        return rank(self._integer_planes) == self.rank
+
+    def has_same_planes(self, other: Planes) -> bool:
+        """Return whether both are the same set of planes, whatever their order, sides and repeats.
+
+        >>> Planes([[1, 0], [0, 1]]).has_same_planes(Planes([[0, -2], [1, 0], [0, 1]]))
+        True
+        """
+        one, two = ({unoriented(p) for p in planes._integer_planes} for planes in (self, other))
+        return self.dimension == other.dimension and one == two
+
+    @cached_property
+    def is_simple(self) -> bool:
+        """Whether the distinct planes are in general position.
+
+        Central: any ``min(d, m)`` of the m distinct normals are independent. Affine: any
+        ``k <= d`` planes meet in dimension ``d - k``, and no ``d + 1`` of them meet at all. So more
+        than d planes through a point off the origin are never simple: they are affine, and other
+        planes near them do not meet. Move the point to the origin to ask as for central planes.
+        Checked by ranks of all subsets of that size: polynomial in m for fixed d.
+
+        >>> through_a_point = [[1, 0], [0, 1], [1, 1]]
+        >>> Planes(through_a_point).is_simple, Planes(through_a_point, [1, 1, 2]).is_simple
+        (True, False)
+        """
+        planes = self.distinct_planes
+        size = min(self.dimension, len(planes))
+        if any(rank([p[:-1] for p in chosen]) < size for chosen in combinations(planes, size)):
+            return False
+        if self.is_central:
+            return True
+        beyond = combinations(planes, self.dimension + 1)
+        return all(rank(chosen) == self.dimension + 1 for chosen in beyond)
+
+    def signs_at(self, point: Iterable[Any]) -> tuple[int, ...]:
+        """Return the sign of ``n_i . x - b_i`` at a point x of R^d, for every input plane."""
+        x = real_vector(point, "point", self.field)
+        if len(x) != self.dimension:
+            raise InputError(f"point has {len(x)} coordinates; this space has {self.dimension}")
+        integers = primitive((*x, Fraction(-1)))
+        return tuple(sign(dot(plane, integers)) for plane in self._integer_planes)
+
+    def to_dict(self) -> dict[str, Any]:
+        """Return the file form (see `arrangement.read_arrangement`)."""
+        document: dict[str, Any] = {"schema_version": 1}
+        if self.field is not None:
+            document["field"] = self.field.to_dict()
+        document["planes"] = [[written(x) for x in plane[:-1]] for plane in self._integer_planes]
+        if not self.is_central:
+            document["offsets"] = [written(plane[-1]) for plane in self._integer_planes]
+        if not self._integer_planes:
+            document["dimension"] = self.dimension
+        return document
+
+
+def _listed(normals: Any) -> list[Any]:
+    """Return the rows of the input as a list, refusing what is no sequence."""
+    if hasattr(normals, "tolist"):  # SymPy's matrices and arrays run through their entries
+        normals = normals.tolist()
+    if isinstance(normals, (str, bytes)) or not isinstance(normals, Iterable):
+        raise InputError("normals must be a sequence of vectors, one for each plane")
+    return list(normals)
+
+
+def _common_length(rows: list[RationalVector], dimension: int | None) -> int:
+    """Return d, after checking that every normal has d entries."""
+    if dimension is None:
+        if not rows:
+            raise InputError("no planes are given, so d is unknown; pass dimension=d")
+        dimension = len(rows[0])
+    if type(dimension) is not int or dimension < 0:
+        raise InputError(f"the dimension is {shown(dimension)}; give an integer, at least 0")
+    if rows and not dimension:
+        raise InputError("a plane needs a dimension of at least 1, and the normals have no entries")
+    for i, row in enumerate(rows):
+        if len(row) != dimension:
+            raise InputError(
+                f"normals[{i}] has {len(row)} entries and the dimension is {dimension}; "
+                "all normals need one entry for each coordinate"
+            )
+    return dimension

@@ -1,1 +1,0 @@
-"""Exact polyhedra: cones, polygons and solids, cells of an arrangement, and its dual."""

@@ -1,0 +1,5 @@
+"""Where grasps come from: files, schemas, built-in instances, shapes and float data."""
+
+import lazy_loader
+
+__getattr__, __dir__, __all__ = lazy_loader.attach_stub(__name__, __file__)

@@ -1,0 +1,192 @@
+"""Grasps from CSV files: one contact a line, strictly read.
+
+The first line names the columns: ``x``, ``y``, ``normal_x``, ``normal_y``, ``friction``, in space
+also ``z`` and ``normal_z``, and, if wanted, ``stiffness`` and ``preload``, in any order. They are
+separated by commas, semicolons or tabs; short names are ``nx``, ``ny``, ``nz``, ``mu``, ``k`` and
+``q``. Empty lines and lines that begin with ``#`` say nothing. Numbers are decimals or ratios,
+as ``-0.25``, ``7/3``. A normal may have any length; one of irrational length is replaced by a
+near unit vector and the error reported.
+"""
+
+from __future__ import annotations
+
+import csv
+import io
+import os
+import re
+from collections.abc import Callable, Iterator
+from fractions import Fraction
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, TypeVar
+
+from arrangement.numbers.exact import rational, shown
+from equilibrium.model.contact import VALUES
+from equilibrium.model.errors import GraspError
+
+from .conversion import DEFAULT_TOLERANCE, Conversion
+from .incidences import Rounding, converted, rounding
+
+if TYPE_CHECKING:
+    from arrangement import Arrangement
+
+_REQUIRED = ("x", "y", "normal_x", "normal_y", VALUES[0])
+_IN_SPACE = ("z", "normal_z")
+_KNOWN = (*_REQUIRED, *_IN_SPACE, *VALUES[1:])
+_SHORT = {"nx": "normal_x", "ny": "normal_y", "nz": "normal_z"} | {
+    "mu": "friction",
+    "k": "stiffness",
+    "q": "preload",
+}
+_SEPARATORS = (",", ";", "\t")
+MAX_BYTES = 4 * 2**20
+T = TypeVar("T")
+
+
+def read_csv(
+    path: str | os.PathLike[str],
+    *,
+    angle_tolerance: Any = DEFAULT_TOLERANCE,
+    tolerance: Any = DEFAULT_TOLERANCE,
+    as_given: bool = False,
+) -> Conversion:
+    """Read a grasp from a CSV file.
+
+    Args:
+        angle_tolerance: largest tangent of the change of a normal's direction.
+        tolerance: where normals have to be rounded, how far points may move so that what contacts
+            have in common (see `from_float_data`) stays.
+        as_given: leave the points where they are.
+
+    Raises:
+        GraspError: names the line and the rule; also for a file that cannot be read, is longer
+            than 4 MiB or is not UTF-8.
+    """
+    how = rounding(0, tolerance, angle_tolerance, as_given)
+    return parse_csv(csv_text(path), how)
+
+
+def parse_csv(text: str, how: Rounding | None = None) -> Conversion:
+    """Read a grasp from CSV text.
+
+    >>> found = parse_csv("x,y,normal_x,normal_y,friction\\n-1,0,2,0,0.5\\n")
+    >>> found.grasp.contacts[0].normal, found.exact
+    ((Fraction(1, 1), Fraction(0, 1)), True)
+    """
+    used = how or rounding(0, DEFAULT_TOLERANCE, DEFAULT_TOLERANCE, False)
+
+    def convert(points: list[Any], normals: list[Any], values: dict[str, list[Any]]) -> Conversion:
+        rows = [dict(zip(values, row, strict=True)) for row in zip(*values.values(), strict=True)]
+        return converted([(point, Fraction(0)) for point in points], normals, rows, used)
+
+    return each_line(
+        text,
+        lambda row: parts_of({name: rational(entry, name) for name, entry in row.items()}),
+        convert,
+    )
+
+
+def tangential_arrangement(text: str) -> Arrangement | None:
+    """Return the tangential planes of a table of contacts; None for a text without its header.
+
+    Raises:
+        GraspError: as `parse_csv`, and where a normal had to be rounded.
+    """
+    lines = (line for line in text.splitlines() if line.strip() and not line.startswith("#"))
+    if not re.search(r"\b(nx|normal_x)\b", next(lines, "")):
+        return None
+    found = parse_csv(text)
+    if not found.exact:
+        raise GraspError(
+            "the table has normals without an exact length; equilibrium make csv writes a document "
+            "with rounded ones, and says by how much"
+        )
+    return found.grasp.tangential_arrangement()
+
+
+def parts_of(row: dict[str, T]) -> tuple[tuple[T, ...], tuple[T, ...], dict[str, T]]:
+    """Return point, normal and values of a contact, from its entries by column."""
+    axes = ("x", "y", "z") if "z" in row else ("x", "y")
+    values = {name: row[name] for name in VALUES if name in row}
+    return tuple(row[x] for x in axes), tuple(row[f"normal_{x}"] for x in axes), values
+
+
+def each_line(
+    text: str,
+    read: Callable[[dict[str, str]], tuple[Any, Any, dict[str, Any]]],
+    convert: Callable[[list[Any], list[Any], dict[str, Any]], Conversion],
+) -> Conversion:
+    """Return the contacts that functions make from the lines; errors name the line.
+
+    Args:
+        read: gives point, normal and values of a line.
+        convert: makes contacts of them; each alone first, then all together.
+    """
+    parts: list[tuple[Any, Any, dict[str, Any]]] = []
+    for line, row in _rows(text):
+        try:
+            parts.append(read(row))
+            _together(parts[-1:], convert)
+        except ValueError as error:
+            raise GraspError(f"line {line}: {str(error).removeprefix('normals[0]: ')}") from None
+    return _together(parts, convert)
+
+
+def _together(parts: list[tuple[Any, Any, dict[str, Any]]], convert: Any) -> Conversion:
+    values = {name: [row[name] for _, _, row in parts] for name in (parts[0][2] if parts else ())}
+    values.setdefault(VALUES[0], [])
+    found: Conversion = convert([p for p, _, _ in parts], [n for _, n, _ in parts], values)
+    return found
+
+
+def _rows(text: str) -> Iterator[tuple[int, dict[str, str]]]:
+    """Yield line numbers and entries by column."""
+    lines = ["" if line.lstrip().startswith("#") else line for line in io.StringIO(text)]
+    first = next(filter(str.strip, lines), "")
+    reader = csv.reader(lines, delimiter=max(_SEPARATORS, key=first.count), strict=True)
+    try:
+        rows = (row for row in reader if any(map(str.strip, row)))
+        header = [_SHORT.get(name.strip(), name.strip()) for name in next(rows, [])]
+        _check_header(header)
+        for row in rows:
+            if len(row) != len(header):
+                raise GraspError(
+                    f"line {reader.line_num} has {len(row)} entries; the header has {len(header)}"
+                )
+            yield reader.line_num, dict(zip(header, (entry.strip() for entry in row), strict=True))
+    except csv.Error as error:
+        raise GraspError(f"line {reader.line_num}: {error}") from None
+
+
+def _check_header(header: list[str]) -> None:
+    """Refuse missing, unknown and repeated columns."""
+    in_space = any(name in header for name in _IN_SPACE)
+    required = (*_REQUIRED, *_IN_SPACE) if in_space else _REQUIRED
+    missing = [name for name in required if name not in header]
+    if missing:
+        where = ", for contacts in space" if in_space else ""
+        raise GraspError(
+            f"the first line must name the columns {', '.join(required)}{where}; {missing[0]} is "
+            "missing"
+        )
+    for name in header:
+        if name not in _KNOWN:
+            raise GraspError(f"the column {shown(name)} is unknown; known are {', '.join(_KNOWN)}")
+        if header.count(name) > 1:
+            raise GraspError(f"the column {name} appears twice; keep one")
+
+
+def csv_text(path: str | os.PathLike[str]) -> str:
+    """Return the text of a file, with a limit on its length."""
+    name = shown(str(path))
+    try:
+        with Path(path).open("rb") as stream:
+            content = stream.read(MAX_BYTES + 1)
+    except (OSError, ValueError) as error:
+        reason = getattr(error, "strerror", None) or error
+        raise GraspError(f"cannot read {name}: {reason}") from None
+    if len(content) > MAX_BYTES:
+        raise GraspError(f"{name} is longer than {MAX_BYTES} bytes, the most that is read")
+    try:
+        return content.decode("utf-8-sig")
+    except UnicodeDecodeError as error:
+        raise GraspError(f"{name} is not UTF-8 text (byte {error.start} is wrong)") from None

@@ -1,0 +1,88 @@
+"""Grasps from whatever names one: a document, a CSV file, a built-in name."""
+
+from __future__ import annotations
+
+import json
+import os
+import re
+from dataclasses import replace
+from fractions import Fraction
+from typing import Any
+
+from arrangement.errors import InputError
+from arrangement.library.files.json_files import Source, check_keys, check_list, read_document
+from arrangement.numbers.exact import to_text
+from equilibrium.model.contact import VALUES
+from equilibrium.model.grasp import Grasp, read_wrench
+
+from .conversion import DEFAULT_TOLERANCE, Conversion, unit_normals
+from .csv_file import read_csv
+from .incidences import converted, rounding
+
+#: Longest numbers with which long exact computations end.
+MAX_DIGITS = 1000
+
+
+def question_document(grasp: Grasp, wrench: Any, taker: str) -> dict[str, Any]:
+    """Return a grasp and a wrench as a document, for a taker that cannot do with long numbers.
+
+    Raises:
+        InputError: a number has more than 1000 digits.
+    """
+    load = [to_text(x) for x in read_wrench(wrench, grasp.dimension)]
+    document = {"grasp": grasp.to_dict(), "wrench": load}
+    longest = max(map(len, re.findall(r"[0-9]+", json.dumps(document))))
+    if longest > MAX_DIGITS:
+        raise InputError(
+            f"a number has {longest} digits; {taker} takes at most {MAX_DIGITS}: round it"
+        )
+    return document
+
+
+def read_any(
+    source: Source,
+    *,
+    round_normals: bool = False,
+    angle_tolerance: Any = DEFAULT_TOLERANCE,
+    tolerance: Any = DEFAULT_TOLERANCE,
+    as_given: bool = False,
+) -> Conversion:
+    """Read a grasp from a path, ``"-"`` (stdin), a built-in name or a mapping.
+
+    Args:
+        source: a path that ends with ``.csv`` is a table (see `csv_file`), others are documents.
+        round_normals: replace normals of a document by near unit vectors; those of tables always
+            are.
+        angle_tolerance, tolerance, as_given: as in `read_csv`, where normals are rounded.
+
+    Raises:
+        InputError: for anything that is no grasp.
+
+    >>> read_any("paper-three-contacts").exact
+    True
+    """
+    if isinstance(source, (str, os.PathLike)) and str(source).lower().endswith(".csv"):
+        return read_csv(
+            source, angle_tolerance=angle_tolerance, tolerance=tolerance, as_given=as_given
+        )
+    document = read_document(source, ("contacts",))
+    if not round_normals:
+        return Conversion(Grasp.from_dict(document), (), ())
+    contacts = check_list(document["contacts"], "contacts")
+    for i, contact in enumerate(contacts):
+        check_keys(contact, ("normal",), contact, f"contacts[{i}]")
+    given = [contact["normal"] for contact in contacts]
+    normals = unit_normals(given, angle_tolerance)
+    rounded = [
+        {**contact, "normal": [to_text(x) for x in normal.normal]}
+        for contact, normal in zip(contacts, normals, strict=True)
+    ]
+    grasp = Grasp.from_dict({**document, "contacts": rounded})
+    found = converted(
+        [(contact.point, Fraction(0)) for contact in grasp],
+        given,
+        [{name: getattr(contact, name) for name in VALUES} for contact in grasp],
+        rounding(0, tolerance, angle_tolerance, as_given),
+        outline=grasp.outline,
+    )
+    return replace(found, grasp=replace(found.grasp, units=grasp.units))

@@ -1,0 +1,132 @@
+"""Contacts from measured or simulated data in floats, by exact snapping.
+
+The JSON form of a file is ``{"schema_version": 1, "points": [[-0.1, 0], ...], "normals": [[1, 0],
+...], "friction": 0.3}``, if wanted with ``stiffness`` and ``preload``; each of these three is one
+number for all contacts or a list. A CSV file has the columns of `csv_file`. Numbers are decimals,
+also with an exponent such as ``2.5e-3``, or ratios.
+"""
+
+from __future__ import annotations
+
+import os
+import re
+from collections.abc import Iterable
+from fractions import Fraction
+from typing import Any
+
+from arrangement.library.files.json_files import Source, check_keys, check_list, read_document
+from arrangement.numbers.exact import RationalVector, from_floats, rational, shown
+from equilibrium.model.contact import VALUES
+from equilibrium.model.errors import GraspError
+
+from .conversion import DEFAULT_TOLERANCE, Conversion, contact_values
+from .csv_file import csv_text, each_line, parts_of
+from .incidences import check_number, converted, equal_numbers, rounding
+
+_DECIMAL = re.compile(r"[+-]?([0-9]{1,400}\.?[0-9]{0,400}|\.[0-9]{1,400})([eE][+-]?[0-9]{1,4})?")
+
+
+def from_float_data(
+    points: Iterable[Any],
+    normals: Iterable[Any],
+    friction: Any,
+    *,
+    stiffness: Any = 1,
+    preload: Any = 0,
+    tolerance: Any = DEFAULT_TOLERANCE,
+    angle_tolerance: Any = DEFAULT_TOLERANCE,
+    as_given: bool = False,
+) -> Conversion:
+    """Return an exact grasp near float data, with the errors made.
+
+    Every number becomes the simplest rational within the tolerance, so that 0.1 means 1/10. What
+    contacts have in common within the tolerances they have exactly (`Conversion.kept`): normals
+    that are parallel or meet, points on a circle or on a line along or across the normals, equal
+    numbers.
+
+    Args:
+        points: (m, 2) contact points, (m, 3) in space.
+        normals: (m, 2) or (m, 3) directions into the object, of any length.
+        friction, stiffness, preload: one for all or one for each contact.
+        tolerance: largest change of a coordinate or value.
+        angle_tolerance: largest tangent of the change of a normal's direction.
+        as_given: round each number on its own.
+
+    Raises:
+        GraspError: wrong shapes, zero normals, values out of range.
+
+    >>> from_float_data([[0.1, 0.2]], [[0.0, 2.0]], 0.3).grasp.contacts[0].point
+    (Fraction(1, 10), Fraction(1, 5))
+    """
+    places = [_place(point, i) for i, point in enumerate(points)]
+    directions = list(normals)
+    check_number(len(directions), len(places))
+    how = rounding(tolerance, tolerance, angle_tolerance, as_given)
+    found = contact_values(len(places), friction, stiffness, preload, lambda x, _: from_floats(x))
+    worst = Fraction(0)
+    for name in VALUES:
+        given = [entry[name] for entry in found]
+        for entry, x in zip(found, equal_numbers(given, how.snap, how), strict=True):
+            worst, entry[name] = max(worst, abs(x - entry[name])), x
+    return converted(places, directions, found, how, worst, how.snap)
+
+
+def _place(point: Any, index: int) -> tuple[RationalVector, Fraction]:
+    """Return a point of floats, not changed yet."""
+    coordinates = tuple(from_floats(list(point)))
+    if len(coordinates) not in (2, 3):
+        raise GraspError(f"points[{index}] has {len(coordinates)} coordinates; give two or three")
+    return coordinates, Fraction(0)
+
+
+def read_float_data(
+    source: Source,
+    *,
+    tolerance: Any = DEFAULT_TOLERANCE,
+    angle_tolerance: Any = DEFAULT_TOLERANCE,
+    as_given: bool = False,
+) -> Conversion:
+    """Read float data from a CSV file (a path that ends in ``.csv``) or a JSON document.
+
+    Raises:
+        InputError: for anything that has not one of the two forms; in a CSV file it names the line.
+    """
+    options: dict[str, Any] = {
+        "tolerance": tolerance,
+        "angle_tolerance": angle_tolerance,
+        "as_given": as_given,
+    }
+    if isinstance(source, (str, os.PathLike)) and os.fspath(source).lower().endswith(".csv"):
+        return each_line(
+            csv_text(source),
+            lambda row: parts_of({name: _number(entry, name) for name, entry in row.items()}),
+            lambda points, normals, values: from_float_data(points, normals, **values, **options),
+        )
+    document = read_document(source, ("points",), floats=True)
+    required = ("schema_version", "points", "normals", VALUES[0])
+    check_keys(document, required, (*VALUES[1:], "description"), "the document")
+    points, normals = (
+        [
+            [_plain(x, f"{key}[{i}]") for x in check_list(pair, f"{key}[{i}]")]
+            for i, pair in enumerate(check_list(document[key], key))
+        ]
+        for key in ("points", "normals")
+    )
+    values: dict[str, Any] = {
+        key: [_plain(x, key) for x in given] if isinstance(given, list) else _plain(given, key)
+        for key, given in document.items()
+        if key in VALUES
+    }
+    return from_float_data(points, normals, **values, **options)
+
+
+def _plain(value: Any, where: str) -> Any:
+    """Return a JSON number or text; anything else is refused."""
+    if isinstance(value, bool) or not isinstance(value, (int, float, str)):
+        raise GraspError(f"{where} is {shown(value)}; expected a number")
+    return value
+
+
+def _number(text: str, name: str) -> float | Fraction:
+    """Return a decimal as the nearest float, anything else as `rational` reads it."""
+    return float(text) if _DECIMAL.fullmatch(text) else rational(text, name)

@@ -1,0 +1,476 @@
+"""What rounding must not break: normals that are parallel or meet, circles, equal numbers.
+
+Whether a grasp resists a load may hang on them: a frictionless disc turns under any torque, because
+all normals meet in its centre. Rounded one by one they miss it by a little, and the linear model
+may turn so far that the springs hold any torque. So incidences that hold within the error of the
+data are found first, in floats; then the numbers that they leave free are rounded, and the others
+follow exactly: a contact on a line along its normal through b, at the height h along the normal n,
+has the point ``b + n (h - n . b)``.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import dataclass, replace
+from fractions import Fraction
+from itertools import chain
+from random import Random
+from typing import Any, TypeAlias
+
+import numpy as np
+from numpy.typing import NDArray
+
+from arrangement.numbers.exact import RationalVector, dot, from_floats
+from arrangement.numbers.linear.rank import cross
+from equilibrium.model.contact import VALUES, Contact
+from equilibrium.model.data_error import DataError
+from equilibrium.model.errors import GraspError
+from equilibrium.model.grasp import Grasp
+from equilibrium.model.outline import Outline
+from equilibrium.model.unit_normal import UnitNormal, angle_error, unit_normal
+
+from .conversion import Conversion, Incidence, assembled, simplest_between, unit_normals
+
+Floats: TypeAlias = NDArray[np.float64]
+
+#: Normals that meet farther away than so many times the size of the grasp count as parallel.
+_FAR = 100
+#: With larger coordinates nothing is looked for.
+_LARGEST = 10**100
+#: Lines that are tried as the first of those that meet in a point.
+_TRIED = 64
+
+
+@dataclass(frozen=True)
+class Rounding:
+    """How numbers are rounded.
+
+    Attributes:
+        snap: largest change of a coordinate that nothing is known of; 0 leaves them.
+        error: within which incidences are kept, a length.
+        angle: the same for directions (tangents).
+        seed: None takes the simplest numbers, others random ones within the error.
+        keep: whether incidences are kept.
+        key: of the random numbers.
+        found_within: how well incidences hold, as a share of the errors.
+    """
+
+    snap: Fraction
+    error: Fraction
+    angle: Fraction
+    seed: int | None = None
+    keep: bool = True
+    key: str = ""
+    found_within: float = 0.5
+
+    def number(self, low: Fraction, high: Fraction, key: str, bound: Fraction) -> Fraction:
+        """Return a number within a bound of all from low to high, the same for each key."""
+        if self.seed is not None:
+            middle = (low + high) / 2 + self._share(key) * bound * 3 / 8
+            low, high, bound = middle, middle, bound / 16
+        return simplest_between(high - bound, low + bound)
+
+    def normal(
+        self,
+        given: RationalVector,
+        aim: RationalVector,
+        key: str,
+        far: float = 0.0,
+        square: Sequence[RationalVector] = (),
+    ) -> UnitNormal:
+        """Return a unit normal along an aim, finer where an incidence is far away.
+
+        Its error is that from the direction given. In space it is at right angles to one unit
+        vector or two.
+        """
+        bound = min(self.angle, self.error / (8 * Fraction(far))) if far else self.angle
+        if self.seed is not None:
+            size = max(map(abs, aim)) * bound / 2
+            aim = tuple(x + self._share(f"{key} {j}") * size for j, x in enumerate(aim))
+            bound /= 4
+        if len(square) == 2:
+            along = cross(*square)
+            found = along if dot(along, aim) > 0 else tuple(-x for x in along)
+        elif square:
+            axes = Contact([0, 0, 0], square[0], 0).tangents
+            shares = unit_normal([dot(axis, aim) for axis in axes], bound).normal
+            found = tuple(dot(shares, column) for column in zip(*axes, strict=True))
+        else:
+            found = unit_normal(aim, bound).normal
+        return UnitNormal(found, angle_error(given, found))
+
+    def _share(self, key: str) -> Fraction:
+        return Fraction(Random(f"{self.seed} {self.key} {key}").randint(-16, 16), 16)
+
+
+def rounding(snap: Any, error: Any, angle: Any, as_given: bool) -> Rounding:
+    """Return how numbers are rounded, from what a user gives."""
+    bounds = [from_floats(x) for x in (snap, error, angle)]
+    for given, bound in zip((snap, error), bounds, strict=False):
+        if bound < 0:
+            raise GraspError(f"tolerance is {given!r}; it must be at least 0")
+    return Rounding(bounds[0], bounds[1], bounds[2], keep=not as_given)
+
+
+def equal_numbers(values: Sequence[Fraction], bound: Fraction, how: Rounding) -> list[Fraction]:
+    """Return numbers near the given ones; those of equal size within a bound stay equal in size."""
+    found = list(values)
+    order = sorted(range(len(values)), key=lambda i: abs(values[i])) if bound else []
+    start = 0
+    while start < len(order):
+        low, end = abs(values[order[start]]), start + 1
+        while how.keep and end < len(order) and abs(values[order[end]]) - low <= bound:
+            end += 1
+        key = str(round(low / bound)) if how.keep else f"number {order[start]}"
+        size = how.number(low, abs(values[order[end - 1]]), key, bound)
+        for i in order[start:end]:
+            found[i] = -size if values[i] < 0 else size
+        start = end
+    return found
+
+
+def rounded_contacts(
+    points: Sequence[RationalVector], directions: Sequence[RationalVector], how: Rounding
+) -> tuple[list[RationalVector], list[UnitNormal], tuple[Incidence, ...]]:
+    """Return points and exactly unit normals near the given ones, with the incidences kept."""
+    flat = equal_numbers([x for point in points for x in point], how.snap, how)
+    n = len(points[0]) if points else 2
+    places = [tuple(flat[n * i : n * i + n]) for i in range(len(points))]
+    if not how.keep or not how.error or len(points) < 2:
+        return places, [how.normal(d, d, str(i)) for i, d in enumerate(directions)], ()
+    work = _Work(points, places, directions, how)
+    work.settle()
+    pairs = zip(chain(*points), chain(*work.places), strict=True)
+    if how.snap > how.error / 100 and max(abs(x - y) for x, y in pairs) > how.error:
+        return rounded_contacts(points, directions, replace(how, snap=how.snap / 8))
+    return work.places, work.normals, tuple(work.kept)
+
+
+def converted(
+    places: Sequence[tuple[RationalVector, Fraction]],
+    directions: Iterable[Any],
+    values: Sequence[dict[str, Any]],
+    how: Rounding,
+    value_error: Fraction = Fraction(0),
+    value_bound: Fraction = Fraction(0),
+    outline: Outline | None = None,
+) -> Conversion:
+    """Return contacts with rounded normals, and points where `how` asks for it or as they follow.
+
+    Args:
+        places: points, with the changes already made.
+        directions: normals of any length.
+        value_error, value_bound: made, and the largest.
+    """
+    wanted = [tuple(from_floats(list(direction))) for direction in directions]
+    normals = unit_normals(wanted, how.angle)
+    check_number(len(normals), len(places))
+    points = [point for point, _ in places]
+    sizes = {len(vector) for vector in (*points, *wanted)}
+    plain = max((abs(x) for point in points for x in point), default=Fraction(0)) < _LARGEST
+    exact = not how.snap and not any(normal.angle_error for normal in normals)
+    kept: tuple[Incidence, ...] = ()
+    moved = points
+    if not exact and len(sizes) == 1 and plain:
+        moved, normals, kept = rounded_contacts(points, wanted, how)
+    changed = [
+        (new, error + max(map(abs, _minus(new, old))))
+        for new, old, (_, error) in zip(moved, points, places, strict=True)
+    ]
+    error = DataError(how.error if how.keep else how.snap, how.angle, value_bound, not how.keep)
+    found = assembled(changed, normals, values, value_error, outline)
+    if not found.exact:
+        found = replace(found, grasp=replace(found.grasp, data_error=error), kept=kept)
+    return found
+
+
+def check_number(normals: int, points: int) -> None:
+    """Refuse normals that are not as many as the points."""
+    if normals != points:
+        raise GraspError(f"{normals} normals for {points} points; give one for each")
+
+
+def other_rounding(grasp: Grasp, seed: int) -> Grasp:
+    """Return another grasp within the error of the data of a converted one.
+
+    Incidences of the grasp stay, unless its data were taken as given; so do numbers that are 0
+    among friction and preload.
+
+    Raises:
+        GraspError: the grasp has no `data_error`.
+    """
+    error = grasp.data_error
+    if error is None:
+        raise GraspError("the grasp was not rounded: it has no data_error")
+    points, normals = [c.point for c in grasp], [c.normal for c in grasp]
+    # What holds exactly is found again within the error of floats.
+    size = max((abs(x) for point in points for x in point), default=Fraction(0))
+    least = size / 10**12
+    how = Rounding(
+        error.length,
+        max(error.length, least),
+        error.angle or Fraction(1, 10**12),
+        seed,
+        not error.as_given,
+        found_within=float(min(Fraction(1, 1000), least / error.length)) if error.length else 0.5,
+    )
+    places, units, _ = rounded_contacts(points, normals, how)
+    columns = {}
+    for name in VALUES:
+        given = [getattr(contact, name) for contact in grasp]
+        near = equal_numbers(given, error.value, replace(how, key=name))
+        columns[name] = [max(x, y / 2) if y else y for x, y in zip(near, given, strict=True)]
+    return Grasp(
+        Contact(places[i], units[i].normal, *(columns[name][i] for name in VALUES))
+        for i in range(len(grasp))
+    )
+
+
+class _Work:
+    """Contacts whose incidences are found, then settled one after the other.
+
+    Attributes:
+        leader, turn: of each contact, the one whose normal it has, and after how many quarter turns
+            (in space half turns).
+        line: the first contact on the line of its normal.
+        base: a point on each line that is settled.
+        height: of each point that is settled, along its normal.
+    """
+
+    def __init__(
+        self,
+        points: Sequence[RationalVector],
+        places: list[RationalVector],
+        directions: Sequence[RationalVector],
+        how: Rounding,
+    ) -> None:
+        self.points, self.places, self.directions, self.how = points, places, directions, how
+        self.m, self.n = len(points), len(points[0])
+        self.at = np.array(points, float)
+        along = np.array([[x / max(map(abs, d)) for x in d] for d in directions], float)
+        self.along = along / np.linalg.norm(along, axis=1)[:, None]
+        self.size = float(np.ptp(self.at, axis=0).max())
+        self.error, self.angle = (how.found_within * float(x) for x in (how.error, how.angle))
+        self.kept: list[Incidence] = []
+        self.base: dict[int, RationalVector] = {}
+        self.height: dict[int, Fraction] = {}
+        self.classes = list(self._parallel())
+        lines = [line for members in self.classes for line in self._lines(members)]
+        self.line = {i: line[0] for line in lines for i in line}
+        self.lines = {line[0]: line for line in lines}
+
+    def settle(self) -> None:
+        """Round the normals, then move the points as far as incidences demand."""
+        clusters = [*self._equal_points(), *self._meeting(list(self.lines))]
+        self.normals = self._normals(clusters)
+        for members, centre in clusters:
+            self._meet(members, centre)
+        for line in self.lines.values():
+            if len(line) > 1:
+                self.base.setdefault(line[0], self.places[line[0]])
+                self.kept.append(Incidence("line", tuple(line)))
+        for members in self.classes:
+            if len(members) > 1:
+                self.kept.append(Incidence("parallel", tuple(members)))
+                self._levels(members)
+        for i, (place, normal) in enumerate(zip(self.places, self.normals, strict=True)):
+            base = self.base.get(self.line[i], place)
+            rest = self.height.get(i, dot(normal.normal, place)) - dot(normal.normal, base)
+            self.places[i] = tuple(b + rest * x for b, x in zip(base, normal.normal, strict=True))
+
+    def _parallel(self) -> Iterator[list[int]]:
+        """Yield classes of parallel or opposite normals; in the plane square ones share numbers."""
+        self.leader, self.turn = list(range(self.m)), [0] * self.m
+        groups: dict[tuple[int, int], list[int]] = {}
+        leaders: list[int] = []
+        for i, turned in enumerate(self.along):
+            for turn in range(4 if self.n == 2 else 2):
+                away = np.abs(self.along[leaders] - turned).max(axis=1, initial=0.0)
+                if leaders and away.min() <= self.angle:
+                    self.leader[i], self.turn[i] = leaders[int(away.argmin())], turn
+                    break
+                turned = np.array([turned[1], -turned[0]]) if self.n == 2 else -turned
+            else:
+                leaders.append(i)
+            axis = self.turn[i] % 2 if self.n == 2 else 0
+            groups.setdefault((self.leader[i], axis), []).append(i)
+        yield from groups.values()
+
+    def _lines(self, left: list[int]) -> Iterator[list[int]]:
+        """Yield the contacts of a parallel class by the line along their normals."""
+        while left:
+            away, along = self.at[left] - self.at[left[0]], self.along[left[0]]
+            miss = np.linalg.norm(away - (away @ along)[:, None] * along, axis=1)
+            line = [i for i, x in zip(left, miss, strict=True) if x <= self.error]
+            yield line
+            left = [i for i in left if i not in line]
+
+    def _equal_points(self) -> Iterator[tuple[list[int], Floats]]:
+        """Yield contacts at one point with different normals."""
+        left = list(range(self.m))
+        while left:
+            away = np.abs(self.at[left] - self.at[left[0]]).max(axis=1)
+            same = [i for i, x in zip(left, away, strict=True) if x <= self.error]
+            if len({self.line[i] for i in same}) > 1:
+                yield same, self.at[left[0]]
+            left = [i for i in left if i not in same]
+
+    def _meeting(self, lines: list[int]) -> Iterator[tuple[list[int], Floats]]:
+        """Yield contacts whose lines meet in a point, the most lines first, with the point."""
+        at, along = self.at[lines], self.along[lines]
+        found: dict[tuple[int, ...], Floats] = {}
+        for i in range(min(len(lines), _TRIED)):
+            cosine = along @ along[i]
+            square = 1 - cosine**2
+            square[square < 1e-8] = np.nan
+            s = np.einsum("ij,ij->i", at - at[i], along[i] - cosine[:, None] * along) / square
+            s[np.abs(s) > _FAR * self.size] = np.nan
+            away = (at[i] + s[:, None] * along[i])[:, None] - at[None]
+            depth = np.einsum("cki,ki->ck", away, along)
+            miss = np.linalg.norm(away - depth[..., None] * along, axis=-1)
+            near = miss <= np.maximum(self.error, self.angle * np.abs(depth))
+            for j in np.flatnonzero(near.sum(axis=1) >= self._least):
+                chosen = tuple(np.flatnonzero(near[j]).tolist())
+                if chosen not in found:
+                    # The point of least squares of the distances.
+                    part = along[list(chosen)]
+                    square = np.eye(self.n) - part[:, :, None] * part[:, None, :]
+                    right = np.einsum("kij,kj->i", square, at[list(chosen)])
+                    found[chosen] = np.linalg.lstsq(square.sum(axis=0), right, rcond=None)[0]
+        for chosen in sorted(found, key=len, reverse=True):
+            yield [i for k in chosen for i in self.lines[lines[k]]], found[chosen]
+
+    @property
+    def _least(self) -> int:
+        """How many lines that meet are no accident."""
+        return 3 if self.n == 2 else 2
+
+    def _normals(self, clusters: list[tuple[list[int], Floats]]) -> list[UnitNormal]:
+        """Return the normals, one for each class."""
+        shared = [leader for i, leader in enumerate(self.leader) if i != leader]
+        far, aim = dict.fromkeys(shared, self.size), dict(enumerate(self.directions))
+        for members, centre in clusters:
+            for i in members:
+                away = centre - self.at[i]
+                depth, leader = float(away @ self.along[i]), self.leader[i]
+                far[leader] = max(far.get(leader, 0.0), float(np.linalg.norm(away)))
+                miss = float(np.linalg.norm(away - depth * self.along[i]))
+                if miss > self.error and leader == i and aim[i] is self.directions[i]:
+                    aim[i] = tuple(Fraction(x) for x in (away if depth > 0 else -away).tolist())
+        found: list[UnitNormal] = []
+        for i, given in enumerate(self.directions):
+            leader = self.leader[i]
+            if leader == i:
+                square = self._square(i, found) if self.n == 3 else []
+                key = f"normal {i}"
+                found.append(self.how.normal(given, aim[i], key, far.get(i, 0.0), square))
+                continue
+            normal = found[leader].normal
+            for _ in range(self.turn[i]):
+                normal = (-normal[1], normal[0]) if self.n == 2 else tuple(-x for x in normal)
+            found.append(UnitNormal(normal, angle_error(given, normal)))
+        return found
+
+    def _square(self, i: int, found: list[UnitNormal]) -> list[RationalVector]:
+        """Return up to two of the normals found, at right angles to the next within the error."""
+        near: list[RationalVector] = []
+        for j, (normal, _) in enumerate(found):
+            right = self.leader[j] == j and abs(self.along[j] @ self.along[i]) <= self.angle
+            if right and len(near) < 2 and not any(dot(normal, other) for other in near):
+                near.append(normal)
+                self.kept.append(Incidence("square", (j, i)))
+        return near
+
+    def _meet(self, members: list[int], near: Floats) -> None:
+        """Let the normals of contacts meet in a point near a given one, as far as they are free."""
+        wanted = from_floats(near.tolist())
+        key, bound = f"centre {members[0]}", self.how.error / 4
+        centre: RationalVector = tuple(
+            self.how.number(x, x, f"{key} {j}", bound) for j, x in enumerate(wanted)
+        )
+        settled = list({self.line[i]: i for i in members if self.line[i] in self.base}.values())
+        if settled:
+            normal, base = self.normals[settled[0]].normal, self.base[self.line[settled[0]]]
+            height = dot(normal, _minus(centre, base))
+            other = next((i for i in settled if any(self._miss(i, base))), None)
+            if other is not None and self.n == 2:
+                x, y = self.normals[other].normal
+                across, apart = (-y, x), _minus(self.base[self.line[other]], base)
+                if not dot(across, normal):
+                    return
+                height = dot(across, apart) / dot(across, normal)
+            elif other is None:
+                height = Fraction(0) if len(settled) > 1 else height
+            centre = tuple(b + height * x for b, x in zip(base, normal, strict=True))
+        if not _within(centre, wanted, self.how.error):
+            return
+        kept = [i for i in members if self._close(i, centre)]
+        lines = {self.line[i] for i in kept}
+        point = all(_within(self.points[i], centre, self.how.error) for i in kept)
+        known = any(set(kept) <= set(old.contacts) and old.at == centre for old in self.kept)
+        if known or len(lines) < (2 if point else self._least):
+            return
+        for line in lines:
+            self.base.setdefault(line, centre)
+        self._round(kept, centre)
+
+    def _round(self, members: list[int], centre: RationalVector) -> None:
+        """Give equal distances to points at equal distances from the centre."""
+        bound = self.how.error / 2
+        radii = [dot(self.normals[i].normal, _minus(centre, self.points[i])) for i in members]
+        even = [x if abs(x) > bound else Fraction(0) for x in radii]
+        even = [y and x for x, y in zip(equal_numbers(even, bound, self.how), even, strict=True)]
+        kind, largest = "meet", Fraction(0)
+        for radius in dict.fromkeys(map(abs, even)):
+            group = [(i, x) for i, x in zip(members, even, strict=True) if abs(x) == radius]
+            if len(group) == 1 or any(i in self.height for i, _ in group):
+                continue
+            for i, x in group:
+                self.height[i] = dot(self.normals[i].normal, centre) - x
+            if len(group) == len(members):
+                kind, largest = "round" if radius else "point", radius
+            else:
+                on = tuple(sorted(i for i, _ in group))
+                self.kept.append(Incidence("round" if radius else "point", on, centre, radius))
+        self.kept.append(Incidence(kind, tuple(sorted(members)), centre, largest))
+
+    def _miss(self, i: int, point: RationalVector, base: RationalVector = ()) -> RationalVector:
+        """Return how a point misses the line of a contact, settled or through its own point."""
+        away = _minus(point, base or self.base[self.line[i]])
+        normal = self.normals[i].normal
+        height = dot(away, normal)
+        return tuple(a - height * x for a, x in zip(away, normal, strict=True))
+
+    def _close(self, i: int, centre: RationalVector) -> bool:
+        """Return whether the line of a contact passes a point, or may be moved there."""
+        if self.line[i] in self.base:
+            return not any(self._miss(i, centre))
+        misses = (self._miss(i, centre, self.points[j]) for j in self.lines[self.line[i]])
+        return all(max(map(abs, miss)) <= self.how.error for miss in misses)
+
+    def _levels(self, members: list[int]) -> None:
+        """Give equal heights to parallel contacts whose heights are equal within the error."""
+        first = self.normals[members[0]].normal
+        heights = {i: dot(first, self.points[i]) for i in members}
+        left = sorted(members, key=lambda i: heights[i])
+        while left:
+            group = [i for i in left if heights[i] - heights[left[0]] <= self.how.error / 2]
+            left = left[len(group) :]
+            if len(group) == 1:
+                continue
+            known = next((i for i in group if i in self.height), None)
+            height = dot(first, self.places[group[0]])
+            if known is not None:
+                height = self.height[known] * dot(first, self.normals[known].normal)
+            for i in group:
+                self.height.setdefault(i, height * dot(first, self.normals[i].normal))
+            if all(self.height[i] == height * dot(first, self.normals[i].normal) for i in group):
+                self.kept.append(Incidence("level", tuple(sorted(group))))
+
+
+def _minus(left: RationalVector, right: RationalVector) -> RationalVector:
+    return tuple(x - y for x, y in zip(left, right, strict=True))
+
+
+def _within(left: RationalVector, right: RationalVector, bound: Fraction) -> bool:
+    return max(map(abs, _minus(left, right))) <= bound

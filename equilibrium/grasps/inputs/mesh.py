@@ -1,0 +1,332 @@
+"""Contacts on the surface of a mesh, with normals from its facets.
+
+The surface is read in floats through trimesh. It has to be closed and oriented alike everywhere:
+else there is no inside to point to. What is nearest is found in floats; the normal of a facet is
+the exact one of its three stored corners, then rounded to an exact unit vector as everywhere.
+"""
+
+from __future__ import annotations
+
+import math
+import os
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+from itertools import accumulate
+from pathlib import Path
+from random import Random
+from typing import Any, TypeAlias
+
+import numpy as np
+from numpy.typing import NDArray
+
+from arrangement.enumeration.packing import grouped
+from arrangement.numbers.exact import RationalVector, from_floats, shown, vector_text
+from arrangement.numbers.linear.rank import cross
+from equilibrium.model.errors import GraspError
+from equilibrium.model.outline import Mesh, coordinates
+
+from .conversion import DEFAULT_TOLERANCE, Conversion, contact_values, snapped
+from .incidences import converted, rounding
+
+Floats: TypeAlias = NDArray[np.float64]
+Facets: TypeAlias = NDArray[np.intp]
+
+KINDS = (".glb", ".obj", ".ply", ".stl")
+#: A point is on the surface when it is no farther away than this share of the size.
+_ON_SURFACE = 1e-9
+#: New points have coordinates within this share of the size, as simple as possible.
+_FINE = Fraction(1, 10**6)
+#: Where facets meet at a larger angle than this (its cosine), the surface has no normal.
+_SHARP = math.cos(math.radians(20))
+#: Random contacts that have to face a direction do so within this angle (its cosine).
+_FACING = math.cos(math.radians(45))
+#: Grasps carry meshes of up to so many facets as their outlines.
+_MOST_FACETS = 2000
+
+
+@dataclass(frozen=True)
+class Surface:
+    """A closed, oriented triangle mesh.
+
+    Attributes:
+        points: (V, 3), no two equal.
+        facets: (F, 3); numbers of points, counter-clockwise seen from outside, no facet without
+            area.
+        size: the diagonal of the bounding box.
+    """
+
+    points: Floats
+    facets: Facets
+    size: float
+
+    @classmethod
+    def read(cls, path: str | os.PathLike[str]) -> Surface:
+        """Read an STL, OBJ, PLY or GLB file.
+
+        Raises:
+            GraspError: no file, no mesh in it, a surface that is not closed, or one that is not
+                oriented alike everywhere.
+        """
+        return cls.of_triangles(*_loaded(Path(path)), name=str(path))
+
+    @classmethod
+    def of_triangles(cls, points: Floats, facets: Facets, name: str = "the mesh") -> Surface:
+        """Return the surface of some triangles; equal points are joined first."""
+        points = np.asarray(points, np.float64) + 0.0  # no negative zeros
+        if not len(facets) or not np.isfinite(points).all():
+            raise GraspError(f"{name} has no facets, or points that are no numbers; give a mesh")
+        order, new = grouped(np.ascontiguousarray(points).view(np.uint64))
+        label = np.empty(len(points), np.intp)
+        label[order] = np.cumsum(new) - 1
+        facets, points = label[np.asarray(facets)], points[order[new]]
+        following = np.roll(facets, -1, axis=1)
+        facets = facets[(facets != following).all(axis=1)]
+        _check_closed(facets, len(points), name)
+        a, b, c = (points[column] for column in facets.T)
+        normals = np.cross(b - a, c - a)
+        size = float(np.linalg.norm(np.ptp(points, axis=0)))
+        if np.einsum("ij,ij->", a, normals) < 0:
+            facets = facets[:, ::-1]
+        areas = np.linalg.norm(normals, axis=1)
+        facets = facets[areas > (_ON_SURFACE * size) ** 2]
+        if not len(facets):
+            raise GraspError(f"no facet of {name} has an area; give the surface of a solid")
+        return cls(points, facets, size)
+
+    @property
+    def corners(self) -> Floats:
+        """(F, 3, 3); the corners of each facet."""
+        found: Floats = self.points[self.facets]
+        return found
+
+    def outward(self, corners: Floats) -> Floats:
+        """Return the outward normals of facets, twice their areas long."""
+        return np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
+
+    def exact_inward(self, facet: int) -> RationalVector:
+        """Return the inward normal of a facet from the stored corners, of any length."""
+        a, b, c = (from_floats(row) for row in self.points[self.facets[facet]])
+        first, second = ([y - x for x, y in zip(a, p, strict=True)] for p in (b, c))
+        return cross(second, first)
+
+    def outline(self) -> Mesh | None:
+        """Return the mesh for pictures; None beyond 2000 facets."""
+        if len(self.facets) > _MOST_FACETS:
+            return None
+        used = np.unique(self.facets)
+        number = {old: new for new, old in enumerate(used.tolist())}
+        return Mesh(
+            [_simple(self.points[i], self.size) for i in used],
+            [[number[i] for i in row] for row in self.facets.tolist()],
+        )
+
+
+def on_mesh(
+    path: str | os.PathLike[str],
+    friction: Any,
+    *,
+    at: Iterable[Iterable[Any]] = (),
+    random: int = 0,
+    seed: int = 0,
+    facing: Iterable[Any] | None = None,
+    smooth: bool = False,
+    within: Any = Fraction(1, 20),
+    stiffness: Any = 1,
+    preload: Any = 0,
+    angle_tolerance: Any = DEFAULT_TOLERANCE,
+    as_given: bool = False,
+) -> Conversion:
+    """Return contacts at the places of a surface that are nearest to given points, or at random.
+
+    A point on the surface (to 10^-9 of its size) is kept; else its nearest place is taken, rounded
+    to simple rationals. The point errors are the changes of the given points. The outline is the
+    mesh, up to 2000 facets.
+
+    Args:
+        path: an STL, OBJ, PLY or GLB file, of a closed surface; facets without area are left out.
+        friction, stiffness, preload: one for all or one for each contact.
+        at: points, exact.
+        random: how many more places are drawn, evenly over the surface; the same for each seed.
+        facing: draw only where the outward normal is within 45 degrees of this direction.
+        smooth: take normals that change evenly over each facet, from those around its corners,
+            instead of its own.
+        within: a point farther away than this share of the size is refused.
+        as_given: round each normal on its own; else points move by up to 10^-6 of the size, so that
+            what contacts have in common (see `from_float_data`) stays.
+
+    Raises:
+        GraspError: no closed surface; a point too far away, or at a sharp edge (over 20 degrees),
+            where there is no normal; no place that faces the direction; no contact at all.
+    """
+    surface = Surface.read(path)
+    wanted = [coordinates(point, f"at[{i}]", 3) for i, point in enumerate(at)]
+    corners = surface.corners
+    found = _nearest(surface, corners, wanted, from_floats(within), smooth)
+    found += _drawn(surface, corners, random, seed, facing)
+    if not found:
+        raise GraspError("no contacts are asked for; give points (--at) or a number (--random)")
+    places, facets = zip(*found, strict=True)
+    inward: Sequence[Sequence[float | Fraction]]
+    if smooth:
+        inward = _smooth_inward(surface, corners, facets, [point for point, _ in places])
+    else:
+        inward = [surface.exact_inward(facet) for facet in facets]
+    return converted(
+        places,
+        inward,
+        contact_values(len(found), friction, stiffness, preload),
+        rounding(0, _FINE * Fraction(surface.size), angle_tolerance, as_given),
+        outline=surface.outline(),
+    )
+
+
+Found: TypeAlias = tuple[tuple[RationalVector, Fraction], int]
+
+
+def _loaded(path: Path) -> tuple[Floats, Facets]:
+    if path.suffix.lower() not in KINDS:
+        raise GraspError(f"{path} is of no kind that is read here; give one of {', '.join(KINDS)}")
+    if not path.is_file():
+        raise GraspError(f"{path} cannot be read: there is no such file")
+    import trimesh
+
+    try:
+        mesh = trimesh.load_mesh(path, process=False)
+        points, facets = np.asarray(mesh.vertices), np.asarray(mesh.faces)
+    except Exception as error:  # readers of damaged files raise whatever they meet
+        reason = " ".join(str(error).split())[:120]
+        raise GraspError(f"{path} is no mesh that can be read ({reason})") from None
+    if not len(facets):
+        raise GraspError(f"{path} has no facets; give a mesh with a closed surface")
+    return points, facets
+
+
+def _check_closed(facets: Facets, points: int, name: str) -> None:
+    """Refuse a surface unless each edge has one facet on each side, oriented alike."""
+    ahead, back = facets, np.roll(facets, -1, axis=1)
+    there, here = (np.sort((a * points + b).ravel()) for a, b in ((ahead, back), (back, ahead)))
+    if (there[1:] != there[:-1]).all() and (there == here).all():
+        return
+    low, high = np.minimum(ahead, back), np.maximum(ahead, back)
+    sizes = np.unique((low * points + high).ravel(), return_counts=True)[1]
+    if odd := int((sizes != 2).sum()):
+        raise GraspError(
+            f"{name} is not watertight: {odd} of its {len(sizes)} edges do not have two facets, so "
+            "it has no inside; close the surface first"
+        )
+    raise GraspError(
+        f"the facets of {name} are not oriented alike: neighbours turn opposite ways, so it has no "
+        "inside; orient them first"
+    )
+
+
+def _nearest(
+    surface: Surface,
+    corners: Floats,
+    wanted: Sequence[RationalVector],
+    within: Fraction,
+    smooth: bool,
+) -> list[Found]:
+    """Return for each point its place on the surface, with the change, and a facet there."""
+    if not wanted:
+        return []
+    from trimesh.triangles import closest_point
+
+    centres = corners.mean(axis=1)
+    reach = np.linalg.norm(corners - centres[:, None], axis=2).max(axis=1)
+    found: list[Found] = []
+    for i, point in enumerate(wanted):
+        here = np.array(point, float)
+        away = np.linalg.norm(centres - here, axis=1)
+        near = np.flatnonzero(away - reach <= away.min() + _ON_SURFACE * surface.size)
+        copies = np.tile(here, (len(near), 1))
+        places = closest_point(corners[near], copies)  # type: ignore[no-untyped-call]
+        distances = np.linalg.norm(places - here, axis=1)
+        best = int(distances.argmin())
+        least = float(distances[best])
+        if least > within * Fraction(surface.size):
+            raise GraspError(
+                f"at[{i}] {vector_text(point)} is {least:.4g} from the surface, which is more than "
+                f"{shown(within)} of its size {surface.size:.4g}; give a nearer point, or a larger "
+                "share (--within)"
+            )
+        ties = near[distances <= least + _ON_SURFACE * surface.size]
+        if not smooth:
+            _check_smooth(surface.outward(corners[ties]), f"at[{i}] {vector_text(point)}")
+        if least <= _ON_SURFACE * surface.size:
+            found.append(((point, Fraction(0)), int(ties[0])))
+            continue
+        place = _simple(places[best], surface.size)
+        change = max(abs(x - y) for x, y in zip(place, point, strict=True))
+        found.append(((place, change), int(ties[0])))
+    return found
+
+
+def _check_smooth(normals: Floats, name: str) -> None:
+    """Refuse a place at which facets meet at a large angle."""
+    units = normals / np.linalg.norm(normals, axis=1)[:, None]
+    if (units @ units.T).min() < _SHARP:
+        raise GraspError(
+            f"{name} is at a sharp edge, where facets meet and there is no one normal; move it "
+            "into a facet, or take smooth normals (--smooth)"
+        )
+
+
+def _drawn(
+    surface: Surface, corners: Floats, number: int, seed: int, facing: Iterable[Any] | None
+) -> list[Found]:
+    """Return random places, evenly spread by area over the facets that may be chosen."""
+    if not number:
+        if facing is not None:
+            raise GraspError("--facing says where random contacts are drawn; add --random")
+        return []
+    normals = surface.outward(corners)
+    areas = np.linalg.norm(normals, axis=1)
+    chosen = np.arange(len(areas))
+    if facing is not None:
+        direction = coordinates(facing, "facing", 3)
+        if not any(direction):
+            raise GraspError("facing is the zero vector; give a direction")
+        towards = np.array(direction, float)
+        cosines = normals @ towards / (areas * np.linalg.norm(towards))
+        chosen = np.flatnonzero(cosines >= _FACING)
+        if not len(chosen):
+            raise GraspError(
+                f"no facet faces {vector_text(direction)} within 45 degrees; give another direction"
+            )
+    source = Random(f"mesh {seed}")
+    sums = list(accumulate(areas[chosen].tolist()))
+    found: list[Found] = []
+    for _ in range(number):
+        facet = int(source.choices(chosen, cum_weights=sums)[0])
+        a, b = sorted((source.random(), source.random()))
+        place = np.array([a, b - a, 1 - b]) @ corners[facet]
+        simple = _simple(place, surface.size)
+        change = max(abs(x - Fraction(y)) for x, y in zip(simple, place.tolist(), strict=True))
+        found.append(((simple, change), facet))
+    return found
+
+
+def _smooth_inward(
+    surface: Surface, corners: Floats, facets: Sequence[int], places: Sequence[RationalVector]
+) -> list[tuple[float, ...]]:
+    """Return inward normals between those of the corners, which are means over facets by area."""
+    from trimesh.triangles import points_to_barycentric
+
+    normals = surface.outward(corners)
+    at_points = np.zeros_like(surface.points)
+    for column in surface.facets.T:
+        np.add.at(at_points, column, normals)
+    lengths = np.linalg.norm(at_points, axis=1)
+    at_points /= np.where(lengths > 0, lengths, 1)[:, None]
+    chosen = np.array(facets)
+    at = np.array(places, float)
+    shares = points_to_barycentric(corners[chosen], at)  # type: ignore[no-untyped-call]
+    between = -np.einsum("ij,ijk->ik", shares, at_points[surface.facets[chosen]])
+    return [tuple(row) for row in between.tolist()]
+
+
+def _simple(place: Floats, size: float) -> RationalVector:
+    """Return simple rationals near the coordinates of a point."""
+    return tuple(snapped(x, _FINE * Fraction(size))[0] for x in place.tolist())

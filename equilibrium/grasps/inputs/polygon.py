@@ -1,0 +1,265 @@
+"""Contacts on a polygon or a circle."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable, Mapping, Sequence
+from fractions import Fraction
+from typing import Any, NamedTuple
+
+from arrangement.library.files.json_files import Source, check_keys, check_list, read_document
+from arrangement.numbers.exact import RationalVector, rational, rational_vector, shown, sign
+from equilibrium.model.contact import VALUES
+from equilibrium.model.errors import GraspError
+from equilibrium.model.outline import Circle, Polygon, coordinates
+
+from .conversion import DEFAULT_TOLERANCE, Conversion, assembled, contact_values, unit_normals
+from .incidences import converted, rounding
+
+
+def on_circle(
+    angles: int | Iterable[float],
+    friction: Any,
+    *,
+    radius: Any = 1,
+    centre: Iterable[Any] = (0, 0),
+    stiffness: Any = 1,
+    preload: Any = 0,
+    angle_tolerance: Any = DEFAULT_TOLERANCE,
+) -> Conversion:
+    """Return contacts on a circle, which is the outline, with normals to its centre.
+
+    Each contact is a rational point of the circle near the wanted angle, and lies on the circle
+    exactly. `point_errors` bound how far it is from the wanted place, up to the rounding of the
+    sine and cosine (about 10^-16 of the radius).
+
+    Args:
+        angles: degrees, counter-clockwise from the x axis; or a number m of contacts, evenly
+            spread from angle 0.
+        friction, stiffness, preload: one for all or one for each contact.
+        radius: above 0.
+        centre: of the circle.
+
+    >>> [c.normal for c in on_circle(2, 1).grasp]
+    [(Fraction(-1, 1), Fraction(0, 1)), (Fraction(1, 1), Fraction(0, 1))]
+    """
+    if isinstance(angles, int):
+        wanted = [360 * i / angles for i in range(angles)]
+    else:
+        wanted = [float(x) for x in angles]
+    size, middle = rational(radius, "radius"), rational_vector(centre, "centre")
+    if size <= 0 or len(middle) != 2:
+        raise GraspError(
+            f"radius is {shown(size)}, it must be above 0; a centre has two coordinates"
+        )
+    inward = unit_normals([_direction(angle) for angle in wanted], angle_tolerance)
+    places = [
+        (
+            tuple(c - size * n for c, n in zip(middle, normal.normal, strict=True)),
+            size * abs(normal.angle_error),
+        )
+        for normal in inward
+    ]
+    values = contact_values(len(places), friction, stiffness, preload)
+    return assembled(places, inward, values, outline=Circle(middle, size))
+
+
+def _direction(degrees: float) -> tuple[float, float]:
+    """Return the inward direction at an angle, exact at multiples of 90 degrees."""
+    if not math.isfinite(degrees):
+        raise GraspError(f"an angle is {degrees}; give finite degrees")
+    turns, rest = divmod(degrees, 90)
+    x, y = math.cos(math.radians(rest)), math.sin(math.radians(rest))
+    if rest == 0:
+        x, y = 1.0, 0.0
+    for _ in range(int(turns) % 4):
+        x, y = -y, x
+    return (-x, -y)
+
+
+class OnEdge(NamedTuple):
+    """A place on a polygon: the point ``(1 - at) vertices[edge] + at vertices[edge + 1]``.
+
+    Attributes:
+        edge: 0 for the edge from vertex 0 to vertex 1.
+        at: from 0 to 1.
+    """
+
+    edge: int
+    at: Any
+
+
+def from_polygon(
+    vertices: Iterable[Iterable[Any]],
+    places: Iterable[OnEdge | Iterable[Any]],
+    friction: Any,
+    *,
+    stiffness: Any = 1,
+    preload: Any = 0,
+    angle_tolerance: Any = DEFAULT_TOLERANCE,
+    tolerance: Any = DEFAULT_TOLERANCE,
+    as_given: bool = False,
+) -> Conversion:
+    """Return contacts on a simple polygon, which is the outline; the object is its inside.
+
+    Args:
+        vertices: at least three corners in either orientation, exact (see `from_floats`).
+        places: for each contact an `OnEdge`, or its coordinates, which must lie exactly on the
+            boundary and not in a corner.
+        friction, stiffness, preload: one for all or one for each contact.
+        angle_tolerance: an edge whose length is no rational has no exactly unit rational normal;
+            the nearest simple one within this is taken and the error reported.
+        tolerance, as_given: as in `read_csv`, where normals are rounded.
+
+    Raises:
+        GraspError: the polygon crosses or touches itself or has no area; a contact is off the
+            boundary, or in a corner and without an edge.
+
+    >>> triangle = [[0, 0], [4, 0], [0, 3]]
+    >>> from_polygon(triangle, [OnEdge(1, "1/2")], 1).grasp.contacts[0].normal
+    (Fraction(-3, 5), Fraction(-4, 5))
+    """
+    corners = [coordinates(v, f"vertices[{i}]", 2) for i, v in enumerate(vertices)]
+    inside = _orientation(corners)
+    found = [
+        _placed(corners, place, i) if isinstance(place, OnEdge) else _located(corners, place, i)
+        for i, place in enumerate(places)
+    ]
+    directions = []
+    for edge, _ in found:
+        along = _minus(corners[(edge + 1) % len(corners)], corners[edge])
+        directions.append((-inside * along[1], inside * along[0]))
+    return converted(
+        [(point, Fraction(0)) for _, point in found],
+        directions,
+        contact_values(len(found), friction, stiffness, preload),
+        rounding(0, tolerance, angle_tolerance, as_given),
+        outline=Polygon(corners),
+    )
+
+
+def _orientation(corners: Sequence[RationalVector]) -> int:
+    """Return 1 for a counter-clockwise simple polygon, -1 for a clockwise one.
+
+    Raises:
+        GraspError: fewer than three corners, or the boundary meets itself.
+    """
+    n = len(corners)
+    if n < 3:
+        raise GraspError(f"a polygon has at least three corners; {n} are given")
+    for i in range(n):
+        for j in range(i + 1, n):
+            if _clash(corners, i, j):
+                raise GraspError(
+                    f"edges {i} and {j} of the polygon meet outside a common corner; "
+                    "list the corners of a simple polygon in order"
+                )
+    area = sum(_cross(a, b) for a, b in zip(corners, [*corners[1:], corners[0]], strict=True))
+    return sign(area)
+
+
+def _clash(corners: Sequence[RationalVector], i: int, j: int) -> bool:
+    """Return whether two edges, i < j, share more than the corner that neighbours share."""
+    n = len(corners)
+    a, b = corners[i], corners[(i + 1) % n]
+    c, d = corners[j], corners[(j + 1) % n]
+    if a == b or c == d:
+        return True
+    if j == i + 1 or (i == 0 and j == n - 1):
+        first, shared, last = (a, b, d) if j == i + 1 else (c, a, b)
+        back, ahead = _minus(first, shared), _minus(last, shared)
+        return _cross(back, ahead) == 0 and back[0] * ahead[0] + back[1] * ahead[1] > 0
+    return _segments_meet(a, b, c, d)
+
+
+def _segments_meet(
+    a: RationalVector, b: RationalVector, c: RationalVector, d: RationalVector
+) -> bool:
+    cases = ((a, b, c), (a, b, d), (c, d, a), (c, d, b))
+    turns = [sign(_cross(_minus(q, p), _minus(r, p))) for p, q, r in cases]
+    crossing = turns[0] * turns[1] < 0 and turns[2] * turns[3] < 0
+    return crossing or any(_parameter(*case) is not None for case in cases)
+
+
+def _parameter(
+    start: RationalVector, end: RationalVector, point: RationalVector
+) -> Fraction | None:
+    """Return where a point lies on a segment, 0 to 1, or None."""
+    along, away = _minus(end, start), _minus(point, start)
+    if _cross(along, away) != 0:
+        return None
+    s = (along[0] * away[0] + along[1] * away[1]) / (along[0] ** 2 + along[1] ** 2)
+    return s if 0 <= s <= 1 else None
+
+
+def _located(
+    corners: Sequence[RationalVector], place: Iterable[Any], index: int
+) -> tuple[int, RationalVector]:
+    """Return the edge that a point lies on."""
+    point = rational_vector(place, f"places[{index}]")
+    if len(point) != 2:
+        raise GraspError(f"places[{index}] has {len(point)} coordinates; give two, or an OnEdge")
+    if point in corners:
+        raise GraspError(
+            f"places[{index}] is corner {corners.index(point)}, where two normals meet; "
+            "name the edge with OnEdge(edge, at)"
+        )
+    for edge, start in enumerate(corners):
+        if _parameter(start, corners[(edge + 1) % len(corners)], point) is not None:
+            return edge, point
+    raise GraspError(f"places[{index}] is not on the boundary; name the edge with OnEdge(edge, at)")
+
+
+def _placed(
+    corners: Sequence[RationalVector], place: OnEdge, index: int
+) -> tuple[int, RationalVector]:
+    """Return the point at a parameter of an edge."""
+    edge, s = place.edge, rational(place.at, f"places[{index}].at")
+    if type(edge) is not int or not 0 <= edge < len(corners):
+        raise GraspError(f"places[{index}].edge is {edge!r}; edges are 0 to {len(corners) - 1}")
+    if not 0 <= s <= 1:
+        raise GraspError(f"places[{index}].at is {shown(s)}; it must be from 0 to 1")
+    start, end = corners[edge], corners[(edge + 1) % len(corners)]
+    return edge, tuple(x + s * (y - x) for x, y in zip(start, end, strict=True))
+
+
+def _minus(a: RationalVector, b: RationalVector) -> RationalVector:
+    return (a[0] - b[0], a[1] - b[1])
+
+
+def _cross(a: RationalVector, b: RationalVector) -> Fraction:
+    return a[0] * b[1] - a[1] * b[0]
+
+
+def read_polygon(source: Source, **options: Any) -> Conversion:
+    """Read contacts on a polygon from a JSON document.
+
+    The form is ``{"schema_version": 1, "polygon": [["0","0"], ...], "places": [{"edge": 0, "at":
+    "1/2", "friction": "1/2"}, {"point": ["2","0"], "friction": "1/2", "preload": "1"}]}``.
+
+    Args:
+        source: a path, a file or a mapping.
+        options: of `from_polygon`, as ``angle_tolerance``.
+
+    Raises:
+        InputError: for anything else.
+    """
+    document = read_document(source, ("polygon",))
+    check_keys(document, ("schema_version", "polygon", "places"), ("description",), "the document")
+    vertices = [
+        check_list(v, f"polygon[{i}]", 2)
+        for i, v in enumerate(check_list(document["polygon"], "polygon"))
+    ]
+    places: list[OnEdge | list[Any]] = []
+    columns: dict[str, Any] = {name: [] for name in VALUES}
+    for i, entry in enumerate(check_list(document["places"], "places")):
+        name = f"places[{i}]"
+        on_edge = isinstance(entry, Mapping) and "edge" in entry
+        required = ("edge", "at", "friction") if on_edge else ("point", "friction")
+        check_keys(entry, required, VALUES[1:], name)
+        places.append(
+            OnEdge(entry["edge"], entry["at"]) if on_edge else check_list(entry["point"], name, 2)
+        )
+        for column, default in (("friction", None), ("stiffness", 1), ("preload", 0)):
+            columns[column].append(entry.get(column, default))
+    return from_polygon(vertices, places, **columns, **options)

@@ -1,0 +1,1 @@
+"""Methods that ask whether forces exist in the cones of friction."""

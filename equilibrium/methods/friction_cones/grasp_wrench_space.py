@@ -1,0 +1,283 @@
+"""The Grasp Wrench Space of Ferrari and Canny ([Ferrari1992]), exact.
+
+It is the set of wrenches that contact forces inside their cones can give together when their
+normal parts are bounded: by 1 in sum (norm "L1": the convex hull of the cone edges and the
+origin) or by 1 each (norm "Linf": the Minkowski sum of one triangle for each contact). In the
+plane a friction cone has two edges, so nothing is linearised; in space a pyramid inside the round
+cone takes its place, and the hull has six dimensions. A wrench w is resisted, in the sense
+of this method, when a multiple of the space holds ``-w``. Springs, preload and slip play no part:
+this is the set of weakly stable loads.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+from fractions import Fraction
+from functools import cached_property
+from itertools import permutations, product
+from math import sqrt
+from typing import Any, Literal
+
+from arrangement.numbers.exact import (
+    IntegerVector,
+    RationalVector,
+    dot,
+    primitive,
+    rational,
+    rational_vector,
+    shown,
+    to_text,
+)
+from arrangement.numbers.linear.polyhedron import Polyhedron, from_generators
+from arrangement.numbers.linear.programs import Infeasible, Optimal, Row, minimize
+from arrangement.numbers.linear.rank import cross
+from equilibrium.methods.contact_laws.springs import Forces
+from equilibrium.methods.method import Accepting, Method, Outcome, cut
+from equilibrium.model.errors import GraspError
+from equilibrium.model.grasp import Grasp, read_wrench
+from equilibrium.plane.contact_rows import edge_directions, friction_edges, sum_row, unit_row
+from equilibrium.wrench_sets.plane import polygon_cycle
+
+Norm = Literal["L1", "Linf"]
+
+
+@dataclass(frozen=True)
+class WrenchSpaceVerdict(Accepting):
+    """Whether bounded forces inside the cones can balance a wrench.
+
+    Attributes:
+        accepts: some multiple of the space holds the opposite wrench.
+        least_force: the least such multiple: the least sum (L1) or least maximum (Linf) of normal
+            forces; None if refused.
+        forces: normal and tangential force at each contact that reach it; None if refused.
+        separating_motion: if refused, a motion d with ``w . d = 1`` along which no force inside
+            any cone does negative work.
+    """
+
+    accepts: bool
+    least_force: Fraction | None
+    forces: Forces | None
+    separating_motion: RationalVector | None
+
+
+@dataclass(frozen=True)
+class GraspWrenchSpace:
+    """The space of one grasp.
+
+    Args:
+        grasp: the contacts; only points, normals and friction count.
+        norm: "L1" or "Linf" (see this module).
+        pyramid: edges of the friction pyramids of a grasp in space, see `pyramid_edges`.
+        length: a length that torques are divided by, above 0. `volume` and `epsilon_squared`
+            mix forces and torques, so they depend on it, and on the origin of the frame; force
+            closure and verdicts do not.
+
+    >>> from equilibrium.model.contact import Contact
+    >>> from equilibrium.model.grasp import Grasp
+    >>> squeeze = [Contact([-1, 0], [1, 0], 1), Contact([1, 0], [-1, 0], 1)]
+    >>> GraspWrenchSpace(Grasp(squeeze)).force_closure
+    True
+    """
+
+    grasp: Grasp
+    norm: Norm = "L1"
+    length: Fraction = Fraction(1)
+    pyramid: int = 4
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "length", rational(self.length, "length"))
+        if self.norm not in ("L1", "Linf"):
+            raise GraspError(f"norm is {self.norm!r}; it must be 'L1' or 'Linf'")
+        if self.length <= 0:
+            raise GraspError(f"length is {shown(self.length)}; it must be above 0")
+
+    @cached_property
+    def polytope(self) -> Polyhedron:
+        """The space with torques divided by `length`; flat where the forces are."""
+        edges = [
+            [self._scaled(edge) for edge in friction_edges(c, self.pyramid)] for c in self.grasp
+        ]
+        zero = (Fraction(0),) * self._axes
+        if self.norm == "L1":
+            return _hull([zero, *(edge for pair in edges for edge in pair)])
+        found = _hull([zero])
+        for pair in edges:
+            sums = product(found.points, (zero, *pair))
+            found = _hull([sum_row(one, other, 1) for one, other in sums])
+        return found
+
+    @property
+    def facets(self) -> tuple[IntegerVector, ...]:
+        """The conditions ``a . x + b >= 0`` of the facets; none where the space is flat."""
+        return self.polytope.inequalities if self.polytope.dimension == self._axes else ()
+
+    @property
+    def force_closure(self) -> bool:
+        """Whether every wrench is resisted: the origin lies strictly inside."""
+        return bool(self.facets) and all(row[-1] > 0 for row in self.facets)
+
+    @property
+    def epsilon_squared(self) -> Fraction:
+        """The squared radius of the largest ball about the origin inside the space, exact."""
+        if not self.force_closure:
+            return Fraction(0)
+        return min(Fraction(row[-1] ** 2, dot(row[:-1], row[:-1])) for row in self.facets)
+
+    @property
+    def epsilon(self) -> float:
+        """The quality measure of Ferrari and Canny: the root of `epsilon_squared`, rounded."""
+        return sqrt(self.epsilon_squared)
+
+    @property
+    def volume(self) -> Fraction:
+        """The exact volume of the space; 0 where it is flat.
+
+        Raises:
+            GraspError: a grasp in space.
+        """
+        self.grasp.require_plane()
+        return _volume(self.polytope)
+
+    def verdict(self, wrench: Iterable[Any]) -> WrenchSpaceVerdict:
+        """Return whether the method counts a wrench as resisted; one exact linear program."""
+        load = read_wrench(wrench, self.grasp.dimension)
+        directions = [edge_directions(contact, self.pyramid) for contact in self.grasp]
+        columns = [edge for c in self.grasp for edge in friction_edges(c, self.pyramid)]
+        n, k = len(columns), len(directions[0]) if directions else 2
+        # Variables: a factor for each cone edge, then the bound on single normal forces.
+        rows = [unit_row(j, n + 1) for j in range(n + 1)]
+        if self.norm == "Linf":
+            rows += [
+                tuple(x - sum(column) for x, *column in zip(rows[n], *rows[j : j + k], strict=True))
+                for j in range(0, n, k)
+            ]
+        balance: list[Row] = [
+            [*(c[i] for c in columns), Fraction(0), x] for i, x in enumerate(load)
+        ]
+        objective = [0] * n + [1] if self.norm == "Linf" else [1] * n + [0]
+        answer = minimize(objective, rows, balance)
+        if isinstance(answer, Optimal):
+            forces = tuple(
+                (
+                    sum(parts),
+                    *(contact.friction * dot(parts, axis) for axis in zip(*edges, strict=True)),
+                )
+                for contact, edges, j in zip(self.grasp, directions, range(0, n, k), strict=True)
+                for parts in [answer.point[j : j + k]]
+            )
+            return WrenchSpaceVerdict(True, answer.value, forces, None)
+        assert isinstance(answer, Infeasible)
+        motion = tuple(-z for z in answer.equality_multipliers)
+        return WrenchSpaceVerdict(False, None, None, motion)
+
+    def slice(
+        self,
+        origin: Iterable[Any] = (0, 0, 0),
+        first: Iterable[Any] = (1, 0, 0),
+        second: Iterable[Any] = (0, 1, 0),
+    ) -> tuple[RationalVector, ...]:
+        """Return the resisted wrenches ``origin + u first + v second`` as an exact polygon.
+
+        Returns:
+            The corners (u, v) of ``{w : -w in the space}`` cut by the plane, counter-clockwise;
+            two for a segment, one for a point, none if the plane misses it. The default plane
+            holds the forces at zero torque, as in the paper's figure.
+        """
+        self.grasp.require_plane()
+        o, a, b = (rational_vector(v, "plane") for v in (origin, first, second))
+        if not any(cross(a, b)):
+            raise GraspError("first and second are parallel; give two that span a plane")
+        polygon = self.resisted.cut(o, (a, b))
+        if polygon is None:
+            return ()
+        corners = polygon_cycle(polygon)
+        least = corners.index(min(corners))
+        return (*corners[least:], *corners[:least])
+
+    @cached_property
+    def resisted(self) -> Polyhedron:
+        """The wrenches that forces within the bounds balance."""
+        self.grasp.require_plane()
+        s = self.length
+        return _hull([(-x, -y, -s * torque) for x, y, torque in self.polytope.points])
+
+    def _scaled(self, wrench: RationalVector) -> RationalVector:
+        forces = self.grasp.dimension
+        return (*wrench[:forces], *(torque / self.length for torque in wrench[forces:]))
+
+    @property
+    def _axes(self) -> int:
+        return 3 if self.grasp.dimension == 2 else 6
+
+
+def _hull(points: Iterable[RationalVector]) -> Polyhedron:
+    """Return the convex hull of finitely many points, at least one."""
+    rays = [primitive((*p, Fraction(1))) for p in points]
+    found = from_generators(rays, (), len(rays[0]) - 1)
+    assert found is not None
+    return found
+
+
+def _volume(polytope: Polyhedron) -> Fraction:
+    """Return the volume of a polytope in space.
+
+    It is cut into the tetrahedra of one vertex, one of each facet, and the edges of the facet.
+    """
+    if polytope.dimension < 3:
+        return Fraction(0)
+    apex, *_ = polytope.points
+    away = [tuple(x - y for x, y in zip(p, apex, strict=True)) for p in polytope.points]
+    facets = [
+        {i for i, point in enumerate(polytope.homogeneous[0]) if dot(row, point) == 0}
+        for row in polytope.inequalities
+    ]
+    total = Fraction(0)
+    for facet, other in permutations(facets, 2):
+        edge = facet & other
+        if len(edge) == 2 and 0 not in facet:
+            one, two = (away[i] for i in edge)
+            total += abs(dot(away[min(facet)], cross(one, two)))
+    return total / 6
+
+
+def _decide(grasp: Grasp, wrench: RationalVector, pyramid: int = 4) -> Outcome:
+    found = GraspWrenchSpace(grasp, pyramid=pyramid).verdict(wrench)
+    if found.least_force is None:
+        return False, "no forces inside the cones balance it"
+    return True, f"total normal force at least {to_text(found.least_force)}"
+
+
+#: In six dimensions the hull of more edges takes seconds and more.
+MOST_IN_HULL = 16
+
+
+def _decide_in_space(grasp: Grasp, wrench: RationalVector, pyramid: int | None) -> Outcome:
+    edges = pyramid or 4
+    accepts, remark = _decide(grasp, wrench, edges)
+    if edges * len(grasp) <= MOST_IN_HULL:
+        space = GraspWrenchSpace(grasp, pyramid=edges)
+        remark += f"; epsilon {space.epsilon:.4g}" if space.force_closure else "; no force closure"
+    return accepts, f"pyramids of {edges} edges: {remark}"
+
+
+#: Without a bound of the forces.
+WRENCH_SPACE = Method(
+    "wrench-space",
+    "Grasp Wrench Space (Ferrari, Canny 1992)",
+    "wrench space, unbounded",
+    _decide,
+    decide_in_space=_decide_in_space,
+)
+WRENCH_SPACE_L1 = Method(
+    "wrench-space-L1",
+    "Grasp Wrench Space, normal forces with sum at most 1",
+    "wrench space, L1",
+    find_region=cut(lambda grasp: [GraspWrenchSpace(grasp, "L1").resisted]),
+)
+WRENCH_SPACE_LINF = Method(
+    "wrench-space-Linf",
+    "Grasp Wrench Space, normal forces at most 1 each",
+    "wrench space, L∞",
+    find_region=cut(lambda grasp: [GraspWrenchSpace(grasp, "Linf").resisted]),
+)

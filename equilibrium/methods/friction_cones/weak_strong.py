@@ -1,0 +1,249 @@
+"""Weak, strong and frictionless stability of a load ([Pang2000]).
+
+Rigid bodies: no springs and no preload. The classes come from the motion that starts from rest.
+With a mass matrix M, the accelerations a and contact forces satisfy ``M a = w + sum (c_n N + c_t
+T)``, ``0 <= c_n``, ``N . a >= 0``, ``c_n (N . a) = 0``, and Coulomb's law on T . a (maximum
+dissipation). A load is
+
+- *weakly stable* when some solution has a = 0: forces inside the cones balance it (one program);
+- *strongly stable* when it is weakly stable and every solution has a = 0;
+- *frictionless stable* when normal forces alone balance it (one program). By Farkas' lemma this
+  is the same as ``w . a <= 0`` for every a with all ``N . a >= 0``: no permitted virtual motion
+  gains work.
+
+Along a solution with a != 0 the load does positive work: ``a . M a = w . a - sum mu c_n |T . a|``,
+so a frictionless stable load is strongly stable for every friction, as Pang and Trinkle show. The
+paper describes strong stability by non-positive virtual work; read for the load alone, that is the
+frictionless class, so here it is decided from the definition.
+
+Strong stability asks for a != 0, so the signs of all ``N . a`` and ``T . a`` are fixed first: the
+faces of 2m planes through the origin, each one exact linear program. It depends on M.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+from itertools import product
+from typing import Any
+
+from arrangement.arrangement import Arrangement
+from arrangement.numbers.exact import RationalVector, primitive, rational, shown, to_text
+from arrangement.numbers.linear.polyhedron import Polyhedron, from_generators
+from arrangement.numbers.linear.programs import Infeasible, Unbounded, feasible_point, minimize
+from equilibrium.methods.method import Method, Outcome, cut
+from equilibrium.model.errors import GraspError
+from equilibrium.model.grasp import Grasp, read_wrench
+from equilibrium.model.outline import coordinates
+from equilibrium.model.pyramid import pyramid_words
+from equilibrium.plane.contact_rows import (
+    balance_rows,
+    cone_rows,
+    friction_edges,
+    negated,
+    slip_row,
+    sum_row,
+    unit_row,
+)
+
+from .grasp_wrench_space import GraspWrenchSpace
+from .round_cones import round_cones
+
+
+@dataclass(frozen=True)
+class LoadStability:
+    """The classes of a load.
+
+    Attributes:
+        weak, strong, frictionless: each class, as defined in this module.
+        acceleration: of a weakly stable load that is not strongly stable: one that may start.
+        virtual_motion: of a load that is not frictionless stable: a motion with ``w . d = 1`` and
+            all ``N . d >= 0``.
+    """
+
+    weak: bool
+    strong: bool
+    frictionless: bool
+    acceleration: RationalVector | None
+    virtual_motion: RationalVector | None
+
+    def __bool__(self) -> bool:
+        raise GraspError("a load has three classes; ask for .weak, .strong or .frictionless")
+
+
+def weak_strong(
+    grasp: Grasp,
+    wrench: Iterable[Any],
+    *,
+    mass: Any = 1,
+    inertia: Any = 1,
+    centre: Iterable[Any] = (0, 0),
+) -> LoadStability:
+    """Classify a load exactly.
+
+    Args:
+        grasp: points, normals and friction count.
+        wrench: applied.
+        mass, inertia: above 0; the inertia is about the centre of mass.
+        centre: of mass, in the object frame.
+    """
+    grasp.require_plane()
+    load = read_wrench(wrench)
+    matrix = mass_matrix(mass, inertia, centre)
+    frictionless = GraspWrenchSpace(grasp.with_friction(0)).verdict(load)
+    weak = frictionless.accepts or GraspWrenchSpace(grasp).verdict(load).accepts
+    moving = None
+    if weak and not frictionless.accepts:
+        moving = _starting_acceleration(grasp, load, matrix)
+    return LoadStability(
+        weak,
+        weak and moving is None,
+        frictionless.accepts,
+        moving,
+        frictionless.separating_motion,
+    )
+
+
+def mass_matrix(mass: Any, inertia: Any, centre: Iterable[Any]) -> tuple[RationalVector, ...]:
+    """Return the mass matrix about the origin of the frame.
+
+    Raises:
+        GraspError: a mass or inertia that is not above 0, or a centre without two coordinates.
+    """
+    m, i = rational(mass, "mass"), rational(inertia, "inertia")
+    if m <= 0 or i <= 0:
+        raise GraspError(f"mass is {shown(m)} and inertia {shown(i)}; both must be above 0")
+    x, y = coordinates(centre, "centre", 2)
+    zero = Fraction(0)
+    return ((m, zero, -m * y), (zero, m, m * x), (-m * y, m * x, i + m * (x * x + y * y)))
+
+
+def _starting_acceleration(
+    grasp: Grasp, load: RationalVector, matrix: Sequence[RationalVector]
+) -> RationalVector | None:
+    """Return a nonzero acceleration with which the load may move the object, or None."""
+    planes = Arrangement(
+        [c.normal_wrench for c in grasp] + [c.tangential_wrench for c in grasp], dimension=3
+    )
+    m = len(grasp)
+    seen: set[tuple[tuple[int, int], ...]] = set()
+    for face in planes.faces():
+        signs = tuple(zip(face.signs[:m], face.signs[m:], strict=True))
+        if any(normal < 0 for normal, _ in signs):
+            continue
+        # Where the contact opens, its slip does not matter.
+        label = tuple((normal, 0 if normal else slip) for normal, slip in signs)
+        if label in seen:
+            continue
+        seen.add(label)
+        found = _nonzero_solution(*_system(grasp, load, matrix, label))
+        if found is not None:
+            return found
+    return None
+
+
+def _system(
+    grasp: Grasp,
+    load: RationalVector,
+    matrix: Sequence[RationalVector],
+    label: tuple[tuple[int, int], ...],
+) -> tuple[int, list[RationalVector], list[RationalVector]]:
+    """Return the closed linear conditions of one choice of signs, over a, all c_n and all c_t."""
+    m = len(grasp)
+    n = 3 + 2 * m
+    pairs = [(unit_row(3 + i, n), unit_row(3 + m + i, n)) for i in range(m)]
+    forces = balance_rows(grasp, pairs, load, n)
+    inertia = ((*row, *[Fraction(0)] * (n - 2)) for row in matrix)
+    equalities = [sum_row(a, b, -1) for a, b in zip(forces, inertia, strict=True)]
+    inequalities: list[RationalVector] = []
+    for contact, (push, friction), (normal, slip) in zip(grasp, pairs, label, strict=True):
+        opening = (*contact.normal_wrench, *[Fraction(0)] * (n - 2))
+        sliding = slip_row(contact, n)
+        if normal > 0:
+            inequalities.append(opening)
+            equalities += [push, friction]
+            continue
+        inequalities.append(push)
+        equalities.append(opening)
+        if slip:
+            inequalities.append(tuple(slip * x for x in sliding))
+            equalities.append(sum_row(friction, push, slip * contact.friction))
+        else:
+            equalities.append(sliding)
+            inequalities += cone_rows(contact.friction, push, friction)
+    return n, inequalities, equalities
+
+
+def _nonzero_solution(
+    n: int, inequalities: list[RationalVector], equalities: list[RationalVector]
+) -> RationalVector | None:
+    """Return the first three entries of a solution in which they are not all zero, if any."""
+    point = feasible_point(n, inequalities, equalities)
+    if isinstance(point, Infeasible):
+        return None
+    if any(point[:3]):
+        return point[:3]
+    for axis, side in product(range(3), (1, -1)):
+        answer = minimize([side * x for x in unit_row(axis, n)[:-1]], inequalities, equalities)
+        assert not isinstance(answer, Infeasible)
+        found = answer.point
+        if isinstance(answer, Unbounded):
+            found = sum_row(found, answer.ray, 1)
+        if any(found[:3]):
+            return found[:3]
+    return None
+
+
+def _decide_weak(grasp: Grasp, wrench: RationalVector) -> Outcome:
+    return GraspWrenchSpace(grasp).verdict(wrench).accepts, "forces inside the cones exist"
+
+
+def _decide_weak_in_space(grasp: Grasp, wrench: RationalVector, pyramid: int | None) -> Outcome:
+    if pyramid is not None:
+        held = GraspWrenchSpace(grasp, pyramid=pyramid).verdict(wrench).accepts
+        return held, f"{'' if held else 'no '}forces inside {pyramid_words(pyramid)}"
+    accepts = round_cones(grasp, wrench).accepts
+    if accepts is None:
+        return None, "undecided: the load is at the border of what round cones give"
+    verb = "exist" if accepts else "do not exist"
+    return accepts, f"forces inside the round cones {verb}, proved"
+
+
+def _decide_strong(grasp: Grasp, wrench: RationalVector) -> Outcome:
+    found = weak_strong(grasp, wrench)
+    if found.acceleration is None:
+        return found.strong, "unit mass and inertia about the origin"
+    return False, f"may start with acceleration ({', '.join(map(to_text, found.acceleration))})"
+
+
+def _decide_frictionless(
+    grasp: Grasp, wrench: RationalVector, pyramid: int | None = None
+) -> Outcome:
+    del pyramid
+    return GraspWrenchSpace(grasp.with_friction(0)).verdict(wrench).accepts, "normal forces alone"
+
+
+def _balanced(forces: Iterable[RationalVector]) -> Iterator[Polyhedron | None]:
+    """Yield the cone of the wrenches that combinations of forces balance."""
+    rays = [(*primitive(negated(force)), 0) for force in forces]
+    yield from_generators([(0, 0, 0, 1), *rays], (), 3)
+
+
+WEAK = Method(
+    "weak",
+    "weakly stable (Pang, Trinkle 2000)",
+    "weakly stable",
+    _decide_weak,
+    cut(lambda grasp: _balanced(edge for c in grasp for edge in friction_edges(c))),
+    decide_in_space=_decide_weak_in_space,
+)
+STRONG = Method("strong", "strongly stable (Pang, Trinkle 2000)", "strongly stable", _decide_strong)
+FRICTIONLESS = Method(
+    "frictionless",
+    "frictionless stable (Pang, Trinkle 2000)",
+    "frictionless stable",
+    _decide_frictionless,
+    cut(lambda grasp: _balanced(c.normal_wrench for c in grasp)),
+    decide_in_space=_decide_frictionless,
+)

@@ -1,0 +1,1 @@
+"""A grasp in the plane, its forces and motions, and proofs about it."""

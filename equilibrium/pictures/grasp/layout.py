@@ -1,0 +1,183 @@
+"""What a picture of a grasp shows, in paper coordinates: exact until the last division."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable
+from dataclasses import dataclass, field
+from fractions import Fraction
+from typing import Any
+
+import numpy as np
+
+from arrangement.drawing.scene.items import Floats
+from arrangement.drawing.scene.labels import flattened
+from arrangement.numbers.exact import RationalVector
+from equilibrium.decide.verdict import Verdict
+from equilibrium.model.errors import GraspError
+from equilibrium.model.grasp import Grasp
+from equilibrium.model.outline import Polygon
+from equilibrium.pictures.style import nice_near, rounded
+from equilibrium.plane.search.state_equilibrium import Solution
+from equilibrium.plane.states.contact_states import states_at
+from equilibrium.plane.states.equilibrium import Equilibrium
+from equilibrium.plane.states.state_system import States
+
+from .body import Frame, body, frame_of, free_lengths, stated_body
+
+#: Lengths on paper, where the contacts fill [-1, 1]: cones, the largest force, its torque arc.
+CONE, FORCE, ARC = 0.42, 0.65, 0.2
+#: The largest displacement that is drawn.
+MOVED = 0.22
+#: Points on the rim of a cone.
+_RIM = 17
+#: The least length of a force that is not zero.
+_LEAST = 1e-9
+
+
+@dataclass
+class Layout:
+    """What is to be drawn, in paper coordinates.
+
+    Attributes:
+        reference: the largest force component; arrows of forces are `FORCE` for `longest` of it.
+        arms: for each contact the contact force on paper, or None.
+        found: the equilibrium that is drawn, if there is one.
+        cones: the rim of each friction cone (see `_cone_rim`).
+        states: at the motion that is drawn, often on the boundary of the set of solutions, where
+            a contact that may slip does not.
+        step: the exact factor that the motion is drawn with, or None when nothing moves.
+    """
+
+    grasp: Grasp
+    verdict: Verdict | None
+    found: Equilibrium | Solution | None
+    frame: Frame
+    curve: Floats | None
+    given: bool
+    origin: Floats
+    applied: RationalVector | None
+    moved: bool
+    reference: Fraction = Fraction(0)
+    longest: float = 1.0
+    places: list[Floats] = field(default_factory=list)
+    normals: list[Floats] = field(default_factory=list)
+    arms: list[Floats | None] = field(default_factory=list)
+    preloads: list[float] = field(default_factory=list)
+    cones: list[Floats] = field(default_factory=list)
+    load: Floats | None = None
+    step: Fraction | None = None
+    states: States = ()
+
+
+def layout_of(
+    grasp: Grasp, verdict: Verdict | None, outline: Iterable[Iterable[Any]] | None, piece: int
+) -> Layout:
+    """Return all that a picture of a grasp shows (see `draw_grasp` for the arguments)."""
+    shape = grasp.outline if outline is None else Polygon(outline)
+    frame = frame_of(grasp, shape)
+    curve = body(grasp, frame) if shape is None else stated_body(shape, frame)
+    applied = None if verdict is None else verdict.wrench
+    far = any(abs(x) > Fraction(3, 2) * frame.size for x in frame.centre)
+    place: RationalVector = (Fraction(0), Fraction(0))
+    if far:
+        place = frame.centre
+        if applied is not None:
+            x, y, torque = applied
+            applied = (x, y, torque - (place[0] * y - place[1] * x))
+    layout = Layout(
+        grasp, verdict, _chosen(verdict, piece), frame, curve, shape is not None,
+        frame.paper(place), applied, far,
+    )  # fmt: skip
+    layout.places = [frame.paper(c.point) for c in grasp]
+    layout.normals = [np.array([float(x) for x in c.normal]) for c in grasp]
+    layout.cones = [
+        _cone_rim(curve, place, normal, contact.friction)
+        for contact, place, normal in zip(grasp, layout.places, layout.normals, strict=True)
+    ]
+    _scale_forces(layout)
+    if layout.found is not None:
+        layout.states = states_at(grasp, layout.found.motion)
+        layout.step = _step(layout.found.motion, frame, grasp)
+    return layout
+
+
+def _chosen(verdict: Verdict | None, piece: int) -> Equilibrium | Solution | None:
+    """Return an equilibrium by its number; of many contacts the one that was found is the first."""
+    if verdict is None or (piece == 1 and not (verdict.stable and verdict.lists_all())):
+        return None if verdict is None else verdict.solution
+    if not 1 <= piece <= len(verdict.equilibria):
+        raise GraspError(f"piece is {piece}; there are {len(verdict.equilibria)} equilibria")
+    return verdict.equilibria[piece - 1]
+
+
+def _cone_rim(curve: Floats | None, place: Floats, normal: Floats, friction: Fraction) -> Floats:
+    """Return points on the rim of a friction cone from edge to edge; their number is odd.
+
+    It stays inside the outline, if there is one, and is shorter on all sides where that helps.
+    """
+    half = math.atan(rounded(friction))
+    angles: Floats = math.atan2(normal[1], normal[0]) + np.linspace(-half, half, _RIM)
+    ways: Floats = np.stack([np.cos(angles), np.sin(angles)], axis=1)
+    if curve is None:
+        return place + CONE * ways
+    free = free_lengths(flattened(curve), place, angles)
+    reach = np.minimum(free, max(min(CONE, 0.92 * float(free.min())), CONE / 2))
+    return place + reach[:, None] * ways
+
+
+def _scale_forces(layout: Layout) -> None:
+    """Turn all forces into arrows of one scale; exact until the largest one is known."""
+    forces: list[RationalVector | None] = [None] * len(layout.grasp)
+    if layout.found is not None:
+        for i, (c, (c_n, c_t)) in enumerate(zip(layout.grasp, layout.found.forces, strict=True)):
+            forces[i] = tuple(c_n * n + c_t * t for n, t in zip(c.normal, c.tangent, strict=True))
+    load = None if layout.applied is None else layout.applied[:2]
+    every = [f for f in (*forces, load) if f is not None]
+    preloads = [c.preload for c in layout.grasp]
+    layout.reference = max((abs(x) for f in [*every, preloads] for x in f), default=Fraction(0))
+    unit = layout.reference or Fraction(1)
+
+    def share(force: RationalVector) -> Floats:
+        return np.array([float(x / unit) for x in force])
+
+    lengths = [float(np.linalg.norm(share(f))) for f in every]
+    layout.longest = max([*lengths, *(float(q / unit) for q in preloads)], default=1.0) or 1.0
+    factor = FORCE / layout.longest
+    arms = [None if f is None or not any(f) else _arm(f, unit, factor) for f in (*forces, load)]
+    *layout.arms, layout.load = arms
+    layout.preloads = [max(factor * float(q / unit), _LEAST) if q else 0.0 for q in preloads]
+
+
+def _arm(force: RationalVector, unit: Fraction, factor: float) -> Floats:
+    """Return a force on paper; one too small for a float keeps its direction."""
+    own = max(map(abs, force))
+    direction = np.array([float(x / own) for x in force])
+    length = float(np.linalg.norm(direction))
+    arm: Floats = direction / length * max(factor * float(own / unit) * length, _LEAST)
+    return arm
+
+
+def _step(motion: RationalVector, frame: Frame, grasp: Grasp) -> Fraction | None:
+    """Return a round factor with which no contact moves further than `MOVED` on paper."""
+    shifts = [abs(x) for c in grasp for x in shift_at(motion, c.point)]
+    largest = max(shifts, default=Fraction(0))
+    if not largest:
+        return None
+    return nice_near(Fraction(MOVED) * frame.size / largest)
+
+
+def shift_at(motion: RationalVector, point: RationalVector) -> RationalVector:
+    """Return the displacement of a point, to first order."""
+    return (motion[0] - motion[2] * point[1], motion[1] + motion[2] * point[0])
+
+
+def displaced(layout: Layout, places: Floats) -> Floats:
+    """Return paper points after the motion, to first order."""
+    assert layout.found is not None
+    assert layout.step is not None
+    x, y = shift_at(layout.found.motion, layout.frame.centre)
+    shift = np.array([float(layout.step * v / layout.frame.size) for v in (x, y)])
+    turn = float(layout.step * layout.found.motion[2])
+    moved: Floats = places + shift + turn * np.stack([-places[:, 1], places[:, 0]], axis=1)
+    return moved

@@ -1,0 +1,165 @@
+"""Arrows, cones and marks of contact states on a scene, and labels that keep apart."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+
+from arrangement.drawing.colours import VERMILION
+from arrangement.drawing.scene.items import Floats
+from arrangement.drawing.scene.labels import keep_off
+from arrangement.drawing.scene.measuring import FONT, POINTS
+from arrangement.drawing.scene.scene import Scene
+from arrangement.pictures.sphere.projections import joined
+
+#: How far from the wanted direction labels are tried: ahead and aside first, then behind.
+_TURNS = (0, 0.5, -0.5, 1, -1, 1.6, -1.6, 2.3, -2.3, 3.1)
+
+
+def arrow(
+    scene: Scene, start: Floats, end: Floats, size: float = 1.5, **style: Any
+) -> list[Floats]:
+    """Draw an arrow, never so short that what is not zero cannot be seen; return its corners.
+
+    Args:
+        size: of its head, and of its least length, in units of 2.5 points.
+    """
+    along = end - start
+    along = along / float(np.linalg.norm(along))
+    length = max(float(np.linalg.norm(end - start)), 2.5 * size)
+    side = np.array([-along[1], along[0]])
+    head = min(6.5 * size, 0.7 * length)
+    wide, thin = 0.42 * head, min(0.8 * size, 0.1 * head)
+    end = start + length * along
+    neck = end - head * along
+    corners = [
+        start + thin * side, neck + thin * side, neck + wide * side, end,
+        neck - wide * side, neck - thin * side, start - thin * side,
+    ]  # fmt: skip
+    scene.polygon(corners, **{"joinstyle": "miter", "role": "arrow", **style})
+    return [*corners, corners[0]]
+
+
+def arc(centre: Floats, radius: float, start: float, sweep: float) -> Floats:
+    """Return a circular arc as control points (13, 2) of cubic curves; angles in radians."""
+    angles = np.linspace(start, start + sweep, 5)
+    handle = 4 / 3 * math.tan(sweep / 16)
+    radial = np.stack([np.cos(angles), np.sin(angles)], axis=1)
+    tangent = np.stack([-radial[:, 1], radial[:, 0]], axis=1)
+    return centre + radius * joined(radial, handle * tangent)
+
+
+def turning_arrow(scene: Scene, centre: Floats, radius: float, way: int, **style: Any) -> None:
+    """Draw an arc about a centre and its head; it turns counter-clockwise for `way` 1."""
+    start, sweep = math.radians(-50), math.radians(250)
+    curve = arc(centre, radius, start if way > 0 else math.pi - start, way * sweep)
+    out = (curve[-1] - centre) / radius
+    ahead = way * np.array([-out[1], out[0]])
+    head = [curve[-1] + 4.5 * ahead, curve[-1] + 2.6 * out, curve[-1] - 2.6 * out]
+    gid, colour, order = style["gid"], style["color"], style["zorder"]
+    scene.curve(curve, fill=False, ec=colour, lw=1.5, gid=gid, zorder=order)
+    scene.polygon(head, fc=colour, ec="none", gid=f"{gid}-head", zorder=order, role="arrow")
+
+
+def mark(
+    scene: Scene, state: str, place: Floats, tangent: Floats, size: float = 6.0, **style: Any
+) -> None:
+    """Draw the mark of a contact state; the triangle of a slip points where the object slips."""
+    style = {"ec": "black", "lw": 0.8, **style}
+    if state == "detached":
+        scene.circle(place, 0.5 * size, fc="white", **style)
+        return
+    across = np.array([-tangent[1], tangent[0]])
+    if state == "stick":
+        corners = [(1, 1), (-1, 1), (-1, -1), (1, -1)]
+        square = [place + 0.45 * size * (a * tangent + b * across) for a, b in corners]
+        scene.polygon(square, fc="black", **style)
+        return
+    ahead = tangent if state == "slip+" else -tangent
+    base = [place - 0.5 * size * ahead + side * 0.62 * size * across for side in (1, -1)]
+    scene.polygon([place + 0.8 * size * ahead, *base], fc="#bdbdbd", **style)
+
+
+def fitted(
+    width: float, points: Floats, tallest: float | None = None, margin: float = 6 * POINTS
+) -> tuple[Scene, float, Floats]:
+    """Return an empty sheet, and the scale and shift that put points (k, 2) on it.
+
+    Args:
+        width: of the sheet, in millimetres.
+        points: whose box is to fill it but for a margin.
+        tallest: height of the sheet, at most; if omitted, the box is a little lower than wide.
+        margin: in points.
+    """
+    low, high = points.min(axis=0), points.max(axis=0)
+    wide, spread = width * POINTS, np.maximum(high - low, 1e-3)
+    room = 0.95 * wide if tallest is None else tallest * POINTS - 2 * margin
+    scale = float(min((wide - 2 * margin) / spread[0], room / spread[1]))
+    scene = Scene(width, (scale * float(spread[1]) + 2 * margin) / POINTS)
+    return scene, scale, np.array([scene.width, scene.height]) / 2 - scale * (low + high) / 2
+
+
+class Labels:
+    """Places for labels that overlap neither each other nor what is drawn, on the sheet."""
+
+    def __init__(self, scene: Scene) -> None:
+        self.scene = scene
+        self._boxes: list[Floats] = []
+        self._lines: list[Floats] = []
+        self._tree: Any = None
+
+    def avoid(self, *lines: Any) -> None:
+        """Keep labels off lines through points (k, 2)."""
+        self._lines += map(np.asarray, lines)
+        self._tree = None
+
+    def place(self, text: str, wanted: Any) -> Floats:
+        """Return the first wanted centre that is free, else the one that covers least."""
+        import shapely
+
+        half = np.array([self.scene.measure(text)[0] / 2 + 1, FONT / 2 + 0.5])
+        centres = np.asarray(wanted)
+        low, high = centres - half, centres + half
+        others = np.array(self._boxes).reshape(-1, 2, 2)
+        shared = np.minimum(high[:, None], others[:, 1]) - np.maximum(low[:, None], others[:, 0])
+        paper = np.array([self.scene.width, self.scene.height])
+        off = np.maximum(-low, 0).sum(axis=1) + np.maximum(high - paper, 0).sum(axis=1)
+        self._tree = self._tree or keep_off(self._lines)
+        rooms = shapely.box(*(low - 0.6).T, *(high + 0.6).T)
+        met = np.bincount(self._tree.query(rooms, "intersects")[0], minlength=len(rooms))
+        taken = met + 1000 * (np.maximum(shared, 0).prod(axis=2).sum(axis=1) + off)
+        best = int(np.argmin(taken))
+        self._boxes.append(np.array([low[best], high[best]]))
+        found: Floats = centres[best]
+        return found
+
+    def beside(self, text: str, at: Floats, out: Floats, **style: Any) -> None:
+        """Write a text near a point, in a direction if that is free."""
+        start, half = math.atan2(out[1], out[0]), self.scene.measure(text)[0] / 2
+        angles = start + np.array(_TURNS)
+        ways = np.stack([np.cos(angles), np.sin(angles)], axis=1)
+        wider = np.stack([np.copysign(max(0.0, half - 3), ways[:, 0]), 0 * angles], axis=1)
+        wanted = [
+            at + reach * ways[part] + wider[part]
+            for part in (slice(0, 7), slice(7, None))
+            for reach in (8, 11, 15, 20, 26, 34)
+        ]
+        place = self.place(text, np.concatenate(wanted))
+        self.scene.text(place, text, **{"halo": (1.5, "white"), "zorder": 7, **style})
+
+    def name_wrench(self, ends: Sequence[Floats], away: tuple[Floats, float] | None = None) -> None:
+        """Write w beside one of some points, farther from a place than a distance."""
+        ways = [k * math.pi / 4 + 0.4 for k in range(8)]
+        wanted = [
+            end + reach * np.array([math.cos(k), math.sin(k)])
+            for reach in (9, 13, 18)
+            for end in ends
+            for k in ways
+        ]
+        if away is not None:
+            wanted = [at for at in wanted if np.linalg.norm(at - away[0]) > away[1]]
+        self.scene.text(self.place("w", wanted), "w", color=VERMILION, style="italic",
+                        weight="bold", halo=(1.5, "white"), zorder=7)  # fmt: skip

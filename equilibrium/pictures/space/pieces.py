@@ -1,0 +1,141 @@
+"""Arrows, arcs and screws as pieces of solids."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+from itertools import pairwise
+
+import numpy as np
+
+from arrangement.drawing.scene.items import Floats
+from arrangement.drawing.solids.surface import Patch
+from arrangement.numbers.exact import IntegerVector, dot, primitive
+from arrangement.numbers.linear.rank import cross
+
+#: Sides of the head of an arrow; its length and radius.
+_HEAD_SIDES, _HEAD, _HEAD_RADIUS = 6, 0.09, 0.03
+_GRID = 1 << 20
+
+
+@dataclass(frozen=True)
+class Arrow:
+    """An arrow or, with `headless`, a segment, in picture coordinates."""
+
+    name: str
+    start: Floats
+    end: Floats
+    headless: bool = False
+
+
+def arc(
+    name: str, centre: Floats, axis: Floats, radius: float, rise: float, turns: float
+) -> Iterator[Arrow]:
+    """Yield segments of a circle or helix around an axis, the last one as an arrow."""
+    side = np.cross(axis, np.eye(3)[int(np.abs(axis).argmin())])
+    side /= np.linalg.norm(side)
+    count = max(8, round(24 * turns))
+    angles = np.linspace(0, 2 * math.pi * turns, count + 1)[:, None]
+    ring = np.cos(angles) * side + np.sin(angles) * np.cross(axis, side)
+    ends = centre + radius * ring + rise * (angles / (2 * math.pi) - turns / 2) * axis
+    for k, (p, q) in enumerate(pairwise(ends)):
+        yield Arrow(name, p, q, headless=k < count - 1)
+
+
+def head_of(arrow: Arrow) -> tuple[Floats, Floats]:
+    """Return the tip of an arrow and the ring around its neck."""
+    along = arrow.end - arrow.start
+    length = float(np.linalg.norm(along))
+    along = along / length
+    side = np.cross(along, np.eye(3)[int(np.abs(along).argmin())])
+    side /= np.linalg.norm(side)
+    turns = np.linspace(0, 2 * math.pi, _HEAD_SIDES, endpoint=False)[:, None]
+    ring = np.cos(turns) * side + np.sin(turns) * np.cross(along, side)
+    return arrow.end, arrow.end - _HEAD * along + _HEAD_RADIUS * ring
+
+
+def arrow_pieces(arrow: Arrow) -> list[Patch]:
+    """Return the shaft and the faces of the head; of a segment, itself."""
+    if arrow.headless:
+        return segment(arrow.start, arrow.end, arrow.name)
+    tip, ring = head_of(arrow)
+    found = segment(arrow.start, ring.mean(axis=0), arrow.name)
+    for p, q in zip(ring, np.roll(ring, -1, axis=0), strict=True):
+        found += flat([tip, p, q], arrow.name, [])
+    return found + flat(list(ring[::-1]), arrow.name, [])
+
+
+def _exact(point: Floats) -> IntegerVector:
+    x, y, z = (round(v * _GRID) for v in point.tolist())
+    return primitive((x, y, z, _GRID))
+
+
+def segment(start: Floats, end: Floats, name: str) -> list[Patch]:
+    """Return a segment, nothing if rounding leaves no length."""
+    p, q = _exact(start), _exact(end)
+    return [] if p == q else [Patch((0,) * 4, (p, q), ((p, q),), sheet=True, name=name)]
+
+
+def flat(
+    corners: Sequence[Floats], name: str, edges: Sequence[tuple[Floats, Floats]]
+) -> list[Patch]:
+    """Return a polygon, in triangles where rounding has bent it; ``a . x + b`` is < 0 inside."""
+    points = [_exact(p) for p in corners]
+    rows = [_plane(points[0], p, q) for p, q in pairwise(points[1:])]
+    lines = tuple((_exact(p), _exact(q)) for p, q in edges)
+    if len({row for row in rows if row}) == 1:
+        return [Patch(next(row for row in rows if row), tuple(points), lines, name=name)]
+    found = []
+    for k, row in enumerate(rows):
+        if row:
+            triangle = (points[0], points[k + 1], points[k + 2])
+            own = tuple(line for line in lines if set(line) <= set(triangle))
+            found.append(Patch(row, triangle, own, name=name))
+    return found
+
+
+def _plane(p: IntegerVector, q: IntegerVector, r: IntegerVector) -> IntegerVector | None:
+    """Return the row of the plane of a triangle, positive outside; None if it has no area."""
+    a, b, c = ([Fraction(x, point[3]) for x in point[:3]] for point in (p, q, r))
+    normal = cross(*([y - x for x, y in zip(a, end, strict=True)] for end in (b, c)))
+    return primitive((*normal, -dot(normal, a))) if any(normal) else None
+
+
+@dataclass(frozen=True)
+class Screw:
+    """A motion as a turn about an axis and a shift along it.
+
+    Attributes:
+        axis: unit vector; of a pure shift, its direction.
+        point: on the axis, nearest to the middle of the picture; None for a shift.
+        pitch: shift along the axis for each radian; None for a shift.
+    """
+
+    axis: Floats
+    point: Floats | None
+    pitch: float | None
+
+    @classmethod
+    def of(cls, motion: Sequence[float | Fraction]) -> Screw | None:
+        """Return the screw of a motion ``(v, omega)``; None if it is 0. Lengths as in the grasp.
+
+        >>> Screw.of((0, 0, 2, 0, 0, 1)).pitch
+        2.0
+        """
+        exact = [Fraction(x) for x in motion]
+        largest = max(map(abs, exact))
+        if not largest:
+            return None
+        v, omega = (tuple(x / largest for x in part) for part in (exact[:3], exact[3:]))
+        square = dot(omega, omega)
+        if square < Fraction(1, 10**18):
+            return cls(_unit(v), None, None)
+        point = np.array([float(x / square) for x in cross(omega, v)])
+        return cls(_unit(omega), point, float(dot(v, omega) / square))
+
+
+def _unit(vector: Sequence[Fraction]) -> Floats:
+    found = np.array([float(x) for x in vector])
+    return found / float(np.linalg.norm(found))

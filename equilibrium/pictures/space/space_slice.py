@@ -1,0 +1,150 @@
+"""Resisted wrenches of a grasp in space, in a plane of two of their six coordinates."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from fractions import Fraction
+
+import numpy as np
+
+from arrangement.console.progress import watched
+from arrangement.drawing.colours import BLACK, VERMILION
+from arrangement.drawing.scene.items import Floats
+from arrangement.drawing.scene.scene import Legend, Scene
+from arrangement.numbers.exact import shown
+from equilibrium.decide.spatial_verdict import NOT_RESISTED, RESISTED, UNDECIDED
+from equilibrium.model.errors import GraspError
+from equilibrium.model.grasp import Grasp
+from equilibrium.model.unit_normal import unit_normal
+from equilibrium.pictures.keys import symbol
+from equilibrium.pictures.style import SHADE
+from equilibrium.pictures.wrenches.panel import SQUARE
+from equilibrium.pictures.wrenches.row import row_of_panels
+from equilibrium.pictures.wrenches.window import ZERO, Window, clipped
+from equilibrium.wrench_sets.spatial import KnownLoads, SpatialMagnitudes, spatial_magnitudes
+
+NAMES = ("fx", "fy", "fz", "tx", "ty", "tz")
+_LABELS = ("$f_x$", "$f_y$", "$f_z$", r"$\tau_x$", r"$\tau_y$", r"$\tau_z$")
+#: Relative width of the brackets, and nodes of each tree: finer ones cannot be seen.
+_WIDTH, _NODES, _EVERY = Fraction(1, 40), 20, 2
+#: Nodes for directions that end undecided.
+_MORE_NODES = 400
+_HELD, _REFUTED = "#5f93bd", "#f6e3d3"
+
+
+def slice_in_space(grasp: Grasp, axes: str, directions: int, width: float) -> Scene:
+    """Return the picture; see `equilibrium.pictures.wrenches.slices.draw_slice`."""
+    chosen = axes.split(",")
+    if len(set(chosen)) != 2 or not set(chosen) <= set(NAMES):
+        raise GraspError(f"the axes are {shown(axes)}; give two of {', '.join(NAMES)}, as in fx,fz")
+    if not 3 <= directions <= 360:
+        raise GraspError(f"directions is {directions}; give 3 to 360")
+    first, second = map(NAMES.index, chosen)
+    spokes, loads = [], KnownLoads(grasp, _NODES)
+    patient = KnownLoads(grasp, _MORE_NODES)
+    patient.trees = loads.trees
+    for k in watched(range(directions), "directions"):
+        angle = 2 * math.pi * k / directions
+        way = unit_normal((math.cos(angle), math.sin(angle)), Fraction(1, 100)).normal
+        load = [Fraction(0)] * 6
+        load[first], load[second] = way
+        known = spatial_magnitudes(grasp, load, width=_WIDTH, loads=loads, every=_EVERY)
+        if known.samples[-1][1] == UNDECIDED:
+            known = spatial_magnitudes(grasp, load, width=_WIDTH, loads=patient, every=_EVERY)
+        spokes.append((np.array([float(x) for x in way]), known))
+    rows = [
+        [(float(v[first]), float(v[second]), float(rest)) for v, rest in tree]
+        for tree in filter(None, loads.trees)
+    ]
+    return _drawn(grasp, spokes, rows, (_LABELS[first], _LABELS[second]), width)
+
+
+def _drawn(
+    grasp: Grasp,
+    spokes: list[tuple[Floats, SpatialMagnitudes]],
+    trees: list[list[tuple[float, float, float]]],
+    names: tuple[str, str],
+    width: float,
+) -> Scene:
+    # Of a border at 0 only the width of its bracket is seen, which says nothing about the scale.
+    ends = [float(max(b.resisted, b.refused)) for _, m in spokes for b in m.borders if b.resisted]
+    # Where a direction ends undecided, all that is proved is to be seen.
+    ends += [t for _, m in spokes if m.samples[-1][1] == UNDECIDED and (t := _proved(m))]
+    reach = 1.25 * min(4 * float(np.median(ends)), max(ends)) if ends else 1.0
+    window = Window(ZERO, Fraction(reach))
+    scene, (panel,) = row_of_panels(1, window, width, grasp, names=names)
+    refuted = 0
+    for tree in trees:
+        part = SQUARE
+        for a, b, c in tree:
+            part = clipped(part, reach * np.array([a, b]), -c)
+        if len(part) > 2:
+            corners, name = panel.at(part), f"refuted-{refuted}"
+            scene.polygon(corners, fc=_REFUTED, ec="none", zorder=0.4, gid=name, role="region")
+            refuted += 1
+    rim = []
+    for i, (way, known) in enumerate(spokes):
+        end, within = 0.0, True
+        for start, stop, held, tried in _stretches(known):
+            part = panel.at(np.minimum([start, stop], reach)[:, None] / reach * way)
+            if held:
+                scene.line(part, ec=_HELD, lw=2.0, zorder=3, gid=f"spoke-{i}", role="region")
+                end = min(stop, reach) / reach if within else end
+                continue
+            wide = 3.0 if tried else 1.0
+            scene.line(part, ec=VERMILION, lw=wide, zorder=4, gid=f"open-{i}", role="line")
+            within = False
+            if start < reach and stop < math.inf:
+                scene.mark(part[0], "o", 2.2, color=BLACK, zorder=5)
+        rim.append(panel.at(end * way))
+    if np.ptp(rim, axis=0).any():
+        scene.polygon(rim, fc=SHADE, ec="none", zorder=0.5, gid="region-1", role="region")
+    _explain(scene.legend, spokes, bool(ends), bool(refuted))
+    return scene
+
+
+def _stretches(known: SpatialMagnitudes) -> Iterator[tuple[float, float, bool, bool]]:
+    """Yield what is seen of a direction: its ends, whether it is resisted, and open tries.
+
+    What lies between two that are refused is left out; the last one has no end.
+    """
+    found: dict[Fraction, str] = dict(known.samples)
+    for border in known.borders:
+        found |= {border.resisted: RESISTED, border.refused: NOT_RESISTED}
+        found |= dict.fromkeys(border.undecided, UNDECIDED)
+    since, start, before, tried = 0.0, 0.0, found.pop(Fraction(0)), False
+    for t, verdict in [*sorted(found.items()), (Fraction(0), "")]:
+        end = float(t) if verdict else math.inf
+        if verdict == UNDECIDED:
+            tried = True
+            continue
+        if tried or before != RESISTED or verdict == NOT_RESISTED:
+            if since < start:
+                yield since, start, True, False
+            if tried or (verdict and verdict != before):
+                yield start, end, False, tried
+            since = end
+        start, before, tried = end, verdict, False
+    if since < start:
+        yield since, start, True, False
+
+
+def _proved(known: SpatialMagnitudes) -> float:
+    """Return the largest magnitude that is proved to be resisted, of those tried."""
+    return float(max((t for t, verdict in known.samples if verdict == RESISTED), default=0))
+
+
+def _explain(
+    legend: Legend, spokes: list[tuple[Floats, SpatialMagnitudes]], ends: bool, refuted: bool
+) -> None:
+    """Say what is drawn, if there are borders beyond 0 or not."""
+    legend.key(symbol(_HELD), "proved to be resisted at the samples")
+    if refuted:
+        legend.key(symbol(_REFUTED), "proved not to be resisted (white: left open here)")
+    open_ends = any(known.samples[-1][1] == UNDECIDED for _, known in spokes)
+    if ends or open_ends:
+        legend.key(symbol("missed"), "open between two proofs; thick: tried and undecided")
+    elif all(known.borders for _, known in spokes):
+        legend.line("nothing is resisted in these directions, 0 aside")
+    legend.line(f"{len(spokes)} directions; the shade between them is a guide, no proof")

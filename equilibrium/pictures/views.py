@@ -1,0 +1,56 @@
+"""The registry of what can be drawn of a grasp: one line each."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import Any
+
+from arrangement.drawing.registry import Drawings
+from equilibrium.model.grasp import Grasp
+
+DRAWINGS = Drawings(
+    "equilibrium.pictures",
+    views={
+        "grasp": "grasp.grasp:draw_grasp",
+        "resist": "wrenches.resist:draw_resist",
+        "slice": "wrenches.slices:draw_slice",
+        "polar": "wrenches.polar:draw_polar",
+        "compare": "wrenches.compare:draw_compare",
+        "methods": "wrenches.methods:draw_methods",
+        "proof": "grasp.proof:draw_proof",
+        "wrench-set": "wrenches.wrench_set:draw_wrench_set",
+    },
+    models={
+        "wrench-set": "wrenches.wrench_page:wrench_set_model",
+        "grasp": "space.space_page:grasp_model",
+    },
+    pages={
+        "resist": "pages.page:resist_page",
+        "proof": "pages.proof_page:proof_page",
+        "wrench-set": "wrenches.wrench_page:wrench_set_page",
+        "grasp": "space.space_page:grasp_page",
+    },
+)
+#: What is not drawn of grasps in the plane, and in space.
+_NOT: dict[int, dict[str, tuple[str, ...]]] = {
+    2: {"models": ("grasp",), "pages": ("grasp",)},
+    3: {
+        "views": ("resist", "polar", "compare", "wrench-set"),
+        "models": ("wrench-set",),
+        "pages": ("resist", "proof", "wrench-set"),
+    },
+}
+
+
+def drawings_of(grasp: Grasp) -> Drawings:
+    """Return what can be drawn of a grasp, in the plane or in space."""
+    kinds: dict[str, Any] = {
+        kind: {name: f for name, f in getattr(DRAWINGS, kind).items() if name not in names}
+        for kind, names in _NOT[grasp.dimension].items()
+    }
+    return replace(DRAWINGS, **kinds)
+
+
+def write_drawing(grasp: Grasp, *args: Any, **options: Any) -> dict[str, str]:
+    """Draw a grasp into a file; arguments and errors are those of `Drawings.write`."""
+    return drawings_of(grasp).write(grasp, *args, **options)

@@ -1,0 +1,1 @@
+"""Wrenches that are resisted: slices, directions, solids, and methods side by side."""

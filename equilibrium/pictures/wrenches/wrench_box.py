@@ -1,0 +1,183 @@
+"""The resisted wrenches inside a box, in coordinates from -1 to 1, and the surface of the set."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from dataclasses import dataclass
+from fractions import Fraction
+from functools import cached_property
+from itertools import product
+from statistics import median
+
+import numpy as np
+
+from arrangement.drawing.scene.items import Floats
+from arrangement.drawing.solids.depth_tree import Node, depth_tree
+from arrangement.drawing.solids.surface import Patch, surface
+from arrangement.numbers.exact import IntegerVector, RationalVector, dot, primitive
+from arrangement.numbers.linear.polyhedron import Polyhedron, from_conditions
+from equilibrium.grasps.inputs.conversion import simplest_between
+from equilibrium.model.grasp import Grasp
+from equilibrium.pictures.style import number, rounded
+from equilibrium.wrench_sets import Piece, resisted_set
+
+#: How far the box reaches beyond the corners of the set, as a share of the largest extent.
+_ROOM = Fraction(2, 5)
+#: The middle and the sides of the box are known to this share of the sides.
+_SHORT = Fraction(1, 1000)
+#: Corners farther out than so many times the median do not count.
+_FAR = 4
+#: What is resisted, and where the box cuts it.
+SOLID, CUT = "#5f93bd", "#e3ecf3"
+NAMES = ("f_x", "f_y", "τ")
+#: The walls of the box as outward rows.
+WALLS = tuple((*(s * int(i == j) for j in range(3)), -1) for i in range(3) for s in (1, -1))
+
+
+@dataclass(frozen=True)
+class WrenchBox:
+    """What a grasp resists inside a box.
+
+    Attributes:
+        middle, half: of the box: exact, for f_x, f_y and tau.
+        pieces: those that meet the box.
+        shapes: their parts in the box, in its coordinates ``(w - middle) / half``.
+    """
+
+    middle: RationalVector
+    half: RationalVector
+    pieces: tuple[Piece, ...]
+    shapes: tuple[Polyhedron, ...]
+
+    @cached_property
+    def tree(self) -> list[Node]:
+        """The surface of the union, in an order for painting."""
+        return depth_tree([*surface(self.shapes), *self._axes()])
+
+    def _axes(self) -> Iterator[Patch]:
+        """Yield the lines through the origin of wrenches, as far as they are in the box."""
+        zero = [-m / h for m, h in zip(self.middle, self.half, strict=True)]
+        for k in range(3):
+            if all(abs(x) < 1 for j, x in enumerate(zero) if j != k):
+                ends = [[Fraction(s) if j == k else x for j, x in enumerate(zero)] for s in (-1, 1)]
+                p, q = (primitive((*end, Fraction(1))) for end in ends)
+                yield Patch((0,) * 4, (p, q), ((p, q),), sheet=True, name="axis")
+
+    @cached_property
+    def clear_side(self) -> IntegerVector:
+        """A direction from above from which much of the set is seen, and little of the walls."""
+        patches = [p for node in self.tree for p in node.patches if len(p.corners) > 2]
+        best, found = -math.inf, (5, -9, 4)
+        for view in product((-9, -5, 5, 9), (-9, -5, 5, 9), (4, -4)):
+            if abs(view[0]) != abs(view[1]):
+                score = 0.1 * view[2] - 0.01 * view[1] + 0.001 * view[0]
+                for patch in patches:
+                    towards = float(_area(patch) @ np.array(view))
+                    share = -1.0 if patch.row in WALLS else 1.0
+                    score += share * (abs(towards) if patch.sheet else max(towards, 0.0))
+                if score > best + 1e-9:
+                    best, found = score, view
+        return found
+
+    def inside(self, wrench: RationalVector) -> list[float]:
+        """Return the place of a wrench in the coordinates of the box."""
+        pairs = zip(wrench, self.middle, self.half, strict=True)
+        return [float((x - m) / h) for x, m, h in pairs]
+
+    @property
+    def filled(self) -> bool:
+        """Whether the set holds the whole box: it has volume, and no border inside the box."""
+        faces = [p for node in self.tree for p in node.patches if p.name != "axis"]
+        return bool(faces) and all(p.row in WALLS and not p.sheet for p in faces)
+
+    @property
+    def endless(self) -> bool:
+        """Whether the box cuts something off."""
+        return any(
+            dot(row, (*point, 1)) == 0
+            for shape in self.shapes
+            for point in shape.points
+            for row in WALLS
+        )
+
+
+def _area(patch: Patch) -> Floats:
+    """Return the outward normal of a patch with the length of its area."""
+    corners = np.array([[x / p[3] for x in p[:3]] for p in patch.corners])
+    steps = corners[1:] - corners[0]
+    normal: Floats = np.cross(steps[:-1], steps[1:]).sum(axis=0) / 2
+    outward = float(normal @ np.array(patch.row[:3], dtype=float))
+    return normal if outward > 0 else -normal
+
+
+def wrench_box(grasp: Grasp, extent: Fraction | None = None) -> WrenchBox:
+    """Return the set of a grasp inside a box around its corners.
+
+    Args:
+        extent: half the sides of the box instead, about the origin, for forces and torque.
+    """
+    pieces = resisted_set(grasp).pieces
+    if extent is None:
+        middle, half = _around(pieces)
+    else:
+        middle, half = (Fraction(0),) * 3, (extent,) * 3
+    found = [(piece, shape) for piece in pieces if (shape := _inside(piece, middle, half))]
+    return WrenchBox(middle, half, tuple(p for p, _ in found), tuple(s for _, s in found))
+
+
+def _around(pieces: tuple[Piece, ...]) -> tuple[RationalVector, RationalVector]:
+    """Return middle and half sides of a box around the corners, the origin among them."""
+    points = [p for piece in pieces for p in piece.polyhedron.points]
+    middle, half = [], []
+    for column in zip(*points, strict=True) if points else ((),) * 3:
+        sizes = [abs(rounded(x)) for x in column if x]
+        limit = _FAR * median(sizes) if sizes else 0
+        kept = [Fraction(0), *(x for x in column if abs(rounded(x)) <= limit)]
+        low, high = min(kept, key=rounded), max(kept, key=rounded)
+        middle.append((low + high) / 2)
+        half.append((high - low) / 2)
+    force = max(half[:2]) or Fraction(1)
+    torque = half[2] or force
+    sides = [x + _ROOM * x for x in (force, force, torque)]
+    # Short numbers make coordinates in the box short.
+    return (
+        tuple(
+            simplest_between(m - x * _SHORT, m + x * _SHORT)
+            for m, x in zip(middle, sides, strict=True)
+        ),
+        tuple(simplest_between(x, x + x * _SHORT) for x in sides),
+    )
+
+
+def _inside(piece: Piece, middle: RationalVector, half: RationalVector) -> Polyhedron | None:
+    """Return the part of a piece in the box, in its coordinates."""
+
+    def moved(row: IntegerVector) -> IntegerVector:
+        return primitive(
+            [*(Fraction(a) * h for a, h in zip(row, half, strict=False)), dot(row, (*middle, 1))]
+        )
+
+    shape = piece.polyhedron
+    walls = [tuple(-x for x in row) for row in WALLS]
+    rows = [*map(moved, shape.inequalities), *walls]
+    return from_conditions(rows, map(moved, shape.equalities), 3)
+
+
+def box_text(grasp: Grasp, box: WrenchBox) -> str:
+    """Return the extent of a box in words."""
+    units = f" ({grasp.units.force}, {grasp.units.torque})" if grasp.units else ""
+    texts = [
+        f"{name} {number(m - h)} to {number(m + h)}"
+        for name, m, h in zip(NAMES, box.middle, box.half, strict=True)
+    ]
+    return f"box: {', '.join(texts)}{units}"
+
+
+def box_edges() -> Iterator[tuple[Floats, tuple[int, tuple[int, ...]]]]:
+    """Yield the ends of the edges of the box, each with its axis and its sides of the others."""
+    for axis in range(3):
+        for sides in product((-1, 1), repeat=2):
+            ends = np.zeros((2, 3))
+            ends[:, axis], ends[:, [k for k in range(3) if k != axis]] = (-1, 1), sides
+            yield ends, (axis, sides)

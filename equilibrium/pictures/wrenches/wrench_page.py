@@ -1,0 +1,135 @@
+"""The resisted wrenches in space as a page to turn, and as a model to hold."""
+
+from __future__ import annotations
+
+import math
+from fractions import Fraction
+
+import numpy as np
+
+from arrangement.console.number_form import counted
+from arrangement.drawing.pages.solid_page import Branch, Face, SolidPage
+from arrangement.drawing.registry import Exact, Wrench
+from arrangement.drawing.solids.meshes import Part, model_bytes
+from arrangement.drawing.solids.surface import Patch, facets, rounded
+from arrangement.errors import InputError
+from arrangement.numbers.exact import IntegerVector, number_text, primitive
+from arrangement.pictures.sphere.globe import picture_axes
+from equilibrium.model.grasp import Grasp, read_wrench
+
+from .row import read_extent
+from .wrench_box import CUT, NAMES, SOLID, WALLS, WrenchBox, box_edges, box_text, wrench_box
+
+
+def wrench_set_page(
+    grasp: Grasp,
+    *,
+    wrench: Wrench | None = None,
+    extent: Exact | None = None,
+    title: str | None = None,
+) -> str:
+    """Return one HTML page, complete in itself: the resisted wrenches as a solid that turns.
+
+    Under the pointer a face tells its exact condition.
+
+    Args:
+        grasp: contacts.
+        wrench: marked.
+        extent: half the sides of the box, about the origin, as for the picture.
+        title: a heading; if omitted, the number of contacts.
+
+    Raises:
+        GraspError: an extent that is not above 0.
+    """
+    box = wrench_box(grasp, read_extent(extent))
+    number_of = counted(len(grasp), "contact")
+    pieces: dict[IntegerVector, int] = {}
+    told: list[tuple[str, list[tuple[str, str]]]] = []
+    tree = [Branch(node.row[:3], [], node.front, node.back) for node in box.tree]
+    for branch, node in zip(tree, box.tree, strict=True):
+        for patch in node.patches:
+            wall, flat = patch.row in WALLS, any(patch.row)
+            if flat and patch.row not in pieces:
+                pieces[patch.row] = len(told)
+                told.append(_told(box, patch, wall))
+            branch.faces.append(
+                Face(
+                    rounded(patch.corners),
+                    CUT if wall else SOLID,
+                    np.array(patch.row[:3], dtype=float) if flat else None,
+                    np.array([rounded(edge) for edge in patch.edges]).reshape(-1, 2, 3),
+                    pieces.get(patch.row, -1),
+                    sheet=patch.sheet,
+                    faint=wall or patch.name == "axis",
+                )
+            )
+    zero = box.inside((Fraction(0),) * 3)
+    marks = [
+        ([1.1 if j == k else x for j, x in enumerate(zero)], name) for k, name in enumerate(NAMES)
+    ]
+    if wrench is not None:
+        applied = read_wrench(wrench)
+        held = any(piece.polyhedron.contains(applied) for piece in box.pieces)
+        place = box.inside(applied)
+        marks.append((place, "●" if held else "✕"))
+    return SolidPage(
+        title if title is not None else f"Wrenches that {number_of} resist",
+        box_text(grasp, box),
+        f"{counted(len(box.shapes), 'polyhedron', 'polyhedra')}, one for each choice of contact "
+        "states that is not a part of another",
+        picture_axes(box.clear_side),
+        math.sqrt(3),
+        tree,
+        told,
+        [(SOLID, "where resistance ends"), (CUT, "cut by the box, goes on")],
+        [ends for ends, _ in box_edges()],
+        marks,
+    ).text()
+
+
+def _told(box: WrenchBox, patch: Patch, wall: bool) -> tuple[str, list[tuple[str, str]]]:
+    """Return what the page says of a face: its condition on wrenches."""
+    *normal, offset = patch.row
+    row = [Fraction(a) / h for a, h in zip(normal, box.half, strict=True)]
+    scaled = primitive([*row, -offset + sum(a * m for a, m in zip(row, box.middle, strict=True))])
+    left = " ".join(
+        f"{'-' if a < 0 else '+'} {'' if abs(a) == 1 else f'{number_text(abs(a))} '}{name}"
+        for a, name in zip(scaled, NAMES, strict=False)
+        if a
+    ).removeprefix("+ ")
+    name = "Wall of the box" if wall else "Sheet of the set" if patch.sheet else "Face of the set"
+    return name, [("condition", f"{left} {'=' if patch.sheet else '≤'} {number_text(scaled[3])}")]
+
+
+def wrench_set_model(
+    grasp: Grasp, suffix: str, *, extent: Exact | None = None, size: float = 60.0
+) -> bytes:
+    """Return the resisted wrenches in a box as a file: one closed part for each polyhedron.
+
+    Parts overlap where several equilibria exist. f_x, f_y and tau are x, y and z, each scaled so
+    that the box is a cube. Parts are named by the contact states.
+
+    Args:
+        grasp: contacts.
+        suffix: ``.stl``, ``.glb`` or ``.obj``.
+        extent: half the sides of the box, about the origin, as for the picture.
+        size: the edge of the box, in millimetres.
+
+    Raises:
+        GraspError: an extent that is not above 0.
+        InputError: a set without volume.
+    """
+    box = wrench_box(grasp, read_extent(extent))
+    half = size / 2
+    parts = []
+    for piece, shape in zip(box.pieces, box.shapes, strict=True):
+        if shape.dimension == 3:
+            points, faces, rows = facets(shape)
+            colours = tuple(CUT if row in WALLS else SOLID for row in rows)
+            name = "-".join(piece.states) or "all"
+            parts.append(Part(name, half * rounded(points), faces, colours))
+    if not parts:
+        raise InputError(
+            "the resisted wrenches have no volume; draw them as a picture: .svg, .pdf or .png"
+        )
+    return model_bytes(parts, suffix, f"resisted wrenches, {len(parts)} polyhedra")

@@ -1,0 +1,111 @@
+"""The law of one contact as linear rows, for everything on the solver's side.
+
+The checker of certificates has its own. A row has one coefficient for each of n variables, the
+motion ``d = (x, y, r)`` first, and the constant last.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from fractions import Fraction
+from typing import TypeAlias, TypeVar
+
+from arrangement.numbers.exact import RationalVector
+from equilibrium.model.contact import Contact
+from equilibrium.model.pyramid import pyramid_edges
+from equilibrium.model.range import Range
+
+#: Normal and tangential force.
+Pair: TypeAlias = tuple[RationalVector, RationalVector]
+
+_Number = TypeVar("_Number", int, Fraction)
+
+#: The sign of the friction force of a slipping contact: against its motion along the tangent.
+DIRECTION = {"slip+": -1, "slip-": 1}
+
+
+def normal_force_row(contact: Contact, n: int = 3) -> RationalVector:
+    """Return the normal force of a touching contact, ``preload - stiffness N . d``."""
+    spring = (-contact.stiffness * x for x in contact.normal_wrench)
+    return (*spring, *[Fraction(0)] * (n - 3), contact.preload)
+
+
+def slip_row(contact: Contact, n: int = 3) -> RationalVector:
+    """Return the motion of the contact point along the tangent, ``T . d``."""
+    return (*contact.tangential_wrench, *[Fraction(0)] * (n - 2))
+
+
+def range_rows(
+    within: Range, normals: Iterable[RationalVector], n: int = 3
+) -> list[RationalVector]:
+    """Return what is at least 0 in a range, given the rows of normal forces."""
+    turn, force, rows = within.largest_turn, within.largest_force, list[RationalVector]()
+    if turn is not None:
+        rows = [(*(sign * x for x in unit_row(2, n)[:-1]), turn) for sign in (1, -1)]
+    if force is not None:
+        rows += [(*(-x for x in row[:-1]), force - row[-1]) for row in normals]
+    return rows
+
+
+def unit_row(column: int, n: int) -> RationalVector:
+    """Return one variable as a row."""
+    return tuple(Fraction(int(j == column)) for j in range(n + 1))
+
+
+def negated(row: tuple[_Number, ...]) -> tuple[_Number, ...]:
+    """Return the row with all signs changed."""
+    return tuple(-x for x in row)
+
+
+def sum_row(left: RationalVector, right: RationalVector, factor: Fraction | int) -> RationalVector:
+    """Return ``left + factor right``."""
+    return tuple(a + factor * b for a, b in zip(left, right, strict=True))
+
+
+def cone_rows(friction: Fraction, normal: RationalVector, tangential: RationalVector) -> Pair:
+    """Return ``friction c_n - c_t`` and ``friction c_n + c_t``, at least 0 inside the cone."""
+    limit = tuple(friction * x for x in normal)
+    return sum_row(limit, tangential, -1), sum_row(limit, tangential, 1)
+
+
+def balance_rows(
+    contacts: Iterable[Contact], forces: Iterable[Pair], wrench: Sequence[Fraction], n: int = 3
+) -> tuple[RationalVector, ...]:
+    """Return the three rows of ``sum (c_n N + c_t T) + w``."""
+    rows = [[Fraction(0)] * n + [w] for w in wrench]
+    for contact, pair in zip(contacts, forces, strict=True):
+        wrenches = (contact.normal_wrench, contact.tangential_wrench)
+        for direction, force in zip(wrenches, pair, strict=True):
+            for j, x in enumerate(force):
+                if x:
+                    for row, along in zip(rows, direction, strict=True):
+                        row[j] += along * x
+    return tuple(map(tuple, rows))
+
+
+def friction_edges(contact: Contact, pyramid: int = 4) -> tuple[RationalVector, ...]:
+    """Return the edges of the friction cone, ``N + friction T`` and ``N - friction T``.
+
+    In space those of a pyramid inside the round cone, see `edge_directions`.
+    """
+    return tuple(cone_edge(contact, along) for along in edge_directions(contact, pyramid))
+
+
+def edge_directions(contact: Contact, pyramid: int = 4) -> tuple[RationalVector, ...]:
+    """Return the directions of friction on `friction_edges`, in the frame of the tangents."""
+    if contact.dimension == 2:
+        return (Fraction(1),), (Fraction(-1),)
+    return pyramid_edges(pyramid)
+
+
+def cone_edge(contact: Contact, along: Iterable[Fraction]) -> RationalVector:
+    """Return the wrench of a unit normal force with friction along a vector of the tangents."""
+    edge = contact.normal_wrench
+    for tangential, x in zip(contact.tangential_wrenches, along, strict=True):
+        edge = sum_row(edge, tangential, contact.friction * x)
+    return edge
+
+
+def slip_edge(contact: Contact, state: str) -> RationalVector:
+    """Return the wrench of a unit normal force with the friction of a slipping contact."""
+    return cone_edge(contact, (Fraction(DIRECTION[state]),))

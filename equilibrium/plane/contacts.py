@@ -1,0 +1,199 @@
+"""The numbers of all contacts of a grasp, exact and in floats, in the plane and in space.
+
+At a homogeneous motion ``(d_0, d)`` the spring of a contact has the force
+``preload d_0 - stiffness N . d`` and its point slips by ``T . d``; both are linear.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable, Sequence
+from fractions import Fraction
+from functools import cached_property
+from typing import Any, TypeAlias
+
+import numpy as np
+import numpy.typing as npt
+
+from arrangement.numbers.exact import RationalVector, primitive
+from arrangement.numbers.float_filter import Floats
+from equilibrium.model.grasp import Grasp
+from equilibrium.model.range import NO_RANGE, Range
+
+#: Larger numbers are cut off.
+_LARGEST = 1e60
+#: Where all numbers but 0 are in this range, nothing underflows or overflows on the way.
+_SMALL, _LARGE = 1e-30, 1e30
+
+
+def nearest(x: Fraction) -> float:
+    """Return the nearest float of moderate size."""
+    try:
+        return min(max(float(x), -_LARGEST), _LARGEST)
+    except OverflowError:
+        return _LARGEST if x > 0 else -_LARGEST
+
+
+def are_moderate(numbers: Iterable[Fraction]) -> bool:
+    """Return whether bounds of rounding errors may be trusted: no number is tiny or huge."""
+    return all(not x or _SMALL <= abs(nearest(x)) <= _LARGE for x in numbers)
+
+
+class FloatContacts:
+    """The numbers of the contacts, each rounded once.
+
+    Attributes:
+        spring: (m, 4), the row ``(preload, -stiffness N)``.
+        normal, tangent: (m, 3); pull: friction times T.
+        length: a typical distance of the contacts from the origin.
+    """
+
+    def __init__(self, grasp: Grasp) -> None:
+        self.grasp, m = grasp, len(grasp)
+        self._exact = [
+            (*c.normal_wrench, *c.tangential_wrench, c.stiffness, c.preload, c.friction)
+            for c in grasp
+        ]
+        table = np.array([[nearest(x) for x in row] for row in self._exact]).reshape(m, 9)
+        self.normal, self.tangent = table[:, :3], table[:, 3:6]
+        self.stiffness, self.preload, self.friction = table[:, 6:].T
+        self.spring = np.column_stack([self.preload, -self.stiffness[:, None] * self.normal])
+        self.pull = self.friction[:, None] * self.tangent
+        points = np.array([[nearest(x) for x in c.point] for c in grasp]).reshape(m, 2)
+        self.length = float(np.median(np.hypot(*points.T))) if m else 1.0
+        if not self.length > 0:
+            self.length = 1.0
+
+    @cached_property
+    def moderate(self) -> bool:
+        """Whether bounds of rounding errors may be trusted; see `are_moderate`."""
+        return all(map(are_moderate, self._exact))
+
+
+#: Python integers in an array.
+Whole: TypeAlias = npt.NDArray[Any]
+
+_WORD = 2**62
+
+
+class IntegerContacts:
+    """The numbers of the contacts of a grasp.
+
+    Attributes:
+        spring: (m, 4), the row ``(preload, -stiffness N)`` times `spring_unit`.
+        normal, tangent: (m, 3), N and T times `wrench_unit`.
+        friction: numerators over `friction_unit`.
+        within: the range in which equilibria count.
+    """
+
+    def __init__(self, grasp: Grasp, within: Range = NO_RANGE) -> None:
+        self.grasp, self.within = grasp, within
+        m = len(grasp)
+        spring, wrenches = [], []
+        for c in grasp:
+            spring.append(_whole((c.preload, *(-c.stiffness * x for x in c.normal_wrench))))
+            wrenches.append(_whole((*c.normal_wrench, *c.tangential_wrench)))
+        self.spring = whole([row for row, _ in spring], (m, 4))
+        self.spring_unit = whole([unit for _, unit in spring], (m,))
+        both = whole([row for row, _ in wrenches], (m, 6))
+        self.normal, self.tangent = both[:, :3], both[:, 3:]
+        self.wrench_unit = whole([unit for _, unit in wrenches], (m,))
+        self.friction = whole([c.friction.numerator for c in grasp], (m,))
+        self.friction_unit = whole([c.friction.denominator for c in grasp], (m,))
+
+    def __len__(self) -> int:
+        return len(self.grasp)
+
+    @cached_property
+    def common_unit(self) -> int:
+        """A common denominator of all products of a spring force with N or friction times T."""
+        return math.lcm(*(self.spring_unit * self.wrench_unit * self.friction_unit).tolist())
+
+    @cached_property
+    def shares(self) -> Whole:
+        """`common_unit` over the product of the three units of each contact."""
+        units = self.spring_unit * self.wrench_unit * self.friction_unit
+        shares: Whole = self.common_unit // units
+        return shares
+
+    @cached_property
+    def balance(self) -> tuple[Whole, Whole]:
+        """Return N and friction times T, (m, 3), ready to be added up.
+
+        Multiplied by spring rows without their unit, they are wrenches times `common_unit`.
+        """
+        return (
+            self.normal * (self.shares * self.friction_unit)[:, None],
+            self.tangent * (self.shares * self.friction)[:, None],
+        )
+
+    @cached_property
+    def bounds(self) -> tuple[Whole, list[Any]]:
+        """The rows at least 0 at homogeneous motions in the range, and leaves for below 0."""
+        rows: list[Any] = []
+        turn, force = self.within.largest_turn, self.within.largest_force
+        if turn is not None:
+            rows = [({"turn": ["1", str(u)]}, (turn, 0, 0, -u)) for u in (1, -1)]
+        if force is not None:
+            for i, c in enumerate(self.grasp):
+                row = force - c.preload, *(c.stiffness * x for x in c.normal_wrench)
+                rows.append(({"forces": {str(i): "1"}}, row))
+        motion = {"virtual_motion": ["0"] * 3, "multipliers": {}}
+        leaves = [{**motion, "range": used} for used, _ in rows]
+        return whole([primitive(row) for _, row in rows], (len(rows), 4)), leaves
+
+    @cached_property
+    def floats(self) -> FloatContacts:
+        """The same in floating point."""
+        return FloatContacts(self.grasp)
+
+
+def _whole(row: RationalVector) -> tuple[list[int], int]:
+    """Return integers and their common denominator."""
+    unit = math.lcm(*(x.denominator for x in row))
+    return [x.numerator * (unit // x.denominator) for x in row], unit
+
+
+def whole(values: Sequence[Any], shape: tuple[int, ...]) -> Whole:
+    """Return an array of Python integers."""
+    return np.array(values, dtype=object).reshape(shape)
+
+
+def product(left: Whole, right: Whole) -> Whole:
+    """Return the exact matrix product; in machine words where they cannot overflow."""
+    one, other = (max(map(abs, factor.flat), default=0) for factor in (left, right))
+    if left.shape[1] * one * other < _WORD and max(one, other) < _WORD:
+        return (left.astype(np.int64) @ right.astype(np.int64)).astype(object)
+    exact: Whole = left.dot(right)
+    return exact
+
+
+class SpatialContacts:
+    """The numbers of the contacts, each rounded once.
+
+    Attributes:
+        normal: (m, 6); tangents: (m, 2, 6); spring: (m, 7), the rows ``(preload, -stiffness N)``.
+        stiffness, preload, friction: (m,).
+        length: a typical distance of the contacts from the origin.
+    """
+
+    def __init__(self, grasp: Grasp) -> None:
+        self.grasp, m = grasp, len(grasp)
+        self.normal = _floats([c.normal_wrench for c in grasp], (m, 6))
+        self.tangents = _floats([row for c in grasp for row in c.tangential_wrenches], (m, 2, 6))
+        values = [(c.stiffness, c.preload, c.friction) for c in grasp]
+        self.stiffness, self.preload, self.friction = _floats(values, (m, 3)).T
+        self.spring = np.column_stack([self.preload, -self.stiffness[:, None] * self.normal])
+        points = _floats([c.point for c in grasp], (m, 3))
+        self.length = float(np.median(np.linalg.norm(points, axis=1))) if m else 1.0
+        if not self.length > 0:
+            self.length = 1.0
+
+    @cached_property
+    def springs(self) -> list[RationalVector]:
+        """The exact rows ``(preload, -stiffness N)``."""
+        return [(c.preload, *(-c.stiffness * x for x in c.normal_wrench)) for c in self.grasp]
+
+
+def _floats(rows: Iterable[Iterable[Fraction]], shape: tuple[int, ...]) -> Floats:
+    return np.array([[nearest(x) for x in row] for row in rows], dtype=float).reshape(shape)

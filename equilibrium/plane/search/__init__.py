@@ -1,0 +1,1 @@
+"""Whether anything balances a load: an equilibrium, or motions cut into regions that fail."""

@@ -1,0 +1,167 @@
+"""A quick search for an equilibrium: smooth contacts, made sharper step by step.
+
+With the friction force ``-mu c_n s / sqrt(s^2 + eps^2)``, s = T . d, and a spring force that bends
+smoothly from 0 to ``q - k N . d``, balance
+is an equation in the three unknowns of the motion, whatever the number of contacts. Its solution
+is followed from eps = 1 (in units of the motion's typical size) down to 10^-8. What it ends at is
+a guess of contact states; the equilibrium is then solved for exactly, or there is none of these
+states. A failure proves nothing.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+
+import numpy as np
+
+from arrangement.numbers.exact import RationalVector
+from arrangement.numbers.float_filter import Floats
+from equilibrium.plane.contacts import FloatContacts, IntegerContacts, SpatialContacts, nearest
+
+from .state_equilibrium import Guess, Solution, exact_equilibrium
+
+_STEPS = 30
+#: Sharpness grows by one over this, or less where a step fails.
+_FACTOR, _SLOW = 0.1, 0.7
+#: How many sharpnesses are tried, and from which one on exact attempts are made.
+_PATH, _SHARP, _SHARPEST = 40, 2e-2, 1e-8
+#: Residuals relative to the load.
+_CLOSE = 1e-8
+_NEAR = 1e-3
+#: Motions smaller than this, or larger than its inverse, are not scaled.
+_SMALL = 1e-60
+_EXACT = 1e-12
+
+
+def find_equilibrium(
+    contacts: IntegerContacts, wrench: RationalVector, start: Floats | None = None
+) -> Solution | None:
+    """Return an exact equilibrium, or None where the search finds none.
+
+    Args:
+        start: a motion that may be near one; the path then begins with rather sharp contacts.
+    """
+    search = Continuation(contacts.floats, wrench)
+    path = search.path(np.zeros(3)) if start is None else search.path(start, _NEAR)
+    tried: set[Guess] = set()
+    with np.errstate(all="ignore"):
+        for motion, eps in path:
+            guess = search.guess(motion, eps)
+            if guess not in tried:
+                tried.add(guess)
+                found = exact_equilibrium(contacts, wrench, guess)
+                if found is not None:
+                    return found
+    return None
+
+
+class Continuation:
+    """The smoothed balance of one question.
+
+    Attributes:
+        scale: the typical size of the coordinates of a motion; it may be off by a lot.
+        reached: the least residual of sharp contacts so far.
+    """
+
+    reached = math.inf
+
+    def __init__(self, contacts: FloatContacts, wrench: RationalVector) -> None:
+        self.contacts = contacts
+        self.load = np.array([nearest(w) for w in wrench])
+        self.scale = motion_scale(contacts, self.load)
+        self.size = float(np.abs(self.load).max() + np.abs(contacts.preload).max(initial=0.0))
+
+    def path(self, motion: Floats, first: float = 1.0) -> Iterator[tuple[Floats, float]]:
+        """Yield motions along a path, from a sharpness on; the steps adapt."""
+        slip = float(np.median(self.scale))
+        eps, factor = first / _FACTOR, _FACTOR
+        for _ in range(_PATH):
+            end, residual = self._newton(motion, eps * factor * slip)
+            good = residual <= _CLOSE * self.size
+            self.reached = min(self.reached, residual) if eps * factor < _SHARP else self.reached
+            if eps * factor < _SHARP and residual <= self.size:
+                yield end, eps * factor * slip
+            if good:
+                motion, eps, factor = end, eps * factor, max(factor**2, _FACTOR)
+                if eps < _SHARPEST:
+                    return
+            elif factor > _SLOW:
+                return
+            else:
+                factor = factor**0.5
+
+    def _newton(self, motion: Floats, eps: float) -> tuple[Floats, float]:
+        """Return a motion of less residual: Newton steps, damped where they fail."""
+        value, jacobian = self._balance(motion, eps)
+        residual, damping = float(np.linalg.norm(value)), 0.0
+        for _ in range(_STEPS):
+            if not np.isfinite(jacobian).all() or residual <= _EXACT * self.size:
+                break
+            step = self.scale * _step(jacobian * self.scale, value, damping)
+            tried_value, tried_jacobian = self._balance(motion + step, eps)
+            tried = float(np.linalg.norm(tried_value))
+            if tried < residual:
+                stalled = tried > 0.999 * residual
+                motion = motion + step
+                value, jacobian, residual = tried_value, tried_jacobian, tried
+                damping /= 30
+                if stalled:
+                    break
+            elif damping > 1e3:
+                break
+            else:
+                damping = max(30 * damping, 1e-10)
+        return motion, residual
+
+    def _balance(self, motion: Floats, eps: float) -> tuple[Floats, Floats]:
+        """Return the sum of all wrenches, and its derivative."""
+        c = self.contacts
+        force = c.spring[:, 0] + c.spring[:, 1:] @ motion
+        slip = c.tangent @ motion
+        root = np.sqrt(slip * slip + eps * eps)
+        ratio = -slip / root
+        soft = eps * c.stiffness
+        smooth = np.sqrt(force * force + soft * soft)
+        touching = (1 + force / smooth) / 2
+        force = (force + smooth) / 2
+        arm = c.normal + ratio[:, None] * c.pull
+        turn = (-force * eps * eps / root**3)[:, None] * c.tangent
+        value = self.load + force @ arm
+        jacobian = (arm * touching[:, None]).T @ c.spring[:, 1:] + c.pull.T @ turn
+        return value, jacobian
+
+    def guess(self, motion: Floats, eps: float) -> Guess:
+        """Return the likely contact states near a motion of the smooth balance."""
+        c = self.contacts
+        force = c.spring[:, 0] + c.spring[:, 1:] @ motion
+        slip = c.tangent @ motion
+        ratio = -slip / np.sqrt(slip * slip + eps * eps)
+        return Guess.read(motion, force, ratio, np.abs(ratio) > 0.9999)
+
+
+def _step(jacobian: Floats, value: Floats, damping: float) -> Floats:
+    """Return the step of least ``|J x + v|^2 + damping |J|^2 |x|^2`` (Levenberg, Marquardt)."""
+    if damping == 0.0:
+        try:
+            exact: Floats = np.linalg.solve(jacobian, -value).astype(np.float64)
+            return exact
+        except np.linalg.LinAlgError:
+            damping = 1e-10
+    weight = np.sqrt(damping) * np.linalg.norm(jacobian) + 1e-300
+    rows = np.concatenate([jacobian, weight * np.eye(len(value))])
+    left, triangle = np.linalg.qr(rows)
+    step: Floats = np.linalg.solve(triangle, -(left[: len(value)].T @ value))
+    return step
+
+
+def motion_scale(contacts: FloatContacts | SpatialContacts, load: Floats) -> Floats:
+    """Return typical sizes of the coordinates of the motion of an equilibrium."""
+    turns = 3 if len(load) == 6 else 1
+    arms = np.array([1.0] * (len(load) - turns) + [1 / contacts.length] * turns)
+    total = float(contacts.stiffness.sum())
+    if not 0 < total < np.inf:
+        return arms
+    size = 3 * float(np.abs(load * arms).max()) / total
+    size = max(size, 2 * float(np.median(contacts.preload / contacts.stiffness)))
+    return (size if _SMALL < size < 1 / _SMALL else 1.0) * arms

@@ -1,0 +1,295 @@
+"""A proof that nothing balances the load: motions cut into regions, each with a virtual motion.
+
+The search cuts the half space of homogeneous motions ``(d_0, d)``, d_0 >= 0, into simplicial cones
+until a virtual motion closes each. It looks ahead in floating point to choose the edge to cut; a
+leaf is written when it has passed an exact test. Regions that stay open are cut where springs and
+slips vanish, and then decided exactly; so the search ends with a proof or with an equilibrium.
+"""
+
+from __future__ import annotations
+
+import itertools
+import math
+import time
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from arrangement.numbers.exact import IntegerVector, RationalVector, to_text
+from arrangement.numbers.float_filter import Floats
+from equilibrium.model.errors import TimeLimitError
+from equilibrium.plane.contacts import IntegerContacts
+
+from .continuation import find_equilibrium, motion_scale
+from .leaf_test import closed
+from .part_program import Node
+from .state_equilibrium import Solution
+from .state_splits import StateSplits, TooManyParts
+from .virtual_motions import Regions, VirtualMotions
+
+EDGES = tuple(itertools.combinations(range(4), 2))
+#: Generators of all homogeneous motions, and of the eight orthants in the order of certificates.
+HALF_SPACE = (
+    (1, 0, 0, 0),
+    *(tuple(sign * (k == n) for k in range(4)) for n in (1, 2, 3) for sign in (1, -1)),
+)
+ORTHANTS = tuple(
+    ((1, 0, 0, 0), (0, x, 0, 0), (0, 0, y, 0), (0, 0, 0, z))
+    for x, y, z in itertools.product((1, -1), repeat=3)
+)
+#: Numbers of numpy arrays at once.
+_NUMBERS = 3_000_000
+#: A region cut out so often, and every fourth time from then on, is tried by states.
+_PATIENCE = 12
+#: Few contacts are tried by states as a whole after some cuts; with a limit of programs.
+_SMALL, _SMALL_CUTS, _SMALL_PARTS = 6, 40, 300
+#: Cuts after which edges are cut where springs end, too.
+_FEW = 4
+_TINY = 1e-9
+
+
+@dataclass(eq=False, slots=True)
+class _Region:
+    """An open region: its generators, where its node belongs, how often it was cut out."""
+
+    generators: tuple[IntegerVector, ...]
+    place: tuple[list[Any], int]
+    depth: int = 0
+
+    def close(self, node: Node) -> None:
+        siblings, index = self.place
+        siblings[index] = node
+
+
+def _shortened(vector: IntegerVector) -> list[float]:
+    """Return a vector in floating point; a very long one at another scale."""
+    excess = max(0, max(map(int.bit_length, vector)) - 900)
+    return [float(x >> excess) for x in vector]
+
+
+def _simple(ratio: Floats, even: Any) -> tuple[Floats, Floats]:
+    """Return small positive integers p, q with p / q near a ratio; 1, 1 where `even`."""
+    ratio = np.where(even, 1.0, np.clip(ratio, 1e-15, 1e15))
+    fine = np.rint(4 * ratio)
+    common = np.gcd(fine.astype(np.int64), 4)
+    between = (ratio > 1 / 3) & (ratio < 3)
+    p = np.where(between, fine / common, np.maximum(np.rint(ratio), 1.0))
+    q = np.where(between, 4 / common, np.maximum(np.rint(1 / ratio), 1.0))
+    return p, q
+
+
+class MotionRegions:
+    """The search for one question.
+
+    Args:
+        deadline: on the clock `time.monotonic`.
+        rounds: how often the numbers of a virtual motion are made finer before a region is cut.
+        turn: how much wide angles count when an edge is chosen.
+    """
+
+    def __init__(
+        self,
+        contacts: IntegerContacts,
+        wrench: RationalVector,
+        deadline: float = math.inf,
+        rounds: int = 6,
+        turn: float = 1.0,
+    ) -> None:
+        self.contacts, self.wrench, self.deadline = contacts, wrench, deadline
+        self.rounds, self.turn = rounds, turn
+        self.virtual = VirtualMotions(self.contacts, wrench)
+        scale = motion_scale(self.contacts.floats, self.virtual.load)
+        self.lengths = np.array([1.0, *(1 / scale)])
+        self.batch = max(1, _NUMBERS // (50 * max(len(contacts), 30)))
+        self.solution: Solution | None = None
+
+    def search(self) -> Node | Solution:
+        """Return the tree, or an equilibrium.
+
+        Raises:
+            TimeLimitError: the deadline has passed.
+        """
+        children: list[Node] = [None] * 8
+        active = self._unclosed(
+            [_Region(orthant, (children, n)) for n, orthant in enumerate(ORTHANTS)]
+        )
+        cuts = 0
+        while active:
+            if time.monotonic() > self.deadline:
+                raise TimeLimitError(
+                    f"the time limit has passed with {len(active)} regions of motions open; "
+                    "give more time, or none"
+                )
+            if len(self.contacts) <= _SMALL and cuts >= _SMALL_CUTS:
+                cuts = -(10**9)
+                root: list[Node] = [None]
+                if self._by_states(_Region(HALF_SPACE, (root, 0)), _SMALL_PARTS):
+                    return root[0] if self.solution is None else self.solution
+            active.sort(key=lambda region: region.depth)
+            chosen, active = active[-self.batch :], active[: -self.batch]
+            whole = [region for region in chosen if not self._decided(region)]
+            if self.solution is not None:
+                return self.solution
+            cuts += len(whole)
+            active += self._unclosed(self._halves(whole))
+        return {"orthants": children}
+
+    def _decided(self, region: _Region) -> bool:
+        """Try the states of contacts on a small region, now and then; return whether that ended."""
+        if self.solution is not None:
+            return True
+        if region.depth < _PATIENCE or region.depth % 4:
+            return False
+        if region.depth == _PATIENCE:
+            self._look_inside(region)
+        loose = self._floats(self._scaled([region.generators])[0])
+        count = int(np.sum(loose.mixed | (loose.touching & (loose.slip == 0))))
+        if self.solution is not None or count > region.depth - _PATIENCE // 2:
+            return self.solution is not None
+        return self._by_states(region, 10 * 2.0 ** (region.depth // 8))
+
+    def half_space(self) -> Node | None:
+        """Return the leaf that closes all motions at once, if one of the candidates does.
+
+        The load then works, and no contact can work against it, whatever its spring does.
+        """
+        v, c = self.virtual, self.contacts
+        load, least, _, _ = v.works
+        for row in np.flatnonzero((load > _TINY) & (least.min(axis=0, initial=1.0) > -_TINY)):
+            motion = np.array(v.integers(v.candidates[row]), dtype=object)
+            across = np.abs(c.tangent.dot(motion) * c.friction)
+            work = sum(int(x) * w for x, w in zip(motion, self.wrench, strict=True))
+            if work > 0 and (c.normal.dot(motion) * c.friction_unit >= across).all():
+                return [to_text(x) for x in motion]
+        return None
+
+    def _scaled(self, regions: Sequence[Sequence[IntegerVector]]) -> tuple[Floats, Floats]:
+        """Return generators of the length 1 (R, 4, 4), and their lengths."""
+        generators = np.array([_shortened(g) for region in regions for g in region])
+        generators = generators.reshape(-1, 4, 4)
+        size = np.linalg.norm(generators * self.lengths, axis=-1)
+        return generators / size[..., None], size
+
+    def _floats(self, generators: Floats) -> Regions:
+        c = self.contacts.floats
+        slip = generators[..., 1:] @ c.tangent.T
+        return Regions(generators[..., 0], generators @ c.spring.T, slip)
+
+    def _unclosed(self, regions: list[_Region]) -> list[_Region]:
+        """Close what can be closed; return the others."""
+        if not regions:
+            return []
+        generators, _ = self._scaled([r.generators for r in regions])
+        done = {n for n, region in enumerate(regions) if self._outside(region)}
+        motions, values = self.virtual.best(self._floats(generators), self.rounds)
+        # Near the border floats cannot tell 0 from what is enough.
+        hopeful = np.flatnonzero(values > -_TINY).tolist()
+        exact = [self.virtual.integers(motions[n]) for n in hopeful]
+        tested = (
+            closed(self.contacts, self.wrench, [regions[n].generators for n in hopeful], exact)
+            if hopeful
+            else []
+        )
+        for n, motion, good in zip(hopeful, exact, tested, strict=True):
+            if good:
+                regions[n].close([to_text(x) for x in motion])
+                done.add(n)
+        return [region for n, region in enumerate(regions) if n not in done]
+
+    def _outside(self, region: _Region) -> bool:
+        """Close a region in which one bound of the range holds nowhere; return whether it does."""
+        rows, leaves = self.contacts.bounds
+        if not leaves:
+            return False
+        generators = np.array(region.generators, dtype=object)
+        values = generators.dot(rows.T)
+        least = (values < 0) | ((values == 0) & (generators[:, :1] == 0))
+        for k in np.flatnonzero(least.all(axis=0))[:1]:
+            region.close(leaves[k])
+            return True
+        return False
+
+    def _halves(self, regions: list[_Region]) -> list[_Region]:
+        """Cut each region at the edge that promises most: near the middle, or a spring."""
+        if not regions:
+            return []
+        generators, size = self._scaled([r.generators for r in regions])
+        floats = self._floats(generators)
+        first, second = (list(ends) for ends in zip(*EDGES, strict=True))
+        ratio = size[:, second] / size[:, first]
+        left, right = _simple(np.exp2(np.rint(np.log2(ratio))), np.abs(np.log2(ratio)) < 1.5)
+        if any(region.depth >= _FEW for region in regions):
+            crossing, there = self._springs_end(floats, first, second)
+            crossing = np.where(crossing > 0, crossing * ratio, 1.0)
+            more = _simple(crossing, np.zeros(1, dtype=bool))
+            left, right = (np.concatenate(x, axis=1) for x in zip((left, right), more, strict=True))
+            first, second = first * 2, second * 2
+            possible = np.concatenate([np.ones_like(there), there], axis=1)
+        else:
+            possible = np.ones(left.shape, dtype=bool)
+        middle = (left * size[:, first])[..., None] * generators[:, first]
+        middle = middle + (right * size[:, second])[..., None] * generators[:, second]
+        middle /= np.linalg.norm(middle * self.lengths, axis=-1, keepdims=True)
+        choices = len(first)
+        parts = np.repeat(generators[:, None], 2 * choices, axis=1).reshape(-1, choices, 2, 4, 4)
+        for n, (j, k) in enumerate(zip(first, second, strict=True)):
+            parts[:, n, 0, j] = middle[:, n]
+            parts[:, n, 1, k] = middle[:, n]
+        _, values = self.virtual.best(self._floats(parts.reshape(-1, 4, 4)))
+        values = values.reshape(-1, choices, 2)
+        missing = np.minimum(values, 0).sum(axis=2)
+        cosine = np.sum(generators[:, first] * generators[:, second] * self.lengths**2, axis=-1)
+        score = missing / (1e-9 - missing.min(axis=1, keepdims=True)) - self.turn * cosine
+        score = np.where(possible, score + (values > 0).sum(axis=2), -np.inf)
+        result = []
+        for n, choice in enumerate(score.argmax(axis=1).tolist()):
+            weights = int(left[n, choice]), int(right[n, choice])
+            result += self._split(regions[n], first[choice], second[choice], *weights)
+        return result
+
+    def _springs_end(
+        self, floats: Regions, first: list[int], second: list[int]
+    ) -> tuple[Floats, Any]:
+        """Return for each edge the weights' ratio where a spring ends, and whether one does."""
+        one, two = floats.spring[:, first], floats.spring[:, second]
+        strength = np.where(one * two < 0, np.minimum(np.abs(one), np.abs(two)), 0.0)
+        chosen = strength.argmax(axis=2)[..., None]
+        there = np.take_along_axis(strength, chosen, axis=2)[..., 0] > _TINY
+        one, two = (np.abs(np.take_along_axis(x, chosen, axis=2)[..., 0]) for x in (one, two))
+        return np.where(there, two / np.where(there, one, 1.0), 0.0), there
+
+    def _split(self, region: _Region, j: int, k: int, p: int, q: int) -> list[_Region]:
+        """Cut the edge between two generators; return the parts."""
+        g = region.generators
+        middle = [p * a + q * b for a, b in zip(g[j], g[k], strict=True)]
+        common = math.gcd(*middle)
+        vector = tuple(x // common for x in middle)
+        children: list[Node] = [None, None]
+        at = {} if p == q == 1 else {"at": [to_text(p), to_text(q)]}
+        region.close({"edge": [j, k], **at, "children": children})
+        return [
+            _Region((*g[:n], vector, *g[n + 1 :]), (children, place), region.depth + 1)
+            for place, n in enumerate((j, k))
+        ]
+
+    def _by_states(self, region: _Region, limit: float) -> bool:
+        """Decide a region by the states of contacts; return whether that ended."""
+        splits = StateSplits(self.contacts, self.wrench, region.generators, limit, self.deadline)
+        try:
+            decided = splits.decide()
+        except TooManyParts:
+            return False
+        if isinstance(decided, Solution):
+            self.solution = decided
+        else:
+            region.close(decided)
+        return True
+
+    def _look_inside(self, region: _Region) -> None:
+        """Look for an equilibrium near the middle of a region."""
+        generators, _ = self._scaled([region.generators])
+        middle = generators[0].sum(axis=0)
+        if middle[0] > 0:
+            self.solution = find_equilibrium(self.contacts, self.wrench, middle[1:] / middle[0])

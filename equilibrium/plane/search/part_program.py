@@ -1,0 +1,280 @@
+"""The linear program of one part: a region of motions, with the states of some contacts fixed.
+
+Its variables are the virtual motion and, for contacts with a state, the multipliers of spring and
+slip, and of the bounds of a range. Either it finds numbers that close the part, or its own
+multipliers are a motion with forces that balance the load, and obey the law at all contacts with a
+state (Farkas).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+from typing import Any, TypeAlias
+
+import numpy as np
+
+from arrangement.numbers.exact import IntegerVector, RationalVector, dot, primitive, to_text
+from arrangement.numbers.linear import programs
+from equilibrium.plane.contacts import IntegerContacts, product
+
+from .state_equilibrium import Solution
+
+#: A node of a proof, as certificates write it.
+Node: TypeAlias = Any
+States: TypeAlias = dict[int, str]
+
+_ZERO = Fraction(0)
+#: The directions of slip that a state allows.
+_SIGNS = {"slip+": (1,), "slip-": (-1,), "stick": (1, -1), "attached": (1, -1), "detached": ()}
+#: Largest entries of rounded multipliers that are tried.
+_SIZES = (1, 2, 3, 4, 5, 7, 10, 20, 50, 100, 1000, 10**4, 10**6, 10**9, 10**12)
+
+
+class RegionRows:
+    """What the load and the contacts do at the generators of a region.
+
+    Args:
+        generators: four, or the seven of the half space.
+    """
+
+    def __init__(
+        self,
+        contacts: IntegerContacts,
+        wrench: RationalVector,
+        generators: Sequence[IntegerVector],
+    ) -> None:
+        self.contacts, self.wrench, self.generators = contacts, wrench, generators
+        rows = np.array(generators, dtype=object)
+        self.weight = [int(g[0]) for g in generators]
+        self.spring = product(rows, contacts.spring.T)
+        self.slip = product(rows[:, 1:], contacts.tangent.T)
+        self.along, self.across = contacts.balance
+        unit = contacts.common_unit
+        self.load = [np.array([w * unit * g for w in wrench], dtype=object) for g in self.weight]
+        low, high = self.spring.min(axis=0, initial=0), self.spring.max(axis=0, initial=0)
+        self.kept = [int(i) for i in np.flatnonzero(high > 0)]
+        self.mixed = (low < 0) & (high > 0)
+        one, other = (self.slip > 0).all(axis=0), (self.slip < 0).all(axis=0)
+        self.known = one.astype(int) - other.astype(int)
+        #: The ways to turn in which some motions of the region go beyond the range.
+        self.turns = [u for u in (1, -1) if min(self.turn_row(u)) < 0]
+        #: Whether contacts without a state have a multiplier of their spring.
+        self.whole = len(generators) > 4
+
+    def turn_row(self, u: int) -> list[Any]:
+        """Return ``Q g_0 - u r`` at the generators; zeros where there is no largest turn."""
+        most = self.contacts.within.largest_turn
+        return [0 if most is None else most * g[0] - u * g[3] for g in self.generators]
+
+
+@dataclass(frozen=True)
+class Cut:
+    """One linear upper bound of the work at a generator.
+
+    Attributes:
+        generator: its number.
+        signs: of the friction of each contact without a state that counts.
+    """
+
+    generator: int
+    signs: dict[int, int]
+
+
+class PartProgram:
+    """The linear program of one part; the works are concave, and bounds are added as they show.
+
+    Variables: the virtual motion, alpha of each contact with one, h of each with one, and the
+    least work t for each unit of d_0.
+
+    Args:
+        cuts: bounds that mattered to a part that contains this one.
+
+    Attributes:
+        binding: the bounds that showed a balance.
+    """
+
+    def __init__(self, region: RegionRows, states: States, cuts: Iterable[Cut] = ()) -> None:
+        self.region, self.states = region, states
+        whole = region.whole
+        self.springs = [i for i in region.kept if i in states or (whole and region.mixed[i])]
+        # A detached contact matters only where its spring could still push.
+        self.slips = [i for i in self.springs if states.get(i) in ("stick", "slip+", "slip-")]
+        self.free = [i for i in region.kept if i not in self.springs]
+        self.alpha = {i: 3 + n for n, i in enumerate(self.springs)}
+        self.h = {i: 3 + len(self.springs) + n for n, i in enumerate(self.slips)}
+        used = 3 + len(self.springs) + len(self.slips)
+        #: Multipliers of the range: rho of contacts with alpha, two of the turn where it matters.
+        most = region.contacts.within.largest_force is not None
+        forced = [i for i in self.springs if most and states.get(i) != "detached"]
+        self.rho = {i: used + n for n, i in enumerate(forced)}
+        used += len(forced)
+        self.turn = {u: used + n for n, u in enumerate(region.turns)}
+        self.size = used + len(self.turn) + 1
+        free = set(self.free)
+        self.cuts = [
+            Cut(cut.generator, {i: sign for i, sign in cut.signs.items() if i in free})
+            for cut in cuts
+        ]
+        self.binding: list[Cut] = []
+        #: The motion is bounded.
+        self.box = [self._row({k: sign}, 1) for k in range(3) for sign in (1, -1)]
+        self.limits: list[tuple[int, int]] = []
+        self.bounds: list[list[Any]] = []
+        for i in self.springs:
+            for sign in self._signs(i):
+                arm, unit = self._limit(i, sign)
+                entries = {**dict(enumerate(arm)), self.alpha[i]: -unit}
+                if i in self.rho:
+                    entries[self.rho[i]] = unit
+                self.bounds.append(self._row(entries))
+                self.limits.append((i, sign))
+        for i in self.springs:
+            if states.get(i) in (None, "detached"):
+                self.bounds.append(self._row({self.alpha[i]: 1}))
+        for column in (*self.rho.values(), *self.turn.values()):
+            self.bounds.append(self._row({column: 1}))
+        for i in self.slips:
+            if states[i] != "stick":
+                self.bounds.append(self._row({self.h[i]: -1 if states[i] == "slip+" else 1}))
+
+    def _signs(self, i: int) -> tuple[int, ...]:
+        signs = _SIGNS[self.states.get(i, "attached")]
+        known = int(self.region.known[i])
+        # A known direction helps where the state leaves it open, as the checker allows.
+        return (known,) if known and self.states.get(i) in (None, "attached") else signs
+
+    def _limit(self, i: int, sign: int) -> tuple[list[int], int]:
+        """Return integers with ``alpha <= a - sign mu b``: ``unit alpha <= arm . motion``."""
+        region = self.region
+        arm = list(region.along[i] - sign * region.across[i])
+        return arm, region.contacts.common_unit // region.contacts.spring_unit[i]
+
+    def _row(self, entries: dict[int, Any], constant: int = 0) -> list[Any]:
+        row: list[Any] = [0] * self.size + [constant]
+        for column, x in entries.items():
+            row[column] = x
+        return row
+
+    def _cuts_at(self, motion: Sequence[Any]) -> list[Cut]:
+        """Return for each generator the bound that is exact at a virtual motion."""
+        region, free = self.region, np.array(self.free, dtype=int)
+        direction = np.array(primitive(motion), dtype=object)
+        along, across = region.along[free].dot(direction), region.across[free].dot(direction)
+        known = region.known[free]
+        sign = np.where(known == 0, np.where(across >= 0, 1, -1), known)
+        counts = ~region.mixed[free] | (along < sign * across)
+        result = []
+        for j, spring in enumerate(region.spring[:, free]):
+            chosen = counts & (spring > 0)
+            signs = dict(zip(free[chosen].tolist(), sign[chosen].tolist(), strict=True))
+            result.append(Cut(j, signs))
+        return result
+
+    def _cut_row(self, cut: Cut) -> list[Any]:
+        region, j = self.region, cut.generator
+        chosen, signs = list(cut.signs), np.array(list(cut.signs.values()), dtype=object)
+        arm = region.along[chosen] - signs[:, None] * region.across[chosen]
+        work = region.spring[j, chosen].dot(arm) + region.load[j]
+        unit = region.contacts.common_unit
+        entries: dict[int, Any] = dict(enumerate(work))
+        for i in self.springs:
+            entries[self.alpha[i]] = region.spring[j, i] * (unit // region.contacts.spring_unit[i])
+        for i in self.slips:
+            entries[self.h[i]] = region.slip[j, i] * (unit // region.contacts.wrench_unit[i])
+        within = region.contacts.within
+        for column in self.rho.values():
+            entries[column] = -(within.largest_force or 0) * unit * region.weight[j]
+        for u, column in self.turn.items():
+            entries[column] = -unit * region.turn_row(u)[j]
+        entries[self.size - 1] = -region.weight[j]
+        return self._row(entries)
+
+    def solve(self) -> Node | Solution:
+        """Return the leaf that closes the part, or what balances the load in it."""
+        cuts = self.cuts or self._cuts_at(self.region.wrench)
+        rows = [self._cut_row(cut) for cut in cuts]
+        objective = [0] * (self.size - 1) + [-1]
+        # So is the work, by what the rows could give: a smaller bound would leave leaves no room.
+        largest = max(sum(map(abs, row)) for row in rows)
+        self.box.append(self._row({self.size - 1: -1}, largest))
+        while True:
+            answer = programs.minimize(objective, [*self.box, *self.bounds, *rows])
+            assert isinstance(answer, programs.Optimal)
+            point = answer.point
+            if point[-1] == 0:
+                y = answer.inequality_multipliers[len(self.box) :]
+                return self._balanced(cuts, y[len(self.bounds) :], y[: len(self.limits)])
+            found = self._cuts_at(point[:3])
+            made = [self._cut_row(cut) for cut in found]
+            broken = [j for j, row in enumerate(made) if dot(row[:-1], point) < 0]
+            if not broken:
+                return self._leaf(point[:-1])
+            cuts = [*cuts, *(found[j] for j in broken)]
+            rows += [made[j] for j in broken]
+
+    def _leaf(self, numbers: Sequence[Fraction]) -> Node:
+        """Return the leaf, with the smallest integers found that still close the part."""
+        tried = next(filter(self._closes, self._integers(numbers)))
+        motion = [to_text(x) for x in tried[:3]]
+        given = {}
+        for i, column in self.alpha.items():
+            alpha, h = tried[column], tried[self.h[i]] if i in self.h else 0
+            # A detached contact without multipliers has these.
+            if alpha or h or self.states.get(i) != "detached":
+                given[str(i)] = [to_text(alpha), *([to_text(h)] if h else [])]
+        used: dict[str, Any] = {}
+        if any(turns := [tried[column] for column in self.turn.values()]):
+            u = sum(sign * x for sign, x in zip(self.turn, turns, strict=True))
+            used["turn"] = [to_text(sum(turns)), to_text(u)]
+        if forces := {str(i): to_text(tried[k]) for i, k in self.rho.items() if tried[k]}:
+            used["forces"] = forces
+        leaf = {"virtual_motion": motion, "multipliers": given}
+        return {**leaf, "range": used} if used else leaf if given else motion
+
+    def _integers(self, numbers: Sequence[Fraction]) -> Iterator[Sequence[int]]:
+        """Yield roundings of multipliers, finer and finer; no alpha above its limit."""
+        largest = max(map(abs, numbers[:3])) or max(map(abs, numbers)) or Fraction(1)
+        for size in _SIZES:
+            rounded = [round(x * size / largest) for x in numbers]
+            for i, sign in self.limits:
+                arm, unit = self._limit(i, sign)
+                most = dot(arm, rounded[:3]) // unit + (
+                    rounded[self.rho[i]] if i in self.rho else 0
+                )
+                rounded[self.alpha[i]] = min(rounded[self.alpha[i]], most)
+            yield rounded
+        yield primitive(numbers)
+
+    def _closes(self, numbers: Sequence[int]) -> bool:
+        """Return whether a virtual motion, alphas and hs close the part."""
+        if any(dot(row[:-2], numbers) < 0 for row in self.bounds):
+            return False
+        rows = map(self._cut_row, self._cuts_at(numbers[:3]))
+        works = (dot(row[:-2], numbers) for row in rows)
+        return all(x > 0 if g else x >= 0 for x, g in zip(works, self.region.weight, strict=True))
+
+    def _balanced(
+        self, cuts: list[Cut], weights: RationalVector, pushes: RationalVector
+    ) -> Solution:
+        """Return the motion and the forces that the multipliers of the program show."""
+        region, contacts = self.region, self.region.contacts
+        motion = [_ZERO] * 3
+        forces = [[_ZERO, _ZERO] for _ in range(len(contacts))]
+        self.binding = [cut for cut, weight in zip(cuts, weights, strict=True) if weight]
+        for cut, weight in zip(cuts, weights, strict=True):
+            if weight:
+                ends = region.generators[cut.generator][1:]
+                motion = [x + weight * g for x, g in zip(motion, ends, strict=True)]
+                for i, sign in cut.signs.items():
+                    spring = Fraction(region.spring[cut.generator, i], contacts.spring_unit[i])
+                    force = weight * spring
+                    forces[i][0] += force
+                    forces[i][1] -= sign * force * contacts.grasp.contacts[i].friction
+        for (i, sign), push in zip(self.limits, pushes, strict=True):
+            # The rows of the bounds are those of a spring force of one over the spring's unit.
+            force = push / contacts.spring_unit[i]
+            forces[i][0] += force
+            forces[i][1] -= sign * force * contacts.grasp.contacts[i].friction
+        return Solution(tuple(motion), tuple((n, t) for n, t in forces))

@@ -1,0 +1,175 @@
+"""The equilibrium of one choice of contact states, solved exactly from a guess.
+
+Where more contacts stick than the balance needs, their forces are not determined. All but a few
+get a rounded share of their friction limit, which is linear in the motion and never too large; the
+few whose tangential planes fix the motion carry what is missing.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from fractions import Fraction
+from typing import Any
+
+import numpy as np
+import numpy.typing as npt
+
+from arrangement.console.short_repr import Shown
+from arrangement.numbers.exact import RationalVector, to_text, vector_text
+from arrangement.numbers.float_filter import Floats
+from arrangement.numbers.linear.rank import rank
+from equilibrium.plane.contacts import IntegerContacts, product
+from equilibrium.plane.elimination import gauss_jordan
+
+#: Shares of the friction limit are multiples of one over this.
+_SHARES = 2**14
+#: Rounded motions are multiples of one over this.
+_COARSE = 16
+
+
+@dataclass(frozen=True)
+class Solution(Shown):
+    """One equilibrium: the motion, and the (normal, tangential) force at each contact."""
+
+    motion: RationalVector
+    forces: tuple[tuple[Fraction, Fraction], ...]
+
+    def __repr__(self) -> str:
+        return f"<Solution: motion {vector_text(self.motion)}, {len(self.forces)} forces>"
+
+    def to_dict(self) -> dict[str, Any]:
+        """Return a JSON form; numbers are strings of rationals."""
+        return {
+            "motion": [to_text(x) for x in self.motion],
+            "forces": [[to_text(x) for x in pair] for pair in self.forces],
+        }
+
+
+@dataclass(frozen=True)
+class Guess:
+    """What each contact may do.
+
+    Attributes:
+        touching: the contacts with a normal force.
+        sticking: those among them that do not slip.
+        shares: of its friction limit, over `_SHARES`, for each contact; exact when it slips.
+        motion: over `_COARSE`, rounded.
+    """
+
+    touching: tuple[bool, ...]
+    sticking: tuple[bool, ...]
+    shares: tuple[int, ...]
+    motion: tuple[int, ...] = field(compare=False)
+
+    @classmethod
+    def read(
+        cls, motion: Floats, force: Floats, ratio: Floats, slips: npt.NDArray[np.bool_]
+    ) -> Guess:
+        """Return the guess of floats: motion, spring force, share of the friction limit, slip."""
+        touching = force > 0
+        sticking = touching & ~slips
+        shares = np.where(sticking, np.rint(ratio * _SHARES), np.sign(ratio) * _SHARES)
+        return cls(
+            tuple(touching.tolist()),
+            tuple(sticking.tolist()),
+            tuple(int(x) for x in np.nan_to_num(shares).tolist()),
+            tuple(round(x * _COARSE) for x in np.nan_to_num(motion).tolist()),
+        )
+
+
+def exact_equilibrium(
+    contacts: IntegerContacts, wrench: RationalVector, guess: Guess
+) -> Solution | None:
+    """Return an equilibrium with the states of a guess, or None."""
+    pillars = _pillars(contacts, guess)
+    along, across = contacts.balance
+    shares = np.array(guess.shares, dtype=object)
+    shares[pillars] = 0
+    touching = np.array(guess.touching, dtype=bool)
+    arm = (along * _SHARES + across * shares[:, None])[touching]
+    unit = contacts.common_unit * _SHARES
+    stiffness = product(arm.T, contacts.spring[touching])
+    rows = []
+    for j in range(3):
+        pull = [int(contacts.tangent[i, j]) for i in pillars]
+        constant = stiffness[j, 0] + wrench[j] * unit
+        rows.append([*stiffness[j, 1:], *(unit * x for x in pull), constant])
+    rows += [[*contacts.tangent[i], *[0] * len(pillars), 0] for i in pillars]
+    size = 3 + len(pillars)
+    reduced, pivots, scale = gauss_jordan(rows)
+    if size in pivots:
+        return None
+    # What the equations leave open is taken from the guess.
+    free = [j for j in range(size) if j not in pivots]
+    point = [0] * size
+    for j in free:
+        point[j] = guess.motion[j] * scale if j < 3 else 0
+    for row, pivot in zip(reduced, pivots, strict=False):
+        point[pivot] = -row[size] * _COARSE - sum(row[j] * point[j] // scale for j in free)
+    if scale < 0:
+        point, scale = [-x for x in point], -scale
+    return _checked(contacts, wrench, guess, pillars, point, scale * _COARSE)
+
+
+def _pillars(contacts: IntegerContacts, guess: Guess) -> list[int]:
+    """Return sticking contacts whose tangential wrenches are a basis of all sticking ones'.
+
+    Those are taken that can give most, each across what the ones before it give.
+    """
+    sticking = np.flatnonzero(guess.sticking)
+    tangents = contacts.floats.tangent[sticking]
+    spare = 1.0 - np.abs(np.array(guess.shares)[sticking]) / (_SHARES + 1)
+    left = tangents * (spare * contacts.floats.friction[sticking])[:, None]
+    chosen: list[int] = []
+    while len(chosen) < 3 and len(sticking):
+        size = np.linalg.norm(left, axis=1)
+        best = int(np.argmax(size))
+        if not size[best] > 1e-9 * np.linalg.norm(tangents[best]) * (spare[best] + 1e-9):
+            break
+        tried = [*chosen, int(sticking[best])]
+        if rank(contacts.tangent[tried].tolist()) < len(tried):
+            break
+        unit = left[best] / size[best]
+        left = left - np.outer(left @ unit, unit)
+        chosen = tried
+    return chosen
+
+
+def _checked(
+    contacts: IntegerContacts,
+    wrench: RationalVector,
+    guess: Guess,
+    pillars: list[int],
+    point: list[int],
+    scale: int,
+) -> Solution | None:
+    """Return the solution if it satisfies the law and the range; motion ``point[:3] / scale``."""
+    motion = np.array([scale, *point[:3]], dtype=object)
+    force = contacts.spring.dot(motion)
+    slip = contacts.tangent.dot(motion[1:])
+    special = dict(zip(pillars, point[3:], strict=True))
+    forces: list[tuple[Fraction, Fraction]] = []
+    zero = Fraction(0)
+    for i, (c, f, s) in enumerate(zip(contacts.grasp, force.tolist(), slip.tolist(), strict=True)):
+        if f <= 0:
+            if guess.touching[i] and f:
+                return None
+            forces.append((zero, zero))
+            continue
+        if not guess.touching[i]:
+            return None
+        normal = Fraction(f, contacts.spring_unit[i] * scale)
+        limit = c.friction * normal
+        if i in special:
+            rub = Fraction(special[i] * contacts.wrench_unit[i], scale)
+        else:
+            rub = limit * Fraction(guess.shares[i], _SHARES)
+        if s and rub * s != -limit * abs(s):
+            return None
+        if abs(rub) > limit:
+            return None
+        forces.append((normal, rub))
+    if any(force[i] <= 0 and special[i] for i in special):
+        return None
+    found = Solution(tuple(Fraction(x, scale) for x in point[:3]), tuple(forces))
+    return found if contacts.within.holds(found.motion, found.forces) else None

@@ -1,0 +1,120 @@
+"""The motions of one region decided exactly, by splits on the states of contacts.
+
+Each part (a region, with the states of some contacts fixed) is decided by a linear program. Where
+that finds a motion with balanced forces, these obey the law at all contacts with a state. If they
+obey it at the others too, this is an equilibrium; if not, a contact where they do not gets a state.
+So the splits end.
+"""
+
+from __future__ import annotations
+
+import math
+import time
+from collections.abc import Sequence
+from fractions import Fraction
+
+from arrangement.numbers.exact import IntegerVector, RationalVector, dot
+from equilibrium.plane.contacts import IntegerContacts
+
+from .part_program import Cut, Node, PartProgram, RegionRows, States
+from .state_equilibrium import Solution
+
+_ZERO = Fraction(0)
+
+
+class TooManyParts(Exception):
+    """The splits have not ended within the number or the time allowed."""
+
+
+class StateSplits:
+    """The decision for one region.
+
+    Args:
+        generators: of the region: four, or the seven of the half space.
+        limit: of the number of programs.
+        deadline: on the clock `time.monotonic`.
+    """
+
+    def __init__(
+        self,
+        contacts: IntegerContacts,
+        wrench: RationalVector,
+        generators: Sequence[IntegerVector],
+        limit: float,
+        deadline: float = math.inf,
+    ) -> None:
+        self.region = RegionRows(contacts, wrench, generators)
+        self.left, self.deadline = limit, deadline
+
+    def decide(self) -> Node | Solution:
+        """Return a proof that the region holds no equilibrium, or one that it holds.
+
+        Raises:
+            TooManyParts: the limit is reached.
+        """
+        return self._decide({}, ())
+
+    def _decide(self, states: States, cuts: Sequence[Cut]) -> Node | Solution:
+        self.left -= 1
+        if self.left < 0 or time.monotonic() > self.deadline:
+            raise TooManyParts
+        program = PartProgram(self.region, states, cuts)
+        found = program.solve()
+        if not isinstance(found, Solution):
+            return found
+        contact = self._worst(found, states)
+        if contact is None:
+            return found
+        cuts, names = program.binding, ("stick", "slip+", "slip-")
+        if contact in states:
+            return self._children(states, cuts, contact, "slip", names)
+        if self.region.mixed[contact] or not self._slides(contact):
+            return self._children(states, cuts, contact, "attachment", ("attached", "detached"))
+        slip = self._children({**states, contact: "attached"}, cuts, contact, "slip", names)
+        if isinstance(slip, Solution):
+            return slip
+        detached = self._decide({**states, contact: "detached"}, cuts)
+        if isinstance(detached, Solution):
+            return detached
+        return {"contact": contact, "attachment": {"detached": detached, "attached": slip}}
+
+    def _children(
+        self,
+        states: States,
+        cuts: Sequence[Cut],
+        contact: int,
+        kind: str,
+        names: tuple[str, ...],
+    ) -> Node | Solution:
+        parts = {}
+        for name in names:
+            part = self._decide({**states, contact: name}, cuts)
+            if isinstance(part, Solution):
+                return part
+            parts[name] = part
+        return {"contact": contact, kind: parts}
+
+    def _slides(self, i: int) -> bool:
+        """Whether the direction of slip matters and is not known."""
+        return not self.region.known[i] and bool(self.region.contacts.friction[i])
+
+    def _worst(self, found: Solution, states: States) -> int | None:
+        """Return the contact at which forces violate the law most, or None."""
+        worst, largest, most = None, _ZERO, self.region.contacts.within.largest_force
+        for i in self.region.kept:
+            if states.get(i) in ("detached", "stick", "slip+", "slip-"):
+                continue
+            c = self.region.contacts.grasp.contacts[i]
+            moved = dot(c.normal_wrench, found.motion)
+            slipped = dot(c.tangential_wrench, found.motion)
+            normal, rub = found.forces[i]
+            excess = normal - max(_ZERO, c.preload - c.stiffness * moved)
+            limit = c.friction * normal
+            wrong = abs(excess) * 4
+            if most is not None:
+                wrong += max(_ZERO, normal - most)
+            if slipped:
+                wrong += abs(limit + rub if slipped > 0 else limit - rub)
+            if wrong > largest:
+                worst, largest = i, wrong
+        return worst

@@ -1,0 +1,136 @@
+"""Units of length, force and motion in which the numbers of a question are near one.
+
+The search sees the question in these units, so it takes about the same steps whatever units the
+numbers of the grasp are in; equilibria and proofs are put back into those exactly. Units are powers
+of two, which keeps the numbers of proofs short.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass, replace
+from fractions import Fraction
+from itertools import chain
+from typing import Any
+
+from arrangement.numbers.exact import IntegerVector, RationalVector, primitive, rational, to_text
+from equilibrium.model.grasp import Grasp
+from equilibrium.model.range import Range
+
+from .motion_regions import HALF_SPACE, ORTHANTS
+from .part_program import Node
+from .state_equilibrium import Solution
+
+
+def unit_of(numbers: Iterable[Fraction]) -> Fraction:
+    """Return the power of two by which the largest number is in [1, 2); 1 if all are 0."""
+    largest = max(map(abs, numbers), default=Fraction(0))
+    if not largest:
+        return Fraction(1)
+    power = largest.numerator.bit_length() - largest.denominator.bit_length()
+    unit = Fraction(2) ** power
+    return unit / 2 if largest < unit else unit
+
+
+@dataclass(frozen=True)
+class Units:
+    """What one means in each kind of number: `step` of a motion along x and y."""
+
+    length: Fraction
+    force: Fraction
+    step: Fraction
+
+    @classmethod
+    def of(cls, grasp: Grasp, wrench: RationalVector) -> Units:
+        """Return the units of a question; where there is preload, those of the grasp alone."""
+        length = unit_of(x for c in grasp for x in c.point)
+        loads = [c.preload for c in grasp]
+        x, y, torque = wrench
+        force = unit_of(loads if any(loads) else (x, y, torque / length))
+        return cls(length, force, force / unit_of(c.stiffness for c in grasp))
+
+    def grasp(self, grasp: Grasp) -> Grasp:
+        """Return a grasp in these units."""
+        return Grasp(
+            replace(
+                c,
+                point=tuple(x / self.length for x in c.point),
+                stiffness=c.stiffness * self.step / self.force,
+                preload=c.preload / self.force,
+            )
+            for c in grasp
+        )
+
+    def wrench(self, wrench: RationalVector) -> RationalVector:
+        """Return a wrench in these units."""
+        x, y, torque = wrench
+        return x / self.force, y / self.force, torque / (self.force * self.length)
+
+    def range(self, within: Range) -> Range:
+        """Return a range in these units."""
+        turn, force = within.largest_turn, within.largest_force
+        return Range(
+            None if turn is None else turn * self.length / self.step,
+            None if force is None else force / self.force,
+        )
+
+    def solution_back(self, found: Solution) -> Solution:
+        """Return an equilibrium in the units of the question."""
+        (x, y, r), unit = found.motion, self.step
+        forces = ((self.force * normal, self.force * rub) for normal, rub in found.forces)
+        return Solution((unit * x, unit * y, unit / self.length * r), tuple(forces))
+
+    def tree_back(self, node: Node, region: Sequence[IntegerVector] = HALF_SPACE) -> Node:
+        """Return a tree in the units of the question.
+
+        Args:
+            region: generators of the node, in these units.
+        """
+        if isinstance(node, list):
+            return self._leaf({"virtual_motion": node, "multipliers": {}})["virtual_motion"]
+        if "virtual_motion" in node:
+            return self._leaf(node)
+        if "orthants" in node:
+            pairs = zip(node["orthants"], ORTHANTS, strict=True)
+            return {"orthants": [self.tree_back(child, corner) for child, corner in pairs]}
+        if "edge" in node:
+            (j, k), (p, q) = node["edge"], map(int, node.get("at", (1, 1)))
+            middle = primitive([p * x + q * y for x, y in zip(region[j], region[k], strict=True)])
+            # The generators of the document are primitive, so they may be multiples of these.
+            p, q = primitive([p * self._size(region[j]), q * self._size(region[k])])
+            children = [
+                self.tree_back(child, [*region[:n], middle, *region[n + 1 :]])
+                for child, n in zip(node["children"], (j, k), strict=True)
+            ]
+            at = {} if p == q == 1 else {"at": [to_text(p), to_text(q)]}
+            return {"edge": [j, k], **at, "children": children}
+        kind = "slip" if "slip" in node else "attachment"
+        parts = {name: self.tree_back(child, region) for name, child in node[kind].items()}
+        return {"contact": node["contact"], kind: parts}
+
+    def _size(self, generator: IntegerVector) -> Fraction:
+        """Return which multiple of a primitive vector a generator is in the other units."""
+        unit = (Fraction(1), self.step, self.step, self.step / self.length)
+        moved = [x * u for x, u in zip(generator, unit, strict=True)]
+        found = primitive(moved)
+        return next(x / y for x, y in zip(moved, found, strict=True) if y)
+
+    def _leaf(self, leaf: dict[str, Any]) -> dict[str, Any]:
+        """Return a leaf; its works are those in these units times a positive number."""
+        x, y, r = map(rational, leaf["virtual_motion"])
+        used = leaf.get("range", {})
+        one, slip = Fraction(1), self.force / self.step
+        turn = slip * self.length
+        rows = {i: [rational(z) * u for z, u in zip(row, (one, slip), strict=False)]
+                for i, row in leaf["multipliers"].items()}  # fmt: skip
+        turns = [rational(z) * turn for z in used.get("turn", ())]
+        rho = list(map(rational, used.get("forces", {}).values()))
+        every = [x, y, r / self.length, *chain(*rows.values()), *turns, *rho]
+        texts = iter(map(to_text, primitive(every)) if any(every) else map(to_text, every))
+        found: dict[str, Any] = {"virtual_motion": [next(texts) for _ in range(3)]}
+        found["multipliers"] = {i: [next(texts) for _ in row] for i, row in rows.items()}
+        if used:
+            found["range"] = {"turn": [next(texts) for _ in turns]} if turns else {}
+            forces = {i: next(texts) for i in used.get("forces", ())}
+            found["range"] |= {"forces": forces} if forces else {}
+        return found

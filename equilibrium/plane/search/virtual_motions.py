@@ -1,0 +1,139 @@
+"""Which virtual motions may close regions of motions: many at once, in floating point.
+
+A virtual motion lambda closes a simplicial region when at each of its four generators the work of
+the load and the least work of the contacts add up to something positive. What is found here is a
+guess with small integers; `leaf_test` decides.
+"""
+
+from __future__ import annotations
+
+import itertools
+import math
+from collections.abc import Sequence
+
+import numpy as np
+import numpy.typing as npt
+
+from arrangement.numbers.exact import RationalVector
+from arrangement.numbers.float_filter import Floats
+from equilibrium.plane.contacts import FloatContacts, IntegerContacts, nearest
+
+#: Entries of the virtual motions tried first.
+_RANGE = 2
+_TINY = 1e-12
+_AROUND = np.array([x for x in itertools.product((-1, 0, 1), repeat=3) if any(x)], dtype=float)
+
+
+class VirtualMotions:
+    """The works of virtual motions for one question.
+
+    Attributes:
+        unit: what one means in each of the three coordinates; integers, or one over integers.
+        candidates: (L, 3), integers in these units.
+    """
+
+    def __init__(self, contacts: IntegerContacts, wrench: RationalVector) -> None:
+        self.contacts: FloatContacts = contacts.floats
+        c = self.contacts
+        self.load = np.array([nearest(w) for w in wrench])
+        self.arm = 2.0 ** round(math.log2(c.length))
+        entries = range(-_RANGE, _RANGE + 1)
+        every = itertools.product(entries, repeat=3)
+        # The simplest first: where two do equally well, that one is taken.
+        listed = sorted((x for x in every if math.gcd(*x) == 1), key=lambda x: sum(map(abs, x)))
+        self.candidates = np.array(listed, dtype=float)
+        self.works = self._works(self.candidates)
+
+    def _works(self, motions: Floats) -> tuple[Floats, ...]:
+        """Return for (..., L, 3) virtual motions in units: work of the load, and least works.
+
+        The latter are those of a unit spring force at each contact, (..., m, L): sliding either
+        way, sliding +, sliding -.
+        """
+        c = self.contacts
+        real = motions / np.array([1.0, 1.0, self.arm])
+        real = real / np.linalg.norm(motions, axis=-1, keepdims=True)
+        along = c.normal @ np.swapaxes(real, -1, -2)
+        across = c.pull @ np.swapaxes(real, -1, -2)
+        return real @ self.load, along - np.abs(across), along - across, along + across
+
+    def values(self, regions: Regions, motions: Floats | None = None) -> Floats:
+        """Return (R, L): positive where a virtual motion seems to close a region.
+
+        Args:
+            motions: (R, L, 3) for each region, or None for the candidates.
+        """
+        load, either, plus, minus = self.works if motions is None else self._works(motions)
+        pos, mixed = regions.touching, regions.mixed
+        spring = regions.spring
+        lifted = np.maximum(spring, 0.0)
+        total = regions.weight[:, :, None] * np.expand_dims(load, -2)
+        for chosen, kappa in (
+            (regions.slip == 0, either),
+            (regions.slip > 0, plus),
+            (regions.slip < 0, minus),
+        ):
+            total += np.where((pos & chosen)[:, None, :], spring, 0.0) @ kappa
+            total += np.where((mixed & chosen)[:, None, :], lifted, 0.0) @ np.minimum(kappa, 0.0)
+        far = (regions.weight == 0)[:, :, None]
+        total = np.where(far & (total > -_TINY), np.inf, total - _TINY)
+        value: Floats = np.nan_to_num(total.min(axis=1), nan=-1.0)
+        return value
+
+    def best(self, regions: Regions, rounds: int = 0) -> tuple[Floats, Floats]:
+        """Return for each region the best virtual motion found, (R, 3), and its value."""
+        values = self.values(regions)
+        chosen = np.argmax(values, axis=1)
+        motions = self.candidates[chosen]
+        value = values[np.arange(len(values)), chosen]
+        for _ in range(rounds):
+            open_ = np.flatnonzero(value <= 0)
+            if not len(open_):
+                break
+            near = 2 * motions[open_, None, :] + _AROUND
+            found = self.values(regions.take(open_), near)
+            best = np.argmax(found, axis=1)
+            best_value = found[np.arange(len(best)), best]
+            better = best_value > value[open_]
+            motions[open_] = np.where(
+                better[:, None], near[np.arange(len(best)), best], 2 * motions[open_]
+            )
+            value[open_] = np.maximum(value[open_], best_value)
+        return motions, value
+
+    def integers(self, motion: Sequence[float]) -> tuple[int, int, int]:
+        """Return coprime integers of the same direction, in the coordinates of the object."""
+        x, y, r = (round(v) for v in motion)
+        if self.arm >= 1:
+            x, y = x * int(self.arm), y * int(self.arm)
+        else:
+            r *= int(1 / self.arm)
+        common = math.gcd(x, y, r) or 1
+        return x // common, y // common, r // common
+
+
+class Regions:
+    """Simplicial cones of homogeneous motions in floating point.
+
+    Attributes:
+        weight: (R, 4), the entries d_0 of generators scaled to a common length.
+        spring, shift: (R, 4, m), spring force and slip at the generators.
+        touching, mixed: (R, m), where the spring force is >= 0 everywhere, where it changes sign.
+        slip: (R, m), the sign of the slip where it is the same everywhere, else 0.
+    """
+
+    def __init__(self, weight: Floats, spring: Floats, shift: Floats) -> None:
+        self.weight, self.spring, self.shift = weight, spring, shift
+        low, high = spring.min(axis=1), spring.max(axis=1)
+        self.touching = low >= -_TINY
+        self.mixed = (high > _TINY) & ~self.touching
+        self.slip = np.where(shift.min(axis=1) > _TINY, 1, 0) - np.where(
+            shift.max(axis=1) < -_TINY, 1, 0
+        )
+
+    def take(self, rows: npt.NDArray[np.intp]) -> Regions:
+        """Return some of the regions."""
+        part = object.__new__(Regions)
+        for name, value in self.__dict__.items():
+            setattr(part, name, value[rows])
+        return part

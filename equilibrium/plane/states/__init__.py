@@ -1,0 +1,1 @@
+"""Contact states one by one: the linear system of each, its exact solutions."""

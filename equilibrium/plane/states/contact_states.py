@@ -1,0 +1,82 @@
+"""The contact states that rigid motion and springs allow, from the planes in the space of motions.
+
+A motion d fixes the state of each contact: detached when ``stiffness N . d >= preload`` (no normal
+force), else slip+, slip- or stick by the sign of ``T . d``. Not all 4^m choices occur, and not all
+that occur are needed. Let F be the intersection of the tangential planes through d, and Y a region
+of the arrangement restricted to F whose closure holds d. Each ``T_i . d`` has on Y the sign that it
+has at d. A contact whose normal plane passes through d has no force at d, whatever its state on Y.
+So every equilibrium at d satisfies the closed conditions of the states on Y, and the states on
+these regions are enough: those of all cells, of the facets in tangential planes, of the edges in
+two of them, and of d = 0. They are O(m^2) without preload, O(m^3) with.
+"""
+
+from __future__ import annotations
+
+from typing import TypeAlias
+
+import numpy as np
+import numpy.typing as npt
+
+from arrangement.numbers.exact import RationalVector
+from equilibrium.model.grasp import Grasp
+
+from .state_system import State, States
+
+#: Rows of contact states as numbers: the sign of ``T . d``, or `DETACHED`.
+Codes: TypeAlias = npt.NDArray[np.int8]
+
+DETACHED = 2
+STATE_OF_CODE: dict[int, State] = {1: "slip+", 0: "stick", -1: "slip-", DETACHED: "detached"}
+
+
+def states_of_code(row: list[int]) -> States:
+    """Return the names of a row of codes."""
+    return tuple(STATE_OF_CODE[code] for code in row)
+
+
+def contact_states(grasp: Grasp) -> tuple[States, ...]:
+    """Return choices of contact states that together admit every equilibrium, without repeats."""
+    return tuple(map(states_of_code, state_codes(grasp).tolist()))
+
+
+def state_codes(grasp: Grasp) -> Codes:
+    """Return the same as an array (choices, contacts)."""
+    planes = grasp.motion_arrangement()
+    tangential = sorted({planes.distinct[label][0] for label in planes.class_of[: len(grasp)]})
+    parts = []
+    for least, dimension in enumerate((3, 2, 1)):
+        signs = planes.faces(dimension).signs
+        parts.append(_codes(signs[(signs[:, tangential] == 0).sum(axis=1) >= least]))
+    codes = np.concatenate(parts)
+    if grasp.tangential_arrangement().rank == 3:
+        at_rest = planes.signs_at((0, 0, 0))
+        codes = np.concatenate([codes, _codes(np.array([at_rest], dtype=np.int8))])
+    codes = _distinct(codes)
+    codes.setflags(write=False)
+    return codes
+
+
+def states_at(grasp: Grasp, motion: RationalVector) -> States:
+    """Return the contact states of a motion."""
+    signs = np.array([grasp.motion_arrangement().signs_at(motion)], dtype=np.int8)
+    return states_of_code(_codes(signs)[0].tolist())
+
+
+def _codes(signs: Codes) -> Codes:
+    """Return the codes of rows of signs over the planes of ``Grasp.motion_arrangement``."""
+    m = signs.shape[1] // 2
+    codes: Codes = np.where(signs[:, m:] >= 0, np.int8(DETACHED), signs[:, :m])
+    return codes
+
+
+def _distinct(codes: Codes) -> Codes:
+    """Return the rows without repeats, in a fixed order."""
+    # Two bits for each code; whole words are sorted faster than rows.
+    bits = np.concatenate([codes > 0, codes & 1 == 0], axis=1)
+    packed = np.packbits(bits, axis=1)
+    words = np.zeros((len(codes), -(-packed.shape[1] // 8)), dtype=np.uint64)
+    words.view(np.uint8)[:, : packed.shape[1]] = packed
+    order = np.lexsort(words.T) if words.size else np.arange(len(codes))
+    first = np.ones(len(codes), dtype=bool)
+    first[1:] = np.any(words[order[1:]] != words[order[:-1]], axis=1)
+    return codes[order[first]]

@@ -1,0 +1,89 @@
+"""Questions in space that lie in one plane, decided there.
+
+Out of the plane no loaded contact slips (see "Contacts in one plane" in the documentation of proofs
+in space), so the verdict is that of the plane, where all are decided.
+"""
+
+from __future__ import annotations
+
+import math
+import time
+from collections.abc import Sequence
+from fractions import Fraction
+from typing import Any
+
+from arrangement.numbers.exact import RationalVector, dot, to_text
+from arrangement.numbers.linear.rank import cross
+from equilibrium.model.errors import GraspError, TimeLimitError
+from equilibrium.model.grasp import Grasp
+from equilibrium.model.plane import in_plane
+from equilibrium.model.range import NO_RANGE, Range
+from equilibrium.plane.contacts import IntegerContacts
+from equilibrium.plane.search.resistance import resistance
+from equilibrium.plane.search.state_equilibrium import Solution
+
+from .equilibria import SpatialSolution
+
+
+def decide_in_plane(
+    grasp: Grasp, wrench: RationalVector, deadline: float, within: Range = NO_RANGE
+) -> SpatialSolution | dict[str, Any] | None:
+    """Return an equilibrium or a proof, or None if no plane with rational axes has the question.
+
+    The range is that of space: what turns within it there turns within it in the plane, and back.
+
+    Raises:
+        TimeoutError: the deadline has passed.
+    """
+    axes = _axes(grasp, wrench)
+    try:
+        flat, load = in_plane(grasp, wrench, axes)
+    except GraspError:
+        return None
+    limit = None if deadline == math.inf else deadline - time.monotonic()
+    try:
+        found = resistance(IntegerContacts(flat, within), load, limit)
+    except TimeLimitError:
+        raise TimeoutError("the time is over") from None
+    if not isinstance(found, Solution):
+        return {"plane": [list(map(to_text, axis)) for axis in axes], "tree": found}
+    return _lifted(grasp, flat, axes, found)
+
+
+def _axes(grasp: Grasp, wrench: RationalVector) -> tuple[RationalVector, RationalVector]:
+    """Return the first normal, and the axis at a right angle to it in the plane, if it is rational.
+
+    Whether the question lies in that plane is not looked at.
+    """
+    force = wrench[:3]
+    if not len(grasp):
+        return (Fraction(1), *[Fraction(0)] * 2), (Fraction(0), Fraction(1), Fraction(0))
+    first = grasp.contacts[0]
+    u, place = first.normal, first.point
+    inside = [c.normal for c in grasp] + [_minus(c.point, place) for c in grasp] + [force]
+    across = [cross(u, x) for x in inside] + [_minus(wrench[3:], cross(place, force))]
+    normal = next((x for x in across if any(x)), first.tangent)
+    size = dot(normal, normal)
+    length = Fraction(math.isqrt(size.numerator), math.isqrt(size.denominator))
+    return u, cross(tuple(x / length for x in normal), u)
+
+
+def _lifted(
+    grasp: Grasp, flat: Grasp, axes: Sequence[RationalVector], found: Solution
+) -> SpatialSolution:
+    """Return an equilibrium of the plane in space."""
+    u, v = axes
+    normal = cross(u, v)
+    x, y, turn = found.motion
+    # A turn about the axis through the origin moves its points along the plane alone.
+    motion = (*(x * a + y * b for a, b in zip(u, v, strict=True)), *(turn * c for c in normal))
+    forces = []
+    for contact, planar, (pressed, rubbed) in zip(grasp, flat, found.forces, strict=True):
+        a, b = planar.tangent
+        pull = tuple(rubbed * (a * s + b * t) for s, t in zip(u, v, strict=True))
+        forces.append((pressed, *(dot(pull, tangent) for tangent in contact.tangents)))
+    return SpatialSolution(motion, tuple(forces))
+
+
+def _minus(one: RationalVector, other: RationalVector) -> RationalVector:
+    return tuple(x - y for x, y in zip(one, other, strict=True))

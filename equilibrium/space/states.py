@@ -1,0 +1,151 @@
+"""States of contacts in space: what each contact does, and what balance with them asks for."""
+
+from __future__ import annotations
+
+import math
+from fractions import Fraction
+
+import numpy as np
+
+from arrangement.numbers.exact import RationalVector
+from arrangement.numbers.float_filter import Floats
+from equilibrium.plane.contacts import SpatialContacts, nearest
+from equilibrium.plane.elimination import gauss_jordan
+
+#: Shares of the friction limit are multiples of one over this.
+_SHARES = 2**14
+#: Of rational slip directions: the largest denominator of half-angle tangents, the error allowed.
+_SIMPLE, _SAME = 64, 1e-6
+#: From this share of its limit on, friction may be that of a slip.
+_SLIPS = 0.9999
+
+
+class States:
+    """What each contact does, read off normal forces (m,) and shares of friction limits (m, 2).
+
+    Contacts without friction count as sticking ones with no share.
+
+    Attributes:
+        ratio: (m, 2), of friction forces to their limits.
+        touching, slipping: contacts with a force, and those among them that slip.
+        shares: (m, 2), of the friction limit, rounded; those of slips only if they are rational.
+        rational: whether all slips go along rational directions.
+    """
+
+    def __init__(self, contacts: SpatialContacts, force: Floats, ratio: Floats) -> None:
+        ratio = np.where(contacts.friction[:, None] > 0, ratio, 0.0)
+        self.touching = [bool(x) for x in force > 0]
+        self.ratio = ratio
+        size = np.linalg.norm(ratio, axis=1)
+        self.slipping = [t and bool(x > _SLIPS) for t, x in zip(self.touching, size, strict=True)]
+        self.shares: list[RationalVector | None] = []
+        for (x, y), slips in zip(ratio, self.slipping, strict=True):
+            if slips:
+                self.shares.append(rational_direction(float(x), float(y)))
+            else:
+                self.shares.append(tuple(Fraction(int(v * _SHARES), _SHARES) for v in (x, y)))
+        self.rational = None not in self.shares
+        near = tuple(np.rint(64 * ratio).astype(int).ravel().tolist())
+        self.key = (tuple(self.touching), tuple(self.slipping), near)
+
+
+def rational_direction(
+    x: float, y: float, simple: int = _SIMPLE, error: float = _SAME
+) -> RationalVector | None:
+    """Return the unit vector of a simple half-angle tangent in a direction, if there is one."""
+    size = math.hypot(x, y)
+    x, y = x / size, y / size
+    folded = abs(y) / (1 + abs(x))
+    u = Fraction(folded).limit_denominator(simple)
+    if abs(float(u) - folded) > error:
+        return None
+    cosine, sine = (1 - u * u) / (1 + u * u), 2 * u / (1 + u * u)
+    return (cosine if x > 0 else -cosine, sine if y > 0 else -sine)
+
+
+def smooth_states(contacts: SpatialContacts, motion: Floats, eps: float) -> States:
+    """Return the states of contacts at a motion of the smoothed balance."""
+    force = contacts.spring[:, 0] + contacts.spring[:, 1:] @ motion
+    slip = contacts.tangents @ motion
+    root = np.sqrt((slip * slip).sum(axis=1) + eps * eps)
+    return States(contacts, force, np.nan_to_num(-slip / root[:, None]))
+
+
+class StateBalance:
+    """The balance for given states, in y, of the motion B y, and forces of pillars."""
+
+    def __init__(self, contacts: SpatialContacts, wrench: RationalVector, states: States) -> None:
+        self.contacts, self.wrench, self.states = contacts, wrench, states
+        grasp = contacts.grasp
+        self.sticking = [
+            i
+            for i, contact in enumerate(grasp)
+            if states.touching[i] and not states.slipping[i] and contact.friction
+        ]
+        rows = [row for i in self.sticking for row in grasp.contacts[i].tangential_wrenches]
+        self.basis = _null_space(rows)
+        self.pillars = self._pillars(6 - len(self.basis))
+        # Motions that no touching contact feels; balance does not tell them.
+        touching = [c for c, near in zip(grasp, states.touching, strict=True) if near]
+        felt = [c.normal_wrench for c in touching]
+        felt += [row for c in touching if c.friction for row in c.tangential_wrenches]
+        self.unfelt = _null_space(felt)
+
+    def _pillars(self, count: int) -> tuple[tuple[int, int], ...]:
+        """Return tangents of sticking contacts that span all of them; strong contacts first."""
+        c = self.contacts
+        places = [(i, j) for i in self.sticking for j in (0, 1)]
+        tangents = np.array([c.tangents[i, j] for i, j in places]).reshape(-1, 6)
+        spare = [1.01 - float(np.linalg.norm(self.states.ratio[i])) for i, _ in places]
+        weight = np.array(
+            [x * (c.friction[i] + 1e-9) for x, (i, _) in zip(spare, places, strict=True)]
+        )
+        left = tangents * weight[:, None] if places else tangents
+        chosen: list[tuple[int, int]] = []
+        for _ in range(count):
+            size = np.linalg.norm(left, axis=1)
+            best = int(np.argmax(size))
+            if not size[best] > 0:
+                break
+            chosen.append(places[best])
+            unit = left[best] / size[best]
+            left = left - np.outer(left @ unit, unit)
+        return tuple(chosen)
+
+    def share(self, i: int) -> list[Fraction]:
+        """Return the share of a contact, without what pillars carry."""
+        given = self.states.shares[i] or (Fraction(0), Fraction(0))
+        return [Fraction(0) if (i, j) in self.pillars else x for j, x in enumerate(given)]
+
+    def named_share(self, i: int) -> RationalVector | None:
+        """Return None for a detached contact, nothing for one that may slip, else its share."""
+        if not self.states.touching[i]:
+            return None
+        return tuple(self.share(i)) if i in self.sticking else ()
+
+    def float_basis(self) -> Floats:
+        """Return the basis in floats, (6, p)."""
+        rows = [[nearest(x) for x in motion] for motion in self.basis]
+        basis: Floats = np.array(rows).reshape(len(rows), 6).T
+        return basis
+
+    def coordinates(self, motion: Floats) -> Floats:
+        """Return the combination of the basis that is nearest to a motion."""
+        if not self.basis:
+            return np.zeros(0)
+        found = np.linalg.lstsq(self.float_basis(), motion, rcond=None)[0]
+        nearest_one: Floats = found.astype(np.float64)
+        return nearest_one
+
+
+def _null_space(rows: list[RationalVector]) -> list[RationalVector]:
+    """Return a basis of the motions on which all rows are 0."""
+    reduced, pivots, scale = gauss_jordan([list(row) for row in rows])
+    basis = []
+    for j in range(6):
+        if j not in pivots:
+            motion = [Fraction(int(k == j)) for k in range(6)]
+            for row, pivot in zip(reduced, pivots, strict=False):
+                motion[pivot] = Fraction(-row[j], scale)
+            basis.append(tuple(motion))
+    return basis

@@ -1,0 +1,1 @@
+"""Claims on grasps: the model, the tables, proofs, methods, modes, and space."""

@@ -1,0 +1,1 @@
+"""Claims on arrangements: counts, the dual, the steps as printed, the sphere, families."""

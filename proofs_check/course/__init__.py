@@ -1,0 +1,1 @@
+"""For courses: exercises that are graded, and numbers in print compared with computed ones."""

@@ -1,0 +1,171 @@
+"""Exercises for a course: a decorated function that gets an answer and returns True or a reason.
+
+The lecturer writes a Python file, the students hand in JSON, and ``proofs-check grade FILE.py
+ANSWERS.json`` compares. A function may compute what is right, or only check: a certificate proves
+its verdict whoever wrote it, and a counterexample is one whoever found it. ::
+
+    from proofs_check import exercise
+
+    @exercise("Give a grasp of two contacts that resists no pull upwards.", of="grasp")
+    def no_pull(grasp):
+        return len(grasp) == 2 and not solve(grasp, (0, 1, 0)).stable
+
+The lecturer's file is run with all rights, as with ``python FILE.py``. Answers are read, never run.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from typing import Any
+
+from arrangement.arrangement import Arrangement
+from arrangement.console.short_repr import Shown
+from arrangement.errors import InputError
+from arrangement.library.files.json_files import Source, check_keys, check_list, read_document
+from arrangement.library.files.table import read_arrangement
+from arrangement.numbers.exact import rational, rational_vector, shown
+from equilibrium.certificate.checker import Report, check
+from equilibrium.model.grasp import Grasp
+from proofs_check.errors import OwnClaimError
+from proofs_check.own_claims.claim_file import defined, line_of
+
+
+@dataclass(frozen=True, repr=False)
+class Exercise(Shown):
+    """A question with a check of its answers.
+
+    Attributes:
+        id: its key in a file of answers.
+        question: in words.
+        of: what an answer is, a key of `FORMS`.
+        points: for a right answer.
+        judge: gets an answer as `FORMS` reads it; returns a Boolean, the report of a checked
+            certificate, or a text that says what is wrong.
+    """
+
+    id: str
+    question: str
+    of: str
+    points: int
+    judge: Callable[[Any], Any]
+
+    def mistake(self, answer: Any) -> str:
+        """Return what is wrong with an answer, given as in a file; an empty text if it is right.
+
+        Raises:
+            OwnClaimError: the function raised an error, or returned something else.
+        """
+        try:
+            given = FORMS[self.of][0](answer)
+        except InputError as error:
+            return str(error)
+        try:
+            found = self.judge(given)
+        except Exception as error:
+            where = line_of(error, self.judge.__code__.co_filename)
+            text = f"{type(error).__name__}: {error}"
+            raise OwnClaimError(f"{self.id} raised {text} ({where})") from error
+        if isinstance(found, Report):
+            return found.problem
+        if isinstance(found, bool):
+            return "" if found else "wrong"
+        if isinstance(found, str) and found:
+            return found
+        raise OwnClaimError(
+            f"{self.id} returned {shown(found)}; return True, False, what `check` says of a "
+            "certificate, or a text that says what is wrong"
+        )
+
+
+def exercise(
+    question: str, *, of: str = "number", points: int = 1, id: str | None = None
+) -> Callable[[Callable[[Any], Any]], Exercise]:
+    """Make an exercise of a function that gets an answer and returns True or a reason.
+
+    Args:
+        question: in words.
+        of: what an answer is: "number", "numbers", "states", "certificate", "grasp" or "planes".
+        points: for a right answer, at least 0.
+        id: if omitted, the name of the function.
+
+    Raises:
+        OwnClaimError: an argument out of range.
+    """
+    if of not in FORMS:
+        raise OwnClaimError(f"of is {shown(of)}; give one of {', '.join(FORMS)}")
+    if type(points) is not int or points < 0:
+        raise OwnClaimError(f"points is {shown(points)}; give an integer, at least 0")
+
+    def decorate(function: Callable[[Any], Any]) -> Exercise:
+        name = id or function.__name__.lower().replace("_", "-")
+        if not re.fullmatch("[a-z0-9]+(-[a-z0-9]+)*", name):
+            raise OwnClaimError(f"{name!r} is not an id; use lower case words with hyphens")
+        return Exercise(name, question, of, points, function)
+
+    return decorate
+
+
+def load_exercises(path: str) -> dict[str, Exercise]:
+    """Run a Python file and return the exercises in it by id, in order of definition.
+
+    Raises:
+        OwnClaimError: the file cannot be read or run, has no exercises, or two with one id.
+    """
+    found = defined(path, Exercise, "exercises; decorate a function with @exercise(...)")
+    named = {one.id: one for one in found}
+    if len(named) < len(found):
+        raise OwnClaimError(f"{path} has two exercises with one id")
+    return named
+
+
+def grade(exercises: Mapping[str, Exercise], source: Source) -> dict[str, str]:
+    """Return what is wrong with each answer of a file, by id; a right one has an empty text.
+
+    Raises:
+        InputError: this is no file of answers, or it answers what was not asked.
+    """
+    document = read_document(source, ("answers",), floats=True)
+    check_keys(document, ("schema_version", "answers"), ("description",), "the file of answers")
+    answers = document["answers"]
+    check_keys(answers, (), tuple(exercises), "answers")
+    return {
+        id: one.mistake(answers[id]) if id in answers else "no answer"
+        for id, one in exercises.items()
+    }
+
+
+def _states(answer: Any) -> frozenset[tuple[str, ...]]:
+    """Read a list of states; each is a text of signs, or a list of words."""
+    for state in check_list(answer, "the answer"):
+        if not isinstance(state, (str, list)) or not all(isinstance(one, str) for one in state):
+            raise InputError(f'{shown(state)} is no state; write "+-0" or ["slip+", "stick"]')
+    return frozenset(map(tuple, answer))
+
+
+def _certificate(answer: Any) -> Mapping[str, Any]:
+    """Read a certificate, be it right or wrong."""
+    check(_object(answer))
+    return _object(answer)
+
+
+def _object(answer: Any) -> Mapping[str, Any]:
+    if not isinstance(answer, Mapping):
+        raise InputError(f"the answer is {shown(answer)}; give the JSON object of a file")
+    return answer
+
+
+def _planes(answer: Any) -> Arrangement:
+    return read_arrangement(_object(answer))
+
+
+#: What an answer can be: how it is read, and what it looks like.
+FORMS: Mapping[str, tuple[Callable[[Any], Any], str]] = {
+    "number": (lambda answer: rational(answer, "the answer"), 'such as 14 or "7/3"'),
+    "numbers": (lambda answer: rational_vector(answer, "the answer"), 'such as [0, "1/2"]'),
+    "states": (_states, 'a set, such as ["+-0"] or [["slip+", "stick"]]'),
+    "certificate": (_certificate, "what `equilibrium solve --certificate` writes"),
+    "grasp": (lambda answer: Grasp.from_dict(_object(answer)), "a grasp file"),
+    "planes": (_planes, "an arrangement file"),
+}

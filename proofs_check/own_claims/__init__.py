@@ -1,0 +1,1 @@
+"""Claims of users: their files, how they are tried, how a counterexample is made small."""

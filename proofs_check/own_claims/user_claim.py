@@ -1,0 +1,269 @@
+"""Claims of your own: a decorated function that gets an instance and returns True or a reason.
+
+Write a Python file and run it with ``proofs-check run FILE.py``::
+
+    from proofs_check import claim
+
+    @claim("Every arrangement in general position has twice as many facets as rays.", of="simple")
+    def facets_and_rays(planes):
+        _, rays, facets, _ = planes.f_vector
+        return facets == 2 * rays or f"{facets} facets and {rays} rays"
+
+The function runs on every combinatorial type up to a number of planes, on the named families and
+on random instances, or on a list of instances; a failure is made as small as possible and saved.
+With ``routes`` a value is computed by several functions that must agree, and the function judges
+it. The file is a program: it runs with all rights of the user who names it on the command line, as
+with ``python FILE.py``. Nothing else that this package reads is ever executed.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from functools import partial
+from numbers import Integral
+from typing import Any
+
+from arrangement.arrangement import Arrangement
+from arrangement.duals.zonohedron import dual_polyhedron
+from proofs_check.errors import OwnClaimError
+from proofs_check.instances.arrangements import census_cases
+from proofs_check.instances.domains import domain, known_families
+from proofs_check.reports.formula import mathml
+from proofs_check.statements.statement import (
+    Case,
+    Claim,
+    Domain,
+    Route,
+    Source,
+    Verdict,
+    exhaustive,
+    sampled,
+)
+
+from .claim_file import Unequal, line_of
+from .shrink import smallest_case
+
+_NAME = re.compile(r"[a-z0-9]+(?:-[a-z0-9]+)*")
+
+
+def claim(
+    statement: str,
+    *,
+    of: str | Iterable[Any] = "distinct",
+    routes: Iterable[Callable[[Any], Any]] = (),
+    id: str | None = None,
+    planes: Sequence[int] | None = None,
+    samples: int = 200,
+    census: int = 6,
+    families: bool = True,
+    when: Callable[[Any], bool] | None = None,
+    hypotheses: Iterable[str] = (),
+    locator: str = "",
+    formula: str = "",
+    expected: str = "holds",
+) -> Callable[[Callable[..., Any]], Claim]:
+    """Make a claim of a function that gets an instance and returns True or a reason.
+
+    Args:
+        statement: in words.
+        of: a domain of `instances.domains` ("distinct", "simple", "central", "affine", ...,
+            "grasp"), or "dual" for the dual polyhedra of different planes of rank 3; or a list of
+            instances of any kind, or a mapping from labels to instances, which are then all.
+        routes: functions that get an instance and return one value by different ways; they must
+            agree, and the decorated function gets the instance and the value.
+        id: name of the claim; if omitted, the name of the function.
+        planes: smallest and largest number of planes or contacts of random instances; if omitted,
+            from the domain's least (at least 3) to 8 planes, or 1 to 4 contacts.
+        samples: number of random instances.
+        census: run over every combinatorial type of up to so many planes (at most 8; 0 for none).
+        families: run over the named families.
+        when: a hypothesis; instances on which it is false are passed over.
+        hypotheses: the same in words, for the report.
+        locator: where the statement stands in your text.
+        formula: the statement in the part of TeX that `reports.formula` reads.
+        expected: "holds" or "refuted"; decides the exit code of the run and nothing else.
+
+    Raises:
+        OwnClaimError: an argument out of range.
+    """
+    _check(statement, samples, census, expected)
+    if formula:
+        mathml(formula)
+    as_dual, listed = of == "dual", None if isinstance(of, str) else _cases(of)
+    chosen = domain("distinct" if as_dual else of) if isinstance(of, str) else None
+    limits = _limits(chosen, planes) if chosen else (0, 0)
+
+    def given(subject: Any) -> Any:
+        wanted = as_dual and isinstance(subject, Arrangement)
+        return dual_polyhedron(subject) if wanted else subject
+
+    def decorate(function: Callable[..., Any]) -> Claim:
+        name = id or function.__name__.strip("_").lower().replace("_", "-")
+        if not _NAME.fullmatch(name):
+            raise OwnClaimError(f"{name!r} is not an id; use lower case words with hyphens")
+        sources: tuple[Source, ...] = ()
+        if listed is not None:
+            sources = exhaustive(f"the {len(listed)} given instances", lambda _: listed)
+        elif chosen and chosen.unit == "planes":
+            named = sampled("named families", lambda _: known_families(chosen))
+            sources = census_sources(census) + (named if families else ())
+        return Claim(
+            id=name,
+            locator=locator,
+            statement=statement.strip(),
+            sources=sources,
+            expected=Verdict(expected),
+            hypotheses=tuple(hypotheses),
+            applies=partial(_applies, name, chosen, given, when),
+            domain=chosen,
+            sizes=limits,
+            samples=samples if chosen else 0,
+            smaller=smallest_case if chosen else None,
+            formula=formula,
+            **_checks(name, function, tuple(routes), given),
+        )
+
+    return decorate
+
+
+def _check(statement: str, samples: int, census: int, expected: str) -> None:
+    if not isinstance(statement, str) or not statement.strip():
+        raise OwnClaimError('a claim needs a statement in words: @claim("...")')
+    if type(samples) is not int or samples < 0:
+        raise OwnClaimError(f"samples is {samples!r}; give an integer, at least 0")
+    if type(census) is not int or census not in (0, 3, 4, 5, 6, 7, 8):
+        raise OwnClaimError(f"census is {census!r}; give 3 to 8 planes, or 0 for no census")
+    if expected not in (Verdict.HOLDS.value, Verdict.REFUTED.value):
+        raise OwnClaimError(f'expected is {expected!r}; give "holds" or "refuted"')
+
+
+Given = Callable[[Any], Any]
+
+
+def _applies(
+    name: str, chosen: Domain | None, given: Given, when: Given | None, subject: Any
+) -> bool:
+    """Whether an instance is of the domain and satisfies the hypothesis."""
+    if chosen and (len(subject) < chosen.least or not chosen.contains(subject)):
+        return False
+    try:
+        return when is None or bool(when(given(subject)))
+    except Exception as error:
+        text = f"{type(error).__name__}: {error}"
+        raise OwnClaimError(f"the hypothesis `when` of {name} raised {text}") from error
+
+
+def _checks(
+    name: str, function: Callable[..., Any], ways: tuple[Given, ...], given: Given
+) -> dict[str, Any]:
+    """Return what a claim computes, by which routes, and what judges it."""
+    if not ways:
+        alone = Route(
+            f"the function {function.__name__}",
+            lambda subject: _answer(name, function, given(subject)),
+        )
+        return {
+            "quantity": "whether the function of the file returns True",
+            "routes": (alone,),
+            "judge": lambda _, answer: answer is True,
+            "explain": lambda _, answer: _reason(answer),
+        }
+
+    def judged(subject: Any, value: Any) -> bool | str:
+        try:
+            return _answer(name, function, given(subject), value)
+        except OwnClaimError:
+            raise
+        except Exception as error:
+            text = f"{type(error).__name__}: {error} ({'; '.join(error.__notes__)})"
+            raise OwnClaimError(f"{name} raised {text} for the value {value!r}") from error
+
+    def route(way: Given) -> Route:
+        return Route(_told(way), lambda subject: _value(way, given(subject)))
+
+    return {
+        "quantity": "the value",
+        "routes": tuple(map(route, ways)),
+        "judge": lambda subject, value: judged(subject, value) is True,
+        "explain": lambda subject, value: _reason(judged(subject, value)),
+    }
+
+
+def _cases(instances: Iterable[Any]) -> list[Case]:
+    """Return listed instances as cases, with labels and, where there is one, their file form."""
+    pairs = (
+        instances.items()
+        if isinstance(instances, Mapping)
+        else ((f"instance {k}", subject) for k, subject in enumerate(instances, 1))
+    )
+    found = [
+        Case(str(label), subject, subject.to_dict() if hasattr(subject, "to_dict") else None)
+        for label, subject in pairs
+    ]
+    if not found:
+        raise OwnClaimError("the list of instances is empty; give at least one")
+    return found
+
+
+def _told(way: Callable[[Any], Any]) -> str:
+    """Return what a route is called: the first line of its docstring, or its name."""
+    return (way.__doc__ or "").strip().partition("\n")[0].rstrip(".") or way.__name__
+
+
+def _called(function: Callable[..., Any], *arguments: Any) -> Any:
+    """Call a function of a file; its errors note the line in the file."""
+    try:
+        return function(*arguments)
+    except Exception as error:
+        error.add_note(line_of(error, getattr(function, "__code__", _called.__code__).co_filename))
+        raise
+
+
+def _value(way: Callable[[Any], Any], subject: Any) -> Any:
+    """Return the value of a route; integers of any library as those of Python."""
+    value = _called(way, subject)
+    return int(value) if isinstance(value, Integral) and not isinstance(value, bool) else value
+
+
+def census_sources(most: int) -> tuple[Source, ...]:
+    """Return the source with all types of 3 to so many planes; none for 0."""
+    over = f"one arrangement of every combinatorial type of 3 to {most} planes"
+    return exhaustive(over, lambda _: census_cases(range(3, most + 1))) if most else ()
+
+
+def _answer(name: str, function: Callable[..., Any], *arguments: Any) -> bool | str:
+    """Return what the function says; a failed ``assert`` in it is a reason too.
+
+    Raises:
+        OwnClaimError: the function returned neither True nor a text.
+    """
+    try:
+        answer = _called(function, *arguments)
+    except AssertionError as error:
+        return str(error) or f"an assertion failed ({'; '.join(error.__notes__)})"
+    if type(answer).__name__ in ("bool", "bool_"):
+        return bool(answer)
+    if isinstance(answer, Unequal):
+        return answer.text
+    if isinstance(answer, str) and answer:
+        return answer
+    raise OwnClaimError(f"{name} returned {answer!r}; return True, or a text that says why not")
+
+
+def _reason(answer: bool | str) -> str:
+    return answer if isinstance(answer, str) else "" if answer else "the function returned False"
+
+
+def _limits(chosen: Domain, planes: Sequence[int] | None) -> tuple[int, int]:
+    if planes is None:
+        return (max(3, chosen.least), 8) if chosen.unit == "planes" else (1, 4)
+    if len(planes) != 2 or not all(type(m) is int for m in planes):
+        raise OwnClaimError(f"planes is {planes!r}; give a smallest and a largest number")
+    low, high = planes
+    if not chosen.least <= low <= high:
+        raise OwnClaimError(
+            f"planes is ({low}, {high}); {chosen.text} need at least {chosen.least}, and the "
+            "smaller number stands first"
+        )
+    return (low, high)

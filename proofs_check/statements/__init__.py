@@ -1,0 +1,1 @@
+"""What a claim is, and what its verdict rests on."""

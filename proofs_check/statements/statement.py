@@ -1,0 +1,313 @@
+"""Claims: what a statement is, what it is checked on, and by which routes.
+
+A claim is a statement about every instance of some domain. Its routes, which share no code,
+compute for one instance the quantity that the statement is about; a judge says whether a value of
+that quantity is what the statement promises. A claim of the paper and a claim of a user are the
+same thing: the first has two routes, the second may have one.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from dataclasses import dataclass, field
+from difflib import get_close_matches
+from enum import Enum
+from itertools import chain
+from random import Random
+from typing import TYPE_CHECKING, Any
+
+from arrangement.console.short_repr import Shown
+from arrangement.numbers.exact import shown
+from proofs_check.errors import OwnClaimError, UnknownClaimError
+
+if TYPE_CHECKING:
+    from arrangement.library.census.chirotopes import Signs
+    from arrangement.numbers.float_filter import Booleans
+
+
+class Verdict(Enum):
+    """What the evidence says about a statement."""
+
+    HOLDS = "holds"
+    HOLDS_UNDER_HYPOTHESIS = "holds under a hypothesis"
+    REFUTED = "refuted"
+
+
+class Kind(Enum):
+    """How far evidence reaches.
+
+    PROVED: a proof, each finite part of which the cases check. EXHAUSTIVE: every instance of the
+    stated domain. SAMPLED: random instances.
+    """
+
+    PROVED = "proof"
+    EXHAUSTIVE = "all cases"
+    SAMPLED = "samples"
+
+
+@dataclass(frozen=True, repr=False)
+class Case(Shown):
+    """One instance on which a claim is checked.
+
+    Attributes:
+        label: short text that names it.
+        subject: what the routes take.
+        document: the instance in file form, so that it can be checked again.
+        assumption: what had to be assumed to read the instance at all (a misprint).
+    """
+
+    label: str
+    subject: Any
+    document: Mapping[str, Any] | None = None
+    assumption: str = ""
+
+
+@dataclass(frozen=True, repr=False)
+class Source(Shown):
+    """Where cases come from: how far they reach, what they are in words, and the cases."""
+
+    kind: Kind
+    over: str
+    cases: Callable[[Random], Iterable[Case]]
+
+
+def proved(over: str, cases: Callable[[Random], Iterable[Case]]) -> tuple[Source, ...]:
+    """Return the source of a claim that is proved: the cases on which parts of it are checked."""
+    return (Source(Kind.PROVED, over, cases),)
+
+
+def exhaustive(over: str, cases: Callable[[Random], Iterable[Case]]) -> tuple[Source, ...]:
+    """Return the source of a claim that is checked on every instance that it speaks of."""
+    return (Source(Kind.EXHAUSTIVE, over, cases),)
+
+
+def sampled(over: str, cases: Callable[[Random], Iterable[Case]]) -> tuple[Source, ...]:
+    """Return the source of a claim that is checked on samples."""
+    return (Source(Kind.SAMPLED, over, cases),)
+
+
+@dataclass(frozen=True, repr=False)
+class Domain(Shown):
+    """A set of instances that random ones can be drawn from.
+
+    Attributes:
+        name: short, for the command line and for `@claim`.
+        text: what it contains, for reports.
+        unit: what its instances have a number of.
+        least: the smallest number of them that is drawn.
+        draw: a random instance with a given number of planes or contacts.
+        contains: whether an instance belongs to it.
+    """
+
+    name: str
+    text: str
+    unit: str
+    least: int
+    draw: Callable[[Random, int], Any]
+    contains: Callable[[Any], bool]
+
+
+@dataclass(frozen=True, repr=False)
+class Route(Shown):
+    """A way to compute the quantity of a claim; the name says how."""
+
+    name: str
+    compute: Callable[[Any], Any]
+
+
+@dataclass(frozen=True, repr=False)
+class Hypothesis(Shown):
+    """A condition on instances under which a statement is true although it fails without."""
+
+    text: str
+    covers: Callable[[Any], bool]
+
+
+@dataclass(frozen=True, repr=False)
+class View(Shown):
+    """A picture for the report of a claim, by one of the registered drawings.
+
+    Attributes:
+        name: a view of `arrangement.pictures`, or of `equilibrium.pictures` for grasps.
+        caption: what it shows.
+        options: of the view.
+        instance: what is drawn, in file form; if None, the counterexample.
+    """
+
+    name: str
+    caption: str = ""
+    options: Mapping[str, Any] = field(default_factory=dict)
+    instance: Mapping[str, Any] | None = None
+
+
+Smaller = Callable[[list[Case], Callable[[Any], bool]], tuple[Case, int]]
+
+
+@dataclass(frozen=True)
+class ManyTypes:
+    """A way to decide a statement on many combinatorial types at once, from their chirotopes.
+
+    Attributes:
+        name: what is done, in words.
+        holds: whether the statement is true of each of N types of n distinct planes of rank 3,
+            given the signs (N, C(n, 3)) of their triples, and n.
+    """
+
+    name: str
+    holds: Callable[[Signs, int], Booleans]
+
+
+@dataclass(frozen=True, repr=False)
+class Claim(Shown):
+    """A statement, what it is about, and the routes by which it is checked.
+
+    Attributes:
+        id: unique, lower case words with hyphens.
+        locator: section, equation, algorithm or table of the paper.
+        statement: in own words, never softened.
+        hypotheses: under which the statement is made.
+        quantity: what all routes compute.
+        routes: they share no code, and must give equal values.
+        sources: of the cases, from a random generator that is seeded for this claim.
+        judge: whether a value on a subject is what the statement promises.
+        expected: the verdict of the registry; it decides the exit code and nothing else.
+        hypothesis: the condition that saves the statement, if there is one.
+        applies: whether the statement speaks of a subject; where it is false, nothing is checked.
+        domain: of random instances, for sweeps and for samples; None if there are none.
+        sizes: smallest and largest number of planes or contacts of the samples.
+        samples: the number of random instances that are checked beside the sources.
+        search: instances from the smallest upwards, for the smallest counterexample.
+        smaller: makes a case on which the claim fails, out of many, as small as possible; gets the
+            cases and a test, and returns one case and how many it tried.
+        explain: a remark on one checked subject and its value.
+        meaning: what the verdict means for the conclusions of the paper.
+        rows: whether a report shows every case.
+        large: whether it takes so long that it is checked only when it is named or asked for.
+        formula: the statement in mathematics, in the part of TeX that `reports.formula` reads.
+        section: heading of the paper under which a report lists the claim.
+        file: of a user, from which the claim was loaded.
+        proof: where its proof is: a section of the page on proofs and the words it begins with.
+        views: pictures that show why; if none, a report draws the counterexample.
+        many_types: a way to decide it on all types of nine planes, for sweeps.
+    """
+
+    id: str
+    locator: str
+    statement: str
+    quantity: str
+    routes: tuple[Route, ...]
+    judge: Callable[[Any, Any], bool]
+    sources: tuple[Source, ...] = ()
+    expected: Verdict = Verdict.HOLDS
+    hypotheses: tuple[str, ...] = ()
+    hypothesis: Hypothesis | None = None
+    applies: Callable[[Any], bool] | None = None
+    domain: Domain | None = None
+    sizes: tuple[int, int] = (0, 0)
+    samples: int = 0
+    search: Callable[[], Iterable[Case]] | None = None
+    smaller: Smaller | None = None
+    explain: Callable[[Any, Any], str] | None = None
+    meaning: str = ""
+    rows: bool = False
+    large: bool = False
+    formula: str = ""
+    section: str = ""
+    file: str = ""
+    proof: tuple[str, str] | None = None
+    views: tuple[View, ...] = ()
+    many_types: ManyTypes | None = None
+
+    def __call__(self, subject: Any) -> Any:
+        """Return the value of the first route on an instance."""
+        return self.routes[0].compute(subject)
+
+    def includes(self, subject: Any) -> bool:
+        """Whether the statement speaks of a subject."""
+        return self.applies is None or self.applies(subject)
+
+    def cases(self, generator: Random) -> Iterator[Case]:
+        """Yield the cases of all sources."""
+        return chain.from_iterable(source.cases(generator) for source in self.sources)
+
+    def draw(self, seed: int, index: int, sizes: tuple[int, int]) -> Any:
+        """Return the random instance with a number: it depends on seed, id and number alone."""
+        if self.domain is None:
+            raise OwnClaimError(f"{self.id} is not about random instances")
+        low, high = sizes
+        generator = Random(f"{seed}/{self.id}/{index}")
+        return self.domain.draw(generator, low + index % (high - low + 1))
+
+    def all_sources(self, seed: int) -> Iterator[Source]:
+        """Yield the sources, and the random instances as one more."""
+        yield from self.sources
+        if self.domain is not None and self.samples:
+            low, high = self.sizes
+            sizes = f"{low} to {high}" if low < high else f"{low}"
+            over = f"{self.samples} random {self.domain.text} with {sizes}"
+            drawn = (
+                Case(f"sample {k}", subject, subject.to_dict())
+                for k in range(self.samples)
+                for subject in [self.draw(seed, k, self.sizes)]
+            )
+            yield Source(Kind.SAMPLED, f"{over} {self.domain.unit}", lambda _: drawn)
+
+    @property
+    def kind(self) -> Kind:
+        """How far the evidence reaches as a whole: as far as that of the weakest source."""
+        kinds = [Kind.SAMPLED] if self.samples else [source.kind for source in self.sources]
+        return max(kinds, key=list(Kind).index, default=Kind.SAMPLED)
+
+    @property
+    def over(self) -> str:
+        """What the claim is checked on, in words."""
+        texts = [source.over for source in self.sources]
+        if self.domain is not None and self.samples:
+            texts.append(f"random {self.domain.text}")
+        return "; ".join(texts)
+
+
+class Registry(Shown):
+    """Claims by id, in order of entry; ids are unique."""
+
+    shown_fields = ("ids",)
+
+    def __init__(self, claims: Iterable[Claim] = ()) -> None:
+        self._claims: dict[str, Claim] = {}
+        for claim in claims:
+            self.add(claim)
+
+    def add(self, claim: Claim) -> None:
+        """Enter a claim.
+
+        Raises:
+            OwnClaimError: another claim has the same id, or two routes are one.
+        """
+        if claim.id in self._claims:
+            raise OwnClaimError(f"two claims have the id {shown(claim.id)}; an id names one claim")
+        names, ways = ({getattr(r, k) for r in claim.routes} for k in ("name", "compute"))
+        if not len(names) == len(ways) == len(claim.routes):
+            raise OwnClaimError(
+                f"claim {shown(claim.id)} has one route twice; expected different ones"
+            )
+        self._claims[claim.id] = claim
+
+    @property
+    def ids(self) -> tuple[str, ...]:
+        """The ids, in order."""
+        return tuple(self._claims)
+
+    def __iter__(self) -> Iterator[Claim]:
+        return iter(self._claims.values())
+
+    def __len__(self) -> int:
+        return len(self._claims)
+
+    def __getitem__(self, id: str) -> Claim:
+        if id in self._claims:
+            return self._claims[id]
+        near = get_close_matches(id, self._claims, n=3, cutoff=0.4)
+        hint = f"the nearest are {', '.join(near)}" if near else "no id is near"
+        raise UnknownClaimError(
+            f"no claim has the id {shown(id)}; {hint} (proofs-check list has all)"
+        )
