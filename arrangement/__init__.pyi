@@ -32,11 +32,12 @@ from .errors import (
     ArrangementError as ArrangementError,
     InputError as InputError,
     MissingExtraError as MissingExtraError,
+    OutOfReachError as OutOfReachError,
 )
 from .library import census as census, families as families
 from .library.census import Identification as Identification, identify as identify
 from .library.files.table import read_arrangement as read_arrangement
-from .numbers import budget as budget
+from .numbers.budget import limit as limit
 from .numbers.exact import (
     from_floats as from_floats,
     primitive as primitive,
