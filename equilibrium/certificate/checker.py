@@ -89,7 +89,7 @@ class Report(Shown):
     grasp: Grasp = field(default_factory=Grasp)
     wrench: RationalVector = ()
     within: Range = NO_RANGE
-    shown_fields = ("kind", "problem", "leaves", "pyramid")
+    shown_fields = ("kind", "problem", "leaves", "pyramid", "compared")
 
     def __bool__(self) -> bool:
         return not self.problem

@@ -101,6 +101,6 @@ def warning(every: bool) -> str:
     """
     return (
         f"beyond small motions: {'every equilibrium' if every else 'the equilibrium found'} "
-        f"turns by more than {to_text(USUAL_TURN)} or has a normal force above {USUAL_FORCE} times "
-        "load and preload; --largest-turn and --largest-force bound them"
+        f"turns by more than {to_text(USUAL_TURN)} or presses with over {USUAL_FORCE} times load "
+        "and preload (see --largest-turn, --largest-force)"
     )

@@ -17,6 +17,7 @@ from typing import Any
 from jinja2 import Environment, PackageLoader, StrictUndefined
 from markupsafe import Markup
 
+from arrangement.console.number_form import counted
 from arrangement.drawing.pages.html_page import BASE_STYLE, Template, framed
 from arrangement.errors import InputError
 
@@ -59,7 +60,7 @@ _SCRIPT: Template = ("proofs_check.reports", "report.js")
 def html_page(record: Record) -> str:
     """Return one complete page: an overview, then a card for each claim."""
     results = record["results"]
-    counted = Counter(map(_kind, results))
+    kinds = Counter(map(_kind, results))
     pages = Environment(
         loader=PackageLoader(__package__), autoescape=True, undefined=StrictUndefined,
         trim_blocks=True, lstrip_blocks=True,
@@ -75,7 +76,7 @@ def html_page(record: Record) -> str:
     body = pages.get_template("report.html").render(
         record={"title": "", "about": "", "command": "", **record},
         sections=[(name, list(group)) for name, group in groupby(results, _section)],
-        counted=[(kind, counted[kind]) for kind in KINDS.values() if counted[kind]],
+        counted=[(kind, kinds[kind]) for kind in KINDS.values() if kinds[kind]],
         number_of_cases=sum(len(result["records"]) for result in results),
         two_routes=all(len(result["routes"]) > 1 for result in results),
         differing=[result["id"] for result in results if not result["as_expected"]],

@@ -11,9 +11,11 @@ from hypothesis import given, settings, strategies as st
 
 from equilibrium import Contact, Grasp, Solver, contact_states
 from equilibrium.grasps.inputs.random import random_grasp, random_wrench
+from equilibrium.plane.contact_rows import sum_row
 from equilibrium.plane.states.contact_states import states_of_code
 from equilibrium.plane.states.interval_filter import Screen
-from equilibrium.wrench_sets.line import _interval, resisted_magnitudes
+from equilibrium.plane.states.state_system import state_system
+from equilibrium.wrench_sets.line import interval_between, resisted_magnitudes
 
 from .awkward import question
 from .strategies import grasps, wrenches
@@ -29,7 +31,9 @@ def assert_nothing_lost(grasp: Grasp, base: tuple, direction: tuple) -> int:
     screen = Solver(grasp).screen
     possible = screen.possible(base, direction)
     for row in screen.codes[~possible].tolist():
-        assert _interval(grasp, states_of_code(row), base, direction) in (None, (0, 0))
+        ends = (base, sum_row(base, direction, 1))
+        systems = (state_system(grasp, states_of_code(row), wrench) for wrench in ends)
+        assert interval_between(*systems) in (None, (0, 0))
     return int((~possible).sum())
 
 

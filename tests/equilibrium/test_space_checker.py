@@ -24,6 +24,7 @@ from equilibrium.model.contact import Contact
 from equilibrium.model.errors import CertificateError
 from equilibrium.model.grasp import Grasp
 from equilibrium.model.pyramid import pyramid_edges
+from equilibrium.model.range import NO_RANGE
 
 F = Fraction
 ENDS = [
@@ -452,9 +453,10 @@ def test_forged_enclosures_are_refused_for_their_fault(words, change):
 def test_a_spring_that_may_be_wrong_by_one_unit_is_refused(state, up, words):
     zero, row = Interval(0, 0), (F(0),) * 6
     given = Enclosure((plus(UP),), (state,), (), row, row, ())
-    _balance(Grasp(table((0, 0), preload=0)), row, given, [zero] * 6)
+    _balance(Grasp(table((0, 0), preload=0)), row, given, [zero] * 6, NO_RANGE)
     with pytest.raises(_BrokenLaw, match=words):
-        _balance(Grasp(table((0, 0), preload=0)), row, given, [Interval(*up), *[zero] * 5])
+        box = [Interval(*up), *[zero] * 5]
+        _balance(Grasp(table((0, 0), preload=0)), row, given, box, NO_RANGE)
 
 
 def test_intervals_contain_all_exact_results_and_are_no_wider_than_needed():
