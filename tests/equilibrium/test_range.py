@@ -5,21 +5,21 @@ from __future__ import annotations
 import json
 import subprocess
 from fractions import Fraction
-from pathlib import Path
 
 import pytest
 
+from arrangement.drawing.pages.html_page import _text
 from equilibrium import Contact, Grasp, Solver, check, read_grasp, solve
 from equilibrium.cli.program import main
 from equilibrium.decide.spatial_verdict import solve_in_space
 from equilibrium.grasps.inputs.random import random_grasp, random_wrench
 from equilibrium.model.errors import GraspError
 from equilibrium.model.range import Range
+from equilibrium.pictures.lab.page import DECIDES
 from equilibrium.plane.search.units import unit_of
 from equilibrium.wrench_sets import margin, resisted_magnitudes, resisted_set, sufficient_preloads
 from equilibrium.wrench_sets.spatial import spatial_magnitudes
 
-TEMPLATES = Path(__file__).parents[2] / "equilibrium" / "lab" / "templates"
 THREE = "paper-three-contacts-preload-1"
 #: An equilibrium under it turns by 1 at least.
 TURNED = (0, Fraction(1, 2), Fraction(1, 2))
@@ -205,8 +205,7 @@ def test_a_frictionless_disc_turns_too_far_to_resist_a_torque():
 
 
 def test_the_checker_of_the_page_refuses_a_range():
-    names = ("../../../arrangement/lab/templates/rational.js", "model.js", "law.js", "check.js")
-    text = "\n".join((TEMPLATES / name).read_text() for name in names)
+    text = "\n".join(map(_text, DECIDES))
     document = solve(read_grasp(THREE), TURNED, largest_turn=3).certificate.text
     script = f"{text}\nlet said = ''; try {{ checkDocument({document}); }} catch (e) {{ said = e.message; }} console.log(said);"  # noqa: E501
     done = subprocess.run(["node", "-e", script], capture_output=True, text=True, check=False)

@@ -454,8 +454,8 @@ def test_a_spring_that_may_be_wrong_by_one_unit_is_refused(state, up, words):
     zero, row = Interval(0, 0), (F(0),) * 6
     given = Enclosure((plus(UP),), (state,), (), row, row, ())
     _balance(Grasp(table((0, 0), preload=0)), row, given, [zero] * 6, NO_RANGE)
+    box = [Interval(*up), *[zero] * 5]
     with pytest.raises(_BrokenLaw, match=words):
-        box = [Interval(*up), *[zero] * 5]
         _balance(Grasp(table((0, 0), preload=0)), row, given, box, NO_RANGE)
 
 
