@@ -82,7 +82,7 @@ def _telling(items: Iterable[Item], bar: Bar) -> Iterator[Item]:
             if bar.total and not asked and passed > _MEASURED:
                 asked = True
                 text = f"{bar.total:,} {bar.unit}, of which {done:,} are done"
-                budget.ask(text, seconds=passed / done * bar.total)
+                budget.ask(text, told=passed / done * bar.total)
     finally:
         bar.close()
         _wanted.set(outermost)

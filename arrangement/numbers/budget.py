@@ -14,8 +14,8 @@ from contextvars import ContextVar
 
 from arrangement.errors import InputError, OutOfReachError
 
-#: What a question may take.
-FACES, BYTES, SECONDS = 10_000_000, 400 * 2**20, 10
+#: What a question may take; and the seconds of work that tells how far it is.
+FACES, BYTES, SECONDS, TOLD = 10_000_000, 400 * 2**20, 10, 300
 #: So many times.
 _times: ContextVar[float] = ContextVar("_times", default=1.0)
 
@@ -41,32 +41,40 @@ def times() -> float:
     return _times.get()
 
 
-def excess(*, faces: float = 0, bytes: float = 0, seconds: float = 0) -> float:
+def excess(*, faces: float = 0, bytes: float = 0, seconds: float = 0, told: float = 0) -> float:
     """Return how many times the budget that would take, the one that is most exceeded."""
-    shares = ((faces, FACES), (bytes, BYTES), (seconds, SECONDS))
+    shares = ((faces, FACES), (bytes, BYTES), (seconds, SECONDS), (told, TOLD))
     # integers may be too long for floats
     return max(n / most if n < 1e300 else math.inf for n, most in shares) / _times.get()
 
 
 def ask(
-    what: str, instead: str = "", *, faces: float = 0, bytes: float = 0, seconds: float = 0
+    what: str,
+    instead: str = "",
+    *,
+    faces: float = 0,
+    bytes: float = 0,
+    seconds: float = 0,
+    told: float = 0,
 ) -> None:
     """Refuse what is out of reach.
 
     Args:
         what: it is, such as "a list of 5 planes".
         instead: what to ask, without a full stop.
+        told: seconds of work that tells how far it is.
 
     Raises:
         OutOfReachError: with the forecast.
     """
-    over = excess(faces=faces, bytes=bytes, seconds=seconds)
+    over = excess(faces=faces, bytes=bytes, seconds=seconds, told=told)
     if over <= 1:
         return
     takes = (
         (faces, FACES, f"{about(faces)} faces"),
         (bytes, BYTES, f"{about(bytes / 2**20 if bytes < 1e300 else bytes)} MB"),
         (seconds, SECONDS, f"{about(seconds)} seconds"),
+        (told, TOLD, f"{about(told)} seconds"),
     )
     forecast = " and ".join(text for n, most, text in takes if n > most * _times.get())
     times = over * _times.get()

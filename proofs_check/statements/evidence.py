@@ -5,6 +5,7 @@ A verdict is worked out from the records of checks and from nothing else: there 
 
 from __future__ import annotations
 
+import math
 import time
 from collections import Counter
 from collections.abc import Callable, Mapping
@@ -13,6 +14,7 @@ from random import Random
 from typing import Any
 
 from arrangement.console.short_repr import Shown
+from arrangement.numbers import budget
 from proofs_check.errors import OwnClaimError
 
 from .statement import Case, Claim, Kind, Route, Verdict
@@ -194,6 +196,9 @@ def evaluate(claim: Claim, seed: int = 0, progress: Callable[[int], None] | None
         seed: of the random instances.
         progress: called with the number of cases so far.
     """
+    if claim.large and budget.times() < math.inf:
+        with budget.limit(math.inf):
+            return evaluate(claim, seed, progress)
     started = time.perf_counter()
     generator = Random(f"{seed}/{claim.id}")
     records: list[Record] = []
