@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from contextlib import suppress
 from copy import copy
 from dataclasses import dataclass
 from math import comb
@@ -119,8 +120,9 @@ def _ask(planes: Planes, engine: Engine, count: Callable[[Planes], Sequence[int]
 
     exact = None
     if budget.excess(**takes()) > 1 and count is not None:
-        exact = tuple(count(planes))
-        faces = min(sum(exact), 10**300)
+        with suppress(OutOfReachError):  # then the bound has to do
+            exact = tuple(count(planes))
+            faces = min(sum(exact), 10**300)
     try:
         many = "" if exact is not None else "up to "
         budget.ask(

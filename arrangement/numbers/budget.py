@@ -15,7 +15,7 @@ from contextvars import ContextVar
 from arrangement.errors import InputError, OutOfReachError
 
 #: What a question may take; and the seconds of work that tells how far it is.
-FACES, BYTES, SECONDS, TOLD = 10_000_000, 400 * 2**20, 10, 300
+FACES, BYTES, SECONDS, TOLD = 20_000_000, 400 * 2**20, 10, 300
 #: So many times.
 _times: ContextVar[float] = ContextVar("_times", default=1.0)
 
@@ -25,7 +25,7 @@ def limit(times: float) -> Iterator[None]:
     """Let what is inside take so many times the faces, bytes and seconds; `math.inf`: anything.
 
     >>> with limit(2):
-    ...     ask("a list of all of them", faces=15_000_000)
+    ...     ask("a list of all of them", faces=35_000_000)
     """
     if not times > 0:
         raise InputError(f"the limit is {times}; give a positive number of times the usual budget")

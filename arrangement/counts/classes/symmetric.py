@@ -237,7 +237,7 @@ class Classes:
         budget.ask(
             f"what covers {len(flats):,} classes of flats of rank {rank - 1}",
             "leave out planes, or count in parts (--store FOLDER)",
-            seconds=pairs * 1e-7 * self.rank,
+            told=pairs * 1e-7 * self.rank,
         )
         pieces = [flats[i : i + step] for i in range(0, len(flats), step)]
         for piece in watched(pieces, f"parts of rank {rank}"):
