@@ -305,7 +305,6 @@ LIMITS = {
         "arrangement.pictures.page.page:MAX_CIRCLES",
     ),
     "Hasse diagram": ("arrangement.pictures.diagrams.lattice:MAX_FLATS",),
-    "resisted forces": ("equilibrium.pictures.pages.page:MAX_CONTACTS",),
     "slip lab": ("equilibrium.pictures.lab.page:MAX_CONTACTS",),
     "arrangement lab": ("arrangement.pictures.lab.lines:MAX_PLANES",),
     "is exponential": ("equilibrium.methods.contact_laws.frictionless_slip:MAX_CONTACTS",),

@@ -119,6 +119,27 @@ def test_the_page_opens_turns_and_tells(name: str, browser: Browser, tmp_path: P
     assert browser.messages() == []
 
 
+def test_what_is_in_front_moves_with_the_pointer(browser: Browser, tmp_path: Path) -> None:
+    """Downwards as upwards: the nearest corner goes where the drag goes."""
+    page = cells_page(PLANES["one"])
+    (tmp_path / "a.html").write_text(page, encoding="utf-8")
+    browser.open(tmp_path / "a.html")
+    browser.settled()
+    box = browser.run(
+        "const r = document.getElementById('solid').getBoundingClientRect();"
+        "return [r.x + r.width / 2, r.y + r.height / 2]"
+    )
+    # What is painted last is nearest.
+    place = (
+        "const r = [...document.querySelectorAll('#solid .face')].at(-1).getBoundingClientRect();"
+        "return r.y + r.height / 2"
+    )
+    for way in (15, -15):
+        before = browser.run(place)
+        browser.drag(tuple(box), (box[0], box[1] + way))
+        assert (browser.run(place) - before) * way > 0
+
+
 def test_affine_planes_have_a_page_by_default(tmp_path: Path) -> None:
     assert main(["draw", "parallel-planes-affine", "-o", str(tmp_path / "a.html")]) == 0
     page = (tmp_path / "a.html").read_text(encoding="utf-8")

@@ -18,17 +18,21 @@ from collections.abc import Iterable, Sequence
 from pathlib import Path
 from typing import Any
 
+from arrangement.drawing.pages import solid_page as solids
 from arrangement.drawing.pages.html_page import BASE_SCRIPT, Template, place
 from arrangement.pictures.lab import lines
 from arrangement.pictures.lab.page import SHARED
+from arrangement.pictures.page import page as arrangement
 from equilibrium.pictures.lab import page as slip
-from equilibrium.pictures.pages import page as resist
+from equilibrium.pictures.pages.proof_page import SCRIPTS as PROOF
 
 HERE = Path(__file__).parent
 #: The modules of each page, in their order.
 PAGES: dict[str, Sequence[Template]] = {
     "slip lab": [*slip.DECIDES, BASE_SCRIPT, *SHARED, *slip.SCRIPTS],
-    "resisted forces": resist.SCRIPTS,
+    "arrangement": arrangement.SCRIPTS,
+    "solids": solids.SCRIPTS,
+    "proof": PROOF,
     "arrangement lab": [BASE_SCRIPT, *SHARED, *lines.SCRIPTS],
 }
 OPTIONS = {

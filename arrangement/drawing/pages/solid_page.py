@@ -15,6 +15,8 @@ from arrangement.drawing.scene.items import Floats
 
 from .html_page import BASE_SCRIPT, BASE_STYLE, one_page, own
 
+SCRIPTS = (BASE_SCRIPT, *map(own, ("ball.js", "turning.js", "solid.js")))
+
 
 @dataclass(frozen=True)
 class Face:
@@ -97,7 +99,7 @@ class SolidPage:
         }  # fmt: skip
         return one_page(
             self.title, own("solid.html"), [BASE_STYLE, own("solid.css")],
-            [BASE_SCRIPT, own("solid.js")], data, ["spin", "home", "theme", "print"],
+            SCRIPTS, data, ["spin", "home", "theme", "print"],
         )  # fmt: skip
 
 

@@ -16,7 +16,10 @@ FIELDS: Template = (_OWN, "fields.js")
 SHARED: tuple[Template, ...] = (
     POLYGON,
     FIELDS,
-    *((_OWN, f"{name}.js") for name in ("keep", "history", "links", "player", "exercises")),
+    *(
+        (_OWN, f"{name}.js")
+        for name in ("window", "keep", "history", "links", "player", "exercises")
+    ),
 )
 
 

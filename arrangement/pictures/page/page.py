@@ -24,6 +24,8 @@ from arrangement.pictures.sphere.globe import Globe, clear_direction, picture_ax
 
 #: Distinct planes beyond which a page is too slow to turn by hand.
 MAX_CIRCLES = 30
+_MODULES = ("model", "ball", "globe", "arrangement", "turning", "controls")
+SCRIPTS = (BASE_SCRIPT, *(own(f"{name}.js") for name in _MODULES))
 COLOURINGS = ("sides", "signs", "parity", "none")
 
 
@@ -74,12 +76,11 @@ def arrangement_page(
         "even": _shaped(globe, arrangement, coordinates, direction),
         **_cells(globe.whole),
     }
-    scripts = ("model.js", "ball.js", "globe.js", "arrangement.js", "controls.js")
     return one_page(
         heading,
         _own("arrangement.html"),
         [BASE_STYLE, _own("arrangement.css")],
-        [BASE_SCRIPT, *map(_own, scripts)],
+        SCRIPTS,
         data,
         ["spin", "home", "theme", "print"],
     )

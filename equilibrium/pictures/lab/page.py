@@ -67,6 +67,7 @@ def lab_page(
     wrench: Wrench | None = None,
     title: str | None = None,
     exercises: str | Path | None = None,
+    first: str = "contacts",
 ) -> str:
     """Return one HTML page, complete in itself: contacts and load to drag, with exact answers.
 
@@ -75,30 +76,31 @@ def lab_page(
         wrench: at first; if omitted, a push along (0, 1).
         title: a heading.
         exercises: a JSON file with exercises; if omitted, the twelve that come with the lab.
+        first: what stands first: "contacts", or "forces", the map of those that are resisted.
 
     Raises:
         InputError: a grasp in space, too many contacts or digits, no wrench, or no exercises in
             the file.
     """
-    first = read_grasp(_EXAMPLES[0][1]) if grasp is None else grasp
-    first.require_plane()
-    if len(first) > MAX_CONTACTS:
-        raise InputError(f"{len(first)} contacts; the lab takes at most {MAX_CONTACTS}")
+    grasp = read_grasp(_EXAMPLES[0][1]) if grasp is None else grasp
+    grasp.require_plane()
+    if len(grasp) > MAX_CONTACTS:
+        raise InputError(f"{len(grasp)} contacts; the lab takes at most {MAX_CONTACTS}")
     heading = "The slip lab" if title is None else title
     data: dict[str, Any] = {
         "title": heading,
         "summary": "Drag contacts, normals and the load; every answer is exact.",
         "most": MAX_CONTACTS,
-        **question_document(first, _EXAMPLES[0][2] if wrench is None else wrench, "the lab"),
+        "first": first,
+        **question_document(grasp, _EXAMPLES[0][2] if wrench is None else wrench, "the lab"),
         "examples": [
             {"name": name, **question_document(read_grasp(source), load, "the lab")}
             for name, source, load in _EXAMPLES
         ],
         "axes": [
-            f"{name} ({first.units.force})" if first.units else name for name in ("f_x", "f_y")
+            f"{name} ({grasp.units.force})" if grasp.units else name for name in ("f_x", "f_y")
         ],
         # What the scripts of the still pages find when they start; the page fills it in.
-        "sets": [],
         "contacts": [],
         "outline": None,
         "origin": [0, 0],

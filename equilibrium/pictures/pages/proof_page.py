@@ -9,20 +9,23 @@ from collections.abc import Sequence
 from fractions import Fraction
 from typing import Any
 
+import numpy as np
+
 from arrangement.drawing.colours import fill_colour, pale
 from arrangement.drawing.pages.html_page import BASE_SCRIPT, BASE_STYLE, Template, one_page
 from arrangement.drawing.registry import Exact, Wrench
+from arrangement.drawing.scene.labels import flattened
 from arrangement.drawing.scene.measuring import area
 from arrangement.numbers.exact import RationalVector, sign, to_text
 from equilibrium.certificate.leaves import Part, works
 from equilibrium.model.grasp import Grasp
-from equilibrium.pictures.grasp.layout import shift_at
+from equilibrium.pictures.grasp.layout import layout_of, shift_at
 from equilibrium.pictures.grasp.proof_maps import MAP, TURNS, ProofMaps, proof_maps, summary_lines
 from equilibrium.pictures.style import number, vector
 from equilibrium.pictures.wrenches.window import roomiest
 
-from .page import floats, grasp_data
-
+_OWN = "equilibrium.pictures"
+SCRIPTS: tuple[Template, ...] = (BASE_SCRIPT, (_OWN, "sketch.js"), (_OWN, "proof.js"))
 #: Half width and half height of a number in a region, where a map fills [-1, 1].
 _LABEL = (0.05, 0.06)
 
@@ -76,18 +79,16 @@ def proof_page(
         "question": maps.verdict.verify().question,
         "motions": [_motion(maps, motion) for motion in maps.ranks],
         "parts": [_part(maps, part) for part in maps.parts],
-        **grasp_data(grasp),
+        **_grasp_data(grasp),
     }
-    own = "equilibrium.pictures.pages"
-    scripts: list[Template] = [BASE_SCRIPT, (own, "sketch.js"), (own, "proof.js")]
-    styles: list[Template] = [BASE_STYLE, (own, "sketch.css"), (own, "proof.css")]
-    return one_page(heading, (own, "proof.html"), styles, scripts, data, ["theme", "print"])
+    styles: list[Template] = [BASE_STYLE, (_OWN, "sketch.css"), (_OWN, "proof.css")]
+    return one_page(heading, (_OWN, "proof.html"), styles, SCRIPTS, data, ["theme", "print"])
 
 
 def _outline(corners: Any) -> dict[str, Any]:
     place, room = roomiest(corners, _LABEL, 1) if len(corners) > 2 else (None, 0)
-    label = {"label": floats(place)} if room > 1 else {}
-    return {"corners": [floats(corner) for corner in corners], **label}
+    label = {"label": _floats(place)} if room > 1 else {}
+    return {"corners": [_floats(corner) for corner in corners], **label}
 
 
 def _motion(maps: ProofMaps, motion: RationalVector) -> dict[str, Any]:
@@ -99,7 +100,7 @@ def _motion(maps: ProofMaps, motion: RationalVector) -> dict[str, Any]:
         point = (-y / r, x / r)
         words = f"turns the object {TURNS[sign(r)]} about {vector(point)}"
         place = maps.window.paper(point)
-        centre = floats(MAP * place) if abs(place).max() <= 1 else None
+        centre = _floats(MAP * place) if abs(place).max() <= 1 else None
     else:
         words = f"moves the object along {vector((x, y))}"
     return {
@@ -129,4 +130,31 @@ def _part(maps: ProofMaps, part: Part) -> dict[str, Any]:
 def _directions(vectors: Sequence[RationalVector]) -> list[list[float]]:
     """Return vectors as floats, the largest component of all being 1 or -1."""
     largest = max((abs(x) for vector in vectors for x in vector), default=Fraction(0)) or 1
-    return [floats(x / largest for x in vector) for vector in vectors]
+    return [_floats(x / largest for x in vector) for vector in vectors]
+
+
+def _grasp_data(grasp: Grasp) -> dict[str, Any]:
+    """Return the contacts and the outline in paper coordinates, for ``sketch.js``."""
+    layout = layout_of(grasp, None, None, 1)
+    frame, curve = layout.frame, layout.curve
+    return {
+        "contacts": [
+            {
+                "place": _floats(place),
+                "normal": [float(x) for x in contact.normal],
+                "cone": [_floats(point) for point in rim],
+                "preload": float(contact.preload),
+            }
+            for contact, place, rim in zip(grasp, layout.places, layout.cones, strict=True)
+        ],
+        "stated": layout.given,
+        "outline": None if curve is None else [_floats(p) for p in flattened(curve, 16)],
+        "origin": _floats(np.clip(frame.paper((Fraction(0),) * 2), -1.5, 1.5)),
+        "centre": [float(x) for x in frame.centre],
+        "size": float(frame.size),
+    }
+
+
+def _floats(point: Any) -> list[float]:
+    """Return coordinates on paper, short."""
+    return [round(float(x), 5) + 0.0 for x in point]

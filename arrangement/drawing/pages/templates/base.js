@@ -56,5 +56,21 @@ function themeButton(button) {
   });
 }
 
+// The head of a page.
+function showHead() {
+  at("title").textContent = data.title;
+  at("summary").textContent = data.summary;
+  themeButton(at("theme"));
+  at("print")?.addEventListener("click", () => window.print());
+}
+
+// What keys stand for, where neither Ctrl nor Alt nor Meta is held.
+function onKeys(view, keys) {
+  view.addEventListener("keydown", (event) => {
+    const action = event.ctrlKey || event.metaKey || event.altKey ? null : keys[event.key];
+    if (action) { event.preventDefault(); action(); }
+  });
+}
+
 const tuple = (values) => `(${values.join(", ")})`;
 const count = (number, one, many) => `${number} ${number === 1 ? one : many}`;

@@ -28,3 +28,39 @@ function writeText(id, text) {
   box.removeAttribute("aria-invalid");
   at("problem").textContent = "";
 }
+
+// Numbered buttons, `name` and a number each, of which one is chosen; one more adds, one removes.
+// `build` makes the fields of the chosen one. Made anew when their number or the choice changes.
+function writeTabs(name, total, chosen, { choose, add, remove, build, addText = "add", most = data.most }) {
+  const tabs = at("tabs");
+  const wanted = `${total}/${chosen}`;
+  if (tabs.dataset.shown === wanted) return;
+  const held = /** @type {HTMLElement} */ (document.activeElement)?.dataset?.tab;
+  tabs.dataset.shown = wanted;
+  tabs.replaceChildren();
+  const button = (text, attributes, action) => {
+    const made = make("button", attributes, tabs, text);
+    made.addEventListener("click", action);
+    return made;
+  };
+  for (let k = 0; k < total; k += 1) {
+    button(String(k + 1), { "aria-pressed": String(k === chosen), "data-tab": k, [`data-${name}`]: k, "aria-label": `${name} ${k + 1}` }, () => choose(k));
+  }
+  button(addText, { id: "add" }, add).disabled = total >= most;
+  button("remove", { id: "remove" }, () => remove(chosen)).disabled = chosen === null;
+  at("fields").replaceChildren();
+  if (chosen === null) make("p", { class: "hint" }, at("fields"), `Choose a ${name}, here or in a picture.`);
+  else build(at("fields"));
+  if (held !== undefined) tabs.querySelector(`[data-tab="${held}"]`)?.focus();
+}
+
+// Adds to state[list], or takes one away; the choice follows.
+function addTo(list, one) {
+  edit(() => Object.assign(state, { [list]: [...state[list], one], chosen: state[list].length }));
+}
+
+function removeFrom(list, k) {
+  if (k === null || !state[list][k]) return;
+  const left = state[list].filter((_, i) => i !== k);
+  edit(() => Object.assign(state, { [list]: left, chosen: left.length ? Math.min(k, left.length - 1) : null }));
+}

@@ -47,13 +47,11 @@ function svgText(view) {
 
 // The head of a page; `open` gets the example that is chosen.
 function listenToHead(open) {
-  at("title").textContent = data.title;
-  at("summary").textContent = data.summary;
+  showHead();
   const box = at("example");
   make("option", { value: "", disabled: "", selected: "" }, box, "examples …");
   data.examples.forEach(({ name }, k) => make("option", { value: k }, box, name));
   box.addEventListener("change", () => open(data.examples[Number(box.value)]));
-  themeButton(at("theme"));
 }
 
 // Buttons with data-svg save the picture of that id, under the name in data-name; copy-link copies

@@ -6,15 +6,15 @@ const state = {
 const arcsOf = data.classes.map((_, circle) => data.arcs.flatMap((arc, k) => (arc.circle === circle ? [k] : [])));
 let model = modelOf(state.on);
 state.colour = data.colour ?? (new Set(model.regions.map((region) => region.arcs.length)).size > 1 ? "sides" : "parity");
-const shown = { sphere: {}, dual: {} };
+// The arcs and dual vertices as they are drawn, for the present axes.
+const shown = { styles: [], places: [], frame: [], turned: [] };
 const refresh = oncePerFrame(paint);
 
 function rebuild() {
   model = modelOf(state.on);
   shown.places = dualPlaces(model, at("unit").checked);
+  shown.styles = model.regions.map(colourOf(model, state.colour));
   state.under = null;
-  buildSphere();
-  buildDual();
   buildPanels();
   paint();
 }
@@ -28,44 +28,6 @@ function tint(circle) {
 function tinted(element, circle) {
   element.style.setProperty("--tint", tint(circle));
   return element;
-}
-
-function buildSphere() {
-  const view = at("sphere");
-  view.replaceChildren();
-  const part = shown.sphere;
-  const colour = colourOf(model, state.colour);
-  draw("circle", { class: "ball", r: RADIUS }, view);
-  part.regions = model.regions.map((region, id) =>
-    draw("path", { class: `region ${colour(region)}`, "data-kind": "region", "data-id": id }, view));
-  part.ghost = draw("path", { class: "ghost" }, view);
-  part.back = [];
-  part.front = [];
-  for (const [side, list] of [["back", part.back], ["front", part.front]]) {
-    data.classes.forEach((members, circle) => {
-      if (!model.classOn[circle]) return;
-      const path = draw("path", { class: `circle ${side}`, "data-circle": circle }, view);
-      list.push(tinted(path, circle));
-    });
-  }
-  draw("circle", { class: "limb", r: RADIUS }, view);
-  part.lit = draw("g", {}, view);
-  part.text = draw("g", {}, view);
-}
-
-function buildDual() {
-  const view = at("dual");
-  view.replaceChildren();
-  const part = shown.dual;
-  const colour = colourOf(model, state.colour);
-  // Layers from the back to the front; the first face layer stays empty.
-  part.layers = [false, true].map(() => [0, 1, 2].map(() => draw("g", {}, view)));
-  part.shownAt = [[], [], []];
-  const item = (name, kind, id, style) => draw(name, { class: style, "data-kind": kind, "data-id": id });
-  part.faces = model.points.map((point, id) => item("path", "point", id, "face"));
-  part.edges = model.arcs.map((arc, id) => tinted(item("path", "arc", id, "edge"), arc.circle));
-  part.vertices = model.regions.map((region, id) => item("circle", "region", id, `vertex ${colour(region)}`));
-  part.text = draw("g", {}, view);
 }
 
 function buildPanels() {
@@ -92,29 +54,28 @@ function buildPanels() {
 }
 
 function paint() {
-  paintSphere();
-  paintDual();
-  paintChoice();
+  shown.frame = curves.map((curve) => curve.map((p) => turned(state.axes, p)));
+  shown.turned = shown.places.map((p) => turned(state.axes, p));
+  paintSphere(at("sphere"));
+  paintDual(at("dual"));
+  const chosen = state.under ?? state.kept;
+  for (const item of [state.kept, state.under]) if (item) light(item);
+  describe(chosen);
+  at("regions").value = chosen?.kind === "region" ? String(chosen.id) : "";
 }
 
-function paintSphere() {
-  const part = shown.sphere;
-  const frame = curves.map((curve) => curve.map((p) => turned(state.axes, p)));
-  shown.frame = frame;
-  part.regions.forEach((path, id) => path.setAttribute("d", regionPath(model.regions[id], frame, 1)));
-  for (const [list, side] of [[part.front, 1], [part.back, -1]]) {
-    for (const path of list) {
-      const circle = Number(path.dataset.circle);
-      path.setAttribute("d", arcsOf[circle].map((arc) => visible(frame[arc], side)).join(""));
-    }
-  }
-  part.text.replaceChildren();
+function paintSphere(view) {
+  const regions = model.regions.map((region, id) =>
+    ({ class: `region ${shown.styles[id]}`, d: regionPath(region, shown.frame, 1), "data-kind": "region", "data-id": id }));
+  const circles = [...data.classes.keys()].filter((circle) => model.classOn[circle])
+    .map((circle) => ({ class: "circle", tint: tint(circle), curves: arcsOf[circle].map((arc) => shown.frame[arc]) }));
+  paintBallOf(view, regions, circles);
   for (const entry of limbNumbers(model, state.axes)) {
     const [c, s, x, y] = [Math.cos(entry.shown), Math.sin(entry.shown), Math.cos(entry.angle), Math.sin(entry.angle)];
-    draw("path", { class: "lead", d: `M${spot([x, y])}L${spot([1.06 * c, 1.06 * s])}` }, part.text);
-    tinted(draw("text", { class: "number", x: 112 * c, y: -112 * s + 2.6 }, part.text, entry.text), entry.circle);
+    draw("path", { class: "lead", d: `M${spot([x, y])}L${spot([1.06 * c, 1.06 * s])}` }, view);
+    tinted(draw("text", { class: "number", x: 112 * c, y: -112 * s + 2.6 }, view, entry.text), entry.circle);
   }
-  if (at("labels").checked) labelRegions(part.text);
+  if (at("labels").checked) labelRegions(view);
 }
 
 function labelRegions(group) {
@@ -127,51 +88,20 @@ function labelRegions(group) {
   }
 }
 
-function paintDual() {
-  const part = shown.dual;
-  const places = shown.places.map((p) => turned(state.axes, p));
-  shown.turned = places;
-  const frontFaces = model.points.map((point) => area(point.cycle.map((id) => places[id])) > 1e-9);
-  const none = !frontFaces.some(Boolean);
-  const corners = new Set(model.points.flatMap((point, i) => (frontFaces[i] ? point.cycle : [])));
-  const sides = new Set(model.points.flatMap((point, i) => (frontFaces[i]
-    ? point.cycle.map((id, k) => pairOf(id, point.cycle[(k + 1) % point.cycle.length])) : [])));
-  const flat = none || model.points.length <= 2;
-  const inFront = [
-    frontFaces, model.arcs.map((arc) => flat || sides.has(pairOf(arc.left, arc.right))),
-    model.regions.map((_, id) => flat || corners.has(id)),
-  ];
-  part.faces.forEach((path, i) => {
-    path.setAttribute("d", `M${model.points[i].cycle.map((id) => spot(places[id])).join("L")}Z`);
-  });
-  part.edges.forEach((path, i) => {
-    const arc = model.arcs[i];
-    path.setAttribute("d", `M${spot(places[arc.left])}L${spot(places[arc.right])}`);
-  });
-  const size = Math.max(1.6, Math.min(4, 24 / Math.sqrt(model.regions.length)));
-  part.vertices.forEach((circle, i) => {
-    circle.setAttribute("cx", fixed(RADIUS * places[i][0]));
-    circle.setAttribute("cy", fixed(-RADIUS * places[i][1]));
-    circle.setAttribute("r", size * (inFront[2][i] ? 1 : 0.7));
-  });
-  [part.faces, part.edges, part.vertices].forEach((list, level) => list.forEach((element, i) => {
-    const ahead = inFront[level][i];
-    if (part.shownAt[level][i] === ahead) return;
-    part.shownAt[level][i] = ahead;
-    element.classList.toggle("back", !ahead);
-    if (level === 0 && !ahead) element.remove();
-    else part.layers[Number(ahead)][level].append(element);
-  }));
-  part.text.replaceChildren();
-  if (at("labels").checked) labelVertices(part.text, places, inFront[2]);
+function paintDual(view) {
+  const inFront = paintDualOf(view, (id) => shown.turned[id], {
+    faces: model.points.map(({ cycle }, id) => ({ ids: cycle, "data-kind": "point", "data-id": id })),
+    edges: model.arcs.map(({ left, right, circle }, id) => ({ left, right, tint: tint(circle), "data-kind": "arc", "data-id": id })),
+    vertices: model.regions.map((_, id) => ({ id, style: shown.styles[id], "data-kind": "region", "data-id": id })),
+  }, false, Math.max(1.6, Math.min(4, 24 / Math.sqrt(model.regions.length))));
+  if (at("labels").checked) labelVertices(view, shown.turned, inFront);
 }
 
 const minus = (signs) => signs.replaceAll("-", "\u2212");
-const pairOf = (a, b) => (a < b ? `${a} ${b}` : `${b} ${a}`);
 
 function labelVertices(group, places, inFront) {
   const taken = [];
-  const order = places.map((_, id) => id).filter((id) => inFront[id]).sort((a, b) => places[b][2] - places[a][2]);
+  const order = places.map((_, id) => id).filter(inFront).sort((a, b) => places[b][2] - places[a][2]);
   for (const id of order) {
     const [x, y] = places[id];
     const half = 1.9 * model.regions[id].signs.length;
@@ -184,36 +114,24 @@ function labelVertices(group, places, inFront) {
   }
 }
 
-function paintChoice() {
-  const chosen = state.under ?? state.kept;
-  for (const element of document.querySelectorAll(".lit")) element.classList.remove("lit");
-  shown.sphere.lit.replaceChildren();
-  shown.sphere.ghost.setAttribute("d", "");
-  for (const item of [state.kept, state.under]) if (item) light(item);
-  describe(chosen);
-  at("regions").value = chosen?.kind === "region" ? String(chosen.id) : "";
-}
-
 function light({ kind, id }) {
-  const { sphere, dual } = shown;
+  const [ball, dual] = [at("sphere"), at("dual")];
+  for (const element of document.querySelectorAll(`[data-kind="${kind}"][data-id="${id}"]`)) element.classList.add("lit");
   if (kind === "region") {
-    sphere.regions[id].classList.add("lit");
-    dual.vertices[id].classList.add("lit");
-    draw("path", { class: "mark outline", d: sphere.regions[id].getAttribute("d") }, sphere.lit);
-    sphere.ghost.setAttribute("d", regionPath(model.regions[id], shown.frame, -1));
-    const [x, y] = shown.turned[id];
-    draw("circle", { class: "mark ring", cx: fixed(RADIUS * x), cy: fixed(-RADIUS * y), r: 6 }, dual.text);
+    const [far, near] = [-1, 1].map((side) => regionPath(model.regions[id], shown.frame, side));
+    draw("path", { class: "ghost", d: far }, ball);
+    draw("path", { class: "mark outline", d: near }, ball);
+    const [cx, cy] = spot(shown.turned[id]).split(",");
+    draw("circle", { class: "mark ring", cx, cy, r: 6 }, dual);
   } else if (kind === "arc") {
-    dual.edges[id].classList.add("lit");
     for (const side of [-1, 1]) {
       const d = model.arcs[id].pieces.map((piece) => visible(shown.frame[piece], side)).join("");
-      draw("path", { class: side > 0 ? "mark" : "mark hidden", d }, sphere.lit);
+      draw("path", { class: side > 0 ? "mark" : "mark hidden", d }, ball);
     }
   } else {
-    dual.faces[id].classList.add("lit");
     const p = turned(state.axes, data.points[model.points[id].piece].unit);
-    const style = p[2] >= 0 ? "mark spot" : "mark spot hidden";
-    draw("circle", { class: style, cx: fixed(RADIUS * p[0]), cy: fixed(-RADIUS * p[1]), r: 3.6 }, sphere.lit);
+    const [cx, cy] = spot(p).split(",");
+    draw("circle", { class: p[2] >= 0 ? "mark spot" : "mark spot hidden", cx, cy, r: 3.6 }, ball);
   }
 }
 

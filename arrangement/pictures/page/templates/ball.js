@@ -9,6 +9,83 @@ const turned = (axes, p) => axes.map((axis) => dot(axis, p));
 const fixed = (x) => (Math.round(x * 10) / 10).toString();
 const spot = (p) => `${fixed(RADIUS * p[0])},${fixed(-RADIUS * p[1])}`;
 
+// The axes of a ball after a small turn. Round-off in thousands of turns must not bend them.
+/** @type {(axes: number[][], right: number, up: number) => number[][]} */
+function turnedAxes([x, y, z], right, up) {
+  const mix = (u, v, a) => u.map((c, i) => Math.cos(a) * c + Math.sin(a) * v[i]);
+  const side = mix(z, x, -right);
+  const ahead = unit(mix(side, y, up));
+  const across = unit(cross(mix(y, side, -up), ahead));
+  return [across, cross(ahead, across), ahead];
+}
+
+// The direction that is seen at a place of the disk of radius 1.
+function directionAt(axes, u, v) {
+  const w = Math.sqrt(Math.max(0, 1 - u * u - v * v));
+  return [0, 1, 2].map((k) => u * axes[0][k] + v * axes[1][k] + w * axes[2][k]);
+}
+
+// Points along an arc, both ends included; of a whole circle where nothing crosses it.
+function curveOf(normal, start, stop) {
+  const from = start ?? unit(cross(normal, Math.abs(normal[2]) < 0.9 ? [0, 0, 1] : [1, 0, 0]));
+  const angle = start ? Math.atan2(Math.hypot(...cross(from, stop)), dot(from, stop)) : 2 * Math.PI;
+  const side = cross(normal, from);
+  const pieces = Math.max(1, Math.ceil((angle * 60) / Math.PI));
+  return Array.from({ length: pieces + 1 }, (_, k) => {
+    const a = (angle * k) / pieces;
+    return from.map((x, j) => Math.cos(a) * x + Math.sin(a) * side[j]);
+  });
+}
+
+// The ball: regions below circles, whose far halves are there too. Attributes go to the elements;
+// `fill` and `tint` are colours, `curves` are points along the arcs of a circle.
+function paintBallOf(view, regions, circles) {
+  view.replaceChildren();
+  draw("circle", { class: "ball", r: RADIUS }, view);
+  for (const { fill, ...attributes } of regions) {
+    const path = draw("path", attributes, view);
+    if (fill) path.style.fill = fill;
+  }
+  for (const { curves, tint, ...attributes } of circles) {
+    const group = draw("g", attributes, view);
+    group.style.setProperty("--tint", tint);
+    const [far, near] = [-1, 1].map((side) => curves.map((curve) => visible(curve, side)).join("") || "M0,0");
+    draw("path", { class: "hidden-part", d: far }, group);
+    if (attributes["data-mark"]) draw("path", { class: "target", d: near }, group);
+    draw("path", { class: "stroke", d: near }, group);
+  }
+  draw("circle", { class: "limb", r: RADIUS }, view);
+}
+
+const pairOf = (a, b) => (a < b ? `${a} ${b}` : `${b} ${a}`);
+
+// The dual, from the back to the front. A face lists its vertices counterclockwise from outside; `place`
+// gives the place of a vertex. A flat one has no far side. Returns which vertices are in front.
+function paintDualOf(view, place, { faces, edges, vertices }, flat, size = 3.4) {
+  view.replaceChildren();
+  const near = faces.filter(({ ids }) => area(ids.map(place)) > 1e-9);
+  const all = flat || !near.length || faces.length <= 2;
+  const corners = new Set(near.flatMap(({ ids }) => ids));
+  const sides = new Set(near.flatMap(({ ids }) => ids.map((id, k) => pairOf(id, ids[(k + 1) % ids.length]))));
+  const ahead = { edge: ({ left, right }) => all || sides.has(pairOf(left, right)), vertex: ({ id }) => all || corners.has(id) };
+  const layer = (front) => {
+    for (const edge of edges.filter((one) => ahead.edge(one) === front)) {
+      const { left, right, tint, ...attributes } = edge;
+      draw("path", { class: `edge${front ? "" : " back"}`, d: `M${spot(place(left))}L${spot(place(right))}`, ...attributes }, view).style.setProperty("--tint", tint);
+    }
+    for (const vertex of vertices.filter((one) => ahead.vertex(one) === front)) {
+      const { id, fill, style = "", ...attributes } = vertex;
+      const [cx, cy] = spot(place(id)).split(",");
+      const circle = draw("circle", { class: `vertex ${style}${front ? "" : " back"}`, cx, cy, r: front ? size : 0.7 * size, ...attributes }, view);
+      if (fill) circle.style.fill = fill;
+    }
+  };
+  layer(false);
+  for (const { ids, ...attributes } of near) draw("path", { class: "face", d: `M${ids.map((id) => spot(place(id))).join("L")}Z`, ...attributes }, view);
+  layer(true);
+  return (id) => ahead.vertex({ id });
+}
+
 // Where the way from a visible point to a hidden one leaves the visible half.
 function onLimb(p, q) {
   const s = p[2] / (p[2] - q[2]);

@@ -1,20 +1,5 @@
 // The sphere: arcs are curves on it, seen from far away; the rotation takes its rows as axes.
-const STEP = Math.PI / 60;
-
-// Points along each arc of the whole arrangement, both ends included.
-const curveOf = (arc) => {
-  const normal = data.circles[arc.circle];
-  const [start, stop] = arc.ends.map((end) => (end < 0 ? null : data.points[end].unit));
-  const p = start ?? unit(Math.abs(normal[2]) < 0.9 ? cross(normal, [0, 0, 1]) : cross(normal, [1, 0, 0]));
-  let angle = 2 * Math.PI;
-  if (start) angle = Math.atan2(Math.hypot(...cross(p, stop)), dot(p, stop));
-  const side = cross(normal, p);
-  const pieces = Math.max(1, Math.ceil(angle / STEP));
-  return Array.from({ length: pieces + 1 }, (_, i) => {
-    const a = (angle * i) / pieces;
-    return p.map((x, j) => Math.cos(a) * x + Math.sin(a) * side[j]);
-  });
-};
+// Points along each arc of the whole arrangement.
 let curves = [];
 
 // Coordinates as given, or after the linear map that makes regions more alike. Signs stay.
@@ -32,7 +17,7 @@ function setShape(even) {
   given.points.forEach((v, k) => { data.points[k].unit = points(v); });
   given.arcs.forEach((v, k) => { data.arcs[k].inside = points(v); });
   given.regions.forEach((v, k) => { data.regions[k].inside = points(v); });
-  curves = data.arcs.map(curveOf);
+  curves = data.arcs.map(({ circle, ends }) => curveOf(data.circles[circle], ...ends.map((end) => (end < 0 ? null : data.points[end].unit))));
   return even ? data.even.axes : data.axes;
 }
 
@@ -94,10 +79,8 @@ function roomOf(model, region) {
 // What is under a place of the disk: a crossing, an arc, or a region. In a small region the margins
 // of its arcs are small too, so that it can always be reached.
 function pick(model, axes, x, y) {
-  const square = (x * x + y * y) / (RADIUS * RADIUS);
-  if (square > 1) return null;
-  const local = [x / RADIUS, y / RADIUS, Math.sqrt(1 - square)];
-  const p = [0, 1, 2].map((i) => local[0] * axes[0][i] + local[1] * axes[1][i] + local[2] * axes[2][i]);
+  if (Math.hypot(x, y) > RADIUS) return null;
+  const p = directionAt(axes, x / RADIUS, y / RADIUS);
   const signs = model.kept.map((k) => (dot(data.planes[k].unit, p) >= 0 ? "+" : "-"));
   const region = model.byKey.get(signs.join(""));
   if (region === undefined) return null;

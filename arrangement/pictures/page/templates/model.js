@@ -64,7 +64,7 @@ function dualVertex(model, region) {
 
 // Where dual vertices are drawn, in a ball of radius 1.
 function dualPlaces(model, equalEdges) {
-  const generators = data.planes.map((plane, k) => {
+  const generators = data.planes.map((plane) => {
     const partners = data.classes[plane.circle].filter((other) => model.on[other]).length;
     const factor = equalEdges ? 1 / partners : plane.length;
     return plane.unit.map((x) => x * factor);
@@ -81,18 +81,21 @@ function dualPlaces(model, equalEdges) {
   return places.map((p) => p.map((x) => x / reach));
 }
 
+// The ways to colour regions: what is measured, its class, and words for the legend.
+const COLOURINGS = {
+  sides: { measure: (_, region) => region.arcs.length, style: (n) => `c${Math.min(Math.max(n - 2, 0), 5)}`,
+    words: (n) => (n < 7 ? count(n, "side", "sides") : "7 or more sides") },
+  signs: { measure: (_, { key }) => [...key].filter((s) => s === "-").length, style: (n, { key }) => `c${Math.round((5 * n) / Math.max(1, key.length))}`,
+    words: (n) => `${n} minus` },
+  parity: { measure: (model, region) => crossed(model, region) % 2, style: (n) => (n ? "two" : "c0"),
+    words: (n) => `at ${n ? "odd" : "even"} distance` },
+  none: { measure: () => 0, style: () => "c0", words: () => "every region" },
+};
+
 // The class for the colour of each region.
 function colourOf(model, by) {
-  const palette = {
-    sides: (region) => `c${Math.min(Math.max(region.arcs.length - 2, 0), 5)}`,
-    signs: (region) => {
-      const minus = [...region.key].filter((s) => s === "-").length;
-      return `c${Math.round((5 * minus) / Math.max(1, region.key.length))}`;
-    },
-    parity: (region) => (crossed(model, region) % 2 ? "two" : "c0"),
-    none: () => "c0",
-  };
-  return palette[by];
+  const { measure, style } = COLOURINGS[by];
+  return (region) => style(measure(model, region), region);
 }
 
 // How many distinct planes lie between a region and the first one.
@@ -105,21 +108,12 @@ function crossed(model, region) {
 }
 
 function legendOf(model, by) {
+  const { measure, style, words } = COLOURINGS[by];
   const entries = new Map();
-  const colour = colourOf(model, by);
-  const words = {
-    sides: (region) => region.arcs.length < 7 ? count(region.arcs.length, "side", "sides") : "7 or more sides",
-    signs: (region) => `${[...region.key].filter((s) => s === "-").length} minus`,
-    parity: (region) => `at ${crossed(model, region) % 2 ? "odd" : "even"} distance`,
-    none: () => "every region",
-  };
-  const order = (region) => (by === "sides" ? region.arcs.length : by === "parity" ? crossed(model, region) % 2
-    : [...region.key].filter((s) => s === "-").length);
-  for (const region of [...model.regions].sort((a, b) => order(a) - order(b))) {
-    const text = words[by](region);
-    const entry = entries.get(text) ?? { text, colour: colour(region), number: 0 };
+  for (const [n, region] of model.regions.map((one) => [measure(model, one), one]).sort((a, b) => a[0] - b[0])) {
+    const entry = entries.get(words(n)) ?? { text: words(n), colour: style(n, region), number: 0 };
     entry.number += 1;
-    entries.set(text, entry);
+    entries.set(entry.text, entry);
   }
   return [...entries.values()];
 }

@@ -1,12 +1,9 @@
-// The plane of forces at one torque and one preload.
+// The plane of forces at the torque of the load.
 // Half the sides of the drawing; the smaller one always has the same length.
 const SIDE = 118;
 let [WIDE, HIGH] = [150, SIDE];
 const CODES = { stick: "●", "slip+": "+", "slip-": "−", detached: "○" };
 
-const scale = () => SIDE / state.half;
-/** @type {(point: number[]) => number[]} */
-const onPaper = ([x, y]) => [(x - state.middle[0]) * scale(), -(y - state.middle[1]) * scale()];
 const outline = (corners) => `M${corners.map((p) => onPaper(p).map(fixed).join(",")).join("L")}Z`;
 
 // A rectangle of the plane, somewhat larger than what is seen.
@@ -21,32 +18,34 @@ const codeOf = (states) => states.map((s) => CODES[s]).join("");
 
 // Below all fills lies a broad line around every piece. What is left of it is the border of the
 // union: there, and only there, resistance ends.
-function paintPlane() {
-  const view = at("plane");
-  const box = seen();
-  state.slices = pieces().map((piece) => {
-    const corners = slice(piece, state.torque, state.factor, box);
-    return { piece, corners, area: areaOf(corners) };
-  }).filter((part) => part.corners.length).sort((one, other) => other.area - one.area);
-  const tiny = 1e-9 / (scale() * scale());
-  const solid = state.slices.filter((part) => part.area > tiny);
+function paintPlane(view) {
+  const { solid, thin } = partsSeen(state.pieces);
   const sheets = solid.map(({ corners }) => corners.map(onPaper));
-  const thin = state.slices.filter((part) => part.area <= tiny && !covered(part.corners, sheets));
   view.replaceChildren();
   hatching(view);
   paintGrid(view, 0);
   for (const { corners } of solid) draw("path", { class: "rim", d: outline(corners) }, view);
   for (const { piece, corners } of solid) {
-    draw("path", { class: `piece s${stuck(piece)}`, d: outline(corners) }, view);
+    draw("path", { class: `piece s${stuck(piece)}`, d: outline(corners), "data-states": String(piece.states) }, view);
     if (piece.states.includes("detached")) {
       draw("path", { class: "hatched", d: outline(corners), fill: "url(#hatch)" }, view);
     }
   }
   for (const { corners } of solid) draw("path", { class: "seam", d: outline(corners) }, view);
-  for (const { corners } of thin) paintThin(view, corners);
+  for (const { corners } of thin) if (!covered(corners, sheets)) paintThin(view, corners);
   paintGrid(view, 1);
   paintCodes(view, solid);
-  state.overlay = draw("g", {}, view);
+}
+
+// What is seen of pieces, the largest first: polygons, and what has no area.
+function partsSeen(list) {
+  const box = seen();
+  const tiny = 1e-9 / (scale() * scale());
+  const parts = list.map((piece) => {
+    const corners = slice(piece, box);
+    return { piece, corners, area: areaOf(corners) };
+  }).filter(({ corners }) => corners.length).sort((one, other) => other.area - one.area);
+  return { solid: parts.filter(({ area }) => area > tiny), thin: parts.filter(({ area }) => area <= tiny) };
 }
 
 function hatching(view) {
@@ -141,29 +140,25 @@ function within(places, [x, y]) {
   return turns.every((t) => t <= 0.05) || turns.every((t) => t >= -0.05);
 }
 
-function paintHere() {
-  state.overlay.replaceChildren();
-  const force = shownForce();
-  const piece = state.found[state.choice];
-  const part = piece && state.slices.find((entry) => entry.piece === piece);
-  if (part) draw("path", { class: "held-piece", d: outline(part.corners) }, state.overlay);
-  if (!force) return;
-  const [x, y] = onPaper(force.map(near));
+// The load: a dot where it is resisted, else a cross; with the piece that it is in.
+function paintLoadHere(view, resisted, piece) {
+  if (piece) draw("path", { class: "held-piece", d: outline(slice(piece, seen())) }, view);
+  const [x, y] = onPaper(floatsOf(state.wrench.slice(0, 2)));
   const [ox, oy] = onPaper([0, 0]);
-  draw("path", { class: "here line", d: `M${fixed(ox)},${fixed(oy)}L${fixed(x)},${fixed(y)}` }, state.overlay);
-  if (state.found.length) draw("circle", { class: "here dot", cx: fixed(x), cy: fixed(y), r: 3.4 }, state.overlay);
-  else draw("path", { class: "here", d: `M${fixed(x - 3)},${fixed(y - 3)}l6,6m0,-6l-6,6` }, state.overlay);
+  draw("path", { class: "here line", d: `M${fixed(ox)},${fixed(oy)}L${fixed(x)},${fixed(y)}` }, view);
+  if (resisted) draw("circle", { class: "here dot", cx: fixed(x), cy: fixed(y), r: 3.4 }, view);
+  else draw("path", { class: "here", d: `M${fixed(x - 3)},${fixed(y - 3)}l6,6m0,-6l-6,6` }, view);
 }
 
 // The part of a piece in a rectangle of the plane of forces, as corners: a polygon, two or one.
-function slice(piece, torque, factor, box) {
-  const floats = [0, 0, near(torque), near(factor)];
-  const line = (row) => [row.float[0], row.float[1], row.float[2] * floats[2] + row.float[3] * floats[3]];
+function slice(piece, box) {
+  const [, , torque] = state.wrench;
+  const line = ({ float: [a, b, c, d] }) => [a, b, c * near(torque) + d];
   let corners = box;
   const tolerance = 1e-9 * Math.max(...box.flat().map(Math.abs));
   for (const row of piece.equal) {
     if (same(row.exact[0], ZERO) && same(row.exact[1], ZERO)) {
-      if (dotted(row.exact, [ZERO, ZERO, torque, factor]).n !== 0n) return [];
+      if (dotted(row.exact, [ZERO, ZERO, torque, ONE]).n !== 0n) return [];
       continue;
     }
     corners = onLine(corners, line(row));
@@ -196,12 +191,7 @@ const areaOf = (corners) => Math.abs(corners.reduce((sum, p, i) => {
   return sum + p[0] * q[1] - p[1] * q[0];
 }, 0)) / 2;
 
-// A place of the plane under the pointer, and the nearest round decimals: so the force there is exact.
-function worldAt(event) {
-  const [x, y] = place(at("plane"), event);
-  return [state.middle[0] + x / scale(), state.middle[1] + y / scale()];
-}
-
+// The nearest round decimals: so the force under the pointer is exact.
 function forceStep() {
   const [digit, exponent] = niceStep(1.6 / scale());
   return exponent >= 0 ? ratio(BigInt(digit) * 10n ** BigInt(exponent)) : ratio(BigInt(digit), 10n ** BigInt(-exponent));

@@ -174,3 +174,16 @@ function generators(n, atLeast, equal = []) {
   const { lines, rays } = atLeast.reduce((cone, row) => cutCone(cone, row), level);
   return { lines, rays: rays.map(({ v }) => v) };
 }
+
+// A direction that floats hold, however long the integers are; the same for the same array.
+/** @type {WeakMap<bigint[], number[]>} */
+const floated = new WeakMap();
+/** @type {(v: bigint[]) => number[]} */
+function floats(v) {
+  const known = floated.get(v);
+  if (known) return known;
+  const most = v.reduce((m, x) => (x < 0n ? (-x > m ? -x : m) : x > m ? x : m), 1n);
+  const found = v.map((x) => near(ratio(x, most)));
+  floated.set(v, found);
+  return found;
+}

@@ -61,19 +61,6 @@ function near(x) {
   return Number(digits) / 2 ** Number(shift);
 }
 
-// As a decimal where that is short and exact, else as a fraction.
-/** @type {(x: Rational) => string} */
-function decimal(x) {
-  for (let places = 0n; places <= 6n; places += 1n) {
-    const scale = 10n ** places;
-    if ((x.n * scale) % x.d) continue;
-    const digits = String(x.n < 0n ? (-x.n * scale) / x.d : (x.n * scale) / x.d).padStart(Number(places) + 1, "0");
-    const cut = digits.length - Number(places);
-    return `${x.n < 0n ? "-" : ""}${digits.slice(0, cut)}${places ? `.${digits.slice(cut)}` : ""}`;
-  }
-  return textOf(x);
-}
-
 // Short for a table: a long number is rounded, and its sign says so.
 /** @type {(x: Rational) => string} */
 function shortText(x) {
@@ -96,3 +83,17 @@ const dotted = (a, b) => a.reduce((sum, x, i) => plus(sum, times(x, b[i])), ZERO
 const minusRow = (row) => row.map(minus);
 /** @type {(v: Row) => string} */
 const vectorText = (v) => `(${v.map(shortText).join(", ")})`;
+
+// The text of a number, its middle left out where it is long.
+/** @type {(text: string) => string} */
+const shortNumber = (text) => (text.length > 14 ? `${text.slice(0, 6)}…${text.slice(-4)}` : text);
+
+// A sum with signs between its terms: pairs of a coefficient's text and a name.
+/** @type {(terms: string[][], show?: (text: string) => string) => string} */
+function sumText(terms, show = shortNumber) {
+  const parts = terms.filter(([value]) => value !== "0").map(([value, name]) => {
+    const whole = value.replace("-", "");
+    return `${value.startsWith("-") ? "\u2212" : "+"} ${name && whole === "1" ? name.trim() : show(whole) + name}`;
+  });
+  return parts.join(" ").replace(/^\+ /, "").replace(/^\u2212 /, "\u2212") || "0";
+}

@@ -1,5 +1,7 @@
 // Pointer, touch and keys on the pictures.
 const steps = () => Number(at("grid").value);
+// Numbers, each some steps of the grid further.
+const stepped = (row, way) => row.map((x, k) => plus(x, ratio(BigInt(way[k]), BigInt(steps()))));
 
 function dragGrasp() {
   const view = at("grasp");
@@ -76,18 +78,16 @@ function keyOnGrip(event) {
   if (text !== undefined) state.chosen = i;
   if (remove) { removeContact(i); return; }
   const bracket = event.key === "[" || event.key === "]";
-  const by = (x, k) => plus(x, ratio(BigInt(way[k]), BigInt(steps())));
   edit(() => {
     if (kind === "turn" || (bracket && kind === "move")) {
       const sense = bracket ? way[1] : way[1] || -way[0];
       state.grasp = state.grasp.with(i, { ...state.grasp[i], normal: turned(state.grasp[i].normal, sense) });
     } else if (kind === "move") {
-      state.grasp = state.grasp.with(i, { ...state.grasp[i], point: state.grasp[i].point.map(by) });
+      state.grasp = state.grasp.with(i, { ...state.grasp[i], point: stepped(state.grasp[i].point, way) });
     } else if (kind === "torque" || bracket) {
-      const sense = BigInt(way[1] || -way[0]);
-      state.wrench = [...state.wrench.slice(0, 2), plus(state.wrench[2], ratio(sense, BigInt(steps())))];
+      state.wrench = stepped(state.wrench, [0, 0, way[1] || -way[0]]);
     } else {
-      state.wrench = [...state.wrench.slice(0, 2).map(by), state.wrench[2]];
+      state.wrench = stepped(state.wrench, [...way, 0]);
     }
   });
 }
@@ -110,17 +110,10 @@ function dragPlane() {
   view.addEventListener("pointermove", (event) => { if (dragging()) move(event); });
   view.addEventListener("pointerup", release);
   view.addEventListener("pointercancel", release);
-  view.addEventListener("wheel", (event) => { event.preventDefault(); zoom(Math.exp(Math.sign(event.deltaY) * 0.18)); }, { passive: false });
-  view.addEventListener("keydown", (event) => {
-    const by = (x, y) => edit(() => {
-      const step = BigInt(steps());
-      state.wrench = [plus(state.wrench[0], ratio(BigInt(x), step)), plus(state.wrench[1], ratio(BigInt(y), step)), state.wrench[2]];
-    });
-    const keys = { ArrowLeft: () => by(-1, 0), ArrowRight: () => by(1, 0), ArrowUp: () => by(0, 1), ArrowDown: () => by(0, -1),
-      "+": () => zoom(0.8), "=": () => zoom(0.8), "-": () => zoom(1.25), Home: () => { fitPlane(); refresh(); } };
-    const action = event.ctrlKey || event.metaKey || event.altKey ? null : keys[event.key];
-    if (action) { event.preventDefault(); action(); }
-  });
+  listenToWheel();
+  const by = (x, y) => edit(() => { state.wrench = stepped(state.wrench, [x, y, 0]); });
+  onKeys(view, { ArrowLeft: () => by(-1, 0), ArrowRight: () => by(1, 0), ArrowUp: () => by(0, 1), ArrowDown: () => by(0, -1),
+    ...ZOOMS, Home: () => { fitPlane(); refresh(); } });
 }
 
 // The step that is told is marked like what is under the pointer. The states of a cell or piece under

@@ -38,10 +38,11 @@ function turns() {
 
 function begin() {
   listenToHead(({ grasp, wrench }) => load({ grasp: readGrasp(grasp), wrench: readWrench(wrench), outline: readOutline(grasp.outline) }));
-  ["w-x", "w-y", "w-t"].forEach((id, k) => field(at("load"), id, ["force f_x", "force f_y", "torque τ"][k], (value) => {
-    edit(() => { state.wrench = state.wrench.with(k, value); });
-    return "";
-  }));
+  document.querySelector("main").dataset.first = data.first;
+  const setLoad = (k, value) => edit(() => { state.wrench = state.wrench.with(k, value); });
+  const loads = ["force f_x", "force f_y", "torque τ"];
+  const [, , torque] = ["w-x", "w-y", "w-t"].map((id, k) => field(at("load"), id, loads[k], (value) => { setLoad(k, value); return ""; }));
+  slider(torque, "s-t", loads[2], [-4, 4], (value) => setLoad(2, value));
   turns();
   keepButtons();
   dragGrasp();

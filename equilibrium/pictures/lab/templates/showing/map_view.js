@@ -1,33 +1,32 @@
 // The plane of forces at the torque of the load; `plane.js` draws it.
 function paintMap() {
   const view = at("plane");
-  paintPlane();
-  const tiny = 1e-9 / (scale() * scale());
-  const solid = state.slices.filter((part) => part.area > tiny);
-  view.querySelectorAll(".piece").forEach((element, k) => { element.dataset.states = String(solid[k].piece.states); });
-  paintDifference(view, tiny);
   const stale = state.mapped !== mapKey();
+  const hits = stale ? [] : piecesAt(state.pieces, [...state.wrench, ONE]);
+  const own = String(state.shownPiece()?.states);
+  const piece = hits.find(({ states }) => String(states) === own) ?? hits[0];
+  paintPlane(view);
+  if (state.other) paintDifference(view);
+  paintLoadHere(view, stale ? state.found?.stable : hits.length > 0, piece);
   view.classList.toggle("stale", stale);
-  const point = [...shownForce(), state.torque, state.factor];
-  const hits = stale ? [] : piecesAt(state.pieces, point);
-  const kept = { found: state.found, choice: state.choice };
-  const own = state.shownPiece();
-  const first = Math.max(0, hits.findIndex((piece) => own && String(piece.states) === String(own.states)));
-  Object.assign(state, { found: stale && kept.found?.stable ? [null] : hits, choice: first });
-  paintHere();
-  Object.assign(state, kept);
-  at("plane-title").textContent = `Forces that are resisted at torque ${shortText(state.torque)}`;
+  at("plane-title").textContent = `Forces that are resisted at torque ${shortText(state.wrench[2])}`;
   at("plane-caption").textContent = stale ? "Being computed …" : state.other ? comparedWords()
     : "Each polygon: one choice of states, exact. Darker: more contacts stick; hatched: some let go. Drag: changes the force.";
+  at("conditions-box").hidden = !piece;
+  if (piece) at("conditions").textContent = [`states: ${piece.states.join(", ")}`, ...conditions(piece)].join("\n");
+}
+
+// The exact conditions of a piece on the wrench.
+function conditions({ atLeast, equal }) {
+  const words = ({ exact }) => sumText(exact.map((x, k) => [textOf(x), [" f_x", " f_y", " τ", ""][k]]), String);
+  return [...atLeast.map((row) => `${words(row)} ≥ 0`), ...equal.map((row) => `${words(row)} = 0`)];
 }
 
 // Where another method says something else: red, if it accepts what is not resisted, blue, if it refuses
 // what is. Its border is a broken line.
-function paintDifference(view, tiny) {
-  if (!state.other) return;
-  const box = seen();
-  const parts = (list) => list.map((piece) => slice(piece, state.torque, state.factor, box)).filter((corners) => corners.length > 2 && areaOf(corners) > tiny);
-  const sides = { more: [parts(state.others), parts(state.pieces)], fewer: [parts(state.pieces), parts(state.others)] };
+function paintDifference(view) {
+  const [others, own] = [state.others, state.pieces].map((list) => partsSeen(list).solid.map(({ corners }) => corners));
+  const sides = { more: [others, own], fewer: [own, others] };
   const layer = draw("g", { class: "difference" }, view);
   const defs = draw("defs", {}, layer);
   for (const [name, [white, black]] of Object.entries(sides)) {
@@ -62,9 +61,6 @@ function fitPlane() {
   const most = typical(state.pieces, ([x, y]) => Math.max(x, y));
   const load = Math.max(...floatsOf(state.wrench.slice(0, 2)).map(Math.abs));
   Object.assign(state, { middle: [0, 0], half: Math.max(1.4 * most, 1.5 * load) || 2 });
-}
-
-function zoom(factor) {
-  state.half = Math.min(1e9, Math.max(1e-6, state.half * factor));
-  refresh();
+  const far = Math.ceil(Math.max(1.2 * typical(state.pieces, ([, , z]) => z), 1.5 * Math.abs(near(state.wrench[2])))) || 4;
+  Object.assign(at("s-t"), { min: -far, max: far });
 }

@@ -33,14 +33,8 @@ function arcOf(a, b) {
   });
 }
 
-/** @type {(ray: bigint[]) => number[]} */
-const floatRay = (ray) => {
-  const most = ray.reduce((m, x) => (x < 0n ? (-x > m ? -x : m) : x > m ? x : m), 1n);
-  return ray.map((x) => near(ratio(x, most)));
-};
-
 function outlineOfPart(part, way) {
-  const corners = part.map((ray) => directionOf(floatRay(ray), way));
+  const corners = part.map((ray) => directionOf(floats(ray), way));
   return corners.flatMap((v, i) => arcOf(v, corners[(i + 1) % corners.length])).map((v) => onDisc(v, way));
 }
 
@@ -109,8 +103,8 @@ function paintCell(view, cell) {
     + (areas[i] / whole) * (points.reduce((all, p) => all + p[k], 0) / points.length), 0));
   const [w, h] = [3 * cell.states.length + 1, 5];
   const frame = [[-w, -h], [w, -h], [w, h], [-w, h]].map(([x, y]) => [middle[0] + x, middle[1] + y]);
-  const floats = cell.rows.map((row) => floatRay(row));
-  const signs = (p) => { const ray = rayAt(p, cell.way); return ray && floats.map((row) => Math.sign(row.reduce((sum, x, k) => sum + x * ray[k], 0))).join(); };
+  const rows = cell.rows.map((row) => floats(row));
+  const signs = (p) => { const ray = rayAt(p, cell.way); return ray && rows.map((row) => Math.sign(row.reduce((sum, x, k) => sum + x * ray[k], 0))).join(); };
   const here = signs(middle);
   if (here && frame.every((p) => signs(p) === here)) {
     draw("text", { class: "code", x: fixed(middle[0]), y: fixed(middle[1]) }, view, codeOf(cell.states));
@@ -119,7 +113,7 @@ function paintCell(view, cell) {
 
 // Half a great circle: where a row vanishes.
 function paintCircle(view, row, way, style, i) {
-  const [a, b, c] = floatRay(row);
+  const [a, b, c] = floats(row);
   const flat = Math.hypot(a, b);
   if (flat < 1e-12) return;
   const ends = [[-b, a, 0], [-a * c, -b * c, flat * flat], [b, -a, 0]].map((ray) => directionOf(ray, way));
@@ -161,7 +155,7 @@ function paintRegions(view) {
     group.style.fill = colourOf(cell.states);
     group.style.stroke = colourOf(cell.states);
     for (const part of cell.parts) {
-      let corners = part.map((ray) => floatRay(ray))
+      let corners = part.map((ray) => floats(ray))
         .map(([x, y, h]) => [(-way * y - data.centre[0] * h) / data.size, (way * x - data.centre[1] * h) / data.size, h]);
       for (const row of [[1, 0, 2.2], [-1, 0, 2.2], [0, 1, 1.9], [0, -1, 1.9]]) corners = cutFloats(corners, row);
       if (corners.length > 2) draw("path", { d: `M${corners.map(([x, y, h]) => spot([x / h, y / h])).join("L")}Z` }, group);

@@ -5,7 +5,7 @@ const state = {
   found: null, choice: 0, leaf: null, motion: null, open: new Map(), searching: false,
   states: [], pieces: [], mapped: "", other: "", others: [], turnOf: 0, focus: null,
   // The plane of forces, as `plane.js` reads it.
-  middle: [0, 0], half: 2, torque: ZERO, factor: ONE, slices: [], overlay: null,
+  middle: [0, 0], half: 2,
   turnSize() { return this.turn.n ? size(this.turn) : ONE; },
   // Older answers are of use while contacts are as many.
   get fits() { return this.found?.grasp.length === this.grasp.length; },
@@ -20,8 +20,6 @@ const state = {
     return piece?.motion.some((x) => x.n) ? told(piece.motion, `Blue: the motion of this equilibrium (enlarged). Black or white arrows: forces on the object.`) : null;
   },
 };
-const pieces = () => state.pieces;
-const shownForce = () => state.wrench.slice(0, 2);
 const graspKey = () => hashOf(state.grasp, state.wrench).split("|")[1];
 
 // While something is dragged, each frame paints the grasp and one of the other views.
@@ -39,7 +37,7 @@ const refresh = oncePerFrame(() => {
 
 // After the grasp or the wrench has changed.
 function changed() {
-  Object.assign(state, { torque: state.wrench[2], leaf: null, motion: null, turnChosen: false });
+  Object.assign(state, { leaf: null, motion: null, turnChosen: false });
   search();
   if (!dragging()) writeHash();
 }

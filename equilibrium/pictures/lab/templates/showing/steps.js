@@ -72,10 +72,4 @@ function judged({ n, balance, equal, atLeast }) {
   return { accepted: !broken.length, words: `d = ${vectorText(z.slice(0, 3))}: ${broken.length ? "refused." : "all conditions hold, an equilibrium."}`, broken };
 }
 
-function rowText(row, names) {
-  const terms = row.map((x, k) => [x, names[k] ?? ""]).filter(([x]) => x.n).map(([x, name]) => {
-    const text = shortText(size(x));
-    return `${x.n < 0n ? "−" : "+"} ${name && text === "1" ? name : [text, name].filter(Boolean).join(" ")}`;
-  });
-  return terms.join(" ").replace(/^\+ /, "").replace(/^− /, "−") || "0";
-}
+const rowText = (row, names) => sumText(row.map((x, k) => [textOf(x), names[k] ? ` ${names[k]}` : ""]), (text) => shortText(readNumber(text)));

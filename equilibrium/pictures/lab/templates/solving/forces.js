@@ -40,14 +40,3 @@ function pieceFrom(grasp, { states, cone = null }, printed = false) {
 function* piecesOf(grasp, choices, printed = false) {
   for (const one of choices) yield one && pieceFrom(grasp, one, printed);
 }
-
-// What the equations of a choice of states fix under a wrench, motion and forces; null where they leave more
-// than one value.
-function fixedBy(grasp, states, wrench) {
-  const { n, balance, equal, forces } = systemOf(grasp, states, loadOf(wrench));
-  const motion = [0, 1, 2].map((k) => Array.from({ length: n + 1 }, (_, j) => (j === k ? ONE : ZERO)));
-  const found = new Dictionary(n, [...balance, ...equal.map(({ row }) => row)], [], [...motion, ...forces.flat()]);
-  found.feasible();
-  const value = (k) => found.extreme(k, 1n);
-  return { motion: motion.map((_, k) => value(k)), forces: forces.map((_, i) => [value(3 + 2 * i), value(4 + 2 * i)]) };
-}

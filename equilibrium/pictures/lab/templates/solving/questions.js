@@ -1,6 +1,6 @@
 // What the page asks, answered part by part in the order in which it is of use: the verdict with one
 // equilibrium or its proof; the states that occur and the pieces of the map; all equilibria.
-const known = { key: "", states: [], pieces: [], other: "", others: [] };
+const known = { key: null, states: [], pieces: [], other: "", others: [] };
 
 // A question has texts that tell its grasp, and its grasp and compared method, from others.
 function* answersTo({ grasp, wrench, other, key, shown }) {

@@ -115,8 +115,7 @@ function describe() {
 const refresh = oncePerFrame(() => { mark(); paintGrasp(); describe(); });
 
 function begin() {
-  at("title").textContent = data.title;
-  at("summary").textContent = data.summary;
+  showHead();
   [0, 1].forEach(paintMap);
   data.parts.forEach((part, i) => {
     const seen = shapes[i].length ? "" : " (not on the maps)";
@@ -124,11 +123,9 @@ function begin() {
   });
   for (const line of data.question) make("li", {}, at("question"), line);
   at("part").addEventListener("change", (event) => choose(Number(event.target.value)));
-  for (const [id, step] of [["back", -1], ["next", 1]]) {
+  for (const [id, step] of /** @type {[string, number][]} */ ([["back", -1], ["next", 1]])) {
     at(id).addEventListener("click", () => choose((state.chosen + step + data.parts.length) % data.parts.length));
   }
-  themeButton(at("theme"));
-  at("print").addEventListener("click", () => window.print());
   refresh();
 }
 

@@ -6,29 +6,10 @@ function choose(k) {
 }
 
 function writeFields() {
-  const tabs = at("tabs");
   const flat = state.dimension === 2;
   at("editor-title").textContent = flat ? "Lines a x + b y = c" : "Planes a x + b y + c z = 0, lines of the projective plane";
-  const wanted = `${state.rows.length}/${state.chosen}`;
-  if (tabs.dataset.shown !== wanted) {
-    const held = /** @type {HTMLElement} */ (document.activeElement)?.dataset?.tab;
-    tabs.dataset.shown = wanted;
-    tabs.replaceChildren();
-    state.rows.forEach((_, k) => {
-      const button = make("button", { "aria-pressed": String(k === state.chosen), "data-tab": k, "aria-label": `plane ${k + 1}` }, tabs, String(k + 1));
-      button.addEventListener("click", () => choose(k));
-    });
-    const add = make("button", { id: "add" }, tabs, "add");
-    add.disabled = state.rows.length >= data.most;
-    add.addEventListener("click", addPlane);
-    const remove = make("button", { id: "remove" }, tabs, "remove");
-    remove.disabled = state.chosen === null;
-    remove.addEventListener("click", () => removePlane(state.chosen));
-    at("fields").replaceChildren();
-    if (state.chosen === null) make("p", { class: "hint" }, at("fields"), "Choose a line, here or in a picture.");
-    else ["a", "b", "c"].forEach((name, j) => field(at("fields"), `row-${name}`, name, (value) => setEntry(j, value)));
-    if (held !== undefined) tabs.querySelector(`[data-tab="${held}"]`)?.focus();
-  }
+  const build = (box) => ["a", "b", "c"].forEach((name, j) => field(box, `row-${name}`, name, (value) => setEntry(j, value)));
+  writeTabs("plane", state.rows.length, state.chosen, { choose, add: addPlane, remove: removePlane, build });
   if (state.chosen !== null) ["a", "b", "c"].forEach((name, j) => write(`row-${name}`, state.rows[state.chosen][j]));
 }
 
@@ -55,16 +36,7 @@ function addPlane() {
     return circles.normals.some((m) => !crossOf(m, n).some((x) => x)) ? 1000 : through1;
   };
   const row = usable.map((v) => [met(v), v]).reduce((best, one) => (one[0] < best[0] ? one : best))[1];
-  edit(() => {
-    state.rows = [...state.rows, row.map((x) => ratio(x))];
-    state.chosen = state.rows.length - 1;
-  });
+  addTo("rows", row.map((x) => ratio(x)));
 }
 
-function removePlane(k) {
-  if (k === null || !state.rows[k]) return;
-  edit(() => {
-    state.rows = state.rows.filter((_, i) => i !== k);
-    state.chosen = state.rows.length ? Math.min(k, state.rows.length - 1) : null;
-  });
-}
+const removePlane = (k) => removeFrom("rows", k);

@@ -1,7 +1,7 @@
 // Pictures of the projective plane: a linear map takes (x, y, z) to (X, Y, W), drawn at X/W, Y/W.
 // Places of the picture are rounded to exact points; lines go through those.
 
-const SIZE = 110; // half the height of the drawing; half its width is 130
+const SIDE = 110; // half the height of the drawing; half its width is 130
 
 // A chart: matrix and its inverse, what lies at infinity, and steps to the right and up.
 const CHARTS = {
@@ -38,19 +38,6 @@ function barycentric() {
   };
 }
 
-// A direction that floats hold, however long the integers are; the same for the same array.
-/** @type {WeakMap<bigint[], number[]>} */
-const rounded = new WeakMap();
-/** @type {(v: bigint[]) => number[]} */
-function floats(v) {
-  const known = rounded.get(v);
-  if (known) return known;
-  const most = v.reduce((m, x) => (x < 0n ? (-x > m ? -x : m) : x > m ? x : m), 1n);
-  const found = v.map((x) => near(ratio(x, most)));
-  rounded.set(v, found);
-  return found;
-}
-
 const chartOf = () => CHARTS[state.dimension === 2 ? "z" : state.chart];
 const times3 = (matrix, v) => matrix.map((row) => row[0] * v[0] + row[1] * v[1] + row[2] * v[2]);
 // (X, Y, W) of a point; the line (m0, m1, m2) has m0 X + m1 Y + m2 W = 0.
@@ -63,12 +50,9 @@ function lineIn(normal) {
   return [0, 1, 2].map((k) => n[0] * inverse[0][k] + n[1] * inverse[1][k] + n[2] * inverse[2][k]);
 }
 
-const scaleOf = () => SIZE / state.half;
-/** @type {(place: number[]) => number[]} */
-const onPaper = ([X, Y]) => [(X - state.middle[0]) * scaleOf(), -(Y - state.middle[1]) * scaleOf()];
 // The sides of the picture in coordinates of the chart, a share of the whole.
 function frame(share = 1) {
-  const [w, h] = [(share * 130) / scaleOf(), (share * SIZE) / scaleOf()];
+  const [w, h] = [(share * 130) / scale(), (share * SIDE) / scale()];
   return { low: [state.middle[0] - w, state.middle[1] - h], high: [state.middle[0] + w, state.middle[1] + h] };
 }
 
@@ -107,7 +91,7 @@ function fitPlane() {
   const limit = 1.01 * (far[Math.ceil(0.85 * (far.length - 1))] ?? 1);
   const inside = points.filter(({ place: p, often }) => often || Math.hypot(p[0] - middle[0], p[1] - middle[1]) <= limit);
   const [low, high] = [Math.min, Math.max].map((end) => [0, 1].map((k) => end(...inside.map(({ place: p }) => p[k]))));
-  const reach = inside.length ? Math.max((high[1] - low[1]) / 2, ((high[0] - low[0]) / 2) * (SIZE / 130)) : 0;
+  const reach = inside.length ? Math.max((high[1] - low[1]) / 2, ((high[0] - low[0]) / 2) * (SIDE / 130)) : 0;
   Object.assign(state, { middle: inside.length ? [0, 1].map((k) => (low[k] + high[k]) / 2) : [0, 0], half: 1.25 * reach || 2 });
 }
 

@@ -1,17 +1,11 @@
 // Pointer, touch and keys on the three pictures.
 
-const chartPlace = (event) => {
-  const [x, y] = place(at("plane"), event);
-  return [state.middle[0] + x / scaleOf(), state.middle[1] + y / scaleOf()];
-};
-
 // The direction of the ball that is under the pointer; beside the ball, its nearest rim.
 function ballPlace(event) {
   const [x, y] = place(at("ball"), event).map((c) => c / RADIUS);
   const r = Math.hypot(x, y);
   const [u, v] = r > 0.999 ? [(0.999 * x) / r, (0.999 * y) / r] : [x, y];
-  const w = Math.sqrt(1 - u * u - v * v);
-  return [0, 1, 2].map((k) => u * state.axes[0][k] + v * state.axes[1][k] + w * state.axes[2][k]);
+  return directionAt(state.axes, u, v);
 }
 
 // The grip under the pointer, also below the mark of a crossing: an end, else the chosen line.
@@ -66,24 +60,12 @@ function dragged(view, toPlace, behind) {
 }
 
 function pan(dx, dy) {
-  state.middle = [state.middle[0] - dx / scaleOf(), state.middle[1] + dy / scaleOf()];
-  refresh();
-}
-
-function zoom(factor, about = state.middle) {
-  const half = Math.min(1e6, Math.max(1e-4, state.half * factor));
-  state.middle = state.middle.map((m, k) => about[k] + (m - about[k]) * (half / state.half));
-  state.half = half;
+  state.middle = [state.middle[0] - dx / scale(), state.middle[1] + dy / scale()];
   refresh();
 }
 
 function turnBall(dx, dy) {
-  const [x, y, z] = state.axes;
-  const mix = (u, v, a) => u.map((c, i) => Math.cos(a) * c + Math.sin(a) * v[i]);
-  const [right, up] = [dx / RADIUS, -dy / RADIUS];
-  const ahead = unit(mix(mix(z, x, -right), y, -up));
-  const side = unit(cross(mix(y, z, up), ahead));
-  state.axes = [side, cross(ahead, side), ahead];
+  state.axes = turnedAxes(state.axes, dx / RADIUS, dy / RADIUS);
   refresh();
 }
 
@@ -124,17 +106,14 @@ function markAll() {
 }
 
 function listen() {
-  dragged(at("plane"), chartPlace, pan);
+  dragged(at("plane"), worldAt, pan);
   dragged(at("ball"), ballPlace, turnBall);
   dragged(at("dual"), ballPlace, turnBall);
-  at("plane").addEventListener("wheel", (event) => {
-    event.preventDefault();
-    zoom(Math.exp(Math.sign(event.deltaY) * 0.15), chartPlace(event));
-  }, { passive: false });
+  listenToWheel();
   const marks = { n: () => markNext("region"), v: () => markNext("point") };
   const turns = Object.fromEntries(Object.entries(ARROWS).map(([key, [x, y]]) => [key, () => turnBall(9 * x, -9 * y)]));
   const pans = Object.fromEntries(Object.entries(ARROWS).map(([key, [x, y]]) => [key, () => pan(-12 * x, 12 * y)]));
-  keysOn(at("plane"), { ...marks, ...pans, "+": () => zoom(0.8), "=": () => zoom(0.8), "-": () => zoom(1.25), Home: () => { fitPlane(); chooseAxes(); refresh(); } });
+  keysOn(at("plane"), { ...marks, ...pans, ...ZOOMS, Home: () => { fitPlane(); chooseAxes(); refresh(); } });
   keysOn(at("ball"), { ...marks, ...turns });
   keysOn(at("dual"), { ...marks, ...turns });
 }

@@ -16,7 +16,7 @@ const nearest = (targets, distance) => targets.map((ray) => ({ ray, gap: distanc
 /** @type {(place: number[], targets: bigint[][]) => bigint[]} */
 function snapped([X, Y], targets) {
   if (at("magnet").checked) {
-    const limit = 7 / scaleOf();
+    const limit = 7 / scale();
     const distance = (ray) => {
       const [x, y, w] = charted(ray);
       return Math.abs(w) < 1e-9 ? Infinity : Math.hypot(x / w - X, y / w - Y);

@@ -122,7 +122,7 @@ function apart(normal, from, to) {
   const found = [0.05, 0.09, 0.13, 0.17, 0.21, 0.25, 0.29].map((share) => {
     const end = onLine(normal, [0, 1].map((k) => from[k] + share * (to[k] - from[k])));
     const [x, y, w] = charted(end);
-    return { end, room: Math.min(12 / scaleOf(), ...own.map(([a, b]) => Math.hypot(a - x / w, b - y / w))) };
+    return { end, room: Math.min(12 / scale(), ...own.map(([a, b]) => Math.hypot(a - x / w, b - y / w))) };
   });
   return found.reduce((best, one) => (one.room > best.room ? one : best)).end;
 }

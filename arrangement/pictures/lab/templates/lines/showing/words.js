@@ -1,16 +1,6 @@
 // Arrangements in words.
 
-const shortNumber = (text) => (text.length > 14 ? `${text.slice(0, 6)}…${text.slice(-4)}` : text);
 const minusSign = (text) => text.replace(/-/g, "\u2212");
-
-// A sum with signs between its terms: [coefficient text, name] pairs.
-function sumText(terms) {
-  const parts = terms.filter(([value]) => value !== "0").map(([value, name]) => {
-    const size1 = value.replace("-", "");
-    return `${value.startsWith("-") ? "\u2212" : "+"} ${name && size1 === "1" ? name : shortNumber(size1) + name}`;
-  });
-  return parts.join(" ").replace(/^\+ /, "").replace(/^\u2212 /, "\u2212") || "0";
-}
 
 function equationText(row) {
   const texts = row.map(textOf);
