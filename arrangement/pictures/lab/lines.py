@@ -161,7 +161,7 @@ _MOVES = ("moves", "drags", "planes", "goals", "page")
 SCRIPTS: tuple[Template, ...] = (
     RATIONAL,
     LINEAR,
-    ("arrangement.pictures.page", "ball.js"),
+    ("arrangement.drawing.pages", "ball.js"),
     *((_OWN, f"{name}.js") for name in (*_COUNTS, *_DRAWS, *_MOVES)),
 )
 

@@ -12,7 +12,7 @@ import numpy as np
 
 from arrangement.arrangement import Arrangement
 from arrangement.console.number_form import Form, counted, sign_text, vector
-from arrangement.drawing.pages.html_page import BASE_SCRIPT, BASE_STYLE, Template, one_page
+from arrangement.drawing.pages.html_page import BASE_SCRIPT, BASE_STYLE, Template, one_page, own
 from arrangement.drawing.registry import Vector
 from arrangement.duals.zonohedron.incidence import dual_incidence
 from arrangement.enumeration.great_circles import SphereArrangement
@@ -24,8 +24,15 @@ from arrangement.pictures.sphere.globe import Globe, clear_direction, picture_ax
 
 #: Distinct planes beyond which a page is too slow to turn by hand.
 MAX_CIRCLES = 30
-_MODULES = ("model", "ball", "globe", "arrangement", "turning", "controls")
-SCRIPTS = (BASE_SCRIPT, *(own(f"{name}.js") for name in _MODULES))
+_OWN = "arrangement.pictures.page"
+SCRIPTS: tuple[Template, ...] = (
+    BASE_SCRIPT,
+    (_OWN, "model.js"),
+    own("ball.js"),
+    *((_OWN, f"{name}.js") for name in ("globe", "arrangement")),
+    own("turning.js"),
+    (_OWN, "controls.js"),
+)
 COLOURINGS = ("sides", "signs", "parity", "none")
 
 
@@ -78,16 +85,12 @@ def arrangement_page(
     }
     return one_page(
         heading,
-        _own("arrangement.html"),
-        [BASE_STYLE, _own("arrangement.css")],
+        (_OWN, "arrangement.html"),
+        [BASE_STYLE, (_OWN, "arrangement.css")],
         SCRIPTS,
         data,
         ["spin", "home", "theme", "print"],
     )
-
-
-def _own(name: str) -> Template:
-    return "arrangement.pictures.page", name
 
 
 def _shaped(

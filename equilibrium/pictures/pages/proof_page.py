@@ -24,7 +24,7 @@ from equilibrium.pictures.grasp.proof_maps import MAP, TURNS, ProofMaps, proof_m
 from equilibrium.pictures.style import number, vector
 from equilibrium.pictures.wrenches.window import roomiest
 
-_OWN = "equilibrium.pictures"
+_OWN = "equilibrium.pictures.pages"
 SCRIPTS: tuple[Template, ...] = (BASE_SCRIPT, (_OWN, "sketch.js"), (_OWN, "proof.js"))
 #: Half width and half height of a number in a region, where a map fills [-1, 1].
 _LABEL = (0.05, 0.06)
