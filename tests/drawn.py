@@ -1,13 +1,116 @@
-"""What the paths of a figure are."""
+"""Scenes of views, the paths of a figure, and what is wrong with the labels of a scene."""
 
 from __future__ import annotations
 
+import importlib
+from collections import Counter
 from typing import Any
 
-from arrangement.drawing.scene.items import Path
+import numpy as np
+import shapely
+
+from arrangement import read_arrangement
+from arrangement.drawing.output import own_settings
+from arrangement.drawing.registry import Drawings
+from arrangement.drawing.scene.items import Item, Label, Path
+from arrangement.drawing.scene.labels import flattened
+from arrangement.drawing.scene.measuring import measure
+from arrangement.drawing.scene.scene import Scene
+from arrangement.pictures import DRAWINGS as OF_PLANES
+from equilibrium import read_grasp
+from equilibrium.pictures import DRAWINGS as OF_GRASPS
+
+VIEWS = [(drawings, view) for drawings in (OF_PLANES, OF_GRASPS) for view in drawings.views]
+#: What a view cannot do without, or shows little without.
+NEEDED: dict[str, dict[str, Any]] = {
+    "methods": {"wrenches": [(0, 2, 0), (1, -1, 0)]},
+    "proof": {"wrench": (0, -1, 0)},
+    "grasp": {"wrench": (0, 1, 1)},
+}
 
 
 def paths(figure: Any) -> list[Path]:
     """Return the paths of all artists of a figure; see `arrangement.drawing.figure`."""
     artists = [artist for axes in figure.axes for artist in axes.get_children()]
     return [item for artist in artists for item in getattr(artist, "items", ())]
+
+
+def elements(made: Scene) -> Counter[str]:
+    """Count the named elements of a scene by the part of the name before the first dash."""
+    return Counter(item.name.partition("-")[0] for item in made.items)
+
+
+def scene(drawings: Drawings, view: str, name: str = "", **options: Any) -> Scene:
+    """Return the scene of a view of a built-in instance, in our own fonts."""
+    usual = "braid-a3" if drawings is OF_PLANES else "paper-four-contacts"
+    name = name or {"lines": "shi-a2-affine"}.get(view, usual)
+    module, _, function = drawings.views[view].partition(":")
+    draw = getattr(importlib.import_module(f"{drawings.package}.{module}"), function)
+    read: Any = read_arrangement if drawings is OF_PLANES else read_grasp
+    with own_settings():
+        made: Scene = draw.scene(read(name), **(NEEDED.get(view, {}) | options))
+    return made
+
+
+def box_of(label: Label) -> Any:
+    """Return the rectangle of a text."""
+    with own_settings():
+        w, h = measure(label.text, label.size, label.rotation)
+    x, y = label.place
+    left = x - w * {"left": 0.0, "center": 0.5, "right": 1.0}[label.ha]
+    share = {"bottom": 0.0, "baseline": 0.2, "center": 0.5, "center_baseline": 0.5, "top": 1.0}
+    low = y - h * share[label.va]
+    return shapely.box(left, low, left + w, low + h)
+
+
+def shape_of(item: Path) -> Any:
+    """Return the line of a path, closed where it is drawn closed."""
+    if item.kind == "circle":
+        return shapely.Point(item.points).buffer(item.radius).exterior
+    if item.kind == "curve":
+        return shapely.LineString(np.vstack([flattened(item.points), item.points[-1:]]))
+    points = item.points if item.kind == "line" else np.vstack([item.points, item.points[:1]])
+    return shapely.LineString(points)
+
+
+def offences(scene: Scene) -> list[str]:
+    """Name the labels that leave the sheet, cover each other, or cover a line that is seen."""
+    order = {id(item): (1.0 if item.order is None else item.order, k)
+             for k, item in enumerate(scene.items)}  # fmt: skip
+    labels = [item for item in scene.items if isinstance(item, Label) and item.text.strip()]
+    lines = [item for item in scene.items if isinstance(item, Path) and is_line(item)]
+    covers = [item for item in scene.items if isinstance(item, Path) and is_opaque(item)]
+    boxes = [box_of(label) for label in labels]
+    sheet = shapely.box(0, 0, scene.width, scene.height).buffer(0.01)
+    found = [label.text for label, box in zip(labels, boxes, strict=True) if not sheet.covers(box)]
+    tree = shapely.STRtree(boxes)
+    inner = np.array([box.buffer(-0.2) for box in boxes], dtype=object)
+    found += [
+        f"{labels[a].text!r} and {labels[b].text!r}"
+        for a, b in tree.query(inner, "intersects").T.tolist()
+        if a < b and inner[a].intersects(inner[b])
+    ]
+    shapes = shapely.STRtree([shape_of(line) for line in lines])
+    areas = shapely.STRtree([shapely.Polygon(shape_of(item)) for item in covers])
+    for a, k in shapes.query(inner, "intersects").T.tolist():
+        above = [
+            areas.geometries[j]
+            for j in areas.query(inner[a], "intersects").tolist()
+            if order[id(lines[k])] < order[id(covers[j])] < order[id(labels[a])]
+        ]
+        seen = shapes.geometries[k].difference(shapely.union_all(above))
+        if seen.intersects(inner[a]):
+            found.append(f"{labels[a].text!r} on {lines[k].name or lines[k].role}")
+    return found
+
+
+def is_line(item: Item) -> bool:
+    """Return whether a line of its own colour is seen; seams between faces have that of these."""
+    style = item.style
+    edge = style.get("ec", "black")
+    return str(edge) != "none" and edge != style.get("fc") and style.get("lw", 1.0) > 0
+
+
+def is_opaque(item: Path) -> bool:
+    filled = item.kind in ("polygon", "circle") and str(item.style.get("fc", "none")) != "none"
+    return filled and item.style.get("fill", True) and item.style.get("alpha", 1) == 1

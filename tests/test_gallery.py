@@ -37,20 +37,18 @@ def drawn(words: list[str]) -> str:
 
 
 @pytest.mark.parametrize(("program", "drawings"), PROGRAMS)
-def test_every_view_is_shown(program: str, drawings: Drawings) -> None:
+def test_every_view_and_model_is_shown_and_views_as_tikz_too(
+    program: str, drawings: Drawings
+) -> None:
+    own = [words for words in SHOWN if words[0] == program]
+    models = [words for words in own if words[-1].endswith(MODELS)]
+    flat = [words for words in own if words not in models]
+    tikz = [words for words in own if f"{words[-1].removesuffix('.svg')}.tex>" in TEXT]
     first = next(iter(drawings.views))
-    found = {
-        option(words, "--view", drawn(words) or first) for words in SHOWN
-        if words[0] == program and not words[-1].endswith(MODELS)
-    }  # fmt: skip
-    assert found == set(drawings.views)
-
-
-@pytest.mark.parametrize(("program", "drawings"), PROGRAMS)
-def test_every_model_is_shown(program: str, drawings: Drawings) -> None:
-    first = next(iter(drawings.models))
-    models = [words for words in SHOWN if words[0] == program and words[-1].endswith(MODELS)]
-    assert {option(words, "--model", first) for words in models} == set(drawings.models)
+    for found in (flat, tikz):
+        assert {option(w, "--view", drawn(w) or first) for w in found} == set(drawings.views)
+    usual = next(iter(drawings.models))
+    assert {option(words, "--model", usual) for words in models} == set(drawings.models)
 
 
 def test_every_picture_that_a_command_makes_is_on_the_page() -> None:
@@ -61,16 +59,6 @@ def test_every_picture_that_a_command_makes_is_on_the_page() -> None:
     assert made == shown - tikz - set_in_latex
     assert set_in_latex <= shown
     assert {path.replace(".tex", ".svg") for path in tikz} <= made
-
-
-@pytest.mark.parametrize(("program", "drawings"), PROGRAMS)
-def test_every_view_is_shown_as_tikz_too(program: str, drawings: Drawings) -> None:
-    first = next(iter(drawings.views))
-    offered = {
-        option(words, "--view", drawn(words) or first) for words in SHOWN
-        if words[0] == program and f"{words[-1].removesuffix('.svg')}.tex>" in TEXT
-    }  # fmt: skip
-    assert offered == set(drawings.views)
 
 
 def test_pages_open_in_the_browser() -> None:

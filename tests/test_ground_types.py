@@ -5,14 +5,10 @@ from __future__ import annotations
 import os
 import subprocess
 import sys
-from fractions import Fraction
 from pathlib import Path
 
 import pytest
-from sympy import QQ, ZZ
 from sympy.external.gmpy import GROUND_TYPES
-
-from arrangement import rational
 
 ROOT = Path(__file__).resolve().parents[1]
 FILES = (
@@ -40,17 +36,3 @@ def test_exact_numbers_pass_on_both_ground_types_of_sympy() -> None:
         check=False,
     )
     assert done.returncode == 0, done.stdout + done.stderr
-
-
-@pytest.mark.ground_types
-@pytest.mark.parametrize(
-    ("element", "value"),
-    [
-        (ZZ(-7), Fraction(-7)),
-        (ZZ(10**40), Fraction(10**40)),
-        (QQ(7, -3), Fraction(-7, 3)),
-        (QQ(10**40, 3), Fraction(10**40, 3)),
-    ],
-)
-def test_elements_of_sympy_domains_are_read_exactly(element: object, value: Fraction) -> None:
-    assert rational(element) == value

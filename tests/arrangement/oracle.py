@@ -54,6 +54,15 @@ def realisable(arrangement: Arrangement, signs: Sequence[int]) -> bool:
 
 def satisfiable(equal: list[Row], positive: list[Row], unknowns: int) -> bool:
     """Decide ``a . x + b = 0`` for rows of `equal` and ``a . x + b > 0`` for rows of `positive`."""
+    equal, positive = shadow(equal, positive, unknowns)
+    return all(row[-1] == 0 for row in equal) and all(row[-1] > 0 for row in positive)
+
+
+def shadow(equal: list[Row], positive: list[Row], unknowns: int) -> tuple[list[Row], list[Row]]:
+    """Return what conditions on the first unknowns leave for the others (Fourier and Motzkin).
+
+    It makes no difference whether the inequalities are strict.
+    """
     for j in range(unknowns):
         pivot = next((row for row in equal if row[j]), None)
         if pivot is not None:
@@ -69,7 +78,7 @@ def satisfiable(equal: list[Row], positive: list[Row], unknowns: int) -> bool:
             for high in upper
         )
         positive = list({_scaled(row) for row in (*rest, *pairs)})
-    return all(row[-1] == 0 for row in equal) and all(row[-1] > 0 for row in positive)
+    return equal, positive
 
 
 def _without(row: Row, pivot: Row, j: int) -> Row:

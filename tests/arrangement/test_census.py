@@ -1,16 +1,34 @@
-"""The census of types: published numbers, distinctness, nothing outside, resumption."""
+"""The census of types: published numbers, distinctness, proofs of having no coordinates."""
 
 from __future__ import annotations
 
 import itertools
 import json
+from pathlib import Path
 
+import numpy as np
 import pytest
-from hypothesis import given, settings, strategies as st
+import sympy
 
-from arrangement import Arrangement, InputError
-from arrangement.library.census import MOST_PLANES, PUBLISHED, PUBLISHED_SIMPLE, catalogue, census
-from arrangement.library.census.making import generate
+from arrangement import Arrangement, InputError, cli, families, identify
+from arrangement.library.census import (
+    MOST_PLANES,
+    PSEUDOLINES,
+    PUBLISHED,
+    PUBLISHED_SIMPLE,
+    catalogue,
+    census,
+)
+from arrangement.library.census.chirotopes import (
+    canonical,
+    chirotope_of,
+    regions,
+    t_vectors,
+    triples,
+)
+from arrangement.library.census.final_polynomials import proves_no_coordinates
+from arrangement.library.census.making import build, generate
+from arrangement.library.census.making.tables import check, table
 
 
 @pytest.mark.parametrize("planes", range(3, MOST_PLANES + 1))
@@ -60,33 +78,6 @@ def test_canonical_graphs_and_brute_force_tell_the_same_types_apart(planes: int)
     assert len(forms) == PUBLISHED[planes]
 
 
-entries = st.integers(-4, 4)
-normals = st.tuples(entries, entries, entries).filter(any)
-
-
-@settings(max_examples=60)
-@given(st.lists(normals, min_size=3, max_size=7))
-def test_no_arrangement_has_a_type_outside_the_census(rows: list[tuple[int, int, int]]) -> None:
-    arrangement = Arrangement(rows)
-    firsts = [rows[members[0]] for members in arrangement.distinct]
-    if arrangement.rank < 3:
-        return
-    known = {generate.canonical_form(a) for a in census(len(firsts))}
-    assert generate.canonical_form(Arrangement(firsts)) in known
-
-
-@settings(max_examples=30)
-@given(st.data())
-def test_relabelling_and_reorienting_keep_the_canonical_form(data: st.DataObject) -> None:
-    arrangement = data.draw(st.sampled_from(census(6)))
-    order = data.draw(st.permutations(range(6)))
-    sides = data.draw(st.lists(st.sampled_from([1, -1]), min_size=6, max_size=6))
-    moved = [
-        [side * x for x in arrangement.normals[i]] for i, side in zip(order, sides, strict=True)
-    ]
-    assert generate.canonical_form(Arrangement(moved)) == generate.canonical_form(arrangement)
-
-
 def test_an_interrupted_run_goes_on_and_gives_the_same_list(tmp_path, monkeypatch) -> None:
     whole = generate.generate(5)
     progress = tmp_path / "progress.jsonl"
@@ -112,3 +103,131 @@ def test_an_interrupted_run_goes_on_and_gives_the_same_list(tmp_path, monkeypatc
 def test_numbers_outside_the_census_are_refused(planes: object) -> None:
     with pytest.raises(InputError, match="3 to 9"):
         census(planes)  # type: ignore[arg-type]
+
+
+def test_types_of_nine_planes_are_made_when_asked_for() -> None:
+    types = census(9)
+    assert len(types) == PUBLISHED[9]
+    assert len(census(9, simple=True)) == PUBLISHED_SIMPLE[9]
+    for planes in (types[0], types[-1], *types[1000:1003]):
+        assert isinstance(planes, Arrangement)
+        assert len(planes.distinct) == 9
+        assert planes.rank == 3
+    assert census(9, simple=True)[0].is_simple
+    assert not types[-PUBLISHED_SIMPLE[9] - 1].is_simple
+    with pytest.raises(IndexError):
+        types[PUBLISHED[9]]
+
+
+def test_numbers_with_and_without_coordinates_make_up_all_pseudolines() -> None:
+    proofs = catalogue.without_coordinates()
+    assert len(census(9)) + len(proofs) == PSEUDOLINES
+    signs = np.array([signs for signs, _ in proofs])
+    assert len(np.unique(canonical(signs, 9).codes, axis=0)) == len(proofs)
+    assert (catalogue.places(signs[::40]) == -1).all()
+    names = list(map(tuple, triples(9).tolist()))
+    for row, proof in proofs[::5]:
+        assert proves_no_coordinates(dict(zip(names, row.tolist(), strict=True)), proof)
+
+
+def test_the_one_type_without_normals_is_that_of_perles_and_has_no_rational_ones() -> None:
+    (place,) = np.flatnonzero(~catalogue.normals(9).any((1, 2)))
+    planes = families.perles()
+    assert census(9)[place] == planes
+    assert (identify(planes).type, identify(planes).names) == (place + 1, ("Perles",))
+    x, y, z = sympy.symbols("x y z")
+    forced = [
+        (0, 1, 0),
+        (1, 0, x),
+        (1, 1, 1),
+        (1, y, 0),
+        (0, 1, 1),
+        (1, 0, 0),
+        (1, 1, 0),
+        (1, z, 1),
+    ]
+    rows = [*forced, (0, 0, 1)]
+    zero = triples(9)[catalogue.exact_chirotope(planes) == 0].tolist()
+    equations = [sympy.Matrix([rows[k] for k in three]).det() for three in zero]
+    assert sympy.groebner(equations, y, z, x).exprs[-1] == x**2 + x - 1
+
+
+def test_every_type_stands_where_its_code_is_looked_for() -> None:
+    places = np.linspace(0, PUBLISHED[9] - 1, 60).astype(int)
+    assert (catalogue.places(chirotope_of(catalogue.normals(9)[places])) == places).all()
+
+
+@pytest.mark.campaign
+def test_extensions_without_coordinates_are_all_in_the_list() -> None:
+    found = check(3, order=False)
+    assert found.holds
+    assert (found.proofs, found.parents) == (PSEUDOLINES - PUBLISHED[9], 3)
+
+
+@pytest.mark.parametrize("planes", [5, 6])
+def test_regions_by_points_are_those_that_are_enumerated(planes: int) -> None:
+    signs = chirotope_of(catalogue.normals(planes))
+    assert regions(signs, planes).tolist() == [a.f_vector[3] for a in census(planes)]
+    points = t_vectors(signs, planes).sum(1)
+    assert (2 * points).tolist() == [a.f_vector[1] for a in census(planes)]
+
+
+def test_the_table_of_seven_planes() -> None:
+    found = table(7)
+    assert (found.types, found.simple, found.simplicial) == (143, 11, 2)
+    assert sum(found.by_regions.values()) == sum(found.by_points.values()) == 143
+    assert found.by_regions[44] == found.by_points[21,] == 11
+    assert found.by_points[6, 0, 0, 0, 1] == 1  # the near-pencil
+
+
+def same(one: build.Arrays, other: build.Arrays) -> bool:
+    return all(one[name].tobytes() == other[name].tobytes() for name in one)
+
+
+@pytest.fixture(scope="module")
+def built(tmp_path_factory: pytest.TempPathFactory) -> build.Arrays:
+    """Seven planes from so small a box that some need other coordinates of six."""
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(build, "_SIZE", 4)
+        return build.build(str(tmp_path_factory.mktemp("built")), planes=7)
+
+
+def test_the_builder_finds_all_types_of_seven_planes(built: build.Arrays) -> None:
+    bases = np.concatenate([catalogue.normals(6), built["bases"]])[built["parents"]]
+    signs = chirotope_of(np.concatenate([bases, built["vectors"][:, None]], axis=1))
+    rows = np.column_stack([regions(signs, 7), canonical(signs, 7).codes]).tolist()
+    assert len(rows) == PUBLISHED[7]
+    assert all(one < other for one, other in itertools.pairwise(rows))
+    assert len(built["bases"]) > 0
+    assert len(built["without"]) == 0
+
+
+def test_an_interrupted_build_goes_on_and_gives_the_same(
+    built: build.Arrays, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(build, "_SIZE", 4)
+    monkeypatch.setattr(build, "_PART", 5)  # parts do not matter
+    extended, calls = build._extended, []
+
+    def interrupted(plan: build._Plan, number: int) -> tuple[int, build.Arrays]:
+        calls.append(number)
+        if len(calls) == 3:
+            raise KeyboardInterrupt
+        return extended(plan, number)
+
+    monkeypatch.setattr(build, "_extended", interrupted)
+    with pytest.raises(KeyboardInterrupt):
+        build.build(str(tmp_path), planes=7)
+    assert same(build.build(str(tmp_path), planes=7), built)
+    assert calls == [0, 1, 2, 2, 3]  # two done before, one interrupted and done again
+
+
+def test_the_commands_of_the_census(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:
+    assert cli.main(["census", "show", "6"]) == 0
+    assert "17 (published 17)" in capsys.readouterr().out
+    file = tmp_path / "six.npz"
+    store = str(tmp_path / "store")
+    assert cli.main(["census", "build", "6", "-o", str(file), "--store", store, "--json"]) == 0
+    assert capsys.readouterr().out == '{"types": 17, "without_coordinates": 0}\n'
+    with np.load(file) as arrays:
+        assert len(arrays["parents"]) == 17

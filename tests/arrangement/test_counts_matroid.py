@@ -65,15 +65,6 @@ def test_circuits_and_cocircuits_are_orthogonal(planes: Arrangement) -> None:
             assert products in (set(), {1, -1})
 
 
-@given(CENTRAL.filter(len))
-def test_contraction_is_restriction(planes: Arrangement) -> None:
-    restricted = counts.restriction(planes, 0)
-    kept = [i for i in range(len(planes)) if planes.class_of[i] != planes.class_of[0]]
-    through = [set(chosen) - {0} for chosen in counts.bases(planes) if 0 in chosen]
-    contracted = [{kept[i] for i in chosen} for chosen in counts.bases(restricted)]
-    assert sorted(map(sorted, through)) == sorted(map(sorted, contracted))
-
-
 def graphs(draw_edges: set[int], n: int) -> nx.Graph:
     graph = nx.empty_graph(n)
     graph.add_edges_from(
@@ -88,30 +79,6 @@ def test_graphs_are_supersolvable_when_chordal(edges: set[int]) -> None:
     graph = graphs(edges, 6)
     chain = counts.modular_chain(families.graphical(graph))
     assert (chain is not None) == nx.is_chordal(graph)
-
-
-@settings(max_examples=40)
-@given(st.sets(st.integers(0, 9)))
-def test_circuits_and_bases_of_graphs_are_cycles_and_trees(edges: set[int]) -> None:
-    graph = graphs(edges, 5)
-    planes = families.graphical(graph)
-    place = {frozenset(edge): i for i, edge in enumerate(graph.edges)}
-    cycles = {
-        frozenset(
-            place[frozenset(pair)] for pair in zip(cycle, [*cycle[1:], cycle[0]], strict=True)
-        )
-        for cycle in nx.simple_cycles(graph)
-    }
-    supports = [
-        frozenset(i for i, sign in enumerate(vector) if sign) for vector in counts.circuits(planes)
-    ]
-    assert set(supports) == cycles
-    assert len(supports) == 2 * len(cycles)
-    parts = [graph.subgraph(part) for part in nx.connected_components(graph)]
-    trees = sympy.prod(
-        sympy.Matrix(nx.laplacian_matrix(part).toarray().tolist())[1:, 1:].det() for part in parts
-    )
-    assert len(counts.bases(planes)) == trees
 
 
 @settings(max_examples=60)

@@ -73,13 +73,7 @@ def agree(planes: Arrangement) -> None:
 
 
 @pytest.mark.campaign
-def test_classes_agree_with_the_lattice_on_random_planes() -> None:
-    for planes in random_planes(0, 300):
-        agree(planes)
-
-
-@pytest.mark.campaign
-@pytest.mark.parametrize("seed", range(1, 9))
+@pytest.mark.parametrize("seed", range(9))
 def test_classes_agree_with_all_other_routes(seed: int) -> None:
     for planes in random_planes(seed, 250):
         agree(planes)

@@ -1,10 +1,10 @@
-"""Cells of planes apart: a picture with every cell, and a page to turn."""
+"""Cells apart, and views of planes of any space: what is shown, what is drawn by default."""
 
 from __future__ import annotations
 
 import json
+import math
 import re
-from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
@@ -12,13 +12,27 @@ import numpy as np
 import pytest
 from hypothesis import given, settings, strategies as st
 
-from arrangement import Arrangement, InputError
+from arrangement import Arrangement
 from arrangement.cli import main
+from arrangement.counts import f_vector
+from arrangement.drawing.scene.items import Label
+from arrangement.drawing.scene.layout import laid_out
 from arrangement.drawing.scene.scene import Scene
 from arrangement.library.files.table import read_arrangement
-from arrangement.pictures import cells_page, draw_cells
-from arrangement.pictures.space.cells import MOST
+from arrangement.pictures import (
+    arrangement_page,
+    cells_page,
+    draw_lines,
+    draw_sphere,
+    write_drawing,
+)
+from arrangement.pictures.duals.models import cells_model
+from arrangement.pictures.essential import SPACES, fits, in_space
+from arrangement.pictures.views import DRAWINGS, drawings_of
 from tests.browser import Browser
+from tests.instances import PLANAR
+
+from .strategies import arrangements
 
 SIMPLEX = Arrangement([[1, 0, 0], [0, 1, 0], [0, 0, 1], [1, 1, 1]], [0, 0, 0, 1])
 PLANES = {
@@ -39,15 +53,6 @@ def data_of(page: str) -> dict[str, Any]:
     return data
 
 
-@pytest.mark.campaign
-@pytest.mark.parametrize("name", PLANES)
-@pytest.mark.parametrize("body", ["cube", "ball"])
-def test_some_face_of_every_cell_is_painted(name: str, body: str) -> None:
-    scene: Scene = draw_cells.scene(PLANES[name], body=body, labels="none")
-    cells = {item.name for item in scene.items if item.name.startswith("cell-")}
-    assert len(cells) == len(PLANES[name].regions())
-
-
 @pytest.mark.parametrize("name", PLANES)
 def test_the_page_has_every_cell_with_its_signs(name: str) -> None:
     planes = PLANES[name]
@@ -60,18 +65,14 @@ def test_the_page_has_every_cell_with_its_signs(name: str) -> None:
 
 @settings(max_examples=25, deadline=None)
 @given(
-    st.lists(
-        st.tuples(*[st.integers(-2, 2)] * 4).filter(lambda plane: any(plane[:3])),
-        min_size=1, max_size=4,
-    ),
+    arrangements(dimensions=(3, 3), planes=(1, 4)),
     st.floats(1, 3),
     st.tuples(*[st.integers(-5, 5)] * 3).filter(any),
 )  # fmt: skip
 def test_no_cell_apart_is_painted_over_one_that_is_nearer(
-    rows: list[tuple[int, ...]], explode: float, direction: tuple[int, ...]
+    planes: Arrangement, explode: float, direction: tuple[int, ...]
 ) -> None:
     """Two cells in order are separated by a plane with the viewer on the side of the later one."""
-    planes = Arrangement([row[:3] for row in rows], [row[3] for row in rows])
     data = data_of(cells_page(planes, explode=explode))
     solids = []
     todo = [(0, False)]
@@ -146,11 +147,91 @@ def test_affine_planes_have_a_page_by_default(tmp_path: Path) -> None:
     assert data_of(page)["counts"].startswith("6 cells in a cube with centre (0, 0, 1/2)")
 
 
-@pytest.mark.parametrize("draw", [draw_cells, cells_page])
-def test_what_cannot_be_shown_is_refused(draw: Callable[..., Any]) -> None:
-    with pytest.raises(InputError, match="factor from 1 to 3"):
-        draw(SIMPLEX, explode=0.5)
-    with pytest.raises(InputError, match=f"at most {MOST}"):
-        draw(Arrangement([[1, k, k * k] for k in range(15)], [k**3 for k in range(15)]))
-    with pytest.raises(InputError, match="lattice"):
-        draw(Arrangement(np.eye(4, dtype=int).tolist()))
+BRAID = read_arrangement("braid-a3-in-r4")
+#: An affine graphic arrangement of rank 2 in R^3, and a restriction of rank 3 in R^5.
+GRAPHIC = Arrangement([[1, -1, 0], [0, 1, -1], [1, 0, -1]], [0, 1, 0])
+RESTRICTION = Arrangement([[1, 2, 0, 0, 1], [0, 0, 1, 0, 0], [0, 0, 0, 1, 3]], [1, 0, 2])
+
+
+def texts(figure: Any) -> list[str]:
+    return [text.get_text() for text in figure.axes[0].texts]
+
+
+@pytest.mark.campaign
+@pytest.mark.parametrize("view", [*SPACES, "lattice"])
+def test_braids_in_four_dimensions_are_drawn_and_the_caption_says_how(
+    view: str, tmp_path: Path
+) -> None:
+    command = ["draw", "braid-a3-in-r4", "--view", view, "-o", str(tmp_path / "a.svg")]
+    assert main(command) == (2 if view == "lines" else 0)
+    module, _, name = DRAWINGS.views[view].partition(":")
+    if view not in ("lines", "lattice"):
+        draw = getattr(__import__(f"arrangement.pictures.{module}", fromlist=[name]), name)
+        scene = laid_out(draw.scene(BRAID))
+        assert isinstance(scene, Scene)
+        *_, last = (item.text for item in scene.items if isinstance(item, Label))
+        assert last == "essentialisation of an arrangement in R⁴"
+        assert all(label.place[1] > 0 for label in scene.items if isinstance(label, Label))
+
+
+def test_planes_in_their_own_space_have_no_caption() -> None:
+    assert not any("arrangement" in text for text in texts(draw_sphere(read_arrangement("pencil"))))
+    assert "arrangement in R¹, times a line" in texts(draw_lines(Arrangement([[1], [2]], [0, 1])))
+
+
+@settings(max_examples=30, deadline=None)
+@given(
+    st.lists(st.tuples(*[st.integers(-3, 3)] * 2), min_size=1, max_size=5),
+    st.tuples(*[st.tuples(*[st.integers(-2, 2)] * 4)] * 2),
+    st.lists(st.integers(-2, 2), min_size=5, max_size=5),
+)
+def test_signs_faces_and_nearly_angles_are_those_in_the_other_space(
+    coefficients: list[tuple[int, int]],
+    basis: tuple[tuple[int, ...], tuple[int, ...]],
+    offsets: list[int],
+) -> None:
+    normals = [[a * x + b * y for x, y in zip(*basis, strict=True)] for a, b in coefficients]
+    normals = [normal for normal in normals if any(normal)]
+    planes = Arrangement(normals, offsets[: len(normals)], dimension=4)
+    for dimension in {2, 3}:
+        moved = in_space(planes, dimension)
+        assert (moved.dimension, moved.rank) == (dimension, planes.rank)
+        assert moved.distinct == planes.distinct
+        assert {f.signs for f in moved.regions()} == {f.signs for f in planes.regions()}
+        for before, after in zip(_cosines(planes), _cosines(moved), strict=True):
+            assert math.isclose(before, after, abs_tol=2e-3)
+
+
+def _cosines(planes: Arrangement) -> list[float]:
+    units = np.array([plane[:-1] for plane in planes.integer_planes], dtype=float)
+    units = units.reshape(len(planes), planes.dimension)
+    units /= np.linalg.norm(units, axis=1, keepdims=True)
+    return [float(x) for x in (units @ units.T).ravel()]
+
+
+@pytest.mark.parametrize("planes", [BRAID, GRAPHIC, RESTRICTION])
+def test_models_and_pages_are_made_of_the_essentialisation(planes: Arrangement) -> None:
+    moved = in_space(planes, 3)
+    assert f_vector(moved)[-1] == f_vector(planes)[-1]
+    assert cells_model(planes, ".stl", body="cube") == cells_model(moved, ".stl", body="cube")
+    if planes.is_central:
+        assert "essentialisation of an arrangement in R\\u2074" in arrangement_page(planes)
+
+
+def test_rank_four_has_its_lattice_only() -> None:
+    planes = Arrangement(np.eye(4, dtype=int).tolist())
+    assert [name for name in DRAWINGS.views if fits(name, planes)] == ["lattice"]
+    assert next(iter(drawings_of(planes).views)) == "lattice"
+
+
+@pytest.mark.campaign
+@pytest.mark.parametrize("name", PLANAR)
+def test_by_default_there_is_what_suits_the_planes(name: str, tmp_path: Path) -> None:
+    planes = read_arrangement(name)
+    found = drawings_of(planes)
+    view = next(iter(found.views))
+    expected = "lines" if planes.dimension == 2 else "sphere" if planes.is_central else "cells"
+    assert view == expected
+    assert write_drawing(planes, tmp_path / "a.svg") == {"view": view}
+    assert fits(next(iter(found.models)), planes)
+    assert fits(next(iter(found.pages)), planes)

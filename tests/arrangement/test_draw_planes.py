@@ -3,10 +3,8 @@
 from __future__ import annotations
 
 import random
-import re
 from collections.abc import Sequence
 from fractions import Fraction
-from itertools import combinations, product
 from pathlib import Path
 from typing import Any
 
@@ -14,7 +12,7 @@ import numpy as np
 import pytest
 from hypothesis import given, settings, strategies as st
 
-from arrangement import Arrangement, InputError
+from arrangement import Arrangement
 from arrangement.cli import main
 from arrangement.counts import f_vector
 from arrangement.duals.cells import cut_cells
@@ -112,23 +110,6 @@ def test_every_facet_and_every_region_meets_the_body(planes: Arrangement, body: 
     assert found == {face.signs for face in planes.faces(2)}
 
 
-@settings(max_examples=25, deadline=None)
-@given(spatial)
-def test_facets_of_a_plane_fill_its_section_of_the_cube(planes: Arrangement) -> None:
-    """The section is the hull of the points where the plane meets the edges of the cube."""
-    cells = cut_cells(planes, "cube")
-    stage = Stage(cells, DIRECTION)
-    centre, radius = cells.body.centre, cells.body.radius
-    for label, members in enumerate(planes.distinct):
-        normal = planes.normals[members[0]]
-        offset = planes.offsets[members[0]] - sum(
-            a * b for a, b in zip(normal, centre, strict=True)
-        )
-        found = sum(area(stage.points[list(f.corners)]) for f in stage.facets if f.label == label)
-        section = section_area(np.array(normal, float), float(offset / radius))
-        assert found == pytest.approx(section, rel=1e-9)
-
-
 @pytest.mark.parametrize("planes", [read_arrangement("braid-a3"), AFFINE], ids=["A3", "affine"])
 def test_facets_of_a_plane_fill_its_disc_in_the_ball(planes: Arrangement) -> None:
     stage = Stage(cut_cells(planes, "ball"), DIRECTION)
@@ -141,22 +122,6 @@ def test_facets_of_a_plane_fill_its_disc_in_the_ball(planes: Arrangement) -> Non
 def area(corners: Any) -> float:
     steps = corners[1:] - corners[0]
     return float(np.linalg.norm(np.cross(steps[:-1], steps[1:]).sum(axis=0))) / 2
-
-
-def section_area(normal: Any, offset: float) -> float:
-    """Return the area of ``{normal . x = offset}`` in the cube ``[-1, 1]^3``."""
-    from scipy.spatial import ConvexHull
-
-    corners = np.array(list(product((-1.0, 1.0), repeat=3)))
-    points = []
-    for p, q in combinations(corners, 2):
-        if np.abs(p - q).sum() == 2:
-            at_p, at_q = normal @ p - offset, normal @ q - offset
-            if at_p * at_q <= 0 and at_p != at_q:
-                points.append(p + (q - p) * at_p / (at_p - at_q))
-    axis = int(np.argmax(np.abs(normal)))
-    flat = np.delete(np.array(points), axis, axis=1)
-    return float(ConvexHull(flat).volume * np.linalg.norm(normal) / abs(normal[axis]))
 
 
 def painted(figure: Any, start: str) -> dict[str, float]:
@@ -242,41 +207,6 @@ def test_the_command_takes_signs_that_begin_with_a_minus(
     assert '"view": "planes"' in capsys.readouterr().out
     assert b"cell--+-" in target.read_bytes()
     assert b"cell----" in target.read_bytes()
-
-
-@pytest.mark.parametrize(
-    ("options", "message"),
-    [
-        (["--body", "torus"], "known are ball, cube"),
-        (["--lift=++"], "2 signs"),
-        (["--lift=+0+"], r"one \+ or -"),
-        (["--lift=+++", "--lift=+++"], "twice"),
-        (["--direction", "0", "0", "0"], "not all 0"),
-        (["--radius", "0"], "positive"),
-        (["--centre", "5", "5", "5", "--lift=---"], "outside the body"),
-        (["--width", "-3"], "width"),
-        (["--colour", "mood"], "known are planes"),
-        (["--explode", "2"], "has no option"),
-        (["--model", "cells"], "a model needs"),
-    ],
-)
-def test_bad_options_are_named_and_leave_no_file(
-    options: list[str], message: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
-    target = tmp_path / "a.svg"
-    command = ["draw", "coordinate-planes", "-o", str(target), "--view", "planes", *options]
-    assert main(command) == 2
-    assert re.search(message, capsys.readouterr().err)
-    assert list(tmp_path.iterdir()) == []
-
-
-def test_cells_that_do_not_exist_and_other_spaces_are_refused() -> None:
-    with pytest.raises(InputError, match="no region"):
-        draw_planes(read_arrangement("coincident-planes"), lift=["+-+-"])
-    with pytest.raises(InputError, match=r"of rank 4 in R\^4"):
-        draw_planes(Arrangement([[int(i == j) for j in range(4)] for i in range(4)]))
-    with pytest.raises(InputError, match="at most 40"):
-        draw_planes(Arrangement([[1, t, t * t] for t in range(41)]))
 
 
 @settings(max_examples=20, deadline=None)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections import Counter
 from fractions import Fraction
-from itertools import combinations, pairwise
+from itertools import pairwise
 from pathlib import Path
 from typing import Any
 
@@ -13,32 +13,25 @@ import numpy as np
 import pytest
 from hypothesis import assume, given, settings, strategies as st
 
-from arrangement import Arrangement, InputError
+from arrangement import Arrangement
 from arrangement.cli import main
-from arrangement.counts import f_vector, region_count, whitney_numbers
+from arrangement.counts import f_vector, whitney_numbers
 from arrangement.drawing.colours import PALETTE
-from arrangement.drawing.figure import figure
 from arrangement.drawing.output import own_settings
-from arrangement.drawing.scene.items import Path as Drawn
+from arrangement.drawing.scene.items import Label, Path as Drawn
 from arrangement.drawing.scene.labels import covering, keep_off, spread
 from arrangement.drawing.scene.layers import layered_orders
-from arrangement.drawing.scene.scene import Scene
+from arrangement.drawing.scene.layout import laid_out
 from arrangement.duals.inscribed import representative_hull
 from arrangement.duals.zonohedron import dual_polyhedron
 from arrangement.library.files.table import read_arrangement
-from arrangement.pictures import (
-    draw_counts,
-    draw_dual,
-    draw_gnomonic,
-    draw_graph,
-    draw_lattice,
-    draw_stereographic,
-)
-from arrangement.pictures.duals.graph import PlanarGraph, planar_graph
+from arrangement.pictures import draw_counts, draw_dual, draw_gnomonic, draw_stereographic
+from arrangement.pictures.duals.graph import planar_graph
 from arrangement.pictures.duals.solids import dual_solid
-from arrangement.pictures.duals.tutte import tutte_places
+from arrangement.pictures.essential import fits
 from arrangement.pictures.sphere.projections import Chart, stereographic
-from tests.drawn import paths
+from arrangement.pictures.views import DRAWINGS
+from tests.drawn import elements, offences, paths, scene
 
 NAMES = [
     "coordinate-planes",
@@ -53,120 +46,68 @@ NAMES = [
 ]
 RANK_THREE = [name for name in NAMES if name not in ("pencil", "coincident-planes")][:-1]
 VIEW = (5, 3, 4)
-SPHERICAL = {
-    "stereographic": draw_stereographic,
-    "gnomonic": draw_gnomonic,
-    "dual": draw_dual,
-}
-
-
-def elements(figure: Any) -> dict[str, int]:
-    """Count the named elements of a figure by the part of the name before the first dash."""
-    others = (artist.get_gid() or "" for artist in figure.axes[0].get_children())
-    names = [*(path.name for path in paths(figure)), *others]
-    return Counter(name.split("-")[0] for name in names)
-
-
-def texts(figure: Any) -> list[Any]:
-    """Return all texts that are seen; ticks beyond the axes are not."""
-    found = []
-    for axes in figure.axes:
-        found += [*axes.texts, axes.title, axes._left_title, axes.xaxis.label, axes.yaxis.label]
-        found += axes.get_legend().get_texts() if axes.get_legend() else []
-        for axis in (axes.xaxis, axes.yaxis) if axes.axison else ():
-            low, high = sorted(axis.get_view_interval())
-            labels = zip(axis.get_ticklocs(), axis.get_ticklabels(), strict=True)
-            found += [label for at, label in labels if low <= at <= high]
-    return [text for text in found if text.get_text().strip()]
-
-
-def overlaps(figure: Any) -> list[str]:
-    """Name the texts that leave the figure, and the pairs that cover each other."""
-    from matplotlib.backends.backend_agg import FigureCanvasAgg
-
-    canvas = FigureCanvasAgg(figure)
-    canvas.draw()
-    renderer: Any = canvas.get_renderer()
-    page = figure.bbox
-    boxes = [(t.get_text(), t.get_window_extent(renderer)) for t in texts(figure)]
-    found = [
-        text for text, b in boxes if b.x0 < 0 or b.y0 < 0 or b.x1 > page.width or b.y1 > page.height
-    ]
-    for (s, a), (t, b) in combinations(boxes, 2):
-        if a.x0 < b.x1 and b.x0 < a.x1 and a.y0 < b.y1 and b.y0 < a.y1:
-            found.append(f"{s!r} and {t!r}")
-    return found
+#: Affine planes, in other spaces, and many.
+OTHERS = ["shi-a2-affine", "parallel-planes-affine", "braid-a3-in-r4", "nine-generic-planes"]
 
 
 # Numbers of elements.
 
 
-@pytest.mark.parametrize("name", NAMES)
-def test_whole_stereographic_picture_has_every_region_and_facet(name: str) -> None:
+CASES = [
+    (view, name)
+    for view in [*DRAWINGS.views, "half", "whole"]
+    for name in [*NAMES, *OTHERS]
+    if fits({"half": "sphere", "whole": "sphere"}.get(view, view), read_arrangement(name))
+    if view not in ("half", "sphere", "gnomonic", "stereographic") or name != "braid-a3-in-r4"
+]
+
+
+@pytest.mark.parametrize(("view", "name"), CASES)
+def test_elements_drawn_are_those_counted(view: str, name: str) -> None:
+    """Of a half, the limb is one more plane; in a dual, a ray is a face, half of them seen."""
     planes = read_arrangement(name)
-    found = elements(draw_stereographic(planes, whole=True))
-    assert found["region"] == region_count(planes)
-    assert found["arc"] == f_vector(planes)[2]
+    rays, facets, regions = (0, 0, *f_vector(planes))[-3:]
+    options: dict[str, Any] = {}
+    expected: dict[str, int] = {
+        "planes": {"facet": facets},
+        "cells": {"cell": regions},
+        "lines": {"region": regions, "line": len(planes.distinct)},
+        "whole": {"region": regions, "arc": facets},
+        "dual": {"vertex": regions, "edge": facets, "face": rays // 2 if planes.rank > 2 else 1},
+        "graph": {"vertex": regions, "edge": facets},
+        "lattice": {"flat": sum(whitney_numbers(planes).second)},
+    }.get(view, {})
+    if not expected:
+        options = {"direction": VIEW}
+        *_, arcs, seen = f_vector(Arrangement([*planes.normals, VIEW]))
+        expected = {"region": seen // 2, "front and limb": arcs}
+    if view in ("half", "whole"):
+        options["whole"] = view == "whole"
+    made = scene(DRAWINGS, "stereographic" if view in ("half", "whole") else view, name, **options)
+    names = [item.name for item in made.items]
+    found = Counter(one.partition("-")[0] for one in (set(names) if view == "cells" else names))
+    found["front and limb"] = 2 * found["front"] + found["limb"]
+    assert {kind: found[kind] for kind in expected} == expected
+    if view == "sphere":
+        assert found["back"] == len(planes.distinct)
+    if view == "lattice":
+        written = " ".join(item.text for item in made.items if isinstance(item, Label))
+        for number in whitney_numbers(planes).first:
+            assert f"\u03a3\u03bc = {number}".replace("-", "\u2212") in written
 
 
-@pytest.mark.parametrize("name", NAMES)
-@pytest.mark.parametrize("draw", [draw_stereographic, draw_gnomonic])
-def test_half_pictures_have_half_of_what_is_counted_with_the_limb(name: str, draw: Any) -> None:
-    planes = read_arrangement(name)
-    options = {"whole": False} if draw is draw_stereographic else {}
-    found = elements(draw(planes, direction=VIEW, **options))
-    _, _, arcs, regions = f_vector(Arrangement([*planes.normals, VIEW]))
-    assert found["region"] == regions // 2
-    assert 2 * found["front"] + found["limb"] == arcs
-
-
-@pytest.mark.parametrize("name", RANK_THREE)
-def test_dual_picture_has_the_faces_of_the_dual(name: str) -> None:
-    """A ray, a facet and a region are a face, an edge and a vertex; half of the faces are seen."""
-    planes = read_arrangement(name)
-    _, rays, facets, regions = f_vector(planes)
-    figure = draw_dual(planes)
-    names = [path.name for path in paths(figure)]
-    assert sum(x.startswith("vertex") for x in names) == regions
-    assert sum(x.startswith("edge") for x in names) == facets
-    assert sum(x.startswith("face") for x in names) == rays // 2
-
-
-@pytest.mark.parametrize("name", ["pencil", "paper-four-contacts"])
-def test_dual_of_a_pencil_is_a_polygon(name: str) -> None:
-    planes = read_arrangement(name)
-    found = elements(draw_dual(planes))
-    corners = 2 * len(planes.distinct)
-    assert (found["vertex"], found["edge"], found["face"]) == (corners, corners, 1)
-
-
-def test_dual_of_one_plane_is_a_segment() -> None:
-    found = elements(draw_dual(Arrangement([[1, 2, 2], [-1, -2, -2]])))
-    assert (found["vertex"], found["edge"], found.get("face", 0)) == (2, 1, 0)
-
-
-@pytest.mark.parametrize("name", NAMES)
-def test_graph_has_a_vertex_for_each_region_and_an_edge_for_each_facet(name: str) -> None:
-    planes = read_arrangement(name)
-    found = elements(draw_graph(planes))
-    assert found["vertex"] == region_count(planes)
-    assert found["edge"] == f_vector(planes)[2]
-
-
-@pytest.mark.parametrize("name", [*NAMES, "shi-a2-affine", "braid-a3-in-r4", "nine-generic-planes"])
-def test_lattice_has_the_flats_that_the_whitney_numbers_count(name: str) -> None:
-    planes = read_arrangement(name)
-    figure = draw_lattice(planes)
-    assert elements(figure)["flat"] == sum(whitney_numbers(planes).second)
-    written = " ".join(text.get_text() for text in figure.axes[0].texts)
-    for number in whitney_numbers(planes).first:
-        assert f"\u03a3\u03bc = {number}".replace("-", "\u2212") in written
+def test_one_plane_and_none_have_pictures() -> None:
+    """The dual of one plane is a segment; empty space is one region."""
+    found = elements(draw_dual.scene(Arrangement([[1, 2, 2], [-1, -2, -2]])))
+    assert (found["vertex"], found["edge"], found["face"]) == (2, 1, 0)
+    for draw in (draw_stereographic, draw_gnomonic):
+        assert elements(draw.scene(Arrangement([], dimension=3)))["region"] == 1
 
 
 def test_marks_of_the_counts_are_zaslavskys_numbers_and_lie_on_the_printed_curves() -> None:
     with own_settings():
-        scene = draw_counts.scene(largest=8)
-    items = {item.name: item for item in scene.items if isinstance(item, Drawn) and item.name}
+        made = draw_counts.scene(largest=8)
+    items = {item.name: item for item in made.items if isinstance(item, Drawn) and item.name}
     middle = {name: np.reshape(item.points, (-1, 2)).mean(axis=0) for name, item in items.items()}
     for name in ("states", "facets", "regions"):
         for m in range(3, 9):
@@ -287,136 +228,49 @@ def test_hull_legend_counts_the_edges_that_differ() -> None:
 
 def test_evening_out_makes_room_for_labels() -> None:
     """The narrow regions of the moment curve hold hardly any."""
-    planes = read_arrangement("nine-generic-planes")
     plain, even = (
-        draw_stereographic(planes, whole=False, coordinates=x).axes[0] for x in ("given", "even")
+        scene(DRAWINGS, "stereographic", "nine-generic-planes", whole=False, coordinates=x)
+        for x in ("given", "even")
     )
-    assert len(even.texts) > len(plain.texts) + 5
-    assert overlaps(even.figure) == []
+    labels = [sum(isinstance(i, Label) for i in made.items) for made in (plain, even)]
+    assert labels[1] > labels[0] + 5
+    assert offences(laid_out(even)) == []
 
 
 # The planar drawing.
 
 
-def crossing_edges(graph: PlanarGraph) -> list[tuple[int, int]]:
-    """Return pairs of edges that meet elsewhere than in a common end; exact on the floats."""
-    places = [tuple(map(Fraction, place)) for place in graph.places.tolist()]
-
-    def side(a: int, b: int, c: int) -> int:
-        (px, py), (qx, qy), (rx, ry) = places[a], places[b], places[c]
-        value = (qx - px) * (ry - py) - (qy - py) * (rx - px)
-        return (value > 0) - (value < 0)
-
-    found = []
-    for (i, (a, b, _)), (j, (c, d, _)) in combinations(enumerate(graph.edges), 2):
-        common = {a, b} & {c, d}
-        if common:
-            (shared,) = common
-            p, q = ({a, b} | {c, d}) - common
-            (sx, sy), (px, py), (qx, qy) = places[shared], places[p], places[q]
-            ahead = (px - sx) * (qx - sx) + (py - sy) * (qy - sy) > 0
-            if side(shared, p, q) == 0 and ahead:
-                found.append((i, j))
-        elif not any(side(*three) for three in ((a, b, c), (a, b, d), (c, d, a))):
-            (low, high), (start, end) = (
-                sorted((places[u], places[v])) for u, v in ((a, b), (c, d))
-            )
-            if low <= end and start <= high:
-                found.append((i, j))
-        elif side(a, b, c) * side(a, b, d) <= 0 and side(c, d, a) * side(c, d, b) <= 0:
-            found.append((i, j))
-    return found
-
-
-@pytest.mark.parametrize("name", NAMES)
-def test_no_edges_of_the_graph_cross(name: str) -> None:
-    graph = planar_graph(read_arrangement(name))
-    assert len(set(map(tuple, graph.places.tolist()))) == len(graph.places)
-    assert crossing_edges(graph) == []
-
-
-def test_the_check_for_crossings_finds_them() -> None:
-    graph = planar_graph(read_arrangement("coordinate-planes"))
-    inner = [v for v in range(8) if v not in graph.outer]
-    places = graph.places.copy()
-    places[inner[:2]] = places[inner[1::-1]]
-    assert crossing_edges(PlanarGraph(places, graph.signs, graph.edges, graph.outer))
-
-
-@pytest.mark.parametrize("name", ["coordinate-planes", "five-generic-planes", "braid-a3"])
-def test_unweighted_places_are_the_rational_solution_of_tuttes_equations(name: str) -> None:
-    """Solved again in rationals, from the graph alone, with the outer polygon as drawn."""
-    import sympy
-
+@pytest.mark.parametrize("name", RANK_THREE)
+def test_faces_of_a_planar_drawing_are_convex_and_fill_the_outer_one(name: str) -> None:
+    """Then no edges cross: regions of one orientation that fill a region once do not overlap."""
     dual = dual_polyhedron(read_arrangement(name))
-    outer = max(dual.faces, key=len)
-    places = tutte_places(len(dual.signs), dual.faces, outer, rounds=0)
-    network = dual.graph()
-    inner = [v for v in network if v not in outer]
-    matrix = sympy.zeros(len(inner))
-    right = sympy.zeros(len(inner), 2)
-    for i, v in enumerate(inner):
-        matrix[i, i] = network.degree[v]
-        for u in network[v]:
-            if u in outer:
-                for k in range(2):
-                    right[i, k] += sympy.Rational(Fraction(places[u][k]))
-            else:
-                matrix[i, inner.index(u)] = -1
-    solution = matrix.to_DM().to_field().lu_solve(right.to_DM().to_field()).to_Matrix()
-    assert np.allclose(np.array(solution, dtype=float), places[inner], atol=1e-8)
-
-
-def test_all_faces_of_a_planar_drawing_are_convex() -> None:
-    dual = dual_polyhedron(read_arrangement("nine-generic-planes"))
     graph = planar_graph(dual.arrangement)
     places = [tuple(map(Fraction, place)) for place in graph.places.tolist()]
+    outer, inner, total = [], [], Fraction(0)
     for cycle in dual.faces:
-        turns = set()
-        for k, b in enumerate(cycle):
-            following = cycle[(k + 1) % len(cycle)]
-            (ax, ay), (bx, by), (cx, cy) = places[cycle[k - 1]], places[b], places[following]
-            turns.add((bx - ax) * (cy - by) - (by - ay) * (cx - bx) > 0)
+        corners = [places[k] for k in cycle]
+        turns, twice = set(), Fraction(0)
+        for (ax, ay), (bx, by), (cx, cy) in zip(
+            corners, corners[1:] + corners[:1], corners[2:] + corners[:2], strict=True
+        ):
+            turns.add((bx - ax) * (cy - by) > (by - ay) * (cx - bx))
+            twice += ax * by - ay * bx
         assert len(turns) == 1
+        (outer if set(cycle) == set(graph.outer) else inner).append(turns.pop())
+        total += twice
+    assert len(outer) == 1
+    assert set(inner) == {not outer[0]}
+    assert total == 0
+    assert len(graph.edges) == len(dual.edges)
 
 
 # Labels.
 
 
-@pytest.mark.campaign
-@pytest.mark.parametrize(
-    ("draw", "options"),
-    [
-        (draw_stereographic, {"whole": False}),
-        (draw_stereographic, {"whole": True}),
-        (draw_stereographic, {"colour": "signs", "width": 60.0}),
-        (draw_gnomonic, {"direction": (0, 0, 1)}),
-        (draw_gnomonic, {"direction": (1, 0, 1), "colour": "none"}),
-        (draw_dual, {"hull": True}),
-        (draw_dual, {"width": 88.0}),
-        (draw_dual, {"coordinates": "even", "colour": "signs"}),
-        (draw_graph, {"colour": "signs"}),
-        (draw_graph, {"width": 50.0}),
-        (draw_lattice, {"width": 180.0, "moebius": False}),
-    ],
-)
-def test_labels_do_not_collide_with_other_options(draw: Any, options: dict[str, Any]) -> None:
-    assert overlaps(draw(read_arrangement("reflection-b3"), **options)) == []
-
-
 @pytest.mark.parametrize("options", [{}, {"width": 88.0}, {"largest": 30}, {"largest": 4}])
 def test_labels_of_the_counts_do_not_collide(options: dict[str, Any]) -> None:
-    assert overlaps(draw_counts(**options)) == []
-
-
-def test_the_check_for_collisions_finds_them() -> None:
-    scene = Scene(40, 20)
-    assert scene.write((30, 30), "one")
-    assert not scene.write((33, 30), "two")
-    assert overlaps(figure(scene)) == []
-    scene.text((33, 30), "two")
-    scene.text((0, 5), "three", ha="right")
-    assert len(overlaps(figure(scene))) == 2
+    with own_settings():
+        assert offences(laid_out(draw_counts.scene(**options))) == []
 
 
 @settings(max_examples=60, deadline=None)
@@ -457,32 +311,6 @@ def test_the_palette_gets_darker_so_that_it_is_readable_in_grey() -> None:
 # Files and bad input.
 
 
-@pytest.mark.parametrize("view", ["stereographic", "gnomonic", "dual", "graph"])
-@pytest.mark.parametrize("name", ["parallel-planes-affine", "generic-lines-affine"])
-def test_planes_that_a_view_cannot_show_leave_no_file(
-    view: str, name: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
-    assert main(["draw", name, "-o", str(tmp_path / "a.svg"), "--view", view]) == 2
-    assert "error:" in capsys.readouterr().err
-    assert list(tmp_path.iterdir()) == []
-
-
-def test_bad_options_are_refused() -> None:
-    planes = read_arrangement("coordinate-planes")
-    with pytest.raises(InputError, match="known are sides"):
-        draw_stereographic(planes, colour="mood")
-    with pytest.raises(InputError, match="lies on plane 3"):
-        draw_stereographic(planes, direction=(1, 1, 0), whole=True)
-    with pytest.raises(InputError, match="at least 40 millimetres"):
-        draw_gnomonic(planes, width=10.0)
-    with pytest.raises(InputError, match="rank 2"):
-        draw_dual(read_arrangement("pencil"), hull=True)
-    with pytest.raises(InputError, match="from 4 to 30"):
-        draw_counts(largest=3)
-    with pytest.raises(InputError, match="at most 500"):
-        draw_lattice(Arrangement([[1, t, t * t] for t in range(40)]))
-
-
 def test_extra_options_reach_their_views(tmp_path: Path) -> None:
     target = str(tmp_path / "a.svg")
     assert main(["draw", "braid-a3", "-o", target, "--view", "stereographic", "--no-whole"]) == 0
@@ -494,8 +322,3 @@ def test_extra_options_reach_their_views(tmp_path: Path) -> None:
     )
     assert main(["draw", "braid-a3", "-o", target, "--view", "lattice", "--hull"]) == 2
     assert main(["draw", "braid-a3", "-o", target, "--coordinates", "cartesian"]) == 2
-
-
-@pytest.mark.parametrize("draw", [draw_stereographic, draw_gnomonic])
-def test_empty_space_is_one_region(draw: Any) -> None:
-    assert elements(draw(Arrangement([], dimension=3)))["region"] == 1

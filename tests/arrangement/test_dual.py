@@ -1,4 +1,4 @@
-"""The dual polyhedron: known polyhedra, laws, independent routes, broken polyhedra, model files."""
+"""The dual polyhedron: known polyhedra, laws, broken polyhedra, meshes and model files."""
 
 from __future__ import annotations
 
@@ -6,10 +6,12 @@ from collections import Counter
 from dataclasses import replace
 from fractions import Fraction
 from itertools import product
+from pathlib import Path
 from typing import Any
 
 import numpy as np
 import pytest
+import trimesh
 from hypothesis import assume, given, settings, strategies as st
 
 from arrangement import Arrangement, ArrangementError, InputError, counts
@@ -21,7 +23,6 @@ from arrangement.duals.zonohedron import (
     dual_zonotope,
 )
 
-from .graph_faces import faces_by_embedding, faces_by_minimum_cycle_basis, same_faces
 from .strategies import arrangements
 
 SQUARE_AXES = [[1, 0, 0], [0, 1, 0], [0, 0, 1]]
@@ -94,53 +95,6 @@ def test_vertices_and_faces_agree_with_the_enumeration_in_any_dimension(
 
 
 @settings(max_examples=25, deadline=None)
-@given(rank_three)
-def test_no_sum_of_signed_generators_leaves_the_polyhedron(planes: Arrangement) -> None:
-    dual = dual_polyhedron(rank_three_only(planes))
-    normals = np.array([[int(x) for x in n] for n in planes.normals])
-    sums = np.array(list(product((-1, 1), repeat=len(planes)))) @ normals
-    for cycle, outward in zip(dual.faces, dual.face_normals, strict=True):
-        height = int(np.dot(outward, dual.integer_vertices[cycle[0]]))
-        assert height == (sums @ np.array(outward)).max()
-
-
-@settings(max_examples=25, deadline=None)
-@given(rank_three)
-def test_three_routes_give_the_same_faces(planes: Arrangement) -> None:
-    dual = dual_polyhedron(rank_three_only(planes))
-    graph = dual.graph()
-    assert same_faces(dual.faces, faces_by_embedding(graph))
-    if len(dual.signs) <= 24:
-        assert same_faces(dual.faces, faces_by_minimum_cycle_basis(graph))
-
-
-def test_minimum_cycle_bases_give_all_faces() -> None:
-    for normals, _, _ in KNOWN.values():
-        dual = dual_polyhedron(Arrangement(normals))
-        found = faces_by_minimum_cycle_basis(dual.graph())
-        assert len(found) == len(dual.faces)
-        assert same_faces(dual.faces, found)
-
-
-def test_same_faces_sees_a_changed_cycle() -> None:
-    assert same_faces([(0, 1, 2, 3)], [(2, 1, 0, 3)])
-    assert not same_faces([(0, 1, 2, 3)], [(0, 2, 1, 3)])
-    assert not same_faces([(0, 1, 2), (0, 1, 2)], [(0, 1, 2)])
-
-
-@settings(max_examples=25, deadline=None)
-@given(rank_three, st.data())
-def test_order_and_orientation_of_normals_do_not_change_the_solid(
-    planes: Arrangement, data: st.DataObject
-) -> None:
-    dual = dual_polyhedron(rank_three_only(planes))
-    order = data.draw(st.permutations(range(len(planes))))
-    flips = data.draw(st.lists(st.sampled_from((-1, 1)), min_size=len(order), max_size=len(order)))
-    normals = [[flip * x for x in planes.normals[i]] for i, flip in zip(order, flips, strict=True)]
-    assert set(dual_polyhedron(Arrangement(normals)).vertices) == set(dual.vertices)
-
-
-@settings(max_examples=25, deadline=None)
 @given(rank_three, st.data())
 def test_lengths_change_the_shape_and_not_the_combinatorics(
     planes: Arrangement, data: st.DataObject
@@ -155,12 +109,6 @@ def test_lengths_change_the_shape_and_not_the_combinatorics(
         for k in range(3):
             terms = zip(signs, lengths, planes.normals, strict=True)
             assert vertex[k] == sum(s * length * n[k] for s, length, n in terms)
-
-
-def test_generators_of_coincident_planes_add_up() -> None:
-    twice = dual_polyhedron(Arrangement([*SQUARE_AXES, [-3, 0, 0]]))
-    longer = dual_polyhedron(Arrangement(SQUARE_AXES), [2, 1, 1])
-    assert set(twice.vertices) == set(longer.vertices)
 
 
 def test_long_near_degenerate_normals_stay_exact() -> None:
@@ -256,9 +204,79 @@ def test_bad_lengths_are_refused(lengths: list[Any]) -> None:
         dual_polyhedron(Arrangement(SQUARE_AXES), lengths)
 
 
-def test_essentialization_leads_from_four_dimensions_to_the_truncated_octahedron() -> None:
-    braid = Arrangement(
-        [[int(k == i) - int(k == j) for k in range(4)] for i in range(4) for j in range(i + 1, 4)]
-    )
-    dual = dual_polyhedron(counts.essentialization(braid))
-    assert dual.f_vector == (24, 36, 14)
+@settings(max_examples=15, deadline=None)
+@given(rank_three)
+def test_mesh_is_closed_oriented_and_of_euler_number_two(planes: Arrangement) -> None:
+    mesh = dual_polyhedron(rank_three_only(planes)).to_trimesh()
+    assert mesh.is_watertight
+    assert mesh.is_winding_consistent
+    assert mesh.euler_number == 2
+    assert mesh.volume > 0
+
+
+def test_volume_of_the_mesh_is_the_sum_of_determinants() -> None:
+    """The volume of a zonotope is 8 times the sum of all |det(g_i, g_j, g_k)| (McMullen)."""
+    mesh = dual_polyhedron(Arrangement(CUBE_DIAGONALS)).to_trimesh()
+    assert mesh.volume == pytest.approx(8 * 4 * 4)
+
+
+@pytest.mark.parametrize("suffix", [".stl", ".glb", ".obj"])
+@pytest.mark.parametrize("normals", [A3, DEGENERATE], ids=["A3", "degenerate"])
+def test_model_files_come_back_closed_and_of_the_stated_size(
+    normals: list[list[int]], suffix: str, tmp_path: Path
+) -> None:
+    path = tmp_path / f"model{suffix}"
+    dual = dual_polyhedron(Arrangement(normals))
+    dual.export(path, size=40)
+    mesh: Any = trimesh.load(path, force="mesh")
+    assert mesh.is_watertight
+    assert mesh.is_winding_consistent
+    assert mesh.euler_number == 2
+    assert mesh.volume > 0
+    assert len(mesh.vertices) == len(dual.vertices)
+    largest = 0.040 if suffix == ".glb" else 40
+    assert max(mesh.extents) == pytest.approx(largest, rel=1e-6)
+    assert list(tmp_path.iterdir()) == [path]
+
+
+def test_obj_keeps_whole_polygons(tmp_path: Path) -> None:
+    dual_polyhedron(Arrangement(A3)).export(tmp_path / "a3.obj")
+    lines = (tmp_path / "a3.obj").read_text().splitlines()
+    assert Counter(len(line.split()) - 1 for line in lines if line.startswith("f ")) == {4: 6, 6: 8}
+
+
+def test_a_failed_export_leaves_the_old_file(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    path = tmp_path / "model.stl"
+    path.write_bytes(b"old")
+
+    def fail(self: Path, target: Path) -> None:
+        raise OSError("disk full")
+
+    monkeypatch.setattr(Path, "replace", fail)
+    with pytest.raises(InputError, match="disk full"):
+        dual_polyhedron(Arrangement(SQUARE_AXES)).export(path)
+    assert path.read_bytes() == b"old"
+    assert list(tmp_path.iterdir()) == [path]
+
+
+@pytest.mark.parametrize("size", [0, -1, float("nan"), float("inf"), "40"])
+def test_a_size_must_be_a_positive_number(size: Any) -> None:
+    with pytest.raises(InputError, match="size"):
+        dual_polyhedron(Arrangement(SQUARE_AXES)).to_trimesh(size)
+
+
+def test_unknown_formats_and_missing_folders_are_refused(tmp_path: Path) -> None:
+    dual = dual_polyhedron(Arrangement(SQUARE_AXES))
+    with pytest.raises(InputError, match=r"\.glb, \.obj, \.stl"):
+        dual.export(tmp_path / "model.step")
+    with pytest.raises(InputError, match="cannot write"):
+        dual.export(tmp_path / "absent" / "model.stl")
+
+
+def test_vertices_that_rounding_would_join_are_refused() -> None:
+    thin = dual_polyhedron(Arrangement(SQUARE_AXES), [1, 1, Fraction(1, 10**400)])
+    thin.validate()
+    with pytest.raises(ArrangementError, match="two vertices become one"):
+        thin.to_trimesh(10)

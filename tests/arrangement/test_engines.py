@@ -122,8 +122,9 @@ def test_the_sequence_looks_like_a_tuple() -> None:
             faces[beyond]
 
 
-def test_the_arrays_of_a_sequence() -> None:
-    faces = FOUR.faces()
+@pytest.mark.parametrize("planes", [FOUR, Arrangement(FOUR.normals, [0, 0, 0, 1])])
+def test_the_arrays_of_a_sequence(planes: Arrangement) -> None:
+    faces = planes.faces()
     assert faces.signs.dtype == faces.dimensions.dtype == np.int8
     assert list(map(tuple, faces.signs.tolist())) == [face.signs for face in faces]
     assert faces.dimensions.tolist() == [face.dimension for face in faces]

@@ -50,72 +50,53 @@ def test_exact_numbers_of_every_kind_are_accepted(value: Any, expected: Fraction
     assert type(number.numerator) is int
 
 
+INEXACT: list[Any] = [True, np.True_, 0.5, np.float64(0.5), math.nan, math.inf, 1j, None, b"1", [1]]
+INEXACT += [sympy.true, sympy.Float(0.5), sympy.pi, sympy.sqrt(2), sympy.nan, sympy.oo, sympy.zoo]
+
+
 @pytest.mark.ground_types
-@pytest.mark.parametrize(
-    "value",
-    [
-        True,
-        np.True_,
-        sympy.true,
-        0.5,
-        np.float64(0.5),
-        math.nan,
-        math.inf,
-        1j,
-        None,
-        b"1",
-        [1],
-        sympy.Float(0.5),
-        sympy.pi,
-        sympy.sqrt(2),
-        sympy.nan,
-        sympy.oo,
-        sympy.zoo,
-        sympy.Symbol("x"),
-        object(),
-    ],
-)
+@pytest.mark.parametrize("value", [*INEXACT, sympy.Symbol("x"), object()])
 def test_what_is_not_an_exact_number_is_refused(value: Any) -> None:
     with pytest.raises(InputError, match="friction"):
         rational(value, "friction")
 
 
+BAD_TEXTS = [
+    "",
+    " ",
+    "1 ",
+    " 1",
+    "1/ 2",
+    "1/0",
+    "1/-2",
+    "1//2",
+    "1/2/3",
+    "1.5/2",
+    ".",
+    "-",
+    "--1",
+    "1e",
+    "e5",
+    "1/2e3",
+    "1e+-5",
+    "1e0.5",
+    "1e10000",
+    "1e999999999",
+    "0x10",
+    "1_000",
+    "nan",
+    "inf",
+    "2**3",
+    "1+1",
+    "１２",
+    "٣",
+    "1\n",
+    "__import__('os').system('false')",
+]
+
+
 @pytest.mark.parametrize(
-    "text",
-    [
-        "",
-        " ",
-        "1 ",
-        " 1",
-        "1/ 2",
-        "1/0",
-        "1/-2",
-        "1//2",
-        "1/2/3",
-        "1.5/2",
-        ".",
-        "-",
-        "--1",
-        "1e",
-        "e5",
-        "1/2e3",
-        "1e+-5",
-        "1e0.5",
-        "1e10000",
-        "1e999999999",
-        "0x10",
-        "1_000",
-        "nan",
-        "inf",
-        "2**3",
-        "1+1",
-        "１２",
-        "٣",
-        "1\n",
-        "__import__('os').system('false')",
-        "9" * (MAX_TEXT_LENGTH + 1),
-        "0." + "3" * MAX_TEXT_LENGTH,
-    ],
+    "text", [*BAD_TEXTS, "9" * (MAX_TEXT_LENGTH + 1), "0." + "3" * MAX_TEXT_LENGTH]
 )
 def test_text_that_is_no_plain_number_is_refused(text: str) -> None:
     with pytest.raises(InputError) as caught:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import json
 import os
 import stat
@@ -10,9 +11,11 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
+import jsonschema
 import pytest
 
 from arrangement import Arrangement, InputError, read_arrangement, write_text_atomically
+from arrangement.library.files.documents import arrangement_schema
 from arrangement.library.files.json_files import (
     MAX_BYTES,
     check_keys,
@@ -20,6 +23,7 @@ from arrangement.library.files.json_files import (
     instances,
     read_document,
 )
+from arrangement.library.instances import paths
 from tests.instances import is_in_space
 
 THREE = {"schema_version": 1, "planes": [["1", "0", "0"], ["0", "1", "0"], ["1/2", "-0.25", 3]]}
@@ -71,22 +75,16 @@ def one_number(text: str) -> str:
 NESTED = "[" * 10_000_000
 HOSTILE: dict[str, tuple[str | bytes, str]] = {
     "code": (one_number("\"__import__('os').system('touch pwned')\""), "not an exact number"),
-    "an expression": (one_number('"2**99999999"'), "not an exact number"),
-    "a huge exponent in text": (one_number('"1e999999999"'), "not an exact number"),
     "a huge exponent": (one_number("1e999999999"), "float"),
     "a float": (one_number("0.5"), "float"),
     "NaN": (one_number("NaN"), "NaN"),
     "Infinity": (one_number("-Infinity"), "Infinity"),
-    "nan in text": (one_number('"nan"'), "not an exact number"),
     "a Boolean": (one_number("true"), "Boolean"),
     "null": (one_number("null"), "NoneType"),
     "a list for a number": (one_number("[1]"), "list"),
     "an object for a number": (one_number('{"p": 1}'), "dict"),
     "too many digits": (one_number("9" * 100_001), "100001 digits"),
-    "too many digits in text": (one_number('"' + "9" * 100_001 + '"'), "100001 characters"),
     "a million digits": (one_number("9" * 10**6), "digits"),
-    "division by zero": (one_number('"1/0"'), "zero"),
-    "digits of another script": (one_number('"\\u0663"'), "not an exact number"),
     "a lone surrogate": (one_number('"\\ud800"'), "not an exact number"),
     "10 MB of nesting": (NESTED, "longer than"),
     "nesting within the size limit": (NESTED[: MAX_BYTES - 10], "nested too deeply"),
@@ -302,3 +300,43 @@ def test_every_built_in_document_reads_and_describes_itself() -> None:
             assert len(read_arrangement(name)) > 0
         if name in BUILT_IN:
             assert json.loads(path.read_bytes())["description"]
+
+
+VALIDATOR = jsonschema.Draft202012Validator(arrangement_schema())
+PLANES = [["0", "1", "-1/2"], [1, 0, "-0.25"]]
+GOOD = [
+    {"planes": PLANES},
+    {"planes": PLANES, "offsets": ["1/3", 2]},
+    {"planes": [], "dimension": 3, "description": "none"},
+]
+BAD = [
+    {"planes": PLANES, "schema_version": 2},
+    {"planes": PLANES, "colour": "red"},
+    {"planes": "0"},
+    {"planes": [[]]},
+    {"planes": [["1", "x"]]},
+    {"planes": [["1", 0.5]]},
+    {"planes": [["1", False]]},
+    {"planes": PLANES, "offsets": "00"},
+    {"planes": [], "dimension": -1},
+    {"planes": PLANES, "dimension": "3"},
+    {"planes": PLANES, "description": 1},
+    {"offsets": []},
+]
+
+
+@pytest.mark.parametrize(
+    ("document", "good"), [(one, True) for one in GOOD] + [(one, False) for one in BAD]
+)
+def test_the_schema_and_the_reader_agree(document: dict[str, Any], good: bool) -> None:
+    document = {"schema_version": 1} | document
+    assert VALIDATOR.is_valid(document) is good
+    with contextlib.nullcontext() if good else pytest.raises(InputError):
+        read_arrangement(document)
+
+
+def test_what_ships_passes_the_schema() -> None:
+    jsonschema.Draft202012Validator.check_schema(arrangement_schema())
+    assert paths()
+    for path in paths().values():
+        assert VALIDATOR.is_valid(json.loads(path.read_bytes()))

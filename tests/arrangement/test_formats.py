@@ -13,7 +13,7 @@ import numpy as np
 import pytest
 from hypothesis import given, settings, strategies as st
 
-from arrangement import Arrangement, InputError, census, counts, families, read_arrangement
+from arrangement import Arrangement, InputError, census, counts, read_arrangement
 from arrangement.cli import main
 from arrangement.library.census import identify
 from arrangement.library.files.table import FORMATS, Entries, converted
@@ -21,6 +21,7 @@ from arrangement.library.files.table import FORMATS, Entries, converted
 CENTRAL = Arrangement([[1, 0, 0], [0, 1, 0], [2, -3, 5], [-4, 6, -10], ["1/2", "1/3", -1]])
 AFFINE = Arrangement([[1, 0], [0, -1], [1, 1], [2, "-1/2"]], [0, "3/2", -4, 7])
 FIVE = Arrangement([[1, 0, 0, 0, -1], [0, 1, 0, 0, 0]], [0, 1])
+NONE = Arrangement([], dimension=3)
 READ_BACK = ("json", "matrix", "polymake", "oscar", "sage", "macaulay2")
 
 
@@ -31,8 +32,10 @@ def one(name: str, text: str) -> Arrangement:
 
 
 @pytest.mark.parametrize("name", READ_BACK)
-@pytest.mark.parametrize("planes", [CENTRAL, AFFINE, FIVE], ids=["central", "affine", "R^5"])
+@pytest.mark.parametrize("planes", [CENTRAL, AFFINE, FIVE, NONE], ids=str)
 def test_what_is_written_is_read_back(name: str, planes: Arrangement, tmp_path: Path) -> None:
+    if name in ("matrix", "oscar") and not len(planes):
+        return  # an empty matrix has no length
     if name == "oscar" and not planes.is_central:
         with pytest.raises(InputError, match="no offsets"):
             converted(planes, FORMATS[name])
@@ -40,13 +43,6 @@ def test_what_is_written_is_read_back(name: str, planes: Arrangement, tmp_path: 
     path = tmp_path / "planes"
     path.write_text(converted(planes, FORMATS[name]), encoding="utf-8")
     assert read_arrangement(path) == planes
-
-
-@pytest.mark.parametrize("name", ["json", "polymake", "sage", "macaulay2"])
-def test_no_planes_are_read_back(name: str, tmp_path: Path) -> None:
-    path = tmp_path / "planes"
-    path.write_text(converted(Arrangement([], dimension=3), FORMATS[name]), encoding="utf-8")
-    assert read_arrangement(path) == Arrangement([], dimension=3)
 
 
 def opposite(text: str) -> str:
@@ -368,51 +364,6 @@ def test_convert_goes_by_endings_and_says_what_is_lost(
     assert json.loads(capsys.readouterr()[0])["lost"] == "Sage sorts the planes"
     assert main(["convert", "paper-three-contacts", "--to", "matrix"]) == 0
     assert "lost in matrix: contacts of the file" in capsys.readouterr()[1]
-
-
-@pytest.mark.parametrize(
-    "words",
-    [
-        ["convert", "braid-a3"],
-        ["convert", "braid-a3", "-o", "no.xyz"],
-        ["convert", "braid-a3", "-o", "no.txt", "--to", "xyz"],
-        ["convert", "braid-a3", "-o", "no.txt", "--to", "christ"],
-        ["convert", "h3.json", "-o", "no.m2"],
-        ["import", "dot", "braid-a3"],
-    ],
-)
-def test_what_cannot_be_converted_leaves_no_file(
-    words: list[str], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    monkeypatch.chdir(tmp_path)
-    if "h3.json" in words:
-        Path("h3.json").write_text(json.dumps(families.h3().to_dict()), encoding="utf-8")
-    assert main(words) == 2
-    assert not list(tmp_path.glob("no.*"))
-
-
-@pytest.mark.parametrize("form", ["chirotope", "christ", "polymake", "oscar", "json", "sage"])
-@pytest.mark.parametrize("text", ["abc\n", "a", '"abc"', "[1]", "", "+++\nx\n"])
-def test_import_of_what_is_none_is_refused(form: str, text: str, tmp_path: Path) -> None:
-    path = tmp_path / "none"
-    path.write_text(text, encoding="utf-8")
-    assert main(["import", form, str(path), "--number", "1"]) == 2
-
-
-def test_the_ending_says_what_a_text_should_be(
-    tmp_path: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
-    for name, message in {
-        "a.sage": "there is no line such as H.<x,y>",
-        "a.m2": "there is no arrangement {...}",
-        "a.csv": "not an exact number",
-        "a.dot": "only written",
-        "a.json": "not valid JSON",
-    }.items():
-        path = tmp_path / name
-        path.write_text("x y\n", encoding="utf-8")
-        assert main(["count", str(path)]) == 2
-        assert message in capsys.readouterr()[1]
 
 
 def test_import_lists_and_takes_one(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:

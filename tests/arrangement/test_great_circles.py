@@ -1,16 +1,28 @@
-"""Great circles: known arrangements, every rank, coincident planes, input order, bad input."""
+"""Great circles: known arrangements, brute force, every rank, and faults that `validate` names."""
 
 from __future__ import annotations
 
+import random
+from collections import Counter
+from collections.abc import Callable
+from dataclasses import replace
 from itertools import combinations, pairwise
+from typing import Any
 
 import numpy as np
 import pytest
+from hypothesis import given, settings
 
-from arrangement import Arrangement, InputError
+from arrangement import Arrangement, ArrangementError, InputError
+from arrangement.counts import f_vector
 from arrangement.enumeration.choose import enumerate_faces
 from arrangement.enumeration.great_circles import SphereArrangement, sphere_arrangement
-from arrangement.enumeration.great_circles.signs import unpack
+
+from .oracle import covectors
+from .strategies import arrangements
+
+Normals = list[tuple[int, ...]]
+Arrays = dict[str, Any]
 
 COORDINATES = [(1, 0, 0), (0, 1, 0), (0, 0, 1)]
 B3 = [*COORDINATES, (1, 1, 0), (1, -1, 0), (1, 0, 1), (1, 0, -1), (0, 1, 1), (0, 1, -1)]
@@ -27,27 +39,55 @@ def sphere(normals: list[tuple[int, ...]]) -> SphereArrangement:
     return made
 
 
-@pytest.mark.parametrize(
-    ("normals", "vertices", "arcs", "regions"),
-    [
-        pytest.param(COORDINATES, 6, 12, 8, id="octants"),
-        # Coxeter arrangements: the order of the group is the number of regions [Humphreys1990]
-        pytest.param(A3, 14, 36, 24, id="A3, 4! regions"),
-        pytest.param(B3, 26, 72, 48, id="B3, 2^3 3! regions; CGAL 5.5 one by one gives fewer"),
-        # m(m-1) rays, 2m(m-1) facets, m^2-m+2 regions in general position
-        pytest.param(GENERIC, 42, 84, 44, id="seven generic planes"),
-        pytest.param(NEAR_PENCIL, 12, 30, 20, id="near-pencil: 4(m-1) regions"),
-        pytest.param(COINCIDENT, 12, 24, 14, id="four generic planes, three repeated"),
-        pytest.param(PENCIL, 2, 10, 10, id="rank 2: lunes"),
-        pytest.param([(2, -3, 5)], 0, 1, 2, id="rank 1"),
-        pytest.param([(0, 0, -1), (0, 0, 3)], 0, 1, 2, id="rank 1, coincident"),
-        pytest.param([], 0, 0, 1, id="rank 0"),
-    ],
-)
-def test_known_numbers_of_faces(normals, vertices, arcs, regions):
-    made = sphere(normals)
-    assert (made.vertex_count, made.arc_count, made.region_count) == (vertices, arcs, regions)
-    assert made.rank == Arrangement(normals, dimension=3).rank
+def degenerate(generator: random.Random) -> list[tuple[int, ...]]:
+    """Return up to 14 normals with entries in {-2..2}: pencils and coincident planes abound."""
+    entries = generator.choice([(-1, 0, 1), (-2, -1, 0, 1, 2), (0, 1), (0, 0, 1, -2)])
+    normals = [tuple(generator.choices(entries, k=3)) for _ in range(generator.randint(0, 14))]
+    return [normal for normal in normals if any(normal)]
+
+
+def check_all(normals: list[tuple[int, ...]]) -> None:
+    planes = Arrangement(normals, dimension=3)
+    sphere_arrangement(planes).validate()
+    faces = planes.faces(engine="great-circles")
+    assert faces.f_vector == f_vector(planes), normals
+    levels = tuple(set(map(tuple, faces.of_dimension(k).signs.tolist())) for k in range(4))
+    assert levels == covectors(normals), normals
+
+
+#: Every rank, and repeated planes.
+NAMED = [
+    COORDINATES,
+    A3,
+    B3,
+    GENERIC,
+    NEAR_PENCIL,
+    COINCIDENT,
+    PENCIL,
+    [(2, -3, 5)],
+    [(0, 2, -1)] * 2,
+    [],
+]
+
+
+@pytest.mark.parametrize("normals", NAMED)
+def test_named_arrangements_have_the_faces_of_brute_force_and_theorem(normals):
+    check_all(normals)
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_random_degenerate_arrangements_have_the_faces_of_brute_force_and_theorem(seed):
+    generator = random.Random(seed)
+    for _ in range(40):
+        check_all(degenerate(generator))
+
+
+@pytest.mark.campaign
+@pytest.mark.parametrize("seed", range(100, 104))
+def test_thousands_of_random_degenerate_arrangements(seed):
+    generator = random.Random(seed)
+    for _ in range(1000):
+        check_all(degenerate(generator))
 
 
 def test_b3_has_48_triangles_and_vertices_of_2_3_and_4_circles():
@@ -95,19 +135,6 @@ def test_antipodal_regions_have_opposite_signs(normals):
         assert made.region_signs(antipode) == opposite
 
 
-@pytest.mark.parametrize("normals", [A3, B3, GENERIC, COINCIDENT, PENCIL, [(0, 2, -1)], []])
-def test_packed_signs_equal_signs_of_exact_witnesses(normals):
-    made = sphere(normals)
-    planes = len(normals)
-    positive = made.packed_region_signs
-    regions = unpack(positive, ~positive, planes).tolist()
-    assert regions == [list(made.region_signs(r)) for r in range(made.region_count)]
-    arcs = unpack(*made.packed_arc_signs, planes).tolist()
-    assert arcs == [list(made.arc_signs(a)) for a in range(made.arc_count)]
-    vertices = unpack(*made.packed_vertex_signs, planes).tolist()
-    assert vertices == [list(made.vertex_signs(v)) for v in range(made.vertex_count)]
-
-
 def test_packed_signs_of_a_hundred_planes_cross_word_boundaries():
     generator = np.random.default_rng(7)
     normals = generator.integers(-20, 21, (100, 3)).tolist()
@@ -118,15 +145,6 @@ def test_packed_signs_of_a_hundred_planes_cross_word_boundaries():
         values = np.array(normals) @ np.array(made.region_witness(region))
         assert (values != 0).all()
         assert ((values > 0) == bits[region]).all()
-
-
-def test_sign_vectors_follow_the_input_order_and_orientation():
-    normals = [(0, 0, -1), (1, 0, 0), (0, 0, 2), (0, -1, 0)]
-    made = sphere(normals)
-    point = (5, 7, 11)
-    region = [r for r in range(8) if made.region_signs(r) == (-1, 1, 1, -1)]
-    assert len(region) == 1
-    assert made.arrangement.signs_at(point) == made.region_signs(region[0])
 
 
 def test_boundaries_of_all_regions_are_those_of_each():
@@ -177,3 +195,101 @@ def test_the_arrays_cannot_be_changed():
         made.incidence.next[0] = 1
     with pytest.raises(ValueError, match="read-only"):
         made.rays[0] = 0
+
+
+@settings(max_examples=60, deadline=None)
+@given(arrangements(dimensions=(3, 3), planes=(0, 9), central=True))
+def test_every_pair_of_circles_meets_in_one_pair_of_vertices(planes):
+    incidence = sphere_arrangement(planes).incidence
+    meetings: Counter[tuple[int, int]] = Counter()
+    for vertex in range(incidence.vertex_count):
+        circles = sorted(incidence.circles_at(vertex).tolist())
+        meetings.update((a, b) for k, a in enumerate(circles) for b in circles[k + 1 :])
+    count = incidence.circle_count
+    assert set(meetings) == {(a, b) for a in range(count) for b in range(a + 1, count)}
+    assert set(meetings.values()) <= {2}
+
+
+def faulty(normals: Normals, change: Callable[[Arrays], object]) -> SphereArrangement:
+    """Return an arrangement whose arrays a function has changed."""
+    good = sphere_arrangement(Arrangement(normals))
+    arrays = {name: getattr(good.incidence, name).copy() for name in ARRAYS}
+    rays = good.rays.copy()
+    change(arrays | {"rays": rays})
+    return with_parts(good, replace(good.incidence, **arrays), rays)
+
+
+def with_parts(good, incidence, rays) -> SphereArrangement:
+    found = SphereArrangement(good.arrangement, incidence, good._crossings, good.circle_normals)
+    found.__dict__["rays"] = rays
+    return found
+
+
+def put(name: str, places: Any, others: Any) -> Callable[[Arrays], object]:
+    """Return a function that gives some entries of an array the values of others."""
+    return lambda arrays: arrays[name].__setitem__(places, arrays[name][others])
+
+
+def same(name: str, one: int, other: int) -> Callable[[Arrays], object]:
+    """Return a function that gives what has one number another one."""
+    return lambda arrays: arrays[name].__setitem__(arrays[name] == one, other)
+
+
+def rays(places: list[int], others: list[int], factor: int = 1) -> Callable[[Arrays], object]:
+    """Return a function that gives some lines the rays of others."""
+
+    def change(arrays: Arrays) -> None:
+        half = len(arrays["rays"]) // 2
+        for first in (0, half):
+            at, there = ([first + k for k in x] for x in (places, others))
+            arrays["rays"][at] = factor * arrays["rays"][there]
+
+    return change
+
+
+ARRAYS = ("next", "origin", "region", "leader")
+FAULTS: list[tuple[Normals, Callable[[Arrays], object], str]] = [
+    *(
+        (normals, change, named)
+        for normals in (B3, GENERIC, NEAR_PENCIL)
+        for change, named in (
+            (put("next", 3, 4), "follows exactly one other"),
+            (put("next", [0, 5], [5, 0]), "leads on from its end"),
+            (put("origin", -1, 0), "leads on from its end"),
+            (put("region", -1, 0), "stays in one region"),
+            (put("leader", [0, 5], [5, 0]), "leader lies on its region"),
+        )
+    ),
+    (B3, same("region", 47, 1), r"leader lies on its region: region \d+"),
+    (GENERIC, same("origin", 1, 0), "each vertex has arcs"),
+    (GENERIC, lambda arrays: np.negative(arrays["rays"], out=arrays["rays"]), "first ray of a li"),
+    (GENERIC, lambda arrays: arrays["rays"].__setitem__(0, (1, 0, 0)), "antipodal rays are oppos"),
+    (GENERIC, lambda arrays: np.abs(arrays["rays"], out=arrays["rays"]), "antipodal rays"),
+    (GENERIC, rays([0, 1], [1, 0]), "on its circle: arc"),
+    (GENERIC, rays([1], [0], 2), "all rays are different"),
+]
+
+
+@pytest.mark.parametrize(("normals", "change", "named"), FAULTS)
+def test_a_fault_is_named(normals, change, named):
+    with pytest.raises(ArrangementError, match=named):
+        faulty(normals, change).validate()
+
+
+def test_a_wrong_number_of_regions_is_found():
+    good = sphere_arrangement(Arrangement(PENCIL))
+    incidence = good.incidence
+    region = np.where(incidence.region == len(incidence.leader) - 1, 0, incidence.region)
+    fewer = replace(incidence, region=region.astype(np.int32), leader=incidence.leader[:-1].copy())
+    with pytest.raises(ArrangementError, match="one boundary cycle"):
+        with_parts(good, fewer, good.rays.copy()).validate()
+
+
+def test_the_incidence_of_another_arrangement_does_not_fit():
+    """Same numbers of faces, other geometry: the topology passes and the geometry fails."""
+    left = sphere_arrangement(Arrangement(GENERIC))
+    mirrored = [(x, -z, y) for x, y, z in reversed(GENERIC)]
+    right = sphere_arrangement(Arrangement(mirrored))
+    assert left.vertex_count == right.vertex_count
+    with pytest.raises(ArrangementError, match="arc"):
+        with_parts(right, left.incidence, right.rays.copy()).validate()

@@ -47,7 +47,7 @@ def test_eight_pseudolines_have_the_published_number_of_types() -> None:
     assert pseudoline_types(7) == PUBLISHED[8]
 
 
-@pytest.mark.parametrize("planes", range(3, 9))
+@pytest.mark.parametrize("planes", [*range(3, 8), pytest.param(8, marks=pytest.mark.campaign)])
 def test_codes_tell_the_types_of_the_census_apart(planes: int) -> None:
     assert len(np.unique(canonical(chirotopes(planes), planes).codes, axis=0)) == PUBLISHED[planes]
 
@@ -266,8 +266,6 @@ def test_the_command_prints_the_type(capsys: pytest.CaptureFixture[str], tmp_pat
     ten.write_text(json.dumps(families.generic(10).to_dict()))
     assert cli.main(["identify", str(ten)]) == 0
     assert "not in the catalogue" in capsys.readouterr().out
-    assert cli.main(["identify", "shi-a2-affine"]) == 2
-    assert "cone" in capsys.readouterr().err
 
 
 def test_the_cone_of_affine_lines_has_a_type() -> None:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import itertools
 from fractions import Fraction
 from typing import Any
 
@@ -68,17 +67,6 @@ def check(problem: Problem, answer: Optimal | Infeasible | Unbounded) -> None:
         assert at((*objective, 0), answer.point) == answer.value
 
 
-def without_first_unknown(rows: set[tuple[Fraction, ...]]) -> set[tuple[Fraction, ...]]:
-    """One step of Fourier and Motzkin: the shadow of ``{x : a.x + b >= 0}`` along x_0."""
-    shadow = {row[1:] for row in rows if row[0] == 0}
-    lower = [[a / row[0] for a in row[1:]] for row in rows if row[0] > 0]
-    upper = [[a / -row[0] for a in row[1:]] for row in rows if row[0] < 0]
-    for low, high in itertools.product(lower, upper):
-        shadow.add(tuple(a + b for a, b in zip(low, high, strict=True)))
-    # rows that differ by a positive factor say the same
-    return {tuple(a / (max(map(abs, row)) or 1) for a in row) for row in shadow}
-
-
 def by_elimination(problem: Problem) -> Any:
     """Return the optimal value, or the name of what else there is, without pivots or duality.
 
@@ -86,20 +74,17 @@ def by_elimination(problem: Problem) -> Any:
     """
     objective, inequalities, equalities = problem
     bound = tuple(-c for c in objective)  # value - c.x >= 0
-    rows = {(*row[:-1], Fraction(0), row[-1]) for row in inequalities}
-    rows |= {
-        (*(s * a for a in row[:-1]), Fraction(0), s * row[-1])
-        for row in equalities
-        for s in (1, -1)
-    }
-    rows.add((*bound, Fraction(1), Fraction(0)))
-    for _ in objective:
-        rows = without_first_unknown(rows)
-    if any(slope == 0 and rest < 0 for slope, rest in rows):
+    rows, flat = (
+        [(*row[:-1], Fraction(0), row[-1]) for row in given] for given in (inequalities, equalities)
+    )
+    rows.append((*bound, Fraction(1), Fraction(0)))
+    flat, rows = oracle.shadow(flat, rows, len(objective))
+    left = [row[-2:] for row in rows]
+    if any(row[-1] for row in flat) or any(slope == 0 and rest < 0 for slope, rest in left):
         return "infeasible"
     # the value is bounded from below only: nothing keeps it from being too large
-    assert all(slope >= 0 for slope, _ in rows)
-    return max((-rest / slope for slope, rest in rows if slope > 0), default="unbounded")
+    assert all(slope >= 0 for slope, _ in left)
+    return max((-rest / slope for slope, rest in left if slope > 0), default="unbounded")
 
 
 @pytest.mark.campaign

@@ -7,7 +7,6 @@ import math
 import struct
 from collections import Counter
 from fractions import Fraction
-from itertools import combinations
 from pathlib import Path
 from typing import Any
 
@@ -23,6 +22,8 @@ from arrangement.drawing.solids.meshes import Part, model_bytes
 from arrangement.duals.body import body_around
 from arrangement.duals.cells import Cells, cut_cells
 from arrangement.library.files.table import read_arrangement
+from arrangement.numbers.exact import sign
+from arrangement.numbers.linear.rank import determinant
 from arrangement.pictures import write_drawing
 
 from .strategies import arrangements
@@ -69,18 +70,15 @@ def test_cells_of_a_cube_are_closed_convex_and_fill_it_exactly(planes: Arrangeme
         assert len(used) - len(edges) // 2 + len(cell.faces) == 2
         for face in cell.faces:
             assert len(set(face)) == len(face) > 2
-            assert all(side(points, face, i) == (0 if i in face else -1) for i in used)
+            assert all(side(cells.points, face, i) == (0 if i in face else -1) for i in used)
         for i in used:
             signs = planes.signs_at(points[i])
             assert all(s in (0, own) for s, own in zip(signs, cell.signs, strict=True))
 
 
-def side(points: list[tuple[Fraction, ...]], face: tuple[int, ...], i: int) -> int:
+def side(points: Any, face: tuple[int, ...], i: int) -> int:
     """Return the sign of a point on the plane of a face: 1 outside, -1 inside."""
-    p, *others = (points[k] for k in (*face[:3], i))
-    (a, b, c), (d, e, f), (g, h, j) = ([x - y for x, y in zip(q, p, strict=True)] for q in others)
-    value = a * (e * j - f * h) - b * (d * j - f * g) + c * (d * h - e * g)
-    return (value > 0) - (value < 0)
+    return -sign(determinant([points[k] for k in (*face[:3], i)]))
 
 
 def test_the_ball_is_convex_and_its_corners_lie_on_the_sphere_exactly() -> None:
@@ -95,17 +93,6 @@ def test_the_ball_is_convex_and_its_corners_lie_on_the_sphere_exactly() -> None:
     for (p, q), r in across.items():
         rows = [body.corners[i] for i in (p, q, r, across[q, p])]
         assert determinant(rows) > 0
-
-
-def determinant(rows: Any) -> int:
-    """Return the 4 x 4 determinant of homogeneous points: the side of the last one."""
-    (a, b, c, d) = rows
-    total = 0
-    for i, j in combinations(range(4), 2):
-        k, l = (x for x in range(4) if x not in (i, j))  # noqa: E741
-        sign = (-1) ** (i + j + 1)
-        total += sign * (a[i] * b[j] - a[j] * b[i]) * (c[k] * d[l] - c[l] * d[k])
-    return total
 
 
 @settings(max_examples=15, deadline=None)
@@ -240,32 +227,7 @@ def test_faces_of_the_dual_have_the_colour_of_their_number_of_corners(tmp_path: 
     assert max(loaded(path).extents) == pytest.approx(0.0255)
 
 
-@pytest.mark.parametrize(
-    "options",
-    [
-        ["--body", "torus"],
-        ["--explode", "0.5"],
-        ["--size", "0"],
-        ["--size", "-3"],
-        ["--colour", "mood"],
-        ["--lift=+++"],
-        ["--view", "planes"],
-    ],
-)
-def test_bad_options_of_models_leave_no_file(
-    options: list[str], tmp_path: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
-    command = ["draw", "coordinate-planes", "-o", str(tmp_path / "a.glb"), "--model", "cells"]
-    assert main([*command, *options]) == 2
-    assert capsys.readouterr().err.startswith("error: ")
-    assert list(tmp_path.iterdir()) == []
-
-
-def test_unknown_models_and_spaces_are_refused(tmp_path: Path) -> None:
-    with pytest.raises(InputError, match="known are dual, cells"):
-        write_drawing(CASES["A3"], tmp_path / "a.stl", model="shadow")
-    with pytest.raises(InputError, match="affine, of rank 1"):
-        write_drawing(Arrangement([[1, 0]], [1]), tmp_path / "a.stl", model="dual")
+def test_colours_of_models_are_hexadecimal(tmp_path: Path) -> None:
     with pytest.raises(InputError, match="#rrggbb"):
         write_drawing(CASES["A3"], tmp_path / "a.glb", model="cells", colour=lambda _: "red")
     assert list(tmp_path.iterdir()) == []

@@ -240,30 +240,6 @@ def test_operations_over_a_field() -> None:
     assert counts.cone(counts.deletion(h3, 0)).rank == 4
 
 
-@pytest.mark.parametrize(
-    ("change", "message"),
-    [
-        ({"field": {"minimal_polynomial": ["1", "0", "1"], "interval": ["0", "1"]}}, "embedding"),
-        ({"field": {"minimal_polynomial": ["-2", "0", "1"]}}, "interval"),
-        ({"planes": [[["1", "2", "3"], "1"]]}, "1 to 2"),
-        ({"planes": [[["1", 0.5], "1"]]}, "float"),
-        ({"field": None}, "expected a JSON object"),
-    ],
-)
-def test_bad_files_of_fields_are_refused_with_exit_code_2(
-    change: dict[str, Any], message: str, tmp_path: Any, capsys: pytest.CaptureFixture[str]
-) -> None:
-    document = {
-        "schema_version": 1,
-        "planes": [[["0", "1"], "1"]],
-        "field": {"minimal_polynomial": ["-1", "-1", "1"], "interval": ["1", "2"]},
-    }
-    path = tmp_path / "planes.json"
-    path.write_text(json.dumps(document | change))
-    assert main(["count", str(path)]) == 2
-    assert message in capsys.readouterr().err
-
-
 def test_the_command_names_the_field(tmp_path: Any, capsys: pytest.CaptureFixture[str]) -> None:
     path = tmp_path / "h3.json"
     assert main(["make", "h3", "-o", str(path)]) == 0

@@ -56,15 +56,19 @@ def test_bad_planes_are_refused_with_their_place(arguments: tuple[Any, ...], mes
         Arrangement(*arguments)
 
 
-@pytest.mark.parametrize("dimension", [-1, True, 2.0, "3", "x", Fraction(1, 2)])
-def test_a_dimension_that_is_no_natural_number_is_refused(dimension: Any) -> None:
-    with pytest.raises(InputError, match="dimension"):
-        Arrangement([], dimension=dimension)
-
-
-def test_a_dimension_that_contradicts_the_normals_is_refused() -> None:
-    with pytest.raises(InputError, match="dimension is 3"):
-        Arrangement([[1, 0]], dimension=3)
+@pytest.mark.parametrize(
+    ("call", "wrong"),
+    [
+        (lambda value: Arrangement([], dimension=value), [-1, True, 2.0, "3", "x", Fraction(1, 2)]),
+        (lambda value: Arrangement([[1, 0]], dimension=value), [3]),
+        (Arrangement([[1, 0, 0]]).faces, [-1, 4, True, "2", 1.0]),
+        (Arrangement([[1, 0]]).signs_at, [[1], [1, 2, 3], [0.5, 0], "12x", None]),
+    ],
+)
+def test_dimensions_and_points_of_the_wrong_kind_are_refused(call: Any, wrong: list[Any]) -> None:
+    for value in wrong:
+        with pytest.raises(InputError, match=r"dimension|point"):
+            call(value)
 
 
 def test_a_common_point_may_be_anywhere() -> None:
@@ -143,23 +147,6 @@ def test_simple_means_general_position_of_the_distinct_planes(
     normals: list[list[int]], offsets: list[int] | None, simple: bool
 ) -> None:
     assert Arrangement(normals, offsets).is_simple is simple
-
-
-def test_signs_at_a_point_follow_the_stated_convention() -> None:
-    planes = Arrangement([[1, 0], [-1, 0], [0, 2]], [1, -1, 1])
-    assert planes.signs_at([2, "1/2"]) == (1, -1, 0)
-
-
-@pytest.mark.parametrize("point", [[1], [1, 2, 3], [0.5, 0], "12x", None])
-def test_a_point_of_the_wrong_kind_is_refused(point: Any) -> None:
-    with pytest.raises(InputError, match="point"):
-        Arrangement([[1, 0]]).signs_at(point)
-
-
-@pytest.mark.parametrize("dimension", [-1, 4, True, "2", 1.0])
-def test_faces_of_an_impossible_dimension_are_refused(dimension: Any) -> None:
-    with pytest.raises(InputError, match="dimension"):
-        Arrangement([[1, 0, 0]]).faces(dimension)
 
 
 @given(arrangements())

@@ -122,12 +122,6 @@ def test_a_program_that_does_not_ask_sees_no_line(capsys: pytest.CaptureFixture[
     assert capsys.readouterr() == ("", "")
 
 
-def test_without_a_terminal_there_is_no_line(capsys: pytest.CaptureFixture[str]) -> None:
-    with shown():
-        assert list(watched([1, 2], "things")) == [1, 2]
-    assert capsys.readouterr() == ("", "")
-
-
 @pytest.mark.usefixtures("on_a_terminal")
 def test_every_command_shows_the_line_on_stderr_alone(capsys: pytest.CaptureFixture[str]) -> None:
     def command(_: object) -> int:

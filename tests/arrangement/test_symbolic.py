@@ -125,13 +125,6 @@ def test_the_matrix_has_the_planes_as_rows_over_the_integers() -> None:
     assert Arrangement([], dimension=2).matrix.shape == (0, 3)
 
 
-@settings(max_examples=40, deadline=None)
-@given(arrangements())
-def test_the_matrix_has_the_rank_of_the_planes(planes: Arrangement) -> None:
-    normals = planes.matrix[:, : planes.dimension]
-    assert normals.rank() == planes.rank
-
-
 def test_points_are_columns_that_give_the_signs_back() -> None:
     planes = Arrangement([[1, 2, 0], [0, 1, 3], [1, 1, 1]], [1, 0, "1/7"])
     for face in planes.faces():

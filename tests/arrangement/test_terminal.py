@@ -56,19 +56,25 @@ def test_other_numbers_are_refused_with_the_reason(
     assert error.startswith("error: ")
 
 
-@pytest.mark.parametrize("error", [InputError("broken\x1b[1m\nrule"), MissingExtraError("extra")])
-def test_errors_on_purpose_are_one_line(
-    error: Exception, capsys: pytest.CaptureFixture[str]
+@pytest.mark.parametrize(
+    ("error", "code", "lines"),
+    [
+        (InputError("broken\x1b[1m\nrule"), 2, 1),
+        (MissingExtraError("extra"), 2, 1),
+        (KeyboardInterrupt(), 130, 0),
+        (BrokenPipeError(), 141, 0),
+    ],
+)
+def test_errors_on_purpose_are_one_line_and_interruptions_are_quiet(
+    error: BaseException, code: int, lines: int, capsys: pytest.CaptureFixture[str]
 ) -> None:
     def fails(_: argparse.Namespace) -> int:
         raise error
 
-    assert terminal.run(parser_for(fails), ["go"]) == 2
-    captured = capsys.readouterr()
-    assert captured.out == ""
-    assert captured.err.startswith("error: ")
-    assert captured.err.count("\n") == 1
-    assert "\x1b" not in captured.err
+    assert terminal.run(parser_for(fails), ["go"]) == code
+    out, err = capsys.readouterr()
+    assert (out, err.count("\n"), "\x1b" in err) == ("", lines, False)
+    assert err.startswith("error: " * lines)
 
 
 @pytest.mark.parametrize("error", [ZeroDivisionError("x" * 999), RecursionError()])
@@ -85,22 +91,6 @@ def test_a_fault_of_the_program_is_no_answer(
     assert len(line) < 300
     assert terminal.run(parser_for(fails), ["go", "--traceback"]) == 70
     assert "Traceback (most recent call last)" in capsys.readouterr().err
-
-
-@pytest.mark.parametrize(("error", "code"), [(KeyboardInterrupt(), 130), (BrokenPipeError(), 141)])
-def test_interruptions_are_quiet(
-    error: BaseException, code: int, capsys: pytest.CaptureFixture[str]
-) -> None:
-    def fails(_: argparse.Namespace) -> int:
-        raise error
-
-    assert terminal.run(parser_for(fails), ["go"]) == code
-    assert capsys.readouterr().err == ""
-
-
-@pytest.mark.parametrize("code", [0, 1])
-def test_the_command_decides_the_exit_code(code: int) -> None:
-    assert terminal.run(parser_for(lambda _: code), ["go"]) == code
 
 
 def test_json_is_one_line_with_rationals_as_strings(capsys: pytest.CaptureFixture[str]) -> None:
@@ -126,35 +116,6 @@ def test_several_numbers_may_be_written_in_any_usual_way(words: list[str]) -> No
     parser.add_argument("--x", nargs=2, type=terminal.rational_argument)
     parser.add_argument("--y", action="store_true")
     assert parser.parse_args([*words, "--y"]).x == [1, -2]
-
-
-@pytest.mark.parametrize(
-    ("words", "said"),
-    [
-        (["gather"], "there is no 'gather'; known are go "),
-        (["go", "--speet", "1"], "did you mean --speed?"),
-        (["go", "there"], "no place for 'there'"),
-        (["--speet=1"], "there is no option '--speet'"),
-        (["go", "--speed", ""], "argument --speed: it is empty"),
-        (["go", "--number", "50mm"], "'50mm' has a unit"),
-        (["go", "--many", "9" * 5000], "no whole number of up to 18 digits"),
-    ],
-)
-def test_a_slip_is_told_in_one_short_line(
-    words: list[str], said: str, capsys: pytest.CaptureFixture[str]
-) -> None:
-    parser = terminal.command_parser("program", "Go.")
-    go = parser.add_subparsers(required=True, metavar="COMMAND").add_parser("go")
-    go.add_argument("--speed")
-    go.add_argument("--number", type=terminal.rational_argument)
-    go.add_argument("--many", type=terminal.integer_argument)
-    with pytest.raises(SystemExit) as caught:
-        terminal.run(parser, words)
-    assert caught.value.code == 2
-    line = capsys.readouterr().err
-    assert said in line
-    assert line.count("\n") == 1
-    assert len(line) < 300
 
 
 def test_a_fault_at_import_is_no_answer(

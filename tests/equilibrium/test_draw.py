@@ -42,8 +42,7 @@ from equilibrium.pictures.pages.proof_page import proof_page
 from equilibrium.pictures.style import nice, number
 from equilibrium.pictures.wrenches.slices import slices
 from equilibrium.wrench_sets import gaps, resisted_region, search_map
-from tests.arrangement.test_draw_boxes import offences
-from tests.drawn import paths
+from tests.drawn import offences, paths
 
 from .strategies import grasps, wrenches
 

@@ -27,7 +27,7 @@ from equilibrium.pictures.space.space_grasp import drawn_in_space
 from equilibrium.pictures.space.space_page import grasp_model, grasp_page
 from equilibrium.pictures.wrenches.slices import draw_slice
 from equilibrium.wrench_sets.spatial import SpatialMagnitudes
-from tests.arrangement.test_draw_boxes import offences
+from tests.drawn import offences
 
 GRASPS = ["two-opposed-fingers", "three-fingers-on-a-ball", "wedge", "peg-in-a-hole", "box-6-walls"]
 WRENCH = (0, 0, -1, 0, 0, 0)

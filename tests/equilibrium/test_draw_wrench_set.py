@@ -20,7 +20,7 @@ from equilibrium.pictures.wrenches.wrench_box import WALLS, WrenchBox, wrench_bo
 from equilibrium.pictures.wrenches.wrench_page import wrench_set_model, wrench_set_page
 from equilibrium.pictures.wrenches.wrench_set import draw_wrench_set
 from equilibrium.wrench_sets import resisted_region, resisted_set
-from tests.arrangement.test_draw_boxes import offences
+from tests.drawn import offences
 from tests.instances import PLANAR
 
 GRASPS = [name for name in PLANAR if any(w in name for w in ("contact", "interrupted", "slip"))]

@@ -1,0 +1,585 @@
+"""Laws of pictures: every view of both packages, and every built-in instance.
+
+Options have forms, scenes know no format, labels cover nothing, legends have their place, themes
+keep what is told, TikZ shows the same items, and files repeat byte for byte.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import os
+import re
+import subprocess
+import sys
+from collections.abc import Iterator, Sequence
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from hypothesis import given, strategies as st
+from matplotlib.colors import to_rgb
+
+from arrangement import Arrangement, ArrangementError, InputError, read_arrangement
+from arrangement.cli import main as draw_planes
+from arrangement.drawing.command import _KINDS
+from arrangement.drawing.figure import figure
+from arrangement.drawing.output import own_settings, picture_bytes
+from arrangement.drawing.registry import Drawings
+from arrangement.drawing.scene.items import ROLES, Ball, Item, Label, Mark, Path as Drawn
+from arrangement.drawing.scene.layout import BELOW, laid_out, picture_width
+from arrangement.drawing.scene.measuring import measure
+from arrangement.drawing.scene.scene import Scene
+from arrangement.drawing.themes import _from_oklab, _oklab, themed
+from arrangement.drawing.tikz.tex_text import tex_text
+from arrangement.drawing.tikz.tikz import tikz
+from arrangement.pictures import DRAWINGS as OF_PLANES
+from arrangement.pictures.views import drawings_of, write_drawing
+from equilibrium import read_grasp
+from equilibrium.cli.program import main as draw_grasp
+from equilibrium.pictures import DRAWINGS as OF_GRASPS
+from tests.docpages import ROOT
+from tests.drawn import VIEWS, offences, scene
+from tests.instances import ARRANGEMENTS, PLANAR
+from tests.latex import RESOLUTION, Pixels, compiled, page_count, pages, unlike
+
+EVERY_VIEW = pytest.mark.parametrize(("drawings", "view"), VIEWS)
+
+# Options and scenes.
+
+
+@pytest.mark.parametrize("drawings", [OF_PLANES, OF_GRASPS])
+@pytest.mark.parametrize("kind", ["view", "model", "page"])
+def test_every_option_has_a_form_on_the_command_line(drawings: Drawings, kind: str) -> None:
+    for name in getattr(drawings, f"{kind}s"):
+        for option in drawings.options(kind, name).values():
+            assert option.kind in _KINDS
+            assert option.text, option.name
+
+
+@EVERY_VIEW
+def test_a_view_makes_a_scene_that_knows_no_format(drawings: Drawings, view: str) -> None:
+    made = scene(drawings, view)
+    assert len({item.name.partition("-")[0] for item in made.items}) > 1
+    for item in made.items:
+        assert isinstance(item, Item)
+        assert item.role in ROLES
+        points = (
+            item.place if isinstance(item, Label | Mark)
+            else item.centre if isinstance(item, Ball) else item.points
+        )  # fmt: skip
+        assert np.isfinite(np.asarray(points)).all()
+
+
+@pytest.mark.parametrize(
+    ("drawings", "view", "options", "meant"),
+    [
+        (OF_PLANES, "spere", {}, "did you mean sphere"),
+        (OF_PLANES, "lattice", {"mobius": True}, "did you mean moebius"),
+        (OF_PLANES, "sphere", {"colour": "side"}, "did you mean sides"),
+        (OF_GRASPS, "slices", {}, "did you mean slice"),
+        (OF_GRASPS, "resist", {"extend": 3}, "did you mean extent"),
+    ],
+)
+def test_mistakes_name_the_nearest_names(
+    drawings: Drawings, view: str, options: dict[str, Any], meant: str, tmp_path: Path
+) -> None:
+    read: Any = read_arrangement if drawings is OF_PLANES else read_grasp
+    name = "braid-a3" if drawings is OF_PLANES else "paper-three-contacts-preload-1"
+    with pytest.raises(InputError, match=meant):
+        drawings.write(read(name), tmp_path / "a.svg", view, **options)
+    assert list(tmp_path.iterdir()) == []
+
+
+HUGE = 10**350
+LARGE = {
+    "one": [(HUGE + 7, 1, 0), (0, 1, 1), (1, 0, 2), (1, 1, 1)],
+    "all": [(1, HUGE, HUGE), (HUGE, HUGE + 1, 1), (HUGE, 1, HUGE), (1, 1, 1)],
+}
+
+
+@pytest.mark.campaign
+@pytest.mark.filterwarnings("error")
+@pytest.mark.parametrize("normals", LARGE.values(), ids=LARGE)
+@pytest.mark.parametrize("kind", ["view", "page", "model"])
+def test_normals_beyond_floats_are_drawn_or_refused(
+    kind: str, normals: list[tuple[int, ...]], tmp_path: Path
+) -> None:
+    planes = Arrangement(normals)
+    drawings = drawings_of(planes)
+    suffix = {"view": "svg", "page": "html", "model": "stl"}[kind]
+    for name in getattr(drawings, f"{kind}s"):
+        path = tmp_path / f"{name}.{suffix}"
+        try:
+            drawings.write(planes, path, **{"model" if kind == "model" else "view": name})
+        except ArrangementError as refused:
+            error = str(refused)
+        else:
+            continue
+        assert re.search("about 1.8e308|floats|when rounded|shows planes of rank", error), error
+        assert not path.exists()
+
+
+def test_a_page_of_normals_of_five_thousand_digits(tmp_path: Path) -> None:
+    long = 10**5000
+    write_drawing(Arrangement([(long, 1, 0), (0, 1, 1), (1, 0, 2)]), tmp_path / "a.html")
+    assert "0" * 5000 in (tmp_path / "a.html").read_text(encoding="utf-8")
+
+
+def test_a_slice_takes_the_preload_of_its_last_part(tmp_path: Path) -> None:
+    command = ["draw", "paper-three-contacts", "--view", "slice", "--preload", "2"]
+    assert draw_grasp([*command, "-o", str(tmp_path / "a.svg")]) == 0
+    made = scene(OF_GRASPS, "slice", "paper-three-contacts", preload=2)
+    assert "(c) preload 2" in {item.text for item in made.items if isinstance(item, Label)}
+
+
+@pytest.mark.parametrize(
+    ("planes", "names"), [("braid-a3", "xyz"), ("paper-three-contacts", "xyr")]
+)
+def test_axes_without_names_are_on(planes: str, names: str, tmp_path: Path) -> None:
+    words = ["draw", planes, "--text", "text", "--axes", "-o", str(tmp_path / "a.svg")]
+    assert draw_planes(words) == 0
+    written = re.findall(r">([xyzr])</text>", (tmp_path / "a.svg").read_text(encoding="utf-8"))
+    assert sorted(written) == sorted(names)
+
+
+# Labels and legends.
+
+
+OTHER_OPTIONS: list[tuple[str, str, dict[str, Any]]] = [
+    ("sphere", "reflection-b3", {"labels": "signs"}),
+    ("sphere", "braid-a3", {"sides": True, "axes": "x,y,z"}),
+    ("sphere", "five-generic-planes", {"antipodes": "same", "width": 60.0}),
+    ("planes", "cube-diagonals", {"lift": ["++++", "+-+-"], "sides": True, "axes": "x,y,z"}),
+    ("planes", "braid-a3", {"lift": ["++++++"], "body": "cube"}),
+    ("stereographic", "reflection-b3", {"whole": True, "labels": "signs"}),
+    ("gnomonic", "reflection-b3", {"direction": (0, 0, 1)}),
+    ("dual", "five-generic-planes", {"hull": True}),
+    ("dual", "reflection-b3", {"width": 88.0}),
+    ("graph", "reflection-b3", {"labels": "signs"}),
+    ("lines", "generic-lines-affine", {"faces": "all", "sides": True}),
+    ("lines", "pencil", {"projective": True, "sides": True}),
+    ("lines", "shi-a2-affine", {"projective": True, "labels": "signs", "colour": "sides"}),
+    ("cells", "cube-diagonals", {"body": "ball", "explode": 2}),
+    ("lattice", "reflection-b3", {"width": 180.0, "moebius": False}),
+    ("stereographic", "reflection-b3", {"whole": False}),
+    ("stereographic", "reflection-b3", {"colour": "signs", "width": 60.0}),
+    ("gnomonic", "reflection-b3", {"direction": (1, 0, 1), "colour": "none"}),
+    ("dual", "reflection-b3", {"hull": True}),
+    ("dual", "reflection-b3", {"coordinates": "even", "colour": "signs"}),
+    ("graph", "reflection-b3", {"colour": "signs"}),
+    ("graph", "reflection-b3", {"width": 50.0}),
+]
+
+
+@pytest.mark.campaign
+@pytest.mark.parametrize("name", PLANAR)
+@pytest.mark.parametrize("view", OF_PLANES.views)
+def test_no_label_is_cut_off_or_covers_another_or_an_edge(view: str, name: str) -> None:
+    with contextlib.suppress(InputError):  # some views refuse affine planes, or other spaces
+        assert offences(laid_out(scene(OF_PLANES, view, name))) == []
+
+
+@pytest.mark.campaign
+@pytest.mark.parametrize(("view", "name", "options"), OTHER_OPTIONS)
+def test_nor_with_other_options(view: str, name: str, options: dict[str, Any]) -> None:
+    assert offences(laid_out(scene(OF_PLANES, view, name, **options))) == []
+
+
+def test_the_check_finds_each_kind_of_offence() -> None:
+    with own_settings():
+        made = Scene(40, 40)
+        made.text((50, 50), "one")
+        made.line([(40, 50), (60, 50)], ec="black", gid="edge-1")
+        assert offences(made) == ["'one' on edge-1"]
+        made.circle((50, 50), 15, fc="white", ec="none", zorder=2)
+        assert offences(made) == []
+        made.text((53, 50), "two")
+        made.text((1, 90), "three")
+        assert offences(made) == ["three", "'one' and 'two'"]
+        made = Scene(40, 20)
+        assert made.write((30, 30), "one")
+        assert not made.write((33, 30), "two")
+
+
+WITH_LEGENDS = pytest.mark.parametrize(
+    ("drawings", "view", "name"),
+    [(d, v, "five-generic-planes" if d is OF_PLANES else "") for d, v in VIEWS if v != "lines"],
+)
+
+
+@WITH_LEGENDS
+def test_keys_and_lines_below_take_a_sixth_of_the_height(
+    drawings: Drawings, view: str, name: str
+) -> None:
+    with own_settings():
+        made = scene(drawings, view, name)
+        made.legend.captions.clear()
+        made.legend.table.clear()
+        sheet = laid_out(made)
+        assert sheet.height - made.height <= BELOW * sheet.height + 1e-6
+        assert sheet.width == made.width
+        assert laid_out(made, "none").height == made.height
+
+
+@WITH_LEGENDS
+def test_at_the_right_it_stands_beside_the_picture(
+    drawings: Drawings, view: str, name: str
+) -> None:
+    wide = 260.0
+    with own_settings():
+        made = scene(drawings, view, name, width=picture_width(wide, "right"))
+        count, keys = len(made.items), made.legend.keys
+        sheet = laid_out(made, "right")
+        assert sheet.paper[0] == pytest.approx(wide)
+        texts = [item for item in sheet.items[count:] if isinstance(item, Label)]
+        assert {word for key in keys for word in key.text.split()} <= {
+            word for item in texts for word in item.text.split()
+        }
+        captions = {line for text in made.legend.captions for line in text.split()}
+        for item in texts:
+            w, h = measure(item.text, item.size)
+            beside = item.place[0] >= made.width and item.place[0] + w <= sheet.width + 0.01
+            assert beside or set(item.text.split()) <= captions
+            assert h / 2 - 1 <= item.place[1] <= sheet.height
+
+
+def test_without_a_legend_captions_stay(tmp_path: Path) -> None:
+    planes = read_arrangement("braid-a3-in-r4")
+    for legend, shown in (("none", False), ("below", True)):
+        path = tmp_path / f"{legend}.svg"
+        OF_PLANES.write(planes, path, "sphere", legend=legend, text="text")
+        svg = path.read_text(encoding="utf-8")
+        assert "essentialisation" in svg
+        assert ("odd number" in svg) == shown
+
+
+# Themes.
+
+
+def lightness(colour: Any) -> float:
+    return float(_oklab(to_rgb(colour))[0])
+
+
+def test_in_print_wrenches_are_black_and_one_set_has_a_hatching() -> None:
+    for view, wrench in (("grasp", (0, 1, 1)), ("slice", (0, 1, 0))):
+        coloured = scene(OF_GRASPS, view, "paper-three-contacts-preload-1", wrench=wrench)
+        made = themed(coloured, "mono").items
+        if view == "grasp":
+            fills = {x.name: x.style.get("fc") for x in made if x.name.startswith("wrench-")}
+            assert fills["wrench-force"] == fills["wrench-torque-head"] == "#000000"
+        else:
+            sets = [x for x in made if "polygon" in x.name]
+            assert sets
+            assert all("hatch" in x.style and not x.style["lw"] for x in sets)
+
+
+@given(st.tuples(*[st.floats(0, 1)] * 3))
+def test_oklab_and_back(rgb: tuple[float, float, float]) -> None:
+    light, a, b = _oklab(rgb).tolist()
+    assert np.allclose(_from_oklab((light, a, b), 1.0)[:3], rgb, atol=1e-4)
+
+
+def test_greys_have_no_hue_in_oklab_and_white_has_lightness_one() -> None:
+    assert np.allclose(_oklab((1.0, 1.0, 1.0)), (1, 0, 0), atol=1e-4)
+    assert np.allclose(_oklab((0.5, 0.5, 0.5))[1:], 0, atol=1e-4)
+
+
+@EVERY_VIEW
+def test_dark_letters_are_light_and_mono_has_no_colour(drawings: Drawings, view: str) -> None:
+    made = scene(drawings, view)
+    dark, mono = themed(made, "dark"), themed(made, "mono")
+    assert themed(made, "light") is made
+    assert len(mono.items) == len(made.items) == len(dark.items) - 1
+    plain = {id(i) for i in made.items if isinstance(i, Label) and "plate" not in i.style}
+    for old, new in zip(made.items, dark.items[1:], strict=True):
+        if id(old) in plain and lightness(old.style.get("color", "black")) < 0.4:
+            assert lightness(new.style["color"]) > 0.6
+    for item in mono.items:
+        for key in ("fc", "ec", "color"):
+            colour = item.style.get(key, "none")
+            if not isinstance(item, Ball) and str(colour) != "none":
+                assert abs(_oklab(to_rgb(colour))[1:]).max() < 1e-2
+
+
+def test_mono_keeps_apart_what_colours_keep_apart() -> None:
+    made = scene(OF_PLANES, "sphere", "five-generic-planes", antipodes="same")
+    mono = themed(made, "mono")
+    pairs = {
+        (str(old.style["fc"]), (new.style["fc"], new.style.get("hatch", "")))
+        for old, new in zip(made.items, mono.items, strict=True)
+        if isinstance(old, Drawn) and old.name.startswith("region")
+    }
+    assert len(pairs) == len({a for a, _ in pairs}) == len({b for _, b in pairs}) >= 4
+
+
+# TikZ.
+
+
+#: Pixels that may differ, for each pixel of an edge: lines between two pixels are drawn otherwise.
+LIMIT = 0.03
+
+
+def without_labels(made: Scene) -> Scene:
+    """Return a sheet with all but the letters."""
+    bare = Scene(*made.paper)
+    bare.items = [item for item in made.items if not isinstance(item, Label)]
+    return bare
+
+
+def every_kind() -> Scene:
+    """Return a sheet with what few views have."""
+    made = Scene(80, 40)
+    made.ball((40, 60), 30)
+    made.circle((110, 60), 30, fc="#4477aa", ec="none", gid="region-0")
+    made.ball((110, 60), 30, "#ffffff60", "#00000060", zorder=2)
+    square = np.array([[150, 30], [210, 30], [210, 90], [150, 90]])
+    made.polygon(square, fc="#ccddee", ec="#7d7d7d", lw=0, hatch="//////")
+    for k, hatch in enumerate(["\\\\", "--", "||", "xx", "++", "...", "oo"]):
+        left = 85 + 19 * k
+        box = [(left, 95), (left + 15, 95), (left + 15, 110), (left, 110)]
+        made.polygon(box, fc="#eeeeee", ec="#7d7d7d", lw=0, hatch=hatch)
+    made.ball((110, 15), 8, "#0000ff10", "#0000ffc0", zorder=3)
+    made.line([(10, 15), (215, 15)], ec="#aa3377", lw=2, ls=(0, (3, 1, 1, 1)), capstyle="butt")
+    with made.clipped((160.0, 20.0, 190.0, 60.0)):
+        made.circle((180, 60), 25, fc="#ee6677", ec="black", lw=1.5, alpha=0.5)
+    with made.clipped(((40.0, 60.0), 20.0)):
+        made.line([(0, 30), (80, 90)], ec="black", lw=3)
+    for k, sign in enumerate("ox_"):
+        made.mark((20 + 12 * k, 103), sign, 6, color="#228833", mew=1.2)
+    made.polygon(np.array([[60, 97], [75, 97], [68, 109]]), fc="white", ec="black", lw=1.5,
+                 joinstyle="round")  # fmt: skip
+    return made
+
+
+@pytest.mark.parametrize(
+    ("text", "latex"),
+    [
+        ("+\u200a−\n−\u200a0", r"${+}{-}$ \\ ${-}{0}$"),
+        ("w = (0, −1/2, 1)", "$w=(0,-1/2,1)$"),
+        ("\u20071 +\u200a−\u200a+", r"\phantom{0}$1\;{+}{-}{+}$"),
+        ("f_x −2 to 1, τ −1 to 1", r"$f_x\;{-}2$ to 1, $\tau \;{-}1$ to 1"),
+        ("1,2,5–9", "$1{,}2{,}5$--$9$"),
+        ("(a) Grasp Wrench Space, L1", "(a) Grasp Wrench Space, $L_1$"),
+        ("contacts 1 to 3: ● stick, − slip−", r"contacts 1 to 3: $\bullet$ stick, $-$ slip$-$"),
+        ("Σμ = −9", r"$\Sigma \mu =-9$"),
+        ("1: λ = (1, −1)", r"$1$: $\lambda =(1,-1)$"),
+        ("$f_x$ (10⁵ N)", "$f_x$ ($10^{5}$ N)"),
+        ("ℝ³", r"$\mathbb{R}^{3}$"),
+        ("≈3.3e+19", r"$\approx 3.3\cdot 10^{19}$"),
+        ("2–3 minus signs", "2--3 minus signs"),
+        ("Möbius & 100% {of} ab_cd \\ ~ ^ #", None),
+    ],
+)
+def test_labels_are_maths_where_they_mean_it(text: str, latex: str | None) -> None:
+    if latex is not None:
+        assert tex_text(text) == latex
+    else:
+        escaped = r"M\"{o}bius \& 100\% \{of\} ab\_cd \textbackslash{} \textasciitilde{}"
+        assert tex_text(text) == escaped + r" \textasciicircum{} \#"
+
+
+@EVERY_VIEW
+def test_styles_are_those_of_the_roles_and_all_is_plain_text(drawings: Drawings, view: str) -> None:
+    """One style at the top for each role that occurs; no letter that pdflatex does not know."""
+    made = scene(drawings, view)
+    text = tikz(made, fragment=True)
+    head, _, body = text.partition("bounding box")
+    roles = {item.role for item in made.items}
+    assert {role for role in ROLES if f"/slipstates/{role}/.style" in head} == roles
+    assert "/.style" not in body
+    assert text.isascii()
+    assert body.count(r"\begin{scope}") == body.count(r"\end{scope}")
+    assert text.startswith("% The preamble needs:")
+    assert r"\documentclass" not in text
+
+
+def document(folder: Path, scenes: list[Scene], texts: list[str]) -> Path:
+    """Return a document with fragments on pages of their own."""
+    width, height = (max(s.paper[k] for s in scenes) for k in (0, 1))
+    paper = f"paperwidth={width}mm,paperheight={height + 1}mm,margin=0mm"
+    head = [
+        r"\RequirePackage{fix-cm}\documentclass{article}",
+        rf"\usepackage[{paper}]{{geometry}}\usepackage{{tikz,amssymb}}",
+        r"\pagestyle{empty}\parindent0pt\begin{document}",
+    ]
+    source = folder / "all.tex"
+    source.write_text("\n".join([*head, "\\newpage\n".join(texts), r"\end{document}"]))
+    return source
+
+
+def differences(folder: Path, scenes: list[Scene], texts: list[str]) -> Iterator[float]:
+    """Compile fragments on pages of one document; yield how unlike they are to our own PDF."""
+    source = document(folder, scenes, texts)
+    for k, (made, drawn) in enumerate(zip(scenes, pages(compiled(source)), strict=True)):
+        own = folder / f"own-{k}.pdf"
+        own.write_bytes(picture_bytes(".pdf", lambda made=made: figure(made)))
+        (expected,) = pages(own)
+        rows, columns, _ = expected.shape
+        rest = np.ones_like(drawn)
+        rest[:rows, :columns] = drawn[:rows, :columns]
+        assert np.array_equal(rest, drawn)
+        yield unlike(drawn[:rows, :columns], expected)
+
+
+@pytest.mark.campaign
+@pytest.mark.usefixtures("latex")
+def test_tikz_shows_what_our_own_pictures_show(tmp_path: Path) -> None:
+    """What is wrong is seen: of wide, pale, shifted and missing lines and of another fill."""
+    made = without_labels(scene(OF_PLANES, "sphere", "braid-a3"))
+    scenes = [every_kind(), made, without_labels(scene(OF_GRASPS, "resist", "paper-four-contacts"))]
+    texts = [tikz(sheet, fragment=True) for sheet in scenes]
+    found = list(differences(tmp_path, scenes, texts))
+    assert max(found) < LIMIT, found
+    changes = [
+        ("line width=0.9bp", "line width=2.5bp"),
+        ("layer=hidden]", "layer=hidden, xshift=5bp]"),
+        ("fill=slipstates1", "fill=slipstates1!60!black"),
+        ("x=1bp, y=1bp", "x=1pt, y=1pt"),
+        ("layer=circle]", "layer=circle, transparent]"),
+    ]
+    wrong = [texts[1].replace(*change) for change in changes]
+    found = list(differences(tmp_path, [made] * len(wrong), wrong))
+    assert min(found) > 1.5 * LIMIT, found
+
+
+@pytest.mark.campaign
+@pytest.mark.usefixtures("latex")
+def test_every_view_is_the_same_in_tikz(tmp_path: Path) -> None:
+    """Without letters: of these, fonts differ."""
+    scenes = [without_labels(scene(d, view)) for d, view in VIEWS]
+    found = list(differences(tmp_path, scenes, [tikz(made, fragment=True) for made in scenes]))
+    assert max(found) < LIMIT, found
+
+
+def label_boxes(made: Scene, pixels: Pixels) -> Iterator[tuple[str, slice, slice]]:
+    """Yield the text of each label and the rows and columns of its box, a little wider."""
+    scale = len(pixels) / made.height
+    for item in made.items:
+        if isinstance(item, Label):
+            w, h = made.measure(item.text, item.size, item.rotation)
+            left = {"left": 0.0, "center": 0.5, "right": 1.0}[item.ha] * w
+            low = {"bottom": 0.0, "top": 1.0}.get(item.va, 0.5) * h
+            x, y = item.place[0] - left, made.height - (item.place[1] - low)
+            # Words are up to a tenth wider in the small sizes of Computer Modern.
+            wide, high = (2 + 0.1 * max(w, h) * (w > h), 1.5 + 0.1 * max(w, h) * (h > w))
+            ends = [(y - h - high, y + high), (x - wide, x + w + wide)]
+            rows, columns = (slice(max(0, int(a * scale)), int(b * scale) + 1) for a, b in ends)
+            yield item.text, rows, columns
+
+
+def check_letters(made: Scene, drawn: Pixels, bare: Pixels) -> None:
+    """All ink of the letters is in the boxes that our own letters have."""
+    ink = np.abs(drawn - bare).max(axis=2) > 0.1
+    inside = np.zeros_like(ink)
+    for text, rows, columns in label_boxes(made, ink):
+        assert ink[rows, columns].any(), f"{text!r} is not there"
+        inside[rows, columns] = True
+    assert (ink & ~inside).sum() <= 0.02 * ink.sum()
+
+
+@pytest.mark.usefixtures("latex")
+@pytest.mark.parametrize(("drawings", "view"), [(OF_PLANES, "lattice"), (OF_GRASPS, "proof")])
+def test_a_document_compiles_and_its_letters_are_where_ours_are(
+    drawings: Drawings, view: str, tmp_path: Path
+) -> None:
+    name = "reflection-b3" if drawings is OF_PLANES else "paper-four-contacts"
+    made = scene(drawings, view, name)
+    sheets = []
+    for k, sheet in enumerate((made, without_labels(made))):
+        source = tmp_path / f"{k}.tex"
+        source.write_text(tikz(sheet))
+        (found,) = pages(compiled(source))
+        sheets.append(found)
+    for pixels, length in zip(sheets[0].shape, reversed(made.paper), strict=False):
+        assert abs(pixels - length / 25.4 * RESOLUTION) <= 1
+    check_letters(made, *sheets)
+
+
+@pytest.mark.campaign
+@pytest.mark.usefixtures("latex")
+def test_letters_of_every_view_are_where_ours_are(tmp_path: Path) -> None:
+    """On pages of one document, in the corner of each."""
+    views = [scene(drawings, view) for drawings, view in VIEWS]
+    scenes = [sheet for made in views for sheet in (made, without_labels(made))]
+    source = document(tmp_path, scenes, [tikz(sheet, fragment=True) for sheet in scenes])
+    drawn = pages(compiled(source))
+    for made, sheet, bare in zip(views, drawn[::2], drawn[1::2], strict=True):
+        columns, rows = (round(length / 25.4 * RESOLUTION) for length in made.paper)
+        check_letters(made, sheet[:rows, :columns], bare[:rows, :columns])
+
+
+@pytest.mark.campaign
+@pytest.mark.usefixtures("latex")
+@pytest.mark.parametrize("name", PLANAR)
+def test_all_pictures_of_all_instances_compile(name: str, tmp_path: Path) -> None:
+    """On pages of one document; what a view refuses has no picture."""
+    found = []
+    for drawings, view in VIEWS:
+        with contextlib.suppress(InputError):
+            found.append(scene(drawings, view, name))
+    source = document(tmp_path, found, [tikz(made, fragment=True) for made in found])
+    assert found
+    assert page_count(compiled(source)) == len(found)
+
+
+# Repetition.
+
+
+#: Draws views of some instances and prints a digest of each file. What the second list names is
+#: drawn in all formats: writers read scenes alone, so a scene that is the same in SVG and TikZ is
+#: the same in all; the rest is drawn in these two. What the third list names is tried in the other
+#: formats as well, in few pixels: every warning is an error.
+SCRIPT = """
+import hashlib, io, sys
+from arrangement import InputError
+from arrangement.drawing.figure import figure
+from arrangement.drawing.output import PICTURES, own_settings, picture_bytes
+from arrangement.drawing.tikz.tikz import tikz
+from tests.drawn import OF_PLANES, VIEWS, scene
+
+def draw(name, drawings, view):
+    with own_settings():
+        try:
+            made = scene(drawings, view, name)
+        except InputError:
+            return
+        contents = {".tex": tikz(made).encode()}
+        for end in ("pdf", "png") if drawings is OF_PLANES and name in tried else ():
+            figure(made).savefig(io.BytesIO(), format=end, dpi=40)
+    ends = PICTURES if name in whole else (".svg",)
+    contents |= {end: picture_bytes(end, lambda: figure(made)) for end in ends}
+    for end, content in contents.items():
+        print(name, view, end, hashlib.sha256(content).hexdigest())
+
+names, whole, tried = (set(given.split(",")) for given in sys.argv[1:])
+for drawings, view in VIEWS:
+    for name in names:
+        draw(name, drawings, view)
+"""
+WHOLE = ["braid-a3", "shi-a2-affine", "paper-three-contacts-preload-1"]
+
+
+def digests(names: Sequence[str], tried: Sequence[str], seed: str) -> list[str]:
+    """Return a line for each picture that there is, drawn with a seed of hashes."""
+    lists = (names, WHOLE, tried)
+    done = subprocess.run(
+        [sys.executable, "-W", "error", "-c", SCRIPT, *map(",".join, lists)],
+        env={**os.environ, "PYTHONHASHSEED": seed},
+        cwd=ROOT,
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+    assert done.returncode == 0, done.stderr
+    assert done.stderr == ""
+    return sorted(done.stdout.splitlines())
+
+
+@pytest.mark.campaign
+@pytest.mark.parametrize("part", range(4))
+def test_all_pictures_of_all_instances_repeat(part: int) -> None:
+    names = PLANAR[part::4]
+    one, other = digests(names, ARRANGEMENTS, "3"), digests(names, [], "4")
+    assert {line.split()[0] for line in one} == set(names)
+    assert one == other
