@@ -100,17 +100,6 @@ def test_exit_code_one_when_a_verdict_is_not_the_expected_one(
     assert "not as expected: step-1-square-bound" in capsys.readouterr().out
 
 
-@pytest.mark.parametrize("command", ["run", "show"])
-def test_an_unknown_id_is_bad_input(command: str, capsys: pytest.CaptureFixture[str]) -> None:
-    assert main([command, "table-three"]) == 2
-    captured = capsys.readouterr()
-    assert captured.out == ""
-    assert captured.err.startswith("error: no claim has the id 'table-three'")
-    assert main(["show", "x" * 5000]) == 2
-    assert len(capsys.readouterr().err) < 150
-    assert "table-three-contacts" in captured.err
-
-
 @pytest.mark.parametrize("ending", ["json", "md", "txt"])
 def test_reports_are_written(
     ending: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
