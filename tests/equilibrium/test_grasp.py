@@ -60,50 +60,6 @@ def test_normal_that_is_not_unit_names_the_remedy():
             Contact((0, 0), normal, 1)
 
 
-@pytest.mark.parametrize(
-    ("values", "name"),
-    [
-        ({"friction": "-1/1000"}, "friction"),
-        ({"preload": -1}, "preload"),
-        ({"stiffness": 0}, "stiffness"),
-        ({"stiffness": -1}, "stiffness"),
-        ({"friction": 0.5}, "friction"),
-        ({"point": (0,)}, "point"),
-        ({"normal": (1, 0, 0)}, "normal"),
-    ],
-)
-def test_value_out_of_range_is_named(values, name):
-    given_values = {"point": (0, 0), "normal": (1, 0), "friction": 1, **values}
-    with pytest.raises(InputError, match=name):
-        Contact(**given_values)
-
-
-@pytest.mark.parametrize(
-    "document",
-    [
-        {},
-        {"schema_version": 2, "contacts": []},
-        {"schema_version": True, "contacts": []},
-        {"schema_version": 1, "contacts": {}},
-        {"schema_version": 1, "contacts": [[]]},
-        {"schema_version": 1, "contacts": [], "friction": 1},
-        {"schema_version": 1, "contacts": [{"point": [0, 0], "normal": [1, 0]}]},
-        {
-            "schema_version": 1,
-            "contacts": [{"point": [0, 0], "normal": [1, 0], "friction": 1, "mu": 1}],
-        },
-        {"schema_version": 1, "contacts": [{"point": "00", "normal": [1, 0], "friction": 1}]},
-        {
-            "schema_version": 1,
-            "contacts": [{"point": {"0": 1, "1": 1}, "normal": [1, 0], "friction": 1}],
-        },
-    ],
-)
-def test_wrong_document_is_refused(document):
-    with pytest.raises(InputError):
-        read_grasp(document)
-
-
 AXES = [(1, 0), (0, 1), (-1, 0), (0, -1)]
 
 

@@ -54,6 +54,8 @@ CONVERTED = [
     ({"friction": [0.1]}, "1 values for 2 contacts"),
     ({"friction": -0.1}, "friction"),
     ({"friction": "__import__('os')"}, "not an exact number"),
+    ({"stiffness": [1, 2, 3]}, "stiffness"),
+    ({"points": [[0.0], [1.0]]}, "coordinates"),
     ({"mass": 1}, "mass"),
     ({"schema_version": 2}, "schema_version"),
 ]
@@ -213,6 +215,7 @@ CASES += [
     for words, said, text in (
         *(("solve a.json --wrench 0 0 0 --json", x, grasp(change)) for change, x in CONTACTS),
         *(("make floats a.json", x, json.dumps(FLOATS | change)) for change, x in CONVERTED),
+        ("make floats a.json --tolerance -1", "tolerance", json.dumps(FLOATS)),
         ("verify a.json", "this is an old certificate", OLD),
         *((words, "nested", DEEP) for words in ("verify a.json", "solve a.json --wrench 0 0 0")),
         *(

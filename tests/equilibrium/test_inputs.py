@@ -35,10 +35,6 @@ TRIANGLE = [(0, 0), (4, 0), (0, 3)]
 HEADER = "x,y,normal_x,normal_y,friction"
 
 
-def test_every_input_error_is_an_input_error():
-    assert issubclass(GraspError, InputError)
-
-
 class TestSnapping:
     @given(st.fractions(max_denominator=200), st.fractions(0, 1, max_denominator=50))
     @settings(max_examples=100)
@@ -80,21 +76,6 @@ class TestFloatData:
         assert found.point_errors == (abs(Fraction(1, 10) - Fraction(0.1)),)
         assert found.value_error == abs(Fraction(3, 10) - Fraction(0.3))
         assert not found.exact
-
-    @pytest.mark.parametrize(
-        ("points", "normals", "options", "word"),
-        [
-            ([[0.0, 0.0]], [], {}, "normals"),
-            ([[0.0]], [[1.0, 0.0]], {}, "coordinates"),
-            ([[0.0, 0.0]], [[0.0, 0.0]], {}, r"normals\[0\]"),
-            ([[math.nan, 0.0]], [[1.0, 0.0]], {}, "nan"),
-            ([[0.0, 0.0]], [[1.0, 0.0]], {"tolerance": -1}, "tolerance"),
-            ([[0.0, 0.0]], [[1.0, 0.0]], {"stiffness": [1, 2]}, "stiffness"),
-        ],
-    )
-    def test_bad_data_is_refused(self, points, normals, options, word):
-        with pytest.raises(InputError, match=word):
-            from_float_data(points, normals, 0.5, **options)
 
 
 FLOATS = {
