@@ -60,19 +60,16 @@ def test_normal_that_is_not_unit_names_the_remedy():
             Contact((0, 0), normal, 1)
 
 
-AXES = [(1, 0), (0, 1), (-1, 0), (0, -1)]
-
-
-@pytest.mark.parametrize("axis", AXES)
-def test_axes_are_exact(axis):
-    for direction in (axis, tuple(2.5 * x for x in axis)):
-        assert unit_normal(direction) == (axis, 0)
-
-
-@pytest.mark.parametrize("x", [-3, 3])
-@pytest.mark.parametrize("y", [-4, 4])
-def test_rational_lengths_are_exact_in_every_quadrant(x, y):
-    assert unit_normal((x, y)) == ((Fraction(x, 5), Fraction(y, 5)), 0)
+@pytest.mark.parametrize(
+    ("direction", "normal"),
+    [
+        *((axis, axis) for axis in ((1, 0), (0, 1), (-1, 0), (0, -1))),
+        ((0, 2.5), (0, 1)),
+        *(((x, y), (Fraction(x, 5), Fraction(y, 5))) for x in (-3, 3) for y in (-4, 4)),
+    ],
+)
+def test_rational_lengths_are_exact_in_every_quadrant(direction, normal):
+    assert unit_normal(direction) == (normal, 0)
 
 
 @settings(max_examples=60)
