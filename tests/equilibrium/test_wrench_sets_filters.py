@@ -10,7 +10,7 @@ from arrangement.numbers.exact import dot, primitive
 from arrangement.numbers.linear.cones import generators
 from arrangement.numbers.linear.polyhedron import from_conditions
 from arrangement.numbers.linear.rank import cross
-from arrangement.numbers.linear.separation import possibly_meeting, surely_outside
+from arrangement.numbers.linear.separation import possibly_meeting, sides, surely_outside
 from equilibrium.grasps.inputs.random import random_grasp
 from equilibrium.plane.states.contact_states import contact_states
 from equilibrium.wrench_sets import outline, space
@@ -54,6 +54,27 @@ def test_a_shape_that_is_surely_outside_is_not_within(shapes):
             if outside[i, j]:
                 assert not other.within(one)
     assert not outside.diagonal().any()
+
+
+@settings(max_examples=40, deadline=None)
+@given(st.lists(polygons.filter(lambda shape: shape.dimension == 2), min_size=1, max_size=5))
+def test_edges_that_do_not_meet_a_polygon_have_no_point_in_it(shapes):
+    edges, lines = [], []
+    for shape in shapes:
+        for row in shape.inequalities:
+            edges.append(outline._tight(row, shape))
+            lines.append((row, shape))
+    if not edges:
+        return
+    meeting = possibly_meeting(edges, shapes)
+    above, below = sides([row for row, _ in lines], shapes)
+    for i, (row, shape) in enumerate(lines):
+        for j, other in enumerate(shapes):
+            common = from_conditions([*shape.inequalities, *other.inequalities], [row], 2)
+            if common is not None:
+                assert meeting[i, j]
+                assert not above[i, j]
+                assert not below[i, j]
 
 
 @settings(max_examples=40, deadline=None)

@@ -66,34 +66,24 @@ def strictly(n: int, square: int) -> bool:
     return square > n
 
 
+HELD, NARROW = Verdict.HOLDS_UNDER_HYPOTHESIS, Hypothesis("n >= 2", lambda n: n >= 2)
+WIDE, NEVER = Hypothesis("n >= 1", lambda n: n >= 1), Hypothesis("no", lambda n: False)
+ASSUMED = Case("n", 3, None, assumption="3 is meant")
+
+
 @pytest.mark.parametrize(
     ("changes", "verdict"),
     [
         ({}, Verdict.HOLDS),
         # A search beyond the cases can refute.
-        (
-            {"judge": lambda n, square: n < 15, "search": lambda: numbers(20)},
-            Verdict.REFUTED,
-        ),
+        ({"judge": lambda n, _: n < 15, "search": lambda: numbers(20)}, Verdict.REFUTED),
         # A hypothesis saves only what it covers, and nothing if it covers no case.
         ({"judge": strictly}, Verdict.REFUTED),
-        (
-            {"judge": strictly, "hypothesis": Hypothesis("n >= 2", lambda n: n >= 2)},
-            Verdict.HOLDS_UNDER_HYPOTHESIS,
-        ),
-        (
-            {"judge": strictly, "hypothesis": Hypothesis("n >= 1", lambda n: n >= 1)},
-            Verdict.REFUTED,
-        ),
-        (
-            {"judge": lambda n, square: False, "hypothesis": Hypothesis("no", lambda n: False)},
-            Verdict.REFUTED,
-        ),
+        ({"judge": strictly, "hypothesis": NARROW}, HELD),
+        ({"judge": strictly, "hypothesis": WIDE}, Verdict.REFUTED),
+        ({"judge": lambda n, square: False, "hypothesis": NEVER}, Verdict.REFUTED),
         # A case read by an assumption gives no plain holds.
-        (
-            {"sources": on(lambda rng: [Case("n", 3, None, assumption="3 is meant")])},
-            Verdict.HOLDS_UNDER_HYPOTHESIS,
-        ),
+        ({"sources": on(lambda rng: [ASSUMED])}, HELD),
         ({"sources": on(lambda rng: [])}, None),
     ],
 )
