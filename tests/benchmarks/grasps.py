@@ -146,10 +146,10 @@ def _own_lines(m: int, seeds: Iterable[int], limit: float) -> list[Found]:
         if chosen := [one for one in listed if one["verdict"] == verdict]:
             again = [one["second"] for one in chosen if one["second"] is not None]
             print(
-                f"{m:>4} {verdict:<12} {len(chosen):>6} {_spread(chosen, 'seconds', shown):>20}"
+                f"{m:>4} {verdict:<12} {len(chosen):>6} {spread(chosen, 'seconds', shown):>20}"
                 f" {shown(statistics.median(again)) if again else '-':>13}"
-                f" {_spread(chosen, 'check', shown):>18} {_spread(chosen, 'bytes', kilobytes):>18}"
-                f" {_spread(chosen, 'leaves', str):>11}"
+                f" {spread(chosen, 'check', shown):>18} {spread(chosen, 'bytes', kilobytes):>18}"
+                f" {spread(chosen, 'leaves', str):>11}"
                 f" {statistics.median(one['digits'] for one in chosen):>6g}",
                 flush=True,
             )
@@ -158,10 +158,10 @@ def _own_lines(m: int, seeds: Iterable[int], limit: float) -> list[Found]:
     return listed
 
 
-def _spread(chosen: list[Found], key: str, form: Callable[[Any], str]) -> str:
+def spread(chosen: list[Found], key: str, form: Callable[[Any], str]) -> str:
     """Return the median (the largest)."""
     values = [one[key] for one in chosen]
-    return f"{form(statistics.median_low(values))} ({form(max(values))})"
+    return f"{form(statistics.median_low(values))} ({form(max(values))})" if values else "-"
 
 
 def growth(found: dict[int, list[Found]]) -> None:

@@ -46,18 +46,28 @@ def peer(job: str, planes: int, timeout: float = 900) -> Measured:
 
 
 def _run_job(python: Path, job: str, planes: int, timeout: float) -> Measured:
-    command = [str(python), str(HERE / "job.py"), job, str(planes)]
+    done = _run([str(python), str(HERE / "job.py"), job, str(planes)], timeout)
+    return done if isinstance(done, Measured) else Measured(**json.loads(done.splitlines()[-1]))
+
+
+def _run(command: list[str], timeout: float, text: str | None = None) -> str | Measured:
+    """Return what a program prints, or why it is absent."""
     try:
         done = subprocess.run(
-            command, capture_output=True, text=True, timeout=timeout, cwd=ROOT, check=False
+            command,
+            input=text,
+            capture_output=True,
+            text=True,
+            timeout=timeout,
+            cwd=ROOT,
+            check=False,
         )
     except subprocess.TimeoutExpired:
         return Measured(absent=f"not finished in {timeout:.0f} s")
     if done.returncode:
-        reason = (done.stderr.strip().splitlines() or ["no message"])[-1]
+        reason = (done.stderr.strip().splitlines() or [f"code {done.returncode}"])[-1]
         return Measured(absent=f"does not run here: {reason[:90]}")
-    found = json.loads(done.stdout.splitlines()[-1])
-    return Measured(**found)
+    return done.stdout
 
 
 def install_peers() -> str:
@@ -95,20 +105,10 @@ def cgal(mode: str, rows: Sequence[Sequence[int]], timeout: float = 900) -> Meas
     if absent:
         return Measured(absent=absent)
     text = "\n".join([str(len(rows)), *(" ".join(map(str, row)) for row in rows)])
-    try:
-        done = subprocess.run(
-            [str(BUILD / "cgal_arrangement"), mode],
-            input=text,
-            capture_output=True,
-            text=True,
-            timeout=timeout,
-            check=False,
-        )
-    except subprocess.TimeoutExpired:
-        return Measured(absent=f"not finished in {timeout:.0f} s")
-    if done.returncode:
-        return Measured(absent=f"stopped with code {done.returncode}")
-    seconds, peak, _, _, faces = done.stdout.split()
+    done = _run([str(BUILD / "cgal_arrangement"), mode], timeout, text)
+    if isinstance(done, Measured):
+        return done
+    seconds, peak, _, _, faces = done.split()
     return Measured(float(seconds), float(seconds), float(peak), int(faces))
 
 
@@ -128,12 +128,8 @@ def polymake(rows: Sequence[Sequence[int]], timeout: float = 900) -> Measured:
         'print((times)[0] + (times)[1] - $start, " ", $count, "\\n");\n',
         encoding="utf-8",
     )
-    command = [program, "--script", str(script)]
-    try:
-        done = subprocess.run(command, capture_output=True, text=True, timeout=timeout, check=False)
-    except subprocess.TimeoutExpired:
-        return Measured(absent=f"not finished in {timeout:.0f} s")
-    if done.returncode:
-        return Measured(absent=f"stopped with code {done.returncode}")
-    seconds, count = done.stdout.split()[-2:]
+    done = _run([program, "--script", str(script)], timeout)
+    if isinstance(done, Measured):
+        return done
+    seconds, count = done.split()[-2:]
     return Measured(float(seconds), float(seconds), count=int(count))

@@ -19,7 +19,7 @@ import math
 import sys
 from collections.abc import Iterable
 
-from grasps import LIMIT, grasp_tables
+from grasps import LIMIT, grasp_tables, shown
 from job import COUNTED, FIELD_QUESTIONS, random_normals
 from peers import Measured, cgal, install_peers, ours, peer, polymake
 from pictures import picture_table
@@ -223,11 +223,6 @@ def line(what: str, planes: int, measured: Measured, reference: Measured | None 
     if reference is not None and not reference.absent:
         text += f"  {measured.seconds / reference.seconds:>9.1f} times ours"
     print(f"{text}  [{measured.count}]", flush=True)
-
-
-def shown(value: float) -> str:
-    """Return a time with three digits."""
-    return f"{1000 * value:.3g} ms" if value < 1 else f"{value:.3g} s"
 
 
 def megabytes(measured: Measured) -> str:

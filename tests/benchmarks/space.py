@@ -11,10 +11,9 @@ accepted. The instances and the peers are those of `spacejob.py`.
 from __future__ import annotations
 
 import statistics
-from collections.abc import Callable, Iterable, Sequence
-from typing import Any
+from collections.abc import Iterable, Sequence
 
-from grasps import VERDICTS, Found, kilobytes, run, shown
+from grasps import VERDICTS, Found, kilobytes, run, shown, spread
 from spacejob import EDGES, FINE, NEAR, PEER_SECONDS
 
 from tests.equilibrium.exotic import KINDS
@@ -66,8 +65,8 @@ def _own_lines(m: int | str, seeds: Iterable[int]) -> list[Found]:
         chosen = [one for one in listed if verdict in ("all", one["verdict"])]
         if chosen:
             proved = [one for one in chosen if "check" in one]
-            cells = [_spread(chosen, "seconds", shown), _spread(proved, "check", shown)]
-            cells += [_spread(proved, "bytes", kilobytes), _spread(proved, "leaves", str)]
+            cells = [spread(chosen, "seconds", shown), spread(proved, "check", shown)]
+            cells += [spread(proved, "bytes", kilobytes), spread(proved, "leaves", str)]
             print(
                 f"{m:>4} {verdict:<14} {len(chosen):>6} {cells[0]:>20} {cells[1]:>18}"
                 f" {cells[2]:>20} {cells[3]:>12}",
@@ -79,11 +78,6 @@ def _own_lines(m: int | str, seeds: Iterable[int]) -> list[Found]:
     if bad := [one["seed"] for one in listed if not one.get("valid", True)]:
         print(f"  REFUSED: the proofs of seeds {bad}")
     return listed
-
-
-def _spread(chosen: list[Found], key: str, form: Callable[[Any], str]) -> str:
-    values = [one[key] for one in chosen]
-    return f"{form(statistics.median_low(values))} ({form(max(values))})" if values else "-"
 
 
 def _against(name: str, mine: list[Found], other: list[Found]) -> None:

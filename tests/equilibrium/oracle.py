@@ -3,8 +3,8 @@
 It shares no code with `equilibrium` and knows nothing of arrangements: no state is ruled out
 beforehand. With the states fixed, the unknowns are the motion and one tangential force for each
 sticking contact; the equalities are solved by elimination on integers, and where they leave
-freedom, the inequalities on what is left go to a small simplex method. Either answer of it is
-verified by substitution: a point, or multipliers that combine the inequalities to ``0 >= 1``.
+freedom, the inequalities on what is left go to an exact linear program. Either answer of it is
+verified by substitution: a point, or multipliers that combine the inequalities to ``0 > 0``.
 """
 
 from __future__ import annotations
@@ -301,48 +301,15 @@ def _eliminated(matrix: list[Row]) -> tuple[list[Row], list[int]]:
 
 
 def _feasible(least: list[list[Fraction]], k: int) -> Vector | None:
-    """Return t with ``a . t + b >= 0`` for all rows (a, b), or None; verified either way.
-
-    Phase one of the simplex method (Bland's rule) looks for y >= 0 with ``sum y a = 0`` and
-    ``sum y b = -1``. If there is none, the prices of the rows give a point.
-    """
-    columns = [[*row[:k], -row[k]] for row in least]
-    size, width = k + 1, len(least)
-    table = [
-        [*(c[i] for c in columns), *(Fraction(i == j) for j in range(size)), Fraction(i == k)]
-        for i in range(size)
-    ]
-    basis = [width + i for i in range(size)]
-    costs = [-sum((row[j] for row in table), Fraction(0)) for j in range(width)]
-    costs += [Fraction(0)] * size + [-sum((row[-1] for row in table), Fraction(0))]
-    while True:
-        enters = next((j for j in range(width + size) if costs[j] < 0), None)
-        if enters is None:
-            break
-        ratios = [
-            (row[-1] / row[enters], basis[i], i) for i, row in enumerate(table) if row[enters] > 0
-        ]
-        leaves = min(ratios)[2]  # phase one is bounded, so there is a ratio
-        pivot = table[leaves][enters]
-        table[leaves] = [x / pivot for x in table[leaves]]
-        for i, row in enumerate(table):
-            if i != leaves and row[enters]:
-                factor = row[enters]
-                table[i] = [a - factor * b for a, b in zip(row, table[leaves], strict=True)]
-        factor = costs[enters]
-        costs = [a - factor * b for a, b in zip(costs, table[leaves], strict=True)]
-        basis[leaves] = enters
-    if costs[-1] == 0:
-        weights = [Fraction(0)] * width
-        for i, j in enumerate(basis):
-            if j < width:
-                weights[j] = table[i][-1]
-        assert all(y >= 0 for y in weights)
-        sums = [sum(y * row[j] for y, row in zip(weights, least, strict=True)) for j in range(k)]
+    """Return t with ``a . t + b >= 0`` for all rows (a, b), or None; verified either way."""
+    found = programs.feasible_point(k, least)
+    if isinstance(found, programs.Infeasible):
+        weights = found.inequality_multipliers
+        assert min(weights) >= 0
+        columns = zip(*least, strict=True)
+        *sums, last = (sum(map(operator.mul, weights, column)) for column in columns)
         assert not any(sums)
-        assert sum(y * row[k] for y, row in zip(weights, least, strict=True)) == -1
+        assert last < 0
         return None
-    prices = [1 - c for c in costs[width : width + size]]
-    point = tuple(-p / prices[k] for p in prices[:k])
-    assert all(_at(row, point) >= 0 for row in least)
-    return point
+    assert all(_at(row, found) >= 0 for row in least)
+    return found

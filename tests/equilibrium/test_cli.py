@@ -24,22 +24,16 @@ def call(capsys, *arguments):
     return code, captured.out, captured.err
 
 
-def test_stable_verdict_in_json(capsys):
+def test_verdicts_in_json(capsys):
     code, out, err = call(capsys, "solve", THREE, "--wrench", "0", "-1/2", "0", "--json")
-    assert (code, err) == (0, "")
-    document = json.loads(out)
-    assert document["stable"] is True
-    (piece,) = document["equilibria"]
+    (piece,) = json.loads(out)["equilibria"]
+    assert (code, err, json.loads(out)["stable"]) == (0, "", True)
     assert piece["motion"] == ["0", "-1/2", "0"]
     assert piece["forces"] == [["0", "0"], ["1/2", "0"], ["0", "0"]]
     assert len(piece["states"]) == 3
-
-
-def test_unstable_verdict_in_json(capsys):
     code, out, err = call(capsys, "solve", THREE, "--wrench", "0", "1", "0", "--json")
-    assert (code, err) == (1, "")
     document = json.loads(out)
-    assert (document["stable"], document["equilibria"]) == (False, [])
+    assert (code, err, document["stable"], document["equilibria"]) == (1, "", False, [])
 
 
 def test_of_many_contacts_all_equilibria_are_listed_only_when_asked_for(capsys, tmp_path: Path):
@@ -123,15 +117,6 @@ def test_a_changed_certificate_says_what_fails(capsys, tmp_path: Path):
     assert "must be above 0" in json.loads(out)["problem"]
 
 
-def test_an_old_certificate_is_named(capsys, tmp_path: Path):
-    path = tmp_path / "certificate.json"
-    path.write_text('{"schema_version": 1, "certificate": "unstable", "regions": ""}')
-    code, _, err = call(capsys, "verify", str(path))
-    assert code == 2
-    assert "this is an old certificate" in err
-    assert "make a new one" in err
-
-
 def test_a_wrench_is_three_words_or_one_or_a_force_at_a_point(capsys):
     def wrench(*words: str) -> list[str]:
         code, out, _ = call(capsys, "solve", THREE, *words, "--json")
@@ -157,70 +142,6 @@ def test_contacts_at_the_edge_of_their_cones_are_not_called_slipping(capsys):
     assert "not slipping" not in out
 
 
-@pytest.mark.parametrize(
-    "arguments",
-    [
-        ("solve", THREE),
-        ("solve", THREE, "--wrench", "0", "1", "0", "--force", "0", "1"),
-        ("solve", THREE, "--wrench", "0", "1", "0", "--at", "0", "1"),
-        ("solve", THREE, "--at", "0", "1"),
-        ("solve", THREE, "--wrench", "0", "1"),
-        ("solve", THREE, "--wrench", "0", "1", "1e99999"),
-        ("solve", THREE, "--wrench", "0", "1", "nan"),
-        ("solve", "no-such-grasp", "--wrench", "0", "1", "0"),
-        ("solve", THREE, "--wrench", "0", "1", "0", "--literal", "everything"),
-        ("solve", THREE, "--preload", "-1", "--wrench", "0", "1", "0"),
-        ("solve", THREE, "--wrench", "0", "1", "0", "--literal", "signs", "--certificate", "x"),
-        ("solve", THREE, "--wrench", "0", "1", "0", "--certificate", "/no/such/folder/x.json"),
-        ("verify", "no-such-file.json"),
-        ("verify", THREE),
-        (),
-    ],
-)
-def test_bad_input_exits_with_two(capsys, arguments):
-    try:
-        code, out, err = call(capsys, *arguments)
-    except SystemExit as stop:
-        captured = capsys.readouterr()
-        code, out, err = stop.code, captured.out, captured.err
-    assert (code, out) == (2, "")
-    assert "error:" in err
-    assert "Traceback" not in err
-
-
-CONTACT = {"point": ["0", "0"], "normal": ["1", "0"], "friction": "1"}
-HOSTILE = {
-    "code": {**CONTACT, "friction": "__import__('os').system('true')"},
-    "huge": {**CONTACT, "friction": "1e999999999"},
-    "float": {**CONTACT, "friction": 0.5},
-    "nan": {**CONTACT, "friction": float("nan")},
-    "null": {**CONTACT, "friction": None},
-    "bool": {**CONTACT, "friction": True},
-    "unknown": {**CONTACT, "mass": "1"},
-    "range": {**CONTACT, "stiffness": "0"},
-    "normal": {**CONTACT, "normal": ["1", "1"]},
-    "long": {**CONTACT, "friction": "1" * 100_001},
-}
-
-
-@pytest.mark.parametrize("name", HOSTILE)
-def test_hostile_grasp_exits_with_two(capsys, tmp_path: Path, name):
-    path = tmp_path / "grasp.json"
-    path.write_text(json.dumps({"schema_version": 1, "contacts": [HOSTILE[name]]}))
-    code, out, err = call(capsys, "solve", str(path), "--wrench", "0", "0", "0", "--json")
-    assert (code, out) == (2, "")
-    assert err.startswith("error: ")
-
-
-def test_deep_nesting_exits_with_two(capsys, tmp_path: Path):
-    path = tmp_path / "deep.json"
-    path.write_text('{"schema_version": 1, "certificate": ' + "[" * 10**6 + "]" * 10**6 + "}")
-    for command in (("verify", str(path)), ("solve", str(path), "--wrench", "0", "0", "0")):
-        code, out, err = call(capsys, *command)
-        assert (code, out) == (2, "")
-        assert err.startswith("error: ")
-
-
 def test_grasp_counts_as_its_tangential_planes(capsys):
     assert arrangement_main(["count", "paper-four-contacts", "--json"]) == 0
     document = json.loads(capsys.readouterr().out)
@@ -244,14 +165,6 @@ def test_long_numbers_are_rounded_unless_they_are_wanted_exactly(capsys) -> None
     document = json.loads(call(capsys, *asked, "--digits", "3", "--json")[1])
     assert document["equilibria"][0]["motion"] == [str(x), str(y), str(r)]
     assert call(capsys, *asked)[1] == call(capsys, *asked, "--digits", "6")[1]
-
-
-@pytest.mark.parametrize("digits", ["0", "-1", "1001", "1" * 5000, "six", "²"])
-def test_digits_are_a_small_whole_number(capsys, digits: str) -> None:
-    with pytest.raises(SystemExit) as error:
-        main(["solve", THREE, "--wrench", "0", "1", "0", "--digits", digits])
-    assert error.value.code == 2
-    assert "1 to 1000" in capsys.readouterr().err
 
 
 def test_the_least_friction_is_told_by_its_certain_digits_and_its_bounds(capsys) -> None:

@@ -3,7 +3,6 @@
 import io
 import json
 import math
-import re
 from fractions import Fraction
 
 import pytest
@@ -36,10 +35,6 @@ TRIANGLE = [(0, 0), (4, 0), (0, 3)]
 HEADER = "x,y,normal_x,normal_y,friction"
 
 
-def test_every_input_error_is_an_input_error():
-    assert issubclass(GraspError, InputError)
-
-
 class TestSnapping:
     @given(st.fractions(max_denominator=200), st.fractions(0, 1, max_denominator=50))
     @settings(max_examples=100)
@@ -54,14 +49,6 @@ class TestSnapping:
         found, error = snapped(x, Fraction(1, 1000))
         assert found - error == Fraction(x)
         assert abs(error) <= Fraction(1, 1000)
-
-    def test_decimal_texts_come_back(self):
-        assert [snapped(x)[0] for x in (0.1, 0.25, -1.5, 1 / 3)] == [
-            Fraction(1, 10),
-            Fraction(1, 4),
-            Fraction(-3, 2),
-            Fraction(1, 3),
-        ]
 
     def test_tolerance_zero_keeps_the_binary_value(self):
         assert snapped(0.1, 0) == (Fraction(0.1), 0)
@@ -81,21 +68,6 @@ class TestFloatData:
         assert found.point_errors == (abs(Fraction(1, 10) - Fraction(0.1)),)
         assert found.value_error == abs(Fraction(3, 10) - Fraction(0.3))
         assert not found.exact
-
-    @pytest.mark.parametrize(
-        ("points", "normals", "options", "word"),
-        [
-            ([[0.0, 0.0]], [], {}, "normals"),
-            ([[0.0]], [[1.0, 0.0]], {}, "coordinates"),
-            ([[0.0, 0.0]], [[0.0, 0.0]], {}, r"normals\[0\]"),
-            ([[math.nan, 0.0]], [[1.0, 0.0]], {}, "nan"),
-            ([[0.0, 0.0]], [[1.0, 0.0]], {"tolerance": -1}, "tolerance"),
-            ([[0.0, 0.0]], [[1.0, 0.0]], {"stiffness": [1, 2]}, "stiffness"),
-        ],
-    )
-    def test_bad_data_is_refused(self, points, normals, options, word):
-        with pytest.raises(InputError, match=word):
-            from_float_data(points, normals, 0.5, **options)
 
 
 FLOATS = {
@@ -138,63 +110,6 @@ class TestFloatFiles:
         )
         assert (code, json.loads(out), err) == (0, found.to_dict(), "")
         assert found.point_errors[1] == Fraction(1e-3)
-
-    def test_a_document_of_rationals_is_still_no_place_for_floats(self, tmp_path, capsys):
-        path = tmp_path / "grasp.json"
-        contact = {"point": [0, 0], "normal": [1, 0], "friction": 0.5}
-        path.write_text(json.dumps({"schema_version": 1, "contacts": [contact]}))
-        assert main(["solve", str(path), "--wrench", "0", "0", "0"]) == 2
-        assert "0.5 is a float" in capsys.readouterr().err.replace("'", "").replace('"', "")
-
-    @pytest.mark.parametrize(
-        ("change", "word"),
-        [
-            ({"points": [[0, 0]]}, "2 normals for 1 points"),
-            ({"points": [[0, 0, 0], [1, 1, 1]]}, "three, in space"),
-            ({"points": [[[0], 0], [1, 1]]}, "expected a number"),
-            ({"points": [[float("nan"), 0], [1, 1]]}, "NaN"),
-            ({"normals": [[0, 0], [1, 1]]}, r"normals\[0\]"),
-            ({"friction": None}, "expected a number"),
-            ({"friction": True}, "expected a number"),
-            ({"friction": [[0.1], 1]}, "expected a number"),
-            ({"friction": {"0.1": 1}}, "expected a number"),
-            ({"friction": [0.1]}, "1 values for 2 contacts"),
-            ({"friction": -0.1}, "friction"),
-            ({"friction": "__import__('os')"}, "not an exact number"),
-            ({"mass": 1}, "mass"),
-            ({"schema_version": 2}, "schema_version"),
-        ],
-    )
-    def test_bad_documents_exit_with_two_and_one_line(self, tmp_path, capsys, change, word):
-        path = tmp_path / "data.json"
-        path.write_text(json.dumps({**FLOATS, **change}))
-        code, out, err = self.call(capsys, path)
-        assert (code, out, err.count("\n")) == (2, "", 1)
-        assert re.search(word, err)
-
-    @pytest.mark.parametrize(
-        ("text", "word"),
-        [
-            (f"{HEADER}\n0,0,1,0,nan\n", "line 2: .*nan"),
-            (f"{HEADER}\n0,0,1,0,inf\n", "line 2: .*inf"),
-            (f"{HEADER}\n0,0,1,0,1e999\n", "line 2: .*finite"),
-            (f"{HEADER}\n0,0,1,0,1_0\n", "line 2: .*1_0"),
-            (f"{HEADER}\n0,0,1,0,1\n0,0,0,0,1\n", "line 3: .*direction"),
-            (f"{HEADER}\n0,0,1,0,-1\n", "line 2: friction"),
-            ("x,y\n", "missing"),
-        ],
-    )
-    def test_bad_tables_exit_with_two_and_the_line(self, tmp_path, capsys, text, word):
-        path = tmp_path / "data.csv"
-        path.write_text(text)
-        code, out, err = self.call(capsys, path)
-        assert (code, out, err.count("\n")) == (2, "", 1)
-        assert re.search(word, err)
-
-    def test_files_that_cannot_be_read_exit_with_two(self, tmp_path, capsys):
-        for name in ("none.csv", "none.json"):
-            code, out, err = self.call(capsys, tmp_path / name)
-            assert (code, out, err.count("\n")) == (2, "", 1)
 
 
 class TestPolygon:
@@ -376,41 +291,6 @@ class TestCsv:
         found = parse_csv(f"{HEADER}\n0,0,1,1,1\n")
         assert 0 < abs(found.angle_errors[0]) <= Fraction(1, 10**6)
 
-    @pytest.mark.parametrize(
-        ("text", "word"),
-        [
-            ("", "first line"),
-            ("x,y,normal_x,normal_y\n", "friction is missing"),
-            (f"{HEADER},colour\n", "colour"),
-            (f"{HEADER},x\n", "twice"),
-            (f"{HEADER},z\n", "in space; normal_z is missing"),
-            (f"{HEADER},nz\n", "in space; z is missing"),
-            (f"{HEADER}\n0,0,1,0\n", "line 2 has 4 entries"),
-            (f"{HEADER}\n0,0,1,0,1e99999\n", "line 2: .*1e99999"),
-            (f"# remark\n\n{HEADER}\n0,0,1,0\n", "line 4 has 4 entries"),
-            ("x,y,nx,ny,mu,friction\n", "friction appears twice"),
-            (f"{HEADER}\n0,0,1,0,nan\n", "line 2: .*nan"),
-            (f"{HEADER}\n0,0,1,0,-1\n", "line 2: friction"),
-            (f"{HEADER}\n0,0,0,0,1\n", "line 2: direction"),
-            (f'{HEADER}\n0,0,1,0,"1\n', "line"),
-            (f"{HEADER}\n0,0,1,0,__import__('os')\n", "not an exact number"),
-            (f"{HEADER},stiffness\n0,0,1,0,1,0\n", "stiffness"),
-        ],
-    )
-    def test_bad_tables_are_refused_with_the_line(self, text, word):
-        with pytest.raises(InputError, match=word):
-            parse_csv(text)
-
-    def test_bad_files_are_refused(self, tmp_path):
-        with pytest.raises(InputError, match="cannot read"):
-            read_csv(tmp_path / "none.csv")
-        (tmp_path / "latin.csv").write_bytes(b"x,y\xff")
-        with pytest.raises(InputError, match="UTF-8"):
-            read_csv(tmp_path / "latin.csv")
-        (tmp_path / "large.csv").write_bytes(b"0" * (4 * 2**20 + 1))
-        with pytest.raises(InputError, match="longer"):
-            read_csv(tmp_path / "large.csv")
-
 
 class TestOutlines:
     def test_polygons_and_circles_are_the_outlines(self):
@@ -446,8 +326,9 @@ class TestOutlines:
         assert main(["make", "csv", str(path), "--outline", *corners]) == 0
         found = json.loads(capsys.readouterr().out)
         assert found["outline"] == [["-1", "-1"], ["1", "-1"], ["0", "3/2"]]
-        assert main(["make", "csv", str(path), "--outline", "0,0", "1,1"]) == 2
-        capsys.readouterr()
+        assert main(["make", "circle", "--angles", "0", "100", "--friction", "1", "--json"]) == 0
+        first, second = json.loads(capsys.readouterr().out)["angle_errors"]
+        assert first == "0" != second
         assert main(["make", "random", "--contacts", "4", "--seed", "3"]) == 0
         outline = json.loads(capsys.readouterr().out)["outline"]
         assert outline == star_outline(random_grasp(4, 3)).to_dict()
@@ -464,17 +345,6 @@ def test_tables_are_their_tangential_planes_for_arrangements(capsys, monkeypatch
     monkeypatch.setattr("sys.stdin", io.TextIOWrapper(io.BytesIO(three.encode())))
     assert arrangement_main(["count", "-", "--json"]) == 0
     assert json.loads(capsys.readouterr().out)["planes"] == 3
-
-
-@pytest.mark.parametrize("command", ["margin", "compare"])
-def test_numbers_too_long_to_end_are_refused(command, capsys, tmp_path):
-    grasp = read_grasp("paper-three-contacts").to_dict()
-    grasp["contacts"][0]["point"][1] = "1/" + "7" * 1001
-    path = tmp_path / "long.json"
-    path.write_text(json.dumps(grasp), encoding="utf-8")
-    assert main([command, str(path), "--weight", "1"]) == 2
-    error = capsys.readouterr().err
-    assert f"1001 digits; {command} takes at most 1000" in error
 
 
 def test_commands_take_tables_and_round_normals_on_demand(capsys, tmp_path):

@@ -17,17 +17,55 @@ from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import Grasp
 
 HALF = Fraction(1, 2)
-PLANE = [(0, 1, 0), (1, 1, 0), (-3, 7, 0), (0, -5, 0)]
+THREE, FOUR = read_grasp("paper-three-contacts"), read_grasp("paper-four-contacts")
+LOADED = THREE.with_preload(1)
+#: On the edge of the cones, as the paper says.
+REST = {"rest_friction": (-HALF, 0, HALF)}
 
 
-@pytest.fixture
-def three():
-    return read_grasp("paper-three-contacts")
+def wrench_space(grasp, wrench):
+    return GraspWrenchSpace(grasp).verdict(wrench)
 
 
-@pytest.fixture
-def four():
-    return read_grasp("paper-four-contacts")
+@pytest.mark.parametrize(
+    ("method", "grasp", "wrenches", "options", "accepts"),
+    [
+        # Section VI: contact forces exist for all forces in the plane, preload or not.
+        (wrench_space, THREE, [(0, 1, 0), (1, 1, 0), (-3, 7, 0), (0, -5, 0)], {}, True),
+        (wrench_space, Grasp(), [(0, 0, 0)], {}, True),
+        (wrench_space, Grasp(), [(0, 0, 1)], {}, False),
+        # Section III: the pushed object drags the side contacts out of their cones.
+        *(
+            (linear_compliance, THREE, [(0, -1, 0)], {"tangential_stiffness": k}, False)
+            for k in ("1/1000", 1, 1000)
+        ),
+        # Section VI: better than linear compliance, and still too conservative.
+        (
+            frictionless_slip,
+            THREE,
+            [(0, -1, 0), (0, -100, 0), (3, -1, 0), (-7, 0, 0)],
+            {},
+            True,
+        ),
+        # The refusal of the preloaded grasp needs that a pressed contact is not detached.
+        (frictionless_slip, LOADED, [(0, 1, 0)], {**REST, "gap": False}, True),
+        # Without friction at rest soft tangential springs hold.
+        (frictionless_slip, LOADED, [(0, 1, 0)], {}, False),
+        (frictionless_slip, LOADED, [(0, 1, 0)], {"tangential_stiffness": HALF}, True),
+        # Section III: without dissipation an arbitrary wrench is resisted, with friction above 1.
+        *(
+            (cones, FOUR.with_friction(mu), [(0, 2, 0), (0, -200, 0), (5, 3, -1)], {}, True)
+            for mu in (2, "101/100")
+        ),
+        # Springs that cannot let go refuse all loads.
+        (cones, FOUR.with_friction(2), [(0, 2, 0)], {"printed": True}, False),
+        (cones, FOUR, [(0, 0, 3)], {}, True),
+        (cones, FOUR, [(0, 0, 3)], {"printed": True}, False),
+    ],
+)
+def test_known_verdicts(method, grasp, wrenches, options, accepts):
+    for wrench in wrenches:
+        assert method(grasp, wrench, **options).accepts is accepts
 
 
 def square(friction=0):
@@ -38,27 +76,21 @@ def square(friction=0):
 
 
 class TestGraspWrenchSpace:
-    """Section VI: contact forces exist for all forces in the plane, preload or not."""
+    def test_preload_and_stiffness_change_nothing(self):
+        assert GraspWrenchSpace(THREE.with_preload(1)).polytope == GraspWrenchSpace(THREE).polytope
 
-    @pytest.mark.parametrize("wrench", PLANE)
-    def test_resists_arbitrary_forces_without_preload(self, three, wrench):
-        assert GraspWrenchSpace(three).verdict(wrench).accepts
-
-    def test_preload_and_stiffness_change_nothing(self, three):
-        assert GraspWrenchSpace(three.with_preload(1)).polytope == GraspWrenchSpace(three).polytope
-
-    def test_slice_of_the_figure(self, three):
+    def test_slice_of_the_figure(self):
         # Upwards the side contacts give 1/2 with total normal force 1; downwards contact 2 gives 1.
-        corners = GraspWrenchSpace(three).slice()
+        corners = GraspWrenchSpace(THREE).slice()
         assert max(v for _, v in corners) == HALF
         assert min(v for _, v in corners) == -1
         assert {u for u, v in corners if v == 0} == {-1, 1}
 
-    def test_least_force_up_is_two_and_down_is_one(self, three):
-        space = GraspWrenchSpace(three)
+    def test_least_force_up_is_two_and_down_is_one(self):
+        space = GraspWrenchSpace(THREE)
         assert space.verdict((0, 1, 0)).least_force == 2
         assert space.verdict((0, -1, 0)).least_force == 1
-        assert GraspWrenchSpace(three, "Linf").verdict((0, 1, 0)).least_force == 1
+        assert GraspWrenchSpace(THREE, "Linf").verdict((0, 1, 0)).least_force == 1
 
     def test_volume_of_a_double_pyramid(self):
         # Cone edges of contacts at (+-1, 0), friction 1: (1, 1, -1), (1, -1, 1) and (-1, -1, -1),
@@ -76,128 +108,63 @@ class TestGraspWrenchSpace:
         assert space.polytope.dimension == 1
         assert space.slice() == ((-1, 0), (1, 0))
 
-    def test_no_contacts(self):
-        space = GraspWrenchSpace(Grasp())
-        assert space.verdict((0, 0, 0)).accepts
-        assert not space.verdict((0, 0, 1)).accepts
-
     @pytest.mark.parametrize("options", [{"norm": "L2"}, {"length": 0}, {"length": 0.5}])
-    def test_bad_options_are_refused(self, three, options):
+    def test_bad_options_are_refused(self, options):
         with pytest.raises(ValueError, match=r"norm|length"):
-            GraspWrenchSpace(three, **options)
+            GraspWrenchSpace(THREE, **options)
 
-    def test_a_slice_needs_a_plane(self, three):
+    def test_a_slice_needs_a_plane(self):
         with pytest.raises(GraspError, match="parallel"):
-            GraspWrenchSpace(three).slice(first=(1, 0, 0), second=(2, 0, 0))
+            GraspWrenchSpace(THREE).slice(first=(1, 0, 0), second=(2, 0, 0))
 
 
-class TestFormClosure:
-    def test_the_papers_grasps_have_none(self, three, four):
-        for grasp in (three, four):
-            assert form_closure(grasp).accepts is None
-            assert form_closure(grasp, friction=True).accepts
-
-    def test_eight_fingers_round_a_square(self):
-        assert form_closure(square()).accepts
-
-    def test_three_contacts_never_suffice_in_the_plane(self, three):
-        # Markenscoff, Ni, Papadimitriou 1990: four are needed.
-        assert form_closure(Grasp(square().contacts[:3])).accepts is None
+def test_form_closure():
+    for grasp in (THREE, FOUR):
+        assert form_closure(grasp).accepts is None
+        assert form_closure(grasp, friction=True).accepts
+    assert form_closure(square()).accepts
+    # Markenscoff, Ni, Papadimitriou 1990: four are needed.
+    assert form_closure(Grasp(square().contacts[:3])).accepts is None
 
 
-class TestLinearCompliance:
-    """Section III: the pushed object drags the side contacts out of their cones."""
-
-    def test_wrongly_refuses_a_push_onto_a_contact(self, three):
-        verdict = linear_compliance(three, (0, -1, 0))
-        assert not verdict.accepts
-        assert verdict.outside == (0, 2)
-        # Springs of stiffness 1 in parallel, two tangential and one normal: a third each.
-        assert verdict.motion == (0, Fraction(-1, 3), 0)
-
-    def test_refuses_whatever_the_tangential_stiffness(self, three):
-        for factor in ("1/1000", 1, 1000):
-            assert not linear_compliance(three, (0, -1, 0), tangential_stiffness=factor).accepts
-
-    def test_preloaded_grasp_at_rest(self, three):
-        loaded = three.with_preload(1)
-        verdict = linear_compliance(loaded, (0, 0, 0), rest_friction=balancing_friction(loaded))
-        assert verdict.motion == (0, 0, 0)
-        assert verdict.forces == ((1, -HALF), (1, 0), (1, HALF))
-
-    def test_one_contact_cannot_balance_a_torque(self):
-        verdict = linear_compliance(Grasp([Contact((0, 0), (0, 1), 1)]), (0, 0, 1))
-        assert (verdict.accepts, verdict.motion) == (False, None)
+def test_linear_compliance_tells_motion_and_what_leaves_its_cone():
+    verdict = linear_compliance(THREE, (0, -1, 0))
+    # Springs of stiffness 1 in parallel, two tangential and one normal: a third each.
+    assert (verdict.outside, verdict.motion) == ((0, 2), (0, Fraction(-1, 3), 0))
+    assert balancing_friction(LOADED) == REST["rest_friction"]
+    verdict = linear_compliance(LOADED, (0, 0, 0), **REST)
+    assert verdict.motion == (0, 0, 0)
+    assert verdict.forces == ((1, -HALF), (1, 0), (1, HALF))
+    # One contact cannot balance a torque.
+    verdict = linear_compliance(Grasp([Contact((0, 0), (0, 1), 1)]), (0, 0, 1))
+    assert (verdict.accepts, verdict.motion) == (False, None)
 
 
-class TestFrictionlessSlip:
-    """Section VI: better than linear compliance, and still too conservative."""
-
-    @pytest.mark.parametrize("wrench", [(0, -1, 0), (0, -100, 0), (3, -1, 0), (-7, 0, 0)])
-    def test_accepts_forces_that_do_not_pull_out(self, three, wrench):
-        assert frictionless_slip(three, wrench).accepts
-
-    def test_side_contacts_carry_nothing_under_a_push(self, three):
-        verdict = frictionless_slip(three, (0, -2, 0))
-        assert verdict.forces == ((0, 0), (2, 0), (0, 0))
-
-    def test_no_choice_of_states_holds_the_preloaded_grasp(self, three):
-        loaded = three.with_preload(1)
-        rest = balancing_friction(loaded)
-        assert rest == (-HALF, 0, HALF)  # the paper: on the edge of the cones
-        for factor in ("1/100", 1, 100):
-            verdict = frictionless_slip(
-                loaded, (0, 1, 0), rest_friction=rest, tangential_stiffness=factor
-            )
-            assert not verdict.accepts
-            assert verdict.tried == 27
-
-    def test_the_refusal_needs_that_a_pressed_contact_is_not_detached(self, three):
-        loaded = three.with_preload(1)
-        rest = balancing_friction(loaded)
-        assert frictionless_slip(loaded, (0, 1, 0), rest_friction=rest, gap=False).accepts
-
-    def test_without_friction_at_rest_soft_tangential_springs_hold(self, three):
-        loaded = three.with_preload(1)
-        assert not frictionless_slip(loaded, (0, 1, 0)).accepts
-        assert frictionless_slip(loaded, (0, 1, 0), tangential_stiffness=HALF).accepts
-
-    def test_many_contacts_are_refused(self):
-        with pytest.raises(GraspError, match="too many"):
-            frictionless_slip(Grasp([Contact((0, 0), (1, 0), 1)] * 13), (0, 0, 0))
+def test_frictionless_slip_tries_all_states():
+    assert frictionless_slip(THREE, (0, -2, 0)).forces == ((0, 0), (2, 0), (0, 0))
+    for factor in ("1/100", 1, 100):
+        verdict = frictionless_slip(LOADED, (0, 1, 0), tangential_stiffness=factor, **REST)
+        assert (verdict.accepts, verdict.tried) == (False, 27)
+    with pytest.raises(GraspError, match="too many"):
+        frictionless_slip(Grasp([Contact((0, 0), (1, 0), 1)] * 13), (0, 0, 0))
 
 
-class TestCones:
-    """Section III: without dissipation an arbitrary wrench is resisted (four-contact grasp)."""
-
-    @pytest.mark.parametrize("wrench", [(0, 2, 0), (0, -200, 0), (5, 3, -1)])
-    def test_accepts_everything_with_friction_above_one(self, four, wrench):
-        assert cones(four.with_friction(2), wrench).accepts
-        assert cones(four.with_friction("101/100"), wrench).accepts
-
-    @pytest.mark.parametrize("friction", [HALF, 1])
-    def test_the_statement_fails_up_to_friction_one(self, four, friction):
-        # A turn loads two opposite contacts with c each, whose normal forces have the torque -2 c
-        # and whose friction has at most 2 mu c: nothing is left against (0, w, 0).
-        verdict = cones(four.with_friction(friction), (0, 2, 0))
-        assert not verdict.accepts
-        # All sign choices of two pairs of parallel planes.
-        assert verdict.tried == 4
-
-    def test_springs_that_cannot_let_go_refuse_all_loads_on_the_four_contacts(self, four):
-        assert not cones(four.with_friction(2), (0, 2, 0), printed=True).accepts
-        assert cones(four, (0, 0, 3)).accepts
-        assert not cones(four, (0, 0, 3), printed=True).accepts
-
-    def test_cones_alone_balance_every_load_on_the_four_contacts(self, four):
-        # Eqs. 1 to 3, without springs.
-        for wrench in ((0, 2, 0), (0, -200, 0), (5, 3, -1)):
-            assert weak_strong(four, wrench).weak
+@pytest.mark.parametrize("friction", [HALF, 1])
+def test_cones_alone_need_friction_above_one(friction):
+    # A turn loads two opposite contacts with c each, whose normal forces have the torque -2 c
+    # and whose friction has at most 2 mu c: nothing is left against (0, w, 0).
+    verdict = cones(FOUR.with_friction(friction), (0, 2, 0))
+    # All sign choices of two pairs of parallel planes.
+    assert (verdict.accepts, verdict.tried) == (False, 4)
 
 
 class TestWeakStrong:
-    def test_three_contacts(self, three):
-        up, down = weak_strong(three, (0, 1, 0)), weak_strong(three, (0, -1, 0))
+    def test_without_springs_every_load_is_balanced(self):
+        for wrench in ((0, 2, 0), (0, -200, 0), (5, 3, -1)):
+            assert weak_strong(FOUR, wrench).weak
+
+    def test_three_contacts(self):
+        up, down = weak_strong(THREE, (0, 1, 0)), weak_strong(THREE, (0, -1, 0))
         assert (up.weak, up.strong, up.frictionless) == (True, False, False)
         assert (down.weak, down.strong, down.frictionless) == (True, True, True)
         assert up.acceleration == (0, 1, 0)  # nothing presses, so nothing brakes
@@ -212,6 +179,6 @@ class TestWeakStrong:
         assert (held.weak, held.strong, held.frictionless) == (True, True, False)
         assert not sliding.weak
 
-    def test_mass_must_be_positive(self, three):
+    def test_mass_must_be_positive(self):
         with pytest.raises(GraspError, match="mass"):
-            weak_strong(three, (0, 1, 0), mass=0)
+            weak_strong(THREE, (0, 1, 0), mass=0)

@@ -152,19 +152,3 @@ class TestCommands:
         document = json.loads(capsys.readouterr().out)
         assert document["questions"] == 4
         assert set(document["methods"]) == set(OTHERS)
-
-    def test_make(self, capsys, tmp_path):
-        path = tmp_path / "grasp.csv"
-        path.write_text("x,y,normal_x,normal_y,friction\n-1,0,1,0,1/2\n1,0,-1,0,1/2\n")
-        assert main(["make", "csv", str(path)]) == 0
-        grasp = tmp_path / "grasp.json"
-        grasp.write_text(capsys.readouterr().out)
-        assert main(["solve", str(grasp), "--wrench", "1", "0", "0"]) == 0
-        capsys.readouterr()
-        assert main(["make", "circle", "--angles", "0", "100", "--friction", "1", "--json"]) == 0
-        document = json.loads(capsys.readouterr().out)
-        assert document["angle_errors"][0] == "0"
-        assert document["angle_errors"][1] != "0"
-        assert main(["make", "random", "--contacts", "3", "--seed", "2"]) == 0
-        assert len(json.loads(capsys.readouterr().out)["contacts"]) == 3
-        assert main(["make", "csv", str(tmp_path / "none.csv")]) == 2

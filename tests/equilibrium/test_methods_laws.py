@@ -1,5 +1,6 @@
 """Laws of the other methods, and oracles that share no code with them."""
 
+from fractions import Fraction
 from itertools import product
 
 import numpy as np
@@ -16,9 +17,10 @@ from equilibrium.methods.friction_cones.cones import cones
 from equilibrium.methods.friction_cones.form_closure import form_closure
 from equilibrium.methods.friction_cones.grasp_wrench_space import GraspWrenchSpace, _hull, _volume
 from equilibrium.methods.friction_cones.weak_strong import mass_matrix, weak_strong
+from equilibrium.model.grasp import Grasp
 from equilibrium.plane.contact_rows import friction_edges
 
-from .methods_strategies import frictions, grasps, small, turned, wrenches
+from .strategies import frictions, loads as wrenches, small, turned, wide_grasps as grasps
 
 points = st.lists(st.tuples(small, small, small), min_size=1, max_size=14)
 
@@ -108,7 +110,8 @@ class TestWrenchSpace:
     @given(grasps(), wrenches)
     @settings(max_examples=40)
     def test_a_rigid_motion_changes_no_verdict(self, grasp, wrench):
-        moved, move = turned(grasp)
+        contact, move, *_ = turned(Fraction(3, 5), Fraction(4, 5), 2, -1)
+        moved = Grasp(map(contact, grasp))
         one = GraspWrenchSpace(grasp).verdict(wrench)
         assert GraspWrenchSpace(moved).verdict(move(wrench)).least_force == one.least_force
         assert GraspWrenchSpace(moved).volume == GraspWrenchSpace(grasp).volume

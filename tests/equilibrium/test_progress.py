@@ -11,16 +11,10 @@ from arrangement.console import progress
 from equilibrium.cli.program import main
 from equilibrium.grasps.inputs import random_grasp
 
-LONG = {
-    "solve": ("--wrench", "-1", "0", "0"),
-    "limit": ("--direction", "1", "2", "1"),
-    "region": (),
-    "polyhedra": (),
-    "margin": ("--wrench", "1", "1", "0"),
-    "map": ("--directions", "3"),
-    "figure": (),
-    "compare": ("--wrench", "1", "1", "0"),
-}
+from .test_wrench_sets_cli import WITH_UNITS
+
+LONG = WITH_UNITS | {"solve": ("--wrench", "-1", "0", "0")}
+del LONG["wrench-space"]  # answers at once
 ALONE = {"gaps": ("--tries", "2"), "survey": ("--number", "2")}
 
 

@@ -170,7 +170,7 @@ def test_solve_counts_the_leaves_of_a_longer_proof(capsys: pytest.CaptureFixture
 
 @pytest.mark.parametrize("name", ["paper-three-contacts", "paper-four-contacts"])
 @pytest.mark.parametrize("wrench", [(0, 1, 0), (0, 2, 1), (1, 3, 1), (0, 2, -1)])
-def test_no_label_covers_an_arrow_or_another_label(name: str, wrench: tuple[int, ...]) -> None:
+def test_no_label_covers_an_arrow(name: str, wrench: tuple[int, ...]) -> None:
     scene = draw_proof.scene(read_grasp(name), wrench=wrench)
     boxes = []
     for label in scene.items:
@@ -181,11 +181,9 @@ def test_no_label_covers_an_arrow_or_another_label(name: str, wrench: tuple[int,
     assert len(boxes) >= len(read_grasp(name))
     ways = [x.points for x in scene.items if isinstance(x, Path) and "shift-" in x.name]
     ends = np.concatenate([np.linspace(way[3], (way[0] + way[-1]) / 2, 20) for way in ways])
-    for i, (left, low, right, high) in enumerate(boxes):
+    for left, low, right, high in boxes:
         inside = (ends > (left, low)) & (ends < (right, high))
         assert not inside.all(axis=1).any()
-        for a, b, c, d in boxes[:i]:
-            assert not (left < c and a < right and low < d and b < high)
 
 
 def test_beyond_eight_contacts_the_page_is_named_for_the_numbers() -> None:

@@ -9,7 +9,6 @@ from fractions import Fraction
 from typing import Any
 
 import pytest
-from hypothesis import given, settings
 
 from equilibrium import Contact, Grasp, Solver, TimeLimitError, read_grasp, solve
 from equilibrium.certificate.checker import check
@@ -24,7 +23,6 @@ from equilibrium.wrench_sets.line import resisted_magnitudes
 
 from . import oracle
 from .awkward import question
-from .strategies import grasps, wrenches
 
 Wrench = tuple[Fraction, ...]
 PAPER = read_grasp("paper-three-contacts-preload-1")
@@ -56,15 +54,6 @@ def assert_true(grasp: Grasp, wrench: Wrench, found: Any) -> bool:
     report = check(refuted_certificate(grasp, wrench, found).to_dict(), (grasp, wrench))
     assert report, report.problem
     return False
-
-
-@settings(max_examples=60, deadline=None)
-@given(grasps(3), wrenches)
-def test_the_answer_is_that_of_brute_force(grasp, wrench):
-    applied = tuple(map(Fraction, wrench))
-    verdict = solve(grasp, applied)
-    assert verdict.verify()
-    assert verdict.stable == oracle.is_stable(grasp, applied)
 
 
 @pytest.mark.campaign

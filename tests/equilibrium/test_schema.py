@@ -64,12 +64,13 @@ BAD = [
     grasp(schema_version=MISSING),
     grasp(contacts=MISSING),
     grasp(contacts={}),
+    grasp(contacts=[[]]),
     grasp(contact=[]),
     grasp(description=3),
     grasp(units="mm"),
     grasp(units={"length": "mm"}),
     grasp(units={"length": "mm", "force": ""}),
-    grasp(units={"length": "mm", "force": " N"}),
+    *(grasp(units={"length": "mm", "force": x}) for x in (" N", "m\nm", 3, None)),
     grasp(units={"length": "mm", "force": "N" * 21}),
     grasp(units={"length": "mm", "force": "N", "time": "s"}),
     grasp(outline=[["0", 0], ["4", "0"]]),
@@ -85,6 +86,7 @@ BAD = [
     contact(friction=MISSING),
     contact(point=["0"]),
     contact(point="00"),
+    contact(point={"0": 1, "1": 1}),
     contact(point=["0", "1e10000"]),
     contact(point=["0", "1 /2"]),
     contact(point=["0", "1/0"]),
@@ -207,13 +209,6 @@ class TestUnits:
     def test_torques_are_in_force_times_length(self):
         assert "N mm" in str(Units("mm", "N"))
 
-    @pytest.mark.parametrize("value", ["", " mm", "m\nm", "x" * 21, 3, None])
-    def test_bad_units_are_refused(self, value):
-        with pytest.raises(GraspError, match="length"):
-            Units(value, "N")
-        with pytest.raises(GraspError, match="units"):
-            Grasp([], value or "mm")
-
     def test_commands_show_them(self, tmp_path, capsys):
         path = tmp_path / "grasp.json"
         path.write_text(json.dumps(self.grasp.to_dict()), encoding="utf-8")
@@ -239,6 +234,8 @@ class TestOutline:
         bare = self.grasp.with_outline(None)
         assert (bare, hash(bare)) == (self.grasp, hash(self.grasp))
         assert "outline" not in bare.to_dict()
+        with pytest.raises(GraspError, match="Polygon, a Circle"):
+            Grasp([], outline=[(0, 0), (1, 0), (0, 1)])
         for wrench in ((0, -1, 0), (0, 1, 0)):
             texts = {solve(grasp, wrench).certificate.text for grasp in (bare, self.grasp)}
             assert len(texts) == 1
@@ -253,16 +250,3 @@ class TestOutline:
         assert not schema.is_valid(document)
         del document["grasp"]["outline"]
         assert schema.is_valid(document)
-
-    @pytest.mark.parametrize(
-        ("make", "words"),
-        [
-            (lambda: Polygon([(0, 0), (1, 0)]), "2 corners"),
-            (lambda: Polygon([(0, 0), (1, 0), (1,)]), r"outline\[2\]"),
-            (lambda: Circle((0, 0), 0), "radius of the outline is 0"),
-            (lambda: Grasp([], outline=[(0, 0), (1, 0), (0, 1)]), "Polygon, a Circle"),
-        ],
-    )
-    def test_bad_outlines_are_refused(self, make, words):
-        with pytest.raises(GraspError, match=words):
-            make()

@@ -12,7 +12,7 @@ from equilibrium.wrench_sets.friction import least_friction
 from equilibrium.wrench_sets.margin import margin, sufficient_preloads
 from equilibrium.wrench_sets.search_map import binary_search, compare, search_map
 
-from .wrench_sets_strategies import directions, grasps, wrenches
+from .strategies import directions, loads as wrenches, wide_grasps as grasps
 
 TINY = Fraction(1, 10**30)
 THREE = "paper-three-contacts-preload-1"

@@ -53,10 +53,6 @@ def claim(**changes: object) -> Claim:
     return replace(base, **changes)  # type: ignore[arg-type]
 
 
-def test_a_true_statement_holds() -> None:
-    assert evaluate(claim()).verdict is Verdict.HOLDS
-
-
 def test_a_planted_false_claim_is_refuted_with_its_smallest_counterexample() -> None:
     false = claim(judge=lambda n, square: square < 20, search=lambda: numbers(20))
     result = evaluate(false)
@@ -66,29 +62,35 @@ def test_a_planted_false_claim_is_refuted_with_its_smallest_counterexample() -> 
     assert result.evidence.counterexample.document == {"n": 5}
 
 
-def test_a_search_beyond_the_cases_can_refute() -> None:
-    result = evaluate(claim(judge=lambda n, square: n < 15, search=lambda: numbers(20)))
-    assert result.evidence.failures == ()
-    assert result.verdict is Verdict.REFUTED
+def strictly(n: int, square: int) -> bool:
+    return square > n
 
 
-def test_a_hypothesis_saves_only_what_it_covers() -> None:
-    strict = claim(judge=lambda n, square: square > n)
-    assert evaluate(strict).verdict is Verdict.REFUTED
-    saved = replace(strict, hypothesis=Hypothesis("n >= 2", lambda n: n >= 2))
-    assert evaluate(saved).verdict is Verdict.HOLDS_UNDER_HYPOTHESIS
-    wrong = replace(strict, hypothesis=Hypothesis("n >= 1", lambda n: n >= 1))
-    assert evaluate(wrong).verdict is Verdict.REFUTED
+HELD, NARROW = Verdict.HOLDS_UNDER_HYPOTHESIS, Hypothesis("n >= 2", lambda n: n >= 2)
+WIDE, NEVER = Hypothesis("n >= 1", lambda n: n >= 1), Hypothesis("no", lambda n: False)
+ASSUMED = Case("n", 3, None, assumption="3 is meant")
 
 
-def test_a_hypothesis_that_covers_no_case_saves_nothing() -> None:
-    empty = claim(judge=lambda n, square: False, hypothesis=Hypothesis("never", lambda n: False))
-    assert evaluate(empty).verdict is Verdict.REFUTED
-
-
-def test_a_case_read_by_an_assumption_gives_no_plain_holds() -> None:
-    assumed = claim(sources=on(lambda rng: [Case("n", 3, None, assumption="3 is meant")]))
-    assert evaluate(assumed).verdict is Verdict.HOLDS_UNDER_HYPOTHESIS
+@pytest.mark.parametrize(
+    ("changes", "verdict"),
+    [
+        ({}, Verdict.HOLDS),
+        # A search beyond the cases can refute.
+        ({"judge": lambda n, _: n < 15, "search": lambda: numbers(20)}, Verdict.REFUTED),
+        # A hypothesis saves only what it covers, and nothing if it covers no case.
+        ({"judge": strictly}, Verdict.REFUTED),
+        ({"judge": strictly, "hypothesis": NARROW}, HELD),
+        ({"judge": strictly, "hypothesis": WIDE}, Verdict.REFUTED),
+        ({"judge": lambda n, square: False, "hypothesis": NEVER}, Verdict.REFUTED),
+        # A case read by an assumption gives no plain holds.
+        ({"sources": on(lambda rng: [ASSUMED])}, HELD),
+        ({"sources": on(lambda rng: [])}, None),
+    ],
+)
+def test_the_verdict_follows_from_the_cases(
+    changes: dict[str, object], verdict: Verdict | None
+) -> None:
+    assert evaluate(claim(**changes)).verdict is verdict
 
 
 def test_routes_that_disagree_give_no_verdict() -> None:
@@ -111,12 +113,6 @@ def test_a_route_that_fails_gives_no_verdict() -> None:
     assert str(result.evidence.records[0].values[1]).startswith("ZeroDivisionError")
 
 
-def test_no_evidence_gives_no_verdict() -> None:
-    nothing = claim(sources=on(lambda rng: []))
-    assert evaluate(nothing).verdict is None
-    assert verdict_of(Evidence(0, (), ())) is None
-
-
 records = st.builds(
     Record,
     label=st.just("case"),
@@ -131,6 +127,7 @@ records = st.builds(
 def test_holds_needs_evidence_without_any_failure_or_disagreement(
     checked: list[Record], extra: Record | None
 ) -> None:
+    assert verdict_of(Evidence(0, (), ())) is None
     evidence = Evidence(0, (), tuple(checked), counterexample=extra)
     if verdict_of(evidence) is Verdict.HOLDS:
         assert checked

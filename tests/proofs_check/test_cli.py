@@ -53,15 +53,6 @@ def test_run_json_has_both_values_side_by_side(capsys: pytest.CaptureFixture[str
     assert record["results"][0]["counterexample"]["instance"]["planes"] == [["1", "0", "0"]]
 
 
-def test_two_runs_with_one_seed_give_the_same_records(capsys: pytest.CaptureFixture[str]) -> None:
-    records = []
-    for _ in range(2):
-        main(["run", "great-circle-regions", "--json"])
-        (result,) = json.loads(capsys.readouterr().out)["results"]
-        records.append(result["records"])
-    assert records[0] == records[1] != []
-
-
 def test_processes_change_nothing_of_what_is_said(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
@@ -98,35 +89,6 @@ def test_exit_code_one_when_a_verdict_is_not_the_expected_one(
     monkeypatch.setattr(proofs_check.claims, "registry", lambda: Registry([wrong]))
     assert main(["run"]) == 1
     assert "not as expected: step-1-square-bound" in capsys.readouterr().out
-
-
-@pytest.mark.parametrize("command", ["run", "show"])
-def test_an_unknown_id_is_bad_input(command: str, capsys: pytest.CaptureFixture[str]) -> None:
-    assert main([command, "table-three"]) == 2
-    captured = capsys.readouterr()
-    assert captured.out == ""
-    assert captured.err.startswith("error: no claim has the id 'table-three'")
-    assert main(["show", "x" * 5000]) == 2
-    assert len(capsys.readouterr().err) < 150
-    assert "table-three-contacts" in captured.err
-
-
-@pytest.mark.parametrize("ending", ["json", "md", "txt"])
-def test_reports_are_written(
-    ending: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
-    path = tmp_path / f"verdicts.{ending}"
-    assert main(["run", QUICK[1], "--report", str(path)]) == 0
-    text = path.read_text(encoding="utf-8")
-    assert "table-three-contacts" in text
-    assert "Yes, numbers fit" in text
-    if ending == "json":
-        assert json.loads(text)["results"][0]["verdict"] == "holds"
-    if ending == "md":
-        tables = [block for block in text.split("\n\n") if block.startswith("|")]
-        assert len(tables) >= 2
-        for block in tables:
-            assert len({line.count("|") for line in block.splitlines()}) == 1
 
 
 def test_a_report_that_cannot_be_written_is_bad_input(

@@ -7,29 +7,21 @@ from fractions import Fraction
 from hypothesis import given, settings, strategies as st
 
 from equilibrium.decide.verdict import solve
+from proofs_check.instances.domains import contact_numbers
 from proofs_check.instances.grasps import grasp_of, paper_question
 from proofs_check.instances.paper_tables import FOUR_CONTACT_GRASP, THREE_CONTACT_GRASP
 from proofs_check.routes.fourier_motzkin import project
 from proofs_check.routes.oracle import Question, normal_forces, resisted, stable, violations
+from tests.equilibrium.strategies import grasps, wrenches
 
-ZERO, ONE, HALF = Fraction(0), Fraction(1), Fraction(1, 2)
-NORMALS = [(1, 0), (0, 1), (-1, 0), (0, -1), (Fraction(3, 5), Fraction(4, 5))]
-
-small = st.integers(-2, 2).map(Fraction)
-contacts = st.builds(
-    lambda x, y, normal, mu, k, q: (x, y, *map(Fraction, normal), mu, k, q),
-    small,
-    small,
-    st.sampled_from(NORMALS),
-    st.sampled_from([ZERO, HALF, ONE]),
-    st.sampled_from([ONE, Fraction(2)]),
-    st.sampled_from([ZERO, ONE]),
-)
 questions = st.builds(
-    lambda chosen, wrench: Question(tuple(chosen), wrench),
-    st.lists(contacts, min_size=1, max_size=3),
-    st.tuples(small, small, small),
+    lambda grasp, wrench: Question(
+        tuple(map(contact_numbers, grasp)), tuple(map(Fraction, wrench))
+    ),
+    grasps(),
+    wrenches,
 )
+ZERO, ONE, HALF = Fraction(0), Fraction(1), Fraction(1, 2)
 
 
 def test_a_boundary_is_decided_exactly() -> None:

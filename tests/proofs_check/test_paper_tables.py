@@ -7,6 +7,7 @@ from fractions import Fraction
 import pytest
 
 from equilibrium.grasps.files import read_grasp
+from proofs_check import evaluate, registry
 from proofs_check.instances import paper_tables as printed
 from proofs_check.instances.grasps import grasp_of, paper_question
 
@@ -49,3 +50,8 @@ def test_the_grasps_are_the_built_in_ones(
 ) -> None:
     question = paper_question(contacts, [Fraction(0)] * 3, preload)
     assert grasp_of(question) == read_grasp(name)
+
+
+@pytest.mark.parametrize("id", ["table-three-contacts", "table-four-contacts"])
+def test_every_row_reads_as_printed(id: str) -> None:
+    assert evaluate(registry()[id]).as_expected

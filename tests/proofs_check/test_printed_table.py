@@ -8,7 +8,6 @@ from pathlib import Path
 
 import pytest
 
-from arrangement import InputError
 from proofs_check.cli.program import main
 from proofs_check.course.printed_table import check_table
 
@@ -58,27 +57,3 @@ def test_both_values_are_printed_and_the_exit_code_is_no(
         "4,pseudolines n=6,simple-types",
     )
     assert main(["table", path]) == 0
-
-
-@pytest.mark.parametrize(
-    ("row", "message"),
-    [
-        ("24,braid-a3", "line 2: a row needs"),
-        ("24,braid-a3,region", "quantity is 'region'"),
-        ("two,braid-a3,regions", "write integers"),
-        ("1 2,braid-a3,regions", "one number"),
-        ("t=3,braid-a3,t-vector", "write t2=3"),
-        ("7,lines seven,types", "write lines n=7"),
-        ("7,near-pencil n=7,regions", "write near-pencil parameter=value"),
-        ("7,no-such-name,regions", "cannot read"),
-        ('"7,braid-a3,regions', "line 2"),
-    ],
-)
-def test_a_wrong_row_is_named(row: str, message: str, tmp_path: Path) -> None:
-    with pytest.raises(InputError, match=message):
-        list(check_table(table(tmp_path, row)))
-
-
-def test_a_table_without_the_columns_is_refused(tmp_path: Path) -> None:
-    with pytest.raises(InputError, match="no column quantity"):
-        list(check_table(table(tmp_path, first="arrangement,printed")))

@@ -354,30 +354,6 @@ def test_an_unexpected_verdict_is_seen_in_every_form(
     assert "some verdict differs" in capsys.readouterr().out
 
 
-@pytest.mark.parametrize(
-    "content",
-    [
-        '{"schema_version": 1, "results": [{}]}',
-        '{"schema_version": 1, "results": 3}',
-        '{"schema_version": 1, "results": [1.5]}',
-        '{"schema_version": 2, "results": []}',
-        '{"results": []}',
-        "[]",
-        "x",
-    ],
-)
-def test_a_file_that_is_no_record_is_bad_input(
-    tmp_path: Path, capsys: pytest.CaptureFixture[str], content: str
-) -> None:
-    path = tmp_path / "r.json"
-    path.write_text(content, encoding="utf-8")
-    assert main(["report", str(path)]) == 2
-    captured = capsys.readouterr()
-    assert captured.out == ""
-    assert captured.err.startswith("error: ")
-    assert captured.err.count("\n") == 1
-
-
 def test_hostile_numbers_in_a_record_are_refused_at_once(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
@@ -388,10 +364,3 @@ def test_hostile_numbers_in_a_record_are_refused_at_once(
     assert main(["report", str(path), "--output", str(tmp_path / "r.html")]) == 2
     assert capsys.readouterr().err.startswith("error: ")
     assert not (tmp_path / "r.html").exists()
-
-
-def test_an_unknown_ending_is_refused_before_any_work(
-    tmp_path: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
-    assert main(["report", "nowhere.json", "--output", str(tmp_path / "r.pdf")]) == 2
-    assert "a report ends with .json" in capsys.readouterr().err

@@ -208,52 +208,6 @@ def test_workers_that_always_die_end_the_sweep_with_a_message(
         sweep(plan_sweep(path, (3, 4), 4, 0, 1), str(tmp_path / "s.sqlite"), jobs=2)
 
 
-@pytest.mark.parametrize(
-    ("arguments", "message"),
-    [
-        (["sweep", "nothing"], "no claim has the id 'nothing'"),
-        (["sweep", "table-three-contacts"], "not of random instances"),
-        (["sweep", "nowhere.py"], "cannot read nowhere.py"),
-        (["sweep", CLAIM, "--samples", "0"], "samples is 0"),
-        (["sweep", CLAIM, "--jobs", "0"], "jobs is 0"),
-        (["sweep", CLAIM, "--chunk", "0"], "chunk is 0"),
-        (["sweep", CLAIM, "--planes", "4..3"], "smaller number stands first"),
-        (["sweep", CLAIM, "--planes", "3-4"], "'3-4' is not a range"),
-        (["sweep", CLAIM, "--shard", "3/2"], "'3/2' is not a shard"),
-        (["sweep", CLAIM, "--store", "/nowhere/s.sqlite"], "cannot open /nowhere/s.sqlite"),
-        (["status", "nowhere.sqlite"], "there is no store nowhere.sqlite"),
-        (["merge", "out.sqlite", "nowhere.sqlite"], "there is no store nowhere.sqlite"),
-        (["report", "nowhere.json"], "cannot read"),
-    ],
-)
-def test_bad_input_ends_with_exit_code_2(
-    tmp_path: Path,
-    monkeypatch: pytest.MonkeyPatch,
-    capsys: pytest.CaptureFixture[str],
-    arguments: list[str],
-    message: str,
-) -> None:
-    monkeypatch.chdir(tmp_path)
-    if arguments[0] == "sweep":
-        defaults = {"--planes": "3..4", "--samples": "9", "--store": "s.sqlite"}
-        for name, value in defaults.items():
-            arguments = arguments if name in arguments else [*arguments, name, value]
-    try:
-        code = main(arguments)
-    except SystemExit as stop:
-        code = int(str(stop.code))
-    captured = capsys.readouterr()
-    assert (code, captured.out) == (2, "")
-    assert message in captured.err
-    assert "Traceback" not in captured.err
-
-
-@pytest.mark.parametrize("path", ["", ":memory:"])
-def test_a_store_is_a_file(path: str) -> None:
-    with pytest.raises(SweepError, match="no file"):
-        sweep(small_plan(), path)
-
-
 def test_files_that_are_no_stores_are_refused(tmp_path: Path) -> None:
     text, other = tmp_path / "a.txt", tmp_path / "other.sqlite"
     text.write_text("something else " * 100, encoding="utf-8")

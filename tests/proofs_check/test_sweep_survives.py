@@ -21,13 +21,10 @@ from arrangement.library import families
 from proofs_check.errors import SweepError
 from proofs_check.sweep import report as sweepreport, store
 
+from .test_sweep import report
+
 #: Git is kept out, so that an edit of the checkout between two runs cannot make reports differ.
 ENVIRONMENT = {**os.environ, "GIT_DIR": os.devnull}
-
-
-def report(path: Path) -> str:
-    with store.read(str(path)) as opened:
-        return json.dumps(sweepreport.record(opened))
 
 
 def numbers(path: Path) -> int:
