@@ -9,6 +9,7 @@ from fractions import Fraction
 from typing import TYPE_CHECKING, Any, TypeAlias
 
 from arrangement.console import terminal
+from arrangement.numbers import budget
 from arrangement.numbers.exact import RationalVector, to_text
 from equilibrium.model.errors import GraspError
 
@@ -218,7 +219,15 @@ def read(arguments: argparse.Namespace) -> Grasp:
         arguments.grasp, round_normals=arguments.round_normals, as_given=arguments.as_given
     )
     tell_rounding(found)
+    # Behind the time that is given to a search, so that it can say what it knows.
+    searching = getattr(arguments, "time_limit", None) or 0
+    budget.watch(1.2 * usual_seconds(found.grasp) + 2 * searching)
     return found.grasp
+
+
+def usual_seconds(grasp: Grasp) -> float:
+    """Return what a question about a grasp may take; in space a minute, since proofs are long."""
+    return budget.SECONDS * (1 if grasp.dimension == 2 else 6)
 
 
 def tell_rounding(found: Conversion) -> None:
