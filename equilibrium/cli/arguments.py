@@ -20,9 +20,6 @@ if TYPE_CHECKING:
 
 _AXES = ("F_X", "F_Y", "TAU")
 
-#: Most contacts of one grasp that is made at random.
-MOST_CONTACTS = 1000
-
 #: More incidences than this that rounding kept are only counted.
 _MOST_KEPT = 6
 
@@ -198,17 +195,6 @@ def add_count(
     text = f"{text} (default: {default})"
     count = terminal.count_argument
     parser.add_argument(name, type=count, default=default, metavar=metavar, help=text)
-
-
-def contacts_argument(text: str) -> int:
-    """Read a number of contacts."""
-    found = terminal.count_argument(text)
-    if found > MOST_CONTACTS:
-        raise argparse.ArgumentTypeError(
-            f"{found} contacts are too many; give up to {MOST_CONTACTS} (their states grow with "
-            "the cube of the number)"
-        )
-    return found
 
 
 def read(arguments: argparse.Namespace) -> Grasp:
