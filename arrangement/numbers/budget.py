@@ -101,7 +101,7 @@ def watch(seconds: float) -> None:
     if hasattr(signal, "setitimer") and threading.current_thread() is threading.main_thread():
         signal.signal(signal.SIGVTALRM, over)
         # Again every second: what is raised while an object is deleted is lost.
-        signal.setitimer(signal.ITIMER_VIRTUAL, most, 1)
+        signal.setitimer(signal.ITIMER_VIRTUAL, most, min(most, 1))
 
 
 def about(number: float) -> str:
