@@ -291,6 +291,9 @@ def run(parser: Parser, argv: Sequence[str] | None = None) -> int:
         sys.stdout.flush()
     except (InputError, MissingExtraError) as error:
         return _refuse(str(error))
+    except budget.TimeOver as error:
+        _discard_stdout()
+        return _refuse(str(error))
     except MemoryError:
         _discard_stdout()
         return _refuse("there is not enough memory on this machine for it; ask for less")
@@ -305,6 +308,8 @@ def run(parser: Parser, argv: Sequence[str] | None = None) -> int:
     except Exception as error:
         _discard_stdout()
         return fault(error, argv)
+    finally:
+        budget.watch(0)
     return code
 
 

@@ -12,7 +12,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from arrangement.numbers.exact import IntegerVector
-from arrangement.numbers.linear.rank import ask_elimination
+from arrangement.numbers.linear.rank import ask_elimination, spanning
 from arrangement.numbers.symbolic import exact_matrix
 from arrangement.planes.planes import Planes
 
@@ -49,7 +49,7 @@ def configuration(arrangement: Planes) -> Configuration:
     return Configuration(tuple(kept), infinity, len(columns))
 
 
-def pivot_columns(rows: Sequence[Sequence[int]], width: int) -> tuple[int, ...]:
+def pivot_columns(rows: Sequence[IntegerVector], width: int) -> tuple[int, ...]:
     """Return the first columns that form a basis of the column space; their number is the rank.
 
     A few rows mostly have the full rank, so they are asked before all of them. SymPy costs 0.1 ms
@@ -61,5 +61,5 @@ def pivot_columns(rows: Sequence[Sequence[int]], width: int) -> tuple[int, ...]:
     pivots: tuple[int, ...] = exact_matrix(rows[: 2 * width], width).rref_den()[2]
     if len(pivots) == width or len(rows) <= 2 * width:
         return pivots
-    everything: tuple[int, ...] = exact_matrix(rows, width).rref_den()[2]
+    everything: tuple[int, ...] = exact_matrix(spanning(rows), width).rref_den()[2]
     return everything

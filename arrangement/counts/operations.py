@@ -13,12 +13,13 @@ from arrangement.errors import InputError
 from arrangement.numbers.exact import (
     IntegerVector,
     RationalVector,
+    one_way,
     primitive,
     quotient,
     rational_vector,
     unoriented,
 )
-from arrangement.numbers.linear.rank import ask_elimination
+from arrangement.numbers.linear.rank import ask_elimination, rank
 from arrangement.numbers.real_entries import entry
 from arrangement.numbers.symbolic import entries, exact_matrix
 from arrangement.planes.planes import Planes
@@ -222,19 +223,30 @@ def _parts(arrangement: Planes) -> list[list[IntegerVector]]:
     parallel: dict[IntegerVector, list[IntegerVector]] = {}
     for members in arrangement.distinct:
         plane = arrangement.integer_planes[members[0]]
-        parallel.setdefault(unoriented(plane[:-1]), []).append(plane)
+        normal = unoriented(plane[:-1]) if plane[-1] else one_way(plane[:-1])
+        parallel.setdefault(normal, []).append(plane)
     normals = list(parallel)
-    parts = [{i} for i in range(len(normals))]
-    if arrangement.rank < len(normals):
-        columns = list(zip(*normals, strict=True))
-        ask_elimination(columns, len(normals))
-        parts = []
-        for row in exact_matrix(columns, len(normals)).rref_den()[0].to_sparse().rep.values():
-            # a plane and those that its column has are a circuit
-            joined = [part for part in parts if not part.isdisjoint(row)]
-            parts = [part for part in parts if part.isdisjoint(row)]
-            parts.append(set(row).union(*joined))
+    few = normals[: 4 * arrangement.dimension]
+    if arrangement.rank == len(normals):
+        parts = [{i} for i in range(len(normals))]
+    elif len(few) < len(normals) and rank(few) == arrangement.rank and len(_circuits(few)) == 1:
+        parts = [set(range(len(normals)))]  # each of the others is in a circuit with some of these
+    else:
+        parts = _circuits(normals)
     return [[plane for i in sorted(part) for plane in parallel[normals[i]]] for part in parts]
+
+
+def _circuits(normals: Sequence[IntegerVector]) -> list[set[int]]:
+    """Return the finest parts that split no circuit of normals."""
+    columns = list(zip(*normals, strict=True))
+    ask_elimination(columns, len(normals))
+    parts: list[set[int]] = []
+    for row in exact_matrix(columns, len(normals)).rref_den()[0].to_sparse().rep.values():
+        # a plane and those that its column has are a circuit
+        joined = [part for part in parts if not part.isdisjoint(row)]
+        parts = [part for part in parts if part.isdisjoint(row)]
+        parts.append(set(row).union(*joined))
+    return parts
 
 
 def over_factors(

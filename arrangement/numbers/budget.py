@@ -8,9 +8,12 @@ out of reach is refused before it begins, with the forecast. Forecasts are of on
 from __future__ import annotations
 
 import math
+import signal
+import threading
 from collections.abc import Iterator
 from contextlib import contextmanager
 from contextvars import ContextVar
+from typing import Any
 
 from arrangement.errors import InputError, OutOfReachError
 
@@ -84,6 +87,29 @@ def ask(
     raise OutOfReachError(
         f"{what}: this would take about {forecast}; " + (", or ".join(remedies) or "ask for less")
     )
+
+
+class TimeOver(BaseException):
+    """A command has taken its time; no handler of errors on the way may take it for bad input."""
+
+
+def watch(seconds: float) -> None:
+    """Raise `TimeOver` when the processor has worked so long, times the limit; 0: no more.
+
+    For commands whose time nobody can foresee. Only in the main thread, and not on Windows.
+    """
+    most = min(seconds * times(), 1e9)
+
+    def over(*_: Any) -> None:
+        raise TimeOver(
+            f"it has taken {most:g} seconds of the processor; "
+            f"--limit {math.ceil(2 * times())} allows more"
+        )
+
+    if hasattr(signal, "setitimer") and threading.current_thread() is threading.main_thread():
+        signal.signal(signal.SIGVTALRM, over)
+        # Again every second: what is raised while an object is deleted is lost.
+        signal.setitimer(signal.ITIMER_VIRTUAL, most, min(most, 1))
 
 
 def about(number: float) -> str:

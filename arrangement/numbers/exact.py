@@ -237,16 +237,13 @@ def unoriented(vector: Sequence[int]) -> IntegerVector:
     >>> unoriented([0, -4, 6])
     (0, 2, -3)
     """
-    if are_integers(vector):
-        divisor = math.gcd(*vector)
-    else:
-        vector, divisor = _reduced_in_field(vector), 1
-    for x in vector:
-        if x:
-            if x < 0:
-                divisor = -divisor
-            break
-    return tuple(vector) if divisor in (0, 1) else tuple(x // divisor for x in vector)
+    return one_way(reduced(vector))
+
+
+def one_way(vector: IntegerVector) -> IntegerVector:
+    """Return the vector or its negative: the one whose first nonzero entry is positive."""
+    turned = next(filter(None, vector), 0) < 0
+    return tuple([-x for x in vector]) if turned else vector
 
 
 def largest(rows: Iterable[Iterable[int]]) -> float:

@@ -19,12 +19,12 @@ from arrangement.numbers.exact import (
     RationalVector,
     dot,
     fraction,
+    one_way,
     plain_integers,
     primitive,
     rational_vector,
     shown,
     sign,
-    unoriented,
 )
 from arrangement.numbers.linear.rank import rank
 from arrangement.numbers.number_field import NumberField, field_of, written
@@ -198,7 +198,7 @@ class Planes:
     def class_of(self) -> tuple[int, ...]:
         """For each plane, the index of its class of coincident planes."""
         index: dict[IntegerVector, int] = {}
-        return tuple(index.setdefault(unoriented(p), len(index)) for p in self._integer_planes)
+        return tuple(index.setdefault(one_way(p), len(index)) for p in self._integer_planes)
 
     @cached_property
     def distinct(self) -> tuple[tuple[int, ...], ...]:
@@ -257,7 +257,7 @@ class Planes:
         >>> Planes([[1, 0], [0, 1]]).has_same_planes(Planes([[0, -2], [1, 0], [0, 1]]))
         True
         """
-        one, two = ({unoriented(p) for p in planes._integer_planes} for planes in (self, other))
+        one, two = ({one_way(p) for p in planes._integer_planes} for planes in (self, other))
         return self.dimension == other.dimension and one == two
 
     @cached_property

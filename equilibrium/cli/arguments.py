@@ -9,6 +9,7 @@ from fractions import Fraction
 from typing import TYPE_CHECKING, Any, TypeAlias
 
 from arrangement.console import terminal
+from arrangement.numbers import budget
 from arrangement.numbers.exact import RationalVector, to_text
 from equilibrium.model.errors import GraspError
 
@@ -18,9 +19,6 @@ if TYPE_CHECKING:
     from equilibrium.model.range import RangeArguments
 
 _AXES = ("F_X", "F_Y", "TAU")
-
-#: Most contacts of one grasp that is made at random.
-MOST_CONTACTS = 1000
 
 #: More incidences than this that rounding kept are only counted.
 _MOST_KEPT = 6
@@ -199,17 +197,6 @@ def add_count(
     parser.add_argument(name, type=count, default=default, metavar=metavar, help=text)
 
 
-def contacts_argument(text: str) -> int:
-    """Read a number of contacts."""
-    found = terminal.count_argument(text)
-    if found > MOST_CONTACTS:
-        raise argparse.ArgumentTypeError(
-            f"{found} contacts are too many; give up to {MOST_CONTACTS} (their states grow with "
-            "the cube of the number)"
-        )
-    return found
-
-
 def read(arguments: argparse.Namespace) -> Grasp:
     """Return the grasp as its source has it; on stderr say what had to be rounded."""
     from equilibrium.grasps.inputs import read_any
@@ -218,7 +205,15 @@ def read(arguments: argparse.Namespace) -> Grasp:
         arguments.grasp, round_normals=arguments.round_normals, as_given=arguments.as_given
     )
     tell_rounding(found)
+    # Behind the time that is given to a search, so that it can say what it knows.
+    searching = getattr(arguments, "time_limit", None) or 0
+    budget.watch(1.2 * usual_seconds(found.grasp) + 2 * searching)
     return found.grasp
+
+
+def usual_seconds(grasp: Grasp) -> float:
+    """Return what a question about a grasp may take; in space a minute, since proofs are long."""
+    return budget.SECONDS * (1 if grasp.dimension == 2 else 6)
 
 
 def tell_rounding(found: Conversion) -> None:

@@ -20,7 +20,6 @@ from .arguments import (
     add_command,
     add_count,
     add_number,
-    contacts_argument,
     show,
     tell_rounding,
 )
@@ -83,7 +82,7 @@ def add_commands(commands: Any) -> None:
 
     text = "contacts around an object, the same for each seed"
     randoms = add_command(kinds, "random", _random, text, grasp=False, numbers=False)
-    randoms.add_argument("--contacts", type=contacts_argument, required=True, metavar="M")
+    randoms.add_argument("--contacts", type=terminal.count_argument, required=True, metavar="M")
     add_count(randoms, "--seed", 0, "of the random numbers", "SEED")
     randoms.add_argument("--space", action="store_true", help="in space instead of the plane")
     _add_output(randoms)

@@ -8,6 +8,7 @@ from fractions import Fraction
 from math import gcd
 from typing import TYPE_CHECKING, Any
 
+from arrangement.console import terminal
 from arrangement.console.number_form import number, vector
 from arrangement.numbers.exact import IntegerVector, rational
 from equilibrium.model.pyramid import pyramid_words
@@ -19,7 +20,6 @@ from .arguments import (
     add_count,
     add_number,
     applied,
-    contacts_argument,
     grasp_of,
     show,
 )
@@ -52,7 +52,7 @@ def add_commands(commands: Any) -> None:
     add_count(survey, "--number", 60, "of questions")
     survey.add_argument(
         "--contacts",
-        type=contacts_argument,
+        type=terminal.count_argument,
         nargs="+",
         default=[2, 3],
         help="of each grasp (default: 2 3)",

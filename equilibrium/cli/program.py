@@ -27,6 +27,7 @@ from .arguments import (
     range_given,
     seconds,
     show,
+    usual_seconds,
 )
 from .proof_words import proof_lines
 from .spatial_words import spatial_lines
@@ -160,9 +161,7 @@ def _solve(arguments: argparse.Namespace) -> int:
         literal = solve_literal(grasp, wrench, arguments.literal)
         lines = _verdict_lines(literal.equilibria, grasp)
         return show(arguments, literal.to_dict(), lines, literal.stable, grasp)
-    # In space a minute, since proofs there are long.
-    usual = budget.SECONDS * budget.times() * (1 if grasp.dimension == 2 else 6)
-    limit = arguments.time_limit or usual
+    limit = arguments.time_limit or usual_seconds(grasp) * budget.times()
     if arguments.cone is None:
         found = solve(grasp, wrench, time_limit=limit, shorten=arguments.shorten, **bounds)
     elif grasp.dimension == 2:

@@ -7,6 +7,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from fractions import Fraction
 from typing import TYPE_CHECKING, Any
 
+from arrangement.console import terminal
 from arrangement.console.number_form import bracket, number, vector
 
 from .arguments import (
@@ -17,7 +18,6 @@ from .arguments import (
     add_range,
     add_wrench,
     applied,
-    contacts_argument,
     grasp_of,
     range_given,
     show,
@@ -67,7 +67,7 @@ def add_commands(commands: Any) -> None:
     text = "seeded search for grasps that a binary search misjudges"
     gaps = add_command(commands, "gaps", _gaps, text, grasp=False)
     text = "of each grasp (default: 3)"
-    gaps.add_argument("--contacts", type=contacts_argument, default=3, metavar="M", help=text)
+    gaps.add_argument("--contacts", type=terminal.count_argument, default=3, metavar="M", help=text)
     add_count(gaps, "--seed", 29, "of the random grasps", "SEED")
     add_count(gaps, "--tries", 20, "grasps looked at")
 

@@ -16,6 +16,7 @@ from arrangement.console.number_form import counted
 from arrangement.console.plugins import InlinePage, named
 from arrangement.console.writing import write_text_atomically
 from arrangement.library.files.json_files import check_keys, check_list
+from arrangement.numbers import budget
 from arrangement.numbers.exact import RationalVector, rational_vector, shown
 
 from .contact import IN_SPACE, Contact, contact_of, wrench_at
@@ -32,6 +33,11 @@ if TYPE_CHECKING:
 MOTIONS = ("x", "y", "r")
 _FORCES = {2: "f_x, f_y and tau", 3: "f_x, f_y, f_z, tau_x, tau_y and tau_z"}
 _PLACES = {2: "the plane", 3: "space"}
+
+
+def ask_contacts(count: int) -> None:
+    """Refuse to read so many contacts that no question about them could be answered."""
+    budget.ask(f"{count:,} contacts", "leave out contacts", seconds=5e-4 * count)
 
 
 @dataclass(frozen=True)
@@ -219,6 +225,7 @@ class Grasp:
         if type(version) is not int or version != 1:
             raise GraspError(f"schema_version is {version!r}; this version reads 1")
         contacts = check_list(document["contacts"], "contacts")
+        ask_contacts(len(contacts))
         units = Units.from_dict(document["units"]) if "units" in document else None
         outline = read_outline(document["outline"]) if "outline" in document else None
         error = DataError.from_dict(document["data_error"]) if "data_error" in document else None

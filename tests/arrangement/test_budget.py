@@ -19,10 +19,13 @@ from arrangement import Arrangement, counts
 from arrangement.enumeration.choose import most_faces
 from arrangement.errors import OutOfReachError
 from arrangement.library import families
+from arrangement.library.files import table
 from arrangement.numbers import budget
 
 #: Seconds of the processor in which a refusal ends, on a machine with other work; megabytes.
 REFUSED_IN, MEGABYTES = 4, 500
+#: From this number on there are questions of more kinds.
+MORE = 600
 _FAMILIES = {
     "braid": ("n",),
     "coordinate": ("d",),
@@ -44,6 +47,10 @@ _FAMILIES = {
 }
 
 
+_VIEWS = ["sphere", "planes", "cells", "lines", "stereographic", "gnomonic", "dual", "graph"]
+_VIEWS_OF_GRASPS = ["grasp", "resist", "slice", "polar", "compare", "proof"]
+
+
 def _planes(source: Random) -> dict[str, Any]:
     """Return planes of a size that may be out of reach: few entries in all, so that they fit."""
     d = source.choice((1, 2, 3, 3, 4, 5, 8, 30, 200))
@@ -61,7 +68,32 @@ def _planes(source: Random) -> dict[str, Any]:
 def question(number: int, folder: Path) -> list[str]:
     """Return the words of a hostile question, the same for the same number."""
     source = Random(number)
-    kind = source.randrange(4)
+    more = number >= MORE
+    kind = source.randrange(4 + more)
+    if kind == 4:
+        size = str(10 ** source.randint(1, 9) * source.randint(1, 9))
+        kept = str(folder / f"{number}.store")
+        sweep = ["--planes", f"3..{size}", "--samples", "2", "--store", kept]
+        asked = (
+            [
+                "proofs-check",
+                "sweep",
+                source.choice(("two-routes", "single-solution", "printed-detachment")),
+                *sweep,
+            ],
+            ["arrangement", "bounds", "--largest", size],
+            ["arrangement", "make", "shi", "--type", f"{source.choice('ABCDEFG')}{size}"],
+            [
+                "arrangement",
+                "make",
+                "shi",
+                "--type",
+                source.choice(("E8", "F4", "G2")),
+                "--m",
+                size,
+            ],
+        )
+        return source.choice(asked)
     if kind == 0:
         name = source.choice(sorted(_FAMILIES))
         size = [10 ** source.randint(1, 12) * source.randint(1, 9) for _ in range(3)]
@@ -82,15 +114,30 @@ def question(number: int, folder: Path) -> list[str]:
         path.write_text(json.dumps({"schema_version": 1, "contacts": contacts}))
         command = source.choice(("solve", "limit", "margin", "compare", "modes"))
         asked = {"limit": "--direction", "modes": ""}.get(command, "--wrench")
+        if more and source.random() < 0.3:
+            picture = [str(path), "-o", str(folder / f"{number}.svg"), "--wrench", "1", "2", "3"]
+            return ["equilibrium", "draw", "--view", source.choice(_VIEWS_OF_GRASPS), *picture]
         return ["equilibrium", command, str(path), *([asked, "1", "2", "3"] if asked else [])]
     path = folder / f"{number}.json"
     path.write_text(json.dumps(_planes(source)))
     command = source.choice(
-        ("count", "polynomial", "faces", "identify", "draw lines", "draw dual", "convert")
+        (
+            "count",
+            "polynomial",
+            "faces",
+            "identify",
+            "draw --view lines",
+            "draw --view dual",
+            "convert",
+        )
     )
-    more = {"draw": ["-o", str(folder / f"{number}.svg")], "convert": ["--to", "chirotope"]}
+    form = "chirotope"
+    if more and source.random() < 0.7:
+        command = source.choice(("convert", f"draw --view {source.choice(_VIEWS)}"))
+        form = source.choice(sorted(n for n, form in table.FORMATS.items() if form.write))
+    rest = {"draw": ["-o", str(folder / f"{number}.svg")], "convert": ["--to", form]}
     word, *view = command.split()
-    return ["arrangement", word, *view, str(path), *more.get(word, [])]
+    return ["arrangement", word, *view, str(path), *rest.get(word, [])]
 
 
 def asked(words: Sequence[str], seconds: int = 90) -> tuple[int, float, float, str]:
@@ -129,7 +176,7 @@ def test_a_hostile_question_is_answered_or_refused_soon(number: int, tmp_path: P
 
 
 @pytest.mark.campaign
-@pytest.mark.parametrize("number", range(100, 600))
+@pytest.mark.parametrize("number", range(100, 1000))
 def test_hostile_questions_are_answered_or_refused_soon(number: int, tmp_path: Path) -> None:
     check(number, tmp_path)
 
@@ -165,3 +212,19 @@ def test_planes_of_independent_parts_are_counted_part_by_part() -> None:
 def test_lines_in_two_directions_fill_a_grid() -> None:
     grid = Arrangement([[1, 0]] * 200 + [[0, 1]] * 200, [*range(200), *range(200)])
     assert grid.f_vector == (200**2, 2 * 200 * 201, 201**2) == counts.f_vector(grid)
+
+
+def test_a_basis_of_many_rows_is_found_where_they_span_little() -> None:
+    parallel = Arrangement([[1, 0, 0]] * 2000, range(2000))
+    assert counts.f_vector(parallel) == (0, 0, 2000, 2001)
+    pencil = Arrangement([[1, k, 0] for k in range(300)])
+    assert counts.f_vector(pencil) == (0, 1, 600, 600)
+
+
+def test_one_plane_off_the_others_is_a_factor_of_its_own() -> None:
+    flat = [[1, k, 0] for k in range(30)]
+    assert [len(part) for part in counts.irreducible_factors(Arrangement([*flat, [0, 0, 1]]))] == [
+        30,
+        1,
+    ]
+    assert len(counts.irreducible_factors(Arrangement([*flat, [0, 0, 1], [0, 1, 1]]))) == 1

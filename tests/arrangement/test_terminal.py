@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import argparse
 import json
+import signal
 import subprocess
 import sys
 from fractions import Fraction
@@ -15,6 +16,7 @@ import pytest
 from arrangement import InputError, MissingExtraError
 from arrangement.console import terminal
 from arrangement.console.entry import entry
+from arrangement.numbers import budget
 
 
 def parser_for(function: Any) -> terminal.Parser:
@@ -91,6 +93,36 @@ def test_a_fault_of_the_program_is_no_answer(
     assert len(line) < 300
     assert terminal.run(parser_for(fails), ["go", "--traceback"]) == 70
     assert "Traceback (most recent call last)" in capsys.readouterr().err
+
+
+def test_what_memory_does_not_hold_is_refused(capsys: pytest.CaptureFixture[str]) -> None:
+    def fails(_: argparse.Namespace) -> int:
+        print("half an answer")
+        return len(bytearray(1 << 62))
+
+    assert terminal.run(parser_for(fails), ["go"]) == 2
+    said = capsys.readouterr().err
+    assert said.startswith("error: there is not enough memory")
+    assert said.count("\n") == 1
+
+
+@pytest.mark.skipif(not hasattr(signal, "setitimer"), reason="the system has no such clock")
+def test_a_command_that_is_watched_ends_when_its_time_is_over(
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    def never_ends(_: argparse.Namespace) -> int:
+        budget.watch(0.1)
+        while True:
+            try:
+                for _ in range(10**6):
+                    pass
+            except Exception:
+                pass  # what takes errors for bad input does not go on
+
+    assert terminal.run(parser_for(never_ends), ["go", "--limit", "2"]) == 2
+    said = capsys.readouterr().err
+    assert said == "error: it has taken 0.2 seconds of the processor; --limit 4 allows more\n"
+    assert signal.getitimer(signal.ITIMER_VIRTUAL) == (0, 0)
 
 
 def test_json_is_one_line_with_rationals_as_strings(capsys: pytest.CaptureFixture[str]) -> None:

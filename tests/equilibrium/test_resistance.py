@@ -6,6 +6,7 @@ import json
 import re
 from collections.abc import Iterator
 from fractions import Fraction
+from random import Random
 from typing import Any
 
 import pytest
@@ -216,3 +217,30 @@ def test_a_contact_that_pushes_all_over_a_region_needs_no_state():
     found = StateSplits(contacts, wrench, HALF_SPACE, 10).decide()
     assert isinstance(found, Solution)
     assert found.motion == (0, Fraction(1, 2), 0)
+
+
+def huge_and_tiny(seed: int) -> tuple[Grasp, Wrench]:
+    """Return contacts in one point, with numbers that no float takes in."""
+    source = Random(seed)
+    normals = [(0, 1), (1, 0), (Fraction(3, 5), Fraction(4, 5)), (-1, 0), (0, -1)]
+    normals += [(Fraction(-3, 5), Fraction(4, 5)), (Fraction(-5, 13), Fraction(12, 13))]
+    numbers = [0, 1, Fraction(1, 2), 10**80, 10**70, Fraction(1, 10**70)]
+
+    def contact() -> Contact:
+        return Contact(
+            (0, 1),
+            source.choice(normals),
+            friction=source.choice(numbers),
+            preload=source.choice(numbers),
+            stiffness=source.choice(numbers[1:]),
+        )
+
+    grasp = Grasp(contact() for _ in range(12))
+    return grasp, tuple(Fraction(source.choice([0, 1, -1, 10**70, -(10**70)])) for _ in range(3))
+
+
+@pytest.mark.parametrize("seed", range(9))
+def test_huge_beside_tiny_numbers_are_decided_soon(seed: int) -> None:
+    grasp, wrench = huge_and_tiny(seed)
+    found = solve(grasp, wrench, time_limit=20)
+    assert found.verify()

@@ -51,6 +51,14 @@ def rank(rows: Sequence[Sequence[int]]) -> int:
     return found
 
 
+def spanning(rows: Sequence[IntegerVector]) -> Sequence[IntegerVector]:
+    """Return rows that span all of them: few, where there are many rows of integers."""
+    if not len(rows) or len(rows) * len(rows[0]) <= _FEW or largest(rows) == math.inf:
+        return rows
+    chosen = _independent(rows)
+    return [rows[i] for i in chosen] if rank(rows) == len(chosen) else rows
+
+
 def _independent(rows: Sequence[Sequence[int]]) -> list[int]:
     """Return which rows are independent of those before, modulo a prime."""
     import numpy as np

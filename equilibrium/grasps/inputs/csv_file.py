@@ -22,6 +22,7 @@ from typing import TYPE_CHECKING, Any, TypeVar
 from arrangement.numbers.exact import rational, shown
 from equilibrium.model.contact import VALUES
 from equilibrium.model.errors import GraspError
+from equilibrium.model.grasp import ask_contacts
 
 from .conversion import DEFAULT_TOLERANCE, Conversion
 from .incidences import Rounding, converted, rounding
@@ -121,6 +122,7 @@ def each_line(
         read: gives point, normal and values of a line.
         convert: makes contacts of them; each alone first, then all together.
     """
+    ask_contacts(text.count("\n"))
     parts: list[tuple[Any, Any, dict[str, Any]]] = []
     for line, row in _rows(text):
         try:

@@ -10,7 +10,7 @@ from typing import Any
 from arrangement.numbers.exact import RationalVector
 from equilibrium.model.contact import Contact
 from equilibrium.model.errors import GraspError
-from equilibrium.model.grasp import Grasp
+from equilibrium.model.grasp import Grasp, ask_contacts
 from equilibrium.model.outline import Polygon
 
 #: Denominator of the half-angle tangents, and of all other numbers.
@@ -44,6 +44,7 @@ def random_grasp(
         raise GraspError(f"contacts is {contacts}; it must be at least 0")
     if dimension not in _CONTACTS:
         raise GraspError(f"dimension is {dimension}; give 2, the plane, or 3, space")
+    ask_contacts(contacts)
     source = Random(f"grasp {contacts} {seed}" + (" in space" if dimension == 3 else ""))
     loaded = bool(seed % 2) if preload is None else preload
     return Grasp(_CONTACTS[dimension](source, loaded) for _ in range(contacts))

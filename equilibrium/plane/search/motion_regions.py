@@ -43,7 +43,8 @@ ORTHANTS = tuple(
 _NUMBERS = 3_000_000
 #: A region cut out so often, and every fourth time from then on, is tried by states.
 _PATIENCE = 12
-#: Few contacts are tried by states as a whole after some cuts; with a limit of programs.
+#: Few contacts, and any with huge or tiny numbers, which floats cannot guide, are tried by states
+#: as a whole: few after some cuts; with a limit of programs.
 _SMALL, _SMALL_CUTS, _SMALL_PARTS = 6, 40, 300
 #: Cuts after which edges are cut where springs end, too.
 _FEW = 4
@@ -115,15 +116,17 @@ class MotionRegions:
         active = self._unclosed(
             [_Region(orthant, (children, n)) for n, orthant in enumerate(ORTHANTS)]
         )
-        cuts = 0
+        cuts, first = 0, _SMALL_CUTS if len(self.contacts) <= _SMALL else math.inf
+        if not self.contacts.floats.moderate:
+            first = 0
         while active:
             if time.monotonic() > self.deadline:
                 raise TimeLimitError(
                     f"the time limit has passed with {len(active)} regions of motions open; "
                     "give more time, or none"
                 )
-            if len(self.contacts) <= _SMALL and cuts >= _SMALL_CUTS:
-                cuts = -(10**9)
+            if cuts >= first:
+                first = math.inf
                 root: list[Node] = [None]
                 if self._by_states(_Region(HALF_SPACE, (root, 0)), _SMALL_PARTS):
                     return root[0] if self.solution is None else self.solution

@@ -8,6 +8,7 @@ state (Farkas).
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
@@ -191,8 +192,12 @@ class PartProgram:
         entries[self.size - 1] = -region.weight[j]
         return self._row(entries)
 
-    def solve(self) -> Node | Solution:
-        """Return the leaf that closes the part, or what balances the load in it."""
+    def solve(self, deadline: float = math.inf) -> Node | Solution:
+        """Return the leaf that closes the part, or what balances the load in it.
+
+        Raises:
+            TimeoutError: the deadline has passed, on the clock `time.monotonic`.
+        """
         cuts = self.cuts or self._cuts_at(self.region.wrench)
         rows = [self._cut_row(cut) for cut in cuts]
         objective = [0] * (self.size - 1) + [-1]
@@ -200,7 +205,8 @@ class PartProgram:
         largest = max(sum(map(abs, row)) for row in rows)
         self.box.append(self._row({self.size - 1: -1}, largest))
         while True:
-            answer = programs.minimize(objective, [*self.box, *self.bounds, *rows])
+            every = [*self.box, *self.bounds, *rows]
+            answer = programs.Program(len(objective), every, (), deadline).minimize(objective)
             assert isinstance(answer, programs.Optimal)
             point = answer.point
             if point[-1] == 0:

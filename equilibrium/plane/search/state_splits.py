@@ -9,7 +9,6 @@ So the splits end.
 from __future__ import annotations
 
 import math
-import time
 from collections.abc import Sequence
 from fractions import Fraction
 
@@ -56,10 +55,13 @@ class StateSplits:
 
     def _decide(self, states: States, cuts: Sequence[Cut]) -> Node | Solution:
         self.left -= 1
-        if self.left < 0 or time.monotonic() > self.deadline:
+        if self.left < 0:
             raise TooManyParts
         program = PartProgram(self.region, states, cuts)
-        found = program.solve()
+        try:
+            found = program.solve(self.deadline)
+        except TimeoutError:
+            raise TooManyParts from None
         if not isinstance(found, Solution):
             return found
         contact = self._worst(found, states)

@@ -20,9 +20,9 @@ _TERM = re.compile(
 )
 
 
-def read_form(text: str, names: Sequence[str]) -> list[Fraction]:
+def read_form(text: str, names: Sequence[str]) -> list[Fraction | int]:
     """Return the coefficients of the named variables, and the constant last."""
-    found = [Fraction(0)] * (len(names) + 1)
+    found: list[Fraction | int] = [0] * (len(names) + 1)
     place = 0
     while place < len(text) or not place:
         term = _TERM.match(text, place)
@@ -35,8 +35,12 @@ def read_form(text: str, names: Sequence[str]) -> list[Fraction]:
             raise InputError(
                 f"{shown(text)} has {shown(name)}; the variables are {', '.join(names)}"
             )
-        written = (term[2] or f"1/{term[5] or 1}").strip("()")
-        size = rational(written, f"a coefficient of {shown(text)}")
+        written = (term[2] or (f"1/{term[5]}" if term[5] else "1")).strip("()")
+        size: Fraction | int = (
+            int(written)
+            if written.isdigit() and len(written) < 1000
+            else rational(written, f"a coefficient of {shown(text)}")
+        )
         found[names.index(name) if name else -1] += -size if term[1] == "-" else size
         place = term.end()
     return found

@@ -30,7 +30,10 @@ def recognises(text: str) -> bool:
 def numbers(line: str) -> list[str]:
     """Return the numbers of a line, as they are written."""
     plain = line.strip().strip("()[],;")
-    if any(bracket in plain for bracket in "()[]"):
+    marks = set(plain) & set("()[],;")
+    if not marks:
+        return plain.split() or [""]
+    if marks - set(",;"):
         raise InputError(f"the line {shown(line)} has brackets inside; write one normal a line")
     return re.split(r"\s*[\s,;]\s*", plain.strip())
 
