@@ -221,20 +221,20 @@ class SpatialSearch:
         leaf = self._leaf(states, found)
         if leaf is not None:
             return leaf
-        if isinstance(found, Point):
+        # Where floats end, or lead nowhere for long, exact programs are asked.
+        if isinstance(found, Point) and not (self.exactly and self.idle >= self.patience):
             answer = self._equilibrium_or_cut(states, found)
             if answer is not None:
                 return answer
         if not self.exactly:
             return self._any_split(states)
-        # Floats end here.
         exact = self.exact.part(states, self._towards(found))
         if not isinstance(exact, SpatialSolution):
             return exact
+        point = self._point(exact)
         near = exact if self.accept(exact) else self._exact_equilibrium()
-        return (
-            near or self._equilibrium_or_cut(states, self._point(exact)) or self._any_split(states)
-        )
+        near = near or self._near_point(point) or self._equilibrium_or_cut(states, point)
+        return near or self._any_split(states)
 
     def _point(self, found: SpatialSolution) -> Point:
         """Return a solution in scaled units."""
