@@ -23,11 +23,10 @@ from equilibrium.space.states import StateBalance
 #: Sizes of boxes, relative to the motion, and digits of their inverses: in floats, in decimals.
 _RADII, _FINE = ((1e-11, 9), (1e-9, 9), (1e-7, 9)), ((1e-25, 30),)
 _LEAST = 1e-40
-#: Significant digits of decimals, and of the centres of boxes in them and in floats.
-_DIGITS, _CENTRE, _SHORT = 60, 45, 20
+#: Significant digits of the centres of boxes in decimals and in floats; the decimals.
+_CENTRE, _SHORT = 45, 20
+_CONTEXT = Context(prec=60, Emin=-200, Emax=200)
 _STEPS, _CLOSE = 24, 1e-9
-#: Where floats leave less than this share of all that they add up, decimals go on.
-_NOISE = 1e-7
 
 
 @dataclass(frozen=True)
@@ -59,6 +58,8 @@ def enclosures(balance: StateBalance, motion: Floats) -> Iterator[Enclosed]:
     for k, (i, j) in enumerate(balance.pillars, p):
         force = max(0.0, float(c.spring[i, 0] + c.spring[i, 1:] @ motion))
         start[k] = c.friction[i] * force * balance.states.ratio[i, j]
+    if not np.isfinite(start).all():
+        return
     idle = [
         (*v, *_short([float(np.array([nearest(x) for x in v]) @ motion)], 9))
         for v in balance.unfelt
@@ -66,9 +67,12 @@ def enclosures(balance: StateBalance, motion: Floats) -> Iterator[Enclosed]:
     load = max(map(nearest, map(abs, balance.wrench))) + float(c.preload.max(initial=0.0))
     for number in (nearest, _decimal):
         floats = number is nearest
-        system = _System(balance, idle, number)
-        with localcontext(Context(prec=_DIGITS)):
-            found = system.newton(start)
+        try:
+            with localcontext(_CONTEXT):
+                found = _System(balance, idle, number).newton(start)
+        except ArithmeticError:
+            # The iteration leads to infinity.
+            return
         if found is None or not np.abs(found[1]).max() <= _CLOSE * load:
             continue
         point, _, inverse, moved, forces = found
@@ -106,16 +110,15 @@ class _System:
             listed = [[number(x) for x in row] for row in rows]
             return np.array(listed, dtype=self.type).reshape(shape)
 
-        with localcontext(Context(prec=_DIGITS)):
-            m = len(grasp)
-            self.load = array([balance.wrench], 6)
-            self.basis = array(balance.basis, len(balance.basis), 6).T
-            self.spring = array(balance.contacts.springs, m, 7)
-            self.normal = array((c.normal_wrench for c in grasp), m, 6)
-            self.tangents = array((row for c in grasp for row in c.tangential_wrenches), m, 2, 6)
-            self.friction = array([[c.friction for c in grasp]], m)
-            self.shares = array(map(balance.share, range(m)), m, 2)
-            self.idle = [array([row], 7) for row in idle]
+        m = len(grasp)
+        self.load = array([balance.wrench], 6)
+        self.basis = array(balance.basis, len(balance.basis), 6).T
+        self.spring = array(balance.contacts.springs, m, 7)
+        self.normal = array((c.normal_wrench for c in grasp), m, 6)
+        self.tangents = array((row for c in grasp for row in c.tangential_wrenches), m, 2, 6)
+        self.friction = array([[c.friction for c in grasp]], m)
+        self.shares = array(map(balance.share, range(m)), m, 2)
+        self.idle = [array([row], 7) for row in idle]
 
     def newton(self, point: Any) -> Any | None:
         """Return the end of the iteration, and there: what is left, the inverse of its derivative,
@@ -179,7 +182,8 @@ def _inverse(matrix: Any) -> Any | None:
     """Return the inverse, or None if there is none in the numbers given."""
     if matrix.dtype != object:
         try:
-            return np.linalg.inv(matrix) if np.isfinite(matrix).all() else None
+            inverse = np.linalg.inv(matrix)
+            return inverse if np.isfinite(inverse).all() else None
         except np.linalg.LinAlgError:
             return None
     rows: list[list[Any]] = [

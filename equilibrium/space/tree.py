@@ -233,7 +233,6 @@ class SpatialSearch:
             return exact
         point = self._point(exact)
         near = exact if self.accept(exact) else self._exact_equilibrium()
-        near = near or self._near_point(point)
         return near or self._equilibrium_or_cut(states, point) or self._any_split(states)
 
     def _point(self, found: SpatialSolution) -> Point:
