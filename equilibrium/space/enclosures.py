@@ -70,12 +70,12 @@ def enclosures(balance: StateBalance, motion: Floats) -> Iterator[Enclosed]:
         try:
             with localcontext(_CONTEXT):
                 found = _System(balance, idle, number).newton(start)
-        except ArithmeticError:
-            # The iteration leads to infinity.
-            return
-        if found is None or not np.abs(found[1]).max() <= _CLOSE * load:
+        except (ArithmeticError, np.linalg.LinAlgError):
+            # A derivative has no inverse, or decimals grow without end.
             continue
-        point, _, inverse, moved, forces = found
+        point, value, inverse, moved, forces = found
+        if not (np.abs(value).max() <= _CLOSE * load and np.abs(inverse).max() < 1e200):
+            continue
         sizes = np.abs(point).astype(float)
         error = np.abs(inverse).astype(float).sum(axis=1) * load
         for radius, digits in _RADII if floats else _FINE:
@@ -120,22 +120,20 @@ class _System:
         self.shares = array(map(balance.share, range(m)), m, 2)
         self.idle = [array([row], 7) for row in idle]
 
-    def newton(self, point: Any) -> Any | None:
-        """Return the end of the iteration, and there: what is left, the inverse of its derivative,
-        the motion, the forces; or None.
-        """
+    def newton(self, point: Any) -> tuple[Any, ...]:
+        """Return the end, and there: the sum, its derivative's inverse, the motion, the forces."""
         point = np.array([self.number(Fraction(x)) for x in point.tolist()], dtype=self.type)
         close = 1e-15 if self.type is float else Decimal(10) ** -_CENTRE
         last = False
         for _ in range(_STEPS):
             value, derivative, motion, forces = self._value(point)
             inverse = _inverse(derivative)
-            if inverse is None or last:
+            if last:
                 break
             step = inverse @ value
             point = point - step
             last = bool(np.abs(step).max() <= close * np.abs(point).max())
-        return None if inverse is None else (point, value, inverse, motion, forces)
+        return point, value, inverse, motion, forces
 
     def _value(self, point: Any) -> tuple[Any, Any, Any, Any]:
         """Return the sum of all wrenches, its derivative, the motion and the forces."""
@@ -178,20 +176,16 @@ class _System:
         return value, derivative, motion, forces
 
 
-def _inverse(matrix: Any) -> Any | None:
-    """Return the inverse, or None if there is none in the numbers given."""
+def _inverse(matrix: Any) -> Any:
+    """Return the inverse; ArithmeticError or LinAlgError if there is none in the numbers given."""
     if matrix.dtype != object:
-        try:
-            inverse = np.linalg.inv(matrix)
-            return inverse if np.isfinite(inverse).all() else None
-        except np.linalg.LinAlgError:
-            return None
+        return np.linalg.inv(matrix)
     rows: list[list[Any]] = [
         [*map(Fraction, row), *(int(j == k) for k in range(6))] for j, row in enumerate(matrix)
     ]
-    reduced, pivots, scale = gauss_jordan(rows)
-    if pivots != list(range(6)):
-        return None
+    reduced, _, scale = gauss_jordan(rows)
+    if not all(row[j] == scale for j, row in enumerate(reduced)):
+        raise ZeroDivisionError
     return np.array([[_decimal(Fraction(x, scale)) for x in row[6:]] for row in reduced], object)
 
 
