@@ -1,22 +1,32 @@
-"""Boxes that may hold one equilibrium, around what Newton's method finds in floats."""
+"""Boxes that may hold one equilibrium, around what Newton's method finds.
+
+It runs in floats, then in decimals of 60 digits: with a friction of 10^12, or springs of 10^3
+beside 10^-3, floats miss forces by as much as the load.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
+from decimal import Context, Decimal, localcontext
 from fractions import Fraction
+from typing import Any
 
 import numpy as np
 
 from arrangement.numbers.exact import RationalVector
 from arrangement.numbers.float_filter import Floats
 from equilibrium.plane.contacts import nearest
+from equilibrium.plane.elimination import gauss_jordan
 from equilibrium.space.states import StateBalance
 
-#: Sizes of boxes, relative to the motion.
-_RADII = (1e-11, 1e-9, 1e-7)
+#: Sizes of boxes, relative to the motion, and digits of their inverses: in floats, in decimals.
+_RADII, _FINE = ((1e-11, 9), (1e-9, 9), (1e-7, 9)), ((1e-25, 30),)
 _LEAST = 1e-40
-_STEPS, _CLOSE = 12, 1e-9
+#: Significant digits of the centres of boxes in decimals and in floats; the decimals.
+_CENTRE, _SHORT = 45, 20
+_CONTEXT = Context(prec=60, Emin=-200, Emax=200)
+_STEPS, _CLOSE = 24, 1e-9
 
 
 @dataclass(frozen=True)
@@ -43,99 +53,147 @@ def enclosures(balance: StateBalance, motion: Floats) -> Iterator[Enclosed]:
     p, size = len(balance.basis), len(balance.basis) + len(balance.pillars)
     if size != 6:
         return
-    basis, point = balance.float_basis(), np.zeros(6)
-    point[:p] = balance.coordinates(motion)
-    load = np.array([nearest(w) for w in balance.wrench])
+    c, start = balance.contacts, np.zeros(6)
+    start[:p] = balance.coordinates(motion)
+    for k, (i, j) in enumerate(balance.pillars, p):
+        force = max(0.0, float(c.spring[i, 0] + c.spring[i, 1:] @ motion))
+        start[k] = c.friction[i] * force * balance.states.ratio[i, j]
+    if not np.isfinite(start).all():
+        return
     idle = [
-        (*v, *_short(np.array([nearest(x) for x in v]) @ motion[:, None], 9))
+        (*v, *_short([float(np.array([nearest(x) for x in v]) @ motion)], 9))
         for v in balance.unfelt
     ]
-    size_of = float(np.abs(load).max()) + float(np.abs(balance.contacts.preload).max(initial=0.0))
-    for k, (i, j) in enumerate(balance.pillars, p):
-        c = balance.contacts
-        force = max(0.0, float(c.spring[i, 0] + c.spring[i, 1:] @ motion))
-        point[k] = c.friction[i] * force * balance.states.ratio[i, j]
-    for _ in range(_STEPS):
-        value, derivative, _ = _value(balance, basis, point, load, idle)
+    load = max(map(nearest, map(abs, balance.wrench))) + float(c.preload.max(initial=0.0))
+    for number in (nearest, _decimal):
+        floats = number is nearest
         try:
-            step = np.linalg.solve(derivative, value)
-        except np.linalg.LinAlgError:
-            return
-        if not np.isfinite(step).all():
-            return
-        point = point - step
-        if np.abs(step).max() <= 1e-15 * np.abs(point).max():
-            break
-    value, derivative, forces = _value(balance, basis, point, load, idle)
-    if not np.abs(value).max() <= _CLOSE * size_of or not np.isfinite(derivative).all():
-        return
-    try:
-        inverse = np.linalg.inv(derivative)
-    except np.linalg.LinAlgError:
-        return
-    error = np.abs(inverse) @ np.full(6, 1e-14 * size_of)
-    for radius in _RADII:
-        radii = np.maximum(
-            radius * np.maximum(np.abs(point), np.abs(point[:p]).max(initial=0.0) if p else 0.0),
-            error,
-        )
-        radii = np.maximum(radii, _LEAST)
-        yield Enclosed(
-            tuple(balance.basis),
-            tuple(map(balance.named_share, range(len(balance.states.touching)))),
-            balance.pillars,
-            _short(point, 20),
-            _short(radii, 2),
-            tuple(_short(row, 9) for row in inverse),
-            tuple(idle),
-            basis @ point[:p] if p else np.zeros(6),
-            forces,
-        )
-
-
-def _value(
-    balance: StateBalance,
-    basis: Floats,
-    point: Floats,
-    load: Floats,
-    idle: Sequence[RationalVector],
-) -> tuple[Floats, Floats, Floats]:
-    """Return the sum of all wrenches, its derivative, and the forces."""
-    c, p = balance.contacts, basis.shape[1]
-    motion = basis @ point[:p]
-    value, derivative, forces = load.copy(), np.zeros((6, 6)), np.zeros((len(c.grasp), 3))
-    for i, touching in enumerate(balance.states.touching):
-        if not touching:
+            with localcontext(_CONTEXT):
+                found = _System(balance, idle, number).newton(start)
+        except (ArithmeticError, np.linalg.LinAlgError):
+            # A derivative has no inverse, or decimals grow without end.
             continue
-        normal = c.spring[i, 0] + c.spring[i, 1:] @ motion
-        slope = np.zeros(6)
-        slope[:p] = c.spring[i, 1:] @ basis
-        if balance.states.slipping[i]:
-            slip = c.tangents[i] @ motion
-            length = float(np.hypot(*slip))
-            unit = slip / length if length else np.zeros(2)
-            turn = np.zeros((2, 6))
-            moved = c.tangents[i] @ basis
-            turn[:, :p] = (moved - np.outer(unit, unit @ moved)) / (length or 1.0)
-            friction = -c.friction[i] * normal * unit
-            change = -c.friction[i] * (np.outer(unit, slope) + normal * turn)
-        else:
-            share = c.friction[i] * np.array([float(x) for x in balance.share(i)])
-            friction, change = normal * share, np.outer(share, slope)
-            for k, (pillar, j) in enumerate(balance.pillars, p):
-                if pillar == i:
-                    friction[j] += point[k]
-                    change[j, k] += 1
-        value = value + normal * c.normal[i] + friction @ c.tangents[i]
-        derivative += np.outer(c.normal[i], slope) + c.tangents[i].T @ change
-        forces[i] = normal, *friction
-    for *row, x in idle:
-        turn = np.array([nearest(y) for y in row])
-        value = value + turn * (turn @ motion - nearest(x))
-        derivative[:, :p] += np.outer(turn, turn @ basis)
-    return value, derivative, forces
+        point, value, inverse, moved, forces = found
+        if not (np.abs(value).max() <= _CLOSE * load and np.abs(inverse).max() < 1e200):
+            continue
+        sizes = np.abs(point).astype(float)
+        error = np.abs(inverse).astype(float).sum(axis=1) * load
+        for radius, digits in _RADII if floats else _FINE:
+            radii = radius * np.maximum(sizes, sizes[:p].max(initial=0.0))
+            radii = np.maximum(radii, error * (1e-14 if floats else 1e-40))
+            yield Enclosed(
+                tuple(balance.basis),
+                tuple(map(balance.named_share, range(len(c.grasp)))),
+                balance.pillars,
+                _short(point, _SHORT if floats else _CENTRE),
+                _short(np.maximum(radii, _LEAST), 2),
+                tuple(_short(row, digits) for row in inverse),
+                tuple(idle),
+                moved.astype(float),
+                forces.astype(float),
+            )
 
 
-def _short(numbers: Floats, digits: int) -> RationalVector:
-    """Return floats with so many significant digits as rationals."""
-    return tuple(Fraction(f"{x:.{digits - 1}e}") for x in numbers.tolist())
+class _System:
+    """Balance of given states as six equations, in floats or in decimals."""
+
+    def __init__(
+        self,
+        balance: StateBalance,
+        idle: Iterable[RationalVector],
+        number: Callable[[Fraction], Any],
+    ) -> None:
+        grasp, self.balance, self.number = balance.contacts.grasp, balance, number
+        self.type: Any = float if number is nearest else object
+
+        def array(rows: Iterable[Iterable[Fraction]], *shape: int) -> Any:
+            listed = [[number(x) for x in row] for row in rows]
+            return np.array(listed, dtype=self.type).reshape(shape)
+
+        m = len(grasp)
+        self.load = array([balance.wrench], 6)
+        self.basis = array(balance.basis, len(balance.basis), 6).T
+        self.spring = array(balance.contacts.springs, m, 7)
+        self.normal = array((c.normal_wrench for c in grasp), m, 6)
+        self.tangents = array((row for c in grasp for row in c.tangential_wrenches), m, 2, 6)
+        self.friction = array([[c.friction for c in grasp]], m)
+        self.shares = array(map(balance.share, range(m)), m, 2)
+        self.idle = [array([row], 7) for row in idle]
+
+    def newton(self, point: Any) -> tuple[Any, ...]:
+        """Return the end, and there: the sum, its derivative's inverse, the motion, the forces."""
+        point = np.array([self.number(Fraction(x)) for x in point.tolist()], dtype=self.type)
+        close = 1e-15 if self.type is float else Decimal(10) ** -_CENTRE
+        last = False
+        for _ in range(_STEPS):
+            value, derivative, motion, forces = self._value(point)
+            inverse = _inverse(derivative)
+            if last:
+                break
+            step = inverse @ value
+            point = point - step
+            last = bool(np.abs(step).max() <= close * np.abs(point).max())
+        return point, value, inverse, motion, forces
+
+    def _value(self, point: Any) -> tuple[Any, Any, Any, Any]:
+        """Return the sum of all wrenches, its derivative, the motion and the forces."""
+        balance, basis, p = self.balance, self.basis, len(self.balance.basis)
+        zeros = np.zeros((6, 6), self.type)
+        motion = basis @ point[:p] if p else zeros[0]
+        value, derivative = self.load.copy(), zeros.copy()
+        forces = np.zeros((len(self.spring), 3), self.type)
+        for i, touching in enumerate(balance.states.touching):
+            if not touching:
+                continue
+            normal = self.spring[i, 0] + self.spring[i, 1:] @ motion
+            slope = zeros[0].copy()
+            slope[:p] = self.spring[i, 1:] @ basis
+            if balance.states.slipping[i]:
+                slip = self.tangents[i] @ motion
+                square = slip @ slip
+                length = (square**0.5 if self.type is float else square.sqrt()) or self.number(
+                    Fraction(1)
+                )
+                unit = slip / length
+                turn = zeros[:2].copy()
+                moved = self.tangents[i] @ basis
+                turn[:, :p] = (moved - np.outer(unit, unit @ moved)) / length
+                friction = -self.friction[i] * normal * unit
+                change = -self.friction[i] * (np.outer(unit, slope) + normal * turn)
+            else:
+                share = self.friction[i] * self.shares[i]
+                friction, change = normal * share, np.outer(share, slope)
+                for k, (pillar, j) in enumerate(balance.pillars, p):
+                    if pillar == i:
+                        friction[j] += point[k]
+                        change[j, k] += 1
+            value = value + normal * self.normal[i] + friction @ self.tangents[i]
+            derivative += np.outer(self.normal[i], slope) + self.tangents[i].T @ change
+            forces[i] = normal, *friction
+        for row in self.idle:
+            value = value + row[:6] * (row[:6] @ motion - row[6])
+            derivative[:, :p] += np.outer(row[:6], row[:6] @ basis)
+        return value, derivative, motion, forces
+
+
+def _inverse(matrix: Any) -> Any:
+    """Return the inverse; ArithmeticError or LinAlgError if there is none in the numbers given."""
+    if matrix.dtype != object:
+        return np.linalg.inv(matrix)
+    rows: list[list[Any]] = [
+        [*map(Fraction, row), *(int(j == k) for k in range(6))] for j, row in enumerate(matrix)
+    ]
+    reduced, _, scale = gauss_jordan(rows)
+    if not all(row[j] == scale for j, row in enumerate(reduced)):
+        raise ZeroDivisionError
+    return np.array([[_decimal(Fraction(x, scale)) for x in row[6:]] for row in reduced], object)
+
+
+def _decimal(x: Fraction | int) -> Decimal:
+    """Return a number rounded to the digits in use."""
+    return Decimal(x.numerator) / x.denominator
+
+
+def _short(numbers: Iterable[Any], digits: int) -> RationalVector:
+    """Return numbers with so many significant digits as rationals."""
+    return tuple(Fraction(f"{x:.{digits - 1}e}") for x in numbers)

@@ -25,7 +25,7 @@ from .state_program import ConeRow, Ends, StateProgram
 from .states import States, rational_direction
 
 #: Sides of the polygons at first; how often corners are cut off; denominators of directions.
-_SIDES, _CUTS, _SIMPLE, _LONG = 8, 8, 64, 2**20
+_SIDES, _CUTS, _SIMPLE, _LONG = 8, 3, 64, 2**20
 #: What is taken off the least product of a middle direction with the arc of a sector.
 _LESS = Fraction(1, 2**40)
 
@@ -41,10 +41,8 @@ class ExactParts:
         self.grasp, self.wrench, self.deadline = contacts.grasp, wrench, deadline
         self.base = pyramid_edges(_SIDES)
 
-    def part(
-        self, states: Sequence[State], towards: Floats
-    ) -> SpatialSolution | dict[str, Any] | None:
-        """Return a leaf, a point that obeys the relaxed law, or None where cuts did not do.
+    def part(self, states: Sequence[State], towards: Floats) -> SpatialSolution | dict[str, Any]:
+        """Return a leaf, or a point that obeys the relaxed law, or nearly.
 
         Args:
             towards: (m, 2), directions of friction that are likely to matter.
@@ -67,8 +65,8 @@ class ExactParts:
                     directions += [pair for pair in new if pair is not None]
                     cut = cut or bool(new)
             if not cut:
-                return found
-        return None
+                break
+        return found
 
     def equilibrium(self, states: States) -> SpatialSolution | None:
         """Return an equilibrium of given states, if there is one whose slips are rational."""

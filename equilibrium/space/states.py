@@ -123,17 +123,12 @@ class StateBalance:
             return None
         return tuple(self.share(i)) if i in self.sticking else ()
 
-    def float_basis(self) -> Floats:
-        """Return the basis in floats, (6, p)."""
-        rows = [[nearest(x) for x in motion] for motion in self.basis]
-        basis: Floats = np.array(rows).reshape(len(rows), 6).T
-        return basis
-
     def coordinates(self, motion: Floats) -> Floats:
         """Return the combination of the basis that is nearest to a motion."""
         if not self.basis:
             return np.zeros(0)
-        found = np.linalg.lstsq(self.float_basis(), motion, rcond=None)[0]
+        basis = np.array([[nearest(x) for x in motion] for motion in self.basis])
+        found = np.linalg.lstsq(basis.T, motion, rcond=None)[0]
         nearest_one: Floats = found.astype(np.float64)
         return nearest_one
 

@@ -6,6 +6,7 @@ import math
 import time
 from collections.abc import Callable
 from dataclasses import dataclass
+from itertools import chain
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -13,7 +14,7 @@ import numpy as np
 from arrangement.numbers.exact import RationalVector
 from arrangement.numbers.float_filter import Floats
 from equilibrium.model.range import NO_RANGE, Range
-from equilibrium.plane.contacts import SpatialContacts
+from equilibrium.plane.contacts import SpatialContacts, nearest
 
 from .balance import SpatialContinuation
 from .enclosures import Enclosed
@@ -220,20 +221,25 @@ class SpatialSearch:
         leaf = self._leaf(states, found)
         if leaf is not None:
             return leaf
-        if isinstance(found, Point):
+        # Where floats end, or lead nowhere for long, exact programs are asked.
+        if isinstance(found, Point) and not (self.exactly and self.idle >= self.patience):
             answer = self._equilibrium_or_cut(states, found)
             if answer is not None:
                 return answer
         if not self.exactly:
             return self._any_split(states)
-        # Floats end here.
-        leaf = self.exact.part(states, self._towards(found))
-        if isinstance(leaf, SpatialSolution):
-            near = leaf if self.accept(leaf) else self._exact_equilibrium()
-            if near is not None:
-                return near
-            leaf = None
-        return leaf or self._any_split(states)
+        exact = self.exact.part(states, self._towards(found))
+        if not isinstance(exact, SpatialSolution):
+            return exact
+        point = self._point(exact)
+        near = exact if self.accept(exact) else self._exact_equilibrium()
+        return near or self._equilibrium_or_cut(states, point) or self._any_split(states)
+
+    def _point(self, found: SpatialSolution) -> Point:
+        """Return a solution in scaled units."""
+        numbers = np.array([nearest(x) for x in chain(found.motion, *found.forces)])
+        forces = numbers[6:].reshape(-1, 3) / self.relaxation.force
+        return Point(numbers[:6] / self.relaxation.scale, forces)
 
     def _equilibrium_or_cut(
         self, states: tuple[State, ...], found: Point

@@ -214,16 +214,19 @@ def test_questions_that_are_not_in_general_position_are_decided(kind):
         *(("box", seed) for seed in (9, 15, 20)),
         *(("common point", seed) for seed in (1, 25, 35)),
         ("huge friction", 9),
+        # Floats miss the forces; decimals do not.
+        *(("huge friction", seed) for seed in (41, 51)),
+        *(("unequal stiffness", seed) for seed in (22, 94)),
     ],
 )
-def test_what_floats_leave_open_is_decided_by_exact_programs(kind, seed):
+def test_what_floats_leave_open_is_decided(kind, seed):
     assert decided(kind, [seed]) == 1
 
 
 @pytest.mark.campaign
 @pytest.mark.parametrize("kind", exotic.KINDS)
 def test_most_questions_that_are_not_in_general_position_are_decided(kind):
-    harder = {"huge friction": 70, "unequal stiffness": 80, "line": 95, "box": 94}
+    harder = {"huge friction": 95, "unequal stiffness": 95, "line": 95, "box": 95}
     share = harder.get(kind, 98)
     assert decided(kind, range(100, 200)) >= share
 
