@@ -67,6 +67,10 @@ TARGETS = {
     "reading": Target("equilibrium.certificate.reading", CHECKER),
     "space": Target("equilibrium.certificate.space", SPACE),
     "enclosure": Target("equilibrium.certificate.enclosure", SPACE),
+    "robust": Target(
+        "equilibrium.certificate.robust", ("tests/equilibrium/test_robustness.py",)
+    ),
+    "plane": Target("equilibrium.model.plane", ("tests/equilibrium/test_space.py",)),
     "loads": Target("equilibrium.wrench_sets.spatial", ("tests/equilibrium/test_space.py",)),
     "final": Target(
         "arrangement.library.census.final_polynomials",
