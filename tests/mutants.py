@@ -8,9 +8,9 @@
 
 A fault changes one comparison, constant, sign, "and" or "or" of the syntax tree, drops a condition
 or an entry, or takes one function or end of an interval for its opposite. The tests of its target
-run in a process of their own; one that fails, or that takes too long, has found the fault. First the
-code of functions is exchanged after all is imported, and the tests that found faults go first;
-what survives that, or is no code of a function, is there from the import on.
+run in a process of their own; one that fails, or that takes too long, has found the fault. First
+the code of functions is exchanged after all is imported, and tests that found a fault nearby run
+first; what survives that, or is no code of a function, is there from the import on.
 Exit 1 if faults survive that are not among `EQUIVALENT`.
 """
 
@@ -67,9 +67,7 @@ TARGETS = {
     "reading": Target("equilibrium.certificate.reading", CHECKER),
     "space": Target("equilibrium.certificate.space", SPACE),
     "enclosure": Target("equilibrium.certificate.enclosure", SPACE),
-    "robust": Target(
-        "equilibrium.certificate.robust", ("tests/equilibrium/test_robustness.py",)
-    ),
+    "robust": Target("equilibrium.certificate.robust", ("tests/equilibrium/test_robustness.py",)),
     "plane": Target("equilibrium.model.plane", ("tests/equilibrium/test_space.py",)),
     "loads": Target("equilibrium.wrench_sets.spatial", ("tests/equilibrium/test_space.py",)),
     "final": Target(
@@ -494,11 +492,11 @@ class _InPlace:
                     key = f.__code__.co_qualname, f.__code__.co_firstlineno
                     if key in changed and changed[key] != self.code[key]:
                         f.__code__ = changed[key]
-                for k, pair in enumerate(zip(items, [*items[1:], None], strict=True)):
-                    session.config.hook.pytest_runtest_protocol(item=pair[0], nextitem=pair[1])
+                for k, (one, after) in enumerate(zip(items, [*items[1:], None], strict=True), 1):
+                    session.config.hook.pytest_runtest_protocol(item=one, nextitem=after)
                     if session.testsfailed:
-                        break
-                status = min(k + 1, 255) if session.testsfailed else 0
+                        os._exit(min(k, 255))
+                status = 0
             finally:
                 os._exit(status)
         status = os.waitpid(child, 0)[1]

@@ -322,7 +322,7 @@ def test_the_bounds_of_a_leaf_are_exact(cases, kinds):
     ],
 )
 def test_a_leaf_pays_for_the_bounds_of_a_range(bounds, motion, used, turned, holds):
-    """Two contacts below without friction, whose springs do not change; a load along the virtual motion."""
+    """Two contacts without friction, whose springs do not change; a load along the motion."""
     contacts = Grasp([Contact((0, 0), (0, 1), 0, "1/3", 1)] * 2)
     leaf = {"virtual_motion": ["0", str(motion), "0"], "multipliers": {}, "range": used}
     load = (Fraction(0), Fraction(motion, 3), Fraction(0))

@@ -240,7 +240,7 @@ def test_ranges_hold_all_contacts_within_bounds(dimension):
 
 def test_a_leaf_that_holds_for_all_holds_for_each():
     source, found = Random("leaves"), Counter()
-    for _ in range(1500):
+    for _ in range(500):
         grasp, wrench, leaf, region, _ = random_leaf(source)
         leaf = leaf["virtual_motion"] if isinstance(leaf, dict) else leaf
         whole = [tuple(map(int, g)) for g in region]
@@ -255,7 +255,7 @@ def test_a_leaf_that_holds_for_all_holds_for_each():
                 other = Grasp([at_the_bounds(source, c)])
                 assert leaf_holds(other, wrench, leaf, region, {})
     assert found[False, True] < found[True, True] / 4, found
-    assert found["near"] > 100, found
+    assert found["near"] > 30, found
 
 
 FINGERS = [Contact((1, 0), (-1, 0), "1/2"), Contact((-1, 0), (1, 0), "1/2")]
@@ -265,10 +265,9 @@ FLOOR, SIDE = (
     Contact((-1, Fraction(1, 2)), (1, 0), 0, 1, 0),
 )
 SPATIAL = [
-    Contact(p, [-x for x in p], "1/2", 1, 1)
-    for p in ((1, 0, 0), (-1, 0, 0), (0, 1, 0), (0, -1, 0))
+    Contact(p, [-x for x in p], "1/2", 1, 1) for p in ((1, 0, 0), (-1, 0, 0), (0, 1, 0), (0, -1, 0))
 ]
-STAY = (Fraction(0),)
+STAY, HELD = (Fraction(0),), (0, "1/2", 0)
 
 
 @pytest.mark.parametrize(
@@ -288,13 +287,13 @@ STAY = (Fraction(0),)
         ("", [FLOOR, *FINGERS], (-1, -1, "-1/4"), {"preload": "1%"}, {}),
         ("contact 1 may stick", [FLOOR, *FINGERS], ("13/50", -1, "-1/4"), {"preload": "5%"}, {}),
         ("contact 1 may stick", [FLOOR, *FINGERS], ("-13/50", -1, "1/4"), {"preload": "5%"}, {}),
-        ("contact 1 may touch", FINGERS, (0, "1/2", 0), {}, {"states": (None, STAY), "pillars": ((1, 0),)}),
+        ("1 may touch", FINGERS, HELD, {}, {"states": (None, STAY), "pillars": ((1, 0),)}),
         ("above 1", FINGERS, (0, 0, 0), {}, {"states": ((Fraction(-11, 10),), STAY)}),
         ("above 1", FINGERS, (0, 0, 0), {}, {"states": (STAY, (Fraction(11, 10),))}),
-        ("known to stick", FINGERS, (0, "1/2", 0), {}, {"pillars": ((0, 0),)}),
-        ("known to stick", FINGERS, (0, "1/2", 0), {}, {"states": (STAY, ())}),
-        ("contact 2 may stick", FINGERS, (0, "1/2", 0), {}, {"states": (STAY, ()), "pillars": ((0, 0),)}),
-        ("no box", FINGERS, (0, "1/2", 0), {}, {"inverse": ((Fraction(0),) * 5,) * 5}),
+        ("known to stick", FINGERS, HELD, {}, {"pillars": ((0, 0),)}),
+        ("known to stick", FINGERS, HELD, {}, {"states": (STAY, ())}),
+        ("2 may stick", FINGERS, HELD, {}, {"states": (STAY, ()), "pillars": ((0, 0),)}),
+        ("no box", FINGERS, HELD, {}, {"inverse": ((Fraction(0),) * 5,) * 5}),
         ("", SPATIAL, ("1/10", 0, "1/10", 0, 0, "1/10"), {"friction": "5%"}, {}),
     ],
 )  # fmt: skip

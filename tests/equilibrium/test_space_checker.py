@@ -11,7 +11,7 @@ import sympy
 
 from arrangement.numbers.exact import dot
 from equilibrium.certificate.document import enclosed_certificate, resisted_certificate
-from equilibrium.certificate.enclosure import Interval, _balance, _BrokenLaw, interval, total
+from equilibrium.certificate.enclosure import BrokenLaw, Interval, _balance, interval, total
 from equilibrium.certificate.reading import Enclosure, Leaf, Split
 from equilibrium.certificate.space import (
     SpatialQuestion,
@@ -507,7 +507,7 @@ def test_a_spring_that_may_be_wrong_by_one_unit_is_refused(state, up, words):
     given = Enclosure((plus(UP),), (state,), (), row, row, ())
     _balance(Grasp(table((0, 0), preload=0)), row, given, [zero] * 6, NO_RANGE)
     box = [Interval(*up), *[zero] * 5]
-    with pytest.raises(_BrokenLaw, match=words):
+    with pytest.raises(BrokenLaw, match=words):
         _balance(Grasp(table((0, 0), preload=0)), row, given, box, NO_RANGE)
 
 
