@@ -187,6 +187,10 @@ class TestRobust:
         verdict = solve(grasp, ("1/10", 0, 0, 0, 0, "1/10"))
         assert verdict.robust(degrees="1/10", friction="1%").answer == "holds"
 
+    def test_a_proof_in_one_plane_is_none_for_all(self):
+        tree = {"plane": [[1, 0, 0], [0, 1, 0]], "tree": [0, 0, 1]}
+        assert "one plane" in refuted_within(Grasp(SPATIAL), (0,) * 6, tree, Bounds())
+
     def test_bad_bounds_exit_with_two(self, capsys):
         for bound in ("degrees", "degrees=x", "degrees=90", "friction=120%", "mass=1"):
             call = ["solve", "paper-three-contacts", "--wrench", "0", "1", "0", "--robust", bound]

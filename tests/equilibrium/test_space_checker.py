@@ -428,7 +428,7 @@ SHORT = "contact 1 has a friction above its limit"
 OUT = "mapped into itself in coordinate 1"
 FORGED = [
     (OUT, {"part": 0}),
-    ("contact 1 has a normal force above", {"within": Range(None, F(5, 4) - TINY)}),
+    ("contact 1 has a normal force above", {"within": Range(None, F(5, 4) - TINY / 2)}),
     (
         "turns by more",
         {"within": Range(F(5, 32) - TINY), "radius": (WIDE, F(3, 32), *[WIDE] * 4)},
