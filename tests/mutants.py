@@ -216,6 +216,18 @@ for _target, _text, _changes, _reason in (
         "rooms of 0 obey the second bound; in (0, 1) there is no integer",
     ),
     (
+        "plane",
+        "height = heights.pop() if heights else Fraction(0)",
+        ("0 -> 1", "0 -> -1"),
+        "a grasp without contacts is one in the plane",
+    ),
+    (
+        "robust",
+        "near = Interval(interval(1 - turn * turn / 2).low, near.high)",
+        ("high -> low",),
+        "both ends are 1",
+    ),
+    (
         "robust",
         "if not pillars <= sticking or (pillars != sticking and len(pillars) != n):",
         ("dropped: not pillars <= sticking",),

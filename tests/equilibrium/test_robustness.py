@@ -2,6 +2,7 @@
 
 import json
 import math
+import re
 from collections import Counter
 from fractions import Fraction
 from random import Random
@@ -25,7 +26,7 @@ from equilibrium.grasps.inputs.incidences import other_rounding
 from equilibrium.model.errors import GraspError
 
 from .converted_grasps import SHAPES, converted, original
-from .test_checker import leaf_holds, random_leaf
+from .test_checker import ATTACHMENT, HALVED, LEAF, ONE, ORTHANTS, leaf_holds, random_leaf
 
 #: Angles of contacts on a circle, in degrees: no symmetry helps.
 ANGLES = [10 + 44 * k for k in range(8)]
@@ -190,6 +191,21 @@ class TestRobust:
     def test_a_proof_in_one_plane_is_none_for_all(self):
         tree = {"plane": [[1, 0, 0], [0, 1, 0]], "tree": [0, 0, 1]}
         assert "one plane" in refuted_within(Grasp(SPATIAL), (0,) * 6, tree, Bounds())
+
+    @pytest.mark.parametrize(
+        ("words", "tree"),
+        [
+            ("does not hold", LEAF),
+            ("orthants.7.: the leaf does not hold", ORTHANTS),
+            ("splits of states", HALVED),
+            ("splits of states", ATTACHMENT),
+            ("orthants.7.: splits of states", {"orthants": [ORTHANTS] * 8}),
+            ("orthants.7.: splits of states", {"orthants": [ATTACHMENT] * 8}),
+        ],
+    )
+    def test_a_tree_that_does_not_cover_proves_nothing_for_all(self, words, tree):
+        problem = refuted_within(ONE, (Fraction(0), Fraction(1), Fraction(0)), tree, Bounds())
+        assert re.search(words, problem)
 
     def test_bad_bounds_exit_with_two(self, capsys):
         for bound in ("degrees", "degrees=x", "degrees=90", "friction=120%", "mass=1"):
