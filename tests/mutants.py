@@ -8,7 +8,9 @@
 
 A fault changes one comparison, constant, sign, "and" or "or" of the syntax tree, drops a condition
 or an entry, or takes one function or end of an interval for its opposite. The tests of its target
-run in a process of their own; one that fails, or that takes too long, has found the fault.
+run in a process of their own; one that fails, or that takes too long, has found the fault. First
+the code of functions is exchanged after all is imported, and tests that found a fault nearby run
+first; what survives that, or is no code of a function, is there from the import on.
 Exit 1 if faults survive that are not among `EQUIVALENT`.
 """
 
@@ -17,9 +19,11 @@ from __future__ import annotations
 import argparse
 import ast
 import copy
+import gc
 import importlib
 import importlib.abc
 import importlib.util
+import json
 import os
 import resource
 import sys
@@ -29,6 +33,7 @@ from concurrent.futures import ThreadPoolExecutor
 from itertools import chain
 from pathlib import Path
 from random import Random
+from types import CodeType, FunctionType
 from typing import Any, NamedTuple
 
 ROOT = Path(__file__).resolve().parent.parent
@@ -62,6 +67,8 @@ TARGETS = {
     "reading": Target("equilibrium.certificate.reading", CHECKER),
     "space": Target("equilibrium.certificate.space", SPACE),
     "enclosure": Target("equilibrium.certificate.enclosure", SPACE),
+    "robust": Target("equilibrium.certificate.robust", ("tests/equilibrium/test_robustness.py",)),
+    "plane": Target("equilibrium.model.plane", ("tests/equilibrium/test_space.py",)),
     "loads": Target("equilibrium.wrench_sets.spatial", ("tests/equilibrium/test_space.py",)),
     "final": Target(
         "arrangement.library.census.final_polynomials",
@@ -207,6 +214,24 @@ for _target, _text, _changes, _reason in (
         'return "" if room >= 0 or room * room * size <= friction**2 * -square else _LARGE',
         ("GtE -> Gt", "0 -> 1"),
         "rooms of 0 obey the second bound; in (0, 1) there is no integer",
+    ),
+    (
+        "plane",
+        "height = heights.pop() if heights else Fraction(0)",
+        ("0 -> 1", "0 -> -1"),
+        "a grasp without contacts is one in the plane",
+    ),
+    (
+        "robust",
+        "near = Interval(interval(1 - turn * turn / 2).low, near.high)",
+        ("high -> low",),
+        "both ends are 1",
+    ),
+    (
+        "robust",
+        "if not pillars <= sticking or (pillars != sticking and len(pillars) != n):",
+        ("dropped: not pillars <= sticking",),
+        "fewer equations than unknowns then, and no box is mapped into itself",
     ),
     (
         "enclosure",
@@ -433,11 +458,7 @@ def survives(target: Target, path: Path, fault: Fault) -> bool:
     if child == 0:
         status = 1
         try:
-            resource.setrlimit(resource.RLIMIT_CPU, (LIMIT, LIMIT))
-            resource.setrlimit(resource.RLIMIT_AS, (MEMORY, MEMORY))
-            quiet = os.open(os.devnull, os.O_WRONLY)
-            os.dup2(quiet, 1)
-            os.dup2(quiet, 2)
+            _confine(LIMIT)
             sys.meta_path.insert(0, _Planted(target.module, path, fault.tree))
             # Now, for pytest itself would load a module that is called something_test.
             importlib.import_module(target.module)
@@ -447,10 +468,92 @@ def survives(target: Target, path: Path, fault: Fault) -> bool:
     return os.waitpid(child, 0)[1] == 0
 
 
-def _tests(target: Target) -> int:
+def _tests(target: Target, *plugins: Any) -> int:
     import pytest
 
-    return int(pytest.main(["-x", "-q", "-p", "no:cacheprovider", "-W", "ignore", *target.tests]))
+    options = ["-x", "-q", "-s", "--tb=no", "-p", "no:cacheprovider", "-W", "ignore"]
+    return int(pytest.main([*options, *target.tests], plugins))
+
+
+class _InPlace:
+    """Runs the tests with one fault after the other, in children of a process that has them all."""
+
+    def __init__(self, target: Target, path: Path, listed: Sequence[Fault], jobs: int) -> None:
+        self.module, self.listed, self.jobs = target.module, listed, jobs
+        self.code, self.path = _codes(compile(path.read_text(), str(path), "exec")), str(path)
+        self.left, self.limit, self.lines = list[int](), LIMIT, dict[Any, list[int]]()
+
+    def pytest_runtestloop(self, session: Any) -> bool:
+        """Collect in `left` the faults that no test notices."""
+        self.functions = [
+            f for f in gc.get_objects() if type(f) is FunctionType and f.__module__ == self.module
+        ]
+        start = time.process_time() + sum(os.times()[2:4])
+        if self._found(session, None):
+            raise SystemExit(f"the tests of {self.module} fail without a fault")
+        self.limit = int(3 + 2 * (time.process_time() + sum(os.times()[2:4]) - start))
+        with ThreadPoolExecutor(self.jobs) as pool:
+            found = list(pool.map(lambda fault: self._found(session, fault), self.listed))
+        self.left = [k for k, one in enumerate(found) if not one]
+        return True
+
+    def _found(self, session: Any, fault: Fault | None) -> bool:
+        items, changed = list(session.items), self.code
+        if fault:  # First the tests that found a fault nearby.
+            changed = _codes(compile(fault.tree, self.path, "exec"))
+            if changed == self.code:
+                return False
+            items.sort(key=lambda x: min([abs(y - fault.line) for y in self.lines.get(x, [10**6])]))
+        if not (child := os.fork()):
+            status = 255
+            try:
+                _confine(self.limit)
+                for f in self.functions:
+                    key = f.__code__.co_qualname, f.__code__.co_firstlineno
+                    if key in changed and changed[key] != self.code[key]:
+                        f.__code__ = changed[key]
+                for k, (one, after) in enumerate(zip(items, [*items[1:], None], strict=True), 1):
+                    session.config.hook.pytest_runtest_protocol(item=one, nextitem=after)
+                    if session.testsfailed:
+                        os._exit(min(k, 255))
+                status = 0
+            finally:
+                os._exit(status)
+        status = os.waitpid(child, 0)[1]
+        if fault and 0 < (k := os.waitstatus_to_exitcode(status)) < 255:
+            self.lines.setdefault(items[k - 1], []).append(fault.line)
+        return status != 0
+
+
+def _survivors(target: Target, path: Path, listed: Sequence[Fault], jobs: int) -> list[Fault]:
+    """Return the faults that survive in place, from a process that may import the module."""
+    reading, writing = os.pipe()
+    if not os.fork():
+        loop = _InPlace(target, path, listed, jobs)
+        try:
+            _tests(target, loop)
+            os.write(writing, json.dumps(loop.left).encode())
+        finally:
+            os._exit(0)
+    os.close(writing)
+    with os.fdopen(reading) as stream:
+        return [listed[k] for k in json.loads(stream.read() or "[]")]
+
+
+def _codes(code: CodeType) -> dict[tuple[str, int], CodeType]:
+    """Return the code of all functions."""
+    inner = [x for x in code.co_consts if isinstance(x, CodeType)]
+    found = {(x.co_qualname, x.co_firstlineno): x for x in inner}
+    return found | {key: x for one in inner for key, x in _codes(one).items()}
+
+
+def _confine(seconds: int) -> None:
+    """Bound what a child may take, and take its output."""
+    resource.setrlimit(resource.RLIMIT_CPU, (seconds, seconds))
+    resource.setrlimit(resource.RLIMIT_AS, (MEMORY, MEMORY))
+    quiet = os.open(os.devnull, os.O_WRONLY)
+    os.dup2(quiet, 1)
+    os.dup2(quiet, 2)
 
 
 def _preload() -> None:
@@ -468,12 +571,12 @@ def plant(name: str, seed: int, jobs: int, first: int = 1) -> int:
         listed = Random(f"mutants {seed}").sample(listed, min(target.sample, len(listed)))
     listed = listed[first - 1 :]
     start, alive, unknown = time.monotonic(), 0, 0
+    left = _survivors(target, path, listed, jobs)
+    reasons = [EQUIVALENT.get((name, fault.text, fault.change), "") for fault in left]
     with ThreadPoolExecutor(jobs) as pool:
-        for fault, survived in zip(
-            listed, pool.map(lambda fault: survives(target, path, fault), listed), strict=True
-        ):
+        again = pool.map(lambda f, why: why or survives(target, path, f), left, reasons)
+        for fault, reason, survived in zip(left, reasons, again, strict=True):
             if survived:
-                reason = EQUIVALENT.get((name, fault.text, fault.change), "")
                 alive, unknown = alive + 1, unknown + (not reason)
                 note = f"changes nothing: {reason}" if reason else "SURVIVES"
                 print(f"  line {fault.line}: {fault.text}\n    {fault.change}: {note}", flush=True)

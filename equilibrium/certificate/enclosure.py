@@ -119,7 +119,7 @@ def enclosure_problem(
     try:
         value, _ = _balance(grasp, wrench, given, [interval(m) for m in given.centre], within)
         _, derivative = _balance(grasp, wrench, given, box, within)
-    except _BrokenLaw as broken:
+    except BrokenLaw as broken:
         return str(broken)
     inverse = [[interval(x) for x in row] for row in given.inverse]
     away = [x.plus(interval(m).negative()) for x, m in zip(box, given.centre, strict=True)]
@@ -135,33 +135,33 @@ def enclosure_problem(
     return ""
 
 
-class _BrokenLaw(Exception):
+class BrokenLaw(Exception):
     """A condition of the law that does not hold all over a box."""
 
 
-class _Linear(NamedTuple):
+class Linear(NamedTuple):
     """A number that depends on the unknowns: an interval of its values, and of its derivatives."""
 
     value: Interval
     slopes: list[Interval]
 
-    def times(self, other: _Linear) -> _Linear:
+    def times(self, other: Linear) -> Linear:
         """Return the product."""
         slopes = [
             self.value.times(y).plus(other.value.times(x))
             for x, y in zip(self.slopes, other.slopes, strict=True)
         ]
-        return _Linear(self.value.times(other.value), slopes)
+        return Linear(self.value.times(other.value), slopes)
 
-    def by(self, factor: Fraction | int) -> _Linear:
+    def by(self, factor: Fraction | int) -> Linear:
         """Return a multiple."""
         scale = interval(factor)
-        return _Linear(self.value.times(scale), [x.times(scale) for x in self.slopes])
+        return Linear(self.value.times(scale), [x.times(scale) for x in self.slopes])
 
-    def plus(self, other: _Linear) -> _Linear:
+    def plus(self, other: Linear) -> Linear:
         """Return the sum."""
         slopes = [x.plus(y) for x, y in zip(self.slopes, other.slopes, strict=True)]
-        return _Linear(self.value.plus(other.value), slopes)
+        return Linear(self.value.plus(other.value), slopes)
 
 
 def _balance(
@@ -174,56 +174,54 @@ def _balance(
     """Return the sum of all wrenches over a box, and its derivative, (6, 6).
 
     Raises:
-        _BrokenLaw: a condition does not hold all over the box.
+        BrokenLaw: a condition does not hold all over the box.
     """
     zeros = [Interval(0, 0)] * 6
     if within.largest_turn is not None:
         axes = [[interval(motion[j]) for motion in given.basis] for j in (3, 4, 5)]
         turns = total(product(row, box[: len(row)]).square() for row in axes)
         if turns.high > interval(within.largest_turn**2).low:
-            raise _BrokenLaw("the enclosure turns by more than the largest turn")
-    sums = [_Linear(interval(w), zeros) for w in wrench]
+            raise BrokenLaw("the enclosure turns by more than the largest turn")
+    sums = [Linear(interval(w), zeros) for w in wrench]
     for i, (contact, friction) in enumerate(zip(grasp, given.friction, strict=True)):
         rows = frame(contact)
         moved = [_along(row, given.basis, box) for row in rows]
         normal = moved[0].by(-contact.stiffness)
-        normal = normal.plus(_Linear(interval(contact.preload), zeros))
+        normal = normal.plus(Linear(interval(contact.preload), zeros))
         if friction is None:
             if normal.value.high > 0:
-                raise _BrokenLaw(f"contact {i + 1} is not detached all over the enclosure")
+                raise BrokenLaw(f"contact {i + 1} is not detached all over the enclosure")
             continue
         if normal.value.low < 0:
-            raise _BrokenLaw(f"contact {i + 1} is not attached all over the enclosure")
+            raise BrokenLaw(f"contact {i + 1} is not attached all over the enclosure")
         most = within.largest_force
         if most is not None and normal.value.high > interval(most).low:
-            raise _BrokenLaw(f"contact {i + 1} has a normal force above the largest one")
+            raise BrokenLaw(f"contact {i + 1} has a normal force above the largest one")
         limit = normal.by(contact.friction)
         if not contact.friction:
             forces = [limit, limit]
         elif friction:
             forces = _sticking(i, limit, friction, given, box)
         else:
-            forces = [limit.times(x).by(-1) for x in _unit(i, moved[1:])]
+            forces = [limit.times(x).by(-1) for x in unit_slip(i, moved[1:])]
         for force, row in zip((normal, *forces), rows, strict=True):
             sums = [one.plus(force.by(x)) if x else one for one, x in zip(sums, row, strict=True)]
     for *motion, x in given.idle:
-        turned = _along(tuple(motion), given.basis, box).plus(_Linear(interval(-x), zeros))
+        turned = _along(tuple(motion), given.basis, box).plus(Linear(interval(-x), zeros))
         sums = [one.plus(turned.by(x)) for one, x in zip(sums, motion, strict=True)]
     return [one.value for one in sums], [one.slopes for one in sums]
 
 
-def _along(
-    row: RationalVector, basis: Sequence[RationalVector], box: Sequence[Interval]
-) -> _Linear:
+def _along(row: RationalVector, basis: Sequence[RationalVector], box: Sequence[Interval]) -> Linear:
     """Return how far a contact moves along a unit wrench."""
     slopes = [interval(dot(row, motion)) for motion in basis]
     slopes += [Interval(0, 0)] * (6 - len(slopes))
-    return _Linear(product(slopes, box), slopes)
+    return Linear(product(slopes, box), slopes)
 
 
 def _sticking(
-    i: int, limit: _Linear, share: RationalVector, given: Enclosure, box: Sequence[Interval]
-) -> list[_Linear]:
+    i: int, limit: Linear, share: RationalVector, given: Enclosure, box: Sequence[Interval]
+) -> list[Linear]:
     """Return the friction forces of a contact that sticks."""
     forces = [limit.by(x) for x in share]
     carried = [
@@ -231,23 +229,23 @@ def _sticking(
     ]
     for k, j in carried:
         slopes = [interval(int(k == other)) for other in range(6)]
-        forces[j] = forces[j].plus(_Linear(box[k], slopes))
+        forces[j] = forces[j].plus(Linear(box[k], slopes))
     squares = total(force.value.square() for force in forces)
     if carried and squares.high > limit.value.square().low:
-        raise _BrokenLaw(f"contact {i + 1} has a friction above its limit")
+        raise BrokenLaw(f"contact {i + 1} has a friction above its limit")
     return forces
 
 
-def _unit(i: int, slip: Sequence[_Linear]) -> list[_Linear]:
+def unit_slip(i: int, slip: Sequence[Linear]) -> list[Linear]:
     """Return ``s / |s|``, whose derivative is that of s without its part along s, over |s|."""
     square = total(s.value.square() for s in slip)
     if square.low <= 0:
-        raise _BrokenLaw(f"contact {i + 1} does not slip all over the enclosure")
+        raise BrokenLaw(f"contact {i + 1} does not slip all over the enclosure")
     root = square.inverse_root()
     units = [s.value.times(root) for s in slip]
     along = [product(units, column) for column in zip(*(s.slopes for s in slip), strict=True)]
     found = []
     for u, s in zip(units, slip, strict=True):
         across = zip(s.slopes, along, strict=True)
-        found.append(_Linear(u, [x.plus(u.times(y).negative()).times(root) for x, y in across]))
+        found.append(Linear(u, [x.plus(u.times(y).negative()).times(root) for x, y in across]))
     return found

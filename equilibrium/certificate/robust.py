@@ -27,7 +27,7 @@ from equilibrium.model.contact import Contact
 from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import Grasp
 
-from .enclosure import Interval, _BrokenLaw, _Linear, _unit, interval, product, total
+from .enclosure import BrokenLaw, Interval, Linear, interval, product, total, unit_slip
 from .reading import Split, read_node, read_plane
 
 _ZERO = Interval(0, 0)
@@ -247,54 +247,54 @@ def resisted_within(grasp: Grasp, wrench: RationalVector, given: Steady, bounds:
             radius = [max(map(abs, x)) * 9 // 8 + 2**40 for x in found]
             if max(radius) > 2**240:
                 break
-    except _BrokenLaw as broken:
+    except BrokenLaw as broken:
         return str(broken)
     return "no box of motions is mapped into itself"
 
 
 def _equations(
     contacts: Sequence[Ranges], wrench: RationalVector, given: Steady, box: Sequence[Interval]
-) -> list[_Linear]:
+) -> list[Linear]:
     """Return balance and the slip of pillars over a box.
 
     Raises:
-        _BrokenLaw: a condition does not hold for all.
+        BrokenLaw: a condition does not hold for all.
     """
     n, size = len(wrench), len(box)
-    sums = [_Linear(interval(w), [_ZERO] * size) for w in wrench]
+    sums = [Linear(interval(w), [_ZERO] * size) for w in wrench]
     still = []
     for i, (contact, share) in enumerate(zip(contacts, given.states, strict=True)):
         moved = [
-            _Linear(product(row, box[:n]), [*row, *[_ZERO] * (size - n)]) for row in contact.rows
+            Linear(product(row, box[:n]), [*row, *[_ZERO] * (size - n)]) for row in contact.rows
         ]
         normal = _scaled(moved[0], contact.stiffness.negative())
-        normal = _Linear(normal.value.plus(contact.preload), normal.slopes)
+        normal = Linear(normal.value.plus(contact.preload), normal.slopes)
         if share is None:
             if normal.value.high > 0:
-                raise _BrokenLaw(f"contact {i + 1} may touch")
+                raise BrokenLaw(f"contact {i + 1} may touch")
             continue
         if normal.value.low < 0:
-            raise _BrokenLaw(f"contact {i + 1} may let go")
+            raise BrokenLaw(f"contact {i + 1} may let go")
         limit = _scaled(normal, contact.friction)
         if share:
             forces = [limit.by(x) for x in share]
             for k, (pillar, j) in enumerate(given.pillars, n):
                 if pillar == i:
                     unit = [interval(int(k == other)) for other in range(size)]
-                    forces[j] = forces[j].plus(_Linear(box[k], unit))
+                    forces[j] = forces[j].plus(Linear(box[k], unit))
                     still.append(moved[1 + j])
             if total(force.value.square() for force in forces).high > limit.value.square().low:
-                raise _BrokenLaw(f"contact {i + 1} may slip")
+                raise BrokenLaw(f"contact {i + 1} may slip")
         elif len(moved) == 2:
             if moved[1].value.low <= 0 <= moved[1].value.high:
-                raise _BrokenLaw(f"contact {i + 1} may stick")
+                raise BrokenLaw(f"contact {i + 1} may stick")
             forces = [limit.by(-1 if moved[1].value.low > 0 else 1)]
         else:
-            forces = [limit.times(x).by(-1) for x in _unit(i, moved[1:])]
+            forces = [limit.times(x).by(-1) for x in unit_slip(i, moved[1:])]
         for force, row in zip((normal, *forces), contact.rows, strict=True):
             sums = [one.plus(_scaled(force, x)) for one, x in zip(sums, row, strict=True)]
     return [*sums, *still]
 
 
-def _scaled(number: _Linear, factor: Interval) -> _Linear:
-    return _Linear(number.value.times(factor), [x.times(factor) for x in number.slopes])
+def _scaled(number: Linear, factor: Interval) -> Linear:
+    return Linear(number.value.times(factor), [x.times(factor) for x in number.slopes])

@@ -27,6 +27,7 @@ from equilibrium.certificate.checker import MAX_DEPTH, Report, check
 from equilibrium.certificate.document import Certificate, refuted_certificate, resisted_certificate
 from equilibrium.grasps.schemas import certificate_schema
 from equilibrium.model.errors import CertificateError
+from equilibrium.model.range import NO_RANGE, Range
 
 from . import judge, oracle, trees
 from .awkward import question
@@ -271,9 +272,11 @@ def random_leaf(source: Random) -> tuple[Any, ...]:
     return grasp, wrench, leaf, region, {0: state} if state else {}
 
 
-def leaf_holds(grasp: Grasp, wrench: Any, leaf: Any, region: Any, states: Any) -> bool:
+def leaf_holds(
+    grasp: Grasp, wrench: Any, leaf: Any, region: Any, states: Any, within: Range = NO_RANGE
+) -> bool:
     """Return whether the checker accepts a leaf."""
-    asked = checker._Question(grasp, wrench)
+    asked = checker._Question(grasp, wrench, within)
     generators = []
     for vector in region:
         whole = tuple(map(int, vector))
@@ -295,6 +298,55 @@ def test_the_bounds_of_a_leaf_are_exact(cases, kinds):
         assert holds == judge.leaf_holds(*asked), asked
         found[holds, len(asked[3]), asked[4].get(0, "")] += 1
     assert len(found) >= kinds
+
+
+@pytest.mark.parametrize(
+    ("bounds", "motion", "used", "turned", "holds"),
+    [
+        # A turn costs v Q of the work 1/3 of the load, and gives u r.
+        (("1/4", 0), 1, {"turn": ["1", "1"]}, 1, True),
+        (("1/3", 0), 1, {"turn": ["1", "1"]}, 1, False),
+        (("1/4", 0), 1, {"turn": ["1", "1"]}, -1, False),
+        (("1/4", 0), 1, {"turn": ["1", "-1"]}, -1, True),
+        (("1/4", 0), 1, {"turn": ["4/5", "1"]}, 1, False),
+        (("1/4", 0), 1, {"turn": ["-1", "1"]}, 1, False),
+        # The contacts take 1 each, unless rho makes up for it at a price of F.
+        ((0, "1/7"), -1, {"forces": {"0": "1", "1": "1"}}, 1, True),
+        ((0, "1/6"), -1, {"forces": {"0": "1", "1": "1"}}, 1, False),
+        ((0, "1/4"), -1, {"forces": {"0": "1"}}, 1, False),
+        ((0, "1/16"), -1, {"forces": {"0": "9/10", "1": "9/10"}}, 1, True),
+        ((0, "1/12"), -1, {"forces": {"0": "9/10", "1": "9/10"}}, 1, False),
+        ((0, "1/7"), 1, {"forces": {"0": "-1"}}, 1, False),
+        (("1/7", "1/13"), -1, {"turn": ["1", "1"], "forces": {"0": "1", "1": "1"}}, 1, True),
+        (("1/5", "1/13"), -1, {"turn": ["1", "1"], "forces": {"0": "1", "1": "1"}}, 1, False),
+    ],
+)
+def test_a_leaf_pays_for_the_bounds_of_a_range(bounds, motion, used, turned, holds):
+    """Two contacts without friction, whose springs do not change; a load along the motion."""
+    contacts = Grasp([Contact((0, 0), (0, 1), 0, "1/3", 1)] * 2)
+    leaf = {"virtual_motion": ["0", str(motion), "0"], "multipliers": {}, "range": used}
+    load = (Fraction(0), Fraction(motion, 3), Fraction(0))
+    region = [judge.ORIGIN, judge.axis(1, 1), judge.axis(1, -1), judge.axis(3, turned)]
+    states = dict.fromkeys(range(2), "attached" if motion < 0 else "detached")
+    assert leaf_holds(contacts, load, leaf, region, states, Range.of(*bounds)) == holds
+
+
+@pytest.mark.parametrize(
+    ("bounds", "motion", "forces", "words"),
+    [
+        (("1/2",), (9, 9, "-1/2"), [], ""),
+        (("1/3",), (0, 0, "-1/2"), [], "by more than the largest turn 1/3"),
+        ((5,), (9, 9, 9, 0, 3, -4), [], ""),
+        ((4,), (0, 0, 0, 3, 0, 3), [], "by more than"),
+        ((None, 2), (9, 9, 9), [(2, 9), (1, 3)], ""),
+        ((None, 2), (0, 0, 0), [(2, 0), ("5/2", 0)], "contact 2: normal force 5/2, the largest"),
+    ],
+)
+def test_an_equilibrium_keeps_the_bounds_of_its_range(bounds, motion, forces, words):
+    numbers = [tuple(map(Fraction, row)) for row in (motion, *forces)]
+    problem = law.range_problem(Range.of(*bounds), numbers[0], numbers[1:])
+    assert bool(problem) == bool(words)
+    assert words in problem
 
 
 @pytest.mark.parametrize(

@@ -2,20 +2,31 @@
 
 import json
 import math
+import re
+from collections import Counter
 from fractions import Fraction
+from random import Random
 
 import pytest
 
 from arrangement.numbers.exact import dot
 from equilibrium import Contact, Grasp, solve
-from equilibrium.certificate.robust import Bounds, refuted_within, resisted_within
+from equilibrium.certificate.robust import (
+    Bounds,
+    _holds,
+    ranges_of,
+    refuted_within,
+    resisted_within,
+)
 from equilibrium.cli.program import main
+from equilibrium.decide.robustness import _steady
 from equilibrium.grasps.files import read_grasp
 from equilibrium.grasps.inputs import from_float_data, read_csv
 from equilibrium.grasps.inputs.incidences import other_rounding
 from equilibrium.model.errors import GraspError
 
 from .converted_grasps import SHAPES, converted, original
+from .test_checker import ATTACHMENT, HALVED, LEAF, ONE, ORTHANTS, leaf_holds, random_leaf
 
 #: Angles of contacts on a circle, in degrees: no symmetry helps.
 ANGLES = [10 + 44 * k for k in range(8)]
@@ -177,11 +188,142 @@ class TestRobust:
         verdict = solve(grasp, ("1/10", 0, 0, 0, 0, "1/10"))
         assert verdict.robust(degrees="1/10", friction="1%").answer == "holds"
 
+    def test_a_proof_in_one_plane_is_none_for_all(self):
+        tree = {"plane": [[1, 0, 0], [0, 1, 0]], "tree": [0, 0, 1]}
+        assert "one plane" in refuted_within(Grasp(SPATIAL), (0,) * 6, tree, Bounds())
+
+    @pytest.mark.parametrize(
+        ("words", "tree"),
+        [
+            ("does not hold", LEAF),
+            ("orthants.7.: the leaf does not hold", ORTHANTS),
+            ("splits of states", HALVED),
+            ("splits of states", ATTACHMENT),
+            ("orthants.7.: splits of states", {"orthants": [ORTHANTS] * 8}),
+            ("orthants.7.: splits of states", {"orthants": [ATTACHMENT] * 8}),
+        ],
+    )
+    def test_a_tree_that_does_not_cover_proves_nothing_for_all(self, words, tree):
+        problem = refuted_within(ONE, (Fraction(0), Fraction(1), Fraction(0)), tree, Bounds())
+        assert re.search(words, problem)
+
     def test_bad_bounds_exit_with_two(self, capsys):
         for bound in ("degrees", "degrees=x", "degrees=90", "friction=120%", "mass=1"):
             call = ["solve", "paper-three-contacts", "--wrench", "0", "1", "0", "--robust", bound]
             assert code_of(call) == 2
             assert capsys.readouterr().err.count("\n") == 1
+
+
+#: A rational turn by just below two degrees; tan 1 degree is 0.017455064...
+HALF_TURN = Fraction(17455, 10**6)
+NEAR = Bounds(degrees=2, length="1/10", friction="5%", stiffness="10%", preload="20%")
+
+
+def at_the_bounds(source, c):
+    """Return a contact at the ends of the bounds `NEAR`, with its tangents turned along."""
+    t, axes = source.choice([HALF_TURN, -HALF_TURN, Fraction(0)]), c.tangents
+    cosine, sine = (1 - t * t) / (1 + t * t), 2 * t / (1 + t * t)
+    way = (1,) if c.dimension == 2 else source.choice([(1, 0), (0, 1), (Fraction(3, 5), "4/5")])
+    way = [Fraction(x) for x in way]
+    across = [dot(way, column) for column in zip(*axes, strict=True)]
+    normal, first = (
+        tuple(a * x + b * y + d * z for x, y, z in zip(c.normal, across, axes[0], strict=True))
+        for a, b, d in ((cosine, sine, 0), (-sine * way[0], (cosine - 1) * way[0], 1))
+    )
+    point = [x + source.choice([-1, 1]) * NEAR.length for x in c.point]
+    numbers = [
+        x * (1 + source.choice([-1, 1]) * share)
+        for x, share in (
+            (c.friction, NEAR.friction),
+            (c.stiffness, NEAR.stiffness),
+            (c.preload, NEAR.preload),
+        )
+    ]
+    return Contact(point, normal, *numbers, *([first] if c.dimension == 3 else []))
+
+
+@pytest.mark.parametrize("dimension", [2, 3])
+def test_ranges_hold_all_contacts_within_bounds(dimension):
+    source, unit = Random(dimension), 2**192
+    for _ in range(60):
+        c = random_leaf(source)[0].contacts[0]
+        if dimension == 3:
+            c = next(iter(Grasp([c]).in_space()))
+            c = Contact((*c.point[:2], source.randint(-1, 1)), c.normal, c.friction, 1, 1)
+        ranges, other = ranges_of(c, NEAR), at_the_bounds(source, c)
+        rows = (other.normal_wrench, *other.tangential_wrenches)
+        values = other.friction, other.stiffness, other.preload
+        for one, x in zip([*ranges.rows, ranges[1:]], [*rows, values], strict=True):
+            for ends, y in zip(one, x, strict=True):
+                assert ends.low <= y * unit <= ends.high
+
+
+def test_a_leaf_that_holds_for_all_holds_for_each():
+    source, found = Random("leaves"), Counter()
+    for _ in range(500):
+        grasp, wrench, leaf, region, _ = random_leaf(source)
+        leaf = leaf["virtual_motion"] if isinstance(leaf, dict) else leaf
+        whole = [tuple(map(int, g)) for g in region]
+        (c,), motion = grasp, tuple(map(Fraction, leaf))
+        due = leaf_holds(grasp, wrench, leaf, region, {})
+        exact = _holds([ranges_of(c, Bounds())], wrench, motion, whole)
+        assert exact <= due
+        found[exact, due] += 1
+        if _holds([ranges_of(c, NEAR)], wrench, motion, whole):
+            found["near"] += 1
+            for _ in range(4):
+                other = Grasp([at_the_bounds(source, c)])
+                assert leaf_holds(other, wrench, leaf, region, {})
+    assert found[False, True] < found[True, True] / 4, found
+    assert found["near"] > 30, found
+
+
+FINGERS = [Contact((1, 0), (-1, 0), "1/2"), Contact((-1, 0), (1, 0), "1/2")]
+FINGERS = [Contact(c.point, c.normal, c.friction, 1, 1) for c in FINGERS]
+FLOOR, SIDE = (
+    Contact((0, -1), (0, 1), "1/4", 1, 1),
+    Contact((-1, Fraction(1, 2)), (1, 0), 0, 1, 0),
+)
+SPATIAL = [
+    Contact(p, [-x for x in p], "1/2", 1, 1) for p in ((1, 0, 0), (-1, 0, 0), (0, 1, 0), (0, -1, 0))
+]
+STAY, HELD = (Fraction(0),), (0, "1/2", 0)
+
+
+@pytest.mark.parametrize(
+    ("words", "contacts", "wrench", "bounds", "change"),
+    [
+        ("", FINGERS, (0, "3/5", 0), {"friction": "10%"}, {}),
+        ("", FINGERS, (0, "19/20", 0), {}, {}),
+        ("may slip", FINGERS, (0, "19/20", 0), {"friction": "10%"}, {}),
+        ("may slip", FINGERS, (0, "19/20", 0), {"preload": "10%"}, {}),
+        ("", FINGERS, (0, "4/5", "1/10"), {"length": "1/100"}, {}),
+        ("", FINGERS, ("19/10", 0, 0), {"preload": "1%"}, {}),
+        ("contact 2 may let go", FINGERS, ("19/10", 0, 0), {"preload": "10%"}, {}),
+        ("contact 2 may let go", FINGERS, ("19/10", 0, 0), {"stiffness": "10%"}, {}),
+        ("", [*FINGERS, SIDE], ("1/5", 0, 0), {"preload": "5%"}, {}),
+        ("contact 3 may touch", [*FINGERS, SIDE], ("1/5", 0, 0), {"preload": "20%"}, {}),
+        ("", [FLOOR, *FINGERS], (1, -1, "-1/4"), {"preload": "1%"}, {}),
+        ("", [FLOOR, *FINGERS], (-1, -1, "-1/4"), {"preload": "1%"}, {}),
+        ("contact 1 may stick", [FLOOR, *FINGERS], ("13/50", -1, "-1/4"), {"preload": "5%"}, {}),
+        ("contact 1 may stick", [FLOOR, *FINGERS], ("-13/50", -1, "1/4"), {"preload": "5%"}, {}),
+        ("1 may touch", FINGERS, HELD, {}, {"states": (None, STAY), "pillars": ((1, 0),)}),
+        ("above 1", FINGERS, (0, 0, 0), {}, {"states": ((Fraction(-11, 10),), STAY)}),
+        ("above 1", FINGERS, (0, 0, 0), {}, {"states": (STAY, (Fraction(11, 10),))}),
+        ("known to stick", FINGERS, HELD, {}, {"pillars": ((0, 0),)}),
+        ("known to stick", FINGERS, HELD, {}, {"states": (STAY, ())}),
+        ("2 may stick", FINGERS, HELD, {}, {"states": (STAY, ()), "pillars": ((0, 0),)}),
+        ("no box", FINGERS, HELD, {}, {"inverse": ((Fraction(0),) * 5,) * 5}),
+        ("", SPATIAL, ("1/10", 0, "1/10", 0, 0, "1/10"), {"friction": "5%"}, {}),
+    ],
+)  # fmt: skip
+def test_an_equilibrium_of_all_is_refused_for_its_fault(words, contacts, wrench, bounds, change):
+    grasp = Grasp(contacts)
+    verdict = solve(grasp, wrench)
+    given = _steady(verdict)._replace(**change)
+    problem = resisted_within(grasp, verdict.wrench, given, Bounds(**bounds))
+    assert words in problem
+    assert bool(problem) == bool(words)
 
 
 def check(shape, seed):

@@ -11,7 +11,7 @@ import sympy
 
 from arrangement.numbers.exact import dot
 from equilibrium.certificate.document import enclosed_certificate, resisted_certificate
-from equilibrium.certificate.enclosure import Interval, _balance, _BrokenLaw, interval, total
+from equilibrium.certificate.enclosure import BrokenLaw, Interval, _balance, interval, total
 from equilibrium.certificate.reading import Enclosure, Leaf, Split
 from equilibrium.certificate.space import (
     SpatialQuestion,
@@ -24,7 +24,7 @@ from equilibrium.model.contact import Contact
 from equilibrium.model.errors import CertificateError
 from equilibrium.model.grasp import Grasp
 from equilibrium.model.pyramid import pyramid_edges
-from equilibrium.model.range import NO_RANGE
+from equilibrium.model.range import NO_RANGE, Range
 
 F = Fraction
 ENDS = [
@@ -104,7 +104,8 @@ def forged_leaf(source, edges, state, ends):
     u, v, w = turn
     motion = (*plus(push, (-1, (v * z - w * y, w * x - u * z, u * y - v * x))), *turn)
     assert [dot(row, motion) for row in rows] == [a, *b]
-    bound = F(float(a - friction * most(b, state, ends, edges))).limit_denominator(999)
+    rho, largest = source.choice([(F(0), F(0)), (F(0), F(0)), (F(1, 2), F(1, 3)), (F(3), F(1))])
+    bound = F(float(a + rho - friction * most(b, state, ends, edges))).limit_denominator(999)
     alpha = source.choice([bound, bound, 0, -1, 1]) + source.choice([0, 0, F(1, 10**5), -F(1, 9)])
     h = source.choice([(0, 0), (0, 0), source.choice(ENDS), (number(), number())])
     # One contact that sticks takes h away; one that is detached, or sticks on its side, alpha.
@@ -131,13 +132,13 @@ def forged_leaf(source, edges, state, ends):
     if source.random() < 0.15:
         i, j = source.choice([(1, 0), (1, 1), (2, 0)])
         given[i][j] += F(1, 7)
-    least = alpha * q + given[1][0] + given[2][0] / 5
+    least = alpha * q + given[1][0] + given[2][0] / 5 - rho * largest
     size = source.choice([F(1), F(1), F(1, 9), F(0), F(-1, 9)]) - least
     square = dot(motion, motion)
     load = plus([0] * 6, (size / square if square else 0, motion))
     right = [
         alpha >= 0 or state not in ("undecided", "detached"),
-        state == "detached" or alpha <= a - friction * most(b, state, ends, edges) + 1e-9,
+        state == "detached" or alpha <= a + rho - friction * most(b, state, ends, edges) + 1e-9,
         not any(h) or state == "stick" or bool(ends and all(dot(h, end) <= 0 for end in ends)),
         given[1][0] <= abs(a) and (known[2] == "detached" or given[2][0] <= abs(room)),
     ]
@@ -147,8 +148,11 @@ def forged_leaf(source, edges, state, ends):
         rest = plus(rest, (-first * one.stiffness, row), *zip(others, both, strict=True))
     right += [not any(rest), dot(load, motion) + least > 0]
     order = source.sample(range(3), 3)
-    leaf = Leaf(motion, {j: tuple(given[i]) for j, i in enumerate(order) if i or any(given[i])})
-    question = SpatialQuestion(Grasp([contacts[i] for i in order]), load, edges)
+    multipliers = {j: tuple(given[i]) for j, i in enumerate(order) if i or any(given[i])}
+    leaf = Leaf(motion, multipliers, (), {order.index(0): rho} if rho else {})
+    question = SpatialQuestion(
+        Grasp([contacts[i] for i in order]), load, edges, Range(largest_force=largest)
+    )
     named = {j: known[i] for j, i in enumerate(order) if known[i] != "undecided"}
     return spatial_leaf_problem(question, leaf, named, "leaf"), right
 
@@ -168,6 +172,43 @@ def test_a_leaf_holds_exactly_where_the_definition_says_so(count):
         if sum(right) >= 5:
             found[right.index(False) if problem else -1] += 1
     assert min(found[k] for k in (-1, 0, 1, 2, 4, 5)) > 3, found
+
+
+@pytest.mark.parametrize(
+    ("turn", "largest", "words"),
+    [
+        ((2, -2), "1/7", ""),
+        ((2, -2), "1/6", "work of"),
+        ((3, -2), "1/8", "work of"),
+        ((F(19, 10), -2), "1/9", "v must"),
+        ((-2, -2), "1/9", "v must"),
+        ((2, 2), "1/9", "the sum of"),
+        ((2, -1), "1/9", "the sum of"),
+        ((2, -2), None, "no largest turn"),
+    ],
+)
+def test_the_largest_turn_is_used_with_its_price(turn, largest, words):
+    """Two contacts that stick give a torque about each axis, which u takes away."""
+    for j in range(3):
+        axis, point, tangent = (tuple(int(i == (j + k) % 3) for i in range(3)) for k in range(3))
+        places = point, tuple(-x for x in point)
+        contacts = [Contact(p, axis, 0, F(1, 3), 0, tangent) for p in places]
+        # The torque of a force along the axis or the second tangent, at both points.
+        rows = [c.tangential_wrenches for c in contacts]
+        load = plus([F(1, 3)] * 3 + [0] * 3)
+        given = {i: (0, (-1) ** i, 0) for i in range(2)}
+        rest = [sum(x) for x in zip(rows[0][0], [-x for x in rows[1][0]], strict=True)]
+        if not any(rest):
+            given = {i: (0, 0, (-1) ** i) for i in range(2)}
+            rest = [x - y for x, y in zip(rows[0][1], rows[1][1], strict=True)]
+        size = max(map(abs, rest))
+        u = [turn[1] * x / size for x in rest[3:]]
+        given = {i: tuple(F(2 * x, size) for x in row) for i, row in given.items()}
+        leaf = Leaf(load, given, (F(turn[0]), *map(F, u)))
+        asked = SpatialQuestion(Grasp(contacts), load, (), Range.of(largest))
+        problem = spatial_leaf_problem(asked, leaf, dict.fromkeys(range(2), "stick"), "leaf")
+        assert words in problem
+        assert bool(problem) == bool(words)
 
 
 def test_bounds_have_no_gap_between_whole_numbers():
@@ -308,6 +349,7 @@ def enclosed(
     idle=(),
     shift=(0, 0),
     part=1,
+    within=NO_RANGE,
 ):
     """Return a certificate around the solution of the linear equations of contacts that stick.
 
@@ -345,7 +387,7 @@ def enclosed(
         tuple(tuple(F(part * x) for x in inverse.row(j)) for j in range(6)),
         tuple(plus(row) for row in idle),
     )
-    return enclosed_certificate(Grasp(contacts), plus(wrench), enclosure).verify()
+    return enclosed_certificate(Grasp(contacts), plus(wrench), enclosure, within).verify()
 
 
 #: Two contacts, and the turn about their line that neither feels.
@@ -375,12 +417,22 @@ VALID = {
     "two and their line": {**ON_TWO, "idle": (TURN,)},
     "an end just beside the solution": {"shift": (0, WIDE - TINY)},
     "an end just beside the whole step": {"shift": (0, WIDE - 5 * TINY), "part": F(1, 2)},
+    "up to the largest force": {"within": Range(None, F(5, 4))},
+    "up to the largest turn": {
+        "within": Range(F(5, 32)),
+        "radius": (WIDE, F(3, 32), *[WIDE] * 4),
+    },
     "friction up to its limit": {"wrench": (0, F(-1, 4), -4, 0, 0, F(1, 4))},
 }
 SHORT = "contact 1 has a friction above its limit"
 OUT = "mapped into itself in coordinate 1"
 FORGED = [
     (OUT, {"part": 0}),
+    ("contact 1 has a normal force above", {"within": Range(None, F(5, 4) - TINY / 2)}),
+    (
+        "turns by more",
+        {"within": Range(F(5, 32) - TINY), "radius": (WIDE, F(3, 32), *[WIDE] * 4)},
+    ),
     (OUT, {"shift": (0, WIDE)}),
     (OUT, {"shift": (0, -WIDE)}),
     (OUT, {"shift": (0, F(9, 64)), "part": F(1, 2)}),
@@ -455,7 +507,7 @@ def test_a_spring_that_may_be_wrong_by_one_unit_is_refused(state, up, words):
     given = Enclosure((plus(UP),), (state,), (), row, row, ())
     _balance(Grasp(table((0, 0), preload=0)), row, given, [zero] * 6, NO_RANGE)
     box = [Interval(*up), *[zero] * 5]
-    with pytest.raises(_BrokenLaw, match=words):
+    with pytest.raises(BrokenLaw, match=words):
         _balance(Grasp(table((0, 0), preload=0)), row, given, box, NO_RANGE)
 
 
