@@ -8,9 +8,11 @@ about, and what turns the verdict is shown.
 
 from __future__ import annotations
 
+import time
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field, replace
 from fractions import Fraction
+from functools import cached_property
 from itertools import islice
 from random import Random
 from typing import Any, TypeAlias
@@ -22,7 +24,7 @@ from arrangement.numbers.exact import RationalVector, dot, to_text
 from arrangement.numbers.linear.rank import cross
 from equilibrium.certificate.robust import Bounds, Steady, refuted_within, resisted_within
 from equilibrium.grasps.inputs.incidences import other_rounding
-from equilibrium.model.contact import Contact
+from equilibrium.model.contact import VALUES, Contact
 from equilibrium.model.errors import GraspError, TimeLimitError
 from equilibrium.model.grasp import Grasp
 from equilibrium.model.unit_normal import unit_normal
@@ -36,6 +38,8 @@ DEPENDS = "depends on the rounding"
 _ROUNDINGS, _RANDOM = 4, 4
 #: For each of them.
 _SECONDS = 3.0
+#: Grasps that are tried on the way to one that turns a verdict.
+_STEPS = 12
 #: Virtual motions of one proof that are tried as a way to turn it.
 _LEAVES = 3
 
@@ -48,7 +52,8 @@ class Robustness(Shown):
         answer: "holds", "does not hold" or "undecided".
         verdict: that of the grasp itself.
         bounds: of the grasps looked at.
-        counterexample: the verdict on a grasp within the bounds, if it is another one.
+        counterexample: the verdict on a grasp within the bounds, if it is another one, and how far
+            that grasp is: `change`, see `_nearest`.
         proof: what `refuted_within` (a tree) or `resisted_within` (a `Steady`) checks.
     """
 
@@ -58,6 +63,7 @@ class Robustness(Shown):
     verdict: str
     bounds: Bounds
     counterexample: Any = field(default=None, repr=False)
+    change: dict[str, Fraction] = field(default_factory=dict, repr=False)
     proof: Any = field(default=None, repr=False)
 
     def __bool__(self) -> bool:
@@ -72,6 +78,7 @@ class Robustness(Shown):
         }
         if self.counterexample is not None:
             document["counterexample"] = self.counterexample.to_dict()
+            document["change"] = {name: to_text(x) for name, x in self.change.items()}
         return document
 
     def lines(self) -> Iterator[str]:
@@ -82,7 +89,7 @@ class Robustness(Shown):
             yield f"for all {self.bounds}: undecided; no proof and no counterexample was found"
         else:
             yield f"not for all {self.bounds}: {self.counterexample.verdict} for"
-            yield from _grasp_lines(self.counterexample.grasp)
+            yield from _change_lines(self.counterexample.grasp, self.change)
 
 
 @dataclass(frozen=True, repr=False)
@@ -92,7 +99,8 @@ class WithinError(Shown):
     Attributes:
         verdict: that of the grasp itself, or "depends on the rounding".
         asked: how many others were asked about; `open`: how many of them were undecided.
-        turned: a verdict that is another one, if any.
+        turned: a verdict that is another one, if any, of the nearest such grasp found.
+        change: how far that grasp is, see `_nearest`.
     """
 
     shown_fields = ("verdict", "asked", "open")
@@ -101,11 +109,15 @@ class WithinError(Shown):
     asked: int
     open: int
     turned: Any = field(default=None, repr=False)
+    change: dict[str, Fraction] = field(default_factory=dict, repr=False)
 
     def to_dict(self) -> dict[str, Any]:
         """Return a JSON form."""
         document = {"verdict": self.verdict, "asked": self.asked, "undecided": self.open}
-        return document | ({} if self.turned is None else {"turned": self.turned.to_dict()})
+        if self.turned is None:
+            return document
+        change = {name: to_text(x) for name, x in self.change.items()}
+        return document | {"turned": self.turned.to_dict(), "change": change}
 
     def lines(self) -> Iterator[str]:
         """Yield the answer in words."""
@@ -114,14 +126,112 @@ class WithinError(Shown):
             yield f"{self.asked} other roundings of the data: no other verdict{left}"
             return
         yield f"{DEPENDS}: {self.turned.verdict} for, within the error of the data,"
-        yield from _grasp_lines(self.turned.grasp)
+        yield from _change_lines(self.turned.grasp, self.change)
 
 
-def _grasp_lines(grasp: Grasp) -> Iterator[str]:
+def _change_lines(grasp: Grasp, change: dict[str, Fraction]) -> Iterator[str]:
     for i, c in enumerate(grasp, 1):
         point, normal = (", ".join(f"≈{float(x):.10g}" for x in v) for v in (c.point, c.normal))
         friction = f"≈{float(c.friction):.6g}"
         yield f"    contact {i}  point ({point})  normal ({normal})  friction {friction}"
+    sizes = ", ".join(f"{k} by ≈{float(x):.2g}" for k, x in change.items() if k != "kept" and x)
+    least = f"; ≈{float(change['kept']):.2g} times as much does not turn the verdict"
+    yield f"    changed by up to: {sizes}{least if change['kept'] else ''}"
+
+
+def _nearest(found: Any, turned: Any, solve: Solve) -> tuple[Any, dict[str, Fraction]]:
+    """Return a verdict like `turned` of a grasp near, on the straight way between the two grasps.
+
+    A share of the way that turns the verdict, and one that does not, are brought together: by
+    factors of 8 as long as all turn it, then by halves. With the verdict come the largest changes
+    of a coordinate, an entry of a normal and the values, and "kept": this share of the change does
+    not turn the verdict (0: none is known).
+    """
+    ends, deadline = (found.grasp, turned.grasp), time.monotonic() + _SECONDS
+    low, high = Fraction(0), Fraction(1)
+    for _ in range(_STEPS):
+        share = (low + high) / 2 if low else high / 8
+        grasp = _between(*ends, share)
+        other = _in_time(solve, grasp, found.wrench)
+        if other is not None and other.verdict == turned.verdict:
+            turned, high = other, share
+        else:
+            low = share
+        if time.monotonic() > deadline or 4 * low > 3 * high:
+            break
+    change = dict.fromkeys(("point", "normal", *VALUES), Fraction(0))
+    for old, new in zip(found.grasp, turned.grasp, strict=True):
+        for name in change:
+            one, two = (getattr(c, name) for c in (old, new))
+            pairs = [(one, two)] if name in VALUES else zip(one, two, strict=True)
+            change[name] = max(change[name], *(abs(x - y) for x, y in pairs))
+    return turned, change | {"kept": low / high}
+
+
+def _between(one: Grasp, two: Grasp, share: Fraction) -> Grasp:
+    """Return a grasp on the way from one to another of as many contacts."""
+
+    def mixed(x: RationalVector, y: RationalVector) -> RationalVector:
+        return tuple(a + share * (b - a) for a, b in zip(x, y, strict=True))
+
+    contacts = []
+    for old, new in zip(one, two, strict=True):
+        normal = old.normal
+        if far := max(abs(x - y) for x, y in zip(old.normal, new.normal, strict=True)):
+            normal = unit_normal(mixed(old.normal, new.normal), share * far / 1000).normal
+        values = [mixed((getattr(old, x),), (getattr(new, x),))[0] for x in VALUES]
+        contacts.append(Contact(mixed(old.point, new.point), normal, *values))
+    return Grasp(contacts)
+
+
+class AskedAgain:
+    """What verdicts in the plane and in space say of other grasps.
+
+    Attributes:
+        again: what decides other grasps in the same way.
+    """
+
+    again: Solve
+    grasp: Grasp
+    verdict: Any
+
+    @cached_property
+    def rounding(self) -> WithinError | None:
+        """What other grasps within the error of converted data say; None of exact data."""
+        return None if self.grasp.data_error is None else within_error(self, self.again)
+
+    @property
+    def answer(self) -> str:
+        """The verdict, or "depends on the rounding" where the data were converted."""
+        return self.verdict if self.rounding is None else self.rounding.verdict
+
+    @property
+    def doubt(self) -> str:
+        """What is added to a verdict that depends on the rounding; else empty."""
+        if self.rounding is None or self.rounding.turned is None:
+            return ""
+        return f"{DEPENDS}: {self.rounding.turned.verdict} for others within the error of the data"
+
+    def _with_rounding(self, document: dict[str, Any]) -> dict[str, Any]:
+        """Return a JSON form with the answer in place of the verdict."""
+        more = {} if self.rounding is None else {"within_error": self.rounding.to_dict()}
+        return document | {"verdict": self.answer} | more
+
+    def robust(self, **bounds: Any) -> Robustness:
+        """Say whether this holds for all grasps within bounds: proved, refuted or undecided.
+
+        Args:
+            bounds: of `Bounds`: degrees, length, friction, stiffness, preload.
+        """
+        return robust(self, Bounds(**bounds), self.again)
+
+    def within_error(self) -> WithinError:
+        """Ask about other grasps within the error of the data that this one was converted from.
+
+        Raises:
+            GraspError: it was not converted.
+        """
+        return within_error(self, self.again) if self.rounding is None else self.rounding
 
 
 def within_error(found: Any, solve: Solve) -> WithinError:
@@ -144,7 +254,7 @@ def within_error(found: Any, solve: Solve) -> WithinError:
         if other is None:
             left += 1
         elif found.verdict not in (OPEN, other.verdict):
-            return WithinError(DEPENDS, asked, left, other)
+            return WithinError(DEPENDS, asked, left, *_nearest(found, other, solve))
     return WithinError(found.verdict, asked, left)
 
 
@@ -183,7 +293,7 @@ def robust(found: Any, bounds: Bounds, solve: Solve) -> Robustness:
     for other in (*others, *(_drawn(grasp, bounds, seed) for seed in range(_RANDOM))):
         turned = _in_time(solve, other, wrench)
         if turned is not None and turned.verdict != name:
-            return Robustness(FAILS, name, bounds, turned)
+            return Robustness(FAILS, name, bounds, *_nearest(found, turned, solve))
     return Robustness(OPEN, name, bounds)
 
 

@@ -25,7 +25,6 @@ from equilibrium.certificate.document import (
     resisted_certificate,
 )
 from equilibrium.certificate.reading import Enclosure
-from equilibrium.certificate.robust import Bounds
 from equilibrium.decide import (
     NOT_RESISTED as NOT_RESISTED,
     RESISTED as RESISTED,
@@ -40,13 +39,11 @@ from equilibrium.space.equilibria import Proposal, SpatialSolution
 from equilibrium.space.pyramid import PyramidSearch
 from equilibrium.space.tree import NODES, Open, SpatialSearch
 
-from .robustness import Robustness, WithinError, robust, within_error
-
-#: The three answers.
+from .robustness import AskedAgain, Solve
 
 
 @dataclass(frozen=True)
-class SpatialVerdict:
+class SpatialVerdict(AskedAgain):
     """The answer for one grasp in space and wrench, with what is needed to check it.
 
     Attributes:
@@ -138,23 +135,10 @@ class SpatialVerdict:
         motion, forces = list(shown.motion), list(shown.forces)
         return () if usual.holds(motion, forces) else (warning(every=False),)
 
-    def robust(self, **bounds: Any) -> Robustness:
-        """Say whether this holds for all grasps within bounds: proved, refuted or undecided.
-
-        Args:
-            bounds: of `Bounds`: degrees, length, friction, stiffness, preload.
-        """
-        return robust(self, Bounds(**bounds), partial(solve_in_space, pyramid=self.pyramid))
-
-    def within_error(self) -> WithinError:
-        """Ask about other grasps within the error of the data that this one was converted from.
-
-        Raises:
-            GraspError: it was not converted.
-        """
-        return within_error(
-            self, partial(solve_in_space, pyramid=self.pyramid, **self.within.bounds)
-        )
+    @property
+    def again(self) -> Solve:
+        """What decides other grasps in the same way."""
+        return partial(solve_in_space, pyramid=self.pyramid, **self.within.bounds)
 
     def to_dict(self) -> dict[str, Any]:
         """Return a JSON form; exact numbers are strings of rationals.
@@ -179,7 +163,7 @@ class SpatialVerdict:
         if self.warnings:
             document["warnings"] = list(self.warnings)
         question = {"wrench": [to_text(x) for x in self.wrench], "grasp": self.grasp.to_dict()}
-        return document | self.within.to_dict() | question
+        return self._with_rounding(document | self.within.to_dict() | question)
 
 
 def solve_in_space(

@@ -21,7 +21,6 @@ from arrangement.console.short_repr import Shown
 from arrangement.numbers.exact import RationalVector, to_text, vector_text
 from equilibrium.certificate.checker import Report, check
 from equilibrium.certificate.document import Certificate, refuted_certificate, resisted_certificate
-from equilibrium.certificate.robust import Bounds
 from equilibrium.model.errors import TimeLimitError
 from equilibrium.model.grasp import Grasp, read_wrench
 from equilibrium.model.range import NO_RANGE, Range, RangeArguments, usual_range, warning
@@ -36,7 +35,7 @@ from equilibrium.plane.states.interval_filter import Screen
 from equilibrium.plane.states.state_system import States, state_system
 
 from . import NOT_RESISTED, RESISTED
-from .robustness import Robustness, WithinError, robust, within_error
+from .robustness import AskedAgain, Solve
 
 if TYPE_CHECKING:
     from .spatial_verdict import SpatialVerdict
@@ -48,7 +47,7 @@ _SECOND_LOOK = 3.0
 
 
 @dataclass(frozen=True)
-class Verdict:
+class Verdict(AskedAgain):
     """The answer for one grasp and wrench, true when resisted, with what is needed to check it.
 
     Attributes:
@@ -147,7 +146,7 @@ class Verdict:
             listed = [piece.to_dict() for piece in self.equilibria]
         else:
             listed = [{"states": list(self.states), **self.solution.to_dict()}]
-        return {
+        document = {
             "verdict": self.verdict,
             "stable": self.stable,
             "equilibria": listed,
@@ -157,22 +156,12 @@ class Verdict:
             **self.within.to_dict(),
             "grasp": self.grasp.to_dict(),
         }
+        return self._with_rounding(document)
 
-    def robust(self, **bounds: Any) -> Robustness:
-        """Say whether this holds for all grasps within bounds: proved, refuted or undecided.
-
-        Args:
-            bounds: of `Bounds`: degrees, length, friction, stiffness, preload.
-        """
-        return robust(self, Bounds(**bounds), solve)
-
-    def within_error(self) -> WithinError:
-        """Ask about other grasps within the error of the data that this one was converted from.
-
-        Raises:
-            GraspError: it was not converted.
-        """
-        return within_error(self, partial(solve, **self.within.bounds))
+    @property
+    def again(self) -> Solve:
+        """What decides other grasps in the same way."""
+        return partial(solve, **self.within.bounds)
 
     def _repr_html_(self) -> str | None:
         """What a notebook shows: every equilibrium with its forces."""

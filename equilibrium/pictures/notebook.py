@@ -33,6 +33,8 @@ def verdict_html(verdict: Verdict) -> str:
     stated = verdict.grasp.units
     units = f"<p>{escape(str(stated))}</p>" if stated else ""
     applied = f"w = {_vector(verdict.wrench)}"
+    if verdict.doubt:
+        units += f"<p><b>{escape(verdict.doubt)}</b>; as it was rounded:</p>"
     if not verdict.stable:
         return (
             f"<div>{units}<p><b>not resisted</b> under {applied}: there is no equilibrium</p></div>"

@@ -352,4 +352,5 @@ def test_a_thousand_converted_grasps_have_the_verdict_of_their_originals(shape):
     counts = {"same": 0, "depends on the rounding": 0, "undecided": 0}
     for seed in range(167):
         counts[check(shape, seed)] += 1
+    print(shape, counts)
     assert counts["undecided"] <= 5, counts

@@ -268,6 +268,8 @@ def _lines(layout: Layout) -> Iterator[tuple[str, bool]]:
         yield "no motion", False
     if verdict.warnings:
         yield SMALL, True
+    if verdict.doubt:
+        yield verdict.doubt, True
     if found is None:
         yield f"no equilibrium{verdict.within}", True
     elif isinstance(found, Solution):

@@ -127,8 +127,9 @@ def summary_lines(maps: ProofMaps, named: int) -> Iterator[str]:
     """Yield what is shown, in words; `named` virtual motions are named beside."""
     some = f", {named} of them named" if len(maps.ranks) > named else ""
     yield (
-        f"w = {vector(maps.verdict.wrench)} is not resisted; regions of motions: "
-        f"{len(maps.parts)}; virtual motions λ = (x, y, r): {len(maps.ranks)}{some}"
+        f"w = {vector(maps.verdict.wrench)} is not resisted; "
+        + (f"{maps.verdict.doubt}; " if maps.verdict.doubt else "")
+        + f"regions of motions: {len(maps.parts)}; virtual motions λ = (x, y, r): {len(maps.ranks)}{some}"
     )
     yield (
         "regions: motions of every size; farther centres and translations lie beyond the edges"

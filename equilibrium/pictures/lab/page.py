@@ -14,6 +14,7 @@ from arrangement.drawing.pages.html_page import Template
 from arrangement.drawing.registry import Wrench
 from arrangement.errors import InputError
 from arrangement.pictures.lab.page import LINEAR, RATIONAL, lab
+from equilibrium.decide.verdict import solve
 from equilibrium.grasps.files import read_grasp
 from equilibrium.grasps.inputs.documents import question_document
 from equilibrium.model.grasp import Grasp
@@ -87,12 +88,18 @@ def lab_page(
     if len(grasp) > MAX_CONTACTS:
         raise InputError(f"{len(grasp)} contacts; the lab takes at most {MAX_CONTACTS}")
     heading = "The slip lab" if title is None else title
+    applied = _EXAMPLES[0][2] if wrench is None else wrench
+    question = question_document(grasp, applied, "the lab")
+    summary = "Drag contacts, normals and the load; every answer is exact."
+    if grasp.data_error is not None:
+        doubt = solve(grasp, applied).doubt or "other roundings of the first load say the same"
+        summary += f" The data of this grasp were rounded: {doubt}."
     data: dict[str, Any] = {
         "title": heading,
-        "summary": "Drag contacts, normals and the load; every answer is exact.",
+        "summary": summary,
         "most": MAX_CONTACTS,
         "first": first,
-        **question_document(grasp, _EXAMPLES[0][2] if wrench is None else wrench, "the lab"),
+        **question,
         "examples": [
             {"name": name, **question_document(read_grasp(source), load, "the lab")}
             for name, source, load in _EXAMPLES

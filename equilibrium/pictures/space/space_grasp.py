@@ -46,7 +46,9 @@ def solved_in_space(
     verdict = solve_in_space(grasp, wrench, **within.bounds)
     found = verdict.solution
     if found is None:
-        return SolidGrasp(grasp, wrench=verdict.wrench), f"{verdict.verdict}{within}"
+        return SolidGrasp(grasp, wrench=verdict.wrench), "; ".join(
+            filter(None, (f"{verdict.verdict}{within}", verdict.doubt))
+        )
     frames = [(c.normal, *c.tangents) for c in grasp]
     forces = [
         [
@@ -55,7 +57,7 @@ def solved_in_space(
         ]
         for shares, frame in zip(found.forces, frames, strict=True)
     ]
-    note = SMALL if verdict.warnings else ""
+    note = "; ".join(filter(None, (SMALL if verdict.warnings else "", verdict.doubt)))
     return SolidGrasp(grasp, list(found.motion), forces, verdict.wrench), note
 
 
