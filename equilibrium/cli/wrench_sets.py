@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 from arrangement.console import terminal
 from arrangement.console.number_form import bracket, number, vector
+from arrangement.numbers.exact import to_text
 
 from .arguments import (
     add_applied,
@@ -27,10 +28,13 @@ if TYPE_CHECKING:
     from arrangement.numbers.linear.intervals import Interval
     from equilibrium.decide.verdict import Solver
     from equilibrium.model.grasp import Grasp
-    from equilibrium.wrench_sets import Gap, Region, ResistedSet, SearchMap, Segment
+    from equilibrium.wrench_sets import Gap, Magnitudes, Region, ResistedSet, SearchMap, Segment
     from equilibrium.wrench_sets.spatial import SpatialMagnitudes
 
 _ZERO = (Fraction(0),) * 3
+#: Of converted grasps in space: how many borders are asked about, at which share from them, and for
+#: how long the first verdict may take.
+_BORDERS, _NEAR, _SECONDS = 2, Fraction(1, 1000), 5.0
 
 
 def add_commands(commands: Any) -> None:
@@ -91,20 +95,54 @@ def _limit(arguments: argparse.Namespace) -> int:
     direction = applied(arguments, grasp, "direction")
     if grasp.dimension == 3:
         return _spatial_limit(arguments, grasp, direction, arguments.base)
-    found = resisted_magnitudes(_solver(arguments, grasp), direction, arguments.base)
-    lines = [f"resisted for t in {_intervals(found.intervals)}"]
-    return show(arguments, found.to_dict(), lines, bool(found.intervals), grasp)
+    solver = _solver(arguments, grasp)
+    found = resisted_magnitudes(solver, direction, arguments.base)
+    more, again = _rounded(solver, found)
+    lines = [f"resisted for t in {_intervals(found.intervals)}", *again]
+    return show(arguments, found.to_dict() | more, lines, bool(found.intervals), grasp)
+
+
+def _rounded(solver: Solver, found: Magnitudes) -> tuple[dict[str, Any], list[str]]:
+    """Return what other roundings of converted data say of the ends: JSON form and lines."""
+    from equilibrium.decide.robustness import DEPENDS
+    from equilibrium.wrench_sets.line import ends_within_error
+
+    again = ends_within_error(solver, found)
+    if again is None:
+        return {}, []
+    if again.turned is None:
+        ends = ["no end" if x is None else _between(*x) for x in again.ends]
+        line = f"ends for {again.asked} others within the error of the data: "
+        line += ", ".join(ends) or "none"
+    else:
+        line = f"{DEPENDS}: {_intervals(again.turned)} for others within the error of the data"
+    return {"within_error": again.to_dict()}, [line]
 
 
 def _spatial_limit(
     arguments: argparse.Namespace, grasp: Grasp, direction: Sequence[Fraction], base: Any
 ) -> int:
+    from equilibrium.decide.spatial_verdict import solve_in_space
+    from equilibrium.plane.contact_rows import sum_row
     from equilibrium.wrench_sets.spatial import spatial_magnitudes
 
     start = (0,) * 6 if base is _ZERO else base
     found = spatial_magnitudes(grasp, direction, start, **range_given(arguments))
     yes = {"resisted": True, "not resisted": False}.get(found.verdict)
-    return show(arguments, found.to_dict(), _border_lines(found), yes, grasp)
+    lines, document = list(_border_lines(found)), found.to_dict()
+    if grasp.data_error is not None and found.borders:
+        # Brackets are finer than the data, so verdicts a little before a border are asked about.
+        ends = [border.resisted for border in found.borders[:_BORDERS]]
+        ways = [-1 if b.resisted < b.refused else 1 for b in found.borders]
+        inside = [t * (1 + way * _NEAR) for t, way in zip(ends, ways, strict=False)]
+        document["within_error"] = []
+        for t in inside:
+            wrench = sum_row(tuple(start), tuple(direction), t)
+            asked = solve_in_space(grasp, wrench, time_limit=_SECONDS, **range_given(arguments))
+            document["within_error"].append({"t": to_text(t), "verdict": asked.answer})
+            words = asked.doubt or f"{asked.answer}, also for others within the error of the data"
+            lines.append(f"at {number(t)}: {words}")
+    return show(arguments, document, lines, yes, grasp)
 
 
 def _border_lines(found: SpatialMagnitudes) -> Iterator[str]:
@@ -179,13 +217,15 @@ def _margin(arguments: argparse.Namespace) -> int:
     preloads = sufficient_preloads(solver, wrench)
     friction = least_friction(solver, wrench, arguments.width)
     remedies = {"preload": preloads.to_dict(), "friction": friction.to_dict()}
+    more, again = _rounded(solver, found.magnitudes) if any(wrench) else ({}, [])
     lines = [
         f"resisted: {'yes' if found.resisted else 'no'}",
         f"resisted when scaled by a factor in {_intervals(found.intervals)}",
+        *again,
         f"resisted with a uniform preload in {_intervals(preloads.intervals)}" + _force(grasp),
         "least uniform friction: " + _friction(friction.low, friction.high),
     ]
-    return show(arguments, found.to_dict() | remedies, lines, found.resisted, grasp)
+    return show(arguments, found.to_dict() | more | remedies, lines, found.resisted, grasp)
 
 
 def _map(arguments: argparse.Namespace) -> int:
@@ -260,12 +300,16 @@ def _intervals(intervals: Iterable[Interval]) -> str:
     return " or ".join(shown) if shown else "no interval"
 
 
+def _between(low: Any, high: Any) -> str:
+    return number(high) if low == high else bracket(low, high)
+
+
 def _friction(low: Fraction | None, high: Fraction | None) -> str:
     if low is None:
         return "none is enough"
     if high is None:
         return f"not below {number(low)}; none found above"
-    return number(high) if low == high else bracket(low, high)
+    return _between(low, high)
 
 
 def _segment(segment: Segment) -> str:

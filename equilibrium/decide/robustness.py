@@ -29,10 +29,12 @@ from equilibrium.model.errors import GraspError, TimeLimitError
 from equilibrium.model.grasp import Grasp
 from equilibrium.model.unit_normal import unit_normal
 
+from . import NOT_RESISTED, RESISTED, UNDECIDED
+
 #: A function of grasp, wrench and time_limit that returns a verdict.
 Solve: TypeAlias = Callable[..., Any]
 
-HOLDS, FAILS, OPEN = "holds", "does not hold", "undecided"
+HOLDS, FAILS, OPEN = "holds", "does not hold", UNDECIDED
 DEPENDS = "depends on the rounding"
 #: Other roundings and random grasps that are asked about.
 _ROUNDINGS, _RANDOM = 4, 4
@@ -179,21 +181,22 @@ def _between(one: Grasp, two: Grasp, share: Fraction) -> Grasp:
         normal = old.normal
         if far := max(abs(x - y) for x, y in zip(old.normal, new.normal, strict=True)):
             normal = unit_normal(mixed(old.normal, new.normal), share * far / 1000).normal
-        values = [mixed((getattr(old, x),), (getattr(new, x),))[0] for x in VALUES]
-        contacts.append(Contact(mixed(old.point, new.point), normal, *values))
+        pairs = ([getattr(c, name) for c in (old, new)] for name in VALUES)
+        values = {k: x + share * (y - x) for k, (x, y) in zip(VALUES, pairs, strict=True)}
+        contacts.append(Contact(mixed(old.point, new.point), normal, **values))
     return Grasp(contacts)
 
 
 class AskedAgain:
-    """What verdicts in the plane and in space say of other grasps.
+    """What verdicts in the plane and in space say of other grasps."""
 
-    Attributes:
-        again: what decides other grasps in the same way.
-    """
-
-    again: Solve
     grasp: Grasp
     verdict: Any
+
+    @property
+    def again(self) -> Solve:
+        """What decides other grasps in the same way."""
+        raise NotImplementedError
 
     @cached_property
     def rounding(self) -> WithinError | None:
@@ -235,20 +238,13 @@ class AskedAgain:
 
 
 def within_error(found: Any, solve: Solve) -> WithinError:
-    """Ask again about a converted grasp: other roundings, and the change most against a yes.
-
-    A no is about data whose incidences hold, so what breaks them does not speak against it, unless
-    the data were taken as given.
+    """Ask again about a converted grasp: the grasps of `others`.
 
     Raises:
         GraspError: the grasp was not converted.
     """
     asked = left = 0
-    grasps = [other_rounding(found.grasp, seed) for seed in range(_ROUNDINGS)]
-    error = found.grasp.data_error
-    if found.verdict != "not resisted" or error.as_given:
-        grasps += _against(found, error.length, error.angle, Fraction(0), solve)
-    for grasp in grasps:
+    for grasp in others(found, solve):
         asked += 1
         other = _in_time(solve, grasp, found.wrench)
         if other is None:
@@ -256,6 +252,22 @@ def within_error(found: Any, solve: Solve) -> WithinError:
         elif found.verdict not in (OPEN, other.verdict):
             return WithinError(DEPENDS, asked, left, *_nearest(found, other, solve))
     return WithinError(found.verdict, asked, left)
+
+
+def others(found: Any, solve: Solve) -> Iterator[Grasp]:
+    """Yield grasps within the error of data: other roundings, and the change most against a yes.
+
+    A no is about data whose incidences hold, so what breaks them does not speak against it, unless
+    the data were taken as given.
+
+    Raises:
+        GraspError: the grasp was not converted.
+    """
+    for seed in range(_ROUNDINGS):
+        yield other_rounding(found.grasp, seed)
+    error = found.grasp.data_error
+    if found.verdict != NOT_RESISTED or error.as_given:
+        yield from _against(found, error.length, error.angle, Fraction(0), solve)
 
 
 def _in_time(solve: Solve, grasp: Grasp, wrench: RationalVector) -> Any:
@@ -279,11 +291,11 @@ def robust(found: Any, bounds: Bounds, solve: Solve) -> Robustness:
             "decided without a largest turn or force"
         )
     name, grasp, wrench = found.verdict, found.grasp, found.wrench
-    if name == "resisted":
+    if name == RESISTED:
         steady = _steady(found)
         if steady is not None and not resisted_within(grasp, wrench, steady, bounds):
             return Robustness(HOLDS, name, bounds, proof=steady)
-    elif name == "not resisted":
+    elif name == NOT_RESISTED:
         for tree in _trees(found, bounds, solve):
             if not refuted_within(grasp, wrench, tree, bounds):
                 return Robustness(HOLDS, name, bounds, proof=tree)
@@ -306,7 +318,7 @@ def _trees(found: Any, bounds: Bounds, solve: Solve) -> Iterator[Any]:
             for c in found.grasp
         ]
         other = _in_time(solve, Grasp(more), found.wrench)
-        if other is None or other.verdict != "not resisted":
+        if other is None or other.verdict != NOT_RESISTED:
             return
         yield other.certificate.to_dict()["tree"]
 
@@ -378,7 +390,7 @@ def _against(
     On a virtual motion contacts do at least ``lambda . N - friction |lambda . T|`` times their
     normal forces. Each contact is changed so that this is more, against a yes, or less.
     """
-    yes = found.verdict == "resisted"
+    yes = found.verdict == RESISTED
     motions: list[RationalVector] = []
     if found.solution is not None:
         motions.append(tuple(map(Fraction, found.solution.motion)))
@@ -387,7 +399,7 @@ def _against(
     else:
         proofs = [found]
     for proof in proofs:
-        if proof is not None and proof.verdict == "not resisted":
+        if proof is not None and proof.verdict == NOT_RESISTED:
             leaves = _leaves(proof.certificate.to_dict()["tree"], len(found.wrench))
             motions += islice(leaves, _LEAVES)
     for motion in motions:

@@ -24,6 +24,7 @@ from arrangement.numbers.linear.intervals import (
     union,
     where_positive,
 )
+from equilibrium.decide.robustness import DEPENDS, others
 from equilibrium.decide.verdict import Solver, prepare
 from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import Grasp, read_wrench
@@ -107,6 +108,54 @@ def resisted_magnitudes(
     if not any(low == 0 for low, _ in parts) and solver.solve(start).stable:
         parts.append((Fraction(0), Fraction(0)))
     return Magnitudes(start, along, union(parts))
+
+
+@dataclass(frozen=True, repr=False)
+class RoundedEnds(Shown):
+    """Ends of the magnitudes resisted, for the grasps within the error of data that were asked.
+
+    Attributes:
+        asked: how many others were asked about.
+        ends: of all intervals in their order, the least and the greatest; None: no end.
+        turned: the intervals of another grasp that has more or fewer of them, or of their ends; no
+            others are asked then.
+    """
+
+    asked: int
+    ends: tuple[Interval | None, ...]
+    turned: tuple[Interval, ...] | None = None
+
+    def to_dict(self) -> dict[str, Any]:
+        """Return a JSON form."""
+        ends = [None if pair is None else texts(pair) for pair in self.ends]
+        if self.turned is None:
+            return {"asked": self.asked, "ends": ends}
+        return {"asked": self.asked, "verdict": DEPENDS, "turned": list(map(texts, self.turned))}
+
+
+def ends_within_error(solver: Solver, found: Magnitudes) -> RoundedEnds | None:
+    """Return the ends for others within the error of converted data; None for exact data.
+
+    Those asked about are those of the verdict at the last end.
+    """
+    if solver.grasp.data_error is None:
+        return None
+    low, high = found.intervals[-1] if found.intervals else (Fraction(0), None)
+    at = sum_row(found.base, found.direction, (low or Fraction(0)) + 1 if high is None else high)
+    verdict, ends = solver.solve(at), [_ends(found.intervals)]
+    for grasp in others(verdict, verdict.again):
+        prepared = Solver(grasp, **solver.within.bounds)
+        other = resisted_magnitudes(prepared, found.direction, found.base).intervals
+        ends.append(_ends(other))
+        if [end is None for end in ends[0]] != [end is None for end in ends[-1]]:
+            return RoundedEnds(len(ends) - 1, (), other)
+    known = zip(*ends, strict=True)
+    pairs = (None if None in column else (min(column), max(column)) for column in known)
+    return RoundedEnds(len(ends) - 1, tuple(pairs))
+
+
+def _ends(parts: Iterable[Interval]) -> list[Any]:
+    return [end for part in parts for end in part]
 
 
 def interval_between(at_zero: StateSystem, at_one: StateSystem) -> Interval | None:

@@ -21,7 +21,7 @@ from equilibrium.model.grasp import Grasp, read_wrench
 from equilibrium.plane.states.contact_states import states_of_code
 from equilibrium.plane.states.state_system import state_system
 
-from .line import interval_between, resisted_magnitudes
+from .line import Magnitudes, interval_between, resisted_magnitudes
 
 _ALL: Interval = (Fraction(0), None)
 
@@ -59,6 +59,11 @@ class Margin(Shown):
         if self.resisted:
             return Fraction(1)
         return min(ends, key=lambda end: abs(end - 1), default=None)
+
+    @property
+    def magnitudes(self) -> Magnitudes:
+        """The factors as magnitudes of the wrench."""
+        return Magnitudes((Fraction(0),) * len(self.wrench), self.wrench, self.intervals)
 
     def to_dict(self) -> dict[str, Any]:
         """Return a JSON form; numbers are strings, null means no end (or none)."""
