@@ -240,7 +240,7 @@ def test_regions_are_those_of_the_definition(monkeypatch):
         document = with_tree(random_splits(Random(f"splits {seed}"), 6))
         places.clear()
         assert check(document)
-        asked = checker._Question(*judge.statement(document))
+        asked = checker._IntegerQuestion(*judge.statement(document))
         due = list(judge.leaves(document["tree"]))
         for place, (_, region, _) in zip(places, due, strict=True):
             assert [list(generator.vector) for generator in place.region] == region
@@ -273,7 +273,7 @@ def random_leaf(source: Random) -> tuple[Any, ...]:
 
 def leaf_holds(grasp: Grasp, wrench: Any, leaf: Any, region: Any, states: Any) -> bool:
     """Return whether the checker accepts a leaf."""
-    asked = checker._Question(grasp, wrench)
+    asked = checker._IntegerQuestion(grasp, wrench)
     generators = []
     for vector in region:
         whole = tuple(map(int, vector))

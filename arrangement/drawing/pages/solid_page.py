@@ -17,7 +17,7 @@ from .html_page import BASE_SCRIPT, BASE_STYLE, one_page, own
 
 
 @dataclass(frozen=True)
-class Face:
+class PageFace:
     """A convex polygon, segment or point.
 
     Attributes:
@@ -48,7 +48,7 @@ class Branch:
     """A plane by its normal, the faces in it, and what is before and behind it (numbers, or -1)."""
 
     normal: Sequence[float]
-    faces: list[Face] = field(default_factory=list)
+    faces: list[PageFace] = field(default_factory=list)
     front: int = -1
     back: int = -1
 
@@ -101,7 +101,7 @@ class SolidPage:
         )  # fmt: skip
 
 
-def _face(face: Face) -> dict[str, Any]:
+def _face(face: PageFace) -> dict[str, Any]:
     found: dict[str, Any] = {
         "at": _floats(face.corners), "fill": face.fill, "edges": _floats(face.edges),
         "piece": face.piece if face.piece >= 0 else None,

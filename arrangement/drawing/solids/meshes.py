@@ -32,7 +32,7 @@ _STEPS = 1 << 20
 
 
 @dataclass(frozen=True)
-class Part:
+class ClosedSurface:
     """A closed surface of plane, convex faces, oriented outward.
 
     Attributes:
@@ -52,7 +52,7 @@ class Part:
     notes: dict[str, Any] = field(default_factory=dict)
 
 
-def model_bytes(parts: Sequence[Part], kind: str, title: str) -> bytes:
+def model_bytes(parts: Sequence[ClosedSurface], kind: str, title: str) -> bytes:
     """Return a model file.
 
     Args:
@@ -82,7 +82,7 @@ def triangles(faces: Sequence[tuple[int, ...]]) -> Triangles:
     return np.array(rows, dtype=np.int64).reshape(-1, 3)
 
 
-def _rounded(part: Part, step: float) -> Part:
+def _rounded(part: ClosedSurface, step: float) -> ClosedSurface:
     """Round coordinates to multiples of `step`, and join the points that this makes equal."""
     grid = np.round(part.points / step).astype(np.int64)
     first: dict[tuple[int, ...], int] = {}
@@ -104,7 +104,7 @@ def _rounded(part: Part, step: float) -> Part:
             "a solid any more"
         )
     shift = np.round(np.array(part.shift) / step) * step
-    return Part(
+    return ClosedSurface(
         part.name,
         points,
         renumbered,
@@ -127,7 +127,7 @@ def _is_closed(faces: Sequence[tuple[int, ...]]) -> bool:
     return bool(faces) and len(known) == len(edges) and all((b, a) in known for a, b in edges)
 
 
-def _stl(parts: Sequence[Part], title: str) -> bytes:
+def _stl(parts: Sequence[ClosedSurface], title: str) -> bytes:
     corners = np.concatenate([(p.points + p.shift)[triangles(p.faces)] for p in parts])
     normals = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
     length = np.linalg.norm(normals, axis=1, keepdims=True)
@@ -138,7 +138,7 @@ def _stl(parts: Sequence[Part], title: str) -> bytes:
     return header + struct.pack("<I", len(rows)) + rows.tobytes()
 
 
-def _obj(parts: Sequence[Part], title: str) -> bytes:
+def _obj(parts: Sequence[ClosedSurface], title: str) -> bytes:
     lines, start = [f"# {title}; unit: millimetre"], 1
     for part in parts:
         lines.append(f"o {part.name}")
@@ -149,14 +149,14 @@ def _obj(parts: Sequence[Part], title: str) -> bytes:
     return ("\n".join(lines) + "\n").encode("ascii")
 
 
-def _glb(parts: Sequence[Part], title: str) -> bytes:
-    scene = _Scene(title)
+def _glb(parts: Sequence[ClosedSurface], title: str) -> bytes:
+    scene = _GltfDocument(title)
     for part in parts:
         scene.add(part)
     return scene.content()
 
 
-class _Scene:
+class _GltfDocument:
     """A glTF document and its binary chunk."""
 
     def __init__(self, title: str) -> None:
@@ -178,7 +178,7 @@ class _Scene:
             "bufferViews": [],
         }
 
-    def add(self, part: Part) -> None:
+    def add(self, part: ClosedSurface) -> None:
         """Add a part as a node: one list of points, one list of triangles for each colour."""
         points = (part.points / 1000).astype("<f4")
         low, high = points.min(axis=0).tolist(), points.max(axis=0).tolist()

@@ -15,7 +15,7 @@ import numpy.typing as npt
 
 from arrangement.console.short_repr import Shown
 from arrangement.console.writing import write_bytes_atomically
-from arrangement.drawing.solids.meshes import KINDS, Part, model_bytes, triangles
+from arrangement.drawing.solids.meshes import KINDS, ClosedSurface, model_bytes, triangles
 from arrangement.errors import ArrangementError, InputError
 from arrangement.numbers.exact import IntegerVector, RationalVector, dot, largest, quotient, shown
 from arrangement.numbers.linear.rank import cross
@@ -93,7 +93,7 @@ def content(
         raise InputError(f"the file name ends in {shown(kind)}; known are {', '.join(KINDS)}")
     v, e, f = dual.f_vector
     points = np.array(as_trimesh(dual, size, single=True).vertices)
-    part = Part("dual", points, dual.faces, colours or (_GREY,) * f)
+    part = ClosedSurface("dual", points, dual.faces, colours or (_GREY,) * f)
     return model_bytes([part], kind, f"dual polyhedron: {v} vertices, {e} edges, {f} faces")
 
 

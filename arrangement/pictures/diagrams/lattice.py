@@ -56,11 +56,11 @@ def draw_lattice(
     largest = max(map(len, lattice.flats))
     if largest > MAX_FLATS:
         raise InputError(f"{largest} flats of one rank; a picture shows at most {MAX_FLATS}")
-    return _Picture(lattice, width, moebius).draw()
+    return _HasseDiagram(lattice, width, moebius).draw()
 
 
 @dataclass(frozen=True)
-class _Row:
+class _RankRow:
     """How the flats of one rank are written: in which size, turned or not, or as dots (size 0).
 
     `widths` are the shares of the flats in the width of the row.
@@ -78,7 +78,7 @@ class _Row:
         return sum(self.heights)
 
 
-class _Picture:
+class _HasseDiagram:
     def __init__(self, lattice: IntersectionLattice, width: float, moebius: bool) -> None:
         self.lattice, self.moebius = lattice, moebius
         trial = Scene(width, 10.0)
@@ -108,7 +108,7 @@ class _Picture:
             text += f"\n\u03a3\u03bc = {_signed(total)}"
         return text
 
-    def _row(self, scene: Scene, flats: tuple[Flat, ...]) -> _Row:
+    def _row(self, scene: Scene, flats: tuple[Flat, ...]) -> _RankRow:
         names = [self._name(flat) for flat in flats]
         values = [_signed(self.lattice.moebius[flat]) for flat in flats] if self.moebius else []
         room = self.right - self.left
@@ -127,8 +127,8 @@ class _Picture:
                 if turned and small:
                     heights = (heights[0], heights[1] + 2.0)
                 free = (room - sum(widths)) / len(flats)
-                return _Row(names, values, size, turned, heights, [w + free for w in widths])
-        return _Row(names, [], 0.0, False, (4.0, 0.0), [room / len(flats)] * len(flats))
+                return _RankRow(names, values, size, turned, heights, [w + free for w in widths])
+        return _RankRow(names, [], 0.0, False, (4.0, 0.0), [room / len(flats)] * len(flats))
 
     def _name(self, flat: Flat) -> str:
         if not flat.rank:

@@ -91,7 +91,7 @@ def draw_lines(
         raise InputError("numbers are for regions only; with all faces, labels are signs or none")
     kind = "signs" if everything and labels is None else labels
     names = RegionLabels(arrangement, kind if len(arrangement) else "none")
-    sheet = (_Disc if projective else _Window)(
+    sheet = (_DiscSheet if projective else _WindowSheet)(
         LinesChart(arrangement), checked_width(width), names, colour
     )
     if sides:
@@ -221,7 +221,7 @@ class _Sheet:
         raise NotImplementedError
 
 
-class _Window(_Sheet):
+class _WindowSheet(_Sheet):
     """A rectangle of the plane."""
 
     def draw(self, width: float) -> None:
@@ -266,7 +266,7 @@ class _Window(_Sheet):
         self.missing["lines"] += 1
 
 
-class _Disc(_Sheet):
+class _DiscSheet(_Sheet):
     """The projective plane, with the line at infinity as a rim."""
 
     notes = ("rim: the line at infinity; opposite points of it are one point",)

@@ -31,7 +31,7 @@ from arrangement.pictures.sphere.disc import HIDDEN, Disc, front, plane_names, r
 from arrangement.pictures.sphere.globe import TO_LIGHT, Globe, clear_direction
 from arrangement.pictures.sphere.projections import orthographic
 
-from .solids import Solid, dual_solid, hull_solid
+from .solids import SeenSolid, dual_solid, hull_solid
 
 #: Below this width the two panels stand one above the other; in millimetres.
 SIDE_BY_SIDE = 120.0
@@ -105,7 +105,7 @@ def draw_dual(
     radius = size / 2 - rim_width(scene, globe, names)
     disc = Disc(scene, first, radius, globe, front(globe, orthographic), names, _ink(hull), True)
     _sphere(disc, colours.paint, points, (0.0, first[1] - size / 2, size, scene.height))
-    picture = _Picture(scene, globe, solid, [colours.paint(r) for r in _regions(globe, solid)],
+    picture = _SolidPanel(scene, globe, solid, [colours.paint(r) for r in _regions(globe, solid)],
                        names, hull)  # fmt: skip
     picture.draw(second, radius if hull else size / 2 - 19.0, size / 2)
     explain_regions(scene, colours, names, globe.regions)
@@ -116,7 +116,7 @@ def draw_dual(
     return scene
 
 
-def _regions(globe: Globe, solid: Solid) -> list[DrawnRegion]:
+def _regions(globe: Globe, solid: SeenSolid) -> list[DrawnRegion]:
     """Return the regions in the order of the vertices."""
     by_signs = {region.signs: region for region in globe.regions}
     return [by_signs[signs] for signs in solid.signs]
@@ -154,14 +154,14 @@ def _sphere(disc: Disc, paint: Painter, points: Floats | None, within: Box) -> N
     disc.draw(paint, avoid=dots, within=within)
 
 
-class _Picture:
+class _SolidPanel:
     """The second panel."""
 
     def __init__(
         self,
         scene: Scene,
         globe: Globe,
-        solid: Solid,
+        solid: SeenSolid,
         fills: Sequence[str],
         names: RegionLabels,
         hull: bool,
@@ -267,7 +267,7 @@ class _Picture:
             )  # fmt: skip
 
 
-def _explain_hull(scene: Scene, solid: Solid) -> None:
+def _explain_hull(scene: Scene, solid: SeenSolid) -> None:
     """Add the kinds of edges to the legend, with their numbers."""
     labels = [min(c, 0) for _, _, c in solid.edges]
     names = {0: "hull and adjacency", -1: "hull only", -2: "adjacency only"}

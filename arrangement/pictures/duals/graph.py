@@ -102,7 +102,9 @@ def draw_graph(
         crossed = sorted({c for u, v, c in graph.edges if u in graph.outer and v in graph.outer})
         planes = plane_names(sorted(k for c in crossed for k in arrangement.distinct[c]))
         scene.legend.line(f"outer polygon: a ray on the planes {planes}")
-    _Picture(arrangement, graph, scene, [colours.paint(region) for region in regions], names).draw()
+    _GraphPicture(
+        arrangement, graph, scene, [colours.paint(region) for region in regions], names
+    ).draw()
     explain_regions(scene, colours, names, regions)
     return scene
 
@@ -145,7 +147,7 @@ def _cycle(arrangement: Arrangement) -> PlanarGraph:
     return PlanarGraph(places, signs, flat_edges(arrangement, signs), tuple(range(count)))
 
 
-class _Picture:
+class _GraphPicture:
     def __init__(
         self,
         arrangement: Arrangement,

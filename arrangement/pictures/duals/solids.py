@@ -25,7 +25,7 @@ Edge: TypeAlias = tuple[int, int, int]
 
 
 @dataclass(frozen=True)
-class Solid:
+class SeenSolid:
     """A polyhedron, polygon or segment, seen from a direction.
 
     Attributes:
@@ -50,7 +50,7 @@ class Solid:
         return self.corners[:, :2]
 
 
-def dual_solid(arrangement: Planes, direction: IntegerVector, axes: Floats) -> Solid:
+def dual_solid(arrangement: Planes, direction: IntegerVector, axes: Floats) -> SeenSolid:
     """Return the dual of a central arrangement of rank 1 to 3 in R^3.
 
     The generators have length 1, up to a rational error of 10^-6; those of coincident planes
@@ -64,7 +64,7 @@ def dual_solid(arrangement: Planes, direction: IntegerVector, axes: Floats) -> S
     seen = np.array([[float(x) for x in corner] for corner in flat.vertices]) @ axes.T
     shown = (False,) * len(flat.signs)
     faces = ((tuple(range(len(shown))), np.array([0.0, 0.0, 1.0])),) if len(shown) > 2 else ()
-    return Solid(seen, tuple(flat.signs), edges, shown[: len(edges)], shown, faces)
+    return SeenSolid(seen, tuple(flat.signs), edges, shown[: len(edges)], shown, faces)
 
 
 def flat_edges(arrangement: Planes, signs: Sequence[tuple[int, ...]]) -> tuple[Edge, ...]:
@@ -92,7 +92,7 @@ def unit_lengths(arrangement: Planes) -> tuple[Fraction, ...]:
     )
 
 
-def _polyhedron(dual: DualPolyhedron, direction: IntegerVector, axes: Floats) -> Solid:
+def _polyhedron(dual: DualPolyhedron, direction: IntegerVector, axes: Floats) -> SeenSolid:
     towards = [dot(normal, direction) for normal in dual.face_normals]
     edges = edges_of(dual)
     pairs = [(u, v) for u, v, _ in edges]
@@ -106,10 +106,10 @@ def _polyhedron(dual: DualPolyhedron, direction: IntegerVector, axes: Floats) ->
         if ahead > 0
     )
     signs = tuple(map(tuple, dual.signs.tolist()))
-    return Solid(points @ axes.T, signs, edges, edge_hidden, vertex_hidden, visible)
+    return SeenSolid(points @ axes.T, signs, edges, edge_hidden, vertex_hidden, visible)
 
 
-def hull_solid(hull: RepresentativeHull, direction: IntegerVector, axes: Floats) -> Solid:
+def hull_solid(hull: RepresentativeHull, direction: IntegerVector, axes: Floats) -> SeenSolid:
     """Return the hull of representatives; edges that are no edges of the hull come last.
 
     The class of an edge is -1 for an edge of the hull alone and -2 for an adjacency that is no
@@ -133,7 +133,7 @@ def hull_solid(hull: RepresentativeHull, direction: IntegerVector, axes: Floats)
         if ahead > 0
     )
     signs = tuple(map(tuple, hull.dual.signs.tolist()))
-    return Solid(seen, signs, tuple(edges), edge_hidden, vertex_hidden, faces)
+    return SeenSolid(seen, signs, tuple(edges), edge_hidden, vertex_hidden, faces)
 
 
 def _normal(p: Floats, q: Floats, r: Floats) -> Floats:

@@ -14,7 +14,7 @@ from arrangement.arrangement import Arrangement
 from arrangement.console.number_form import counted
 from arrangement.drawing.colours import SKIN, fill_colour, pale
 from arrangement.drawing.figure import picture
-from arrangement.drawing.pages.solid_page import Branch, Face, SolidPage
+from arrangement.drawing.pages.solid_page import Branch, PageFace, SolidPage
 from arrangement.drawing.registry import Exact, Vector
 from arrangement.drawing.scene.measuring import checked_width
 from arrangement.drawing.scene.scene import Scene
@@ -202,7 +202,7 @@ def _leaf(tree: list[Branch], normals: list[tuple[int, ...]], sides: tuple[int, 
     return at
 
 
-def _faces(points: Floats, cell: Cell, number: int) -> list[Face]:
+def _faces(points: Floats, cell: Cell, number: int) -> list[PageFace]:
     """Return the faces of a cell for a page."""
     middle, walls = _middle(points, cell), walls_of_edges(cell)
     found = []
@@ -212,5 +212,5 @@ def _faces(points: Floats, cell: Cell, number: int) -> list[Face]:
         normal = np.cross(corners[1] - corners[0], corners[2] - corners[0])
         fill = SKIN if wall < 0 else pale(fill_colour(wall))
         lines = np.array(edges).reshape(-1, 2, 3)
-        found.append(Face(corners, fill, normal, lines, number, middle))
+        found.append(PageFace(corners, fill, normal, lines, number, middle))
     return found

@@ -24,7 +24,7 @@ from arrangement.pictures.region_labels import RegionLabels, explain_regions
 from .coordinates import in_coordinates, symmetry
 from .disc import alone, front, plane_names
 from .globe import Globe, best_direction, picture_axes, unit_vectors
-from .projections import Chart, Drawn, StraightChart, orthographic
+from .projections import CompressedChart, Drawn, StraightChart, orthographic
 
 _BOTH_ENDS = 16
 
@@ -80,7 +80,7 @@ def draw_gnomonic(
     colours = globe.colouring(colour, antipodes)
     disc = alone(globe, _chart(globe), names, width)
     dotted = []
-    if isinstance(disc.drawn.projection, Chart):
+    if isinstance(disc.drawn.projection, CompressedChart):
         inner = disc.drawn.projection.inner
         style = {"lw": 0.5, "ls": (0, (1, 2)), "zorder": 2, "gid": "to-scale", "role": "line"}
         disc.scene.circle(disc.centre, disc.radius * inner, fill=False, ec="black", **style)
@@ -122,9 +122,9 @@ def _chart(globe: Globe) -> Drawn:
     return front(globe, _even_chart(np.linalg.norm(places, axis=1)))
 
 
-def _even_chart(spans: Floats) -> Chart:
+def _even_chart(spans: Floats) -> CompressedChart:
     """Return a chart that is to scale for most points at these distances from its middle."""
-    return Chart(max(0.3, float(np.quantile(spans, 0.7))))
+    return CompressedChart(max(0.3, float(np.quantile(spans, 0.7))))
 
 
 def _upright(globe: Globe) -> Globe:

@@ -55,7 +55,7 @@ def stereographic(normal: Floats, start: Floats, angle: float) -> Floats:
 
 
 @dataclass(frozen=True)
-class Chart:
+class CompressedChart:
     """The plane that touches the sphere at the viewer's point, with its line at infinity.
 
     Within `reach` of the middle the chart is to scale, and arcs are straight. Beyond it, distance

@@ -109,7 +109,7 @@ def drawn(layout: Layout, width: float, tallest: float | None = None) -> Scene:
     """Return the picture; see `fitted` for its size."""
     scene, scale, shift = fitted(width, _content(layout), tallest)
     _describe(layout, scene.legend, scale)
-    picture = Picture(layout, scene, scale, shift)
+    picture = GraspPicture(layout, scene, scale, shift)
     picture.body()
     picture.contacts()
     picture.wrench()
@@ -118,7 +118,7 @@ def drawn(layout: Layout, width: float, tallest: float | None = None) -> Scene:
     return scene
 
 
-class Picture:
+class GraspPicture:
     """Puts a layout on a scene: a place p on paper at ``scale * p + shift``."""
 
     def __init__(self, layout: Layout, scene: Scene, scale: float, shift: Floats) -> None:

@@ -17,7 +17,7 @@ from arrangement.drawing.scene.labels import flattened
 from arrangement.drawing.scene.measuring import POINTS, area, checked_width
 from arrangement.drawing.scene.scene import Scene
 from arrangement.numbers.exact import RationalVector
-from equilibrium.certificate.leaves import Part, works
+from equilibrium.certificate.leaves import ClosedPart, works
 from equilibrium.decide.verdict import Verdict
 from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import Grasp
@@ -28,7 +28,7 @@ from equilibrium.pictures.wrenches.panel import ABOVE, BELOW, LEFT, Panel
 from equilibrium.pictures.wrenches.row import GAP, RIGHT
 from equilibrium.pictures.wrenches.window import roomiest
 
-from .grasp import Picture
+from .grasp import GraspPicture
 from .layout import MOVED, Layout, layout_of, shift_at
 from .proof_maps import MAP, TURNS, Shape, proof_maps, summary_lines
 from .shapes import Labels, arc, arrow, turning_arrow
@@ -135,9 +135,9 @@ def _fill(rank: int) -> str:
     return pale(fill_colour(rank), 0.6)
 
 
-def _grasp(scene: Scene, layout: Layout, scale: float, middle: Floats, name: str) -> Picture:
+def _grasp(scene: Scene, layout: Layout, scale: float, middle: Floats, name: str) -> GraspPicture:
     """Draw the grasp and its load; `name` comes before the names of all elements."""
-    drawn, first = Picture(layout, scene, scale, middle), len(scene.items)
+    drawn, first = GraspPicture(layout, scene, scale, middle), len(scene.items)
     drawn.body()
     drawn.contacts()
     drawn.wrench()
@@ -150,7 +150,7 @@ def _example(
     scene: Scene,
     layout: Layout,
     verdict: Verdict,
-    together: list[Part],
+    together: list[ClosedPart],
     where: tuple[int, Floats, float],
 ) -> None:
     """Draw the virtual motion of some parts on a small grasp, with the works on it."""

@@ -68,7 +68,7 @@ def drawn_in_space(solid: SolidGrasp, direction: Vector | None, width: float, no
         note: what is said of the answer, if anything.
     """
     towards = clear_side(solid) if direction is None else view_direction(direction)
-    return _Picture(solid, towards, checked_width(width, 20.0), note).scene
+    return _SpatialGraspPicture(solid, towards, checked_width(width, 20.0), note).scene
 
 
 def clear_side(solid: SolidGrasp) -> IntegerVector:
@@ -85,7 +85,7 @@ def clear_side(solid: SolidGrasp) -> IntegerVector:
     return views[int(np.argmax(np.round(score, 9)))]
 
 
-class _Picture:
+class _SpatialGraspPicture:
     """Puts the pieces on a scene, back to front."""
 
     def __init__(self, solid: SolidGrasp, towards: IntegerVector, width: float, note: str) -> None:

@@ -10,10 +10,10 @@ import numpy as np
 from arrangement.console.number_form import counted
 from arrangement.drawing.colours import BLACK
 from arrangement.drawing.output import millimetres
-from arrangement.drawing.pages.solid_page import Branch, Face, SolidPage
+from arrangement.drawing.pages.solid_page import Branch, PageFace, SolidPage
 from arrangement.drawing.registry import Vector, Wrench
 from arrangement.drawing.scene.items import Floats
-from arrangement.drawing.solids.meshes import Part, model_bytes
+from arrangement.drawing.solids.meshes import ClosedSurface, model_bytes
 from arrangement.drawing.solids.surface import Patch, rounded
 from arrangement.errors import InputError
 from arrangement.pictures.sphere.globe import picture_axes, view_direction
@@ -83,10 +83,10 @@ def grasp_page(
     ).text()
 
 
-def _face(patch: Patch) -> Face:
+def _face(patch: Patch) -> PageFace:
     kind, _, contact = patch.name.partition("-")
     fill = _BODY if kind == "body" else CONE_FILL if kind == "cone" else INKS.get(kind, CONE_EDGE)
-    return Face(
+    return PageFace(
         rounded(patch.corners),
         fill,
         np.array(patch.row[:3], float) if any(patch.row) else None,
@@ -148,7 +148,7 @@ def grasp_model(
 
 def _part(
     name: str, solids: Iterable[tuple[Floats, Sequence[tuple[int, ...]]]], colour: str, half: float
-) -> Part:
+) -> ClosedSurface:
     """Return several closed surfaces as one part."""
     points: list[Floats] = []
     faces: list[tuple[int, ...]] = []
@@ -157,7 +157,7 @@ def _part(
         faces += [tuple(k + count for k in cycle) for cycle in cycles]
         points.append(own)
         count += len(own)
-    return Part(name, half * np.concatenate(points), tuple(faces), (colour,) * len(faces))
+    return ClosedSurface(name, half * np.concatenate(points), tuple(faces), (colour,) * len(faces))
 
 
 def _solids(arrow: Arrow) -> list[tuple[Floats, list[tuple[int, ...]]]]:

@@ -8,9 +8,9 @@ from fractions import Fraction
 import numpy as np
 
 from arrangement.console.number_form import counted
-from arrangement.drawing.pages.solid_page import Branch, Face, SolidPage
+from arrangement.drawing.pages.solid_page import Branch, PageFace, SolidPage
 from arrangement.drawing.registry import Exact, Wrench
-from arrangement.drawing.solids.meshes import Part, model_bytes
+from arrangement.drawing.solids.meshes import ClosedSurface, model_bytes
 from arrangement.drawing.solids.surface import Patch, facets, rounded
 from arrangement.errors import InputError
 from arrangement.numbers.exact import IntegerVector, number_text, primitive
@@ -53,7 +53,7 @@ def wrench_set_page(
                 pieces[patch.row] = len(told)
                 told.append(_told(box, patch, wall))
             branch.faces.append(
-                Face(
+                PageFace(
                     rounded(patch.corners),
                     CUT if wall else SOLID,
                     np.array(patch.row[:3], dtype=float) if flat else None,
@@ -127,7 +127,7 @@ def wrench_set_model(
             points, faces, rows = facets(shape)
             colours = tuple(CUT if row in WALLS else SOLID for row in rows)
             name = "-".join(piece.states) or "all"
-            parts.append(Part(name, half * rounded(points), faces, colours))
+            parts.append(ClosedSurface(name, half * rounded(points), faces, colours))
     if not parts:
         raise InputError(
             "the resisted wrenches have no volume; draw them as a picture: .svg, .pdf or .png"

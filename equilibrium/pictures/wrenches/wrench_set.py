@@ -79,8 +79,8 @@ def draw_wrench_set(
     box = wrench_box(grasp, read_extent(extent))
     towards = box.clear_side if direction is None else view_direction(direction)
     if width < _BOTH:
-        return _Solid(grasp, box, towards, applied, width).scene
-    right = _Solid(grasp, box, towards, applied, width * 0.6).scene
+        return _WrenchSetPicture(grasp, box, towards, applied, width).scene
+    right = _WrenchSetPicture(grasp, box, towards, applied, width * 0.6).scene
     left = drawn(layout_of(grasp, None, None, 1), width * 0.4, right.paper[1])
     scene = Scene(width, max(left.paper[1], right.paper[1]))
     scene.place(left, 0.0, (scene.height - left.height) / 2)
@@ -103,7 +103,7 @@ def _on_wall(points: Sequence[IntegerVector]) -> bool:
     return any(all(dot(row, p) == 0 for p in points) for row in WALLS)
 
 
-class _Solid:
+class _WrenchSetPicture:
     """The picture of the set."""
 
     def __init__(

@@ -33,7 +33,7 @@ def unit_of(numbers: Iterable[Fraction]) -> Fraction:
 
 
 @dataclass(frozen=True)
-class Units:
+class SearchUnits:
     """What one means in each kind of number: `step` of a motion along x and y."""
 
     length: Fraction
@@ -41,7 +41,7 @@ class Units:
     step: Fraction
 
     @classmethod
-    def of(cls, grasp: Grasp, wrench: RationalVector) -> Units:
+    def of(cls, grasp: Grasp, wrench: RationalVector) -> SearchUnits:
         """Return the units of a question; where there is preload, those of the grasp alone."""
         length = unit_of(x for c in grasp for x in c.point)
         loads = [c.preload for c in grasp]
