@@ -12,6 +12,7 @@ from typing import Any
 import numpy as np
 
 from arrangement.drawing.scene.items import Floats
+from arrangement.drawing.solids.sight import unit
 
 from .html_page import BASE_SCRIPT, BASE_STYLE, one_page, own
 
@@ -107,7 +108,7 @@ def _face(face: PageFace) -> dict[str, Any]:
         "piece": face.piece if face.piece >= 0 else None,
     }  # fmt: skip
     if face.normal is not None and face.normal.any():
-        found["normal"] = _floats(face.normal / np.linalg.norm(face.normal))
+        found["normal"] = _floats(unit(face.normal))
     if face.middle is not None:
         found["middle"] = _floats(face.middle)
     return found | {

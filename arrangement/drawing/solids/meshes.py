@@ -22,6 +22,8 @@ from arrangement.errors import ArrangementError, InputError
 from arrangement.numbers.exact import shown
 from arrangement.numbers.linear.rank import cycle_edges
 
+from .sight import unit
+
 Floats = npt.NDArray[np.float64]
 Triangles = npt.NDArray[np.int64]
 _COLOUR = re.compile("#[0-9a-fA-F]{6}(?:[0-9a-fA-F]{2})?")
@@ -130,10 +132,8 @@ def _is_closed(faces: Sequence[tuple[int, ...]]) -> bool:
 def _stl(parts: Sequence[ClosedSurface], title: str) -> bytes:
     corners = np.concatenate([(p.points + p.shift)[triangles(p.faces)] for p in parts])
     normals = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
-    length = np.linalg.norm(normals, axis=1, keepdims=True)
-    normals = normals / np.where(length > 0, length, 1)
     rows = np.zeros(len(corners), dtype=[("xyz", "<f4", (4, 3)), ("attribute", "<u2")])
-    rows["xyz"][:, 0], rows["xyz"][:, 1:] = normals, corners
+    rows["xyz"][:, 0], rows["xyz"][:, 1:] = unit(normals), corners
     header = f"{title}; unit: millimetre".encode("ascii")[:80].ljust(80)
     return header + struct.pack("<I", len(rows)) + rows.tobytes()
 

@@ -22,13 +22,14 @@ from arrangement.drawing.scene.items import Box, Floats
 from arrangement.drawing.scene.labels import SIZES, keep_off, ring, tried, write_along, write_beside
 from arrangement.drawing.scene.measuring import checked_width
 from arrangement.drawing.scene.scene import Scene
+from arrangement.drawing.solids.sight import lit, unit, unit_vectors
 from arrangement.duals.zonohedron import dual_polyhedron
 from arrangement.numbers.exact import IntegerVector
 from arrangement.pictures.essential import shown_as
 from arrangement.pictures.region_labels import RegionLabels, explain_regions, stroke
 from arrangement.pictures.sphere.coordinates import in_coordinates
 from arrangement.pictures.sphere.disc import HIDDEN, Disc, front, plane_names, rim_width
-from arrangement.pictures.sphere.globe import TO_LIGHT, Globe, clear_direction
+from arrangement.pictures.sphere.globe import Globe, clear_direction
 from arrangement.pictures.sphere.projections import orthographic
 
 from .solids import SeenSolid, dual_solid, hull_solid
@@ -128,11 +129,10 @@ def _oblique_direction(globe: Globe) -> IntegerVector:
     lines = [*whole.circle_normals, *(whole.ray(v) for v in range(whole.vertex_count))]
     if not whole.circle_count:
         return clear_direction(lines)
-    corners = dual_solid(whole.arrangement, (0, 0, 1), np.eye(3)).corners
-    corners = corners / np.linalg.norm(corners, axis=1, keepdims=True)
+    corners = unit(dual_solid(whole.arrangement, (0, 0, 1), np.eye(3)).corners)
 
-    def apart(units: Floats) -> Floats:
-        near = np.abs(units @ corners.T).max(axis=1)
+    def apart(seen: Sequence[IntegerVector]) -> Floats:
+        near = np.abs(unit_vectors(seen) @ corners.T).max(axis=1)
         found: Floats = np.sqrt(np.maximum(0, 1 - near**2))
         return found
 
@@ -179,7 +179,7 @@ class _SolidPanel:
             scene.circle(centre, radius, fill=False, ec="0.6", lw=0.4, zorder=1, gid="limb")
             self.limb = [ring(centre, radius)]
         for k, (cycle, normal) in enumerate(solid.faces):
-            grey = str(round(0.8 + 0.19 * max(0.0, float(TO_LIGHT @ normal)), 3))
+            grey = lit("#ffffff", normal, 0.8)
             scene.polygon(self.places[list(cycle)], fc=grey, ec="none", zorder=1, gid=f"face-{k}")
         small = self._inscribe(radius)
         for e, (u, v, c) in enumerate(solid.edges):

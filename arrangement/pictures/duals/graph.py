@@ -23,13 +23,14 @@ from arrangement.drawing.scene.items import Floats
 from arrangement.drawing.scene.labels import SIZES, keep_off, tried, write_along, write_beside
 from arrangement.drawing.scene.measuring import checked_width
 from arrangement.drawing.scene.scene import Scene
+from arrangement.drawing.solids.sight import unit_vectors
 from arrangement.duals.zonohedron import dual_polygon, dual_polyhedron, dual_segment
 from arrangement.errors import InputError
 from arrangement.pictures.essential import shown_as
 from arrangement.pictures.region_labels import RegionLabels, dot, explain_regions
 from arrangement.pictures.sphere.coordinates import symmetry
 from arrangement.pictures.sphere.disc import plane_names
-from arrangement.pictures.sphere.globe import MAX_CIRCLES, unit_vectors
+from arrangement.pictures.sphere.globe import MAX_CIRCLES
 
 from .solids import edges_of, flat_edges
 from .tutte import tutte_places

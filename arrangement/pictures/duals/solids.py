@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, TypeAlias
 import numpy as np
 
 from arrangement.drawing.scene.items import Floats
+from arrangement.drawing.solids.sight import face_normal, unit_vectors
 from arrangement.duals.zonohedron import DualPolyhedron, dual_polygon, dual_polyhedron, dual_segment
 from arrangement.numbers.exact import IntegerVector, dot
 from arrangement.numbers.linear.rank import triple_product
@@ -98,8 +99,7 @@ def _polyhedron(dual: DualPolyhedron, direction: IntegerVector, axes: Floats) ->
     pairs = [(u, v) for u, v, _ in edges]
     edge_hidden, vertex_hidden = _hidden(pairs, dual.faces, towards, len(dual.signs))
     points = np.array([[float(x) for x in vertex] for vertex in dual.vertices])
-    normals = np.array(dual.face_normals, dtype=float) @ axes.T
-    normals /= np.linalg.norm(normals, axis=1, keepdims=True)
+    normals = unit_vectors(dual.face_normals) @ axes.T
     visible = tuple(
         (cycle, normal)
         for cycle, normal, ahead in zip(dual.faces, normals, towards, strict=True)
@@ -128,19 +128,12 @@ def hull_solid(hull: RepresentativeHull, direction: IntegerVector, axes: Floats)
     edge_hidden += tuple(heights[u] + heights[v] < 0 for u, v in missing)
     seen = np.array([[float(x) for x in point] for point in points]) @ axes.T
     faces = tuple(
-        (triangle, _normal(*seen[list(triangle)]))
+        (triangle, face_normal(seen[list(triangle)]))
         for triangle, ahead in zip(hull.hull.triangles, towards, strict=True)
         if ahead > 0
     )
     signs = tuple(map(tuple, hull.dual.signs.tolist()))
     return SeenSolid(seen, signs, tuple(edges), edge_hidden, vertex_hidden, faces)
-
-
-def _normal(p: Floats, q: Floats, r: Floats) -> Floats:
-    """Return the unit normal of a triangle."""
-    normal = np.cross(q - p, r - p)
-    unit: Floats = normal / np.linalg.norm(normal)
-    return unit
 
 
 def _hidden(

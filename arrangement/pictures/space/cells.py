@@ -16,8 +16,10 @@ from arrangement.drawing.colours import SKIN, fill_colour, pale
 from arrangement.drawing.figure import picture
 from arrangement.drawing.pages.solid_page import Branch, PageFace, SolidPage
 from arrangement.drawing.registry import Exact, Vector
+from arrangement.drawing.scene.items import Floats
 from arrangement.drawing.scene.measuring import checked_width
 from arrangement.drawing.scene.scene import Scene
+from arrangement.drawing.solids.sight import picture_axes, view_direction
 from arrangement.duals.cells import Cell, Cells, cut_cells
 from arrangement.errors import InputError
 from arrangement.numbers.exact import shown
@@ -28,7 +30,6 @@ from arrangement.pictures.page.page import equation, generator_text, point_text
 from arrangement.pictures.region_labels import RegionLabels
 from arrangement.pictures.sphere.coordinates import in_coordinates
 from arrangement.pictures.sphere.disc import plane_names
-from arrangement.pictures.sphere.globe import Floats, picture_axes, view_direction
 
 from .axes import StagedAxes
 from .exploded_cells import Lifted, sharp

@@ -7,15 +7,15 @@ from typing import Any
 
 import numpy as np
 
+from arrangement.drawing.scene.items import Floats
 from arrangement.drawing.scene.labels import keep_off, spread, turn, write_beside, write_inside
 from arrangement.drawing.scene.measuring import area
 from arrangement.pictures.region_labels import RegionLabels
 from arrangement.pictures.sphere.disc import plane_names
-from arrangement.pictures.sphere.globe import Floats
 
 from .axes import arrow
 from .exploded_cells import Lifted
-from .planesheet import Colour, PlanesSheet
+from .planesheet import PlanesSheet
 
 
 class Names:
@@ -29,7 +29,7 @@ class Names:
 
     def number_planes(self) -> None:
         """Write the numbers of the planes around the body, with a line to a visible rim."""
-        wanted: list[tuple[float, Floats, str, Colour]] = []
+        wanted: list[tuple[float, Floats, str, str]] = []
         for label, members in enumerate(self.stage.arrangement.distinct):
             points = self._rim(label)
             if not len(points):

@@ -23,6 +23,7 @@ from arrangement.drawing.scene.labels import (
 )
 from arrangement.drawing.scene.measuring import checked_width
 from arrangement.drawing.scene.scene import Scene
+from arrangement.drawing.solids.sight import unit_vectors
 from arrangement.errors import InputError
 from arrangement.numbers.exact import IntegerVector
 from arrangement.pictures.essential import shown_as
@@ -30,7 +31,7 @@ from arrangement.pictures.region_labels import RegionLabels, explain_regions
 
 from .coordinates import in_coordinates
 from .disc import HIDDEN, alone, front, label_regions, plane_names, rim_width
-from .globe import Globe, best_direction, unit_vectors
+from .globe import Globe, far_direction
 from .projections import Drawn, stereographic
 
 #: The whole plane is shown of itself when all circles end within this many radii of the limb.
@@ -212,7 +213,4 @@ def _inner_direction(globe: Globe) -> IntegerVector:
     """Return the direction that keeps farthest from all planes."""
     if not globe.whole.circle_count:
         return (1, 1, 1)
-    normals = unit_vectors(globe.whole.circle_normals).T
-    return best_direction(
-        globe.whole.arrangement, lambda units: np.abs(units @ normals).min(axis=1)
-    )
+    return far_direction(globe.whole.arrangement, unit_vectors(globe.whole.circle_normals))

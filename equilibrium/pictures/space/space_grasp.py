@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from itertools import product
+from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
@@ -14,9 +14,16 @@ from arrangement.drawing.scene.items import Floats
 from arrangement.drawing.scene.measuring import checked_width
 from arrangement.drawing.scene.scene import Key, Legend, Scene
 from arrangement.drawing.solids.depth_tree import back_to_front
+from arrangement.drawing.solids.sight import (
+    best_view,
+    picture_axes,
+    unit,
+    unit_vectors,
+    view_direction,
+    views,
+)
 from arrangement.drawing.solids.surface import Patch, rounded
 from arrangement.numbers.exact import IntegerVector
-from arrangement.pictures.sphere.globe import picture_axes, unit_vectors, view_direction
 from equilibrium.certificate.leaves import spatial_leaves
 from equilibrium.decide.spatial_verdict import NOT_RESISTED, solve_in_space
 from equilibrium.model.errors import GraspError
@@ -73,16 +80,16 @@ def drawn_in_space(solid: SolidGrasp, direction: Vector | None, width: float, no
 
 def clear_side(solid: SolidGrasp) -> IntegerVector:
     """Return a direction from above from which normals and forces are seen from the side."""
-    views = [
-        v for v in product((-9, -7, -4, 4, 7, 9), (-9, -7, -4), (4, 6)) if abs(v[0]) != abs(v[1])
-    ]
-    units = unit_vectors(views)
     ways = [*solid.normals, *(a.end - a.start for a in solid.arrows() if not a.headless)]
-    score = 0.02 * units[:, 0]
-    if ways:
-        along = np.array([w / np.linalg.norm(w) for w in ways])
-        score = score - (np.abs(units @ along.T) ** 4).mean(axis=1)
-    return views[int(np.argmax(np.round(score, 9)))]
+    along = unit(np.reshape(ways or np.zeros((1, 3)), (-1, 3)))
+
+    def score(seen: Sequence[IntegerVector]) -> Floats:
+        units = unit_vectors(seen)
+        found: Floats = 0.02 * units[:, 0] - (np.abs(units @ along.T) ** 4).mean(axis=1)
+        return found
+
+    found = views((-9, -7, -4, 4, 7, 9), (-9, -7, -4), (4, 6))
+    return best_view([v for v in found if abs(v[0]) != abs(v[1])], score)
 
 
 class _SpatialGraspPicture:

@@ -14,9 +14,9 @@ from arrangement.drawing.pages.solid_page import Branch, PageFace, SolidPage
 from arrangement.drawing.registry import Vector, Wrench
 from arrangement.drawing.scene.items import Floats
 from arrangement.drawing.solids.meshes import ClosedSurface, model_bytes
+from arrangement.drawing.solids.sight import picture_axes, view_direction
 from arrangement.drawing.solids.surface import Patch, rounded
 from arrangement.errors import InputError
-from arrangement.pictures.sphere.globe import picture_axes, view_direction
 from equilibrium.model.contact import VALUES
 from equilibrium.model.grasp import Grasp
 from equilibrium.pictures.style import CONE_EDGE, CONE_FILL, number, vector, wrench_text

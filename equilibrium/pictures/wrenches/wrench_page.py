@@ -11,10 +11,10 @@ from arrangement.console.number_form import counted
 from arrangement.drawing.pages.solid_page import Branch, PageFace, SolidPage
 from arrangement.drawing.registry import Exact, Wrench
 from arrangement.drawing.solids.meshes import ClosedSurface, model_bytes
+from arrangement.drawing.solids.sight import picture_axes
 from arrangement.drawing.solids.surface import Patch, facets, rounded
 from arrangement.errors import InputError
 from arrangement.numbers.exact import IntegerVector, number_text, primitive
-from arrangement.pictures.sphere.globe import picture_axes
 from equilibrium.model.grasp import Grasp, read_wrench
 
 from .row import read_extent

@@ -18,9 +18,9 @@ from arrangement.drawing.scene.items import Floats
 from arrangement.drawing.scene.measuring import checked_width
 from arrangement.drawing.scene.scene import Legend, Scene
 from arrangement.drawing.solids.depth_tree import back_to_front
+from arrangement.drawing.solids.sight import light, picture_axes, unit_vectors, view_direction
 from arrangement.drawing.solids.surface import Patch, rounded
 from arrangement.numbers.exact import IntegerVector, dot
-from arrangement.pictures.sphere.globe import TO_LIGHT, picture_axes, view_direction
 from equilibrium.model.grasp import Grasp, read_wrench
 from equilibrium.pictures.grasp.grasp import drawn
 from equilibrium.pictures.grasp.layout import layout_of
@@ -95,7 +95,7 @@ def _maths(text: str) -> str:
 
 def _lit(normal: Floats) -> str:
     """Return the colour of a face of the set, by the angle to the light."""
-    return pale(SOLID, 0.45 * max(0.0, float(TO_LIGHT @ normal)))
+    return pale(SOLID, 0.45 * light(normal))
 
 
 def _on_wall(points: Sequence[IntegerVector]) -> bool:
@@ -184,8 +184,8 @@ class _WrenchSetPicture:
         if len(corners) < 3:
             return
         wall = patch.row in WALLS
-        normal = self.axes @ np.array(patch.row[:3], dtype=float)
-        normal *= math.copysign(1, normal[2]) / np.linalg.norm(normal)
+        normal = self.axes @ unit_vectors([patch.row[:3]])[0]
+        normal *= math.copysign(1, normal[2])
         fill = pale(_lit(normal), _CUT_WHITE) if wall else _lit(normal)
         self.scene.polygon(corners, fc=fill, ec=fill, lw=0.3, zorder=z, joinstyle="round",
                            gid=f"{'wall' if wall else 'facet'}-{count}", role="region")  # fmt: skip
