@@ -6,13 +6,15 @@ The pieces hang on a tree of planes (see `depth_tree`): what is beyond a plane i
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 
 from arrangement.drawing.scene.items import Floats
+from arrangement.drawing.solids.depth_tree import Node
 from arrangement.drawing.solids.sight import unit
+from arrangement.drawing.solids.surface import Patch, rounded
 
 from .html_page import BASE_SCRIPT, BASE_STYLE, one_page, own
 
@@ -44,14 +46,11 @@ class PageFace:
     ink: str = ""
 
 
-@dataclass
-class Branch:
-    """A plane by its normal, the faces in it, and what is before and behind it (numbers, or -1)."""
-
-    normal: Sequence[float]
-    faces: list[PageFace] = field(default_factory=list)
-    front: int = -1
-    back: int = -1
+def page_face(patch: Patch, fill: str, piece: int, **style: Any) -> PageFace:
+    """Return an exact piece as a face of a page."""
+    edges = np.array([rounded(edge) for edge in patch.edges]).reshape(-1, 2, 3)
+    normal = np.array(patch.row[:3], dtype=float) if any(patch.row) else None
+    return PageFace(rounded(patch.corners), fill, normal, edges, piece, **style)
 
 
 @dataclass
@@ -62,7 +61,7 @@ class SolidPage:
         title, summary, counts: texts.
         axes: (3, 3); the first view: right, up, towards the viewer.
         radius: of a ball around everything.
-        tree: the first branch is the root.
+        tree: of faces; the first node is the root.
         pieces: name and facts of each piece.
         legend: colours with texts.
         frame: segments (k, 2, 3) behind everything.
@@ -75,7 +74,7 @@ class SolidPage:
     counts: str
     axes: Floats
     radius: float
-    tree: list[Branch]
+    tree: Sequence[Node[PageFace]]
     pieces: list[tuple[str, list[tuple[str, str]]]]
     legend: list[tuple[str, str]]
     frame: Any = ()
@@ -88,9 +87,9 @@ class SolidPage:
             "title": self.title, "summary": self.summary, "counts": self.counts,
             "axes": _floats(self.axes), "radius": round(self.radius, 6),
             "nodes": [
-                {"row": _floats(branch.normal), "front": branch.front, "back": branch.back,
-                 "faces": list(map(_face, branch.faces))}
-                for branch in self.tree
+                {"row": _floats(node.row[:3]), "front": node.front, "back": node.back,
+                 "faces": list(map(_face, node.patches))}
+                for node in self.tree
             ],
             "pieces": [{"name": name, "facts": facts} for name, facts in self.pieces],
             "legend": self.legend, "frame": _floats(self.frame), "apart": self.apart,

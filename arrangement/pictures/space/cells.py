@@ -14,11 +14,12 @@ from arrangement.arrangement import Arrangement
 from arrangement.console.number_form import counted
 from arrangement.drawing.colours import SKIN, fill_colour, pale
 from arrangement.drawing.figure import picture
-from arrangement.drawing.pages.solid_page import Branch, PageFace, SolidPage
+from arrangement.drawing.pages.solid_page import PageFace, SolidPage
 from arrangement.drawing.registry import Exact, Vector
 from arrangement.drawing.scene.items import Floats
 from arrangement.drawing.scene.measuring import checked_width
 from arrangement.drawing.scene.scene import Scene
+from arrangement.drawing.solids.depth_tree import Node
 from arrangement.drawing.solids.sight import picture_axes, view_direction
 from arrangement.duals.cells import Cell, Cells, cut_cells
 from arrangement.errors import InputError
@@ -42,6 +43,8 @@ from .view_direction import clear_sight
 MOST = 400
 #: Up to so many cells have labels.
 _NAMED = 60
+#: The plane of a node that nothing lies before or behind.
+_NOWHERE = (0, 0, 1)
 
 
 @picture
@@ -137,12 +140,13 @@ def cells_page(
     cells = _cells(arrangement, "cube", centre, radius, explode)
     towards = clear_sight(cells) if direction is None else view_direction(direction)
     points = unit_points(cells)
-    tree, told = [Branch((0, 0, 1))], []
+    tree: list[Node[PageFace]] = [Node(_NOWHERE)]
+    told = []
     regions = {face.signs: face for face in arrangement.regions()}
     firsts = arrangement.distinct_planes
     for k, cell in enumerate(cells.cells):
         leaf = _leaf(tree, [plane[:3] for plane in firsts], cell.sides)
-        tree[leaf].faces += _faces(points, cell, k)
+        tree[leaf].patches += _faces(points, cell, k)
         walls = sorted({wall for wall in cell.walls if wall >= 0})
         sign = "".join("+" if s > 0 else "\u2212" for s in cell.signs)
         told.append((sign or "all", [
@@ -190,15 +194,17 @@ def _middle(points: Floats, cell: Cell) -> Floats:
     return centroid(points, cell.faces)
 
 
-def _leaf(tree: list[Branch], normals: list[tuple[int, ...]], sides: tuple[int, ...]) -> int:
+def _leaf(
+    tree: list[Node[PageFace]], normals: list[tuple[int, ...]], sides: tuple[int, ...]
+) -> int:
     """Return the branch of a cell below those of all planes, which are made as they are needed."""
     at = 0
     for normal, side in zip(normals, sides, strict=True):
-        tree[at].normal = normal
+        tree[at].row = normal
         way = "front" if side > 0 else "back"
         if getattr(tree[at], way) < 0:
             setattr(tree[at], way, len(tree))
-            tree.append(Branch((0, 0, 1)))
+            tree.append(Node(_NOWHERE))
         at = getattr(tree[at], way)
     return at
 

@@ -225,6 +225,6 @@ class SolidGrasp:
             found += arrow_pieces(arrow)
         return found
 
-    def tree(self, towards: Floats | None = None) -> list[Node]:
+    def tree(self, towards: Floats | None = None) -> list[Node[Patch]]:
         """Return the pieces in an order for painting; they may be cut."""
         return depth_tree(self.patches(towards))

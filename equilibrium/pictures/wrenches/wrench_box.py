@@ -51,7 +51,7 @@ class WrenchBox:
     shapes: tuple[Polyhedron, ...]
 
     @cached_property
-    def tree(self) -> list[Node]:
+    def tree(self) -> list[Node[Patch]]:
         """The surface of the union, in an order for painting."""
         return depth_tree([*surface(self.shapes), *self._axes()])
 

@@ -5,10 +5,8 @@ from __future__ import annotations
 import math
 from fractions import Fraction
 
-import numpy as np
-
 from arrangement.console.number_form import counted
-from arrangement.drawing.pages.solid_page import Branch, PageFace, SolidPage
+from arrangement.drawing.pages.solid_page import PageFace, SolidPage, page_face
 from arrangement.drawing.registry import Exact, Wrench
 from arrangement.drawing.solids.meshes import ClosedSurface, model_bytes
 from arrangement.drawing.solids.sight import picture_axes
@@ -45,24 +43,15 @@ def wrench_set_page(
     number_of = counted(len(grasp), "contact")
     pieces: dict[IntegerVector, int] = {}
     told: list[tuple[str, list[tuple[str, str]]]] = []
-    tree = [Branch(node.row[:3], [], node.front, node.back) for node in box.tree]
-    for branch, node in zip(tree, box.tree, strict=True):
-        for patch in node.patches:
-            wall, flat = patch.row in WALLS, any(patch.row)
-            if flat and patch.row not in pieces:
-                pieces[patch.row] = len(told)
-                told.append(_told(box, patch, wall))
-            branch.faces.append(
-                PageFace(
-                    rounded(patch.corners),
-                    CUT if wall else SOLID,
-                    np.array(patch.row[:3], dtype=float) if flat else None,
-                    np.array([rounded(edge) for edge in patch.edges]).reshape(-1, 2, 3),
-                    pieces.get(patch.row, -1),
-                    sheet=patch.sheet,
-                    faint=wall or patch.name == "axis",
-                )
-            )
+
+    def face(patch: Patch) -> PageFace:
+        wall = patch.row in WALLS
+        if any(patch.row) and patch.row not in pieces:
+            pieces[patch.row] = len(told)
+            told.append(_told(box, patch, wall))
+        number, faint = pieces.get(patch.row, -1), wall or patch.name == "axis"
+        return page_face(patch, CUT if wall else SOLID, number, sheet=patch.sheet, faint=faint)
+
     zero = box.inside((Fraction(0),) * 3)
     marks = [
         ([1.1 if j == k else x for j, x in enumerate(zero)], name) for k, name in enumerate(NAMES)
@@ -79,7 +68,7 @@ def wrench_set_page(
         "states that is not a part of another",
         picture_axes(box.clear_side),
         math.sqrt(3),
-        tree,
+        [node.drawn_as(face) for node in box.tree],
         told,
         [(SOLID, "where resistance ends"), (CUT, "cut by the box, goes on")],
         [ends for ends, _ in box_edges()],
