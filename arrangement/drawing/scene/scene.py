@@ -234,3 +234,22 @@ class Scene:
         self.items += [moved(item, x, y) for item in other.items]
         self.boxes += [(l + x, b + y, r + x, t + y) for l, b, r, t in other.boxes]  # noqa: E741
         self.legend.extend(other.legend)
+
+
+def fitted(
+    width: float, points: Floats, tallest: float | None = None, margin: float = 6 * POINTS
+) -> tuple[Scene, float, Floats]:
+    """Return an empty sheet, and the scale and shift that put points (k, 2) on it.
+
+    Args:
+        width: of the sheet, in millimetres.
+        points: whose box is to fill it but for a margin.
+        tallest: height of the sheet, at most; if omitted, the box is a little lower than wide.
+        margin: in points.
+    """
+    low, high = points.min(axis=0), points.max(axis=0)
+    wide, spread = width * POINTS, np.maximum(high - low, 1e-3)
+    room = 0.95 * wide if tallest is None else tallest * POINTS - 2 * margin
+    scale = float(min((wide - 2 * margin) / spread[0], room / spread[1]))
+    scene = Scene(width, (scale * float(spread[1]) + 2 * margin) / POINTS)
+    return scene, scale, np.array([scene.width, scene.height]) / 2 - scale * (low + high) / 2

@@ -13,7 +13,7 @@ from arrangement.drawing.registry import Corner, Exact, Vector, Wrench
 from arrangement.drawing.scene.items import Floats
 from arrangement.drawing.scene.labels import flattened, ring
 from arrangement.drawing.scene.measuring import checked_width
-from arrangement.drawing.scene.scene import Legend, Scene
+from arrangement.drawing.scene.scene import Legend, Scene, fitted
 from equilibrium.decide.verdict import Solver
 from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import Grasp
@@ -24,7 +24,7 @@ from equilibrium.pictures.style import CONE_EDGE, CONE_FILL, nice_near, number, 
 from equilibrium.plane.search.state_equilibrium import Solution
 
 from .layout import ARC, FORCE, Layout, displaced, layout_of
-from .shapes import Labels, arrow, fitted, mark, turning_arrow
+from .shapes import Labels, arrow, mark, turning_arrow
 
 
 @picture

@@ -11,7 +11,7 @@ import numpy as np
 from arrangement.drawing.colours import VERMILION
 from arrangement.drawing.scene.items import Floats
 from arrangement.drawing.scene.labels import keep_off
-from arrangement.drawing.scene.measuring import FONT, POINTS
+from arrangement.drawing.scene.measuring import FONT
 from arrangement.drawing.scene.scene import Scene
 from arrangement.pictures.sphere.projections import joined
 
@@ -81,25 +81,6 @@ def mark(
     ahead = tangent if state == "slip+" else -tangent
     base = [place - 0.5 * size * ahead + side * 0.62 * size * across for side in (1, -1)]
     scene.polygon([place + 0.8 * size * ahead, *base], fc="#bdbdbd", **style)
-
-
-def fitted(
-    width: float, points: Floats, tallest: float | None = None, margin: float = 6 * POINTS
-) -> tuple[Scene, float, Floats]:
-    """Return an empty sheet, and the scale and shift that put points (k, 2) on it.
-
-    Args:
-        width: of the sheet, in millimetres.
-        points: whose box is to fill it but for a margin.
-        tallest: height of the sheet, at most; if omitted, the box is a little lower than wide.
-        margin: in points.
-    """
-    low, high = points.min(axis=0), points.max(axis=0)
-    wide, spread = width * POINTS, np.maximum(high - low, 1e-3)
-    room = 0.95 * wide if tallest is None else tallest * POINTS - 2 * margin
-    scale = float(min((wide - 2 * margin) / spread[0], room / spread[1]))
-    scene = Scene(width, (scale * float(spread[1]) + 2 * margin) / POINTS)
-    return scene, scale, np.array([scene.width, scene.height]) / 2 - scale * (low + high) / 2
 
 
 class Labels:

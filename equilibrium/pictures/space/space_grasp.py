@@ -13,10 +13,9 @@ from arrangement.drawing.registry import Vector, Wrench
 from arrangement.drawing.scene.items import Floats
 from arrangement.drawing.scene.measuring import checked_width
 from arrangement.drawing.scene.scene import Key, Legend, Scene
-from arrangement.drawing.solids.depth_tree import back_to_front
+from arrangement.drawing.solids.sheet import SolidSheet
 from arrangement.drawing.solids.sight import (
     best_view,
-    picture_axes,
     unit,
     unit_vectors,
     view_direction,
@@ -29,7 +28,7 @@ from equilibrium.decide.spatial_verdict import NOT_RESISTED, solve_in_space
 from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import Grasp
 from equilibrium.model.range import NO_RANGE, SMALL, Range
-from equilibrium.pictures.grasp.shapes import Labels, fitted
+from equilibrium.pictures.grasp.shapes import Labels
 from equilibrium.pictures.keys import explain_grasp, symbol
 from equilibrium.pictures.style import CONE_EDGE, CONE_FILL, number
 
@@ -92,37 +91,27 @@ def clear_side(solid: SolidGrasp) -> IntegerVector:
     return best_view([v for v in found if abs(v[0]) != abs(v[1])], score)
 
 
-class _SpatialGraspPicture:
+class _SpatialGraspPicture(SolidSheet):
     """Puts the pieces on a scene, back to front."""
 
     def __init__(self, solid: SolidGrasp, towards: IntegerVector, width: float, note: str) -> None:
-        self.solid, self.towards = solid, towards
-        self.axes = picture_axes(towards)
-        self.stated = solid.body[2]
+        self.solid, self.stated = solid, solid.body[2]
         nodes = solid.tree(np.array(towards, float))
-        held = np.concatenate([
-            np.zeros((1, 3)), *(rounded(p.corners) for node in nodes for p in node.patches)
-        ]) @ self.axes.T  # fmt: skip
-        self.scene, self.scale, self.shift = fitted(width, held[:, :2])
+        held = [rounded(p.corners) for node in nodes for p in node.patches]
+        super().__init__(nodes, towards, np.concatenate([np.zeros((1, 3)), *held]), width)
         self.count, self.labels = 0, Labels(self.scene)
-        ordered = list(back_to_front(nodes, towards))
-        for k, node in enumerate(ordered):
-            for patch in node.patches:
-                self._patch(patch, 1 + k / (len(ordered) + 1))
+        for z, patches in self.layers(1):
+            for patch in patches:
+                self._patch(patch, z)
         self._pads()
         self._numbers()
         self._describe(note)
-
-    def at(self, points: Floats) -> Floats:
-        """Return points of space on the scene."""
-        placed: Floats = (np.asarray(points) @ self.axes.T)[..., :2] * self.scale + self.shift
-        return placed
 
     def _patch(self, patch: Patch, z: float) -> None:
         self.count += 1
         kind, gid = patch.name.partition("-")[0], f"{patch.name}-{self.count}"
         corners = self.at(rounded(patch.corners))
-        ahead = sum(a * b for a, b in zip(patch.row, self.towards, strict=False)) > 0
+        ahead = self.faces(patch)
         edges = [self.at(rounded(edge)) for edge in patch.edges]
         self.labels.avoid(*edges)
         if kind == "body":

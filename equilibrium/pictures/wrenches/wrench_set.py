@@ -17,14 +17,13 @@ from arrangement.drawing.registry import Exact, Vector, Wrench
 from arrangement.drawing.scene.items import Floats
 from arrangement.drawing.scene.measuring import checked_width
 from arrangement.drawing.scene.scene import Legend, Scene
-from arrangement.drawing.solids.depth_tree import back_to_front
-from arrangement.drawing.solids.sight import light, picture_axes, unit_vectors, view_direction
+from arrangement.drawing.solids.sheet import SolidSheet
+from arrangement.drawing.solids.sight import light, unit_vectors, view_direction
 from arrangement.drawing.solids.surface import Patch, rounded
 from arrangement.numbers.exact import IntegerVector, dot
 from equilibrium.model.grasp import Grasp, read_wrench
 from equilibrium.pictures.grasp.grasp import drawn
 from equilibrium.pictures.grasp.layout import layout_of
-from equilibrium.pictures.grasp.shapes import fitted
 from equilibrium.pictures.keys import MARKS, symbol
 from equilibrium.pictures.style import ticks, wrench_text
 
@@ -103,16 +102,15 @@ def _on_wall(points: Sequence[IntegerVector]) -> bool:
     return any(all(dot(row, p) == 0 for p in points) for row in WALLS)
 
 
-class _WrenchSetPicture:
+class _WrenchSetPicture(SolidSheet):
     """The picture of the set."""
 
     def __init__(
         self, grasp: Grasp, box: WrenchBox, towards: IntegerVector, applied: Any, width: float
     ) -> None:
-        self.grasp, self.box, self.towards = grasp, box, towards
-        self.axes = picture_axes(towards)
-        corners = np.array(list(product((-1.0, 1.0), repeat=3))) @ self.axes.T
-        self.scene, self.scale, self.shift = fitted(width, corners[:, :2], math.inf, _MARGIN)
+        corners = np.array(list(product((-1.0, 1.0), repeat=3)))
+        super().__init__(box.tree, towards, corners, width, math.inf, _MARGIN)
+        self.grasp, self.box = grasp, box
         self._describe(self.scene.legend, applied)
         self._frame(behind=True)
         self._set()
@@ -120,11 +118,6 @@ class _WrenchSetPicture:
         self._rulers()
         if applied is not None:
             self._mark(applied)
-
-    def at(self, points: Any) -> Floats:
-        """Return points of the box on the scene."""
-        placed: Floats = (np.asarray(points) @ self.axes.T)[..., :2] * self.scale + self.shift
-        return placed
 
     def _places(self, points: Iterable[IntegerVector]) -> Floats:
         return self.at(rounded(points))
@@ -152,10 +145,8 @@ class _WrenchSetPicture:
     def _set(self) -> None:
         """Paint the surface back to front."""
         count = 0
-        nodes = list(back_to_front(self.box.tree, self.towards))
-        for k, node in enumerate(nodes):
-            z = 2 + k / (len(nodes) + 1)
-            seen = [p for p in node.patches if p.sheet or self._faces(p)]
+        for z, patches in self.layers(2):
+            seen = [p for p in patches if p.sheet or self.faces(p)]
             for patch in seen:
                 count += 1
                 self._patch(patch, count, z)
@@ -173,9 +164,6 @@ class _WrenchSetPicture:
                                     capstyle="round", **{**style, **cut})  # fmt: skip
                 if len(patch.corners) > 2 and not wall:
                     self._fade(patch, z)
-
-    def _faces(self, patch: Patch) -> bool:
-        return sum(a * b for a, b in zip(patch.row, self.towards, strict=False)) > 0
 
     def _patch(self, patch: Patch, count: int, z: float) -> None:
         corners = self._places(patch.corners)
