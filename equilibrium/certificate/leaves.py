@@ -163,8 +163,10 @@ def spatial_leaves(grasp: Grasp, tree: Any, within: Range = NO_RANGE) -> Iterato
         else:
             cut = sectors.get(i, ())
             around = [*cut[:1], *node.directions, *(cut[1:] or node.directions[:1])]
-            pairs = [(f"slips between {vector_text(u)} and {vector_text(v)}", (u, v))
-                     for u, v in pairwise(around)]  # fmt: skip
+            pairs = [
+                (f"slips between {vector_text(u)} and {vector_text(v)}", (u, v))
+                for u, v in pairwise(around)
+            ]
             parts = [*([] if cut else [("sticks", ())]), *pairs]
         found = [
             (child, {**states, i: words}, {**sectors, i: sector})

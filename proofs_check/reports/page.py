@@ -61,9 +61,12 @@ def html_page(record: Record) -> str:
     results = record["results"]
     counted = Counter(map(_kind, results))
     pages = Environment(
-        loader=PackageLoader(__package__), autoescape=True, undefined=StrictUndefined,
-        trim_blocks=True, lstrip_blocks=True,
-    )  # fmt: skip
+        loader=PackageLoader(__package__),
+        autoescape=True,
+        undefined=StrictUndefined,
+        trim_blocks=True,
+        lstrip_blocks=True,
+    )
     pages.filters |= {
         "anchor": lambda id: id.replace(" ", "-"),
         "formula": _formula,

@@ -83,29 +83,31 @@ class SolidPage:
 
     def text(self) -> str:
         """Return the page."""
-        data = {
-            "title": self.title, "summary": self.summary, "counts": self.counts,
-            "axes": _floats(self.axes), "radius": round(self.radius, 6),
+        same = ("title", "summary", "counts", "legend", "apart")
+        data = {key: getattr(self, key) for key in same} | {
+            "axes": _floats(self.axes),
+            "radius": round(self.radius, 6),
             "nodes": [
-                {"row": _floats(node.row[:3]), "front": node.front, "back": node.back,
-                 "faces": list(map(_face, node.patches))}
+                {"row": _floats(node.row[:3]), "faces": list(map(_face, node.patches))}
+                | {"front": node.front, "back": node.back}
                 for node in self.tree
             ],
             "pieces": [{"name": name, "facts": facts} for name, facts in self.pieces],
-            "legend": self.legend, "frame": _floats(self.frame), "apart": self.apart,
+            "frame": _floats(self.frame),
             "marks": [{"at": _floats(at), "text": text} for at, text in self.marks],
-        }  # fmt: skip
-        return one_page(
-            self.title, own("solid.html"), [BASE_STYLE, own("solid.css")],
-            [BASE_SCRIPT, own("solid.js")], data, ["spin", "home", "theme", "print"],
-        )  # fmt: skip
+        }
+        styles, scripts = [BASE_STYLE, own("solid.css")], [BASE_SCRIPT, own("solid.js")]
+        tools = ["spin", "home", "theme", "print"]
+        return one_page(self.title, own("solid.html"), styles, scripts, data, tools)
 
 
 def _face(face: PageFace) -> dict[str, Any]:
     found: dict[str, Any] = {
-        "at": _floats(face.corners), "fill": face.fill, "edges": _floats(face.edges),
+        "at": _floats(face.corners),
+        "fill": face.fill,
+        "edges": _floats(face.edges),
         "piece": face.piece if face.piece >= 0 else None,
-    }  # fmt: skip
+    }
     if face.normal is not None and face.normal.any():
         found["normal"] = _floats(unit(face.normal))
     if face.middle is not None:

@@ -178,10 +178,8 @@ class Scene:
     ) -> None:
         """Write a text, whatever is there."""
         place = float(at[0]), float(at[1])
-        self._add(
-            Label, {"zorder": 6, **style}, place=place, text=text, size=size, ha=ha, va=va,
-            rotation=rotation,
-        )  # fmt: skip
+        how = {"size": size, "ha": ha, "va": va, "rotation": rotation}
+        self._add(Label, {"zorder": 6, **style}, place=place, text=text, **how)
 
     def curve(self, points: Floats, **style: Any) -> None:
         """Draw control points (3k + 1, 2) of cubic curves, joined."""
@@ -192,15 +190,18 @@ class Scene:
         self._add(Path, style, points=np.asarray(centre), kind="circle", radius=radius)
 
     def ball(
-        self, centre: Place, radius: float, near: str = "#ffffff", far: str = "#c0c4cc",
-        focus: tuple[float, float] = LIGHT, **style: Any,
-    ) -> None:  # fmt: skip
+        self,
+        centre: Place,
+        radius: float,
+        near: str = "#ffffff",
+        far: str = "#c0c4cc",
+        focus: tuple[float, float] = LIGHT,
+        **style: Any,
+    ) -> None:
         """Draw a shaded ball; with colours that let through, such as ``#00000040``, a shadow."""
         place = float(centre[0]), float(centre[1])
-        self._add(
-            Ball, {"role": "ball", **style}, centre=place, radius=radius, focus=focus, near=near,
-            far=far,
-        )  # fmt: skip
+        how = {"radius": radius, "focus": focus, "near": near, "far": far}
+        self._add(Ball, {"role": "ball", **style}, centre=place, **how)
 
     def marker(self, at: Place, size: float, shape: str, **style: Any) -> None:
         """Draw a small shape of about the area of a disc with radius `size`; see `_SHAPES`."""

@@ -170,9 +170,13 @@ def _generic(panel: _CountsPanel) -> None:
         panel.marks(points, shape, f"generic-{name}", label, colour)
     bounds = (
         ("faces", "bound on all faces, any planes", every, (5, 2)),
-        ("regions", "bound on regions, any planes", [fukuda_bound(m, 3, 3) for m in numbers],
-         (1.5, 1.5)),
-    )  # fmt: skip
+        (
+            "regions",
+            "bound on regions, any planes",
+            [fukuda_bound(m, 3, 3) for m in numbers],
+            (1.5, 1.5),
+        ),
+    )
     for name, text, values, dashes in bounds:
         style = {"ec": _FAINT, "lw": 0.8, "ls": (0, dashes)}
         panel.curve(zip(numbers, values, strict=True), f"bound-{name}", **style)

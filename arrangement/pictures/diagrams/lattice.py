@@ -25,12 +25,7 @@ _INK = "#882255"
 
 
 @picture
-def draw_lattice(
-    arrangement: Arrangement,
-    *,
-    width: float = 88.0,
-    moebius: bool = True,
-) -> Scene:
+def draw_lattice(arrangement: Arrangement, *, width: float = 88.0, moebius: bool = True) -> Scene:
     """Draw the intersections of planes, ordered by reverse inclusion, as a Hasse diagram.
 
     One row for each rank, the whole space at the bottom; the planes stand in input order, and the
@@ -143,10 +138,8 @@ class _HasseDiagram:
             widths = np.array(row.widths)[orders[rank]]
             x = np.empty(len(widths))
             x[orders[rank]] = self.left + np.cumsum(widths) - widths / 2
-            scene.write(
-                (4.0, bottom + row.height / 2), self.margins[rank], 6.0, anchor=(0.0, 0.5),
-                color="0.25", multialignment="left",
-            )  # fmt: skip
+            look: dict[str, Any] = {"anchor": (0.0, 0.5), "color": "0.25", "multialignment": "left"}
+            scene.write((4.0, bottom + row.height / 2), self.margins[rank], 6.0, **look)
             spans.append(self._write_row(rank, x, bottom))
             bottom += row.height + self.gap
         self._covers(spans)
@@ -169,10 +162,8 @@ class _HasseDiagram:
                 continue
             if row.values:
                 under = foot[1] - GAP - (2.0 if row.turned else 0.1)
-                self.scene.write(
-                    (at, under), row.values[k], row.size - 0.5,
-                    anchor=(0.5, 1.0), rotation=angle, color=_INK,
-                )  # fmt: skip
+                look: dict[str, Any] = {"anchor": (0.5, 1.0), "rotation": angle, "color": _INK}
+                self.scene.write((at, under), row.values[k], row.size - 0.5, **look)
             top = foot[1] + self.scene.measure(row.names[k], row.size, angle)[1]
             spans.append((at, bottom - 2.5, top + 0.8))
         return np.array(spans)

@@ -106,8 +106,8 @@ def draw_dual(
     radius = size / 2 - rim_width(scene, globe, names)
     disc = Disc(scene, first, radius, globe, front(globe, orthographic), names, _ink(hull), True)
     _sphere(disc, colours.paint, points, (0.0, first[1] - size / 2, size, scene.height))
-    picture = _SolidPanel(scene, globe, solid, [colours.paint(r) for r in _regions(globe, solid)],
-                       names, hull)  # fmt: skip
+    fills = [colours.paint(region) for region in _regions(globe, solid)]
+    picture = _SolidPanel(scene, globe, solid, fills, names, hull)
     picture.draw(second, radius if hull else size / 2 - 19.0, size / 2)
     explain_regions(scene, colours, names, globe.regions)
     if hull:
@@ -259,12 +259,11 @@ class _SolidPanel:
                 self.scene.write(self.places[v], self._text(v), SIZES[1], zorder=7)
                 continue
             away = self.places[v] - centre if far[v] else (0.0, 1.0)
-            write_beside(
-                self.scene, self.places[v], self.names.forms(solid.signs[v]), SIZES[:2],
-                off=off, away=away, distance=small * (0.7 if hidden else 1) + 1.0,
-                within=within, others=np.delete(self.places, v, axis=0),
-                color="0.45" if hidden else "black",
-            )  # fmt: skip
+            room = {"within": within, "others": np.delete(self.places, v, axis=0)}
+            texts, distance = self.names.forms(solid.signs[v]), small * (0.7 if hidden else 1) + 1.0
+            look: dict[str, Any] = {"color": "0.45" if hidden else "black", "away": away, **room}
+            place = self.places[v]
+            write_beside(self.scene, place, texts, SIZES[:2], off=off, distance=distance, **look)
 
 
 def _explain_hull(scene: Scene, solid: SeenSolid) -> None:

@@ -105,11 +105,7 @@ def cells_model(
 
 
 def _part(
-    cells: Cells,
-    cell: Cell,
-    points: Floats,
-    apart: float,
-    paint: Painter | None,
+    cells: Cells, cell: Cell, points: Floats, apart: float, paint: Painter | None
 ) -> ClosedSurface:
     used = sorted({i for face in cell.faces for i in face})
     number = {old: new for new, old in enumerate(used)}

@@ -97,10 +97,8 @@ def draw_cells(
         lifted.append(Lifted(cell, stage.points + shift, shift))
     names = RegionLabels(arrangement, labels, len(lifted), _NAMED)
     signs = [cell.signs for cell in cells.cells]
-    sheet = PlanesSheet(
-        stage, lifted, lambda facet: fill_colour(facet.label), width, StagedAxes(stage, ()),
-        apart=True,
-    )  # fmt: skip
+    axes = StagedAxes(stage, ())
+    sheet = PlanesSheet(stage, lifted, lambda x: fill_colour(x.label), width, axes, apart=True)
     left = 0 if names.kind == "none" else Names(sheet, names).name_cells(beside=False)
     legend = sheet.scene.legend
     names.explain(legend, signs)
@@ -149,34 +147,34 @@ def cells_page(
         tree[leaf].patches += _faces(points, cell, k)
         walls = sorted({wall for wall in cell.walls if wall >= 0})
         sign = "".join("+" if s > 0 else "\u2212" for s in cell.signs)
-        told.append((sign or "all", [
-            ("planes", "; ".join(equation(firsts[w][:3], firsts[w][3]) for w in walls) or "none"),
-            ("a point", point_text(regions[cell.signs].witness)),
-            ("in the cube", "whole" if len(walls) == len(set(cell.walls)) else "cut off"),
-        ]))  # fmt: skip
+        planes = "; ".join(equation(firsts[w][:3], firsts[w][3]) for w in walls)
+        whole = "whole" if len(walls) == len(set(cell.walls)) else "cut off"
+        point = point_text(regions[cell.signs].witness)
+        facts = [("planes", planes or "none"), ("a point", point), ("in the cube", whole)]
+        told.append((sign or "all", facts))
     legend = [
         (pale(fill_colour(label)), f"{plane_names(members)}: {equation(first[:3], first[3])}")
         for label, (members, first) in enumerate(zip(arrangement.distinct, firsts, strict=True))
     ]
     body = cells.body
     corner = ", ".join(map(str, body.centre))
-    facts = (f"{number}, rank {arrangement.rank}", note, generator_text(arrangement))
+    summary = (f"{number}, rank {arrangement.rank}", note, generator_text(arrangement))
     return SolidPage(
         title if title is not None else f"Cells of {number}",
-        "; ".join(filter(None, facts)),
+        "; ".join(filter(None, summary)),
         f"{len(cells.cells)} cells in a cube with centre ({corner}) and edge "
         f"{float(2 * body.radius):.4g}",
-        picture_axes(towards), 3**0.5, tree, told, [*legend, (SKIN, "cut by the cube")],
+        picture_axes(towards),
+        3**0.5,
+        tree,
+        told,
+        [*legend, (SKIN, "cut by the cube")],
         apart=float(explode),
-    ).text()  # fmt: skip
+    ).text()
 
 
 def _cells(
-    arrangement: Arrangement,
-    body: str,
-    centre: Vector | None,
-    radius: Exact | None,
-    explode: float,
+    arrangement: Arrangement, body: str, centre: Vector | None, radius: Exact | None, explode: float
 ) -> Cells:
     """Return the cells in a body, or refuse the request."""
     if not isinstance(explode, int | float) or not 1 <= explode <= 3:

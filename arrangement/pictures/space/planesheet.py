@@ -210,10 +210,8 @@ class PlanesSheet:
             if wall < 0 and self.round:
                 normal = unit(corners.mean(axis=0) - item.shift)
             colour = lit(SKIN if wall < 0 else self.colour(wall), normal)
-            self.scene.polygon(
-                self.place(corners), fc=colour, ec=colour, lw=0.3,
-                zorder=self.z, joinstyle="round", gid=name,
-            )  # fmt: skip
+            look: dict[str, Any] = {"lw": 0.3, "zorder": self.z, "joinstyle": "round", "gid": name}
+            self.scene.polygon(self.place(corners), fc=colour, ec=colour, **look)
         for segment in item.outlines():
             self._line(self.place(segment), {"lw": 0.9})
 

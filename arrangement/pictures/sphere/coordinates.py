@@ -95,8 +95,10 @@ def in_coordinates(
         matrix = (symmetric_map if chosen == "symmetric" else _even_map)(arrangement)
         if matrix is None and coordinates is None and _is_narrow(arrangement):
             matrix = _even_map(arrangement)
-            note("the planes are narrow: drawn with normals spread evenly, unless coordinates "
-                 "given are asked for")  # fmt: skip
+            note(
+                "the planes are narrow: drawn with normals spread evenly, unless coordinates "
+                "given are asked for"
+            )
     if matrix is None:
         return arrangement, direction
     rows = _rational(matrix)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import replace
+from typing import Any
 
 import numpy as np
 
@@ -86,10 +87,8 @@ def draw_sphere(
     lines = disc.draw(colours.paint, avoid=[*arms, *arrows])
     off = keep_off(lines)
     for name, (_, tip) in zip(shown, arms, strict=True):
-        write_beside(
-            disc.scene, tip, [name], (7.0, 6.0), off=off,
-            away=tip - np.array(disc.centre), distance=2.0, style="italic",
-        )  # fmt: skip
+        look: dict[str, Any] = {"off": off, "away": tip - np.array(disc.centre), "distance": 2.0}
+        write_beside(disc.scene, tip, [name], (7.0, 6.0), style="italic", **look)
     explain_regions(disc.scene, colours, names, globe.front.values())
     return disc.scene
 

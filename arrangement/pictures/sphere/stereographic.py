@@ -150,10 +150,8 @@ class _Whole:
         discs = map(ring, centres, self.scale / np.abs(c))
         for text in self.outer:
             write_inside(self.scene, corners, text, off=keep_off([], discs))
-        label_regions(
-            self.scene, self.names, outlines, [*lines, dashes], [dashes],
-            (*(corners[0] + 2), *(corners[2] - 2)),
-        )  # fmt: skip
+        inside = (*(corners[0] + 2), *(corners[2] - 2))
+        label_regions(self.scene, self.names, outlines, [*lines, dashes], [dashes], inside)
 
     def _fill(self) -> list[tuple[DrawnRegion, Floats]]:
         """Fill the outer region first, then all others; return all but it with outlines."""
@@ -192,11 +190,9 @@ class _Whole:
         angle = math.atan2(b * c, a * c) + (step + 1) // 2 * 0.075 * (1 if step % 2 else -1)
         outward = np.array([math.cos(angle), math.sin(angle)])
         rim = self.on_paper((centre + radius * outward)[None])[0]
-        return write_beside(
-            self.scene, rim, [text], (7.0, 6.0), off=off, away=outward, distance=1.2,
-            within=tuple(np.concatenate([self._corners()[0] + 4, self._corners()[2] - 4])),
-            turns=2, style="italic",
-        )  # fmt: skip
+        inside = (*(self._corners()[0] + 4), *(self._corners()[2] - 4))
+        look: dict[str, Any] = {"away": outward, "distance": 1.2, "turns": 2, "style": "italic"}
+        return write_beside(self.scene, rim, [text], (7.0, 6.0), off=off, within=inside, **look)
 
 
 def _farthest(globe: Globe) -> float:

@@ -149,8 +149,9 @@ class GraspPicture:
             return
         middle = self.at(np.mean(layout.places, axis=0) if layout.places else layout.origin)
         for i, place in enumerate(self.places):
-            scene.line([place, middle], ec=GREY, lw=0.5, ls=(0, (5, 2.5)), gid=f"link-{i + 1}",
-                       zorder=0.5)  # fmt: skip
+            scene.line(
+                [place, middle], ec=GREY, lw=0.5, ls=(0, (5, 2.5)), gid=f"link-{i + 1}", zorder=0.5
+            )
             self.labels.avoid([place, middle])
         if layout.step is not None:
             ends = self.at(displaced(layout, np.array(layout.places)))
@@ -173,22 +174,23 @@ class GraspPicture:
             rim = self.at(np.vstack([layout.places[i], layout.cones[i]]))
             style = {"fc": CONE_FILL, "ec": CONE_EDGE, "lw": 0.5, "gid": f"cone-{i + 1}"}
             scene.polygon(rim, zorder=1, **style)
-            scene.line([p, rim[len(rim) // 2]], ec=CONE_EDGE, lw=0.5, ls=(0, (6, 2, 1, 2)),
-                       gid=f"normal-{i + 1}", zorder=1.1)  # fmt: skip
+            look: dict[str, Any] = {"ec": CONE_EDGE, "lw": 0.5, "ls": (0, (6, 2, 1, 2))}
+            scene.line([p, rim[len(rim) // 2]], gid=f"normal-{i + 1}", zorder=1.1, **look)
             pad = 0.07 * self.scale * t
-            scene.line([p - pad, p + pad], ec=BLACK, lw=1.6, gid=f"pad-{i + 1}", zorder=3,
-                       capstyle="butt")  # fmt: skip
+            scene.line(
+                [p - pad, p + pad], ec=BLACK, lw=1.6, gid=f"pad-{i + 1}", zorder=3, capstyle="butt"
+            )
             labels.avoid([*rim, p], [p, rim[len(rim) // 2]], [p - pad, p + pad])
             preload, arm = layout.preloads[i] * self.scale, layout.arms[i]
             if preload > 0:
                 away = p - preload * n
                 tip = p - 3.2 * n * (preload > 12)
-                edge = arrow(scene, away, tip, 1.6, fc="white", ec=GREY, lw=0.7,
-                             gid=f"preload-{i + 1}", zorder=3.5)  # fmt: skip
+                look = {"ec": GREY, "lw": 0.7, "gid": f"preload-{i + 1}", "zorder": 3.5}
+                edge = arrow(scene, away, tip, 1.6, fc="white", **look)
                 labels.avoid(edge)
             if arm is not None:
-                edge = arrow(scene, p, p + self.scale * arm, 1.0, fc=BLACK, ec="none",
-                             gid=f"force-{i + 1}", zorder=5.5)  # fmt: skip
+                look = {"fc": BLACK, "ec": "none", "gid": f"force-{i + 1}", "zorder": 5.5}
+                edge = arrow(scene, p, p + self.scale * arm, 1.0, **look)
                 labels.avoid(edge)
             if layout.found is not None:
                 # Marks of contacts at one place stand one behind the other.

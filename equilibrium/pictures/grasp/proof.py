@@ -6,6 +6,7 @@ import math
 from collections.abc import Mapping
 from dataclasses import replace
 from fractions import Fraction
+from typing import Any
 
 import numpy as np
 
@@ -171,16 +172,17 @@ def _example(
     for k, (shift, start) in enumerate(zip(shifts, drawn.places, strict=True)):
         if any(shift):
             end = start + 2 * MOVED * scale * np.array([float(v / largest) for v in shift])
-            edge = arrow(scene, start, end, 1.0, fc=colours[k], ec="none",
-                         gid=f"{name}shift-{k + 1}", zorder=7)  # fmt: skip
+            look: dict[str, Any] = {"ec": "none", "gid": f"{name}shift-{k + 1}", "zorder": 7}
+            edge = arrow(scene, start, end, 1.0, fc=colours[k], **look)
             drawn.labels.avoid(edge)
     if r:
         frame, centre = layout.frame, (-y / r, x / r)
         far = max(abs(v - c) for v, c in zip(centre, frame.centre, strict=True)) / frame.size
         if far < 0.9 * half:
             at, reach = drawn.at(frame.paper(centre)), 0.15 * scale
-            turning_arrow(scene, at, reach, 1 if r > 0 else -1, color=BLUE,
-                          gid=f"{name}centre", zorder=7)  # fmt: skip
+            turning_arrow(
+                scene, at, reach, 1 if r > 0 else -1, color=BLUE, gid=f"{name}centre", zorder=7
+            )
             scene.mark(at, "o", 2.5, color=BLUE, zorder=7)
             drawn.labels.avoid(flattened(arc(at, reach, 0, 2 * math.pi)))
     drawn.letter()

@@ -35,10 +35,9 @@ def arrow(
     wide, thin = 0.42 * head, min(0.8 * size, 0.1 * head)
     end = start + length * along
     neck = end - head * along
-    corners = [
-        start + thin * side, neck + thin * side, neck + wide * side, end,
-        neck - wide * side, neck - thin * side, start - thin * side,
-    ]  # fmt: skip
+    half = [(start, thin), (neck, thin), (neck, wide)]
+    left, right = ([at + way * out * side for at, out in half] for way in (1, -1))
+    corners = [*left, end, *reversed(right)]
     scene.polygon(corners, **{"joinstyle": "miter", "role": "arrow", **style})
     return [*corners, corners[0]]
 
@@ -142,5 +141,5 @@ class Labels:
         ]
         if away is not None:
             wanted = [at for at in wanted if np.linalg.norm(at - away[0]) > away[1]]
-        self.scene.text(self.place("w", wanted), "w", color=VERMILION, style="italic",
-                        weight="bold", halo=(1.5, "white"), zorder=7)  # fmt: skip
+        look: dict[str, Any] = {"weight": "bold", "halo": (1.5, "white"), "zorder": 7}
+        self.scene.text(self.place("w", wanted), "w", color=VERMILION, style="italic", **look)

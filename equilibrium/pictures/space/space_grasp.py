@@ -14,13 +14,7 @@ from arrangement.drawing.scene.items import Floats
 from arrangement.drawing.scene.measuring import checked_width
 from arrangement.drawing.scene.scene import Key, Legend, Scene
 from arrangement.drawing.solids.sheet import SolidSheet
-from arrangement.drawing.solids.sight import (
-    best_view,
-    unit,
-    unit_vectors,
-    view_direction,
-    views,
-)
+from arrangement.drawing.solids.sight import best_view, unit, unit_vectors, view_direction, views
 from arrangement.drawing.solids.surface import Patch, rounded
 from arrangement.numbers.exact import IntegerVector
 from equilibrium.certificate.leaves import spatial_leaves
@@ -126,8 +120,9 @@ class _SpatialGraspPicture(SolidSheet):
         elif len(corners) > 2:
             ink = INKS[kind]
             fill = "#ffffff" if kind == "preload" else ink
-            self.scene.polygon(corners, fc=fill, ec=ink, lw=0.3, joinstyle="round", zorder=z,
-                               gid=gid, role="arrow")  # fmt: skip
+            self.scene.polygon(
+                corners, fc=fill, ec=ink, lw=0.3, joinstyle="round", zorder=z, gid=gid, role="arrow"
+            )
         ink, wide = INKS.get(kind, CONE_EDGE), 0.5 if kind in ("cone", "normal") else 1.2
         wide = {"preload": 0.7, "axis": 0.8, "link": 0.5}.get(kind, wide)
         dashes = _DASHES.get(patch.name, "solid")

@@ -18,11 +18,7 @@ from .window import joint_window
 
 @picture
 def draw_resist(
-    grasp: Grasp,
-    *,
-    wrench: Wrench | None = None,
-    extent: Exact | None = None,
-    width: float = 88.0,
+    grasp: Grasp, *, wrench: Wrench | None = None, extent: Exact | None = None, width: float = 88.0
 ) -> Scene:
     """Draw which forces are resisted, at zero torque or at the torque of a wrench.
 

@@ -160,8 +160,8 @@ class _WrenchSetPicture(SolidSheet):
                     style["lw"] = 1.5
                 for edge in patch.edges:
                     cut = {"ec": GREY, "lw": 0.35} if kind != "axis" and _on_wall(edge) else {}
-                    self.scene.line(self._places(edge), zorder=z, gid=f"{kind}-{count}",
-                                    capstyle="round", **{**style, **cut})  # fmt: skip
+                    look: dict[str, Any] = {"gid": f"{kind}-{count}", "capstyle": "round"}
+                    self.scene.line(self._places(edge), zorder=z, **{**style, **cut}, **look)
                 if len(patch.corners) > 2 and not wall:
                     self._fade(patch, z)
 
@@ -175,8 +175,8 @@ class _WrenchSetPicture(SolidSheet):
         normal = self.axes @ unit_vectors([patch.row[:3]])[0]
         normal *= math.copysign(1, normal[2])
         fill = pale(_lit(normal), _CUT_WHITE) if wall else _lit(normal)
-        self.scene.polygon(corners, fc=fill, ec=fill, lw=0.3, zorder=z, joinstyle="round",
-                           gid=f"{'wall' if wall else 'facet'}-{count}", role="region")  # fmt: skip
+        look: dict[str, Any] = {"gid": f"{'wall' if wall else 'facet'}-{count}", "role": "region"}
+        self.scene.polygon(corners, fc=fill, ec=fill, lw=0.3, zorder=z, joinstyle="round", **look)
         if wall:
             self.scene.polygon(corners, fc="none", ec="#b5bcc3", lw=0, hatch="///", zorder=z)
 
@@ -190,12 +190,12 @@ class _WrenchSetPicture(SolidSheet):
         sides = list(product(range(3), (1, -1)))
         return {
             row: [
-                (axis, side) for axis, side in sides
-                if (side * at[:, axis]).max() > 1 - 1e-9
-                and (side * at[:, axis]).min() <= 1 - _FADE
+                (axis, side)
+                for axis, side in sides
+                if (side * at[:, axis]).max() > 1 - 1e-9 and (side * at[:, axis]).min() <= 1 - _FADE
             ]
             for row, at in corners.items()
-        }  # fmt: skip
+        }
 
     def _fade(self, patch: Patch, z: float) -> None:
         """Let a face turn white towards each wall that cuts its plane."""
@@ -204,8 +204,9 @@ class _WrenchSetPicture(SolidSheet):
             for k in range(_STEPS):
                 part = clipped(corners, side * np.eye(3)[axis], 1 - _FADE * (1 - k / _STEPS))
                 if len(part) > 2:
-                    self.scene.polygon(self.at(part), fc="#ffffff", ec="none", alpha=_VEIL,
-                                       zorder=z, gid="fade")  # fmt: skip
+                    self.scene.polygon(
+                        self.at(part), fc="#ffffff", ec="none", alpha=_VEIL, zorder=z, gid="fade"
+                    )
 
     def _frame(self, *, behind: bool) -> None:
         """Draw the edges of the box, those behind the set first."""
@@ -214,8 +215,9 @@ class _WrenchSetPicture(SolidSheet):
             far = any(s * self.towards[j] < 0 for s, j in zip(sides, others, strict=True))
             if far == behind:
                 style = {"zorder": 1} if behind else {"ls": (0, (4, 3)), "zorder": 4}
-                self.scene.line(self.at(ends), ec="#a0a0a0", lw=0.4, role="border",
-                                gid=f"box-{k}", **style)  # fmt: skip
+                self.scene.line(
+                    self.at(ends), ec="#a0a0a0", lw=0.4, role="border", gid=f"box-{k}", **style
+                )
 
     def _rulers(self) -> None:
         """Number one edge of the box for each axis, on the outline of the picture."""
@@ -261,7 +263,7 @@ class _WrenchSetPicture(SolidSheet):
         if max(map(abs, place)) > 1:
             return
         held = any(piece.polyhedron.contains(applied) for piece in self.box.pieces)
-        self.scene.line(self.at([place, [*place[:2], -1.0]]), ec=VERMILION, lw=0.5, zorder=5,
-                        ls=(0, (1, 1.5)), role="line")  # fmt: skip
+        look: dict[str, Any] = {"lw": 0.5, "zorder": 5, "ls": (0, (1, 1.5)), "role": "line"}
+        self.scene.line(self.at([place, [*place[:2], -1.0]]), ec=VERMILION, **look)
         sign, size, style = MARKS["resisted" if held else "refused"]
         self.scene.mark(self.at(place), sign, size, zorder=6, gid="wrench", **style)

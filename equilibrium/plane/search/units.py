@@ -121,8 +121,10 @@ class SearchUnits:
         used = leaf.get("range", {})
         one, slip = Fraction(1), self.force / self.step
         turn = slip * self.length
-        rows = {i: [rational(z) * u for z, u in zip(row, (one, slip), strict=False)]
-                for i, row in leaf["multipliers"].items()}  # fmt: skip
+        rows = {
+            i: [rational(z) * u for z, u in zip(row, (one, slip), strict=False)]
+            for i, row in leaf["multipliers"].items()
+        }
         turns = [rational(z) * turn for z in used.get("turn", ())]
         rho = list(map(rational, used.get("forces", {}).values()))
         every = [x, y, r / self.length, *chain(*rows.values()), *turns, *rho]
