@@ -92,7 +92,7 @@ def _rounded(part: ClosedSurface, step: float) -> ClosedSurface:
     faces, colours = [], []
     for face, colour in zip(part.faces, part.colours, strict=True):
         cycle = [join[i] for i in face]
-        kept = tuple(a for a, b in zip(cycle, [*cycle[1:], cycle[0]], strict=True) if a != b)
+        kept = tuple(a for a, b in cycle_edges(cycle) if a != b)
         if len(set(kept)) > 2:
             faces.append(kept)
             colours.append(colour)

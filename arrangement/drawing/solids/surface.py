@@ -20,7 +20,7 @@ from arrangement.console.progress import watched
 from arrangement.numbers.exact import IntegerVector, dot, primitive, unoriented
 from arrangement.numbers.linear.intervals import remainder
 from arrangement.numbers.linear.polyhedron import Polyhedron
-from arrangement.numbers.linear.rank import determinant
+from arrangement.numbers.linear.rank import cycle_edges, determinant, difference
 
 from .flat_polygons import Loop, Segment, between, creases_of, flattened, lifted, minus, ordered
 
@@ -118,11 +118,7 @@ class _Polytope:
     @cached_property
     def edges(self) -> set[Segment]:
         """Its edges, each once."""
-        return {
-            (min(p, q), max(p, q))
-            for _, loop in self.facets
-            for p, q in zip(loop, [*loop[1:], loop[0]], strict=True)
-        }
+        return {(min(p, q), max(p, q)) for _, loop in self.facets for p, q in cycle_edges(loop)}
 
     def reaches(self, row: IntegerVector) -> bool:
         """Return whether it has points where ``row`` is positive."""
@@ -258,7 +254,7 @@ def _thin(shapes: Sequence[Polyhedron]) -> Iterator[Patch]:
         larger = [other for other in shapes if other.dimension > shape.dimension]
         if shape.dimension == 1:
             p, q = shape.points
-            step = [b - a for a, b in zip(p, q, strict=True)]
+            step = difference(q, p)
             covered = [part for other in larger if (part := other.along(p, step))]
             for low, high in remainder((Fraction(0), Fraction(1)), covered):
                 if low is not None and high is not None and low < high:

@@ -14,7 +14,7 @@ from arrangement.drawing.scene.items import Floats
 from arrangement.drawing.solids.sight import face_normal, unit_vectors
 from arrangement.duals.zonohedron import DualPolyhedron, dual_polygon, dual_polyhedron, dual_segment
 from arrangement.numbers.exact import IntegerVector, dot
-from arrangement.numbers.linear.rank import triple_product
+from arrangement.numbers.linear.rank import cycle_edges, difference, triple_product
 from arrangement.numbers.number_field import rational_near
 from arrangement.planes.planes import Planes
 
@@ -116,10 +116,9 @@ def hull_solid(hull: RepresentativeHull, direction: IntegerVector, axes: Floats)
     edge of the hull; the latter is a chord, hidden if its middle is.
     """
     points = [tuple(map(Fraction, point)) for point in hull.hull.points]
-    towards = [
-        _determinant_with(direction, *(points[v] for v in triangle))
-        for triangle in hull.hull.triangles
-    ]
+    corners = ([points[v] for v in triangle] for triangle in hull.hull.triangles)
+    # How far the outer normals look towards the viewer.
+    towards = [triple_product(direction, difference(q, p), difference(r, p)) for p, q, r in corners]
     true, missing = sorted(hull.hull.true_edges), sorted(hull.missing)
     shared = {(min(u, v), max(u, v)): c for u, v, c in edges_of(hull.dual)}
     edge_hidden, vertex_hidden = _hidden(true, hull.hull.triangles, towards, len(points))
@@ -148,20 +147,9 @@ def _hidden(
     for cycle, ahead in zip(faces, towards, strict=True):
         if ahead >= 0:
             seen_vertices.update(cycle)
-            seen_edges.update(zip(cycle, [*cycle[1:], cycle[0]], strict=True))
+            seen_edges.update(cycle_edges(cycle))
     edge_hidden = tuple((u, v) not in seen_edges and (v, u) not in seen_edges for u, v in edges)
     return edge_hidden, tuple(v not in seen_vertices for v in range(count))
-
-
-def _determinant_with(direction: IntegerVector, *corners: Sequence[Fraction]) -> Fraction:
-    """Return how far the normal (q - p) x (r - p) looks along a direction."""
-    p, q, r = corners
-    found: Fraction = triple_product(direction, _minus(q, p), _minus(r, p))
-    return found
-
-
-def _minus(left: Sequence[Fraction], right: Sequence[Fraction]) -> list[Fraction]:
-    return [x - y for x, y in zip(left, right, strict=True)]
 
 
 def _crossed(arrangement: Planes, left: tuple[int, ...], right: tuple[int, ...]) -> int:

@@ -21,7 +21,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from arrangement.numbers.exact import RationalVector, dot, from_floats
-from arrangement.numbers.linear.rank import cross
+from arrangement.numbers.linear.rank import cross, difference
 from equilibrium.model.contact import VALUES, Contact
 from equilibrium.model.data_error import DataError
 from equilibrium.model.errors import GraspError
@@ -174,7 +174,7 @@ def converted(
     if not exact and len(sizes) == 1 and plain:
         moved, normals, kept = rounded_contacts(points, wanted, how)
     changed = [
-        (new, error + max(map(abs, _minus(new, old))))
+        (new, error + max(map(abs, difference(new, old))))
         for new, old, (_, error) in zip(moved, points, places, strict=True)
     ]
     error = DataError(how.error if how.keep else how.snap, how.angle, value_bound, not how.keep)
@@ -391,11 +391,11 @@ class _Work:
         settled = list({self.line[i]: i for i in members if self.line[i] in self.base}.values())
         if settled:
             normal, base = self.normals[settled[0]].normal, self.base[self.line[settled[0]]]
-            height = dot(normal, _minus(centre, base))
+            height = dot(normal, difference(centre, base))
             other = next((i for i in settled if any(self._miss(i, base))), None)
             if other is not None and self.n == 2:
                 x, y = self.normals[other].normal
-                across, apart = (-y, x), _minus(self.base[self.line[other]], base)
+                across, apart = (-y, x), difference(self.base[self.line[other]], base)
                 if not dot(across, normal):
                     return
                 height = dot(across, apart) / dot(across, normal)
@@ -417,7 +417,7 @@ class _Work:
     def _round(self, members: list[int], centre: RationalVector) -> None:
         """Give equal distances to points at equal distances from the centre."""
         bound = self.how.error / 2
-        radii = [dot(self.normals[i].normal, _minus(centre, self.points[i])) for i in members]
+        radii = [dot(self.normals[i].normal, difference(centre, self.points[i])) for i in members]
         even = [x if abs(x) > bound else Fraction(0) for x in radii]
         even = [y and x for x, y in zip(equal_numbers(even, bound, self.how), even, strict=True)]
         kind, largest = "meet", Fraction(0)
@@ -438,7 +438,7 @@ class _Work:
 
     def _miss(self, i: int, point: RationalVector, base: RationalVector = ()) -> RationalVector:
         """Return how a point misses the line of a contact, settled or through its own point."""
-        away = _minus(point, base or self.base[self.line[i]])
+        away = difference(point, base or self.base[self.line[i]])
         normal = self.normals[i].normal
         height = dot(away, normal)
         return tuple(a - height * x for a, x in zip(away, normal, strict=True))
@@ -470,9 +470,5 @@ class _Work:
                 self.kept.append(ContactIncidence("level", tuple(sorted(group))))
 
 
-def _minus(left: RationalVector, right: RationalVector) -> RationalVector:
-    return tuple(x - y for x, y in zip(left, right, strict=True))
-
-
 def _within(left: RationalVector, right: RationalVector, bound: Fraction) -> bool:
-    return max(map(abs, _minus(left, right))) <= bound
+    return bool(max(map(abs, difference(left, right))) <= bound)

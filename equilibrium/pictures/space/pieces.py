@@ -14,7 +14,7 @@ from arrangement.drawing.scene.items import Floats
 from arrangement.drawing.solids.sight import across, unit, unit_vectors
 from arrangement.drawing.solids.surface import Patch
 from arrangement.numbers.exact import IntegerVector, dot, primitive
-from arrangement.numbers.linear.rank import cross
+from arrangement.numbers.linear.rank import cross, difference
 
 #: Sides of the head of an arrow; its length and radius.
 _HEAD_SIDES, _HEAD, _HEAD_RADIUS = 6, 0.09, 0.03
@@ -96,7 +96,7 @@ def flat(
 def _plane(p: IntegerVector, q: IntegerVector, r: IntegerVector) -> IntegerVector | None:
     """Return the row of the plane of a triangle, positive outside; None if it has no area."""
     a, b, c = ([Fraction(x, point[3]) for x in point[:3]] for point in (p, q, r))
-    normal = cross(*([y - x for x, y in zip(a, end, strict=True)] for end in (b, c)))
+    normal = cross(*(difference(end, a) for end in (b, c)))
     return primitive((*normal, -dot(normal, a))) if any(normal) else None
 
 
