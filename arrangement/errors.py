@@ -43,7 +43,7 @@ class UnfinishedError(InputError):
         self.known = known
 
 
-class TimeLimitError(UnfinishedError):
+class OutOfTimeError(UnfinishedError):
     """The time that was given is over."""
 
 

@@ -25,7 +25,7 @@ from arrangement.console.progress import watched
 from arrangement.console.short_repr import Shown
 from arrangement.counts.classes.symmetric import deadline_after
 from arrangement.enumeration.fan import Fan
-from arrangement.errors import TimeLimitError
+from arrangement.errors import OutOfTimeError
 from arrangement.numbers.exact import IntegerVector, primitive
 from equilibrium.model.grasp import Grasp
 
@@ -120,7 +120,7 @@ class ContactModes(Shown):
 
     def _in_time(self, fan: Fan) -> Fan:
         if time.monotonic() > self.deadline:
-            raise TimeLimitError(
+            raise OutOfTimeError(
                 f"the time is over before the modes of {len(self.normals)} contacts are all known; "
                 "give more time, or fewer contacts",
                 (),

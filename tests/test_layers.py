@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import ast
 import json
 import os
 import re
@@ -268,6 +269,22 @@ def test_no_folder_holds_more_than_twelve() -> None:
     for folder in folders:
         inside = {path.name for path in folder.iterdir()} - {"__pycache__", "_build"}
         assert len(inside - (asked if folder.parent == ROOT else set())) <= 12, folder
+
+
+#: Public in two packages: the answer for a grasp, and for a claim.
+PUBLIC_TWICE = {"Verdict"}
+
+
+def test_a_class_name_means_one_thing() -> None:
+    """No two classes of the three packages have one name, a leading underscore aside."""
+    places: dict[str, list[str]] = {}
+    for path in (path for package in PACKAGES for path in sorted((ROOT / package).rglob("*.py"))):
+        for node in ast.parse(path.read_text("utf-8")).body:
+            if isinstance(node, ast.ClassDef):
+                where = f"{path.relative_to(ROOT)}:{node.lineno}"
+                places.setdefault(node.name.lstrip("_"), []).append(where)
+    assert len(places) > 300
+    assert {name: at for name, at in places.items() if len(at) > 1}.keys() == PUBLIC_TWICE
 
 
 def test_the_kit_draws_what_is_neither_planes_nor_a_grasp(tmp_path: Path) -> None:

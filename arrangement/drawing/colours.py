@@ -26,9 +26,16 @@ SKIN = "#f3ead8"
 #: For planes, when each has a colour of its own (P. Tol's muted scheme, dark ones first). A number
 #: stands beside every use.
 PLANE_COLOURS = (
-    "#332288", "#cc6677", "#117733", "#882255", "#999933", "#aa4499", "#44aa99", "#88ccee",
+    "#332288",
+    "#cc6677",
+    "#117733",
+    "#882255",
+    "#999933",
+    "#aa4499",
+    "#44aa99",
+    "#88ccee",
     "#ddaa33",
-)  # fmt: skip
+)
 
 
 @dataclass(frozen=True)

@@ -35,18 +35,22 @@ def add_options(
 ) -> None:
     """Add the options of all that can be drawn, but for those that the command has itself."""
     parser.add_argument(
-        "-o", "--output", required=True, metavar="PATH",
+        "-o",
+        "--output",
+        required=True,
+        metavar="PATH",
         help=".svg, .pdf, .png, .tex (TikZ): a picture; .html: an interactive page"
         + "; .stl, .glb, .obj: a model" * bool(drawings.models),
-    )  # fmt: skip
+    )
     for kind, suffix in (("view", "picture"), ("model", "model")):
         if known := getattr(drawings, f"{kind}s"):
             text = f"of a {suffix}: {', '.join(known)} (default: the first)"
             parser.add_argument(f"--{kind}", metavar=kind.upper(), help=text)
     parser.add_argument(
-        "--font-size", metavar="LENGTH",
+        "--font-size",
+        metavar="LENGTH",
         help="of a picture, of its larger letters, such as 8pt; lines follow (default: 7pt)",
-    )  # fmt: skip
+    )
     parser.add_argument(
         "--text", metavar="KIND", help=f"in .svg: {' or '.join(LETTERS)} (default: the first)"
     )

@@ -187,9 +187,13 @@ def _shade(axes: Any, item: Ball, style: dict[str, Any]) -> None:
     near, far = (np.array(to_rgba(colour)) for colour in (item.near, item.far))
     (cx, cy), r = item.centre, item.radius
     image = axes.imshow(
-        near + share * (far - near), extent=(cx - r, cx + r, cy - r, cy + r), origin="lower",
-        aspect="auto", interpolation="none", **style,
-    )  # fmt: skip
+        near + share * (far - near),
+        extent=(cx - r, cx + r, cy - r, cy + r),
+        origin="lower",
+        aspect="auto",
+        interpolation="none",
+        **style,
+    )
     image.set_clip_path(Circle(item.centre, r, transform=axes.transData))
 
 

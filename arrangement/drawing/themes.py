@@ -45,8 +45,12 @@ def themed(scene: Scene, theme: str) -> Scene:
     if theme == "dark":
         made.polygon(
             [(0, 0), (made.width, 0), (made.width, made.height), (0, made.height)],
-            fc=_hex(_night(_rgba("#ffffff"))), ec="none", zorder=-1, gid="sheet", role="region",
-        )  # fmt: skip
+            fc=_hex(_night(_rgba("#ffffff"))),
+            ec="none",
+            zorder=-1,
+            gid="sheet",
+            role="region",
+        )
     made.items += map(change, scene.items)
     return made
 

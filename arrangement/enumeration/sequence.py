@@ -212,12 +212,12 @@ def integer_matrix(rows: Iterable[IntegerVector], n: int) -> Integers:
 
 def rational_points(points: Integers) -> Iterator[RationalVector]:
     """Yield the points X / W of rows ``(X, W)``, equal numbers as one object."""
-    known = _Quotients()
+    known = _KnownFractions()
     for *point, scale in points.tolist():
         yield tuple([known[x, scale] for x in point])
 
 
-class _Quotients(dict[tuple[int, int], Fraction]):
+class _KnownFractions(dict[tuple[int, int], Fraction]):
     """Quotients of integers, each made once: short ones come again and again."""
 
     def __missing__(self, pair: tuple[int, int]) -> Fraction:

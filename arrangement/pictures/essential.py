@@ -57,8 +57,9 @@ def suited(views: Sequence[str], planes: Planes) -> list[str]:
 
 def shown_as(
     name: str,
-) -> Callable[[Callable[Concatenate[Arrangement, P], Scene]],
-              Callable[Concatenate[Arrangement, P], Scene]]:  # fmt: skip
+) -> Callable[
+    [Callable[Concatenate[Arrangement, P], Scene]], Callable[Concatenate[Arrangement, P], Scene]
+]:
     """Return a decorator: the view `name` draws planes of any space, with a caption.
 
     Raises:

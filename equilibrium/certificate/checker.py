@@ -179,7 +179,7 @@ def check(
     elif grasp.dimension == 3:
         report = _spatial_report(document, grasp, wrench, bounds)
     else:
-        report = _walk(document["tree"], _Question(grasp, wrench, bounds))
+        report = _walk(document["tree"], _IntegerQuestion(grasp, wrench, bounds))
     pyramid_of = document.get("pyramid")
     report = replace(report, pyramid=pyramid_of, within=bounds, grasp=grasp, wrench=wrench)
     return report.asked(question, pyramid, within)
@@ -197,7 +197,7 @@ def _spatial_report(
         raise CertificateError("tree.plane is for round cones")
     try:
         # The turn in the plane is a part of that in space, so the range of one holds the other's.
-        question = _Question(*in_plane(grasp, wrench, plane.axes), within)
+        question = _IntegerQuestion(*in_plane(grasp, wrench, plane.axes), within)
     except GraspError as error:
         return Report("not resisted", f"tree.plane: {error}")
     return _walk(plane.tree, question)
@@ -223,8 +223,8 @@ def _edges(document: Mapping[str, Any]) -> tuple[RationalVector, ...]:
     return pyramid_edges(document["pyramid"]) if "pyramid" in document else ()
 
 
-class _Contact(NamedTuple):
-    """A contact in integers, for work in units of 1 / `_Question.unit`.
+class _IntegerContact(NamedTuple):
+    """A contact in integers, for work in units of 1 / `_IntegerQuestion.unit`.
 
     ``spring . g`` and ``slip . g`` are positive multiples of e and s. In that unit kappa e is
     ``lambda . (normal -+ rubbing) spring . g``, and ``alpha e + h s`` is
@@ -247,7 +247,7 @@ class _Generator(NamedTuple):
     slips: IntegerVector
 
 
-class _Question:
+class _IntegerQuestion:
     """Grasp and wrench in integers."""
 
     def __init__(self, grasp: Grasp, wrench: RationalVector, within: Range = NO_RANGE) -> None:
@@ -265,7 +265,7 @@ class _Question:
         for (spring, slip, force), (e, s, _) in zip(laws, scales, strict=True):
             forces, per_e, per_s = _times(force, self.unit // e), self.unit // e, self.unit // s
             rows = _times(spring, e), _times(slip, s), forces[:3], forces[3:]
-            self.contacts.append(_Contact(*rows, per_e, per_s))
+            self.contacts.append(_IntegerContact(*rows, per_e, per_s))
 
     def unit_vector(self, axis: int, sign: int) -> _Generator:
         """Return e_axis or its negative."""
@@ -283,11 +283,11 @@ class _Place(NamedTuple):
     states: Mapping[int, State]
 
 
-def _walk(tree: Any, question: _Question | SpatialQuestion, dimension: int = 2) -> Report:
+def _walk(tree: Any, question: _IntegerQuestion | SpatialQuestion, dimension: int = 2) -> Report:
     """Check all leaves. After the first that fails the rest is read, as its form may be wrong."""
     leaves, problem = 0, ""
     region: list[_Generator] = []
-    if isinstance(question, _Question):
+    if isinstance(question, _IntegerQuestion):
         axes = [(0, 1), *product((1, 2, 3), (1, -1))]
         region = [question.unit_vector(*axis) for axis in axes]
     waiting = [(tree, _Place("tree", 0, region, {}))]
@@ -300,7 +300,7 @@ def _walk(tree: Any, question: _Question | SpatialQuestion, dimension: int = 2) 
             leaves += 1
             if problem:
                 continue
-            if isinstance(question, _Question):
+            if isinstance(question, _IntegerQuestion):
                 problem = _leaf_problem(question, node, place)
             else:
                 problem = spatial_leaf_problem(question, node, place.states, place.path)
@@ -344,7 +344,7 @@ def _between(p: int, one: _Generator, q: int, other: _Generator) -> _Generator:
     return _Generator(*(tuple(x // common for x in row) for row in sums))
 
 
-def _leaf_problem(question: _Question, leaf: Leaf, place: _Place) -> str:
+def _leaf_problem(question: _IntegerQuestion, leaf: Leaf, place: _Place) -> str:
     """Return the inequality of a leaf that fails, or nothing."""
     scale = _denominator(leaf.motion)
     x, y, r = _times(leaf.motion, scale)

@@ -28,7 +28,7 @@ _AXES = tuple(
 )
 
 
-class Part(NamedTuple):
+class ClosedPart(NamedTuple):
     """A part of the motions, closed by a leaf.
 
     Attributes:
@@ -56,7 +56,7 @@ class Works(NamedTuple):
     least: Fraction
 
 
-def parts(document: Mapping[str, Any]) -> Iterator[Part]:
+def parts(document: Mapping[str, Any]) -> Iterator[ClosedPart]:
     """Yield the parts of a valid certificate "not resisted", in the order of the document."""
     contacts = len(document["grasp"]["contacts"])
     waiting: list[tuple[Any, tuple[IntegerVector, ...], dict[int, str]]]
@@ -65,7 +65,7 @@ def parts(document: Mapping[str, Any]) -> Iterator[Part]:
         content, region, states = waiting.pop()
         node = read_node(content, "tree", contacts)
         if isinstance(node, Leaf):
-            yield Part(region, states, node)
+            yield ClosedPart(region, states, node)
             continue
         if node.kind in STATES:
             cut = [(region, {**states, node.at[0]: name}) for name in STATES[node.kind]]
@@ -82,7 +82,7 @@ def parts(document: Mapping[str, Any]) -> Iterator[Part]:
 
 
 def works(
-    grasp: Grasp, wrench: RationalVector, together: Sequence[Part], within: Range = NO_RANGE
+    grasp: Grasp, wrench: RationalVector, together: Sequence[ClosedPart], within: Range = NO_RANGE
 ) -> Works:
     """Return the works on the virtual motion of one part, or of several that share it."""
     each = [_works(grasp, wrench, part, within) for part in together]
@@ -93,7 +93,7 @@ def works(
     return Works(each[0].load, factors, min(done.least for done in each))
 
 
-def _works(grasp: Grasp, wrench: RationalVector, part: Part, within: Range) -> Works:
+def _works(grasp: Grasp, wrench: RationalVector, part: ClosedPart, within: Range) -> Works:
     region, states, leaf = part
     load, factors = Fraction(dot(wrench, leaf.motion)), []
     u, (_, taken) = sum(leaf.turn[1:]), range_work(within, leaf.turn, leaf.forces)
@@ -163,8 +163,10 @@ def spatial_leaves(grasp: Grasp, tree: Any, within: Range = NO_RANGE) -> Iterato
         else:
             cut = sectors.get(i, ())
             around = [*cut[:1], *node.directions, *(cut[1:] or node.directions[:1])]
-            pairs = [(f"slips between {vector_text(u)} and {vector_text(v)}", (u, v))
-                     for u, v in pairwise(around)]  # fmt: skip
+            pairs = [
+                (f"slips between {vector_text(u)} and {vector_text(v)}", (u, v))
+                for u, v in pairwise(around)
+            ]
             parts = [*([] if cut else [("sticks", ())]), *pairs]
         found = [
             (child, {**states, i: words}, {**sectors, i: sector})

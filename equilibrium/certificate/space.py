@@ -39,14 +39,14 @@ from .reading import Leaf, Split
 Sector: TypeAlias = tuple[RationalVector, RationalVector]
 
 
-class Face(NamedTuple):
+class SlipFace(NamedTuple):
     """Slip in the cone of one or two directions, with friction between some edges of a pyramid."""
 
     ends: tuple[RationalVector, ...]
     edges: tuple[RationalVector, ...]
 
 
-State: TypeAlias = str | Sector | Face
+State: TypeAlias = str | Sector | SlipFace
 
 
 def frame(contact: Contact) -> tuple[RationalVector, RationalVector, RationalVector]:
@@ -140,7 +140,7 @@ class SpatialQuestion:
         motions = math.lcm(*(c.stiffness.denominator * unit for c, unit in pairs))
         self.works, self.motions = works, motions
         self.contacts = [
-            _Contact(
+            _SpatialContact(
                 tuple(int(x * unit) for x in row),
                 unit,
                 int(c.preload * works),
@@ -152,7 +152,7 @@ class SpatialQuestion:
         ]
 
 
-class _Contact(NamedTuple):
+class _SpatialContact(NamedTuple):
     """A contact: `wrenches` of normal and tangents one after the other, over `unit`.
 
     A multiplier alpha adds ``alpha per_work`` to the work and takes ``alpha per_alpha`` times the
@@ -189,7 +189,7 @@ def split_states(
             )
         pairs = zip(split.children, parts, strict=True)
         return [(child, {**states, contact: part}) for child, part in pairs]
-    if isinstance(state, tuple) and not isinstance(state, Face):
+    if isinstance(state, tuple) and not isinstance(state, SlipFace):
         around = [state[0], *ends, state[1]]
         parts = list(pairwise(around))
         good = len(ends) == 1
@@ -216,8 +216,8 @@ def _faces(edges: Sequence[RationalVector]) -> list[State]:
     normals, found = _normals(edges), list[State]()
     for j, normal in enumerate(normals):
         k = (j + 1) % len(edges)
-        found.append(Face((normal,), (edges[j], edges[k])))
-        found.append(Face((normal, normals[k]), (edges[k],)))
+        found.append(SlipFace((normal,), (edges[j], edges[k])))
+        found.append(SlipFace((normal, normals[k]), (edges[k],)))
     return found
 
 
@@ -298,7 +298,7 @@ def _broken_pyramid(
     """Return which bound is broken with a pyramid in place of the round cone, or nothing."""
     if alpha < 0 and state in ("undecided", "detached"):
         return "alpha must be at least 0"
-    if isinstance(state, Face):
+    if isinstance(state, SlipFace):
         # Along a normal alone, what h does across it is nothing.
         if any(dot(h, end) > 0 for end in state.ends):
             return "h has a positive product with a direction of slip"

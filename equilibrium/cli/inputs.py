@@ -67,7 +67,13 @@ def add_commands(commands: Any) -> None:
     number = terminal.rational_argument
     text = "points; each contact is at the nearest place of the surface"
     mesh.add_argument(
-        "--at", nargs="+", type=number, action=_Points, default=[], metavar="X Y Z", help=text
+        "--at",
+        nargs="+",
+        type=number,
+        action=_CollectPoints,
+        default=[],
+        metavar="X Y Z",
+        help=text,
     )
     add_count(mesh, "--random", 0, "of contacts drawn at random")
     add_count(mesh, "--seed", 0, "of the random numbers", "SEED")
@@ -88,7 +94,7 @@ def add_commands(commands: Any) -> None:
     _add_output(randoms)
 
 
-class _Points(argparse.Action):
+class _CollectPoints(argparse.Action):
     """Collects points from their coordinates, three numbers each, however often it is given."""
 
     def __call__(self, parser: Any, namespace: Any, values: Any, option: Any = None) -> None:

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 from arrangement.console.number_form import number, vector
 
 if TYPE_CHECKING:
-    from equilibrium.certificate.leaves import Part
+    from equilibrium.certificate.leaves import ClosedPart
     from equilibrium.decide.verdict import Verdict
 
 #: Longer proofs are only counted.
@@ -41,12 +41,12 @@ def proof_lines(verdict: Verdict, path: str | None = None) -> Iterator[str]:
             yield f"    contact {i}  {work}"
 
 
-def _cases(found: list[Part]) -> dict[str, list[Part]]:
+def _cases(found: list[ClosedPart]) -> dict[str, list[ClosedPart]]:
     """Return the parts by conditions in words; none if they cannot be told in signs and states.
 
     Orthants with one virtual motion are one case if they fill the part with their common signs.
     """
-    groups: dict[Any, list[Part]] = {}
+    groups: dict[Any, list[ClosedPart]] = {}
     for part in found:
         if any(sum(map(abs, g)) > 1 for g in part.region):
             return {}

@@ -123,6 +123,7 @@ def _spatial_limit(
     arguments: argparse.Namespace, grasp: Grasp, direction: Sequence[Fraction], base: Any
 ) -> int:
     from equilibrium.decide.spatial_verdict import solve_in_space
+    from equilibrium.model.grasp import read_wrench
     from equilibrium.plane.contact_rows import sum_row
     from equilibrium.wrench_sets.spatial import spatial_magnitudes
 
@@ -137,7 +138,7 @@ def _spatial_limit(
         inside = [t * (1 + way * _NEAR) for t, way in zip(ends, ways, strict=False)]
         document["within_error"] = []
         for t in inside:
-            wrench = sum_row(tuple(start), tuple(direction), t)
+            wrench = sum_row(read_wrench(start, 6), tuple(direction), t)
             asked = solve_in_space(grasp, wrench, time_limit=_SECONDS, **range_given(arguments))
             document["within_error"].append({"t": to_text(t), "verdict": asked.answer})
             words = asked.doubt or f"{asked.answer}, also for others within the error of the data"

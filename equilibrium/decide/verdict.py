@@ -28,7 +28,7 @@ from equilibrium.plane.contacts import FloatContacts, IntegerContacts
 from equilibrium.plane.search.part_program import Node
 from equilibrium.plane.search.resistance import resistance
 from equilibrium.plane.search.state_equilibrium import Solution
-from equilibrium.plane.search.units import Units
+from equilibrium.plane.search.units import SearchUnits
 from equilibrium.plane.states.contact_states import Codes, state_codes, states_at, states_of_code
 from equilibrium.plane.states.equilibrium import Equilibrium, equilibrium_of, maximal
 from equilibrium.plane.states.interval_filter import Screen
@@ -227,7 +227,7 @@ class Solver(Shown):
     def __init__(self, grasp: Grasp, largest_turn: Any = None, largest_force: Any = None) -> None:
         grasp.require_plane()
         self.grasp, self.within = grasp, Range.of(largest_turn, largest_force)
-        self._scaled: dict[Units, IntegerContacts] = {}
+        self._scaled: dict[SearchUnits, IntegerContacts] = {}
 
     @cached_property
     def _codes(self) -> Codes:
@@ -248,7 +248,7 @@ class Solver(Shown):
     ) -> Verdict:
         """Decide one wrench; see the function `solve`."""
         applied = read_wrench(wrench)
-        units = Units.of(self.grasp, applied)
+        units = SearchUnits.of(self.grasp, applied)
         scaled = self._scaled.get(units)
         if scaled is None:
             scaled = IntegerContacts(units.grasp(self.grasp), units.range(self.within))

@@ -13,7 +13,7 @@ from fractions import Fraction
 from typing import Any
 
 from arrangement.numbers.exact import RationalVector, dot, to_text
-from arrangement.numbers.linear.rank import cross
+from arrangement.numbers.linear.rank import cross, difference
 from equilibrium.model.errors import GraspError, TimeLimitError
 from equilibrium.model.grasp import Grasp
 from equilibrium.model.plane import in_plane
@@ -60,8 +60,8 @@ def _axes(grasp: Grasp, wrench: RationalVector) -> tuple[RationalVector, Rationa
         return (Fraction(1), *[Fraction(0)] * 2), (Fraction(0), Fraction(1), Fraction(0))
     first = grasp.contacts[0]
     u, place = first.normal, first.point
-    inside = [c.normal for c in grasp] + [_minus(c.point, place) for c in grasp] + [force]
-    across = [cross(u, x) for x in inside] + [_minus(wrench[3:], cross(place, force))]
+    inside = [c.normal for c in grasp] + [difference(c.point, place) for c in grasp] + [force]
+    across = [cross(u, x) for x in inside] + [difference(wrench[3:], cross(place, force))]
     normal = next((x for x in across if any(x)), first.tangent)
     size = dot(normal, normal)
     length = Fraction(math.isqrt(size.numerator), math.isqrt(size.denominator))
@@ -83,7 +83,3 @@ def _lifted(
         pull = tuple(rubbed * (a * s + b * t) for s, t in zip(u, v, strict=True))
         forces.append((pressed, *(dot(pull, tangent) for tangent in contact.tangents)))
     return SpatialSolution(motion, tuple(forces))
-
-
-def _minus(one: RationalVector, other: RationalVector) -> RationalVector:
-    return tuple(x - y for x, y in zip(one, other, strict=True))

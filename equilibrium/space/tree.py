@@ -59,7 +59,7 @@ class Open:
     residual: float
 
 
-class _Cut(NamedTuple):
+class _OpenSplit(NamedTuple):
     """A node that splits one contact, its children still open, and their states."""
 
     node: Any
@@ -203,7 +203,7 @@ class SpatialSearch:
             found = self._node(states)
             if isinstance(found, (SpatialSolution, Enclosed)):
                 return found
-            if isinstance(found, _Cut):
+            if isinstance(found, _OpenSplit):
                 parent[position] = found.node
                 waiting += reversed([(x, found.children, k) for k, x in enumerate(found.parts)])
             elif found is not None:
@@ -215,7 +215,7 @@ class SpatialSearch:
             return Open("a relaxation neither closes nor splits further", self.residual)
         return _finished(top[0])
 
-    def _node(self, states: tuple[State, ...]) -> Proposal | Any | _Cut | None:
+    def _node(self, states: tuple[State, ...]) -> Proposal | Any | _OpenSplit | None:
         """Return an equilibrium, a leaf, a cut, or None where there is none of them."""
         found = self.relaxation.solve(states)
         leaf = self._leaf(states, found)
@@ -243,7 +243,7 @@ class SpatialSearch:
 
     def _equilibrium_or_cut(
         self, states: tuple[State, ...], found: Point
-    ) -> Proposal | _Cut | None:
+    ) -> Proposal | _OpenSplit | None:
         """Return an equilibrium near a point of a relaxation, or a cut where it fails the law."""
         values = self.relaxation.violations(states, found)
         worst = float(values.max(initial=0.0))
@@ -263,7 +263,7 @@ class SpatialSearch:
         towards: Floats = -(self.contacts.tangents @ found.virtual)
         return towards
 
-    def _split(self, states: tuple[State, ...], values: Floats, found: Point) -> _Cut | None:
+    def _split(self, states: tuple[State, ...], values: Floats, found: Point) -> _OpenSplit | None:
         """Return the node that splits the contact furthest from the law, its children and parts."""
         order = [int(i) for i in np.argsort(-values) if values[i] > _NOTHING]
         order = [i for i in order if self._splits(states, i)]
@@ -280,7 +280,7 @@ class SpatialSearch:
         """Return whether a contact is not decided: one without friction does not slip."""
         return states[i] != "attached" or bool(self.contacts.grasp.contacts[i].friction)
 
-    def _any_split(self, states: tuple[State, ...]) -> _Cut | None:
+    def _any_split(self, states: tuple[State, ...]) -> _OpenSplit | None:
         """Return a split of the contact that is decided least."""
         for kind in ("undecided", "attached"):
             for i, state in enumerate(states):
@@ -290,7 +290,7 @@ class SpatialSearch:
         return _parts(states, max(sectors)[1], np.array([1.0, 0.0])) if sectors else None
 
 
-def _parts(states: tuple[State, ...], i: int, slip: Floats) -> _Cut | None:
+def _parts(states: tuple[State, ...], i: int, slip: Floats) -> _OpenSplit | None:
     """Return the node that splits one contact; None if its sector is too narrow."""
     state = states[i]
     parts: list[State]
@@ -312,7 +312,7 @@ def _parts(states: tuple[State, ...], i: int, slip: Floats) -> _Cut | None:
         node = {"contact": i, "directions": [middle], "children": children}
     else:
         return None
-    return _Cut(node, children, [(*states[:i], part, *states[i + 1 :]) for part in parts])
+    return _OpenSplit(node, children, [(*states[:i], part, *states[i + 1 :]) for part in parts])
 
 
 def _turned(direction: Floats, degrees: float, size: int) -> tuple[int, int]:

@@ -24,7 +24,7 @@ from proofs_check.statements.evidence import evaluate
 from proofs_check.statements.statement import Claim, Kind
 
 
-class _Asked(NamedTuple):
+class _Request(NamedTuple):
     """What a command line asks for: claims by id, or those of files with the numbers for them."""
 
     names: tuple[str, ...]
@@ -39,9 +39,9 @@ class _Asked(NamedTuple):
         return any(name.endswith(".py") for name in self.names)
 
 
-def _asked(names: Iterable[str], arguments: argparse.Namespace) -> _Asked:
+def _asked(names: Iterable[str], arguments: argparse.Namespace) -> _Request:
     options = (arguments.seed, arguments.samples, arguments.census)
-    return _Asked(tuple(dict.fromkeys(names)), *options, getattr(arguments, "large", False))
+    return _Request(tuple(dict.fromkeys(names)), *options, getattr(arguments, "large", False))
 
 
 def list_claims(arguments: argparse.Namespace) -> int:
@@ -117,7 +117,7 @@ def file_record(name: str, arguments: argparse.Namespace) -> dict[str, Any]:
     return report.json_record(results, asked.seed, **_about(asked))
 
 
-def _about(asked: _Asked) -> dict[str, str]:
+def _about(asked: _Request) -> dict[str, str]:
     """Return what a record says of its claims: title, source, and the command for the same run."""
     options = [
         word
@@ -154,7 +154,7 @@ def new_file(arguments: argparse.Namespace) -> int:
 
 
 def _results(
-    asked: _Asked, chosen: list[Claim], jobs: int, *, piped: bool
+    asked: _Request, chosen: list[Claim], jobs: int, *, piped: bool
 ) -> Iterator[dict[str, Any]]:
     """Yield the record of each result in order, with the progress taken off the terminal.
 
@@ -188,7 +188,7 @@ def _results(
         bar.close()
 
 
-def _result(asked: _Asked, number: int) -> tuple[int, dict[str, Any]]:
+def _result(asked: _Request, number: int) -> tuple[int, dict[str, Any]]:
     """Check the claim with a number among those asked for, in a process of its own."""
     return number, _record(_chosen(asked)[number], asked.seed)
 
@@ -198,7 +198,7 @@ def _record(claim: Claim, seed: int, tick: Callable[[int], None] | None = None) 
         return report.result_record(evaluate(claim, seed, tick))
 
 
-def _chosen(asked: _Asked) -> list[Claim]:
+def _chosen(asked: _Request) -> list[Claim]:
     """Return the claims of the paper with the given ids, or all claims of the given files."""
     if asked.from_files:
         return list(_own_claims(asked))
@@ -207,7 +207,7 @@ def _chosen(asked: _Asked) -> list[Claim]:
     return [known[id] for id in asked.names] or list(every)
 
 
-def _own_claims(asked: _Asked) -> Iterator[Claim]:
+def _own_claims(asked: _Request) -> Iterator[Claim]:
     """Yield the claims of files, with the numbers that the command line names."""
     names, samples, census = asked.names, asked.samples, asked.census
     if not all(name.endswith(".py") for name in names):

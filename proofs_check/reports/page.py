@@ -29,7 +29,7 @@ Record = Mapping[str, Any]
 
 
 @dataclass(frozen=True)
-class Kind:
+class VerdictStyle:
     """How a page shows one kind of verdict: its class, its sign, and words for one and for more."""
 
     name: str
@@ -43,12 +43,12 @@ class Kind:
 
 
 KINDS = {
-    "holds": Kind("holds", "✓", "holds", "hold"),
-    "holds under a hypothesis": Kind(
+    "holds": VerdictStyle("holds", "✓", "holds", "hold"),
+    "holds under a hypothesis": VerdictStyle(
         "hypothesis", "◐", "holds under a hypothesis", "hold under a hypothesis"
     ),
-    "refuted": Kind("refuted", "✗", "is refuted", "are refuted"),
-    None: Kind("open", "?", "has no verdict", "have no verdict"),
+    "refuted": VerdictStyle("refuted", "✗", "is refuted", "are refuted"),
+    None: VerdictStyle("open", "?", "has no verdict", "have no verdict"),
 }
 #: Cases that a page lists of one claim, how long a value may be in its tables, and the width in
 #: points of a picture that takes a line of its own.
@@ -62,9 +62,12 @@ def html_page(record: Record) -> str:
     results = record["results"]
     kinds = Counter(map(_kind, results))
     pages = Environment(
-        loader=PackageLoader(__package__), autoescape=True, undefined=StrictUndefined,
-        trim_blocks=True, lstrip_blocks=True,
-    )  # fmt: skip
+        loader=PackageLoader(__package__),
+        autoescape=True,
+        undefined=StrictUndefined,
+        trim_blocks=True,
+        lstrip_blocks=True,
+    )
     pages.filters |= {
         "anchor": lambda id: id.replace(" ", "-"),
         "formula": _formula,
@@ -97,7 +100,7 @@ def _section(result: Record) -> str:
     return result.get("section") or ""
 
 
-def _kind(result: Record) -> Kind:
+def _kind(result: Record) -> VerdictStyle:
     return KINDS.get(result["verdict"], KINDS[None])
 
 

@@ -176,7 +176,7 @@ def normal_forces(question: Question) -> tuple[tuple[Interval, ...], ...]:
 
 
 @dataclass(frozen=True)
-class _Part:
+class _StateConditions:
     """What one contact in one state adds to a system: conditions, and its three force rows."""
 
     equality: Row
@@ -219,18 +219,18 @@ class Systems:
         ]
         return equalities, [row for part in chosen for row in part.inequalities]
 
-    def _part(self, i: int, touch: Touch, state: str, reading: Reading) -> _Part:
+    def _part(self, i: int, touch: Touch, state: str, reading: Reading) -> _StateConditions:
         normal = _spring(touch, reading, self.size)
         tangential = _unit(3 + i, self.size)
         if state == "detached":
-            return _Part(tangential, (_times(normal, -1),), ())
+            return _StateConditions(tangential, (_times(normal, -1),), ())
         slip = (*touch.tangential, *[Fraction(0)] * (self.size - 3))
         equality, bounds = _friction(state, normal, tangential, slip, touch.friction, reading)
         force = tuple(
             _plus(_times(normal, touch.normal[j]), _times(tangential, touch.tangential[j]))
             for j in range(3)
         )
-        return _Part(equality, (normal, *bounds), force)
+        return _StateConditions(equality, (normal, *bounds), force)
 
 
 def _friction(

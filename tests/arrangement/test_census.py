@@ -209,7 +209,7 @@ def test_an_interrupted_build_goes_on_and_gives_the_same(
     monkeypatch.setattr(build, "_PART", 5)  # parts do not matter
     extended, calls = build._extended, []
 
-    def interrupted(plan: build._Plan, number: int) -> tuple[int, build.Arrays]:
+    def interrupted(plan: build._Workload, number: int) -> tuple[int, build.Arrays]:
         calls.append(number)
         if len(calls) == 3:
             raise KeyboardInterrupt

@@ -14,7 +14,7 @@ from arrangement import Arrangement, InputError, cli, counts
 from arrangement.counts.classes import in_parts as counts_in_parts
 from arrangement.counts.classes.forecast import forecast
 from arrangement.counts.configuration import configuration
-from arrangement.errors import TimeLimitError, UnfinishedError
+from arrangement.errors import OutOfTimeError, UnfinishedError
 from arrangement.library import families
 
 RESONANCE = families.resonance(5)
@@ -53,7 +53,7 @@ def test_flats_are_merged_in_portions_too(tmp_path: Path, monkeypatch: pytest.Mo
 
 
 def test_a_count_that_was_stopped_goes_on(tmp_path: Path) -> None:
-    with pytest.raises(TimeLimitError, match="run the same command again") as caught:
+    with pytest.raises(OutOfTimeError, match="run the same command again") as caught:
         in_parts(RESONANCE, tmp_path / "stopped", time_limit=1e-9)
     assert caught.value.known == (1,)
     kept = files(tmp_path / "stopped")

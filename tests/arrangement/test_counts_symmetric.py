@@ -21,7 +21,7 @@ from arrangement.counts.classes.images import Images, packed, unpacked
 from arrangement.counts.classes.symmetric import moduli_above
 from arrangement.counts.configuration import configuration
 from arrangement.counts.modular import ModularVectors
-from arrangement.errors import TimeLimitError
+from arrangement.errors import OutOfTimeError
 from arrangement.library import families
 
 from . import oracle
@@ -302,7 +302,7 @@ def test_labels_leave_room_for_the_index_of_a_vector() -> None:
 
 def test_a_time_limit_leaves_what_is_known() -> None:
     planes = families.random_integer(40, 7, bound=1, seed=3)
-    with pytest.raises(TimeLimitError, match="are final") as caught:
+    with pytest.raises(OutOfTimeError, match="are final") as caught:
         counts.characteristic_polynomial(planes, time_limit=1e-9)
     assert caught.value.known == (1,)
     with pytest.raises(InputError, match="positive number"):

@@ -29,7 +29,7 @@ from arrangement.pictures import draw_counts, draw_dual, draw_gnomonic, draw_ste
 from arrangement.pictures.duals.graph import planar_graph
 from arrangement.pictures.duals.solids import dual_solid
 from arrangement.pictures.essential import fits
-from arrangement.pictures.sphere.projections import Chart, stereographic
+from arrangement.pictures.sphere.projections import CompressedChart, stereographic
 from arrangement.pictures.views import DRAWINGS
 from tests.drawn import elements, offences, paths, scene
 
@@ -175,7 +175,7 @@ def test_stereographic_arcs_are_arcs_of_the_true_circles(
 
 
 def test_chart_is_to_scale_inside_and_takes_infinity_to_the_rim() -> None:
-    chart = Chart(2.0)
+    chart = CompressedChart(2.0)
     near = chart.project(np.array([[0.3, 0.4, 0.5]]))[0]
     assert np.allclose(near, np.array([0.6, 0.8]) * chart.inner / 2)
     far = chart.project(np.array([[0.6, 0.8, 0.0], [0.6, 0.8, 1e-9]]))

@@ -20,7 +20,7 @@ from arrangement.library.census import PUBLISHED, catalogue, census, finschi_fuk
 from arrangement.library.census.chirotopes import canonical, chirotope_of, extended, triples
 from arrangement.library.census.extensions import extensions
 from arrangement.library.census.final_polynomials import (
-    Comparison,
+    OrderedProducts,
     final_polynomial,
     proves_no_coordinates,
 )
@@ -181,7 +181,7 @@ def test_a_changed_proof_is_refused() -> None:
             assert not proves_no_coordinates(signs, (*proof[:k], changed, *proof[k + 1 :]))
     assert not proves_no_coordinates(signs, proof[:-1])
     assert not proves_no_coordinates(signs, ())
-    assert not proves_no_coordinates(signs, [Comparison((0, 1, 2, 3, 4), 0, 3, 1)])
+    assert not proves_no_coordinates(signs, [OrderedProducts((0, 1, 2, 3, 4), 0, 3, 1)])
 
 
 def test_forged_proofs_are_refused_though_their_products_cancel() -> None:
@@ -190,7 +190,7 @@ def test_forged_proofs_are_refused_though_their_products_cancel() -> None:
     convex = dict.fromkeys(map(tuple, triples(6).tolist()), 1)
     one = (0, 1, 2, 3, 4)
     strict = [
-        Comparison((a, *rest), smaller, 1, 1)
+        OrderedProducts((a, *rest), smaller, 1, 1)
         for a in (0, 5)
         for rest in itertools.combinations([x for x in range(6) if x != a], 4)
         for smaller in (0, 2)
@@ -208,9 +208,9 @@ def test_forged_proofs_are_refused_though_their_products_cancel() -> None:
     ]
     for signs, proof in (
         (convex, negative),
-        (convex, [Comparison(one, 0, 1, 1), Comparison(one, 1, 0, 1)]),
-        (convex | {(0, 3, 4): 0}, [Comparison(one, 1, 2, 1), Comparison(one, 1, 2, -1)]),
-        (convex | {(0, 1, 3): -1}, [Comparison(one, 0, 1, 1), Comparison(one, 1, 0, 1)]),
+        (convex, [OrderedProducts(one, 0, 1, 1), OrderedProducts(one, 1, 0, 1)]),
+        (convex | {(0, 3, 4): 0}, [OrderedProducts(one, 1, 2, 1), OrderedProducts(one, 1, 2, -1)]),
+        (convex | {(0, 1, 3): -1}, [OrderedProducts(one, 0, 1, 1), OrderedProducts(one, 1, 0, 1)]),
     ):
         assert not proves_no_coordinates(signs, proof)
 

@@ -18,7 +18,7 @@ from hypothesis import given, settings, strategies as st
 from arrangement import Arrangement, ArrangementError, InputError
 from arrangement.cli import main
 from arrangement.counts import region_count
-from arrangement.drawing.solids.meshes import Part, model_bytes
+from arrangement.drawing.solids.meshes import ClosedSurface, model_bytes
 from arrangement.duals.body import body_around
 from arrangement.duals.cells import Cells, cut_cells
 from arrangement.library.files.table import read_arrangement
@@ -237,9 +237,9 @@ def test_points_that_rounding_joins_leave_a_closed_surface_or_are_refused() -> N
     corner = np.array([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1.0]])
     split = np.concatenate([corner, [[1e-12, 0, 0]]])
     faces = ((0, 2, 1), (4, 1, 3), (1, 2, 3), (2, 0, 3), (0, 1, 4), (0, 4, 3))
-    text = model_bytes([Part("a", split, faces, ("#ffffff",) * 6)], ".obj", "t").decode()
+    text = model_bytes([ClosedSurface("a", split, faces, ("#ffffff",) * 6)], ".obj", "t").decode()
     assert text.count("\nv ") == 4
     assert text.count("\nf ") == 4
     flat = corner * [1, 1, 1e-12]
     with pytest.raises(ArrangementError, match="too thin"):
-        model_bytes([Part("a", flat, TETRAHEDRON, ("#ffffff",) * 4)], ".stl", "t")
+        model_bytes([ClosedSurface("a", flat, TETRAHEDRON, ("#ffffff",) * 4)], ".stl", "t")

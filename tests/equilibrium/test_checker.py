@@ -241,7 +241,7 @@ def test_regions_are_those_of_the_definition(monkeypatch):
         document = with_tree(random_splits(Random(f"splits {seed}"), 6))
         places.clear()
         assert check(document)
-        asked = checker._Question(*judge.statement(document))
+        asked = checker._IntegerQuestion(*judge.statement(document))
         due = list(judge.leaves(document["tree"]))
         for place, (_, region, _) in zip(places, due, strict=True):
             assert [list(generator.vector) for generator in place.region] == region
@@ -276,7 +276,7 @@ def leaf_holds(
     grasp: Grasp, wrench: Any, leaf: Any, region: Any, states: Any, within: Range = NO_RANGE
 ) -> bool:
     """Return whether the checker accepts a leaf."""
-    asked = checker._Question(grasp, wrench, within)
+    asked = checker._IntegerQuestion(grasp, wrench, within)
     generators = []
     for vector in region:
         whole = tuple(map(int, vector))

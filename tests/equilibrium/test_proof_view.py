@@ -17,7 +17,7 @@ from arrangement.drawing.scene.measuring import area
 from arrangement.numbers.exact import dot
 from equilibrium import Contact, Grasp, GraspError, Solver, Verdict, check, read_grasp, solve
 from equilibrium.certificate.document import refuted_certificate
-from equilibrium.certificate.leaves import Part, parts, works
+from equilibrium.certificate.leaves import ClosedPart, parts, works
 from equilibrium.cli.program import main
 from equilibrium.cli.proof_words import proof_lines
 from equilibrium.grasps.inputs import random_grasp
@@ -46,7 +46,7 @@ def state(contact: Contact, motion: Sequence[Fraction]) -> tuple[Fraction, str]:
     return max(force, Fraction(0)), "slip+" if slip > 0 else "slip-" if slip < 0 else "stick"
 
 
-def meets(part: Part, grasp: Grasp, motion: Sequence[Fraction]) -> bool:
+def meets(part: ClosedPart, grasp: Grasp, motion: Sequence[Fraction]) -> bool:
     """Whether the states decided in a part are those at a motion off all borders."""
     for i, wanted in part.states.items():
         force, way = state(grasp.contacts[i], motion)

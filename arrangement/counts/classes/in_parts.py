@@ -31,7 +31,7 @@ from arrangement.console import workers
 from arrangement.console.progress import note, watched
 from arrangement.console.writing import reason, write_bytes_atomically
 from arrangement.counts.configuration import Configuration, configuration
-from arrangement.errors import InputError, TimeLimitError, UnfinishedError
+from arrangement.errors import InputError, OutOfTimeError, UnfinishedError
 from arrangement.numbers import budget
 from arrangement.numbers.exact import shown
 from arrangement.numbers.number_field import NumberField, field_of, written
@@ -72,7 +72,7 @@ def first_whitney_numbers_in_parts(
 
     Raises:
         InputError: a bad argument, a folder of other planes or a damaged one, workers that die.
-        UnfinishedError: parts of others are missing, or (`TimeLimitError`) the time is over; its
+        UnfinishedError: parts of others are missing, or (`OutOfTimeError`) the time is over; its
             `known` has the numbers that are final.
         MissingExtraError: `dask` is given and not installed.
     """
@@ -109,7 +109,7 @@ def first_whitney_numbers_in_parts(
                 note(f"rank {rank}: Whitney number {number}")
                 known.append(number)
     except TimeoutError:
-        raise TimeLimitError(
+        raise OutOfTimeError(
             f"after {time_limit} seconds {_final(known)}; run the same command again to go on",
             tuple(known),
         ) from None

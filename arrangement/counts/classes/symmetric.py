@@ -24,7 +24,7 @@ from arrangement.counts.configuration import Configuration, configuration
 from arrangement.counts.low_rank import MAX_RANK, whitney_matrix
 from arrangement.counts.modular import Integers, ModularVectors
 from arrangement.counts.operations import over_factors
-from arrangement.errors import InputError, TimeLimitError
+from arrangement.errors import InputError, OutOfTimeError
 from arrangement.numbers import budget
 from arrangement.numbers.exact import shown
 from arrangement.planes.planes import Planes
@@ -121,7 +121,7 @@ def first_whitney_numbers(
     except TimeoutError:
         known = ", ".join(map(str, numbers))
         message = f"after {time_limit} seconds the first Whitney numbers {known} are final"
-        raise TimeLimitError(f"{message}; give more time for the others", tuple(numbers)) from None
+        raise OutOfTimeError(f"{message}; give more time for the others", tuple(numbers)) from None
     return tuple(numbers)
 
 

@@ -6,12 +6,15 @@ The pieces hang on a tree of planes (see `depth_tree`): what is beyond a plane i
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 
 from arrangement.drawing.scene.items import Floats
+from arrangement.drawing.solids.depth_tree import Node
+from arrangement.drawing.solids.sight import unit
+from arrangement.drawing.solids.surface import Patch, rounded
 
 from .html_page import BASE_SCRIPT, BASE_STYLE, one_page, own
 
@@ -19,7 +22,7 @@ SCRIPTS = (BASE_SCRIPT, *map(own, ("ball.js", "turning.js", "solid.js")))
 
 
 @dataclass(frozen=True)
-class Face:
+class PageFace:
     """A convex polygon, segment or point.
 
     Attributes:
@@ -45,14 +48,11 @@ class Face:
     ink: str = ""
 
 
-@dataclass
-class Branch:
-    """A plane by its normal, the faces in it, and what is before and behind it (numbers, or -1)."""
-
-    normal: Sequence[float]
-    faces: list[Face] = field(default_factory=list)
-    front: int = -1
-    back: int = -1
+def page_face(patch: Patch, fill: str, piece: int, **style: Any) -> PageFace:
+    """Return an exact piece as a face of a page."""
+    edges = np.array([rounded(edge) for edge in patch.edges]).reshape(-1, 2, 3)
+    normal = np.array(patch.row[:3], dtype=float) if any(patch.row) else None
+    return PageFace(rounded(patch.corners), fill, normal, edges, piece, **style)
 
 
 @dataclass
@@ -63,7 +63,7 @@ class SolidPage:
         title, summary, counts: texts.
         axes: (3, 3); the first view: right, up, towards the viewer.
         radius: of a ball around everything.
-        tree: the first branch is the root.
+        tree: of faces; the first node is the root.
         pieces: name and facts of each piece.
         legend: colours with texts.
         frame: segments (k, 2, 3) behind everything.
@@ -76,7 +76,7 @@ class SolidPage:
     counts: str
     axes: Floats
     radius: float
-    tree: list[Branch]
+    tree: Sequence[Node[PageFace]]
     pieces: list[tuple[str, list[tuple[str, str]]]]
     legend: list[tuple[str, str]]
     frame: Any = ()
@@ -85,31 +85,32 @@ class SolidPage:
 
     def text(self) -> str:
         """Return the page."""
-        data = {
-            "title": self.title, "summary": self.summary, "counts": self.counts,
-            "axes": _floats(self.axes), "radius": round(self.radius, 6),
+        same = ("title", "summary", "counts", "legend", "apart")
+        data = {key: getattr(self, key) for key in same} | {
+            "axes": _floats(self.axes),
+            "radius": round(self.radius, 6),
             "nodes": [
-                {"row": _floats(branch.normal), "front": branch.front, "back": branch.back,
-                 "faces": list(map(_face, branch.faces))}
-                for branch in self.tree
+                {"row": _floats(node.row[:3]), "faces": list(map(_face, node.patches))}
+                | {"front": node.front, "back": node.back}
+                for node in self.tree
             ],
             "pieces": [{"name": name, "facts": facts} for name, facts in self.pieces],
-            "legend": self.legend, "frame": _floats(self.frame), "apart": self.apart,
+            "frame": _floats(self.frame),
             "marks": [{"at": _floats(at), "text": text} for at, text in self.marks],
-        }  # fmt: skip
-        return one_page(
-            self.title, own("solid.html"), [BASE_STYLE, own("solid.css")],
-            SCRIPTS, data, ["spin", "home", "theme", "print"],
-        )  # fmt: skip
+        }
+        styles, tools = [BASE_STYLE, own("solid.css")], ["spin", "home", "theme", "print"]
+        return one_page(self.title, own("solid.html"), styles, SCRIPTS, data, tools)
 
 
-def _face(face: Face) -> dict[str, Any]:
+def _face(face: PageFace) -> dict[str, Any]:
     found: dict[str, Any] = {
-        "at": _floats(face.corners), "fill": face.fill, "edges": _floats(face.edges),
+        "at": _floats(face.corners),
+        "fill": face.fill,
+        "edges": _floats(face.edges),
         "piece": face.piece if face.piece >= 0 else None,
-    }  # fmt: skip
+    }
     if face.normal is not None and face.normal.any():
-        found["normal"] = _floats(face.normal / np.linalg.norm(face.normal))
+        found["normal"] = _floats(unit(face.normal))
     if face.middle is not None:
         found["middle"] = _floats(face.middle)
     return found | {

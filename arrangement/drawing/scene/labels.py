@@ -71,9 +71,10 @@ def write_inside(
     if not text or right - left < w or high - low < h:
         return False
     boxes = [
-        shapely.box(*box) for box in scene.boxes
+        shapely.box(*box)
+        for box in scene.boxes
         if box[0] < right and box[2] > left and box[1] < high and box[3] > low
-    ]  # fmt: skip
+    ]
     near = np.array([]) if off is None else off.geometries.take(off.query(free, "dwithin", 0.5))
     lines = shapely.get_dimensions(near) == 1
     # Of merged lines one buffer has fewer corners than those of many segments.
@@ -108,9 +109,11 @@ def ring(centre: Place, radius: float, steps: int = 200) -> Floats:
 
 
 def keep_off(
-    lines: Iterable[Floats], areas: Iterable[Floats] = (), discs: Floats | None = None,
+    lines: Iterable[Floats],
+    areas: Iterable[Floats] = (),
+    discs: Floats | None = None,
     radius: float = 0.0,
-) -> Any:  # fmt: skip
+) -> Any:
     """Return what labels must not cover as a tree of shapes.
 
     Args:

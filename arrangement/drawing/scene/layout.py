@@ -43,8 +43,8 @@ def laid_out(scene: Scene, legend: str = "below") -> Scene:
     elif legend == "below":
         for size in _SIZES:
             strip = _strip(found, scene.width, size, min(paper))
-            table = strip.height - _strip(Legend(found.lines, found.keys), scene.width, size,
-                                          0.0).height  # fmt: skip
+            rest = _strip(Legend(found.lines, found.keys), scene.width, size, 0.0)
+            table = strip.height - rest.height
             if strip.height - table <= BELOW * (scene.height + strip.height - table):
                 break
     width = scene.width + (side.width if side else 0.0)
@@ -81,10 +81,14 @@ def _strip(legend: Legend, width: float, size: float, highest: float) -> Scene:
     """
     room, row = width - 2 * _SIDE, _ROW * size
     first, last = (
-        [part for text, strong in legend.lines if strong == which
-         for part in wrapped(text, room, size)]
+        [
+            part
+            for text, strong in legend.lines
+            if strong == which
+            for part in wrapped(text, room, size)
+        ]
         for which in (True, False)
-    )  # fmt: skip
+    )
     rows = _rows(legend, room, size)
     table = _table(legend.table, room)
     if len(table) * _TABLE_ROW > highest > 0:

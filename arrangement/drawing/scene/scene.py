@@ -178,10 +178,8 @@ class Scene:
     ) -> None:
         """Write a text, whatever is there."""
         place = float(at[0]), float(at[1])
-        self._add(
-            Label, {"zorder": 6, **style}, place=place, text=text, size=size, ha=ha, va=va,
-            rotation=rotation,
-        )  # fmt: skip
+        how = {"size": size, "ha": ha, "va": va, "rotation": rotation}
+        self._add(Label, {"zorder": 6, **style}, place=place, text=text, **how)
 
     def curve(self, points: Floats, **style: Any) -> None:
         """Draw control points (3k + 1, 2) of cubic curves, joined."""
@@ -192,15 +190,18 @@ class Scene:
         self._add(Path, style, points=np.asarray(centre), kind="circle", radius=radius)
 
     def ball(
-        self, centre: Place, radius: float, near: str = "#ffffff", far: str = "#c0c4cc",
-        focus: tuple[float, float] = LIGHT, **style: Any,
-    ) -> None:  # fmt: skip
+        self,
+        centre: Place,
+        radius: float,
+        near: str = "#ffffff",
+        far: str = "#c0c4cc",
+        focus: tuple[float, float] = LIGHT,
+        **style: Any,
+    ) -> None:
         """Draw a shaded ball; with colours that let through, such as ``#00000040``, a shadow."""
         place = float(centre[0]), float(centre[1])
-        self._add(
-            Ball, {"role": "ball", **style}, centre=place, radius=radius, focus=focus, near=near,
-            far=far,
-        )  # fmt: skip
+        how = {"radius": radius, "focus": focus, "near": near, "far": far}
+        self._add(Ball, {"role": "ball", **style}, centre=place, **how)
 
     def marker(self, at: Place, size: float, shape: str, **style: Any) -> None:
         """Draw a small shape of about the area of a disc with radius `size`; see `_SHAPES`."""
@@ -234,3 +235,22 @@ class Scene:
         self.items += [moved(item, x, y) for item in other.items]
         self.boxes += [(l + x, b + y, r + x, t + y) for l, b, r, t in other.boxes]  # noqa: E741
         self.legend.extend(other.legend)
+
+
+def fitted(
+    width: float, points: Floats, tallest: float | None = None, margin: float = 6 * POINTS
+) -> tuple[Scene, float, Floats]:
+    """Return an empty sheet, and the scale and shift that put points (k, 2) on it.
+
+    Args:
+        width: of the sheet, in millimetres.
+        points: whose box is to fill it but for a margin.
+        tallest: height of the sheet, at most; if omitted, the box is a little lower than wide.
+        margin: in points.
+    """
+    low, high = points.min(axis=0), points.max(axis=0)
+    wide, spread = width * POINTS, np.maximum(high - low, 1e-3)
+    room = 0.95 * wide if tallest is None else tallest * POINTS - 2 * margin
+    scale = float(min((wide - 2 * margin) / spread[0], room / spread[1]))
+    scene = Scene(width, (scale * float(spread[1]) + 2 * margin) / POINTS)
+    return scene, scale, np.array([scene.width, scene.height]) / 2 - scale * (low + high) / 2

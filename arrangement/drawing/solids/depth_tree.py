@@ -8,8 +8,9 @@ depend on the view.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, field, replace
+from typing import Generic, TypeVar
 
 import numpy as np
 
@@ -21,8 +22,12 @@ from arrangement.numbers.exact import IntegerVector, dot
 _TRIED, _CUT = 12, 8
 
 
+_Drawn = TypeVar("_Drawn")
+_Other = TypeVar("_Other")
+
+
 @dataclass
-class Node:
+class Node(Generic[_Drawn]):
     """A plane, the patches in it, and what lies before and behind it; children by number.
 
     Attributes:
@@ -32,21 +37,26 @@ class Node:
     """
 
     row: IntegerVector
-    patches: list[Patch] = field(default_factory=list)
+    patches: list[_Drawn] = field(default_factory=list)
     front: int = -1
     back: int = -1
 
+    def drawn_as(self, draw: Callable[[_Drawn], _Other]) -> Node[_Other]:
+        """Return the same node with something else for each of its patches."""
+        return Node(self.row, list(map(draw, self.patches)), self.front, self.back)
 
-def depth_tree(patches: Sequence[Patch]) -> list[Node]:
+
+def depth_tree(patches: Sequence[Patch]) -> list[Node[Patch]]:
     """Return the nodes of a tree; the first one is the root. Patches may be cut."""
-    nodes: list[Node] = []
+    nodes: list[Node[Patch]] = []
     todo: list[tuple[list[Patch], int, str]] = [(list(patches), -1, "")]
     while todo:
         group, parent, side = todo.pop()
         if not group:
             continue
         row = _best_row(group)
-        node, before, behind = Node(row), [], []
+        node: Node[Patch] = Node(row)
+        before, behind = [], []
         for patch in group:
             values = [dot(row, p) for p in patch.corners]
             if not any(values):
@@ -61,7 +71,9 @@ def depth_tree(patches: Sequence[Patch]) -> list[Node]:
     return nodes
 
 
-def back_to_front(nodes: Sequence[Node], direction: IntegerVector) -> Iterator[Node]:
+def back_to_front(
+    nodes: Sequence[Node[_Drawn]], direction: IntegerVector
+) -> Iterator[Node[_Drawn]]:
     """Yield the nodes in the order of painting, for a direction towards the viewer."""
     todo = [(0, False)] if nodes else []
     while todo:

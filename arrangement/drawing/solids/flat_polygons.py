@@ -12,7 +12,7 @@ from functools import cmp_to_key
 
 from arrangement.numbers.exact import IntegerVector, dot, primitive, reduced, sign
 from arrangement.numbers.linear.intervals import Interval, remainder
-from arrangement.numbers.linear.rank import cross, triple_product
+from arrangement.numbers.linear.rank import cross, cycle_edges, triple_product
 
 Loop = list[IntegerVector]
 Segment = tuple[IntegerVector, IntegerVector]
@@ -105,7 +105,7 @@ def _split(loop: Loop, line: IntegerVector) -> tuple[Loop, Loop]:
 def minus(loop: Loop, cover: Loop) -> list[Loop]:
     """Return convex pieces of a polygon outside another; both run counter-clockwise."""
     pieces, rest = [], loop
-    for p, q in zip(cover, [*cover[1:], cover[0]], strict=True):
+    for p, q in cycle_edges(cover):
         rest, outside = _split(rest, cross(p, q))
         if not rest:
             return [loop]
@@ -120,7 +120,7 @@ def creases_of(loops: Sequence[Loop]) -> list[list[Segment]]:
     listed = []
     for loop in loops:
         own = []
-        for p, q in zip(loop, [*loop[1:], loop[0]], strict=True):
+        for p, q in cycle_edges(loop):
             line = reduced(cross(p, q))
             k = 0 if line[1] else 1
             ends = Fraction(p[k], p[2]), Fraction(q[k], q[2])

@@ -22,6 +22,8 @@ from arrangement.errors import ArrangementError, InputError
 from arrangement.numbers.exact import shown
 from arrangement.numbers.linear.rank import cycle_edges
 
+from .sight import unit
+
 Floats = npt.NDArray[np.float64]
 Triangles = npt.NDArray[np.int64]
 _COLOUR = re.compile("#[0-9a-fA-F]{6}(?:[0-9a-fA-F]{2})?")
@@ -32,7 +34,7 @@ _STEPS = 1 << 20
 
 
 @dataclass(frozen=True)
-class Part:
+class ClosedSurface:
     """A closed surface of plane, convex faces, oriented outward.
 
     Attributes:
@@ -52,7 +54,7 @@ class Part:
     notes: dict[str, Any] = field(default_factory=dict)
 
 
-def model_bytes(parts: Sequence[Part], kind: str, title: str) -> bytes:
+def model_bytes(parts: Sequence[ClosedSurface], kind: str, title: str) -> bytes:
     """Return a model file.
 
     Args:
@@ -82,7 +84,7 @@ def triangles(faces: Sequence[tuple[int, ...]]) -> Triangles:
     return np.array(rows, dtype=np.int64).reshape(-1, 3)
 
 
-def _rounded(part: Part, step: float) -> Part:
+def _rounded(part: ClosedSurface, step: float) -> ClosedSurface:
     """Round coordinates to multiples of `step`, and join the points that this makes equal."""
     grid = np.round(part.points / step).astype(np.int64)
     first: dict[tuple[int, ...], int] = {}
@@ -90,7 +92,7 @@ def _rounded(part: Part, step: float) -> Part:
     faces, colours = [], []
     for face, colour in zip(part.faces, part.colours, strict=True):
         cycle = [join[i] for i in face]
-        kept = tuple(a for a, b in zip(cycle, [*cycle[1:], cycle[0]], strict=True) if a != b)
+        kept = tuple(a for a, b in cycle_edges(cycle) if a != b)
         if len(set(kept)) > 2:
             faces.append(kept)
             colours.append(colour)
@@ -104,7 +106,7 @@ def _rounded(part: Part, step: float) -> Part:
             "a solid any more"
         )
     shift = np.round(np.array(part.shift) / step) * step
-    return Part(
+    return ClosedSurface(
         part.name,
         points,
         renumbered,
@@ -127,18 +129,16 @@ def _is_closed(faces: Sequence[tuple[int, ...]]) -> bool:
     return bool(faces) and len(known) == len(edges) and all((b, a) in known for a, b in edges)
 
 
-def _stl(parts: Sequence[Part], title: str) -> bytes:
+def _stl(parts: Sequence[ClosedSurface], title: str) -> bytes:
     corners = np.concatenate([(p.points + p.shift)[triangles(p.faces)] for p in parts])
     normals = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
-    length = np.linalg.norm(normals, axis=1, keepdims=True)
-    normals = normals / np.where(length > 0, length, 1)
     rows = np.zeros(len(corners), dtype=[("xyz", "<f4", (4, 3)), ("attribute", "<u2")])
-    rows["xyz"][:, 0], rows["xyz"][:, 1:] = normals, corners
+    rows["xyz"][:, 0], rows["xyz"][:, 1:] = unit(normals), corners
     header = f"{title}; unit: millimetre".encode("ascii")[:80].ljust(80)
     return header + struct.pack("<I", len(rows)) + rows.tobytes()
 
 
-def _obj(parts: Sequence[Part], title: str) -> bytes:
+def _obj(parts: Sequence[ClosedSurface], title: str) -> bytes:
     lines, start = [f"# {title}; unit: millimetre"], 1
     for part in parts:
         lines.append(f"o {part.name}")
@@ -149,14 +149,14 @@ def _obj(parts: Sequence[Part], title: str) -> bytes:
     return ("\n".join(lines) + "\n").encode("ascii")
 
 
-def _glb(parts: Sequence[Part], title: str) -> bytes:
-    scene = _Scene(title)
+def _glb(parts: Sequence[ClosedSurface], title: str) -> bytes:
+    scene = _GltfDocument(title)
     for part in parts:
         scene.add(part)
     return scene.content()
 
 
-class _Scene:
+class _GltfDocument:
     """A glTF document and its binary chunk."""
 
     def __init__(self, title: str) -> None:
@@ -178,7 +178,7 @@ class _Scene:
             "bufferViews": [],
         }
 
-    def add(self, part: Part) -> None:
+    def add(self, part: ClosedSurface) -> None:
         """Add a part as a node: one list of points, one list of triangles for each colour."""
         points = (part.points / 1000).astype("<f4")
         low, high = points.min(axis=0).tolist(), points.max(axis=0).tolist()

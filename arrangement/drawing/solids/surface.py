@@ -20,7 +20,7 @@ from arrangement.console.progress import watched
 from arrangement.numbers.exact import IntegerVector, dot, primitive, unoriented
 from arrangement.numbers.linear.intervals import remainder
 from arrangement.numbers.linear.polyhedron import Polyhedron
-from arrangement.numbers.linear.rank import determinant
+from arrangement.numbers.linear.rank import cycle_edges, determinant, difference
 
 from .flat_polygons import Loop, Segment, between, creases_of, flattened, lifted, minus, ordered
 
@@ -60,7 +60,7 @@ def surface(shapes: Iterable[Polyhedron]) -> tuple[Patch, ...]:
     (10, 12)
     """
     every = list(shapes)
-    solids = _Solids([_Solid(shape) for shape in every if shape.dimension == 3])
+    solids = _Polytopes([_Polytope(shape) for shape in every if shape.dimension == 3])
     flat = [shape for shape in every if shape.dimension == 2]
     facets: dict[IntegerVector, dict[frozenset[IntegerVector], Loop]] = {}
     for solid in solids.listed:
@@ -93,7 +93,7 @@ def facets(
 
     Cycles run counter-clockwise seen from outside.
     """
-    solid = _Solid(shape)
+    solid = _Polytope(shape)
     number = {p: k for k, p in enumerate(solid.points)}
     cycles = []
     for row, loop in solid.facets:
@@ -103,7 +103,7 @@ def facets(
     return solid.points, tuple(cycles), tuple(row for row, _ in solid.facets)
 
 
-class _Solid:
+class _Polytope:
     """A polytope with its facets as (outward row, corners), and its edges."""
 
     def __init__(self, shape: Polyhedron) -> None:
@@ -118,11 +118,7 @@ class _Solid:
     @cached_property
     def edges(self) -> set[Segment]:
         """Its edges, each once."""
-        return {
-            (min(p, q), max(p, q))
-            for _, loop in self.facets
-            for p, q in zip(loop, [*loop[1:], loop[0]], strict=True)
-        }
+        return {(min(p, q), max(p, q)) for _, loop in self.facets for p, q in cycle_edges(loop)}
 
     def reaches(self, row: IntegerVector) -> bool:
         """Return whether it has points where ``row`` is positive."""
@@ -138,10 +134,10 @@ class _Solid:
         return ordered(row, found) if len(found) > 2 else []
 
 
-class _Solids:
+class _Polytopes:
     """Polytopes, with rounded corners and rows to find those that matter at a place quickly."""
 
-    def __init__(self, listed: Sequence[_Solid]) -> None:
+    def __init__(self, listed: Sequence[_Polytope]) -> None:
         self.listed = listed
         self.starts = np.cumsum([0, *(len(solid.points) for solid in listed)])[:-1]
         self.points = rounded([p for solid in listed for p in solid.points])
@@ -156,7 +152,7 @@ class _Solids:
         self.rows = _unit_rows([row for solid in listed for row, _ in solid.facets])
         self.row_starts = np.cumsum([0, *(len(solid.facets) for solid in listed)])[:-1]
 
-    def near(self, row: IntegerVector, loop: Loop, *, sheet: bool) -> list[_Solid] | None:
+    def near(self, row: IntegerVector, loop: Loop, *, sheet: bool) -> list[_Polytope] | None:
         """Return the polytopes that may cover a part of a polygon in a plane; None if one has all.
 
         Those left out have no area in common with it: they are apart by much more than rounding
@@ -226,7 +222,7 @@ def _turned(row: IntegerVector) -> IntegerVector:
 
 
 def _patches(
-    row: IntegerVector, loops: Sequence[Loop], solids: _Solids, *, sheet: bool
+    row: IntegerVector, loops: Sequence[Loop], solids: _Polytopes, *, sheet: bool
 ) -> Iterator[Patch]:
     """Yield what is seen of polygons in a plane, as convex polygons without overlaps."""
     kept: list[Loop] = []
@@ -258,7 +254,7 @@ def _thin(shapes: Sequence[Polyhedron]) -> Iterator[Patch]:
         larger = [other for other in shapes if other.dimension > shape.dimension]
         if shape.dimension == 1:
             p, q = shape.points
-            step = [b - a for a, b in zip(p, q, strict=True)]
+            step = difference(q, p)
             covered = [part for other in larger if (part := other.along(p, step))]
             for low, high in remainder((Fraction(0), Fraction(1)), covered):
                 if low is not None and high is not None and low < high:

@@ -12,10 +12,13 @@ from arrangement.drawing.scene.items import Floats
 #: Lines a x + b y = (k + c / 2) d, for each sign (a, b), d in points and c; so many signs stand so
 #: many times closer.
 _LINES = {
-    "/": [((1, -1), 24.0, 0)], "\\": [((1, 1), 24.0, 0)],
-    "-": [((0, 1), 12.0, 1)], "|": [((1, 0), 12.0, 1)],
-    "x": [((1, -1), 24.0, 0), ((1, 1), 24.0, 0)], "+": [((0, 1), 12.0, 1), ((1, 0), 12.0, 1)],
-}  # fmt: skip
+    "/": [((1, -1), 24.0, 0)],
+    "\\": [((1, 1), 24.0, 0)],
+    "-": [((0, 1), 12.0, 1)],
+    "|": [((1, 0), 12.0, 1)],
+    "x": [((1, -1), 24.0, 0), ((1, 1), 24.0, 0)],
+    "+": [((0, 1), 12.0, 1), ((1, 0), 12.0, 1)],
+}
 #: Radius of circles as a share of their distance.
 _CIRCLES = {".": 0.1, "o": 0.2, "O": 0.35}
 #: The width of its lines, in points.

@@ -7,30 +7,41 @@ from itertools import groupby
 from unicodedata import normalize
 
 _GREEK = "alpha beta gamma delta epsilon zeta eta theta iota kappa lambda mu nu xi omicron pi rho"
+#: Signs with the commands for them.
+_COMMANDS = (
+    "\u2248approx \u00d7times \u00b7cdot \u2264le \u2265ge \u2208in \u221einfty \u2192to \u00b1pm "
+    "\u2260ne \u25cfbullet \u25cbcirc \u2205emptyset \u03a3Sigma \u0394Delta \u03a6Phi \u03c3sigma "
+    "\u03c4tau \u03c5upsilon \u03c6varphi \u03c7chi \u03c8psi \u03c9omega"
+)
 _MATHS = {
-    "+": "+", "\u2212": "-", "=": "=", "\u2248": r"\approx ", "\u00d7": r"\times ",
-    "\u00b7": r"\cdot ", "\u2264": r"\le ", "\u2265": r"\ge ", "<": "<", ">": ">", "/": "/",
-    "\u2208": r"\in ", "\u221e": r"\infty ", "\u2192": r"\to ", "\u00b0": r"^\circ ",
-    "\u00b1": r"\pm ", "\u2260": r"\ne ", "\u25cf": r"\bullet ", "\u25cb": r"\circ ",
-    "\u211d": r"\mathbb{R}", "\u03a3": r"\Sigma ", "\u0394": r"\Delta ", "\u03a6": r"\Phi ",
-    "\u03c3": r"\sigma ", "\u03c4": r"\tau ", "\u03c5": r"\upsilon ", "\u03c6": r"\varphi ",
-    "\u03c7": r"\chi ", "\u03c8": r"\psi ", "\u03c9": r"\omega ", "\u2205": r"\emptyset ",
+    **{sign: sign for sign in "+=<>/"},
+    "\u2212": "-",
+    "\u00b0": r"^\circ ",
+    "\u211d": r"\mathbb{R}",
+    **{word[0]: f"\\{word[1:]} " for word in _COMMANDS.split()},
     **{chr(0x3B1 + k): f"\\{name} " for k, name in enumerate(_GREEK.split())},
-}  # fmt: skip
-_RAISED = dict(zip("\u2070\u00b9\u00b2\u00b3\u2074\u2075\u2076\u2077\u2078\u2079\u207b",
-                   "0123456789-", strict=True))  # fmt: skip
+}
+_RAISED = {sign: str(k) for k, sign in enumerate("\u2070\u00b9\u00b2\u00b3")}
+_RAISED |= {chr(0x2070 + k): str(k) for k in range(4, 10)} | {"\u207b": "-"}
 _LOWERED = {chr(0x2080 + k): str(k) for k in range(10)}
 _TEXT = {
-    "\\": r"\textbackslash{}", "{": r"\{", "}": r"\}", "#": r"\#", "$": r"\$", "%": r"\%",
-    "&": r"\&", "_": r"\_", "^": r"\textasciicircum{}", "~": r"\textasciitilde{}",
-    "\u2013": "--", "\u2014": "---", "\u2026": r"\dots{}", "\u200a": r"\kern.06em ",
-    "\u2007": r"\phantom{0}", "\u2019": "'",
-}  # fmt: skip
+    **{sign: f"\\{sign}" for sign in "{}#$%&_"},
+    "\\": r"\textbackslash{}",
+    "^": r"\textasciicircum{}",
+    "~": r"\textasciitilde{}",
+    "\u2013": "--",
+    "\u2014": "---",
+    "\u2026": r"\dots{}",
+    "\u2019": "'",
+    "\u200a": r"\kern.06em ",
+    "\u2007": r"\phantom{0}",
+}
 _ACCENTS = {
-    "\u0300": r"\`", "\u0301": r"\'", "\u0302": r"\^", "\u0303": r"\~", "\u0304": r"\=",
-    "\u0306": r"\u ", "\u0307": r"\.", "\u0308": r"\"", "\u030a": r"\r ", "\u030b": r"\H ",
-    "\u030c": r"\v ", "\u0327": r"\c ",
-}  # fmt: skip
+    **{chr(0x300 + k): f"\\{sign}" for k, sign in enumerate("`'^~=")},
+    **{chr(0x306 + k): f"\\{sign}" for k, sign in enumerate(("u ", ".", '"'))},
+    **{chr(0x30A + k): f"\\{sign} " for k, sign in enumerate("rHv")},
+    "\u0327": r"\c ",
+}
 _SIGNS = {"+": "{+}", "\u2212": "{-}", "0": "{0}", "\u25cf": r"{\bullet}", "\u25cb": r"{\circ}"}
 
 #: After these a minus is one of a number anyway.
@@ -42,14 +53,13 @@ _TOKEN = re.compile(
     r"|(?P<power>\d+\^\d+|[\d.]+e[+-]?\d+)"
     r"|(?P<signs>[+\u22120\u25cf\u25cb](?:\u200a[+\u22120\u25cf\u25cb])+)"
     r"|(?P<number>\d+(?:\.\d+)?)"
-    r"|(?P<maths>[" + re.escape("".join(_MATHS)) + "]|[" + "".join(_RAISED) + "]+|["
-    + "".join(_LOWERED) + "]+)"
+    rf"|(?P<maths>[{re.escape(''.join(_MATHS))}]|[{''.join(_RAISED)}]+|[{''.join(_LOWERED)}]+)"
     r"|(?P<variable>(?<![\w(])[cfmnrtwxyz](?![A-Za-z0-9_)]))"
     r"|(?P<soft>[\s,()\u200a]|(?<!\w)[a-z](?!\w))"
     r"|(?P<word>[A-Za-z\u00c0-\u024f]+)"
     r"|(?P<other>.)",
     re.DOTALL,
-)  # fmt: skip
+)
 
 
 def tex_text(text: str) -> str:

@@ -83,11 +83,13 @@ Options: TypeAlias = dict[str, str]
 
 #: What an item says when it lacks a key that its role has.
 _NEUTRAL = {
-    "fill": "fill=none", "draw": "draw=none", "opacity": "opacity=1",
-    "fill opacity": "fill opacity=1", "draw opacity": "draw opacity=1",
-    "text opacity": "text opacity=1", "dash pattern": "solid", "line cap": "line cap=butt",
-    "line join": "line join=miter", "rounded corners": "sharp corners", "align": "align=none",
-}  # fmt: skip
+    **{key: f"{key}=none" for key in ("fill", "draw", "align")},
+    **{f"{kind}opacity": f"{kind}opacity=1" for kind in ("", "fill ", "draw ", "text ")},
+    "dash pattern": "solid",
+    "rounded corners": "sharp corners",
+    "line cap": "line cap=butt",
+    "line join": "line join=miter",
+}
 #: Text twice, first as a thick line in the colour of the halo; without it where TeX has no way.
 _HALO = r"""\providecommand\slipstateshalo[3]{% width, colour, text
   \ifdefined\pdfliteral\rlap{\pdfliteral{2 Tr 1 j #1 w}\color{#2}#3\pdfliteral{0 Tr}}\fi#3}"""
@@ -120,12 +122,16 @@ def tikz(scene: Scene, *, fragment: bool = False) -> str:
     paper = f"paperwidth={number(scene.width)}bp,paperheight={number(scene.height)}bp"
     return "\n".join(
         [
-            r"\RequirePackage{fix-cm}", r"\documentclass{article}",
-            rf"\usepackage[{paper},margin=0bp]{{geometry}}", *needs,
-            r"\setlength{\parindent}{0pt}\pagestyle{empty}", r"\begin{document}", picture +
-            r"\end{document}", "",
+            r"\RequirePackage{fix-cm}",
+            r"\documentclass{article}",
+            rf"\usepackage[{paper},margin=0bp]{{geometry}}",
+            *needs,
+            r"\setlength{\parindent}{0pt}\pagestyle{empty}",
+            r"\begin{document}",
+            picture + r"\end{document}",
+            "",
         ]
-    )  # fmt: skip
+    )
 
 
 class _Writer:
@@ -156,13 +162,19 @@ class _Writer:
         body = "\n".join(scopes)
         return "\n".join(
             [
-                *self.shadings, r"\begin{tikzpicture}[", "  x=1bp, y=1bp,",
-                *(f"  {style}," for style in [layers, labels, *styles]), "]",
-                *colours, *[_HALO] * (r"\slipstateshalo" in body),
+                *self.shadings,
+                r"\begin{tikzpicture}[",
+                "  x=1bp, y=1bp,",
+                *(f"  {style}," for style in [layers, labels, *styles]),
+                "]",
+                *colours,
+                *[_HALO] * (r"\slipstateshalo" in body),
                 rf"\path[use as bounding box] (0,0) rectangle ({width},{height});",
-                body, r"\end{tikzpicture}", "",
+                body,
+                r"\end{tikzpicture}",
+                "",
             ]
-        )  # fmt: skip
+        )
 
     def _styles(self) -> dict[str, Options]:
         """Return for each role the options that most of its items have."""

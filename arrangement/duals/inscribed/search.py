@@ -52,7 +52,7 @@ def decide(graph: PolyhedralGraph) -> Certificate:
     graph.require_polyhedral()
     side = _larger_side(graph)
     if side is None:
-        return _Program(graph).certificate()  # what it returns is verified
+        return _MarginProgram(graph).certificate()  # what it returns is verified
     certificate = IndependentSetCertificate(graph, side)
     certificate.verify()
     return certificate
@@ -69,8 +69,8 @@ def _larger_side(graph: PolyhedralGraph) -> Side | None:
 
 
 @dataclass(frozen=True, slots=True)
-class _Solution:
-    """An optimum: weights, margin t, and the multipliers of the rows in `_Program.rows` order."""
+class _Optimum:
+    """An optimum: weights, margin t, and multipliers in the order of `_MarginProgram.rows`."""
 
     weights: Floats
     margin: float
@@ -78,7 +78,7 @@ class _Solution:
     vertex_multipliers: Floats
 
 
-class _Program:
+class _MarginProgram:
     """The linear program of one graph, with the cutsets found so far."""
 
     def __init__(self, graph: PolyhedralGraph) -> None:
@@ -112,7 +112,7 @@ class _Program:
         ]
         return [*lower, *upper, *cuts]
 
-    def solve(self) -> _Solution:
+    def solve(self) -> _Optimum:
         """Maximise t in floating point."""
         from scipy.optimize import linprog
         from scipy.sparse import csr_array
@@ -136,11 +136,11 @@ class _Program:
         )
         if answer.status != 0:
             raise ArrangementError(f"the float linear program ended with: {answer.message}")
-        return _Solution(
+        return _Optimum(
             answer.x[:-1], float(answer.x[-1]), -answer.ineqlin.marginals, -answer.eqlin.marginals
         )
 
-    def weights(self, solution: _Solution) -> WeightCertificate:
+    def weights(self, solution: _Optimum) -> WeightCertificate:
         """Round to weights that sum to 1 at every vertex exactly; take the first that verify."""
         for denominator in _DENOMINATORS:
             rounded = [Fraction(round(w * denominator), denominator) for w in solution.weights]
@@ -154,7 +154,7 @@ class _Program:
                 return certificate
         raise ArrangementError("the weights found are too close to the boundary to be rounded")
 
-    def refutation(self, solution: _Solution) -> FarkasCertificate:
+    def refutation(self, solution: _Optimum) -> FarkasCertificate:
         """Round the multipliers; if that fails, solve the rows in use exactly, then all rows."""
         for limit in (12, 100, 10**4, 10**6):
             multipliers = [Fraction(x).limit_denominator(limit) for x in solution.multipliers]

@@ -15,10 +15,10 @@ import numpy.typing as npt
 
 from arrangement.console.short_repr import Shown
 from arrangement.console.writing import write_bytes_atomically
-from arrangement.drawing.solids.meshes import KINDS, Part, model_bytes, triangles
+from arrangement.drawing.solids.meshes import KINDS, ClosedSurface, model_bytes, triangles
 from arrangement.errors import ArrangementError, InputError
 from arrangement.numbers.exact import IntegerVector, RationalVector, dot, largest, quotient, shown
-from arrangement.numbers.linear.rank import cross
+from arrangement.numbers.linear.rank import cross, difference
 from arrangement.planes.planes import Planes
 
 from .flat import (
@@ -93,7 +93,7 @@ def content(
         raise InputError(f"the file name ends in {shown(kind)}; known are {', '.join(KINDS)}")
     v, e, f = dual.f_vector
     points = np.array(as_trimesh(dual, size, single=True).vertices)
-    part = Part("dual", points, dual.faces, colours or (_GREY,) * f)
+    part = ClosedSurface("dual", points, dual.faces, colours or (_GREY,) * f)
     return model_bytes([part], kind, f"dual polyhedron: {v} vertices, {e} edges, {f} faces")
 
 
@@ -188,16 +188,12 @@ def _is_convex_polygon(corners: list[IntegerVector], normal: IntegerVector) -> b
     """Whether every edge line has all other corners strictly on its left, seen along -normal."""
     for i, start in enumerate(corners):
         end = corners[(i + 1) % len(corners)]
-        inward = cross(normal, _difference(end, start))
+        inward = cross(normal, difference(end, start))
         level = dot(inward, start)
         others = (corner for corner in corners if corner not in (start, end))
         if any(dot(inward, corner) <= level for corner in others):
             return False
     return len(corners) >= 3
-
-
-def _difference(left: IntegerVector, right: IntegerVector) -> IntegerVector:
-    return tuple(a - b for a, b in zip(left, right, strict=True))
 
 
 @dataclass(frozen=True, eq=False)

@@ -21,7 +21,7 @@ from arrangement.numbers.exact import shown, sign
 from arrangement.numbers.linear.rank import triple_product
 
 from .chirotopes import Integers, Signs, canonical, chirotope_of, regions
-from .final_polynomials import Comparison
+from .final_polynomials import OrderedProducts
 
 #: The largest number of planes in the shipped list.
 MOST_PLANES = 9
@@ -130,7 +130,7 @@ def census(planes: int, *, simple: bool = False) -> Sequence[Arrangement]:
     return tuple(arrangement for arrangement in types if arrangement.is_simple or not simple)
 
 
-def without_coordinates() -> list[tuple[Signs, tuple[Comparison, ...]]]:
+def without_coordinates() -> list[tuple[Signs, tuple[OrderedProducts, ...]]]:
     """Return the types of nine pseudolines that no planes have, each with a proof.
 
     Their number and that of ``census(9)`` make up that of all types of nine pseudolines,
@@ -139,7 +139,7 @@ def without_coordinates() -> list[tuple[Signs, tuple[Comparison, ...]]]:
     arrays = _extensions()
     steps = np.searchsorted(arrays["proofs"][:, 0], range(1, len(arrays["without"])))
     return [
-        (signs, tuple(Comparison(tuple(row[1:6]), *row[6:]) for row in proof.tolist()))
+        (signs, tuple(OrderedProducts(tuple(row[1:6]), *row[6:]) for row in proof.tolist()))
         for signs, proof in zip(arrays["without"], np.split(arrays["proofs"], steps), strict=True)
     ]
 

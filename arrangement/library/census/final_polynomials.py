@@ -32,7 +32,7 @@ Product: TypeAlias = tuple[Triple, Triple]
 _TINY = 1e-9
 
 
-class Comparison(NamedTuple):
+class OrderedProducts(NamedTuple):
     """Two products of one relation, the first smaller than (or as large as) the second.
 
     Attributes:
@@ -48,7 +48,7 @@ class Comparison(NamedTuple):
     times: int
 
 
-def final_polynomial(signs: Mapping[Triple, int], n: int) -> tuple[Comparison, ...] | None:
+def final_polynomial(signs: Mapping[Triple, int], n: int) -> tuple[OrderedProducts, ...] | None:
     """Return a proof that no vectors of R^3 have these signs; None when none was found.
 
     The search is in floats, so None proves nothing; what is returned is checked in integers.
@@ -94,7 +94,7 @@ def final_polynomial(signs: Mapping[Triple, int], n: int) -> tuple[Comparison, .
     return proof if proves_no_coordinates(signs, proof) else None
 
 
-def proves_no_coordinates(signs: Mapping[Triple, int], proof: Sequence[Comparison]) -> bool:
+def proves_no_coordinates(signs: Mapping[Triple, int], proof: Sequence[OrderedProducts]) -> bool:
     """Check a proof: every comparison follows from the signs, and the products cancel."""
     total: Counter[Triple] = Counter()
     strict = 0
@@ -115,7 +115,7 @@ def proves_no_coordinates(signs: Mapping[Triple, int], proof: Sequence[Compariso
     return strict > 0 and not any(total.values())
 
 
-def _comparisons(signs: Mapping[Triple, int], n: int) -> Iterator[tuple[Comparison, bool]]:
+def _comparisons(signs: Mapping[Triple, int], n: int) -> Iterator[tuple[OrderedProducts, bool]]:
     """Yield what follows from the signs, each with whether it is strict."""
     for a in range(n):
         others = [x for x in range(n) if x != a]
@@ -125,9 +125,9 @@ def _comparisons(signs: Mapping[Triple, int], n: int) -> Iterator[tuple[Comparis
                 third = terms[3 - smaller - larger]
                 if terms[smaller] and terms[larger] == -terms[smaller]:
                     if third == terms[smaller]:
-                        yield Comparison((a, b, c, d, e), smaller, larger, 1), True
+                        yield OrderedProducts((a, b, c, d, e), smaller, larger, 1), True
                     elif third == 0 and smaller < larger:
-                        yield Comparison((a, b, c, d, e), smaller, larger, 1), False
+                        yield OrderedProducts((a, b, c, d, e), smaller, larger, 1), False
 
 
 def _products(relation: Sequence[int]) -> tuple[Product, Product, Product]:

@@ -117,6 +117,11 @@ def cycle_edges(corners: Sequence[_Corner]) -> Iterator[tuple[_Corner, _Corner]]
     return zip(corners, (*corners[1:], *corners[:1]), strict=True)
 
 
+def difference(left: Sequence[Any], right: Sequence[Any]) -> tuple[Any, ...]:
+    """Return the difference of two exact vectors."""
+    return tuple([x - y for x, y in zip(left, right, strict=True)])
+
+
 def cross(left: Sequence[Any], right: Sequence[Any]) -> tuple[Any, Any, Any]:
     """Return the cross product of two exact vectors of R^3; zero if they are parallel."""
     a, b, c = left

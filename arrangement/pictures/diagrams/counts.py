@@ -96,12 +96,12 @@ def draw_counts(*, largest: int = 12, width: float = 180.0) -> Scene:
     scene = Scene(width, height if beside else 2 * height)
     w, h = (scene.width / 2, scene.height) if beside else (scene.width, scene.height / 2)
     second = (w, 0.0) if beside else (0.0, 0.0)
-    _generic(_Panel(scene, (0.0, scene.height - h), (w, h), "general position", largest))
-    _families(_Panel(scene, second, (w, h), "regions of families", largest))
+    _generic(_CountsPanel(scene, (0.0, scene.height - h), (w, h), "general position", largest))
+    _families(_CountsPanel(scene, second, (w, h), "regions of families", largest))
     return scene
 
 
-class _Panel:
+class _CountsPanel:
     """Axes: numbers of planes to the right, numbers of faces upwards."""
 
     def __init__(
@@ -154,7 +154,7 @@ class _Panel:
         self.scene.legend.key(dot(shape, **style), text)
 
 
-def _generic(panel: _Panel) -> None:
+def _generic(panel: _CountsPanel) -> None:
     numbers = range(1, panel.largest + 1)
     vectors = [f_vector(generic(m)) for m in numbers]
     every = [sum(fukuda_bound(m, 3, k) for k in range(4)) for m in numbers]
@@ -170,16 +170,20 @@ def _generic(panel: _Panel) -> None:
         panel.marks(points, shape, f"generic-{name}", label, colour)
     bounds = (
         ("faces", "bound on all faces, any planes", every, (5, 2)),
-        ("regions", "bound on regions, any planes", [fukuda_bound(m, 3, 3) for m in numbers],
-         (1.5, 1.5)),
-    )  # fmt: skip
+        (
+            "regions",
+            "bound on regions, any planes",
+            [fukuda_bound(m, 3, 3) for m in numbers],
+            (1.5, 1.5),
+        ),
+    )
     for name, text, values, dashes in bounds:
         style = {"ec": _FAINT, "lw": 0.8, "ls": (0, dashes)}
         panel.curve(zip(numbers, values, strict=True), f"bound-{name}", **style)
         panel.scene.legend.key(stroke(**style), text)
 
 
-def _families(panel: _Panel) -> None:
+def _families(panel: _CountsPanel) -> None:
     numbers = range(1, panel.largest + 1)
     bound = [(m, m * m - m + 2) for m in numbers]
     end = 1.1 * bound[-1][1]

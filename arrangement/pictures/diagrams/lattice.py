@@ -25,12 +25,7 @@ _INK = "#882255"
 
 
 @picture
-def draw_lattice(
-    arrangement: Arrangement,
-    *,
-    width: float = 88.0,
-    moebius: bool = True,
-) -> Scene:
+def draw_lattice(arrangement: Arrangement, *, width: float = 88.0, moebius: bool = True) -> Scene:
     """Draw the intersections of planes, ordered by reverse inclusion, as a Hasse diagram.
 
     One row for each rank, the whole space at the bottom; the planes stand in input order, and the
@@ -56,11 +51,11 @@ def draw_lattice(
     largest = max(map(len, lattice.flats))
     if largest > MAX_FLATS:
         raise InputError(f"{largest} flats of one rank; a picture shows at most {MAX_FLATS}")
-    return _Picture(lattice, width, moebius).draw()
+    return _HasseDiagram(lattice, width, moebius).draw()
 
 
 @dataclass(frozen=True)
-class _Row:
+class _RankRow:
     """How the flats of one rank are written: in which size, turned or not, or as dots (size 0).
 
     `widths` are the shares of the flats in the width of the row.
@@ -78,7 +73,7 @@ class _Row:
         return sum(self.heights)
 
 
-class _Picture:
+class _HasseDiagram:
     def __init__(self, lattice: IntersectionLattice, width: float, moebius: bool) -> None:
         self.lattice, self.moebius = lattice, moebius
         trial = Scene(width, 10.0)
@@ -108,7 +103,7 @@ class _Picture:
             text += f"\n\u03a3\u03bc = {_signed(total)}"
         return text
 
-    def _row(self, scene: Scene, flats: tuple[Flat, ...]) -> _Row:
+    def _row(self, scene: Scene, flats: tuple[Flat, ...]) -> _RankRow:
         names = [self._name(flat) for flat in flats]
         values = [_signed(self.lattice.moebius[flat]) for flat in flats] if self.moebius else []
         room = self.right - self.left
@@ -127,8 +122,8 @@ class _Picture:
                 if turned and small:
                     heights = (heights[0], heights[1] + 2.0)
                 free = (room - sum(widths)) / len(flats)
-                return _Row(names, values, size, turned, heights, [w + free for w in widths])
-        return _Row(names, [], 0.0, False, (4.0, 0.0), [room / len(flats)] * len(flats))
+                return _RankRow(names, values, size, turned, heights, [w + free for w in widths])
+        return _RankRow(names, [], 0.0, False, (4.0, 0.0), [room / len(flats)] * len(flats))
 
     def _name(self, flat: Flat) -> str:
         if not flat.rank:
@@ -143,10 +138,8 @@ class _Picture:
             widths = np.array(row.widths)[orders[rank]]
             x = np.empty(len(widths))
             x[orders[rank]] = self.left + np.cumsum(widths) - widths / 2
-            scene.write(
-                (4.0, bottom + row.height / 2), self.margins[rank], 6.0, anchor=(0.0, 0.5),
-                color="0.25", multialignment="left",
-            )  # fmt: skip
+            look: dict[str, Any] = {"anchor": (0.0, 0.5), "color": "0.25", "multialignment": "left"}
+            scene.write((4.0, bottom + row.height / 2), self.margins[rank], 6.0, **look)
             spans.append(self._write_row(rank, x, bottom))
             bottom += row.height + self.gap
         self._covers(spans)
@@ -169,10 +162,8 @@ class _Picture:
                 continue
             if row.values:
                 under = foot[1] - GAP - (2.0 if row.turned else 0.1)
-                self.scene.write(
-                    (at, under), row.values[k], row.size - 0.5,
-                    anchor=(0.5, 1.0), rotation=angle, color=_INK,
-                )  # fmt: skip
+                look: dict[str, Any] = {"anchor": (0.5, 1.0), "rotation": angle, "color": _INK}
+                self.scene.write((at, under), row.values[k], row.size - 0.5, **look)
             top = foot[1] + self.scene.measure(row.names[k], row.size, angle)[1]
             spans.append((at, bottom - 2.5, top + 0.8))
         return np.array(spans)

@@ -16,6 +16,7 @@ from arrangement.arrangement import Arrangement
 from arrangement.drawing.scene.items import Floats
 from arrangement.drawing.solids.flat_polygons import between, clipped
 from arrangement.numbers.exact import IntegerVector, RationalVector, dot, primitive, quotient, sign
+from arrangement.numbers.linear.rank import cycle_edges
 from arrangement.numbers.number_field import rational_near
 from arrangement.pictures.sphere.globe import Globe
 from arrangement.pictures.sphere.projections import Drawn, stereographic
@@ -126,7 +127,7 @@ class LinesChart:
 
     def _ends(self, circle: int) -> list[IntegerVector]:
         row, found = self.sphere.circle_normals[circle], []
-        for p, q in zip(self.corners, [*self.corners[1:], self.corners[0]], strict=True):
+        for p, q in cycle_edges(self.corners):
             at_p, at_q = dot(row, p), dot(row, q)
             if at_p == 0:
                 found.append(p)

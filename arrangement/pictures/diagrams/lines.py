@@ -91,7 +91,7 @@ def draw_lines(
         raise InputError("numbers are for regions only; with all faces, labels are signs or none")
     kind = "signs" if everything and labels is None else labels
     names = RegionLabels(arrangement, kind if len(arrangement) else "none")
-    sheet = (_Disc if projective else _Window)(
+    sheet = (_DiscSheet if projective else _WindowSheet)(
         LinesChart(arrangement), checked_width(width), names, colour
     )
     if sides:
@@ -172,12 +172,13 @@ class _Sheet:
             self.missing["edges"] += not self._label_edge(e)
         off = keep_off([*self.edges.values(), *self.arms])
         for v, signs in self.chart.vertices.items():
-            self.scene.circle(self.vertices[v], 1.7, fc=VERMILION, ec="none", zorder=4,
-                              gid=f"vertex-{v}")  # fmt: skip
+            self.scene.circle(
+                self.vertices[v], 1.7, fc=VERMILION, ec="none", zorder=4, gid=f"vertex-{v}"
+            )
+            look: dict[str, Any] = {"off": off, "distance": 3.0, "color": VERMILION}
             self.missing["vertices"] += not write_beside(
-                self.scene, self.vertices[v], [sign_text(signs)], SIZES, off=off,
-                distance=3.0, color=VERMILION,
-            )  # fmt: skip
+                self.scene, self.vertices[v], [sign_text(signs)], SIZES, **look
+            )
 
     def _label_edge(self, edge: int) -> bool:
         """Write a sign vector on an edge, off all others, or beside it."""
@@ -193,10 +194,10 @@ class _Sheet:
                     plate = [(left, low), (right, low), (right, high), (left, high)]
                     self.scene.polygon(plate, fc="white", ec="none", zorder=3.5, role="line")
                     return True
+        look: dict[str, Any] = {"distance": 1.5, "off": keep_off([*others, self.edges[edge]])}
         return write_beside(
-            self.scene, _along(self.edges[edge], 0.5), [text], SIZES, color=BLUE, distance=1.5,
-            off=keep_off([*others, self.edges[edge]]),
-        )  # fmt: skip
+            self.scene, _along(self.edges[edge], 0.5), [text], SIZES, color=BLUE, **look
+        )
 
     def mark_sides(self) -> None:
         """Draw an arrow across each line, near an end, to its positive side."""
@@ -213,15 +214,15 @@ class _Sheet:
             for side in sorted(sides):
                 tip = start + 9 * side * left
                 self.arms.append(np.array([start, tip]))
-                arrow(self.scene, start, tip, ec="black", lw=0.7, zorder=4, role="arrow",
-                      gid=f"side-{label}")  # fmt: skip
+                look: dict[str, Any] = {"ec": "black", "lw": 0.7, "zorder": 4, "role": "arrow"}
+                arrow(self.scene, start, tip, gid=f"side-{label}", **look)
 
     def plane(self, place: Floats) -> Floats:
         """Return the homogeneous point of the plane at a place on paper."""
         raise NotImplementedError
 
 
-class _Window(_Sheet):
+class _WindowSheet(_Sheet):
     """A rectangle of the plane."""
 
     def draw(self, width: float) -> None:
@@ -266,7 +267,7 @@ class _Window(_Sheet):
         self.missing["lines"] += 1
 
 
-class _Disc(_Sheet):
+class _DiscSheet(_Sheet):
     """The projective plane, with the line at infinity as a rim."""
 
     notes = ("rim: the line at infinity; opposite points of it are one point",)
@@ -290,8 +291,9 @@ class _Disc(_Sheet):
             self.lines.append(points[::-1] if first_inside else points)
         for v in chart.parallels:
             place = self.disc.on_paper(chart.globe.points[v][:2])
-            self.scene.circle(place, 2.2, fc="black", ec="white", lw=0.5, zorder=4,
-                              gid=f"infinity-{v}")  # fmt: skip
+            self.scene.circle(
+                place, 2.2, fc="black", ec="white", lw=0.5, zorder=4, gid=f"infinity-{v}"
+            )
 
     def plane(self, place: Floats) -> Floats:
         x, y = (place - np.array(self.disc.centre)) / self.disc.radius

@@ -22,16 +22,17 @@ from arrangement.drawing.scene.items import Box, Floats
 from arrangement.drawing.scene.labels import SIZES, keep_off, ring, tried, write_along, write_beside
 from arrangement.drawing.scene.measuring import checked_width
 from arrangement.drawing.scene.scene import Scene
+from arrangement.drawing.solids.sight import lit, unit, unit_vectors
 from arrangement.duals.zonohedron import dual_polyhedron
 from arrangement.numbers.exact import IntegerVector
 from arrangement.pictures.essential import shown_as
 from arrangement.pictures.region_labels import RegionLabels, explain_regions, stroke
 from arrangement.pictures.sphere.coordinates import in_coordinates
 from arrangement.pictures.sphere.disc import HIDDEN, Disc, front, plane_names, rim_width
-from arrangement.pictures.sphere.globe import TO_LIGHT, Globe, clear_direction
+from arrangement.pictures.sphere.globe import Globe, clear_direction
 from arrangement.pictures.sphere.projections import orthographic
 
-from .solids import Solid, dual_solid, hull_solid
+from .solids import SeenSolid, dual_solid, hull_solid
 
 #: Below this width the two panels stand one above the other; in millimetres.
 SIDE_BY_SIDE = 120.0
@@ -105,8 +106,8 @@ def draw_dual(
     radius = size / 2 - rim_width(scene, globe, names)
     disc = Disc(scene, first, radius, globe, front(globe, orthographic), names, _ink(hull), True)
     _sphere(disc, colours.paint, points, (0.0, first[1] - size / 2, size, scene.height))
-    picture = _Picture(scene, globe, solid, [colours.paint(r) for r in _regions(globe, solid)],
-                       names, hull)  # fmt: skip
+    fills = [colours.paint(region) for region in _regions(globe, solid)]
+    picture = _SolidPanel(scene, globe, solid, fills, names, hull)
     picture.draw(second, radius if hull else size / 2 - 19.0, size / 2)
     explain_regions(scene, colours, names, globe.regions)
     if hull:
@@ -116,7 +117,7 @@ def draw_dual(
     return scene
 
 
-def _regions(globe: Globe, solid: Solid) -> list[DrawnRegion]:
+def _regions(globe: Globe, solid: SeenSolid) -> list[DrawnRegion]:
     """Return the regions in the order of the vertices."""
     by_signs = {region.signs: region for region in globe.regions}
     return [by_signs[signs] for signs in solid.signs]
@@ -128,11 +129,10 @@ def _oblique_direction(globe: Globe) -> IntegerVector:
     lines = [*whole.circle_normals, *(whole.ray(v) for v in range(whole.vertex_count))]
     if not whole.circle_count:
         return clear_direction(lines)
-    corners = dual_solid(whole.arrangement, (0, 0, 1), np.eye(3)).corners
-    corners = corners / np.linalg.norm(corners, axis=1, keepdims=True)
+    corners = unit(dual_solid(whole.arrangement, (0, 0, 1), np.eye(3)).corners)
 
-    def apart(units: Floats) -> Floats:
-        near = np.abs(units @ corners.T).max(axis=1)
+    def apart(seen: Sequence[IntegerVector]) -> Floats:
+        near = np.abs(unit_vectors(seen) @ corners.T).max(axis=1)
         found: Floats = np.sqrt(np.maximum(0, 1 - near**2))
         return found
 
@@ -154,14 +154,14 @@ def _sphere(disc: Disc, paint: Painter, points: Floats | None, within: Box) -> N
     disc.draw(paint, avoid=dots, within=within)
 
 
-class _Picture:
+class _SolidPanel:
     """The second panel."""
 
     def __init__(
         self,
         scene: Scene,
         globe: Globe,
-        solid: Solid,
+        solid: SeenSolid,
         fills: Sequence[str],
         names: RegionLabels,
         hull: bool,
@@ -179,7 +179,7 @@ class _Picture:
             scene.circle(centre, radius, fill=False, ec="0.6", lw=0.4, zorder=1, gid="limb")
             self.limb = [ring(centre, radius)]
         for k, (cycle, normal) in enumerate(solid.faces):
-            grey = str(round(0.8 + 0.19 * max(0.0, float(TO_LIGHT @ normal)), 3))
+            grey = lit("#ffffff", normal, 0.8)
             scene.polygon(self.places[list(cycle)], fc=grey, ec="none", zorder=1, gid=f"face-{k}")
         small = self._inscribe(radius)
         for e, (u, v, c) in enumerate(solid.edges):
@@ -259,15 +259,14 @@ class _Picture:
                 self.scene.write(self.places[v], self._text(v), SIZES[1], zorder=7)
                 continue
             away = self.places[v] - centre if far[v] else (0.0, 1.0)
-            write_beside(
-                self.scene, self.places[v], self.names.forms(solid.signs[v]), SIZES[:2],
-                off=off, away=away, distance=small * (0.7 if hidden else 1) + 1.0,
-                within=within, others=np.delete(self.places, v, axis=0),
-                color="0.45" if hidden else "black",
-            )  # fmt: skip
+            room = {"within": within, "others": np.delete(self.places, v, axis=0)}
+            texts, distance = self.names.forms(solid.signs[v]), small * (0.7 if hidden else 1) + 1.0
+            look: dict[str, Any] = {"color": "0.45" if hidden else "black", "away": away, **room}
+            place = self.places[v]
+            write_beside(self.scene, place, texts, SIZES[:2], off=off, distance=distance, **look)
 
 
-def _explain_hull(scene: Scene, solid: Solid) -> None:
+def _explain_hull(scene: Scene, solid: SeenSolid) -> None:
     """Add the kinds of edges to the legend, with their numbers."""
     labels = [min(c, 0) for _, _, c in solid.edges]
     names = {0: "hull and adjacency", -1: "hull only", -2: "adjacency only"}

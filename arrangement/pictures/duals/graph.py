@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 
@@ -23,13 +24,14 @@ from arrangement.drawing.scene.items import Floats
 from arrangement.drawing.scene.labels import SIZES, keep_off, tried, write_along, write_beside
 from arrangement.drawing.scene.measuring import checked_width
 from arrangement.drawing.scene.scene import Scene
+from arrangement.drawing.solids.sight import unit_vectors
 from arrangement.duals.zonohedron import dual_polygon, dual_polyhedron, dual_segment
 from arrangement.errors import InputError
 from arrangement.pictures.essential import shown_as
 from arrangement.pictures.region_labels import RegionLabels, dot, explain_regions
 from arrangement.pictures.sphere.coordinates import symmetry
 from arrangement.pictures.sphere.disc import plane_names
-from arrangement.pictures.sphere.globe import MAX_CIRCLES, unit_vectors
+from arrangement.pictures.sphere.globe import MAX_CIRCLES
 
 from .solids import edges_of, flat_edges
 from .tutte import tutte_places
@@ -102,7 +104,9 @@ def draw_graph(
         crossed = sorted({c for u, v, c in graph.edges if u in graph.outer and v in graph.outer})
         planes = plane_names(sorted(k for c in crossed for k in arrangement.distinct[c]))
         scene.legend.line(f"outer polygon: a ray on the planes {planes}")
-    _Picture(arrangement, graph, scene, [colours.paint(region) for region in regions], names).draw()
+    _GraphPicture(
+        arrangement, graph, scene, [colours.paint(region) for region in regions], names
+    ).draw()
     explain_regions(scene, colours, names, regions)
     return scene
 
@@ -145,7 +149,7 @@ def _cycle(arrangement: Arrangement) -> PlanarGraph:
     return PlanarGraph(places, signs, flat_edges(arrangement, signs), tuple(range(count)))
 
 
-class _Picture:
+class _GraphPicture:
     def __init__(
         self,
         arrangement: Arrangement,
@@ -180,10 +184,9 @@ class _Picture:
         firsts = self.arrangement.firsts
         for v, place in enumerate(self.places):
             odd = sum(graph.signs[v][k] < 0 for k in firsts) % 2
-            scene.marker(
-                place, self.size, "square" if odd else "round", fc=self.fills[v], ec="black",
-                lw=min(0.7, 0.35 * self.size), zorder=5, gid=f"vertex-{v}",
-            )  # fmt: skip
+            shape, width = "square" if odd else "round", min(0.7, 0.35 * self.size)
+            style = {"fc": self.fills[v], "ec": "black", "lw": width, "gid": f"vertex-{v}"}
+            scene.marker(place, self.size, shape, zorder=5, **style)
         self._zones()
         self._labels()
 
@@ -207,14 +210,13 @@ class _Picture:
         off = keep_off(self.segments, discs=self.places, radius=self.size)
         far = np.round(np.linalg.norm(self.places - self.centre, axis=1), 3)
         order = np.argsort(-far, kind="stable").tolist()
+        scene = self.scene
+        within = (0.0, self.centre[1] - scene.width / 2, scene.width, scene.height)
         for v in order[: tried(len(far))] if self.names.kind != "none" else ():
-            write_beside(
-                self.scene, self.places[v], self.names.forms(self.graph.signs[v]), SIZES,
-                off=off, away=self._gap(v), distance=self.size + 1.0,
-                others=np.delete(self.places, v, axis=0),
-                within=(0.0, self.centre[1] - self.scene.width / 2, self.scene.width,
-                        self.scene.height),
-            )  # fmt: skip
+            others = np.delete(self.places, v, axis=0)
+            look: dict[str, Any] = {"away": self._gap(v), "others": others, "within": within}
+            texts, place = self.names.forms(self.graph.signs[v]), self.places[v]
+            write_beside(scene, place, texts, SIZES, off=off, distance=self.size + 1.0, **look)
 
     def _gap(self, v: int) -> tuple[float, float]:
         """Return the direction in the middle of the widest gap between the edges of a vertex."""
@@ -222,7 +224,5 @@ class _Picture:
         steps = self.places[ends] - self.places[v]
         angles = sorted(math.atan2(y, x) for x, y in steps.tolist())
         nexts = [*angles[1:], angles[0] + 2 * math.pi]
-        at = max(
-            ((round(b - a, 6), (a + b) / 2) for a, b in zip(angles, nexts, strict=True)),
-        )[1]
+        at = max(((round(b - a, 6), (a + b) / 2) for a, b in zip(angles, nexts, strict=True)))[1]
         return math.cos(at), math.sin(at)

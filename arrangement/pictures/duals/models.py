@@ -17,7 +17,7 @@ from arrangement.drawing.colours import (
 )
 from arrangement.drawing.output import millimetres
 from arrangement.drawing.registry import Exact, Vector
-from arrangement.drawing.solids.meshes import Floats, Part, model_bytes, triangles
+from arrangement.drawing.solids.meshes import ClosedSurface, Floats, model_bytes, triangles
 from arrangement.duals.cells import Cell, Cells, cut_cells
 from arrangement.duals.zonohedron import dual_polyhedron
 from arrangement.duals.zonohedron.polyhedron import content
@@ -105,12 +105,8 @@ def cells_model(
 
 
 def _part(
-    cells: Cells,
-    cell: Cell,
-    points: Floats,
-    apart: float,
-    paint: Painter | None,
-) -> Part:
+    cells: Cells, cell: Cell, points: Floats, apart: float, paint: Painter | None
+) -> ClosedSurface:
     used = sorted({i for face in cell.faces for i in face})
     number = {old: new for new, old in enumerate(used)}
     own = points[used]
@@ -123,7 +119,7 @@ def _part(
     middle = centroid(own, faces) * apart
     text = "".join("+" if s > 0 else "-" for s in cell.signs)
     shift = (float(middle[0]), float(middle[1]), float(middle[2]))
-    return Part(text or "all", own, faces, colours, shift, {"signs": text})
+    return ClosedSurface(text or "all", own, faces, colours, shift, {"signs": text})
 
 
 def centroid(points: Floats, faces: tuple[tuple[int, ...], ...]) -> Floats:

@@ -11,9 +11,10 @@ from typing import TYPE_CHECKING, TypeAlias
 import numpy as np
 
 from arrangement.drawing.scene.items import Floats
+from arrangement.drawing.solids.sight import face_normal, unit_vectors
 from arrangement.duals.zonohedron import DualPolyhedron, dual_polygon, dual_polyhedron, dual_segment
 from arrangement.numbers.exact import IntegerVector, dot
-from arrangement.numbers.linear.rank import triple_product
+from arrangement.numbers.linear.rank import cycle_edges, difference, triple_product
 from arrangement.numbers.number_field import rational_near
 from arrangement.planes.planes import Planes
 
@@ -25,7 +26,7 @@ Edge: TypeAlias = tuple[int, int, int]
 
 
 @dataclass(frozen=True)
-class Solid:
+class SeenSolid:
     """A polyhedron, polygon or segment, seen from a direction.
 
     Attributes:
@@ -50,7 +51,7 @@ class Solid:
         return self.corners[:, :2]
 
 
-def dual_solid(arrangement: Planes, direction: IntegerVector, axes: Floats) -> Solid:
+def dual_solid(arrangement: Planes, direction: IntegerVector, axes: Floats) -> SeenSolid:
     """Return the dual of a central arrangement of rank 1 to 3 in R^3.
 
     The generators have length 1, up to a rational error of 10^-6; those of coincident planes
@@ -64,7 +65,7 @@ def dual_solid(arrangement: Planes, direction: IntegerVector, axes: Floats) -> S
     seen = np.array([[float(x) for x in corner] for corner in flat.vertices]) @ axes.T
     shown = (False,) * len(flat.signs)
     faces = ((tuple(range(len(shown))), np.array([0.0, 0.0, 1.0])),) if len(shown) > 2 else ()
-    return Solid(seen, tuple(flat.signs), edges, shown[: len(edges)], shown, faces)
+    return SeenSolid(seen, tuple(flat.signs), edges, shown[: len(edges)], shown, faces)
 
 
 def flat_edges(arrangement: Planes, signs: Sequence[tuple[int, ...]]) -> tuple[Edge, ...]:
@@ -92,34 +93,32 @@ def unit_lengths(arrangement: Planes) -> tuple[Fraction, ...]:
     )
 
 
-def _polyhedron(dual: DualPolyhedron, direction: IntegerVector, axes: Floats) -> Solid:
+def _polyhedron(dual: DualPolyhedron, direction: IntegerVector, axes: Floats) -> SeenSolid:
     towards = [dot(normal, direction) for normal in dual.face_normals]
     edges = edges_of(dual)
     pairs = [(u, v) for u, v, _ in edges]
     edge_hidden, vertex_hidden = _hidden(pairs, dual.faces, towards, len(dual.signs))
     points = np.array([[float(x) for x in vertex] for vertex in dual.vertices])
-    normals = np.array(dual.face_normals, dtype=float) @ axes.T
-    normals /= np.linalg.norm(normals, axis=1, keepdims=True)
+    normals = unit_vectors(dual.face_normals) @ axes.T
     visible = tuple(
         (cycle, normal)
         for cycle, normal, ahead in zip(dual.faces, normals, towards, strict=True)
         if ahead > 0
     )
     signs = tuple(map(tuple, dual.signs.tolist()))
-    return Solid(points @ axes.T, signs, edges, edge_hidden, vertex_hidden, visible)
+    return SeenSolid(points @ axes.T, signs, edges, edge_hidden, vertex_hidden, visible)
 
 
-def hull_solid(hull: RepresentativeHull, direction: IntegerVector, axes: Floats) -> Solid:
+def hull_solid(hull: RepresentativeHull, direction: IntegerVector, axes: Floats) -> SeenSolid:
     """Return the hull of representatives; edges that are no edges of the hull come last.
 
     The class of an edge is -1 for an edge of the hull alone and -2 for an adjacency that is no
     edge of the hull; the latter is a chord, hidden if its middle is.
     """
     points = [tuple(map(Fraction, point)) for point in hull.hull.points]
-    towards = [
-        _determinant_with(direction, *(points[v] for v in triangle))
-        for triangle in hull.hull.triangles
-    ]
+    corners = ([points[v] for v in triangle] for triangle in hull.hull.triangles)
+    # How far the outer normals look towards the viewer.
+    towards = [triple_product(direction, difference(q, p), difference(r, p)) for p, q, r in corners]
     true, missing = sorted(hull.hull.true_edges), sorted(hull.missing)
     shared = {(min(u, v), max(u, v)): c for u, v, c in edges_of(hull.dual)}
     edge_hidden, vertex_hidden = _hidden(true, hull.hull.triangles, towards, len(points))
@@ -128,19 +127,12 @@ def hull_solid(hull: RepresentativeHull, direction: IntegerVector, axes: Floats)
     edge_hidden += tuple(heights[u] + heights[v] < 0 for u, v in missing)
     seen = np.array([[float(x) for x in point] for point in points]) @ axes.T
     faces = tuple(
-        (triangle, _normal(*seen[list(triangle)]))
+        (triangle, face_normal(seen[list(triangle)]))
         for triangle, ahead in zip(hull.hull.triangles, towards, strict=True)
         if ahead > 0
     )
     signs = tuple(map(tuple, hull.dual.signs.tolist()))
-    return Solid(seen, signs, tuple(edges), edge_hidden, vertex_hidden, faces)
-
-
-def _normal(p: Floats, q: Floats, r: Floats) -> Floats:
-    """Return the unit normal of a triangle."""
-    normal = np.cross(q - p, r - p)
-    unit: Floats = normal / np.linalg.norm(normal)
-    return unit
+    return SeenSolid(seen, signs, tuple(edges), edge_hidden, vertex_hidden, faces)
 
 
 def _hidden(
@@ -155,20 +147,9 @@ def _hidden(
     for cycle, ahead in zip(faces, towards, strict=True):
         if ahead >= 0:
             seen_vertices.update(cycle)
-            seen_edges.update(zip(cycle, [*cycle[1:], cycle[0]], strict=True))
+            seen_edges.update(cycle_edges(cycle))
     edge_hidden = tuple((u, v) not in seen_edges and (v, u) not in seen_edges for u, v in edges)
     return edge_hidden, tuple(v not in seen_vertices for v in range(count))
-
-
-def _determinant_with(direction: IntegerVector, *corners: Sequence[Fraction]) -> Fraction:
-    """Return how far the normal (q - p) x (r - p) looks along a direction."""
-    p, q, r = corners
-    found: Fraction = triple_product(direction, _minus(q, p), _minus(r, p))
-    return found
-
-
-def _minus(left: Sequence[Fraction], right: Sequence[Fraction]) -> list[Fraction]:
-    return [x - y for x, y in zip(left, right, strict=True)]
 
 
 def _crossed(arrangement: Planes, left: tuple[int, ...], right: tuple[int, ...]) -> int:

@@ -16,6 +16,7 @@ import numpy.typing as npt
 
 from arrangement.drawing.scene.items import Floats
 from arrangement.drawing.scene.measuring import area
+from arrangement.numbers.linear.rank import cycle_edges
 
 Indices: TypeAlias = npt.NDArray[np.int64]
 
@@ -58,7 +59,7 @@ def _edges(faces: Sequence[Sequence[int]]) -> tuple[Indices, Indices]:
     """Return the edges (E, 2) of some faces, and for each the faces beside it (one: twice)."""
     found: dict[tuple[int, int], list[int]] = {}
     for f, cycle in enumerate(faces):
-        for u, v in zip(cycle, [*cycle[1:], cycle[0]], strict=True):
+        for u, v in cycle_edges(cycle):
             found.setdefault((min(u, v), max(u, v)), []).append(f)
     return np.array(list(found)), np.array([(f[0], f[-1]) for f in found.values()])
 

@@ -14,13 +14,14 @@ from arrangement.arrangement import Arrangement
 from arrangement.console.number_form import Form, counted, sign_text, vector
 from arrangement.drawing.pages.html_page import BASE_SCRIPT, BASE_STYLE, Template, one_page, own
 from arrangement.drawing.registry import Vector
+from arrangement.drawing.solids.sight import picture_axes, unit, unit_vectors
 from arrangement.duals.zonohedron.incidence import dual_incidence
 from arrangement.enumeration.great_circles import SphereArrangement
 from arrangement.errors import InputError, refusal
 from arrangement.numbers.exact import IntegerVector, RationalVector, shown, to_text
 from arrangement.pictures.essential import brought, caption
 from arrangement.pictures.sphere.coordinates import CHOICES, even_map, is_narrow, symmetric_map
-from arrangement.pictures.sphere.globe import Globe, clear_direction, picture_axes, unit_vectors
+from arrangement.pictures.sphere.globe import Globe, clear_direction
 
 #: Distinct planes beyond which a page is too slow to turn by hand.
 MAX_CIRCLES = 30
@@ -125,8 +126,7 @@ def _shaped(
 
 def _integers(vectors: Any) -> list[IntegerVector]:
     """Return vectors near multiples of some floats."""
-    units = vectors / np.linalg.norm(vectors, axis=1, keepdims=True)
-    return [tuple(row) for row in np.rint(units * 10**6).astype(int).tolist()]
+    return [tuple(row) for row in np.rint(unit(vectors) * 10**6).astype(int).tolist()]
 
 
 def _heading(arrangement: Arrangement) -> str:

@@ -59,8 +59,9 @@ def arrow(scene: Scene, start: Place, end: Place, **style: Any) -> None:
     way = (tip - tail) / length
     across, size = np.array([-way[1], way[0]]), min(4.0, length)
     style = {"lw": 0.8, "ec": INK, "role": "axis", **style}
-    head = np.array([tip, tip - size * way + 0.35 * size * across,
-                     tip - size * way - 0.35 * size * across])  # fmt: skip
+    head = np.array(
+        [tip, tip - size * way + 0.35 * size * across, tip - size * way - 0.35 * size * across]
+    )
     scene.line([tail, tip - 0.7 * size * way], **style)
     rest = {key: value for key, value in style.items() if key not in ("ec", "lw", "ls")}
     scene.polygon(head, **{**rest, "fc": style["ec"], "ec": "none"})

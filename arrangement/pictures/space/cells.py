@@ -14,10 +14,13 @@ from arrangement.arrangement import Arrangement
 from arrangement.console.number_form import counted
 from arrangement.drawing.colours import SKIN, fill_colour, pale
 from arrangement.drawing.figure import picture
-from arrangement.drawing.pages.solid_page import Branch, Face, SolidPage
+from arrangement.drawing.pages.solid_page import PageFace, SolidPage
 from arrangement.drawing.registry import Exact, Vector
+from arrangement.drawing.scene.items import Floats
 from arrangement.drawing.scene.measuring import checked_width
 from arrangement.drawing.scene.scene import Scene
+from arrangement.drawing.solids.depth_tree import Node
+from arrangement.drawing.solids.sight import picture_axes, view_direction
 from arrangement.duals.cells import Cell, Cells, cut_cells
 from arrangement.errors import InputError
 from arrangement.numbers.exact import shown
@@ -28,7 +31,6 @@ from arrangement.pictures.page.page import equation, generator_text, point_text
 from arrangement.pictures.region_labels import RegionLabels
 from arrangement.pictures.sphere.coordinates import in_coordinates
 from arrangement.pictures.sphere.disc import plane_names
-from arrangement.pictures.sphere.globe import Floats, picture_axes, view_direction
 
 from .axes import StagedAxes
 from .exploded_cells import Lifted, sharp
@@ -41,6 +43,8 @@ from .view_direction import clear_sight
 MOST = 400
 #: Up to so many cells have labels.
 _NAMED = 60
+#: The plane of a node that nothing lies before or behind.
+_NOWHERE = (0, 0, 1)
 
 
 @picture
@@ -93,10 +97,8 @@ def draw_cells(
         lifted.append(Lifted(cell, stage.points + shift, shift))
     names = RegionLabels(arrangement, labels, len(lifted), _NAMED)
     signs = [cell.signs for cell in cells.cells]
-    sheet = PlanesSheet(
-        stage, lifted, lambda facet: fill_colour(facet.label), width, StagedAxes(stage, ()),
-        apart=True,
-    )  # fmt: skip
+    axes = StagedAxes(stage, ())
+    sheet = PlanesSheet(stage, lifted, lambda x: fill_colour(x.label), width, axes, apart=True)
     left = 0 if names.kind == "none" else Names(sheet, names).name_cells(beside=False)
     legend = sheet.scene.legend
     names.explain(legend, signs)
@@ -136,42 +138,43 @@ def cells_page(
     cells = _cells(arrangement, "cube", centre, radius, explode)
     towards = clear_sight(cells) if direction is None else view_direction(direction)
     points = unit_points(cells)
-    tree, told = [Branch((0, 0, 1))], []
+    tree: list[Node[PageFace]] = [Node(_NOWHERE)]
+    told = []
     regions = {face.signs: face for face in arrangement.regions()}
     firsts = arrangement.distinct_planes
     for k, cell in enumerate(cells.cells):
         leaf = _leaf(tree, [plane[:3] for plane in firsts], cell.sides)
-        tree[leaf].faces += _faces(points, cell, k)
+        tree[leaf].patches += _faces(points, cell, k)
         walls = sorted({wall for wall in cell.walls if wall >= 0})
         sign = "".join("+" if s > 0 else "\u2212" for s in cell.signs)
-        told.append((sign or "all", [
-            ("planes", "; ".join(equation(firsts[w][:3], firsts[w][3]) for w in walls) or "none"),
-            ("a point", point_text(regions[cell.signs].witness)),
-            ("in the cube", "whole" if len(walls) == len(set(cell.walls)) else "cut off"),
-        ]))  # fmt: skip
+        planes = "; ".join(equation(firsts[w][:3], firsts[w][3]) for w in walls)
+        whole = "whole" if len(walls) == len(set(cell.walls)) else "cut off"
+        point = point_text(regions[cell.signs].witness)
+        facts = [("planes", planes or "none"), ("a point", point), ("in the cube", whole)]
+        told.append((sign or "all", facts))
     legend = [
         (pale(fill_colour(label)), f"{plane_names(members)}: {equation(first[:3], first[3])}")
         for label, (members, first) in enumerate(zip(arrangement.distinct, firsts, strict=True))
     ]
     body = cells.body
     corner = ", ".join(map(str, body.centre))
-    facts = (f"{number}, rank {arrangement.rank}", note, generator_text(arrangement))
+    summary = (f"{number}, rank {arrangement.rank}", note, generator_text(arrangement))
     return SolidPage(
         title if title is not None else f"Cells of {number}",
-        "; ".join(filter(None, facts)),
+        "; ".join(filter(None, summary)),
         f"{len(cells.cells)} cells in a cube with centre ({corner}) and edge "
         f"{float(2 * body.radius):.4g}",
-        picture_axes(towards), 3**0.5, tree, told, [*legend, (SKIN, "cut by the cube")],
+        picture_axes(towards),
+        3**0.5,
+        tree,
+        told,
+        [*legend, (SKIN, "cut by the cube")],
         apart=float(explode),
-    ).text()  # fmt: skip
+    ).text()
 
 
 def _cells(
-    arrangement: Arrangement,
-    body: str,
-    centre: Vector | None,
-    radius: Exact | None,
-    explode: float,
+    arrangement: Arrangement, body: str, centre: Vector | None, radius: Exact | None, explode: float
 ) -> Cells:
     """Return the cells in a body, or refuse the request."""
     if not isinstance(explode, int | float) or not 1 <= explode <= 3:
@@ -189,20 +192,22 @@ def _middle(points: Floats, cell: Cell) -> Floats:
     return centroid(points, cell.faces)
 
 
-def _leaf(tree: list[Branch], normals: list[tuple[int, ...]], sides: tuple[int, ...]) -> int:
+def _leaf(
+    tree: list[Node[PageFace]], normals: list[tuple[int, ...]], sides: tuple[int, ...]
+) -> int:
     """Return the branch of a cell below those of all planes, which are made as they are needed."""
     at = 0
     for normal, side in zip(normals, sides, strict=True):
-        tree[at].normal = normal
+        tree[at].row = normal
         way = "front" if side > 0 else "back"
         if getattr(tree[at], way) < 0:
             setattr(tree[at], way, len(tree))
-            tree.append(Branch((0, 0, 1)))
+            tree.append(Node(_NOWHERE))
         at = getattr(tree[at], way)
     return at
 
 
-def _faces(points: Floats, cell: Cell, number: int) -> list[Face]:
+def _faces(points: Floats, cell: Cell, number: int) -> list[PageFace]:
     """Return the faces of a cell for a page."""
     middle, walls = _middle(points, cell), walls_of_edges(cell)
     found = []
@@ -212,5 +217,5 @@ def _faces(points: Floats, cell: Cell, number: int) -> list[Face]:
         normal = np.cross(corners[1] - corners[0], corners[2] - corners[0])
         fill = SKIN if wall < 0 else pale(fill_colour(wall))
         lines = np.array(edges).reshape(-1, 2, 3)
-        found.append(Face(corners, fill, normal, lines, number, middle))
+        found.append(PageFace(corners, fill, normal, lines, number, middle))
     return found

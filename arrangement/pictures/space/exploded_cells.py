@@ -15,10 +15,11 @@ from typing import Any
 
 import numpy as np
 
+from arrangement.drawing.scene.items import Floats
+from arrangement.drawing.solids.sight import face_normal
 from arrangement.duals.cells import Cell
 from arrangement.errors import InputError
 from arrangement.numbers.linear.rank import cycle_edges
-from arrangement.pictures.sphere.globe import Floats
 
 from .painting import Stage, walls_of_edges
 
@@ -52,7 +53,7 @@ class Lifted:
     @cached_property
     def normals(self) -> Floats:
         """The outward unit normals of the faces."""
-        return np.array([_normal(self.points[list(face)]) for face in self.cell.faces])
+        return np.array([face_normal(self.points[list(face)]) for face in self.cell.faces])
 
     @cached_property
     def visible(self) -> tuple[int, ...]:
@@ -205,11 +206,3 @@ def _loop(directed: set[tuple[int, int]]) -> list[int]:
 def sharp(wall: int, other: int, smooth: bool) -> bool:
     """Whether the edge between two walls is one of the solid, not one of a round surface."""
     return wall != other and not (smooth and wall < 0 and other < 0)
-
-
-def _normal(corners: Floats) -> Floats:
-    """Return the unit normal of a plane polygon (Newell's sum)."""
-    following = np.roll(corners, -1, axis=0)
-    normal: Floats = np.cross(corners - corners[0], following - corners[0]).sum(axis=0)
-    length = float(np.linalg.norm(normal))
-    return normal / length if length else normal

@@ -18,10 +18,11 @@ from functools import cached_property
 import numpy as np
 import numpy.typing as npt
 
+from arrangement.drawing.scene.items import Floats
+from arrangement.drawing.solids.sight import picture_axes
 from arrangement.duals.cells import Cell, Cells
 from arrangement.numbers.exact import IntegerVector, dot, sign
 from arrangement.numbers.linear.rank import cycle_edges
-from arrangement.pictures.sphere.globe import Floats, picture_axes
 from arrangement.planes.planes import Planes
 
 Key = tuple[int, ...]

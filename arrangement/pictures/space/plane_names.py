@@ -7,15 +7,15 @@ from typing import Any
 
 import numpy as np
 
+from arrangement.drawing.scene.items import Floats
 from arrangement.drawing.scene.labels import keep_off, spread, turn, write_beside, write_inside
 from arrangement.drawing.scene.measuring import area
 from arrangement.pictures.region_labels import RegionLabels
 from arrangement.pictures.sphere.disc import plane_names
-from arrangement.pictures.sphere.globe import Floats
 
 from .axes import arrow
 from .exploded_cells import Lifted
-from .planesheet import Colour, PlanesSheet
+from .planesheet import PlanesSheet
 
 
 class Names:
@@ -29,7 +29,7 @@ class Names:
 
     def number_planes(self) -> None:
         """Write the numbers of the planes around the body, with a line to a visible rim."""
-        wanted: list[tuple[float, Floats, str, Colour]] = []
+        wanted: list[tuple[float, Floats, str, str]] = []
         for label, members in enumerate(self.stage.arrangement.distinct):
             points = self._rim(label)
             if not len(points):
@@ -114,10 +114,8 @@ class Names:
         for name, tip in zip(self.picture.axes.names, self.picture.axes.tips, strict=True):
             tip, origin = self.place(tip), self.place(self.picture.axes.origin)
             off = keep_off([*closed, np.array([origin, tip])])
-            write_beside(
-                self.scene, tip, [name], (7.0, 6.0), off=off,
-                away=tip - origin, distance=2.0, style="italic",
-            )  # fmt: skip
+            look: dict[str, Any] = {"away": tip - origin, "distance": 2.0, "style": "italic"}
+            write_beside(self.scene, tip, [name], (7.0, 6.0), off=off, **look)
 
     def name_cells(self, *, beside: bool = True) -> int:
         """Write the name of each lifted cell on its largest free face, or `beside` it.
@@ -141,10 +139,10 @@ class Names:
                     continue
                 way = item.shift[:2] + 1e-12
                 corners = self.place(item.corners)
+                look: dict[str, Any] = {"away": way, "off": around}
                 write_beside(
-                    self.scene, corners[int(np.argmax(corners @ way))], forms, (7.0, 6.0),
-                    away=way, off=around,
-                )  # fmt: skip
+                    self.scene, corners[int(np.argmax(corners @ way))], forms, (7.0, 6.0), **look
+                )
         return left
 
     def _lines(self) -> Any:

@@ -4,17 +4,20 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
+import numpy as np
+
 from arrangement.arrangement import Arrangement
-from arrangement.drawing.colours import chosen, darkened, fill_colour
+from arrangement.drawing.colours import chosen, fill_colour
 from arrangement.drawing.figure import picture
 from arrangement.drawing.registry import AxisNames, Exact, Vector
+from arrangement.drawing.scene.items import Floats
 from arrangement.drawing.scene.measuring import checked_width
 from arrangement.drawing.scene.scene import Scene
+from arrangement.drawing.solids.sight import light, lit, view_direction
 from arrangement.duals.cells import cut_cells, read_signs
 from arrangement.pictures.essential import shown_as
 from arrangement.pictures.region_labels import RegionLabels
 from arrangement.pictures.sphere.coordinates import in_coordinates
-from arrangement.pictures.sphere.globe import TO_LIGHT, view_direction
 
 from .axes import StagedAxes, drawn_axes
 from .exploded_cells import lifted_cells
@@ -99,13 +102,14 @@ def draw_planes(
 
 def _painter(colour: str | FacetPainter) -> FacetPainter:
     painters: dict[str, FacetPainter] = {
-        "planes": lambda facet: darkened(fill_colour(facet.label), 0.7 + 0.3 * _light(facet)),
-        "shade": lambda facet: darkened("#ffffff", 0.1 + 0.85 * _light(facet)),
+        "planes": lambda facet: lit(fill_colour(facet.label), _facing(facet), 0.7),
+        "shade": lambda facet: lit("#ffffff", _facing(facet), 0.1),
         "none": lambda facet: "#ffffff",
     }
     return chosen(colour, painters)
 
 
-def _light(facet: DrawnFacet) -> float:
-    """Return how much a facet faces the light, from either side."""
-    return abs(float(TO_LIGHT @ facet.normal))
+def _facing(facet: DrawnFacet) -> Floats:
+    """Return the normal of a facet on the side of the light."""
+    normal = np.array(facet.normal)
+    return normal if light(normal) else -normal

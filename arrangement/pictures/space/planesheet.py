@@ -11,11 +11,12 @@ from typing import Any, TypeAlias
 
 import numpy as np
 
-from arrangement.drawing.colours import SKIN
+from arrangement.drawing.colours import SKIN, pale
+from arrangement.drawing.scene.items import Floats
 from arrangement.drawing.scene.measuring import POINTS, measure
 from arrangement.drawing.scene.scene import Scene
+from arrangement.drawing.solids.sight import lit, unit
 from arrangement.pictures.sphere.disc import plane_names, thinner
-from arrangement.pictures.sphere.globe import TO_LIGHT, Floats
 
 from .axes import INK, StagedAxes, arrow
 from .exploded_cells import Lifted
@@ -23,8 +24,6 @@ from .painting import Facet, Key, Stage
 
 #: Opacity of the facets; what lies behind them shows through.
 OPACITY = 0.82
-#: The share of white in the colour of a plane.
-WHITE = 0.42
 #: Room for the numbers around the body, at least; in points.
 MARGIN = 15.0
 
@@ -45,7 +44,6 @@ class DrawnFacet:
     normal: tuple[float, float, float]
 
 
-Colour: TypeAlias = tuple[float, float, float]
 FacetPainter: TypeAlias = Callable[[DrawnFacet], str]
 
 
@@ -210,34 +208,21 @@ class PlanesSheet:
             face, wall = item.cell.faces[k], item.cell.walls[k]
             corners, normal = item.points[list(face)], item.normals[k]
             if wall < 0 and self.round:
-                normal = corners.mean(axis=0) - item.shift
-                normal = normal / np.linalg.norm(normal)
-            colour = _shaded(SKIN if wall < 0 else self.colour(wall), normal)
-            self.scene.polygon(
-                self.place(corners), fc=colour, ec=colour, lw=0.3,
-                zorder=self.z, joinstyle="round", gid=name,
-            )  # fmt: skip
+                normal = unit(corners.mean(axis=0) - item.shift)
+            colour = lit(SKIN if wall < 0 else self.colour(wall), normal)
+            look: dict[str, Any] = {"lw": 0.3, "zorder": self.z, "joinstyle": "round", "gid": name}
+            self.scene.polygon(self.place(corners), fc=colour, ec=colour, **look)
         for segment in item.outlines():
             self._line(self.place(segment), {"lw": 0.9})
 
-    def colour(self, label: int) -> Colour:
+    def colour(self, label: int) -> str:
         """Return the colour of a plane, as its facets have it."""
         normal = self.stage.planes[label][0]
         return _pale(self.paint(DrawnFacet(label, (), (normal[0], normal[1], normal[2]))))
 
 
-def _pale(colour: str) -> Colour:
-    """Return a colour mixed with white."""
-    from matplotlib.colors import to_rgb
+def _pale(colour: str) -> str:
+    """Return any colour that matplotlib knows, mixed with white."""
+    from matplotlib.colors import to_hex
 
-    red, green, blue = (x + (1 - x) * WHITE for x in to_rgb(colour))
-    return red, green, blue
-
-
-def _shaded(colour: str | Colour, normal: Floats) -> Colour:
-    """Return a colour as it looks on a face with this normal."""
-    from matplotlib.colors import to_rgb
-
-    light = 0.76 + 0.24 * max(0.0, float(TO_LIGHT @ normal))
-    red, green, blue = to_rgb(colour)
-    return red * light, green * light, blue * light
+    return pale(to_hex(colour))

@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from itertools import combinations, product
+from itertools import combinations
 
 import numpy as np
 
+from arrangement.drawing.scene.items import Floats
+from arrangement.drawing.solids.sight import best_view, unit_vectors, views
 from arrangement.duals.cells import Cells
 from arrangement.numbers.exact import IntegerVector, primitive, unoriented
-from arrangement.pictures.sphere.globe import Floats, unit_vectors
 
 #: Pairs of lines that are compared at most; the rest of a large arrangement hardly matters.
 _MOST_PAIRS = 400
@@ -24,12 +25,13 @@ def clear_sight(cells: Cells, lifted: Sequence[tuple[int, ...]] = ()) -> Integer
     Lifted cells move sideways in the picture, a little towards the viewer. The choice is one of a
     fixed list, so that it is exact and repeats.
     """
-    views = [v for v in product(range(-7, 8), range(-7, 8), range(1, 6)) if primitive(v) == v]
-    units = unit_vectors(views)
-    views = [v for v, u in zip(views, units, strict=True) if 0.25 < u[2] < 0.62]
-    units = unit_vectors(views)
+    found = views(range(-7, 8), range(-7, 8), range(1, 6), low=0.25, high=0.62)
+    return best_view(found, lambda seen: _score(unit_vectors(seen), cells, lifted))
+
+
+def _score(units: Floats, cells: Cells, lifted: Sequence[tuple[int, ...]]) -> Floats:
     normals = [plane[:3] for plane in cells.arrangement.integer_planes]
-    score = np.ones(len(views))
+    score = np.ones(len(units))
     if normals:
         facing = np.abs(units @ unit_vectors(normals).T)
         oblique = np.minimum(facing, 0.8 * np.sqrt(np.maximum(0.0, 1 - facing**2)))
@@ -39,8 +41,8 @@ def clear_sight(cells: Cells, lifted: Sequence[tuple[int, ...]] = ()) -> Integer
     for way in _ways(cells, lifted):
         towards = units @ way
         score *= np.exp(-(((towards - 0.3) / 0.35) ** 2))
-    score *= 1 + 0.02 * units[:, 0] - 0.05 * units[:, 1]
-    return views[int(np.argmax(np.round(score, 9)))]
+    found: Floats = score * (1 + 0.02 * units[:, 0] - 0.05 * units[:, 1])
+    return found
 
 
 def _lines(cells: Cells, normals: Sequence[IntegerVector]) -> list[IntegerVector]:

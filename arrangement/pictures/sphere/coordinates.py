@@ -25,13 +25,12 @@ import numpy.typing as npt
 from arrangement.arrangement import Arrangement
 from arrangement.console.progress import note
 from arrangement.drawing.registry import Vector
+from arrangement.drawing.solids.sight import unit, unit_vectors
 from arrangement.errors import refusal
 from arrangement.numbers.exact import IntegerVector, dot, primitive, shown
 from arrangement.numbers.linear.rank import cross, rank, triple_product
 from arrangement.numbers.real_entries import real_vector
 from arrangement.planes.planes import Planes
-
-from .globe import unit_vectors
 
 Floats = npt.NDArray[np.float64]
 
@@ -66,7 +65,7 @@ class Symmetry:
 
     def stabilizers(self, points: Floats) -> npt.NDArray[np.int64]:
         """Return for each line through a point how many maps of the group keep it."""
-        framed = _unit(points @ np.linalg.inv(self.frame))
+        framed = unit(points @ np.linalg.inv(self.frame))
         kept = np.abs(np.einsum("pi,gij,pj->pg", framed, self.group, framed)) > 1 - _CLOSE
         return np.asarray(kept.sum(axis=1))
 
@@ -96,8 +95,10 @@ def in_coordinates(
         matrix = (symmetric_map if chosen == "symmetric" else _even_map)(arrangement)
         if matrix is None and coordinates is None and _is_narrow(arrangement):
             matrix = _even_map(arrangement)
-            note("the planes are narrow: drawn with normals spread evenly, unless coordinates "
-                 "given are asked for")  # fmt: skip
+            note(
+                "the planes are narrow: drawn with normals spread evenly, unless coordinates "
+                "given are asked for"
+            )
     if matrix is None:
         return arrangement, direction
     rows = _rational(matrix)
@@ -138,7 +139,7 @@ def symmetry(arrangement: Planes) -> Symmetry | None:
     if frame is None:
         note("the symmetry of the planes was not found; given coordinates are drawn")
         return None
-    group = _group(_unit(normals @ frame.T))
+    group = _group(unit(normals @ frame.T))
     if len(group) < _LEAST:
         return None
     back = np.linalg.inv(frame)
@@ -161,7 +162,7 @@ def _balanced(normals: Floats, weights: Floats) -> Floats | None:
     """Return a matrix after which weighted unit normals have the identity as sum of squares."""
     frame = np.eye(3)
     for _ in range(_ROUNDS):
-        moved = _unit(normals @ frame.T)
+        moved = unit(normals @ frame.T)
         squares = (moved.T * weights) @ moved
         if np.abs(squares - np.eye(3)).max() < _CLOSE / 100:
             return frame
@@ -208,7 +209,7 @@ def even_map(normals: Floats) -> Floats:
     """
     whole = np.eye(3)
     for _ in range(_EVEN_ROUNDS):
-        moved = _unit(normals @ whole.T)
+        moved = unit(normals @ whole.T)
         scatter = (1 - _PULL) * 3 * moved.T @ moved / len(moved) + _PULL * np.eye(3)
         whole = _inverse_root(scatter) @ whole
     return _normed(whole)
@@ -240,11 +241,6 @@ def _rational(matrix: Floats) -> list[IntegerVector]:
         scale *= 8
         rows = [tuple(round(x * scale) for x in row) for row in matrix.tolist()]
     return rows
-
-
-def _unit(vectors: Floats) -> Floats:
-    unit: Floats = vectors / np.linalg.norm(vectors, axis=-1, keepdims=True)
-    return unit
 
 
 def _inverse_root(squares: Floats) -> Floats:

@@ -31,9 +31,7 @@ from .projections import Drawn, Projection
 #: Room for the numbers of the planes between the rim and the border, at least; in points.
 RIM = 13.0
 #: What is hidden: thinner, lighter, dashed. One rule for spheres and polyhedra.
-HIDDEN: dict[str, Any] = {
-    "lw": 0.5, "ls": (0, (3, 3)), "alpha": 0.5, "zorder": 2, "role": "hidden"
-}  # fmt: skip
+HIDDEN: dict[str, Any] = {"lw": 0.5, "ls": (0, (3, 3)), "alpha": 0.5, "zorder": 2, "role": "hidden"}
 #: From so many circles on lines are thinner.
 _MANY = 15
 #: More regions than this get no leader lines.

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from itertools import combinations, product
+from itertools import combinations
 
 import numpy as np
 
@@ -16,15 +16,16 @@ from arrangement.drawing.scene.items import Floats
 from arrangement.drawing.scene.labels import ring
 from arrangement.drawing.scene.measuring import checked_width
 from arrangement.drawing.scene.scene import Scene
-from arrangement.numbers.exact import IntegerVector, dot, primitive, reduced, unoriented
+from arrangement.drawing.solids.sight import best_view, picture_axes, unit_vectors, views
+from arrangement.numbers.exact import IntegerVector, dot, reduced, unoriented
 from arrangement.numbers.linear.rank import cross
 from arrangement.pictures.essential import shown_as
 from arrangement.pictures.region_labels import RegionLabels, explain_regions
 
 from .coordinates import in_coordinates, symmetry
 from .disc import alone, front, plane_names
-from .globe import Globe, best_direction, picture_axes, unit_vectors
-from .projections import Chart, Drawn, StraightChart, orthographic
+from .globe import Globe, far_direction
+from .projections import CompressedChart, Drawn, StraightChart, orthographic
 
 _BOTH_ENDS = 16
 
@@ -80,7 +81,7 @@ def draw_gnomonic(
     colours = globe.colouring(colour, antipodes)
     disc = alone(globe, _chart(globe), names, width)
     dotted = []
-    if isinstance(disc.drawn.projection, Chart):
+    if isinstance(disc.drawn.projection, CompressedChart):
         inner = disc.drawn.projection.inner
         style = {"lw": 0.5, "ls": (0, (1, 2)), "zorder": 2, "gid": "to-scale", "role": "line"}
         disc.scene.circle(disc.centre, disc.radius * inner, fill=False, ec="black", **style)
@@ -122,9 +123,9 @@ def _chart(globe: Globe) -> Drawn:
     return front(globe, _even_chart(np.linalg.norm(places, axis=1)))
 
 
-def _even_chart(spans: Floats) -> Chart:
+def _even_chart(spans: Floats) -> CompressedChart:
     """Return a chart that is to scale for most points at these distances from its middle."""
-    return Chart(max(0.3, float(np.quantile(spans, 0.7))))
+    return CompressedChart(max(0.3, float(np.quantile(spans, 0.7))))
 
 
 def _upright(globe: Globe) -> Globe:
@@ -156,7 +157,10 @@ def _central_direction(globe: Globe) -> IntegerVector:
     lines = unit_vectors(rays)
     inside = np.abs(lines @ lines.T)
     if globe.whole.circle_count <= _OPEN:
-        return best_direction(arrangement, lambda units: np.abs(units @ lines.T).min(axis=1), rays)
+        ray = best_view(rays, lambda seen: np.abs(unit_vectors(seen) @ lines.T).min(axis=1))
+        far = far_direction(arrangement, lines)
+        at_ray, at_far = np.abs(unit_vectors([ray, far]) @ lines.T).min(axis=1)
+        return ray if at_ray > 0.98 * at_far else far
     found = symmetry(arrangement)
     if found is not None:
         kept = found.stabilizers(lines)
@@ -165,8 +169,8 @@ def _central_direction(globe: Globe) -> IntegerVector:
         best = max(range(len(rays)), key=lambda v: (kept[v], nearest[v], rays[v]))
         if kept[best] > 2:
             return _along(rays[best], [rays[v] for v in np.flatnonzero(inside[best] < _AT_LIMB)])
-    views = [v for v in product(range(-3, 4), repeat=3) if v == unoriented(primitive(v)) and any(v)]
-    return max(views, key=lambda view: _evenness(picture_axes(view), lines))
+    halves = [v for v in views(*[range(-3, 4)] * 3) if v == unoriented(v)]
+    return best_view(halves, lambda seen: [_evenness(picture_axes(v), lines) for v in seen])
 
 
 def _along(ray: IntegerVector, others: Sequence[IntegerVector]) -> IntegerVector:

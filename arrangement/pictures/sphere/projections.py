@@ -16,7 +16,9 @@ from typing import TypeAlias
 import numpy as np
 
 from arrangement.drawing.scene.items import Floats
+from arrangement.drawing.solids.sight import across
 from arrangement.enumeration.great_circles import SphereArrangement
+from arrangement.numbers.linear.rank import cross
 
 Projection: TypeAlias = Callable[[Floats, Floats, float], Floats]
 
@@ -55,7 +57,7 @@ def stereographic(normal: Floats, start: Floats, angle: float) -> Floats:
 
 
 @dataclass(frozen=True)
-class Chart:
+class CompressedChart:
     """The plane that touches the sphere at the viewer's point, with its line at infinity.
 
     Within `reach` of the middle the chart is to scale, and arcs are straight. Beyond it, distance
@@ -120,9 +122,9 @@ class Drawn:
         normal = self.normals[int(incidence.arc_circle[arc])]
         start, stop = incidence.origin[2 * arc], incidence.origin[2 * arc + 1]
         if start < 0:
-            return self.projection(normal, _across(normal), 2 * math.pi)
+            return self.projection(normal, across(normal), 2 * math.pi)
         p, q = self.points[start], self.points[stop]
-        angle = math.atan2(math.hypot(*_cross(p, q)), float(p @ q))
+        angle = math.atan2(math.hypot(*cross(p.tolist(), q.tolist())), float(p @ q))
         return self.projection(normal, p, angle)
 
     def ends(self, circle: int) -> tuple[float, float]:
@@ -193,7 +195,7 @@ class StraightChart(Drawn):
             return joined(ends, np.tile((ends[1] - ends[0]) / 3, (2, 1)))
         normal = self.normals[self.limb]
         if start < 0:
-            return self.projection(normal, _across(normal), 2 * math.pi)
+            return self.projection(normal, across(normal), 2 * math.pi)
         way = 1.0 if normal[2] > 0 else -1.0
         sweep = way * (self._at_rim[stop] - self._at_rim[start]) % (2 * math.pi)
         return self.projection(normal, np.array([*self.places[start], 0.0]), sweep)
@@ -208,22 +210,9 @@ class StraightChart(Drawn):
         return first % (2 * math.pi), second % (2 * math.pi)
 
 
-def _across(normal: Floats) -> Floats:
-    """Return a unit vector orthogonal to another, the same for all normals of a class."""
-    p = np.cross(normal, np.eye(3)[int(np.argmin(np.abs(normal)))])
-    across: Floats = p / np.linalg.norm(p)
-    return across
-
-
-def _cross(left: Floats, right: Floats) -> tuple[float, float, float]:
-    """Return what `numpy.cross` does, for one pair of vectors in a tenth of its time."""
-    (a, b, c), (x, y, z) = left.tolist(), right.tolist()
-    return b * z - c * y, c * x - a * z, a * y - b * x
-
-
 def _points(normal: Floats, start: Floats, angle: float, most: float) -> tuple[Floats, Floats]:
     """Return points along an arc, at most `most` apart, and the unit tangents there."""
-    side = np.array(_cross(normal, start))
+    side = np.array(cross(normal.tolist(), start.tolist()))
     steps = max(1, math.ceil(angle / max(most, 1e-3) - 1e-9))
     at = np.linspace(0, angle, steps + 1)[:, None]
     return np.cos(at) * start + np.sin(at) * side, np.cos(at) * side - np.sin(at) * start

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import replace
+from typing import Any
 
 import numpy as np
 
@@ -15,13 +16,14 @@ from arrangement.drawing.scene.items import Floats
 from arrangement.drawing.scene.labels import keep_off, write_beside
 from arrangement.drawing.scene.measuring import checked_width
 from arrangement.drawing.scene.scene import Scene
+from arrangement.drawing.solids.sight import unit, unit_vectors
 from arrangement.pictures.essential import shown_as
 from arrangement.pictures.region_labels import RegionLabels, explain_regions
 from arrangement.pictures.space.axes import INK, REACH, arrow, drawn_axes, within_reach
 
 from .coordinates import in_coordinates
 from .disc import HIDDEN, Disc, alone, front
-from .globe import Globe, unit_vectors
+from .globe import Globe
 from .projections import orthographic
 
 
@@ -85,10 +87,8 @@ def draw_sphere(
     lines = disc.draw(colours.paint, avoid=[*arms, *arrows])
     off = keep_off(lines)
     for name, (_, tip) in zip(shown, arms, strict=True):
-        write_beside(
-            disc.scene, tip, [name], (7.0, 6.0), off=off,
-            away=tip - np.array(disc.centre), distance=2.0, style="italic",
-        )  # fmt: skip
+        look: dict[str, Any] = {"off": off, "away": tip - np.array(disc.centre), "distance": 2.0}
+        write_beside(disc.scene, tip, [name], (7.0, 6.0), style="italic", **look)
     explain_regions(disc.scene, colours, names, globe.front.values())
     return disc.scene
 
@@ -113,8 +113,7 @@ def _side(disc: Disc, circle: int) -> Floats:
     sphere, axes = disc.globe.whole, disc.globe.axes
     first = sphere.arrangement.integer_planes[sphere.arrangement.distinct[circle][0]][:3]
     normal = axes @ unit_vectors([first])[0]
-    near = np.array([0.0, 0.0, 1.0]) - normal[2] * normal
-    near /= np.linalg.norm(near)
+    near = unit(np.array([0.0, 0.0, 1.0]) - normal[2] * normal)
     along = np.cross(normal, near)
     vertices = disc.globe.points
     spots = [math.cos(t) * near + math.sin(t) * along for t in np.arange(-9, 10) * 0.1]

@@ -23,6 +23,7 @@ from arrangement.drawing.scene.labels import (
 )
 from arrangement.drawing.scene.measuring import checked_width
 from arrangement.drawing.scene.scene import Scene
+from arrangement.drawing.solids.sight import unit_vectors
 from arrangement.errors import InputError
 from arrangement.numbers.exact import IntegerVector
 from arrangement.pictures.essential import shown_as
@@ -30,7 +31,7 @@ from arrangement.pictures.region_labels import RegionLabels, explain_regions
 
 from .coordinates import in_coordinates
 from .disc import HIDDEN, alone, front, label_regions, plane_names, rim_width
-from .globe import Globe, best_direction, unit_vectors
+from .globe import Globe, far_direction
 from .projections import Drawn, stereographic
 
 #: The whole plane is shown of itself when all circles end within this many radii of the limb.
@@ -149,10 +150,8 @@ class _Whole:
         discs = map(ring, centres, self.scale / np.abs(c))
         for text in self.outer:
             write_inside(self.scene, corners, text, off=keep_off([], discs))
-        label_regions(
-            self.scene, self.names, outlines, [*lines, dashes], [dashes],
-            (*(corners[0] + 2), *(corners[2] - 2)),
-        )  # fmt: skip
+        inside = (*(corners[0] + 2), *(corners[2] - 2))
+        label_regions(self.scene, self.names, outlines, [*lines, dashes], [dashes], inside)
 
     def _fill(self) -> list[tuple[DrawnRegion, Floats]]:
         """Fill the outer region first, then all others; return all but it with outlines."""
@@ -191,11 +190,9 @@ class _Whole:
         angle = math.atan2(b * c, a * c) + (step + 1) // 2 * 0.075 * (1 if step % 2 else -1)
         outward = np.array([math.cos(angle), math.sin(angle)])
         rim = self.on_paper((centre + radius * outward)[None])[0]
-        return write_beside(
-            self.scene, rim, [text], (7.0, 6.0), off=off, away=outward, distance=1.2,
-            within=tuple(np.concatenate([self._corners()[0] + 4, self._corners()[2] - 4])),
-            turns=2, style="italic",
-        )  # fmt: skip
+        inside = (*(self._corners()[0] + 4), *(self._corners()[2] - 4))
+        look: dict[str, Any] = {"away": outward, "distance": 1.2, "turns": 2, "style": "italic"}
+        return write_beside(self.scene, rim, [text], (7.0, 6.0), off=off, within=inside, **look)
 
 
 def _farthest(globe: Globe) -> float:
@@ -212,7 +209,4 @@ def _inner_direction(globe: Globe) -> IntegerVector:
     """Return the direction that keeps farthest from all planes."""
     if not globe.whole.circle_count:
         return (1, 1, 1)
-    normals = unit_vectors(globe.whole.circle_normals).T
-    return best_direction(
-        globe.whole.arrangement, lambda units: np.abs(units @ normals).min(axis=1)
-    )
+    return far_direction(globe.whole.arrangement, unit_vectors(globe.whole.circle_normals))

@@ -4,7 +4,7 @@ Everything that had to be rounded is rounded here, once, on purpose, and the err
 exactly; the grasp that comes out is exact.
 """
 
-from .conversion import Conversion, Incidence, simplest_between, snapped
+from .conversion import ContactIncidence, Conversion, simplest_between, snapped
 from .csv_file import read_csv
 from .documents import read_any
 from .floats import from_float_data, read_float_data
@@ -13,8 +13,8 @@ from .polygon import OnEdge, from_polygon, on_circle, read_polygon
 from .random import random_grasp, random_wrench, star_outline
 
 __all__ = [
+    "ContactIncidence",
     "Conversion",
-    "Incidence",
     "OnEdge",
     "from_float_data",
     "from_polygon",

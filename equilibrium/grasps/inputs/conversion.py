@@ -25,7 +25,7 @@ from equilibrium.model.unit_normal import UnitNormal, unit_normal
 DEFAULT_TOLERANCE = Fraction(1, 10**6)
 
 
-class Incidence(NamedTuple):
+class ContactIncidence(NamedTuple):
     """Something that contacts have in common, exactly.
 
     Attributes:
@@ -76,7 +76,7 @@ class Conversion:
     point_errors: RationalVector
     angle_errors: RationalVector
     value_error: Fraction = Fraction(0)
-    kept: tuple[Incidence, ...] = ()
+    kept: tuple[ContactIncidence, ...] = ()
 
     @property
     def exact(self) -> bool:

@@ -21,7 +21,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from arrangement.numbers.exact import RationalVector, dot, from_floats
-from arrangement.numbers.linear.rank import cross
+from arrangement.numbers.linear.rank import cross, difference
 from equilibrium.model.contact import VALUES, Contact
 from equilibrium.model.data_error import DataError
 from equilibrium.model.errors import GraspError
@@ -29,7 +29,7 @@ from equilibrium.model.grasp import Grasp
 from equilibrium.model.outline import Outline
 from equilibrium.model.unit_normal import UnitNormal, angle_error, unit_normal
 
-from .conversion import Conversion, Incidence, assembled, simplest_between, unit_normals
+from .conversion import ContactIncidence, Conversion, assembled, simplest_between, unit_normals
 
 Floats: TypeAlias = NDArray[np.float64]
 
@@ -131,7 +131,7 @@ def equal_numbers(values: Sequence[Fraction], bound: Fraction, how: Rounding) ->
 
 def rounded_contacts(
     points: Sequence[RationalVector], directions: Sequence[RationalVector], how: Rounding
-) -> tuple[list[RationalVector], list[UnitNormal], tuple[Incidence, ...]]:
+) -> tuple[list[RationalVector], list[UnitNormal], tuple[ContactIncidence, ...]]:
     """Return points and exactly unit normals near the given ones, with the incidences kept."""
     flat = equal_numbers([x for point in points for x in point], how.snap, how)
     n = len(points[0]) if points else 2
@@ -169,12 +169,12 @@ def converted(
     sizes = {len(vector) for vector in (*points, *wanted)}
     plain = max((abs(x) for point in points for x in point), default=Fraction(0)) < _LARGEST
     exact = not how.snap and not any(normal.angle_error for normal in normals)
-    kept: tuple[Incidence, ...] = ()
+    kept: tuple[ContactIncidence, ...] = ()
     moved = points
     if not exact and len(sizes) == 1 and plain:
         moved, normals, kept = rounded_contacts(points, wanted, how)
     changed = [
-        (new, error + max(map(abs, _minus(new, old))))
+        (new, error + max(map(abs, difference(new, old))))
         for new, old, (_, error) in zip(moved, points, places, strict=True)
     ]
     error = DataError(how.error if how.keep else how.snap, how.angle, value_bound, not how.keep)
@@ -251,7 +251,7 @@ class _Work:
         self.along = along / np.linalg.norm(along, axis=1)[:, None]
         self.size = float(np.ptp(self.at, axis=0).max())
         self.error, self.angle = (how.found_within * float(x) for x in (how.error, how.angle))
-        self.kept: list[Incidence] = []
+        self.kept: list[ContactIncidence] = []
         self.base: dict[int, RationalVector] = {}
         self.height: dict[int, Fraction] = {}
         self.classes = list(self._parallel())
@@ -268,10 +268,10 @@ class _Work:
         for line in self.lines.values():
             if len(line) > 1:
                 self.base.setdefault(line[0], self.places[line[0]])
-                self.kept.append(Incidence("line", tuple(line)))
+                self.kept.append(ContactIncidence("line", tuple(line)))
         for members in self.classes:
             if len(members) > 1:
-                self.kept.append(Incidence("parallel", tuple(members)))
+                self.kept.append(ContactIncidence("parallel", tuple(members)))
                 self._levels(members)
         for i, (place, normal) in enumerate(zip(self.places, self.normals, strict=True)):
             base = self.base.get(self.line[i], place)
@@ -378,7 +378,7 @@ class _Work:
             right = self.leader[j] == j and abs(self.along[j] @ self.along[i]) <= self.angle
             if right and len(near) < 2 and not any(dot(normal, other) for other in near):
                 near.append(normal)
-                self.kept.append(Incidence("square", (j, i)))
+                self.kept.append(ContactIncidence("square", (j, i)))
         return near
 
     def _meet(self, members: list[int], near: Floats) -> None:
@@ -391,11 +391,11 @@ class _Work:
         settled = list({self.line[i]: i for i in members if self.line[i] in self.base}.values())
         if settled:
             normal, base = self.normals[settled[0]].normal, self.base[self.line[settled[0]]]
-            height = dot(normal, _minus(centre, base))
+            height = dot(normal, difference(centre, base))
             other = next((i for i in settled if any(self._miss(i, base))), None)
             if other is not None and self.n == 2:
                 x, y = self.normals[other].normal
-                across, apart = (-y, x), _minus(self.base[self.line[other]], base)
+                across, apart = (-y, x), difference(self.base[self.line[other]], base)
                 if not dot(across, normal):
                     return
                 height = dot(across, apart) / dot(across, normal)
@@ -417,7 +417,7 @@ class _Work:
     def _round(self, members: list[int], centre: RationalVector) -> None:
         """Give equal distances to points at equal distances from the centre."""
         bound = self.how.error / 2
-        radii = [dot(self.normals[i].normal, _minus(centre, self.points[i])) for i in members]
+        radii = [dot(self.normals[i].normal, difference(centre, self.points[i])) for i in members]
         even = [x if abs(x) > bound else Fraction(0) for x in radii]
         even = [y and x for x, y in zip(equal_numbers(even, bound, self.how), even, strict=True)]
         kind, largest = "meet", Fraction(0)
@@ -431,12 +431,14 @@ class _Work:
                 kind, largest = "round" if radius else "point", radius
             else:
                 on = tuple(sorted(i for i, _ in group))
-                self.kept.append(Incidence("round" if radius else "point", on, centre, radius))
-        self.kept.append(Incidence(kind, tuple(sorted(members)), centre, largest))
+                self.kept.append(
+                    ContactIncidence("round" if radius else "point", on, centre, radius)
+                )
+        self.kept.append(ContactIncidence(kind, tuple(sorted(members)), centre, largest))
 
     def _miss(self, i: int, point: RationalVector, base: RationalVector = ()) -> RationalVector:
         """Return how a point misses the line of a contact, settled or through its own point."""
-        away = _minus(point, base or self.base[self.line[i]])
+        away = difference(point, base or self.base[self.line[i]])
         normal = self.normals[i].normal
         height = dot(away, normal)
         return tuple(a - height * x for a, x in zip(away, normal, strict=True))
@@ -465,12 +467,8 @@ class _Work:
             for i in group:
                 self.height.setdefault(i, height * dot(first, self.normals[i].normal))
             if all(self.height[i] == height * dot(first, self.normals[i].normal) for i in group):
-                self.kept.append(Incidence("level", tuple(sorted(group))))
-
-
-def _minus(left: RationalVector, right: RationalVector) -> RationalVector:
-    return tuple(x - y for x, y in zip(left, right, strict=True))
+                self.kept.append(ContactIncidence("level", tuple(sorted(group))))
 
 
 def _within(left: RationalVector, right: RationalVector, bound: Fraction) -> bool:
-    return max(map(abs, _minus(left, right))) <= bound
+    return bool(max(map(abs, difference(left, right))) <= bound)

@@ -22,7 +22,7 @@ from numpy.typing import NDArray
 
 from arrangement.enumeration.packing import grouped
 from arrangement.numbers.exact import RationalVector, from_floats, shown, vector_text
-from arrangement.numbers.linear.rank import cross
+from arrangement.numbers.linear.rank import cross, difference
 from equilibrium.model.errors import GraspError
 from equilibrium.model.outline import Mesh, coordinates
 
@@ -107,7 +107,7 @@ class Surface:
     def exact_inward(self, facet: int) -> RationalVector:
         """Return the inward normal of a facet from the stored corners, of any length."""
         a, b, c = (from_floats(row) for row in self.points[self.facets[facet]])
-        first, second = ([y - x for x, y in zip(a, p, strict=True)] for p in (b, c))
+        first, second = (difference(p, a) for p in (b, c))
         return cross(second, first)
 
     def outline(self) -> Mesh | None:

@@ -9,6 +9,7 @@ from typing import Any, NamedTuple
 
 from arrangement.library.files.json_files import Source, check_keys, check_list, read_document
 from arrangement.numbers.exact import RationalVector, rational, rational_vector, shown, sign
+from arrangement.numbers.linear.rank import cycle_edges, difference
 from equilibrium.model.contact import VALUES
 from equilibrium.model.errors import GraspError
 from equilibrium.model.outline import Circle, Polygon, coordinates
@@ -127,7 +128,7 @@ def from_polygon(
     ]
     directions = []
     for edge, _ in found:
-        along = _minus(corners[(edge + 1) % len(corners)], corners[edge])
+        along = difference(corners[(edge + 1) % len(corners)], corners[edge])
         directions.append((-inside * along[1], inside * along[0]))
     return converted(
         [(point, Fraction(0)) for _, point in found],
@@ -154,7 +155,7 @@ def _orientation(corners: Sequence[RationalVector]) -> int:
                     f"edges {i} and {j} of the polygon meet outside a common corner; "
                     "list the corners of a simple polygon in order"
                 )
-    area = sum(_cross(a, b) for a, b in zip(corners, [*corners[1:], corners[0]], strict=True))
+    area = sum(_cross(a, b) for a, b in cycle_edges(corners))
     return sign(area)
 
 
@@ -167,7 +168,7 @@ def _clash(corners: Sequence[RationalVector], i: int, j: int) -> bool:
         return True
     if j == i + 1 or (i == 0 and j == n - 1):
         first, shared, last = (a, b, d) if j == i + 1 else (c, a, b)
-        back, ahead = _minus(first, shared), _minus(last, shared)
+        back, ahead = difference(first, shared), difference(last, shared)
         return _cross(back, ahead) == 0 and back[0] * ahead[0] + back[1] * ahead[1] > 0
     return _segments_meet(a, b, c, d)
 
@@ -176,7 +177,7 @@ def _segments_meet(
     a: RationalVector, b: RationalVector, c: RationalVector, d: RationalVector
 ) -> bool:
     cases = ((a, b, c), (a, b, d), (c, d, a), (c, d, b))
-    turns = [sign(_cross(_minus(q, p), _minus(r, p))) for p, q, r in cases]
+    turns = [sign(_cross(difference(q, p), difference(r, p))) for p, q, r in cases]
     crossing = turns[0] * turns[1] < 0 and turns[2] * turns[3] < 0
     return crossing or any(_parameter(*case) is not None for case in cases)
 
@@ -185,7 +186,7 @@ def _parameter(
     start: RationalVector, end: RationalVector, point: RationalVector
 ) -> Fraction | None:
     """Return where a point lies on a segment, 0 to 1, or None."""
-    along, away = _minus(end, start), _minus(point, start)
+    along, away = difference(end, start), difference(point, start)
     if _cross(along, away) != 0:
         return None
     s = (along[0] * away[0] + along[1] * away[1]) / (along[0] ** 2 + along[1] ** 2)
@@ -221,10 +222,6 @@ def _placed(
         raise GraspError(f"places[{index}].at is {shown(s)}; it must be from 0 to 1")
     start, end = corners[edge], corners[(edge + 1) % len(corners)]
     return edge, tuple(x + s * (y - x) for x, y in zip(start, end, strict=True))
-
-
-def _minus(a: RationalVector, b: RationalVector) -> RationalVector:
-    return (a[0] - b[0], a[1] - b[1])
 
 
 def _cross(a: RationalVector, b: RationalVector) -> Fraction:

@@ -19,6 +19,7 @@ import numpy as np
 from arrangement.drawing.scene.items import Floats
 from arrangement.drawing.scene.labels import flattened
 from arrangement.numbers.exact import RationalVector
+from arrangement.numbers.linear.rank import cycle_edges
 from equilibrium.model.grasp import Grasp
 from equilibrium.model.outline import Circle, Outline
 
@@ -60,7 +61,7 @@ def stated_body(outline: Outline, frame: Frame) -> Floats:
         radius = float(outline.radius / frame.size)
         return arc(frame.paper(outline.centre), radius, 0.0, 2 * math.pi)
     places = [frame.paper(corner) for corner in outline.extremes]
-    return _joined([(p, p, q, q) for p, q in zip(places, [*places[1:], places[0]], strict=True)])
+    return _joined([(p, p, q, q) for p, q in cycle_edges(places)])
 
 
 def body(grasp: Grasp, frame: Frame) -> Floats | None:
@@ -96,7 +97,7 @@ def _convex(stops: Sequence[_Stop]) -> Floats:
     """Join contacts in the order of their tangent directions, counter-clockwise."""
     order = sorted(stops, key=lambda s: (round(_angle(s[1]), 9), float(s[0] @ s[1])))
     pieces: list[_Piece] = []
-    for (p, u), (q, v) in zip(order, [*order[1:], order[0]], strict=True):
+    for (p, u), (q, v) in cycle_edges(order):
         turn = (_angle(v) - _angle(u)) % (2 * math.pi)
         if min(turn, 2 * math.pi - turn) < 1e-9:
             turn = 2 * math.pi if float((q - p) @ u) <= 0 else 0.0
@@ -141,7 +142,7 @@ def _around(stops: Sequence[_Stop], centre: Floats) -> Floats | None:
     """Join contacts in angular order around a centre; None when the curve crosses itself."""
     order = sorted(stops, key=lambda s: (round(_angle(s[0] - centre), 9), _angle(s[1])))
     pieces = []
-    for (p, u), (q, v) in zip(order, [*order[1:], order[0]], strict=True):
+    for (p, u), (q, v) in cycle_edges(order):
         arm = 0.38 * float(np.linalg.norm(q - p))
         pieces.append((p, p + arm * u, q - arm * v, q))
     curve = _joined(pieces)

@@ -13,7 +13,7 @@ from arrangement.drawing.registry import Corner, Exact, Vector, Wrench
 from arrangement.drawing.scene.items import Floats
 from arrangement.drawing.scene.labels import flattened, ring
 from arrangement.drawing.scene.measuring import checked_width
-from arrangement.drawing.scene.scene import Legend, Scene
+from arrangement.drawing.scene.scene import Legend, Scene, fitted
 from equilibrium.decide.verdict import Solver
 from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import Grasp
@@ -24,7 +24,7 @@ from equilibrium.pictures.style import CONE_EDGE, CONE_FILL, nice_near, number, 
 from equilibrium.plane.search.state_equilibrium import Solution
 
 from .layout import ARC, FORCE, Layout, displaced, layout_of
-from .shapes import Labels, arrow, fitted, mark, turning_arrow
+from .shapes import Labels, arrow, mark, turning_arrow
 
 
 @picture
@@ -109,7 +109,7 @@ def drawn(layout: Layout, width: float, tallest: float | None = None) -> Scene:
     """Return the picture; see `fitted` for its size."""
     scene, scale, shift = fitted(width, _content(layout), tallest)
     _describe(layout, scene.legend, scale)
-    picture = Picture(layout, scene, scale, shift)
+    picture = GraspPicture(layout, scene, scale, shift)
     picture.body()
     picture.contacts()
     picture.wrench()
@@ -118,7 +118,7 @@ def drawn(layout: Layout, width: float, tallest: float | None = None) -> Scene:
     return scene
 
 
-class Picture:
+class GraspPicture:
     """Puts a layout on a scene: a place p on paper at ``scale * p + shift``."""
 
     def __init__(self, layout: Layout, scene: Scene, scale: float, shift: Floats) -> None:
@@ -149,8 +149,9 @@ class Picture:
             return
         middle = self.at(np.mean(layout.places, axis=0) if layout.places else layout.origin)
         for i, place in enumerate(self.places):
-            scene.line([place, middle], ec=GREY, lw=0.5, ls=(0, (5, 2.5)), gid=f"link-{i + 1}",
-                       zorder=0.5)  # fmt: skip
+            scene.line(
+                [place, middle], ec=GREY, lw=0.5, ls=(0, (5, 2.5)), gid=f"link-{i + 1}", zorder=0.5
+            )
             self.labels.avoid([place, middle])
         if layout.step is not None:
             ends = self.at(displaced(layout, np.array(layout.places)))
@@ -173,22 +174,23 @@ class Picture:
             rim = self.at(np.vstack([layout.places[i], layout.cones[i]]))
             style = {"fc": CONE_FILL, "ec": CONE_EDGE, "lw": 0.5, "gid": f"cone-{i + 1}"}
             scene.polygon(rim, zorder=1, **style)
-            scene.line([p, rim[len(rim) // 2]], ec=CONE_EDGE, lw=0.5, ls=(0, (6, 2, 1, 2)),
-                       gid=f"normal-{i + 1}", zorder=1.1)  # fmt: skip
+            look: dict[str, Any] = {"ec": CONE_EDGE, "lw": 0.5, "ls": (0, (6, 2, 1, 2))}
+            scene.line([p, rim[len(rim) // 2]], gid=f"normal-{i + 1}", zorder=1.1, **look)
             pad = 0.07 * self.scale * t
-            scene.line([p - pad, p + pad], ec=BLACK, lw=1.6, gid=f"pad-{i + 1}", zorder=3,
-                       capstyle="butt")  # fmt: skip
+            scene.line(
+                [p - pad, p + pad], ec=BLACK, lw=1.6, gid=f"pad-{i + 1}", zorder=3, capstyle="butt"
+            )
             labels.avoid([*rim, p], [p, rim[len(rim) // 2]], [p - pad, p + pad])
             preload, arm = layout.preloads[i] * self.scale, layout.arms[i]
             if preload > 0:
                 away = p - preload * n
                 tip = p - 3.2 * n * (preload > 12)
-                edge = arrow(scene, away, tip, 1.6, fc="white", ec=GREY, lw=0.7,
-                             gid=f"preload-{i + 1}", zorder=3.5)  # fmt: skip
+                look = {"ec": GREY, "lw": 0.7, "gid": f"preload-{i + 1}", "zorder": 3.5}
+                edge = arrow(scene, away, tip, 1.6, fc="white", **look)
                 labels.avoid(edge)
             if arm is not None:
-                edge = arrow(scene, p, p + self.scale * arm, 1.0, fc=BLACK, ec="none",
-                             gid=f"force-{i + 1}", zorder=5.5)  # fmt: skip
+                look = {"fc": BLACK, "ec": "none", "gid": f"force-{i + 1}", "zorder": 5.5}
+                edge = arrow(scene, p, p + self.scale * arm, 1.0, **look)
                 labels.avoid(edge)
             if layout.found is not None:
                 # Marks of contacts at one place stand one behind the other.

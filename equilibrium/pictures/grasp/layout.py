@@ -86,9 +86,16 @@ def layout_of(
             x, y, torque = applied
             applied = (x, y, torque - (place[0] * y - place[1] * x))
     layout = Layout(
-        grasp, verdict, _chosen(verdict, piece), frame, curve, shape is not None,
-        frame.paper(place), applied, far,
-    )  # fmt: skip
+        grasp,
+        verdict,
+        _chosen(verdict, piece),
+        frame,
+        curve,
+        shape is not None,
+        frame.paper(place),
+        applied,
+        far,
+    )
     layout.places = [frame.paper(c.point) for c in grasp]
     layout.normals = [np.array([float(x) for x in c.normal]) for c in grasp]
     layout.cones = [

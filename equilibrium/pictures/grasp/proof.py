@@ -6,6 +6,7 @@ import math
 from collections.abc import Mapping
 from dataclasses import replace
 from fractions import Fraction
+from typing import Any
 
 import numpy as np
 
@@ -17,7 +18,7 @@ from arrangement.drawing.scene.labels import flattened
 from arrangement.drawing.scene.measuring import POINTS, area, checked_width
 from arrangement.drawing.scene.scene import Scene
 from arrangement.numbers.exact import RationalVector
-from equilibrium.certificate.leaves import Part, works
+from equilibrium.certificate.leaves import ClosedPart, works
 from equilibrium.decide.verdict import Verdict
 from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import Grasp
@@ -28,7 +29,7 @@ from equilibrium.pictures.wrenches.panel import ABOVE, BELOW, LEFT, Panel
 from equilibrium.pictures.wrenches.row import GAP, RIGHT
 from equilibrium.pictures.wrenches.window import roomiest
 
-from .grasp import Picture
+from .grasp import GraspPicture
 from .layout import MOVED, Layout, layout_of, shift_at
 from .proof_maps import MAP, TURNS, Shape, proof_maps, summary_lines
 from .shapes import Labels, arc, arrow, turning_arrow
@@ -135,9 +136,9 @@ def _fill(rank: int) -> str:
     return pale(fill_colour(rank), 0.6)
 
 
-def _grasp(scene: Scene, layout: Layout, scale: float, middle: Floats, name: str) -> Picture:
+def _grasp(scene: Scene, layout: Layout, scale: float, middle: Floats, name: str) -> GraspPicture:
     """Draw the grasp and its load; `name` comes before the names of all elements."""
-    drawn, first = Picture(layout, scene, scale, middle), len(scene.items)
+    drawn, first = GraspPicture(layout, scene, scale, middle), len(scene.items)
     drawn.body()
     drawn.contacts()
     drawn.wrench()
@@ -150,7 +151,7 @@ def _example(
     scene: Scene,
     layout: Layout,
     verdict: Verdict,
-    together: list[Part],
+    together: list[ClosedPart],
     where: tuple[int, Floats, float],
 ) -> None:
     """Draw the virtual motion of some parts on a small grasp, with the works on it."""
@@ -171,16 +172,17 @@ def _example(
     for k, (shift, start) in enumerate(zip(shifts, drawn.places, strict=True)):
         if any(shift):
             end = start + 2 * MOVED * scale * np.array([float(v / largest) for v in shift])
-            edge = arrow(scene, start, end, 1.0, fc=colours[k], ec="none",
-                         gid=f"{name}shift-{k + 1}", zorder=7)  # fmt: skip
+            look: dict[str, Any] = {"ec": "none", "gid": f"{name}shift-{k + 1}", "zorder": 7}
+            edge = arrow(scene, start, end, 1.0, fc=colours[k], **look)
             drawn.labels.avoid(edge)
     if r:
         frame, centre = layout.frame, (-y / r, x / r)
         far = max(abs(v - c) for v, c in zip(centre, frame.centre, strict=True)) / frame.size
         if far < 0.9 * half:
             at, reach = drawn.at(frame.paper(centre)), 0.15 * scale
-            turning_arrow(scene, at, reach, 1 if r > 0 else -1, color=BLUE,
-                          gid=f"{name}centre", zorder=7)  # fmt: skip
+            turning_arrow(
+                scene, at, reach, 1 if r > 0 else -1, color=BLUE, gid=f"{name}centre", zorder=7
+            )
             scene.mark(at, "o", 2.5, color=BLUE, zorder=7)
             drawn.labels.avoid(flattened(arc(at, reach, 0, 2 * math.pi)))
     drawn.letter()

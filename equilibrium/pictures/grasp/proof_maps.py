@@ -13,7 +13,7 @@ from arrangement.drawing.scene.measuring import area
 from arrangement.numbers.exact import IntegerVector, RationalVector, primitive, rational
 from arrangement.numbers.linear.cones import generators
 from arrangement.numbers.linear.polyhedron import Polyhedron, from_conditions
-from equilibrium.certificate.leaves import Part, parts
+from equilibrium.certificate.leaves import ClosedPart, parts
 from equilibrium.decide.verdict import Solver, Verdict
 from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import Grasp
@@ -32,7 +32,7 @@ TURNS = {1: "counter-clockwise", -1: "clockwise"}
 class Shape(NamedTuple):
     """A part of the motions where it meets the rotations of one sense: a polygon of centres."""
 
-    part: Part
+    part: ClosedPart
     sense: int
     corners: Floats
 
@@ -47,7 +47,7 @@ class ProofMaps:
     """
 
     verdict: Verdict
-    parts: Sequence[Part]
+    parts: Sequence[ClosedPart]
     angle: Fraction | None
     window: Window
     shapes: Sequence[Shape]
@@ -83,7 +83,9 @@ def proof_maps(grasp: Grasp, wrench: Wrench, turn: Exact | None) -> ProofMaps:
     return ProofMaps(verdict, found, angle, window, shapes, ranks)
 
 
-def _angle(grasp: Grasp, frame: Frame, found: list[Part], turn: Exact | None) -> Fraction | None:
+def _angle(
+    grasp: Grasp, frame: Frame, found: list[ClosedPart], turn: Exact | None
+) -> Fraction | None:
     """Return the rotation to be shown; None if regions do not depend on the size of motions."""
     if turn is not None:
         angle = rational(turn, "turn")
@@ -102,7 +104,7 @@ def _angle(grasp: Grasp, frame: Frame, found: list[Part], turn: Exact | None) ->
     return angle
 
 
-def _conditions(part: Part, grasp: Grasp) -> Iterator[tuple[IntegerVector, bool]]:
+def _conditions(part: ClosedPart, grasp: Grasp) -> Iterator[tuple[IntegerVector, bool]]:
     """Yield rows ``a . (x, y, r, d_0) >= 0`` of a part, and whether ``= 0`` is meant instead."""
     for zero, *row in generators(part.region, (), 4)[0]:
         yield (*row, zero), False
@@ -113,7 +115,9 @@ def _conditions(part: Part, grasp: Grasp) -> Iterator[tuple[IntegerVector, bool]
             yield primitive(negated(slip) if state == "slip-" else slip), state == "stick"
 
 
-def _centres(part: Part, grasp: Grasp, sense: int, angle: Fraction | None) -> Polyhedron | None:
+def _centres(
+    part: ClosedPart, grasp: Grasp, sense: int, angle: Fraction | None
+) -> Polyhedron | None:
     """Return the centres of the rotations of a part, of one sense and angle."""
     rows: dict[bool, list[IntegerVector]] = {False: [], True: []}
     for (x, y, r, zero), equal in _conditions(part, grasp):
@@ -129,7 +133,8 @@ def summary_lines(maps: ProofMaps, named: int) -> Iterator[str]:
     yield (
         f"w = {vector(maps.verdict.wrench)} is not resisted; "
         + (f"{maps.verdict.doubt}; " if maps.verdict.doubt else "")
-        + f"regions of motions: {len(maps.parts)}; virtual motions λ = (x, y, r): {len(maps.ranks)}{some}"
+        + f"regions of motions: {len(maps.parts)}; "
+        f"virtual motions λ = (x, y, r): {len(maps.ranks)}{some}"
     )
     yield (
         "regions: motions of every size; farther centres and translations lie beyond the edges"

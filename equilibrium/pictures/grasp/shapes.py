@@ -11,7 +11,7 @@ import numpy as np
 from arrangement.drawing.colours import VERMILION
 from arrangement.drawing.scene.items import Floats
 from arrangement.drawing.scene.labels import keep_off
-from arrangement.drawing.scene.measuring import FONT, POINTS
+from arrangement.drawing.scene.measuring import FONT
 from arrangement.drawing.scene.scene import Scene
 from arrangement.pictures.sphere.projections import joined
 
@@ -35,10 +35,9 @@ def arrow(
     wide, thin = 0.42 * head, min(0.8 * size, 0.1 * head)
     end = start + length * along
     neck = end - head * along
-    corners = [
-        start + thin * side, neck + thin * side, neck + wide * side, end,
-        neck - wide * side, neck - thin * side, start - thin * side,
-    ]  # fmt: skip
+    half = [(start, thin), (neck, thin), (neck, wide)]
+    left, right = ([at + way * out * side for at, out in half] for way in (1, -1))
+    corners = [*left, end, *reversed(right)]
     scene.polygon(corners, **{"joinstyle": "miter", "role": "arrow", **style})
     return [*corners, corners[0]]
 
@@ -81,25 +80,6 @@ def mark(
     ahead = tangent if state == "slip+" else -tangent
     base = [place - 0.5 * size * ahead + side * 0.62 * size * across for side in (1, -1)]
     scene.polygon([place + 0.8 * size * ahead, *base], fc="#bdbdbd", **style)
-
-
-def fitted(
-    width: float, points: Floats, tallest: float | None = None, margin: float = 6 * POINTS
-) -> tuple[Scene, float, Floats]:
-    """Return an empty sheet, and the scale and shift that put points (k, 2) on it.
-
-    Args:
-        width: of the sheet, in millimetres.
-        points: whose box is to fill it but for a margin.
-        tallest: height of the sheet, at most; if omitted, the box is a little lower than wide.
-        margin: in points.
-    """
-    low, high = points.min(axis=0), points.max(axis=0)
-    wide, spread = width * POINTS, np.maximum(high - low, 1e-3)
-    room = 0.95 * wide if tallest is None else tallest * POINTS - 2 * margin
-    scale = float(min((wide - 2 * margin) / spread[0], room / spread[1]))
-    scene = Scene(width, (scale * float(spread[1]) + 2 * margin) / POINTS)
-    return scene, scale, np.array([scene.width, scene.height]) / 2 - scale * (low + high) / 2
 
 
 class Labels:
@@ -161,5 +141,5 @@ class Labels:
         ]
         if away is not None:
             wanted = [at for at in wanted if np.linalg.norm(at - away[0]) > away[1]]
-        self.scene.text(self.place("w", wanted), "w", color=VERMILION, style="italic",
-                        weight="bold", halo=(1.5, "white"), zorder=7)  # fmt: skip
+        look: dict[str, Any] = {"weight": "bold", "halo": (1.5, "white"), "zorder": 7}
+        self.scene.text(self.place("w", wanted), "w", color=VERMILION, style="italic", **look)

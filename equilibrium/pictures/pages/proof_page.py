@@ -17,7 +17,7 @@ from arrangement.drawing.registry import Exact, Wrench
 from arrangement.drawing.scene.labels import flattened
 from arrangement.drawing.scene.measuring import area
 from arrangement.numbers.exact import RationalVector, sign, to_text
-from equilibrium.certificate.leaves import Part, works
+from equilibrium.certificate.leaves import ClosedPart, works
 from equilibrium.model.grasp import Grasp
 from equilibrium.pictures.grasp.layout import layout_of, shift_at
 from equilibrium.pictures.grasp.proof_maps import MAP, TURNS, ProofMaps, proof_maps, summary_lines
@@ -113,7 +113,7 @@ def _motion(maps: ProofMaps, motion: RationalVector) -> dict[str, Any]:
     }
 
 
-def _part(maps: ProofMaps, part: Part) -> dict[str, Any]:
+def _part(maps: ProofMaps, part: ClosedPart) -> dict[str, Any]:
     """Return a part: its motions, and the numbers of its inequality."""
     done = works(maps.verdict.grasp, maps.verdict.wrench, [part], maps.verdict.within)
     total = done.load + done.least

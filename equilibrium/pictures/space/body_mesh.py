@@ -9,6 +9,7 @@ from typing import TypeAlias
 import numpy as np
 
 from arrangement.drawing.scene.items import Floats
+from arrangement.drawing.solids.sight import face_normal
 from arrangement.numbers.linear.rank import cycle_edges
 
 #: Numbers of points, counter-clockwise seen from outside.
@@ -31,7 +32,7 @@ def drawn_edges(
     """
     normals = {}
     for face in faces:
-        normal = _normal(points[list(face)])
+        normal = face_normal(points[list(face)])
         normals.update(dict.fromkeys(cycle_edges(face), normal))
     found = set()
     for (a, b), normal in normals.items():
@@ -64,14 +65,14 @@ def convex_hull(points: Floats) -> tuple[Floats, list[Cycle]]:
     middle = points[hull.vertices].mean(axis=0)
     faces = []
     for row in hull.simplices.tolist():
-        outward = float(_normal(points[row]) @ (points[row].mean(axis=0) - middle)) > 0
+        outward = float(face_normal(points[row]) @ (points[row].mean(axis=0) - middle)) > 0
         faces.append(tuple(row if outward else row[::-1]))
     return points, merged(points, faces)
 
 
 def merged(points: Floats, faces: list[Cycle]) -> list[Cycle]:
     """Join neighbouring faces of one plane, where what comes out is convex."""
-    normals = {k: _normal(points[list(face)]) for k, face in enumerate(faces)}
+    normals = {k: face_normal(points[list(face)]) for k, face in enumerate(faces)}
     kept = {k: face for k, face in enumerate(faces) if normals[k].any()}
     owner = {edge: k for k, face in kept.items() for edge in cycle_edges(face)}
     for k in list(kept):
@@ -102,10 +103,3 @@ def _joined(
     turns = np.cross(np.roll(steps, 1, axis=0), steps) @ up
     convex = len(set(cycle)) == len(cycle) and (turns > -1e-9).all()
     return tuple(cycle) if convex else None
-
-
-def _normal(corners: Floats) -> Floats:
-    steps = corners[1:] - corners[0]
-    normal = np.cross(steps[:-1], steps[1:]).sum(axis=0)
-    found: Floats = normal / max(float(np.linalg.norm(normal)), 1e-12)
-    return found

@@ -11,9 +11,10 @@ from itertools import pairwise
 import numpy as np
 
 from arrangement.drawing.scene.items import Floats
+from arrangement.drawing.solids.sight import across, unit, unit_vectors
 from arrangement.drawing.solids.surface import Patch
 from arrangement.numbers.exact import IntegerVector, dot, primitive
-from arrangement.numbers.linear.rank import cross
+from arrangement.numbers.linear.rank import cross, difference
 
 #: Sides of the head of an arrow; its length and radius.
 _HEAD_SIDES, _HEAD, _HEAD_RADIUS = 6, 0.09, 0.03
@@ -34,8 +35,7 @@ def arc(
     name: str, centre: Floats, axis: Floats, radius: float, rise: float, turns: float
 ) -> Iterator[Arrow]:
     """Yield segments of a circle or helix around an axis, the last one as an arrow."""
-    side = np.cross(axis, np.eye(3)[int(np.abs(axis).argmin())])
-    side /= np.linalg.norm(side)
+    side = across(axis)
     count = max(8, round(24 * turns))
     angles = np.linspace(0, 2 * math.pi * turns, count + 1)[:, None]
     ring = np.cos(angles) * side + np.sin(angles) * np.cross(axis, side)
@@ -46,11 +46,8 @@ def arc(
 
 def head_of(arrow: Arrow) -> tuple[Floats, Floats]:
     """Return the tip of an arrow and the ring around its neck."""
-    along = arrow.end - arrow.start
-    length = float(np.linalg.norm(along))
-    along = along / length
-    side = np.cross(along, np.eye(3)[int(np.abs(along).argmin())])
-    side /= np.linalg.norm(side)
+    along = unit(arrow.end - arrow.start)
+    side = across(along)
     turns = np.linspace(0, 2 * math.pi, _HEAD_SIDES, endpoint=False)[:, None]
     ring = np.cos(turns) * side + np.sin(turns) * np.cross(along, side)
     return arrow.end, arrow.end - _HEAD * along + _HEAD_RADIUS * ring
@@ -99,7 +96,7 @@ def flat(
 def _plane(p: IntegerVector, q: IntegerVector, r: IntegerVector) -> IntegerVector | None:
     """Return the row of the plane of a triangle, positive outside; None if it has no area."""
     a, b, c = ([Fraction(x, point[3]) for x in point[:3]] for point in (p, q, r))
-    normal = cross(*([y - x for x, y in zip(a, end, strict=True)] for end in (b, c)))
+    normal = cross(*(difference(end, a) for end in (b, c)))
     return primitive((*normal, -dot(normal, a))) if any(normal) else None
 
 
@@ -131,11 +128,6 @@ class Screw:
         v, omega = (tuple(x / largest for x in part) for part in (exact[:3], exact[3:]))
         square = dot(omega, omega)
         if square < Fraction(1, 10**18):
-            return cls(_unit(v), None, None)
+            return cls(unit_vectors([v])[0], None, None)
         point = np.array([float(x / square) for x in cross(omega, v)])
-        return cls(_unit(omega), point, float(dot(v, omega) / square))
-
-
-def _unit(vector: Sequence[Fraction]) -> Floats:
-    found = np.array([float(x) for x in vector])
-    return found / float(np.linalg.norm(found))
+        return cls(unit_vectors([omega])[0], point, float(dot(v, omega) / square))

@@ -18,6 +18,7 @@ from arrangement.drawing.colours import BLACK, BLUE, GREY, VERMILION
 from arrangement.drawing.scene.items import Floats
 from arrangement.drawing.solids.depth_tree import Node, depth_tree
 from arrangement.drawing.solids.meshes import volume
+from arrangement.drawing.solids.sight import unit
 from arrangement.drawing.solids.surface import Patch
 from arrangement.numbers.exact import RationalVector
 from arrangement.numbers.linear.rank import cycle_edges
@@ -162,9 +163,7 @@ class SolidGrasp:
         if force.any():
             yield Arrow("wrench-force", origin, origin + force * self.force_scale)
         if torque.any():
-            yield from arc(
-                "wrench-torque", origin, torque / np.linalg.norm(torque), 0.25, 0.0, 0.75
-            )
+            yield from arc("wrench-torque", origin, unit(torque), 0.25, 0.0, 0.75)
 
     @property
     def axis_is_far(self) -> bool:
@@ -226,6 +225,6 @@ class SolidGrasp:
             found += arrow_pieces(arrow)
         return found
 
-    def tree(self, towards: Floats | None = None) -> list[Node]:
+    def tree(self, towards: Floats | None = None) -> list[Node[Patch]]:
         """Return the pieces in an order for painting; they may be cut."""
         return depth_tree(self.patches(towards))

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from itertools import product
+from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
@@ -13,16 +13,16 @@ from arrangement.drawing.registry import Vector, Wrench
 from arrangement.drawing.scene.items import Floats
 from arrangement.drawing.scene.measuring import checked_width
 from arrangement.drawing.scene.scene import Key, Legend, Scene
-from arrangement.drawing.solids.depth_tree import back_to_front
+from arrangement.drawing.solids.sheet import SolidSheet
+from arrangement.drawing.solids.sight import best_view, unit, unit_vectors, view_direction, views
 from arrangement.drawing.solids.surface import Patch, rounded
 from arrangement.numbers.exact import IntegerVector
-from arrangement.pictures.sphere.globe import picture_axes, unit_vectors, view_direction
 from equilibrium.certificate.leaves import spatial_leaves
 from equilibrium.decide.spatial_verdict import NOT_RESISTED, solve_in_space
 from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import Grasp
 from equilibrium.model.range import NO_RANGE, SMALL, Range
-from equilibrium.pictures.grasp.shapes import Labels, fitted
+from equilibrium.pictures.grasp.shapes import Labels
 from equilibrium.pictures.keys import explain_grasp, symbol
 from equilibrium.pictures.style import CONE_EDGE, CONE_FILL, number
 
@@ -70,54 +70,44 @@ def drawn_in_space(solid: SolidGrasp, direction: Vector | None, width: float, no
         note: what is said of the answer, if anything.
     """
     towards = clear_side(solid) if direction is None else view_direction(direction)
-    return _Picture(solid, towards, checked_width(width, 20.0), note).scene
+    return _SpatialGraspPicture(solid, towards, checked_width(width, 20.0), note).scene
 
 
 def clear_side(solid: SolidGrasp) -> IntegerVector:
     """Return a direction from above from which normals and forces are seen from the side."""
-    views = [
-        v for v in product((-9, -7, -4, 4, 7, 9), (-9, -7, -4), (4, 6)) if abs(v[0]) != abs(v[1])
-    ]
-    units = unit_vectors(views)
     ways = [*solid.normals, *(a.end - a.start for a in solid.arrows() if not a.headless)]
-    score = 0.02 * units[:, 0]
-    if ways:
-        along = np.array([w / np.linalg.norm(w) for w in ways])
-        score = score - (np.abs(units @ along.T) ** 4).mean(axis=1)
-    return views[int(np.argmax(np.round(score, 9)))]
+    along = unit(np.reshape(ways or np.zeros((1, 3)), (-1, 3)))
+
+    def score(seen: Sequence[IntegerVector]) -> Floats:
+        units = unit_vectors(seen)
+        found: Floats = 0.02 * units[:, 0] - (np.abs(units @ along.T) ** 4).mean(axis=1)
+        return found
+
+    found = views((-9, -7, -4, 4, 7, 9), (-9, -7, -4), (4, 6))
+    return best_view([v for v in found if abs(v[0]) != abs(v[1])], score)
 
 
-class _Picture:
+class _SpatialGraspPicture(SolidSheet):
     """Puts the pieces on a scene, back to front."""
 
     def __init__(self, solid: SolidGrasp, towards: IntegerVector, width: float, note: str) -> None:
-        self.solid, self.towards = solid, towards
-        self.axes = picture_axes(towards)
-        self.stated = solid.body[2]
+        self.solid, self.stated = solid, solid.body[2]
         nodes = solid.tree(np.array(towards, float))
-        held = np.concatenate([
-            np.zeros((1, 3)), *(rounded(p.corners) for node in nodes for p in node.patches)
-        ]) @ self.axes.T  # fmt: skip
-        self.scene, self.scale, self.shift = fitted(width, held[:, :2])
+        held = [rounded(p.corners) for node in nodes for p in node.patches]
+        super().__init__(nodes, towards, np.concatenate([np.zeros((1, 3)), *held]), width)
         self.count, self.labels = 0, Labels(self.scene)
-        ordered = list(back_to_front(nodes, towards))
-        for k, node in enumerate(ordered):
-            for patch in node.patches:
-                self._patch(patch, 1 + k / (len(ordered) + 1))
+        for z, patches in self.layers(1):
+            for patch in patches:
+                self._patch(patch, z)
         self._pads()
         self._numbers()
         self._describe(note)
-
-    def at(self, points: Floats) -> Floats:
-        """Return points of space on the scene."""
-        placed: Floats = (np.asarray(points) @ self.axes.T)[..., :2] * self.scale + self.shift
-        return placed
 
     def _patch(self, patch: Patch, z: float) -> None:
         self.count += 1
         kind, gid = patch.name.partition("-")[0], f"{patch.name}-{self.count}"
         corners = self.at(rounded(patch.corners))
-        ahead = sum(a * b for a, b in zip(patch.row, self.towards, strict=False)) > 0
+        ahead = self.faces(patch)
         edges = [self.at(rounded(edge)) for edge in patch.edges]
         self.labels.avoid(*edges)
         if kind == "body":
@@ -132,8 +122,9 @@ class _Picture:
         elif len(corners) > 2:
             ink = INKS[kind]
             fill = "#ffffff" if kind == "preload" else ink
-            self.scene.polygon(corners, fc=fill, ec=ink, lw=0.3, joinstyle="round", zorder=z,
-                               gid=gid, role="arrow")  # fmt: skip
+            self.scene.polygon(
+                corners, fc=fill, ec=ink, lw=0.3, joinstyle="round", zorder=z, gid=gid, role="arrow"
+            )
         ink, wide = INKS.get(kind, CONE_EDGE), 0.5 if kind in ("cone", "normal") else 1.2
         wide = {"preload": 0.7, "axis": 0.8, "link": 0.5}.get(kind, wide)
         dashes = _DASHES.get(patch.name, "solid")

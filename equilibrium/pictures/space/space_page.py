@@ -10,13 +10,13 @@ import numpy as np
 from arrangement.console.number_form import counted
 from arrangement.drawing.colours import BLACK
 from arrangement.drawing.output import millimetres
-from arrangement.drawing.pages.solid_page import Branch, Face, SolidPage
+from arrangement.drawing.pages.solid_page import PageFace, SolidPage, page_face
 from arrangement.drawing.registry import Vector, Wrench
 from arrangement.drawing.scene.items import Floats
-from arrangement.drawing.solids.meshes import Part, model_bytes
+from arrangement.drawing.solids.meshes import ClosedSurface, model_bytes
+from arrangement.drawing.solids.sight import picture_axes, view_direction
 from arrangement.drawing.solids.surface import Patch, rounded
 from arrangement.errors import InputError
-from arrangement.pictures.sphere.globe import picture_axes, view_direction
 from equilibrium.model.contact import VALUES
 from equilibrium.model.grasp import Grasp
 from equilibrium.pictures.style import CONE_EDGE, CONE_FILL, number, vector, wrench_text
@@ -53,9 +53,6 @@ def grasp_page(
     solid, note = solved_in_space(grasp, wrench)
     towards = clear_side(solid) if direction is None else view_direction(direction)
     tree = solid.tree()
-    branches = [Branch(node.row[:3], [], node.front, node.back) for node in tree]
-    for branch, node in zip(branches, tree, strict=True):
-        branch.faces += map(_face, node.patches)
     number_of = counted(len(grasp), "contact")
     facts = [note or None, wrench_text(solid.wrench, grasp.units) if any(solid.wrench) else None]
     facts.append(motion_text(solid) if solid.motion else None)
@@ -73,7 +70,7 @@ def grasp_page(
         str(grasp.units) if grasp.units else number_of,
         picture_axes(towards),
         reach,
-        branches,
+        [node.drawn_as(_face) for node in tree],
         [(f"Contact {i}", _told(solid, i - 1)) for i in range(1, len(grasp) + 1)],
         legend,
         marks=[
@@ -83,19 +80,12 @@ def grasp_page(
     ).text()
 
 
-def _face(patch: Patch) -> Face:
+def _face(patch: Patch) -> PageFace:
     kind, _, contact = patch.name.partition("-")
     fill = _BODY if kind == "body" else CONE_FILL if kind == "cone" else INKS.get(kind, CONE_EDGE)
-    return Face(
-        rounded(patch.corners),
-        fill,
-        np.array(patch.row[:3], float) if any(patch.row) else None,
-        np.array([rounded(edge) for edge in patch.edges]).reshape(-1, 2, 3),
-        int(contact) - 1 if kind in _TELLS else -1,
-        sheet=True,
-        faint=kind == "link",
-        ink=BLACK if kind == "body" else INKS.get(kind, CONE_EDGE),
-    )
+    number, faint = int(contact) - 1 if kind in _TELLS else -1, kind == "link"
+    ink = BLACK if kind == "body" else INKS.get(kind, CONE_EDGE)
+    return page_face(patch, fill, number, sheet=True, faint=faint, ink=ink)
 
 
 def _told(solid: SolidGrasp, i: int) -> list[tuple[str, str]]:
@@ -148,7 +138,7 @@ def grasp_model(
 
 def _part(
     name: str, solids: Iterable[tuple[Floats, Sequence[tuple[int, ...]]]], colour: str, half: float
-) -> Part:
+) -> ClosedSurface:
     """Return several closed surfaces as one part."""
     points: list[Floats] = []
     faces: list[tuple[int, ...]] = []
@@ -157,7 +147,7 @@ def _part(
         faces += [tuple(k + count for k in cycle) for cycle in cycles]
         points.append(own)
         count += len(own)
-    return Part(name, half * np.concatenate(points), tuple(faces), (colour,) * len(faces))
+    return ClosedSurface(name, half * np.concatenate(points), tuple(faces), (colour,) * len(faces))
 
 
 def _solids(arrow: Arrow) -> list[tuple[Floats, list[tuple[int, ...]]]]:

@@ -12,7 +12,7 @@ from equilibrium.methods.registry import METHODS, WITH_REGION, method_named
 from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import Grasp
 
-from .row import Question
+from .row import PlaneQuestion
 from .slices import draw_parts
 
 
@@ -40,7 +40,7 @@ def draw_compare(
         GraspError: an unknown method or none, too many contacts, an extent that is not above 0.
         MissingExtraError: matplotlib is absent.
     """
-    question = Question(wrench, extent)
+    question = PlaneQuestion(wrench, extent)
     chosen = [method_named(name) for name in _names(grasp, methods)]
     parts = [
         (method.label, method.region(grasp, origin=(0, 0, question.torque)))

@@ -73,8 +73,10 @@ def _paint(
         for j, answer in enumerate(answers):
             entry, x = answer.answers[i], left + (j + 0.5) * column
             if entry.method in answer.disagreeing:
-                corners = [(x + a * column / 2, y + b * _ROW / 2)
-                           for a, b in ((-1, -1), (1, -1), (1, 1), (-1, 1))]  # fmt: skip
+                corners = [
+                    (x + a * column / 2, y + b * _ROW / 2)
+                    for a, b in ((-1, -1), (1, -1), (1, 1), (-1, 1))
+                ]
                 scene.polygon(corners, fc=_TINT, ec="none", gid=f"differs-{i}-{j}")
             sign, size, style = MARKS[_ANSWERS[entry.accepts]]
             scene.mark((x, y), sign, size, zorder=3, gid=f"cell-{i}-{j}", **style)

@@ -187,13 +187,14 @@ class Panel:
             place, room = roomiest(shape, half, 1 - _FADE, self.zero)
             if room <= 1:
                 continue
-            box = [place + np.array([a * half[0], b * half[1]])
-                   for a in (-1, 0, 1) for b in (-1, 0, 1)]  # fmt: skip
+            box = [
+                place + np.array([a * half[0], b * half[1]]) for a in (-1, 0, 1) for b in (-1, 0, 1)
+            ]
             covered = any(path.contains_points(box).any() for path in paths[i + 1 :])
             if not covered:
                 plate = {"boxstyle": "square,pad=0.12", "fc": fill_of(states), "ec": "none"}
-                self.scene.text(self.at(place), text, va="center_baseline", zorder=1.6,
-                                plate=plate, gid=self.gid("code", i))  # fmt: skip
+                look: dict[str, Any] = {"zorder": 1.6, "plate": plate, "gid": self.gid("code", i)}
+                self.scene.text(self.at(place), text, va="center_baseline", **look)
 
     def _outline(self, region: Region) -> None:
         outline = region.outline
@@ -201,8 +202,8 @@ class Panel:
             for i, segment in enumerate(segments):
                 found = self.window.stretch(segment)
                 if found is not None:
-                    self.scene.line(self.at(found), ec=BLACK, lw=1.3, gid=self.gid(kind, i),
-                                    zorder=2, capstyle="round")  # fmt: skip
+                    look: dict[str, Any] = {"ec": BLACK, "lw": 1.3, "gid": self.gid(kind, i)}
+                    self.scene.line(self.at(found), zorder=2, capstyle="round", **look)
         for i, point in enumerate(outline.points):
             place = self.at(self.window.paper(point))
             self.scene.mark(place, "o", 3.5, color=BLACK, gid=self.gid("point", i), zorder=3)

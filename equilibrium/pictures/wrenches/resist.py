@@ -12,17 +12,13 @@ from equilibrium.plane.states.state_system import States
 from equilibrium.wrench_sets import Region, resisted_region
 
 from .panel import fill_of
-from .row import Question, explain_borders, row_of_panels
+from .row import PlaneQuestion, explain_borders, row_of_panels
 from .window import joint_window
 
 
 @picture
 def draw_resist(
-    grasp: Grasp,
-    *,
-    wrench: Wrench | None = None,
-    extent: Exact | None = None,
-    width: float = 88.0,
+    grasp: Grasp, *, wrench: Wrench | None = None, extent: Exact | None = None, width: float = 88.0
 ) -> Scene:
     """Draw which forces are resisted, at zero torque or at the torque of a wrench.
 
@@ -43,7 +39,7 @@ def draw_resist(
         GraspError: an extent that is not above 0.
         MissingExtraError: matplotlib is absent.
     """
-    question = Question(wrench, extent)
+    question = PlaneQuestion(wrench, extent)
     half, torque = question.half, question.torque
     region = resisted_region(grasp, origin=(0, 0, torque))
     window = joint_window([region], question.marked, half, pieces=True)
@@ -60,7 +56,7 @@ def draw_resist(
 
 
 def _describe(
-    grasp: Grasp, region: Region, states: list[States], question: Question, legend: Legend
+    grasp: Grasp, region: Region, states: list[States], question: PlaneQuestion, legend: Legend
 ) -> None:
     applied = question.wrench
     if not region.polygons:

@@ -22,7 +22,7 @@ GAP, RIGHT = 4.0 * POINTS, 3.0 * POINTS
 FORCE_NAMES = ("$f_x$", "$f_y$")
 
 
-class Question:
+class PlaneQuestion:
     """What a picture of a plane of forces is asked: a wrench to be marked, and half its side.
 
     Raises:

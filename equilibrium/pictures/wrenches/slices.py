@@ -17,7 +17,7 @@ from equilibrium.pictures.space.space_slice import slice_in_space
 from equilibrium.pictures.style import SHADE, number, wrench_text
 from equilibrium.wrench_sets import Region, resisted_region
 
-from .row import Question, explain_borders, row_of_panels
+from .row import PlaneQuestion, explain_borders, row_of_panels
 from .window import joint_window
 
 
@@ -64,7 +64,7 @@ def draw_slice(
         return slice_in_space(grasp, axes or "fx,fy", directions, min(width, 88.0))
     if axes:
         raise GraspError("axes are for grasps in space; leave them out")
-    question = Question(wrench, extent)
+    question = PlaneQuestion(wrench, extent)
     given = None if preload is None else rational(preload, "preload")
     parts = slices(grasp, question.torque, given)
     return draw_parts(grasp, parts, question, width)
@@ -73,7 +73,7 @@ def draw_slice(
 def draw_parts(
     grasp: Grasp,
     parts: Sequence[tuple[str, Region]],
-    question: Question,
+    question: PlaneQuestion,
     width: float,
     columns: int | None = None,
 ) -> Scene:

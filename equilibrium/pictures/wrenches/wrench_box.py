@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
@@ -14,6 +13,7 @@ import numpy as np
 
 from arrangement.drawing.scene.items import Floats
 from arrangement.drawing.solids.depth_tree import Node, depth_tree
+from arrangement.drawing.solids.sight import best_view, views
 from arrangement.drawing.solids.surface import Patch, surface
 from arrangement.numbers.exact import IntegerVector, RationalVector, dot, primitive
 from arrangement.numbers.linear.polyhedron import Polyhedron, from_conditions
@@ -51,7 +51,7 @@ class WrenchBox:
     shapes: tuple[Polyhedron, ...]
 
     @cached_property
-    def tree(self) -> list[Node]:
+    def tree(self) -> list[Node[Patch]]:
         """The surface of the union, in an order for painting."""
         return depth_tree([*surface(self.shapes), *self._axes()])
 
@@ -68,17 +68,18 @@ class WrenchBox:
     def clear_side(self) -> IntegerVector:
         """A direction from above from which much of the set is seen, and little of the walls."""
         patches = [p for node in self.tree for p in node.patches if len(p.corners) > 2]
-        best, found = -math.inf, (5, -9, 4)
-        for view in product((-9, -5, 5, 9), (-9, -5, 5, 9), (4, -4)):
-            if abs(view[0]) != abs(view[1]):
-                score = 0.1 * view[2] - 0.01 * view[1] + 0.001 * view[0]
-                for patch in patches:
-                    towards = float(_area(patch) @ np.array(view))
-                    share = -1.0 if patch.row in WALLS else 1.0
-                    score += share * (abs(towards) if patch.sheet else max(towards, 0.0))
-                if score > best + 1e-9:
-                    best, found = score, view
-        return found
+        areas = np.array([_area(patch) for patch in patches]).reshape(-1, 3)
+        sheet = np.array([patch.sheet for patch in patches], dtype=bool)
+        share = np.array([-1.0 if patch.row in WALLS else 1.0 for patch in patches])
+
+        def score(seen: Sequence[IntegerVector]) -> Floats:
+            towards = np.array(seen) @ areas.T
+            towards = np.where(sheet, np.abs(towards), np.maximum(towards, 0.0))
+            found: Floats = towards @ share + np.array(seen) @ (0.001, -0.01, 0.1)
+            return found
+
+        found = views((-9, -5, 5, 9), (-9, -5, 5, 9), (4, -4))
+        return best_view([v for v in found if abs(v[0]) != abs(v[1])], score)
 
     def inside(self, wrench: RationalVector) -> list[float]:
         """Return the place of a wrench in the coordinates of the box."""

@@ -5,16 +5,14 @@ from __future__ import annotations
 import math
 from fractions import Fraction
 
-import numpy as np
-
 from arrangement.console.number_form import counted
-from arrangement.drawing.pages.solid_page import Branch, Face, SolidPage
+from arrangement.drawing.pages.solid_page import PageFace, SolidPage, page_face
 from arrangement.drawing.registry import Exact, Wrench
-from arrangement.drawing.solids.meshes import Part, model_bytes
+from arrangement.drawing.solids.meshes import ClosedSurface, model_bytes
+from arrangement.drawing.solids.sight import picture_axes
 from arrangement.drawing.solids.surface import Patch, facets, rounded
 from arrangement.errors import InputError
 from arrangement.numbers.exact import IntegerVector, number_text, primitive
-from arrangement.pictures.sphere.globe import picture_axes
 from equilibrium.model.grasp import Grasp, read_wrench
 
 from .row import read_extent
@@ -45,24 +43,15 @@ def wrench_set_page(
     number_of = counted(len(grasp), "contact")
     pieces: dict[IntegerVector, int] = {}
     told: list[tuple[str, list[tuple[str, str]]]] = []
-    tree = [Branch(node.row[:3], [], node.front, node.back) for node in box.tree]
-    for branch, node in zip(tree, box.tree, strict=True):
-        for patch in node.patches:
-            wall, flat = patch.row in WALLS, any(patch.row)
-            if flat and patch.row not in pieces:
-                pieces[patch.row] = len(told)
-                told.append(_told(box, patch, wall))
-            branch.faces.append(
-                Face(
-                    rounded(patch.corners),
-                    CUT if wall else SOLID,
-                    np.array(patch.row[:3], dtype=float) if flat else None,
-                    np.array([rounded(edge) for edge in patch.edges]).reshape(-1, 2, 3),
-                    pieces.get(patch.row, -1),
-                    sheet=patch.sheet,
-                    faint=wall or patch.name == "axis",
-                )
-            )
+
+    def face(patch: Patch) -> PageFace:
+        wall = patch.row in WALLS
+        if any(patch.row) and patch.row not in pieces:
+            pieces[patch.row] = len(told)
+            told.append(_told(box, patch, wall))
+        number, faint = pieces.get(patch.row, -1), wall or patch.name == "axis"
+        return page_face(patch, CUT if wall else SOLID, number, sheet=patch.sheet, faint=faint)
+
     zero = box.inside((Fraction(0),) * 3)
     marks = [
         ([1.1 if j == k else x for j, x in enumerate(zero)], name) for k, name in enumerate(NAMES)
@@ -79,7 +68,7 @@ def wrench_set_page(
         "states that is not a part of another",
         picture_axes(box.clear_side),
         math.sqrt(3),
-        tree,
+        [node.drawn_as(face) for node in box.tree],
         told,
         [(SOLID, "where resistance ends"), (CUT, "cut by the box, goes on")],
         [ends for ends, _ in box_edges()],
@@ -127,7 +116,7 @@ def wrench_set_model(
             points, faces, rows = facets(shape)
             colours = tuple(CUT if row in WALLS else SOLID for row in rows)
             name = "-".join(piece.states) or "all"
-            parts.append(Part(name, half * rounded(points), faces, colours))
+            parts.append(ClosedSurface(name, half * rounded(points), faces, colours))
     if not parts:
         raise InputError(
             "the resisted wrenches have no volume; draw them as a picture: .svg, .pdf or .png"

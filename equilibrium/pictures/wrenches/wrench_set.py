@@ -17,14 +17,13 @@ from arrangement.drawing.registry import Exact, Vector, Wrench
 from arrangement.drawing.scene.items import Floats
 from arrangement.drawing.scene.measuring import checked_width
 from arrangement.drawing.scene.scene import Legend, Scene
-from arrangement.drawing.solids.depth_tree import back_to_front
+from arrangement.drawing.solids.sheet import SolidSheet
+from arrangement.drawing.solids.sight import light, unit_vectors, view_direction
 from arrangement.drawing.solids.surface import Patch, rounded
 from arrangement.numbers.exact import IntegerVector, dot
-from arrangement.pictures.sphere.globe import TO_LIGHT, picture_axes, view_direction
 from equilibrium.model.grasp import Grasp, read_wrench
 from equilibrium.pictures.grasp.grasp import drawn
 from equilibrium.pictures.grasp.layout import layout_of
-from equilibrium.pictures.grasp.shapes import fitted
 from equilibrium.pictures.keys import MARKS, symbol
 from equilibrium.pictures.style import ticks, wrench_text
 
@@ -79,8 +78,8 @@ def draw_wrench_set(
     box = wrench_box(grasp, read_extent(extent))
     towards = box.clear_side if direction is None else view_direction(direction)
     if width < _BOTH:
-        return _Solid(grasp, box, towards, applied, width).scene
-    right = _Solid(grasp, box, towards, applied, width * 0.6).scene
+        return _WrenchSetPicture(grasp, box, towards, applied, width).scene
+    right = _WrenchSetPicture(grasp, box, towards, applied, width * 0.6).scene
     left = drawn(layout_of(grasp, None, None, 1), width * 0.4, right.paper[1])
     scene = Scene(width, max(left.paper[1], right.paper[1]))
     scene.place(left, 0.0, (scene.height - left.height) / 2)
@@ -95,7 +94,7 @@ def _maths(text: str) -> str:
 
 def _lit(normal: Floats) -> str:
     """Return the colour of a face of the set, by the angle to the light."""
-    return pale(SOLID, 0.45 * max(0.0, float(TO_LIGHT @ normal)))
+    return pale(SOLID, 0.45 * light(normal))
 
 
 def _on_wall(points: Sequence[IntegerVector]) -> bool:
@@ -103,16 +102,15 @@ def _on_wall(points: Sequence[IntegerVector]) -> bool:
     return any(all(dot(row, p) == 0 for p in points) for row in WALLS)
 
 
-class _Solid:
+class _WrenchSetPicture(SolidSheet):
     """The picture of the set."""
 
     def __init__(
         self, grasp: Grasp, box: WrenchBox, towards: IntegerVector, applied: Any, width: float
     ) -> None:
-        self.grasp, self.box, self.towards = grasp, box, towards
-        self.axes = picture_axes(towards)
-        corners = np.array(list(product((-1.0, 1.0), repeat=3))) @ self.axes.T
-        self.scene, self.scale, self.shift = fitted(width, corners[:, :2], math.inf, _MARGIN)
+        corners = np.array(list(product((-1.0, 1.0), repeat=3)))
+        super().__init__(box.tree, towards, corners, width, math.inf, _MARGIN)
+        self.grasp, self.box = grasp, box
         self._describe(self.scene.legend, applied)
         self._frame(behind=True)
         self._set()
@@ -120,11 +118,6 @@ class _Solid:
         self._rulers()
         if applied is not None:
             self._mark(applied)
-
-    def at(self, points: Any) -> Floats:
-        """Return points of the box on the scene."""
-        placed: Floats = (np.asarray(points) @ self.axes.T)[..., :2] * self.scale + self.shift
-        return placed
 
     def _places(self, points: Iterable[IntegerVector]) -> Floats:
         return self.at(rounded(points))
@@ -152,10 +145,8 @@ class _Solid:
     def _set(self) -> None:
         """Paint the surface back to front."""
         count = 0
-        nodes = list(back_to_front(self.box.tree, self.towards))
-        for k, node in enumerate(nodes):
-            z = 2 + k / (len(nodes) + 1)
-            seen = [p for p in node.patches if p.sheet or self._faces(p)]
+        for z, patches in self.layers(2):
+            seen = [p for p in patches if p.sheet or self.faces(p)]
             for patch in seen:
                 count += 1
                 self._patch(patch, count, z)
@@ -169,13 +160,10 @@ class _Solid:
                     style["lw"] = 1.5
                 for edge in patch.edges:
                     cut = {"ec": GREY, "lw": 0.35} if kind != "axis" and _on_wall(edge) else {}
-                    self.scene.line(self._places(edge), zorder=z, gid=f"{kind}-{count}",
-                                    capstyle="round", **{**style, **cut})  # fmt: skip
+                    look: dict[str, Any] = {"gid": f"{kind}-{count}", "capstyle": "round"}
+                    self.scene.line(self._places(edge), zorder=z, **{**style, **cut}, **look)
                 if len(patch.corners) > 2 and not wall:
                     self._fade(patch, z)
-
-    def _faces(self, patch: Patch) -> bool:
-        return sum(a * b for a, b in zip(patch.row, self.towards, strict=False)) > 0
 
     def _patch(self, patch: Patch, count: int, z: float) -> None:
         corners = self._places(patch.corners)
@@ -184,11 +172,11 @@ class _Solid:
         if len(corners) < 3:
             return
         wall = patch.row in WALLS
-        normal = self.axes @ np.array(patch.row[:3], dtype=float)
-        normal *= math.copysign(1, normal[2]) / np.linalg.norm(normal)
+        normal = self.axes @ unit_vectors([patch.row[:3]])[0]
+        normal *= math.copysign(1, normal[2])
         fill = pale(_lit(normal), _CUT_WHITE) if wall else _lit(normal)
-        self.scene.polygon(corners, fc=fill, ec=fill, lw=0.3, zorder=z, joinstyle="round",
-                           gid=f"{'wall' if wall else 'facet'}-{count}", role="region")  # fmt: skip
+        look: dict[str, Any] = {"gid": f"{'wall' if wall else 'facet'}-{count}", "role": "region"}
+        self.scene.polygon(corners, fc=fill, ec=fill, lw=0.3, zorder=z, joinstyle="round", **look)
         if wall:
             self.scene.polygon(corners, fc="none", ec="#b5bcc3", lw=0, hatch="///", zorder=z)
 
@@ -202,12 +190,12 @@ class _Solid:
         sides = list(product(range(3), (1, -1)))
         return {
             row: [
-                (axis, side) for axis, side in sides
-                if (side * at[:, axis]).max() > 1 - 1e-9
-                and (side * at[:, axis]).min() <= 1 - _FADE
+                (axis, side)
+                for axis, side in sides
+                if (side * at[:, axis]).max() > 1 - 1e-9 and (side * at[:, axis]).min() <= 1 - _FADE
             ]
             for row, at in corners.items()
-        }  # fmt: skip
+        }
 
     def _fade(self, patch: Patch, z: float) -> None:
         """Let a face turn white towards each wall that cuts its plane."""
@@ -216,8 +204,9 @@ class _Solid:
             for k in range(_STEPS):
                 part = clipped(corners, side * np.eye(3)[axis], 1 - _FADE * (1 - k / _STEPS))
                 if len(part) > 2:
-                    self.scene.polygon(self.at(part), fc="#ffffff", ec="none", alpha=_VEIL,
-                                       zorder=z, gid="fade")  # fmt: skip
+                    self.scene.polygon(
+                        self.at(part), fc="#ffffff", ec="none", alpha=_VEIL, zorder=z, gid="fade"
+                    )
 
     def _frame(self, *, behind: bool) -> None:
         """Draw the edges of the box, those behind the set first."""
@@ -226,8 +215,9 @@ class _Solid:
             far = any(s * self.towards[j] < 0 for s, j in zip(sides, others, strict=True))
             if far == behind:
                 style = {"zorder": 1} if behind else {"ls": (0, (4, 3)), "zorder": 4}
-                self.scene.line(self.at(ends), ec="#a0a0a0", lw=0.4, role="border",
-                                gid=f"box-{k}", **style)  # fmt: skip
+                self.scene.line(
+                    self.at(ends), ec="#a0a0a0", lw=0.4, role="border", gid=f"box-{k}", **style
+                )
 
     def _rulers(self) -> None:
         """Number one edge of the box for each axis, on the outline of the picture."""
@@ -273,7 +263,7 @@ class _Solid:
         if max(map(abs, place)) > 1:
             return
         held = any(piece.polyhedron.contains(applied) for piece in self.box.pieces)
-        self.scene.line(self.at([place, [*place[:2], -1.0]]), ec=VERMILION, lw=0.5, zorder=5,
-                        ls=(0, (1, 1.5)), role="line")  # fmt: skip
+        look: dict[str, Any] = {"lw": 0.5, "zorder": 5, "ls": (0, (1, 1.5)), "role": "line"}
+        self.scene.line(self.at([place, [*place[:2], -1.0]]), ec=VERMILION, **look)
         sign, size, style = MARKS["resisted" if held else "refused"]
         self.scene.mark(self.at(place), sign, size, zorder=6, gid="wrench", **style)

@@ -52,7 +52,7 @@ _TINY = 1e-9
 
 
 @dataclass(eq=False, slots=True)
-class _Region:
+class _OpenRegion:
     """An open region: its generators, where its node belongs, how often it was cut out."""
 
     generators: tuple[IntegerVector, ...]
@@ -114,7 +114,7 @@ class MotionRegions:
         """
         children: list[Node] = [None] * 8
         active = self._unclosed(
-            [_Region(orthant, (children, n)) for n, orthant in enumerate(ORTHANTS)]
+            [_OpenRegion(orthant, (children, n)) for n, orthant in enumerate(ORTHANTS)]
         )
         cuts, first = 0, _SMALL_CUTS if len(self.contacts) <= _SMALL else math.inf
         if not self.contacts.floats.moderate:
@@ -128,7 +128,7 @@ class MotionRegions:
             if cuts >= first:
                 first = math.inf
                 root: list[Node] = [None]
-                if self._by_states(_Region(HALF_SPACE, (root, 0)), _SMALL_PARTS):
+                if self._by_states(_OpenRegion(HALF_SPACE, (root, 0)), _SMALL_PARTS):
                     return root[0] if self.solution is None else self.solution
             active.sort(key=lambda region: region.depth)
             chosen, active = active[-self.batch :], active[: -self.batch]
@@ -139,7 +139,7 @@ class MotionRegions:
             active += self._unclosed(self._halves(whole))
         return {"orthants": children}
 
-    def _decided(self, region: _Region) -> bool:
+    def _decided(self, region: _OpenRegion) -> bool:
         """Try the states of contacts on a small region, now and then; return whether that ended."""
         if self.solution is not None:
             return True
@@ -180,7 +180,7 @@ class MotionRegions:
         slip = generators[..., 1:] @ c.tangent.T
         return Regions(generators[..., 0], generators @ c.spring.T, slip)
 
-    def _unclosed(self, regions: list[_Region]) -> list[_Region]:
+    def _unclosed(self, regions: list[_OpenRegion]) -> list[_OpenRegion]:
         """Close what can be closed; return the others."""
         if not regions:
             return []
@@ -201,7 +201,7 @@ class MotionRegions:
                 done.add(n)
         return [region for n, region in enumerate(regions) if n not in done]
 
-    def _outside(self, region: _Region) -> bool:
+    def _outside(self, region: _OpenRegion) -> bool:
         """Close a region in which one bound of the range holds nowhere; return whether it does."""
         rows, leaves = self.contacts.bounds
         if not leaves:
@@ -214,7 +214,7 @@ class MotionRegions:
             return True
         return False
 
-    def _halves(self, regions: list[_Region]) -> list[_Region]:
+    def _halves(self, regions: list[_OpenRegion]) -> list[_OpenRegion]:
         """Cut each region at the edge that promises most: near the middle, or a spring."""
         if not regions:
             return []
@@ -263,7 +263,7 @@ class MotionRegions:
         one, two = (np.abs(np.take_along_axis(x, chosen, axis=2)[..., 0]) for x in (one, two))
         return np.where(there, two / np.where(there, one, 1.0), 0.0), there
 
-    def _split(self, region: _Region, j: int, k: int, p: int, q: int) -> list[_Region]:
+    def _split(self, region: _OpenRegion, j: int, k: int, p: int, q: int) -> list[_OpenRegion]:
         """Cut the edge between two generators; return the parts."""
         g = region.generators
         middle = [p * a + q * b for a, b in zip(g[j], g[k], strict=True)]
@@ -273,11 +273,11 @@ class MotionRegions:
         at = {} if p == q == 1 else {"at": [to_text(p), to_text(q)]}
         region.close({"edge": [j, k], **at, "children": children})
         return [
-            _Region((*g[:n], vector, *g[n + 1 :]), (children, place), region.depth + 1)
+            _OpenRegion((*g[:n], vector, *g[n + 1 :]), (children, place), region.depth + 1)
             for place, n in enumerate((j, k))
         ]
 
-    def _by_states(self, region: _Region, limit: float) -> bool:
+    def _by_states(self, region: _OpenRegion, limit: float) -> bool:
         """Decide a region by the states of contacts; return whether that ended."""
         splits = StateSplits(self.contacts, self.wrench, region.generators, limit, self.deadline)
         try:
@@ -290,7 +290,7 @@ class MotionRegions:
             region.close(decided)
         return True
 
-    def _look_inside(self, region: _Region) -> None:
+    def _look_inside(self, region: _OpenRegion) -> None:
         """Look for an equilibrium near the middle of a region."""
         generators, _ = self._scaled([region.generators])
         middle = generators[0].sum(axis=0)

@@ -33,7 +33,7 @@ def unit_of(numbers: Iterable[Fraction]) -> Fraction:
 
 
 @dataclass(frozen=True)
-class Units:
+class SearchUnits:
     """What one means in each kind of number: `step` of a motion along x and y."""
 
     length: Fraction
@@ -41,7 +41,7 @@ class Units:
     step: Fraction
 
     @classmethod
-    def of(cls, grasp: Grasp, wrench: RationalVector) -> Units:
+    def of(cls, grasp: Grasp, wrench: RationalVector) -> SearchUnits:
         """Return the units of a question; where there is preload, those of the grasp alone."""
         length = unit_of(x for c in grasp for x in c.point)
         loads = [c.preload for c in grasp]
@@ -121,8 +121,10 @@ class Units:
         used = leaf.get("range", {})
         one, slip = Fraction(1), self.force / self.step
         turn = slip * self.length
-        rows = {i: [rational(z) * u for z, u in zip(row, (one, slip), strict=False)]
-                for i, row in leaf["multipliers"].items()}  # fmt: skip
+        rows = {
+            i: [rational(z) * u for z, u in zip(row, (one, slip), strict=False)]
+            for i, row in leaf["multipliers"].items()
+        }
         turns = [rational(z) * turn for z in used.get("turn", ())]
         rho = list(map(rational, used.get("forces", {}).values()))
         every = [x, y, r / self.length, *chain(*rows.values()), *turns, *rho]

@@ -47,7 +47,7 @@ from arrangement.library.census.chirotopes import (
     triples,
 )
 from arrangement.library.census.extensions import extensions
-from arrangement.library.census.final_polynomials import Comparison, final_polynomial
+from arrangement.library.census.final_polynomials import OrderedProducts, final_polynomial
 from arrangement.library.families import perles
 
 #: Products are sums of three integers; float32 gives them exactly below this.
@@ -93,7 +93,7 @@ def _localizations(normals: Vectors, vectors: Vectors) -> Signs:
 
 Arrays: TypeAlias = dict[str, NDArray[Any]]
 #: The chirotope of a type without vectors, and the proof that it has none, once it is found.
-_Proof: TypeAlias = tuple[Signs, tuple[Comparison, ...] | None]
+_Proof: TypeAlias = tuple[Signs, tuple[OrderedProducts, ...] | None]
 
 #: The largest entry of a vector that is tried.
 _SIZE = 12
@@ -108,7 +108,7 @@ _FEW = 400
 _OTHER, _OPEN, _NEVER = -1, -2, -3
 
 
-class _Plan(NamedTuple):
+class _Workload(NamedTuple):
     """What the parts of the work have in common: n planes are extended."""
 
     folder: str
@@ -149,7 +149,7 @@ def build(folder: str, jobs: int = 1, planes: int = 9) -> Arrays:
         Path(folder).mkdir(parents=True, exist_ok=True)
     except OSError as error:
         raise InputError(f"cannot make the folder {folder}: {reason(error)}") from None
-    plan = _Plan(folder, planes - 1)
+    plan = _Workload(folder, planes - 1)
     every = _every_extension(plan, jobs)
     size = int(every.types.max()) + 1
     found = _Found(np.zeros((size, planes, 3), dtype=np.int8), np.full(size, _OPEN))
@@ -171,7 +171,7 @@ def build(folder: str, jobs: int = 1, planes: int = 9) -> Arrays:
     )
 
 
-def _every_extension(plan: _Plan, jobs: int) -> _Extensions:
+def _every_extension(plan: _Workload, jobs: int) -> _Extensions:
     """Extend all arrangements in parts, which are kept, and number the types by their codes."""
     total = -(-len(normals(plan.n)) // _PART)
     pending = [k for k in workers.due(total, (1, 1), jobs) if not plan.file(f"types-{k}").exists()]
@@ -187,7 +187,7 @@ def _every_extension(plan: _Plan, jobs: int) -> _Extensions:
     return _Extensions(types, whole["parents"], whole["keys"])
 
 
-def _extended(plan: _Plan, number: int) -> tuple[int, Arrays]:
+def _extended(plan: _Workload, number: int) -> tuple[int, Arrays]:
     """Return the number of a part, and regions, codes, arrangements and keys of its extensions."""
     signs = chirotope_of(normals(plan.n))
     parents = range(number * _PART, min((number + 1) * _PART, len(signs)))
@@ -202,7 +202,7 @@ def _extended(plan: _Plan, number: int) -> tuple[int, Arrays]:
     }
 
 
-def _realize(plan: _Plan, every: _Extensions, found: _Found, jobs: int) -> None:
+def _realize(plan: _Workload, every: _Extensions, found: _Found, jobs: int) -> None:
     """Find vectors for types that have none, in one round, unless an earlier run has."""
     file = plan.file(f"round-{plan.round}")
     if not file.exists():
@@ -219,7 +219,7 @@ def _realize(plan: _Plan, every: _Extensions, found: _Found, jobs: int) -> None:
     found.parents[kept["types"]] = _OTHER if plan.round else kept["parents"]
 
 
-def _todo(plan: _Plan, every: _Extensions, found: _Found) -> Arrays:
+def _todo(plan: _Workload, every: _Extensions, found: _Found) -> Arrays:
     """Return the extensions whose types have no vectors, by arrangement, with what may help."""
     rows = np.flatnonzero(found.parents[every.types] == _OPEN)
     parents, starts = np.unique(every.parents[rows], return_index=True)
@@ -239,7 +239,7 @@ def _todo(plan: _Plan, every: _Extensions, found: _Found) -> Arrays:
     }
 
 
-def _tried(plan: _Plan, number: int) -> Arrays:
+def _tried(plan: _Workload, number: int) -> Arrays:
     """Return types, arrangements, normals, and places of the new ones in the box, for one part."""
     todo, listed, vectors = _read(plan.file("todo")), normals(plan.n).astype(np.int64), box(_SIZE)
     results = []
@@ -276,7 +276,7 @@ def _with_other_coordinates(basis: Vectors, larger: Vectors) -> Vectors:
     return alike
 
 
-def _proof(plan: _Plan, every: _Extensions, number: int) -> _Proof:
+def _proof(plan: _Workload, every: _Extensions, number: int) -> _Proof:
     """Return the chirotope of a type, and the proof that it has no vectors, if there is one."""
     row = np.flatnonzero(every.types == number)[0]
     signs = chirotope_of(normals(plan.n)[every.parents[row]])
@@ -291,7 +291,7 @@ def _same(one: Signs, other: Signs) -> bool:
     return bool((codes[0] == codes[1]).all())
 
 
-def _arrays(plan: _Plan, found: _Found, proofs: list[_Proof]) -> Arrays:
+def _arrays(plan: _Workload, found: _Found, proofs: list[_Proof]) -> Arrays:
     """Return each type as a vector added to a parent: one of the list, or of those kept here."""
     has = found.parents > _OPEN
     every, parents = found.normals[has], found.parents[has]
