@@ -12,6 +12,7 @@ from collections.abc import Mapping
 from itertools import combinations
 
 from arrangement.errors import InputError
+from arrangement.numbers import budget
 from arrangement.numbers.exact import shown, sign
 from arrangement.numbers.linear.rank import determinant
 from arrangement.planes.planes import Planes
@@ -46,6 +47,13 @@ def chirotope(arrangement: Planes) -> Mapping[tuple[int, ...], int]:
     normals = [plane[:-1] for plane in arrangement.integer_planes]
     columns = pivot_columns(normals, arrangement.dimension)
     rows = [[normal[j] for j in columns] for normal in normals]
+    number = budget.choose(len(rows), len(columns))
+    budget.ask(
+        f"{budget.about(number)} determinants of {len(columns)} of {len(rows):,} normals",
+        "take fewer planes",
+        seconds=number * max(1, len(columns)) ** 3 * 4e-7,
+        bytes=number * 200,
+    )
     return {
         chosen: sign(determinant([rows[i] for i in chosen]))
         for chosen in combinations(range(len(rows)), len(columns))

@@ -22,7 +22,7 @@ from arrangement.library import families
 from arrangement.library.files import table
 from arrangement.numbers import budget
 
-#: No question may eat the machine: seconds of the processor and megabytes that none comes near to. How
+#: No question may eat the machine: seconds of the processor and megabytes that none may take. How
 #: soon most are refused is measured, not tested.
 SECONDS, MEGABYTES = 60, 2000
 #: From this number on there are questions of more kinds.

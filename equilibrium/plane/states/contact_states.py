@@ -17,6 +17,7 @@ from typing import TypeAlias
 import numpy as np
 import numpy.typing as npt
 
+from arrangement.numbers import budget
 from arrangement.numbers.exact import RationalVector
 from equilibrium.model.grasp import Grasp
 
@@ -44,8 +45,15 @@ def state_codes(grasp: Grasp) -> Codes:
     planes = grasp.motion_arrangement()
     tangential = sorted({planes.distinct[label][0] for label in planes.class_of[: len(grasp)]})
     parts = []
-    for least, dimension in enumerate((3, 2, 1)):
-        signs = planes.faces(dimension).signs
+    faces = [planes.faces(dimension) for dimension in (3, 2, 1)]
+    number = sum(map(len, faces))
+    budget.ask(
+        f"{number:,} choices of states of {len(grasp)} contacts",
+        "decide one load (solve)",
+        bytes=24 * number * len(grasp),
+    )
+    for least, found in enumerate(faces):
+        signs = found.signs
         parts.append(_codes(signs[(signs[:, tangential] == 0).sum(axis=1) >= least]))
     codes = np.concatenate(parts)
     if grasp.tangential_arrangement().rank == 3:
