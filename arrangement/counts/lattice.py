@@ -235,11 +235,15 @@ class _Quotients:
         covers: list[tuple[int, ...]] = []
         quotients: list[dict[int, IntegerVector]] = []
         work = sum(map(len, self.vectors))
+        # In general position a flat of k planes covers k others; each plane left has a vector on it.
+        width = max((len(x) for vectors in self.vectors for x in vectors.values()), default=0)
+        fewest = min((mask.bit_count() for mask in self.masks), default=0)
+        numbers = work / (1 + fewest) * (work / max(1, len(self.masks))) * width
         budget.ask(
             f"what covers {len(self.masks):,} flats",
             "count without the lattice (arrangement polynomial)",
             seconds=3e-6 * work,
-            bytes=200 * work * keep,
+            bytes=(200 * work + 32 * numbers) * keep,
         )
         for mask, vectors in zip(self.masks, self.vectors, strict=True):
             groups: dict[IntegerVector, list[int]] = {}
