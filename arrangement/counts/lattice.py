@@ -235,7 +235,7 @@ class _Quotients:
         covers: list[tuple[int, ...]] = []
         quotients: list[dict[int, IntegerVector]] = []
         work = sum(map(len, self.vectors))
-        # In general position a flat of k planes covers k others; each plane left has a vector on it.
+        # In general position a flat of k planes covers k others; each plane left has a vector.
         width = max((len(x) for vectors in self.vectors for x in vectors.values()), default=0)
         fewest = min((mask.bit_count() for mask in self.masks), default=0)
         numbers = work / (1 + fewest) * (work / max(1, len(self.masks))) * width
