@@ -7,11 +7,13 @@ from __future__ import annotations
 
 import argparse
 import io
+import math
 from dataclasses import asdict
 
 from arrangement.console import terminal
 from arrangement.console.writing import write_bytes_atomically
 from arrangement.errors import InputError
+from arrangement.numbers.budget import limit
 
 
 def add_commands(parser: argparse.ArgumentParser) -> None:
@@ -87,7 +89,8 @@ def _check(arguments: argparse.Namespace) -> int:
 
     if not 0 <= arguments.sample <= PUBLISHED[MOST_PLANES - 1]:
         raise InputError(f"--sample is {arguments.sample}; give 0 to {PUBLISHED[MOST_PLANES - 1]}")
-    found = check(arguments.sample, arguments.seed)
+    with limit(math.inf):  # whoever asks for it waits, and is told how far it is
+        found = check(arguments.sample, arguments.seed)
     if arguments.json:
         terminal.print_json({**asdict(found), "holds": found.holds})
     else:
@@ -109,7 +112,8 @@ def _build(arguments: argparse.Namespace) -> int:
 
     planes = _planes(arguments, 4)
     output = arguments.output or f"types{planes}.npz"
-    arrays = build(arguments.store or f"types{planes}.parts", arguments.jobs, planes)
+    with limit(math.inf):
+        arrays = build(arguments.store or f"types{planes}.parts", arguments.jobs, planes)
     stream = io.BytesIO()
     np.savez_compressed(stream, **arrays)  # type: ignore[arg-type]
     write_bytes_atomically(output, stream.getvalue())
