@@ -4,7 +4,7 @@ A grasp within bounds has each normal turned by an angle of at most t, each coor
 moved, and friction, stiffness and preload changed by a share. The surface is cut into cells, each
 the hull of its corners. A leaf is a virtual motion lambda on which load and contacts do work above
 0 all over its cell, whatever the grasp is; each contact is bounded by itself, so nothing is lost
-but what its own numbers have in common beyond first order (`Form`).
+but what its own numbers have in common beyond first order (`Affine`).
 
 "Not resisted": homogeneous motions ``(y_0, s_1 y_1, ..., s_n y_n)``, ``y_0 >= 0``, with scales s;
 the surface is the part of the cube with ``y_0 = 1`` or some ``y_k = +-1``, which each ray meets.
@@ -115,7 +115,7 @@ class Bounds(Shown):
         return ", ".join(words) or "no change"
 
 
-class Form(NamedTuple):
+class Affine(NamedTuple):
     """All numbers ``centre + sum parts[k] x_k + rest z``, with x_k and z from -1 to 1.
 
     The x_k stand for one contact's own uncertain numbers: turns of the normal, coordinates of the
@@ -147,33 +147,33 @@ class Form(NamedTuple):
         """The largest absolute value."""
         return abs(self.centre) + self.radius
 
-    def plus(self, other: Form) -> Form:
+    def plus(self, other: Affine) -> Affine:
         """Return the sum."""
         parts = tuple(x + y for x, y in zip(self.parts, other.parts, strict=True))
-        return Form(self.centre + other.centre, parts, self.rest + other.rest)
+        return Affine(self.centre + other.centre, parts, self.rest + other.rest)
 
-    def negative(self) -> Form:
+    def negative(self) -> Affine:
         """Return all negatives."""
-        return Form(-self.centre, tuple(-x for x in self.parts), self.rest)
+        return Affine(-self.centre, tuple(-x for x in self.parts), self.rest)
 
-    def times(self, other: Form) -> Form:
+    def times(self, other: Affine) -> Affine:
         """Return the product; what is of second order is in the rest."""
         a, b = self.centre, other.centre
         exact = [a * b, *(b * x + a * y for x, y in zip(self.parts, other.parts, strict=True))]
         rest = abs(b) * self.rest + abs(a) * other.rest + self.radius * other.radius
         centre, *parts = (x >> _BITS for x in exact)
         lost = sum(1 for x in exact if x & (_ONE - 1))
-        return Form(centre, tuple(parts), -(-rest >> _BITS) + lost)
+        return Affine(centre, tuple(parts), -(-rest >> _BITS) + lost)
 
 
-def _form(number: int, centre: Fraction | int, parts: Mapping[int, Fraction | int]) -> Form:
+def _form(number: int, centre: Fraction | int, parts: Mapping[int, Fraction | int]) -> Affine:
     """Return a form of so many parts, some of them given."""
     row = [0] * (number + 1)
     lost = 0
     for k, x in [(-1, centre), *parts.items()]:
         row[k], rest = divmod(x.numerator << _BITS, x.denominator)
         lost += rest > 0
-    return Form(row.pop(), tuple(row), lost)
+    return Affine(row.pop(), tuple(row), lost)
 
 
 class _Uncertain:
@@ -200,7 +200,7 @@ class _Uncertain:
         self.unit = math.lcm(*(x.denominator for row in rows for one in row for x in one))
         self.rows = [[[int(x * self.unit) for x in one] for one in row] for row in rows]
 
-    def moved(self, motion: Sequence[int]) -> list[Form]:
+    def moved(self, motion: Sequence[int]) -> list[Affine]:
         """Return how far a motion moves the contact along its normal and tangents.
 
         The normal turns by an angle of sine s towards a unit tangent u, and the tangents with it:
@@ -212,7 +212,7 @@ class _Uncertain:
             still.append(_form(self.number, centre, dict(enumerate(more, first))))
         normal, *slips = still
 
-        def loose(form: Form, size: int) -> Form:
+        def loose(form: Affine, size: int) -> Affine:
             return form._replace(rest=form.rest - (-size * self.lost.size >> _BITS))
 
         along, across = loose(normal, normal.size), sum(slip.size for slip in slips)
@@ -221,20 +221,20 @@ class _Uncertain:
         pairs = zip(self.turns, slips, strict=True)
         return [along, *(loose(t, across).plus(s.times(normal).negative()) for s, t in pairs)]
 
-    def corner(self, motion: Sequence[int]) -> tuple[Form, list[Form]]:
+    def corner(self, motion: Sequence[int]) -> tuple[Affine, list[Affine]]:
         """Return spring force and slip at a homogeneous motion."""
         normal, *slips = self.moved(motion[1:])
         spring = self.preload.times(_form(self.number, motion[0], {}))
         return spring.plus(self.stiffness.times(normal).negative()), slips
 
-    def at_rest(self, friction: RationalVector) -> list[Form] | None:
+    def at_rest(self, friction: RationalVector) -> list[Affine] | None:
         """Return a friction force at rest as forms; None where it may be above its limit."""
         limit = max(self.friction.low, 0) * max(self.preload.low, 0) >> _BITS
         if dot(friction, friction) * _ONE**2 > limit**2:
             return None
         return [_form(self.number, x, {}) for x in friction]
 
-    def rest_work(self, virtual: Sequence[int], friction: Sequence[Form]) -> int:
+    def rest_work(self, virtual: Sequence[int], friction: Sequence[Affine]) -> int:
         """Return at least what the contact does at rest."""
         normal, *across = self.moved(virtual)
         work = self.preload.times(normal)
@@ -243,7 +243,7 @@ class _Uncertain:
         return work.low
 
     def works(
-        self, virtual: Sequence[int], corners: Sequence[tuple[Form, list[Form]]]
+        self, virtual: Sequence[int], corners: Sequence[tuple[Affine, list[Affine]]]
     ) -> list[int]:
         """Return at least what the contact does on a virtual motion, at each corner of a cell."""
         springs = [spring for spring, _ in corners]
@@ -252,7 +252,7 @@ class _Uncertain:
         normal, *across = self.moved(virtual)
         slips = [slip for _, slip in corners]
         if len(across) > 1:
-            rubs = [Form(_largest(across, slips), (0,) * self.number)]
+            rubs = [Affine(_largest(across, slips), (0,) * self.number)]
         else:
             one, other = across[0], across[0].negative()
             rubs = [one] * any(s.high >= 0 for (s,) in slips)
@@ -269,7 +269,7 @@ class _Uncertain:
         return found
 
 
-def _largest(b: Sequence[Form], slips: Sequence[Sequence[Form]]) -> int:
+def _largest(b: Sequence[Affine], slips: Sequence[Sequence[Affine]]) -> int:
     """Return at least the largest ``u . b`` for directions u of slips in the cone of the given.
 
     With ``b . s_j <= g |s_j|`` and ``v . s_j >= c |s_j|`` for a unit vector v, a slip ``s = sum t_j
