@@ -145,7 +145,7 @@ def test_it_names_every_type_of_up_to_six_planes(opened: Browser) -> None:
 
 
 def test_types_agree_with_canonical_tope_graphs(opened: Browser) -> None:
-    from arrangement.library.census.making.generate import canonical_form
+    from arrangement.library.census.workshop.generate import canonical_form
 
     names = {
         canonical_form(planes): f"{m}.{k}"
