@@ -93,11 +93,11 @@ PLANTED = [
     ),
     (
         "equilibrium/certificate/checker.py",
-        "import equilibrium.plane.search.resistance",
+        "import equilibrium.plane.search.motion_regions",
         "The checker of cert",
     ),
     (
-        "equilibrium/plane/search/leaf_test.py",
+        "equilibrium/plane/search/virtual_motions.py",
         "import equilibrium.certificate.checker",
         "Inside equilibrium",
     ),
@@ -122,7 +122,7 @@ PLANTED = [
     ("proofs_check/routes/rivin.py", "import arrangement.duals.inscribed", "Second routes"),
     ("proofs_check/routes/dual_graph.py", "import arrangement.enumeration", "Second routes"),
     (
-        "proofs_check/routes/fourier_motzkin.py",
+        "proofs_check/routes/oracle.py",
         "import arrangement.numbers.exact",
         "brute-force route",
     ),

@@ -13,7 +13,7 @@ from xml.etree import ElementTree as ET
 import pytest
 
 from arrangement import Arrangement
-from arrangement.console.short_repr import Shown
+from arrangement.console.number_form import Shown
 from arrangement.library.files.table import read_arrangement
 
 AFFINE = Arrangement([[1, 0], [0, 1], [1, 1]], [0, 0, 1])

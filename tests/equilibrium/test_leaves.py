@@ -9,8 +9,8 @@ from typing import Any
 import pytest
 
 from equilibrium.plane.contacts import IntegerContacts
-from equilibrium.plane.search.leaf_test import closed
 from equilibrium.plane.search.motion_regions import ORTHANTS
+from equilibrium.plane.search.virtual_motions import closed
 
 from . import judge
 from .awkward import Question, question

@@ -8,8 +8,7 @@ from equilibrium.decide.verdict import solve
 from equilibrium.grasps.files import read_grasp
 from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import Grasp
-from equilibrium.wrench_sets.gaps import gaps
-from equilibrium.wrench_sets.line import resisted_magnitudes
+from equilibrium.wrench_sets.line import gaps, resisted_magnitudes
 
 from .oracle import intervals, merged
 from .strategies import directions, loads as wrenches, wide_grasps as grasps

@@ -11,9 +11,14 @@ from equilibrium.grasps.files import read_grasp
 from equilibrium.model.contact import Contact
 from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import Grasp
-from equilibrium.wrench_sets.directions import counter_clockwise, sectors
 from equilibrium.wrench_sets.outline import outline_of
-from equilibrium.wrench_sets.plane import FORCES, polygon_cycle, resisted_region
+from equilibrium.wrench_sets.plane import (
+    FORCES,
+    counter_clockwise,
+    polygon_cycle,
+    resisted_region,
+    sectors,
+)
 
 from .strategies import loads as wrenches, small, wide_grasps as grasps
 

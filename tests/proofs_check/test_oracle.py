@@ -10,8 +10,14 @@ from equilibrium.decide.verdict import solve
 from proofs_check.instances.domains import contact_numbers
 from proofs_check.instances.grasps import grasp_of, paper_question
 from proofs_check.instances.paper_tables import FOUR_CONTACT_GRASP, THREE_CONTACT_GRASP
-from proofs_check.routes.fourier_motzkin import project
-from proofs_check.routes.oracle import Question, normal_forces, resisted, stable, violations
+from proofs_check.routes.oracle import (
+    Question,
+    normal_forces,
+    project,
+    resisted,
+    stable,
+    violations,
+)
 from tests.equilibrium.strategies import grasps, wrenches
 
 questions = st.builds(

@@ -23,8 +23,7 @@ from proofs_check.claims import registry
 from proofs_check.cli.program import main
 from proofs_check.reports import forms as pages, report
 from proofs_check.reports.formula import mathml
-from proofs_check.reports.page import python_lines
-from proofs_check.reports.pictures import pictures
+from proofs_check.reports.page import pictures, python_lines
 from proofs_check.reports.text import value_text
 from proofs_check.statements.evidence import evaluate
 from proofs_check.statements.statement import Kind

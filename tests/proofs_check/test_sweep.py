@@ -22,8 +22,17 @@ from proofs_check.errors import SweepError
 from proofs_check.statements.evidence import verdict_from
 from proofs_check.statements.statement import Verdict
 from proofs_check.sweep import report as sweepreport, store
-from proofs_check.sweep.sweep import Plan, instance, merge, plan_sweep, run_chunk, sweep, total
-from proofs_check.sweep.sweepable import about, target
+from proofs_check.sweep.sweep import (
+    Plan,
+    about,
+    instance,
+    merge,
+    plan_sweep,
+    run_chunk,
+    sweep,
+    target,
+    total,
+)
 
 CLAIM = "step-1-square-bound"
 

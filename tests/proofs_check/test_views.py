@@ -14,7 +14,7 @@ import pytest
 from arrangement import Arrangement
 from arrangement.library.families import generic
 from equilibrium.grasps.files import read_grasp
-from proofs_check.reports.pictures import pictures
+from proofs_check.reports.page import pictures
 from proofs_check.reports.report import commit
 
 
