@@ -14,7 +14,8 @@ WHEEL = {
     "arrangement/py.typed",
     "equilibrium/grasps/instances/contacts/a.json",
 }
-ARCHIVE = WHEEL | FILES | {"tests/test_a.py", "docs/index.rst", "PKG-INFO", ".gitignore"}
+WORKSHOP = "arrangement/library/census/workshop/build.py"
+ARCHIVE = WHEEL | FILES | {"tests/test_a.py", "docs/index.rst", "PKG-INFO", ".gitignore", WORKSHOP}
 TRACKED = WHEEL | FILES | {"tests/test_a.py", "docs/index.rst", ".ci/run"}
 
 
@@ -54,9 +55,11 @@ def test_a_file_that_the_wheel_lacks_is_found(path):
     ]
 
 
-def test_a_file_that_only_the_wheel_has_is_found():
-    assert wrong_files(ARCHIVE, WHEEL | {"tests/test_a.py"}, TRACKED) == [
-        "in the wheel, not in the source archive: tests/test_a.py"
+@pytest.mark.parametrize("path", ["tests/test_a.py", WORKSHOP])
+def test_a_file_that_only_the_wheel_has_is_found(path):
+    """What makes shipped data stays in the source archive."""
+    assert wrong_files(ARCHIVE, WHEEL | {path}, TRACKED) == [
+        f"in the wheel, not in the source archive: {path}"
     ]
 
 

@@ -234,6 +234,7 @@ ANNEXES = {
     ),
     "contact modes": ("equilibrium/modes.py",),
     "census": ("arrangement/library/census",),
+    "workshop of the census": ("arrangement/library/census/workshop",),
     "families": ("arrangement/library/families",),
     "formats of others": ("arrangement/library/files/others",),
     "labs": ("arrangement/pictures/lab", "equilibrium/pictures/lab"),

@@ -24,8 +24,8 @@ from arrangement.library.census.chirotopes import (
     triples,
 )
 from arrangement.library.census.final_polynomials import proves_no_coordinates
-from arrangement.library.census.making import build, generate
-from arrangement.library.census.making.tables import check, table
+from arrangement.library.census.tables import check, table
+from arrangement.library.census.workshop import __main__ as workshop, build, generate
 
 
 @pytest.mark.parametrize("planes", range(3, MOST_PLANES + 1))
@@ -220,9 +220,14 @@ def test_an_interrupted_build_goes_on_and_gives_the_same(built, tmp_path, monkey
 def test_the_commands_of_the_census(capsys, tmp_path):
     assert cli.main(["census", "show", "6"]) == 0
     assert "17 (published 17)" in capsys.readouterr().out
-    file = tmp_path / "six.npz"
-    store = str(tmp_path / "store")
-    assert cli.main(["census", "build", "6", "-o", str(file), "--store", store, "--json"]) == 0
-    assert capsys.readouterr().out == '{"types": 17, "without_coordinates": 0}\n'
+
+
+def test_the_workshop_makes_both_lists(capsys, tmp_path):
+    file, text = tmp_path / "six.npz", tmp_path / "five.json"
+    assert workshop.main(["6", "-o", str(file)]) == 0
+    assert capsys.readouterr().out == "17 types, 0 more without coordinates\n"
     with np.load(file) as arrays:
         assert len(arrays["parents"]) == 17
+    assert workshop.main(["5", "-o", str(text)]) == 0
+    assert json.loads(text.read_text())["types"]["5"] == catalogue.normals(5).tolist()
+    assert workshop.main(["3", "-o", str(file)]) == 2

@@ -18,10 +18,10 @@ from arrangement.library.census.chirotopes import canonical, chirotope_of, exten
 from arrangement.library.census.extensions import extensions
 from arrangement.library.census.final_polynomials import (
     OrderedProducts,
-    final_polynomial,
     proves_no_coordinates,
 )
-from arrangement.library.census.making import generate
+from arrangement.library.census.workshop import generate
+from arrangement.library.census.workshop.proofs import final_polynomial
 
 
 def chirotopes(planes: int) -> np.ndarray:

@@ -143,7 +143,7 @@ def test_it_names_every_type_of_up_to_six_planes(opened):
 
 
 def test_types_agree_with_canonical_tope_graphs(opened):
-    from arrangement.library.census.making.generate import canonical_form
+    from arrangement.library.census.workshop.generate import canonical_form
 
     names = {
         canonical_form(planes): f"{m}.{k}"
