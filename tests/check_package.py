@@ -12,8 +12,6 @@ every command must do its work, or name the extra that it needs, and answer ``--
 Exit code 1 when something is wrong.
 """
 
-from __future__ import annotations
-
 import argparse
 import email
 import os

@@ -1,4 +1,4 @@
-"""The commands of a course: answers are graded, and numbers in print compared with computed ones."""
+"""The commands of a course: answers graded, and numbers in print compared with computed ones."""
 
 from __future__ import annotations
 

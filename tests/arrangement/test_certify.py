@@ -1,12 +1,10 @@
 """Completeness certificates: true lists pass, every damaged list is refused."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 from fractions import Fraction
 
 import pytest
-from hypothesis import given, settings, strategies as st
+from hypothesis import given, strategies as st
 
 from arrangement import Arrangement, Face, counts
 from arrangement.counts.completeness import certify_complete
@@ -14,9 +12,8 @@ from arrangement.counts.completeness import certify_complete
 from .strategies import arrangements
 
 
-@settings(max_examples=40, deadline=None)
 @given(arrangements(dimensions=(1, 4), planes=(0, 6)))
-def test_the_enumeration_is_certified(planes: Arrangement) -> None:
+def test_the_enumeration_is_certified(planes):
     evidence = planes.certify_complete()
     assert evidence.complete
     assert bool(evidence)
@@ -24,9 +21,8 @@ def test_the_enumeration_is_certified(planes: Arrangement) -> None:
     assert evidence.enumerated == evidence.theorem == counts.f_vector(planes)
 
 
-@settings(max_examples=40, deadline=None)
 @given(arrangements(dimensions=(1, 3), planes=(1, 5)), st.data())
-def test_one_face_missing_is_noticed(planes: Arrangement, data: st.DataObject) -> None:
+def test_one_face_missing_is_noticed(planes, data):
     faces = planes.faces()
     gone = data.draw(st.integers(0, len(faces) - 1))
     evidence = certify_complete(planes, faces[:gone] + faces[gone + 1 :])
@@ -34,11 +30,8 @@ def test_one_face_missing_is_noticed(planes: Arrangement, data: st.DataObject) -
     assert f"of dimension {faces[gone].dimension}" in evidence.problems[0]
 
 
-@settings(max_examples=40, deadline=None)
 @given(arrangements(dimensions=(1, 3), planes=(1, 5)), st.data())
-def test_one_face_twice_in_place_of_another_is_noticed(
-    planes: Arrangement, data: st.DataObject
-) -> None:
+def test_one_face_twice_in_place_of_another_is_noticed(planes, data):
     regions = [i for i, face in enumerate(planes.faces()) if face.dimension == planes.dimension]
     gone, again = data.draw(st.permutations(regions))[:2]
     faces = list(planes.faces())
@@ -46,9 +39,8 @@ def test_one_face_twice_in_place_of_another_is_noticed(
     assert "is listed twice" in certify_complete(planes, faces).problems[0]
 
 
-@settings(max_examples=40, deadline=None)
 @given(arrangements(dimensions=(1, 3), planes=(1, 5)), st.data())
-def test_a_flipped_sign_is_noticed(planes: Arrangement, data: st.DataObject) -> None:
+def test_a_flipped_sign_is_noticed(planes, data):
     faces = list(planes.faces())
     chosen = data.draw(st.integers(0, len(faces) - 1))
     plane = data.draw(st.integers(0, len(planes) - 1))
@@ -70,14 +62,14 @@ CORNER = Face((1, 1), 2, (Fraction(1), Fraction(1)), SQUARE)
         (replace(CORNER, witness=(Fraction(1), Fraction(0))), "other signs"),
     ],
 )
-def test_a_wrong_face_says_what_is_wrong(face: Face, message: str) -> None:
+def test_a_wrong_face_says_what_is_wrong(face, message):
     faces = [face if f.signs == (1, 1) else f for f in SQUARE.faces()]
     evidence = certify_complete(SQUARE, faces)
     assert not evidence
     assert any(message in problem for problem in evidence.problems)
 
 
-def test_faces_of_huge_planes_are_checked_exactly() -> None:
+def test_faces_of_huge_planes_are_checked_exactly():
     huge = 10**30
     planes = Arrangement([[huge, 1, 0], [huge, 0, 1], [huge + 1, 1, 0], [1, huge, -1]])
     assert planes.certify_complete()
@@ -87,7 +79,7 @@ def test_faces_of_huge_planes_are_checked_exactly() -> None:
     assert any("other signs" in problem for problem in certify_complete(planes, wrong).problems)
 
 
-def test_a_product_that_would_wrap_around_in_64_bits_is_no_zero() -> None:
+def test_a_product_that_would_wrap_around_in_64_bits_is_no_zero():
     planes = Arrangement([[2**40, 1], [0, 1]])
     # 2^40 * 2^24 is zero modulo 2^64, so this point only seems to be on the first plane
     claimed = Face((0, 0), 0, (Fraction(2**24), Fraction(0)), planes)

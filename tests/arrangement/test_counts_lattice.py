@@ -1,12 +1,10 @@
 """The intersection lattice and its Moebius function."""
 
-from __future__ import annotations
-
 import math
 from itertools import combinations
 
 import pytest
-from hypothesis import given, settings, strategies as st
+from hypothesis import given, strategies as st
 
 from arrangement import Arrangement, InputError, counts
 
@@ -24,9 +22,8 @@ def closure_by_ranks(planes: Arrangement, chosen: tuple[int, ...]) -> tuple[int,
     return tuple(i for i, row in enumerate(augmented) if oracle.rank([*rows, row]) == size)
 
 
-@settings(max_examples=40, deadline=None)
 @given(arrangements(dimensions=(1, 4), planes=(0, 5)))
-def test_flats_are_the_closed_sets_with_common_points(planes: Arrangement) -> None:
+def test_flats_are_the_closed_sets_with_common_points(planes):
     expected = set()
     for size in range(len(planes) + 1):
         for chosen in combinations(range(len(planes)), size):
@@ -39,9 +36,8 @@ def test_flats_are_the_closed_sets_with_common_points(planes: Arrangement) -> No
     assert set(found) == expected
 
 
-@settings(max_examples=40, deadline=None)
 @given(arrangements(dimensions=(1, 4), planes=(0, 7)))
-def test_moebius_sums_to_zero_below_every_flat(planes: Arrangement) -> None:
+def test_moebius_sums_to_zero_below_every_flat(planes):
     values = counts.moebius(planes)
     for flat in values:
         below = sum(value for other, value in values.items() if {*other.planes} <= {*flat.planes})
@@ -49,9 +45,8 @@ def test_moebius_sums_to_zero_below_every_flat(planes: Arrangement) -> None:
         assert (-1) ** flat.rank * values[flat] > 0  # Rota's sign theorem
 
 
-@settings(max_examples=40, deadline=None)
 @given(arrangements(dimensions=(1, 4), planes=(0, 7)))
-def test_covers_are_the_next_larger_flats(planes: Arrangement) -> None:
+def test_covers_are_the_next_larger_flats(planes):
     lattice = counts.intersection_lattice(planes)
     for rank, (level, covers) in enumerate(zip(lattice.flats, lattice.covers, strict=True)):
         above = lattice.flats[rank + 1] if rank + 1 < len(lattice.flats) else ()
@@ -62,28 +57,27 @@ def test_covers_are_the_next_larger_flats(planes: Arrangement) -> None:
             assert flat.dimension == planes.dimension - rank
 
 
-@settings(max_examples=40, deadline=None)
 @given(arrangements(dimensions=(1, 4), planes=(1, 6)), st.data())
-def test_closure_is_the_smallest_flat(planes: Arrangement, data: st.DataObject) -> None:
+def test_closure_is_the_smallest_flat(planes, data):
     chosen = tuple(data.draw(st.sets(st.integers(0, len(planes) - 1), max_size=4)))
     flat = counts.intersection_lattice(planes).closure(chosen)
     assert (flat and flat.planes) == (closure_by_ranks(planes, chosen) if chosen else ())
 
 
-def test_generic_flats_are_all_small_subsets() -> None:
+def test_generic_flats_are_all_small_subsets():
     planes = Arrangement([[1, t, t**2, t**3, t**4] for t in range(8)])
     sizes = [len(level) for level in counts.intersection_lattice(planes).flats]
     assert sizes == [math.comb(8, k) for k in range(5)] + [1]
 
 
 @pytest.mark.parametrize("plane", [-1, 2, True])
-def test_closure_refuses_planes_that_do_not_exist(plane: int) -> None:
+def test_closure_refuses_planes_that_do_not_exist(plane):
     lattice = counts.intersection_lattice(Arrangement([[1, 0], [0, 1]]))
     with pytest.raises(InputError, match="does not exist"):
         lattice.closure([plane])
 
 
-def test_whitney_numbers_of_both_kinds_of_the_partition_lattice() -> None:
+def test_whitney_numbers_of_both_kinds_of_the_partition_lattice():
     # Stirling numbers of the first and second kind, OEIS A008275 and A008277
     rows = [[(k == i) - (k == j) for k in range(6)] for i, j in combinations(range(6), 2)]
     numbers = counts.whitney_numbers(Arrangement(rows))

@@ -1,13 +1,11 @@
 """Circuits, bases, duals, minors and modular chains, against ranks, graphs and roots."""
 
-from __future__ import annotations
-
 from itertools import combinations, pairwise
 
 import networkx as nx
 import pytest
 import sympy
-from hypothesis import assume, given, settings, strategies as st
+from hypothesis import assume, given, strategies as st
 
 from arrangement import Arrangement, InputError, counts, families
 
@@ -19,14 +17,14 @@ CENTRAL = arrangements(dimensions=(1, 4), planes=(0, 6), central=True)
 
 
 @given(CENTRAL)
-def test_bases_have_the_full_rank(planes: Arrangement) -> None:
+def test_bases_have_the_full_rank(planes):
     sets = combinations(range(len(planes)), planes.rank)
     full = [s for s in sets if oracle.rank([planes.normals[i] for i in s]) == planes.rank]
     assert counts.bases(planes) == tuple(full)
 
 
 @given(CENTRAL)
-def test_circuits_are_the_signs_of_smallest_dependencies(planes: Arrangement) -> None:
+def test_circuits_are_the_signs_of_smallest_dependencies(planes):
     found = set()
     for size in range(1, len(planes) + 1):
         for chosen in combinations(range(len(planes)), size):
@@ -41,7 +39,7 @@ def test_circuits_are_the_signs_of_smallest_dependencies(planes: Arrangement) ->
 
 
 @given(CENTRAL)
-def test_the_dual_has_the_circuits_as_cocircuits(planes: Arrangement) -> None:
+def test_the_dual_has_the_circuits_as_cocircuits(planes):
     dual = counts.dual_chirotope(planes)
     m = len(planes)
     corank = m - planes.rank
@@ -58,7 +56,7 @@ def test_the_dual_has_the_circuits_as_cocircuits(planes: Arrangement) -> None:
 
 
 @given(arrangements(dimensions=(1, 3), planes=(1, 5)))
-def test_circuits_and_cocircuits_are_orthogonal(planes: Arrangement) -> None:
+def test_circuits_and_cocircuits_are_orthogonal(planes):
     for circuit in counts.circuits(planes):
         for cocircuit in counts.cocircuits(planes):
             products = {a * b for a, b in zip(circuit, cocircuit, strict=True)} - {0}
@@ -73,17 +71,15 @@ def graphs(draw_edges: set[int], n: int) -> nx.Graph:
     return graph
 
 
-@settings(max_examples=60)
 @given(st.sets(st.integers(0, 14)))
-def test_graphs_are_supersolvable_when_chordal(edges: set[int]) -> None:
+def test_graphs_are_supersolvable_when_chordal(edges):
     graph = graphs(edges, 6)
     chain = counts.modular_chain(families.graphical(graph))
     assert (chain is not None) == nx.is_chordal(graph)
 
 
-@settings(max_examples=60)
 @given(CENTRAL)
-def test_a_modular_chain_is_modular_and_gives_the_roots(planes: Arrangement) -> None:
+def test_a_modular_chain_is_modular_and_gives_the_roots(planes):
     chain = counts.modular_chain(planes)
     exponents = counts.exponents(planes)
     assert (chain is None) == (exponents is None)
@@ -126,13 +122,12 @@ def is_supersolvable(planes: Arrangement) -> bool:
 
 
 @pytest.mark.campaign
-@settings(max_examples=60)
 @given(CENTRAL)
-def test_no_chain_is_missed(planes: Arrangement) -> None:
+def test_no_chain_is_missed(planes):
     assert (counts.modular_chain(planes) is not None) == is_supersolvable(planes)
 
 
-def test_known_chains() -> None:
+def test_known_chains():
     """Reflection arrangements of types A and B are supersolvable, D4 is not though chi factors."""
     assert sorted(counts.exponents(families.braid(5)) or ()) == [1, 2, 3, 4]
     assert sorted(counts.exponents(families.type_b(4)) or ()) == [1, 3, 5, 7]

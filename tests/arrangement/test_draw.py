@@ -1,13 +1,9 @@
 """Pictures: what is drawn is what is counted, files repeat, nothing half-written."""
 
-from __future__ import annotations
-
 import math
 import re
 import sys
 from itertools import combinations
-from pathlib import Path
-from typing import Any
 
 import numpy as np
 import pytest
@@ -27,7 +23,7 @@ NAMES = ["four-generic-planes", "braid-a3", "reflection-b3", "pencil", "coincide
 VIEW = (5, 3, 4)
 
 
-def test_sign_vectors_that_fit_are_written_once() -> None:
+def test_sign_vectors_that_fit_are_written_once():
     axes = draw_sphere(read_arrangement("coordinate-planes"), direction=(4, 5, 3)).axes[0]
     written = [text.get_text().replace("\u200a", "") for text in axes.texts]
     texts = [text for text in written if set(text) <= set("+−\n")]
@@ -35,12 +31,12 @@ def test_sign_vectors_that_fit_are_written_once() -> None:
     assert len(texts) == len(set(texts))
 
 
-def test_model_suffix_exports_the_dual(tmp_path: Path) -> None:
+def test_model_suffix_exports_the_dual(tmp_path):
     assert main(["draw", "braid-a3", "-o", str(tmp_path / "a.stl"), "--json"]) == 0
     assert (tmp_path / "a.stl").stat().st_size > 84
 
 
-def test_colouring_by_a_function_of_the_region() -> None:
+def test_colouring_by_a_function_of_the_region():
     planes = read_arrangement("coordinate-planes")
     figure = draw_sphere(planes, colour=lambda region: "red" if region.signs[0] > 0 else "blue")
     fills = {x.style["fc"] for x in paths(figure) if x.role == "region"}
@@ -48,15 +44,13 @@ def test_colouring_by_a_function_of_the_region() -> None:
 
 
 @pytest.mark.parametrize("library", ["matplotlib", "shapely"])
-def test_missing_library_names_the_extra(
-    library: str, monkeypatch: pytest.MonkeyPatch, tmp_path: Path
-) -> None:
+def test_missing_library_names_the_extra(library, monkeypatch, tmp_path):
     monkeypatch.setitem(sys.modules, library, None)
     with pytest.raises(MissingExtraError, match=r"slipstates\[figures\]"):
         write_drawing(read_arrangement("pencil"), tmp_path / "a.svg")
 
 
-def test_the_colouring_by_minus_signs_has_a_legend() -> None:
+def test_the_colouring_by_minus_signs_has_a_legend():
     axes = draw_sphere(read_arrangement("coordinate-planes"), colour="signs").axes[0]
     written = [text.get_text() for text in axes.texts]
     assert {"0", "1", "2", "3 minus signs"} <= set(written)
@@ -64,7 +58,7 @@ def test_the_colouring_by_minus_signs_has_a_legend() -> None:
 
 @pytest.mark.parametrize("antipodes", [None, "same", "opposite"])
 @pytest.mark.parametrize("name", [*NAMES, "coordinate-planes", "nine-generic-planes"])
-def test_neighbours_differ_and_opposite_regions_are_as_asked(name: str, antipodes: str) -> None:
+def test_neighbours_differ_and_opposite_regions_are_as_asked(name, antipodes):
     planes = read_arrangement(name)
     regions = [DrawnRegion(face.signs, 0) for face in planes.regions()]
     pairs = neighbours(planes)
@@ -92,8 +86,8 @@ def neighbours(planes: Arrangement) -> list[tuple[int, int]]:
     ]
 
 
-def test_sides_colour_only_where_they_tell_neighbours_apart() -> None:
-    def legend(name: str) -> set[str]:
+def test_sides_colour_only_where_they_tell_neighbours_apart():
+    def legend(name):
         return {text.get_text() for text in draw_sphere(read_arrangement(name)).axes[0].texts}
 
     assert {"3 sides", "4 sides"} <= legend("cube-diagonals")
@@ -101,7 +95,7 @@ def test_sides_colour_only_where_they_tell_neighbours_apart() -> None:
 
 
 @pytest.mark.parametrize("name", ["braid-a3", "pencil", "four-generic-planes"])
-def test_numbers_are_those_of_the_regions_and_the_table_explains_them(name: str) -> None:
+def test_numbers_are_those_of_the_regions_and_the_table_explains_them(name):
     planes = read_arrangement(name)
     texts = [t.get_text() for t in draw_sphere(planes, labels="numbers").axes[0].texts]
     rows = [re.fullmatch(r"[\s\u2007]*(\d+) ([+\u2212\u200a]+)", text) for text in texts]
@@ -114,14 +108,14 @@ def test_numbers_are_those_of_the_regions_and_the_table_explains_them(name: str)
     assert len(table) > len(regions) / 2
 
 
-def test_labels_can_be_left_out_and_bad_ones_are_refused() -> None:
+def test_labels_can_be_left_out_and_bad_ones_are_refused():
     planes = read_arrangement("braid-a3")
     texts = [t.get_text() for t in draw_sphere(planes, labels="none", colour="none").axes[0].texts]
     assert sorted(texts) == ["1", "2", "3", "4", "5", "6"]
 
 
-def test_motions_have_axes_and_other_spaces_when_asked() -> None:
-    def named(name: str, **options: Any) -> set[str]:
+def test_motions_have_axes_and_other_spaces_when_asked():
+    def named(name, **options):
         figure = draw_sphere(read_arrangement(name), **options)
         return {t.get_text() for t in figure.axes[0].texts} & {"x", "y", "z", "r"}
 
@@ -132,7 +126,7 @@ def test_motions_have_axes_and_other_spaces_when_asked() -> None:
 
 
 @pytest.mark.parametrize("name", ["braid-a3", "four-generic-planes", "coincident-planes"])
-def test_arrows_point_to_the_positive_side_of_each_plane(name: str) -> None:
+def test_arrows_point_to_the_positive_side_of_each_plane(name):
     """Both ends of an arrow, taken back to the sphere; a leader line is no arrow."""
     planes = read_arrangement(name)
     scene = draw_sphere.scene(planes, direction=VIEW, sides=True, coordinates="given")
@@ -149,7 +143,7 @@ def test_arrows_point_to_the_positive_side_of_each_plane(name: str) -> None:
         assert np.array(planes.normals[planes.distinct[label][0]], dtype=float) @ tip > 0
 
 
-def test_a_ball_is_lit_at_its_focus_and_darkest_at_the_rim(tmp_path: Path) -> None:
+def test_a_ball_is_lit_at_its_focus_and_darkest_at_the_rim(tmp_path):
     scene = Scene(40, 40)
     centre, radius = scene.width / 2, 50.0
     scene.ball((centre, centre), radius, "#ffffff", "#404040", focus=(-0.4, 0.3))
@@ -164,13 +158,13 @@ def test_a_ball_is_lit_at_its_focus_and_darkest_at_the_rim(tmp_path: Path) -> No
 
 
 @pytest.mark.parametrize("view", ["sphere", "dual", "lattice"])
-def test_width_and_size_of_letters_hold(view: str, tmp_path: Path) -> None:
+def test_width_and_size_of_letters_hold(view, tmp_path):
     """With letters twice as large the lines are twice as wide, on the same width of paper."""
     planes, found = read_arrangement("coordinate-planes"), []
     for size, width in (("7pt", "200mm"), (14, "20cm")):
         write_drawing(planes, tmp_path / "a.svg", view, width=width, font_size=size, text="text")
         text = (tmp_path / "a.svg").read_text(encoding="utf-8")
-        paper = float(re.search(r'width="([\d.]+)pt"', text)[1])  # type: ignore[index]
+        paper = float(re.search(r'width="([\d.]+)pt"', text)[1])
         assert abs(paper - 200 * 72 / 25.4) < 0.01
         letters = {float(x) for x in re.findall(r"font(?:-size)?: ?[^;]*?([\d.]+)px", text)}
         lines = {float(x) for x in re.findall(r"stroke-width: ([\d.]+)", text)}
@@ -178,7 +172,7 @@ def test_width_and_size_of_letters_hold(view: str, tmp_path: Path) -> None:
     assert found[1] == pytest.approx([2 * x for x in found[0]])
 
 
-def test_letters_of_an_svg_can_be_kept_as_text(tmp_path: Path) -> None:
+def test_letters_of_an_svg_can_be_kept_as_text(tmp_path):
     """Those with a halo too."""
     scene = Scene(40, 20)
     scene.text((40, 30), "halo", halo=(2, "white"))

@@ -1,16 +1,13 @@
 """Cells apart, and views of planes of any space: what is shown, what is drawn by default."""
 
-from __future__ import annotations
-
 import json
 import math
 import re
-from pathlib import Path
 from typing import Any
 
 import numpy as np
 import pytest
-from hypothesis import given, settings, strategies as st
+from hypothesis import given, strategies as st
 
 from arrangement import Arrangement
 from arrangement.cli import main
@@ -29,7 +26,6 @@ from arrangement.pictures import (
 from arrangement.pictures.duals.models import cells_model
 from arrangement.pictures.essential import SPACES, fits, in_space
 from arrangement.pictures.views import DRAWINGS, drawings_of
-from tests.browser import Browser
 from tests.instances import PLANAR
 
 from .strategies import arrangements
@@ -54,7 +50,7 @@ def data_of(page: str) -> dict[str, Any]:
 
 
 @pytest.mark.parametrize("name", PLANES)
-def test_the_page_has_every_cell_with_its_signs(name: str) -> None:
+def test_the_page_has_every_cell_with_its_signs(name):
     planes = PLANES[name]
     data = data_of(cells_page(planes))
     signs = ["".join("+" if s > 0 else "−" for s in face.signs) for face in planes.regions()]
@@ -63,15 +59,12 @@ def test_the_page_has_every_cell_with_its_signs(name: str) -> None:
     assert sorted(k for found in pieces for k in found) == list(range(len(signs)))
 
 
-@settings(max_examples=25, deadline=None)
 @given(
     arrangements(dimensions=(3, 3), planes=(1, 4)),
     st.floats(1, 3),
     st.tuples(*[st.integers(-5, 5)] * 3).filter(any),
 )  # fmt: skip
-def test_no_cell_apart_is_painted_over_one_that_is_nearer(
-    planes: Arrangement, explode: float, direction: tuple[int, ...]
-) -> None:
+def test_no_cell_apart_is_painted_over_one_that_is_nearer(planes, explode, direction):
     """Two cells in order are separated by a plane with the viewer on the side of the later one."""
     data = data_of(cells_page(planes, explode=explode))
     solids = []
@@ -105,7 +98,7 @@ def test_no_cell_apart_is_painted_over_one_that_is_nearer(
 
 @pytest.mark.campaign
 @pytest.mark.parametrize("name", ["simplex", "one", "none"])
-def test_the_page_opens_turns_and_tells(name: str, browser: Browser, tmp_path: Path) -> None:
+def test_the_page_opens_turns_and_tells(name, browser, tmp_path):
     (tmp_path / "a.html").write_text(cells_page(PLANES[name]), encoding="utf-8")
     browser.open(tmp_path / "a.html")
     browser.settled()
@@ -120,7 +113,7 @@ def test_the_page_opens_turns_and_tells(name: str, browser: Browser, tmp_path: P
     assert browser.messages() == []
 
 
-def test_what_is_in_front_moves_with_the_pointer(browser: Browser, tmp_path: Path) -> None:
+def test_what_is_in_front_moves_with_the_pointer(browser, tmp_path):
     """Downwards as upwards: the nearest corner goes where the drag goes."""
     page = cells_page(PLANES["one"])
     (tmp_path / "a.html").write_text(page, encoding="utf-8")
@@ -141,7 +134,7 @@ def test_what_is_in_front_moves_with_the_pointer(browser: Browser, tmp_path: Pat
         assert (browser.run(place) - before) * way > 0
 
 
-def test_affine_planes_have_a_page_by_default(tmp_path: Path) -> None:
+def test_affine_planes_have_a_page_by_default(tmp_path):
     assert main(["draw", "parallel-planes-affine", "-o", str(tmp_path / "a.html")]) == 0
     page = (tmp_path / "a.html").read_text(encoding="utf-8")
     assert data_of(page)["counts"].startswith("6 cells in a cube with centre (0, 0, 1/2)")
@@ -159,9 +152,7 @@ def texts(figure: Any) -> list[str]:
 
 @pytest.mark.campaign
 @pytest.mark.parametrize("view", [*SPACES, "lattice"])
-def test_braids_in_four_dimensions_are_drawn_and_the_caption_says_how(
-    view: str, tmp_path: Path
-) -> None:
+def test_braids_in_four_dimensions_are_drawn_and_the_caption_says_how(view, tmp_path):
     command = ["draw", "braid-a3-in-r4", "--view", view, "-o", str(tmp_path / "a.svg")]
     assert main(command) == (2 if view == "lines" else 0)
     module, _, name = DRAWINGS.views[view].partition(":")
@@ -174,22 +165,17 @@ def test_braids_in_four_dimensions_are_drawn_and_the_caption_says_how(
         assert all(label.place[1] > 0 for label in scene.items if isinstance(label, Label))
 
 
-def test_planes_in_their_own_space_have_no_caption() -> None:
+def test_planes_in_their_own_space_have_no_caption():
     assert not any("arrangement" in text for text in texts(draw_sphere(read_arrangement("pencil"))))
     assert "arrangement in R¹, times a line" in texts(draw_lines(Arrangement([[1], [2]], [0, 1])))
 
 
-@settings(max_examples=30, deadline=None)
 @given(
     st.lists(st.tuples(*[st.integers(-3, 3)] * 2), min_size=1, max_size=5),
     st.tuples(*[st.tuples(*[st.integers(-2, 2)] * 4)] * 2),
     st.lists(st.integers(-2, 2), min_size=5, max_size=5),
 )
-def test_signs_faces_and_nearly_angles_are_those_in_the_other_space(
-    coefficients: list[tuple[int, int]],
-    basis: tuple[tuple[int, ...], tuple[int, ...]],
-    offsets: list[int],
-) -> None:
+def test_signs_faces_and_nearly_angles_are_those_in_the_other_space(coefficients, basis, offsets):
     normals = [[a * x + b * y for x, y in zip(*basis, strict=True)] for a, b in coefficients]
     normals = [normal for normal in normals if any(normal)]
     planes = Arrangement(normals, offsets[: len(normals)], dimension=4)
@@ -210,7 +196,7 @@ def _cosines(planes: Arrangement) -> list[float]:
 
 
 @pytest.mark.parametrize("planes", [BRAID, GRAPHIC, RESTRICTION])
-def test_models_and_pages_are_made_of_the_essentialisation(planes: Arrangement) -> None:
+def test_models_and_pages_are_made_of_the_essentialisation(planes):
     moved = in_space(planes, 3)
     assert f_vector(moved)[-1] == f_vector(planes)[-1]
     assert cells_model(planes, ".stl", body="cube") == cells_model(moved, ".stl", body="cube")
@@ -218,7 +204,7 @@ def test_models_and_pages_are_made_of_the_essentialisation(planes: Arrangement) 
         assert "essentialisation of an arrangement in R\\u2074" in arrangement_page(planes)
 
 
-def test_rank_four_has_its_lattice_only() -> None:
+def test_rank_four_has_its_lattice_only():
     planes = Arrangement(np.eye(4, dtype=int).tolist())
     assert [name for name in DRAWINGS.views if fits(name, planes)] == ["lattice"]
     assert next(iter(drawings_of(planes).views)) == "lattice"
@@ -226,7 +212,7 @@ def test_rank_four_has_its_lattice_only() -> None:
 
 @pytest.mark.campaign
 @pytest.mark.parametrize("name", PLANAR)
-def test_by_default_there_is_what_suits_the_planes(name: str, tmp_path: Path) -> None:
+def test_by_default_there_is_what_suits_the_planes(name, tmp_path):
     planes = read_arrangement(name)
     found = drawings_of(planes)
     view = next(iter(found.views))

@@ -1,13 +1,11 @@
 """Lines of the plane: what is drawn is what is counted, and every region lies where it is drawn."""
 
-from __future__ import annotations
-
 from fractions import Fraction
 from typing import Any
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 
 from arrangement import Arrangement
 from arrangement.counts import bounded_region_count, f_vector
@@ -51,7 +49,7 @@ def written(scene: Scene) -> list[str]:
 
 @pytest.mark.parametrize("name", LINES)
 @pytest.mark.parametrize("projective", [False, True])
-def test_regions_and_lines_are_those_that_are_counted(name: str, projective: bool) -> None:
+def test_regions_and_lines_are_those_that_are_counted(name, projective):
     planes = LINES[name]
     found = elements(scene_of(planes, projective=projective, faces="all", sides=True))
     vertices, edges, regions = f_vector(planes)
@@ -64,9 +62,8 @@ def bounded(planes: Arrangement) -> int:
     return bounded_region_count(planes) if planes.rank == 2 else 0
 
 
-@settings(max_examples=40, deadline=None)
 @given(arrangements(dimensions=(2, 2), planes=(0, 6)))
-def test_regions_fill_the_window_and_have_the_signs_of_their_middles(planes: Arrangement) -> None:
+def test_regions_fill_the_window_and_have_the_signs_of_their_middles(planes):
     chart = LinesChart(planes)
     assert len(chart.bounded) == bounded(planes)
     assert (len(chart.vertices), len(chart.edges), len(chart.regions)) == f_vector(planes)
@@ -83,7 +80,7 @@ def test_regions_fill_the_window_and_have_the_signs_of_their_middles(planes: Arr
         assert (np.abs(chart.vertex(vertex)) < [float(x) for x in chart.half]).all()
 
 
-def test_all_nineteen_faces_of_three_lines_have_their_labels() -> None:
+def test_all_nineteen_faces_of_three_lines_have_their_labels():
     for projective in (False, True):
         found = written(scene_of(LESSON, faces="all", projective=projective))
         signs = ["".join("−0+"[s + 1] for s in face.signs) for face in LESSON.faces()]
@@ -91,7 +88,7 @@ def test_all_nineteen_faces_of_three_lines_have_their_labels() -> None:
         assert sorted(text for text in found if text in signs) == sorted(signs)
 
 
-def test_a_line_has_one_name_in_the_window_and_two_in_the_projective_plane() -> None:
+def test_a_line_has_one_name_in_the_window_and_two_in_the_projective_plane():
     assert [written(scene_of(LESSON)).count(str(k)) for k in (1, 2, 3)] == [1, 1, 1]
     whole = written(scene_of(LESSON, projective=True))
     assert [whole.count(str(k)) for k in (1, 2, 3)] == [2, 2, 2]
@@ -99,9 +96,7 @@ def test_a_line_has_one_name_in_the_window_and_two_in_the_projective_plane() -> 
 
 @pytest.mark.parametrize("normal", [(0, 1), (1, 0), (1, 1), (-1, 2), (-3, -1), (5, -7)])
 @pytest.mark.parametrize("view", [draw_lines, draw_gnomonic])
-def test_numbers_at_a_common_point_of_the_rim_have_the_order_of_their_lines(
-    normal: tuple[int, int], view: Any
-) -> None:
+def test_numbers_at_a_common_point_of_the_rim_have_the_order_of_their_lines(normal, view):
     a, b = normal
     rows, offsets = [normal, normal, normal, (-b, a)], [-1, 0, 1, 0]
     if view is draw_lines:
@@ -121,14 +116,14 @@ def test_numbers_at_a_common_point_of_the_rim_have_the_order_of_their_lines(
         ]
 
 
-def test_parallel_classes_have_dots_at_infinity() -> None:
+def test_parallel_classes_have_dots_at_infinity():
     found = elements(scene_of(LINES["shi"], projective=True))
     assert found["infinity"] == 6
     assert "infinity" not in elements(scene_of(LESSON, projective=True))
 
 
 @pytest.mark.parametrize("projective", [False, True])
-def test_arrows_point_to_the_positive_sides(projective: bool) -> None:
+def test_arrows_point_to_the_positive_sides(projective):
     """The tip of an arrow is where its line alone has the sign +."""
     for k in range(3):
         normal, offset = LESSON.normals[k], LESSON.offsets[k]
@@ -143,24 +138,24 @@ def test_arrows_point_to_the_positive_sides(projective: bool) -> None:
             minus = next(i for i in scene.items if isinstance(i, Label) and i.text == "−")
             line = next(i for i in scene.items if i.name.startswith(("line", "front")))
             way = np.array(plus.place) - np.array(minus.place)
-            tip = arrow.points.mean(axis=0)  # type: ignore[attr-defined]
-            start = line.points[0]  # type: ignore[attr-defined]
-            ends = line.points[-1] - start  # type: ignore[attr-defined]
+            tip = arrow.points.mean(axis=0)
+            start = line.points[0]
+            ends = line.points[-1] - start
             normal_on_paper = np.array([-ends[1], ends[0]])
             assert ((tip - start) @ normal_on_paper) * (way @ normal_on_paper) > 0
 
 
-def test_the_legend_counts_bounded_and_unbounded_regions() -> None:
+def test_the_legend_counts_bounded_and_unbounded_regions():
     found = written(scene_of(LINES["shi"]))
     assert {"4 bounded regions", "12 unbounded"} <= set(found)
 
 
-def test_what_has_no_room_is_counted() -> None:
+def test_what_has_no_room_is_counted():
     found = written(scene_of(LINES["shi"], faces="all", width=40))
     assert any(text.startswith("no room for some labels: ") for text in found)
 
 
-def test_the_key_of_the_projective_plane_has_the_colours_of_its_regions() -> None:
+def test_the_key_of_the_projective_plane_has_the_colours_of_its_regions():
     """Parts that meet across the rim are one region, with the sides of both."""
     planes = read_arrangement("shi-a2-affine")
     made = draw_lines.scene(planes, projective=True, colour="sides")

@@ -1,11 +1,8 @@
 """Planes in a ball or cube: the order of painting is right, what is drawn is what is counted."""
 
-from __future__ import annotations
-
 import random
 from collections.abc import Sequence
 from fractions import Fraction
-from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -75,30 +72,27 @@ def wrong_pairs(stage: Stage, facets: Sequence[Facet], samples: random.Random) -
 
 
 @pytest.mark.campaign
-@settings(max_examples=30, deadline=None)
 @given(
     spatial,
     st.tuples(*[st.integers(-3, 3)] * 3).filter(any),
     st.sampled_from(["ball", "cube"]),
     st.randoms(use_true_random=False),
 )
-def test_no_facet_is_painted_after_one_in_front_of_it(
-    planes: Arrangement, direction: tuple[int, int, int], body: str, samples: random.Random
-) -> None:
+def test_no_facet_is_painted_after_one_in_front_of_it(planes, direction, body, samples):
     stage = Stage(cut_cells(planes, body), direction)
     assert wrong_pairs(stage, stage.facets, samples) == []
 
 
 @pytest.mark.parametrize("name", ["braid-a3", "reflection-b3"])
-def test_the_check_of_the_order_finds_a_wrong_order(name: str) -> None:
+def test_the_check_of_the_order_finds_a_wrong_order(name):
     stage = Stage(cut_cells(read_arrangement(name), "cube"), DIRECTION)
     assert wrong_pairs(stage, stage.facets, random.Random(1)) == []
     assert wrong_pairs(stage, stage.facets[::-1], random.Random(1))
 
 
-@settings(max_examples=20, deadline=None)
+@settings(max_examples=20)
 @given(spatial, st.sampled_from(["ball", "cube"]))
-def test_every_facet_and_every_region_meets_the_body(planes: Arrangement, body: str) -> None:
+def test_every_facet_and_every_region_meets_the_body(planes, body):
     """Zaslavsky's theorem counts them by another route."""
     cells = cut_cells(planes, body)
     _, _, facets, regions = f_vector(planes)
@@ -111,7 +105,7 @@ def test_every_facet_and_every_region_meets_the_body(planes: Arrangement, body: 
 
 
 @pytest.mark.parametrize("planes", [read_arrangement("braid-a3"), AFFINE], ids=["A3", "affine"])
-def test_facets_of_a_plane_fill_its_disc_in_the_ball(planes: Arrangement) -> None:
+def test_facets_of_a_plane_fill_its_disc_in_the_ball(planes):
     stage = Stage(cut_cells(planes, "ball"), DIRECTION)
     for label, (_, offset) in enumerate(stage.planes):
         found = sum(area(stage.points[list(f.corners)]) for f in stage.facets if f.label == label)
@@ -131,7 +125,7 @@ def painted(figure: Any, start: str) -> dict[str, float]:
 
 @pytest.mark.parametrize("body", ["ball", "cube"])
 @pytest.mark.parametrize("name", NAMES)
-def test_the_picture_has_every_facet_once_in_order(name: str, body: str) -> None:
+def test_the_picture_has_every_facet_once_in_order(name, body):
     planes = read_arrangement(name)
     drawn = painted(draw_planes(planes, body=body), "facet-")
     assert len(drawn) == f_vector(planes)[2]
@@ -146,8 +140,8 @@ def test_the_picture_has_every_facet_once_in_order(name: str, body: str) -> None
 )
 @pytest.mark.parametrize("direction", [(5, 3, 4), (-2, 5, 1), (1, -6, -3)])
 def test_lifted_cells_are_painted_between_what_hides_them_and_what_they_hide(
-    planes: Arrangement, numbers: Sequence[int], direction: tuple[int, int, int]
-) -> None:
+    planes, numbers, direction
+):
     """Lines of sight through the middles of facets and of lifted cells meet the rest in order."""
     chosen = [planes.regions()[number].signs for number in numbers]
     texts = ["".join("+" if s > 0 else "-" for s in signs) for signs in chosen]
@@ -192,14 +186,12 @@ def sight_through(solid: Any, point: Any) -> tuple[float, float] | None:
     return (float(low), float(high)) if high - low > 1e-9 else None
 
 
-def test_numbers_name_the_planes_and_coincident_ones_share_a_place() -> None:
+def test_numbers_name_the_planes_and_coincident_ones_share_a_place():
     axes = draw_planes(read_arrangement("paper-four-contacts"), body="cube", axes="none").axes[0]
     assert sorted(text.get_text() for text in axes.texts) == ["1,2", "3,4"]
 
 
-def test_the_command_takes_signs_that_begin_with_a_minus(
-    tmp_path: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_the_command_takes_signs_that_begin_with_a_minus(tmp_path, capsys):
     target = tmp_path / "a.svg"
     arguments = ["draw", "coordinate-planes", "-o", str(target), "--view", "planes"]
     more = ["--lift=-+-", "--lift=---", "--body", "cube", "--direction", "-1/2", "3", "0.7"]
@@ -209,16 +201,14 @@ def test_the_command_takes_signs_that_begin_with_a_minus(
     assert b"cell----" in target.read_bytes()
 
 
-@settings(max_examples=20, deadline=None)
+@settings(max_examples=20)
 @given(
     spatial,
     st.tuples(*[st.fractions(-2, 2, max_denominator=3)] * 3),
     st.fractions("1/3", 3, max_denominator=5),
     st.randoms(use_true_random=False),
 )
-def test_a_chosen_cube_shows_the_cells_that_meet_it_and_is_filled(
-    planes: Arrangement, centre: Point, radius: Fraction, samples: random.Random
-) -> None:
+def test_a_chosen_cube_shows_the_cells_that_meet_it_and_is_filled(planes, centre, radius, samples):
     cells = cut_cells(planes, "cube", centre, radius)
     stage = Stage(cells, DIRECTION)
     assert wrong_pairs(stage, stage.facets, samples) == []
@@ -230,7 +220,7 @@ def test_a_chosen_cube_shows_the_cells_that_meet_it_and_is_filled(
     assert seen <= {face.signs for face in planes.regions()}
 
 
-def test_far_vertices_can_be_left_out() -> None:
+def test_far_vertices_can_be_left_out():
     """Two of the planes meet x = 0 in lines that cross at y = 1000; near the origin they do not."""
     planes = Arrangement([[1, 0, 0], [0, 1, 1000], [0, 1, -1000]], [0, 1000, 1000])
     everything = painted(draw_planes(planes, body="cube"), "facet-")

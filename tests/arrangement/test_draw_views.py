@@ -1,7 +1,5 @@
 """Flat drawings, dual, graph, lattice: what is drawn is what is counted; labels stay apart."""
 
-from __future__ import annotations
-
 import math
 from collections import Counter
 from fractions import Fraction
@@ -11,7 +9,7 @@ from typing import Any
 
 import numpy as np
 import pytest
-from hypothesis import assume, given, settings, strategies as st
+from hypothesis import assume, given, strategies as st
 
 from arrangement import Arrangement
 from arrangement.cli import main
@@ -63,7 +61,7 @@ CASES = [
 
 
 @pytest.mark.parametrize(("view", "name"), CASES)
-def test_elements_drawn_are_those_counted(view: str, name: str) -> None:
+def test_elements_drawn_are_those_counted(view, name):
     """Of a half, the limb is one more plane; in a dual, a ray is a face, half of them seen."""
     planes = read_arrangement(name)
     rays, facets, regions = (0, 0, *f_vector(planes))[-3:]
@@ -96,7 +94,7 @@ def test_elements_drawn_are_those_counted(view: str, name: str) -> None:
             assert f"\u03a3\u03bc = {number}".replace("-", "\u2212") in written
 
 
-def test_one_plane_and_none_have_pictures() -> None:
+def test_one_plane_and_none_have_pictures():
     """The dual of one plane is a segment; empty space is one region."""
     found = elements(draw_dual.scene(Arrangement([[1, 2, 2], [-1, -2, -2]])))
     assert (found["vertex"], found["edge"], found["face"]) == (2, 1, 0)
@@ -104,7 +102,7 @@ def test_one_plane_and_none_have_pictures() -> None:
         assert elements(draw.scene(Arrangement([], dimension=3)))["region"] == 1
 
 
-def test_marks_of_the_counts_are_zaslavskys_numbers_and_lie_on_the_printed_curves() -> None:
+def test_marks_of_the_counts_are_zaslavskys_numbers_and_lie_on_the_printed_curves():
     with own_settings():
         made = draw_counts.scene(largest=8)
     items = {item.name: item for item in made.items if isinstance(item, Drawn) and item.name}
@@ -124,7 +122,7 @@ def test_marks_of_the_counts_are_zaslavskys_numbers_and_lie_on_the_printed_curve
 # Where things are.
 
 
-def test_sign_vectors_stand_in_their_regions() -> None:
+def test_sign_vectors_stand_in_their_regions():
     """The place of each label, taken back to the sphere, has the signs that the label says."""
     planes, direction = read_arrangement("braid-a3"), (4, 3, 4)
     figure = draw_stereographic(
@@ -149,15 +147,12 @@ def test_sign_vectors_stand_in_their_regions() -> None:
     assert checked >= len(regions) - 1 - len(leaders) > 12
 
 
-@settings(max_examples=40, deadline=None)
 @given(
     st.tuples(*[st.integers(-5, 5)] * 3).filter(any),
     st.tuples(*[st.integers(-5, 5)] * 3).filter(any),
     st.floats(0.05, 3.1),
 )
-def test_stereographic_arcs_are_arcs_of_the_true_circles(
-    normal: tuple[int, ...], other: tuple[int, ...], angle: float
-) -> None:
+def test_stereographic_arcs_are_arcs_of_the_true_circles(normal, other, angle):
     """Every joint is the image of a point of the great circle, and lies on the image circle."""
     n = np.array(normal) / np.linalg.norm(normal)
     start = np.cross(n, other)
@@ -174,7 +169,7 @@ def test_stereographic_arcs_are_arcs_of_the_true_circles(
     assert np.allclose(radius * abs(n[2]), 1, atol=1e-5)
 
 
-def test_chart_is_to_scale_inside_and_takes_infinity_to_the_rim() -> None:
+def test_chart_is_to_scale_inside_and_takes_infinity_to_the_rim():
     chart = CompressedChart(2.0)
     near = chart.project(np.array([[0.3, 0.4, 0.5]]))[0]
     assert np.allclose(near, np.array([0.6, 0.8]) * chart.inner / 2)
@@ -184,7 +179,7 @@ def test_chart_is_to_scale_inside_and_takes_infinity_to_the_rim() -> None:
     assert np.allclose(seam, [[chart.inner, 0.0]] * 2)
 
 
-def test_a_plane_at_infinity_is_named() -> None:
+def test_a_plane_at_infinity_is_named():
     planes = read_arrangement("coordinate-planes")
     texts = [text.get_text() for text in draw_gnomonic(planes, direction=(0, 0, 1)).axes[0].texts]
     assert any("line at infinity, plane 3;" in text for text in texts)
@@ -192,7 +187,7 @@ def test_a_plane_at_infinity_is_named() -> None:
     assert not any("line at infinity, plane" in text for text in texts)
 
 
-def test_gnomonic_lines_are_straight_between_two_ends_named_alike() -> None:
+def test_gnomonic_lines_are_straight_between_two_ends_named_alike():
     figure = draw_gnomonic(read_arrangement("five-generic-planes"))
     for path in paths(figure):
         if path.name.startswith("front"):
@@ -204,7 +199,7 @@ def test_gnomonic_lines_are_straight_between_two_ends_named_alike() -> None:
 
 
 @pytest.mark.parametrize("name", RANK_THREE)
-def test_each_zone_has_two_edges_on_the_outline_and_hides_half_of_the_others(name: str) -> None:
+def test_each_zone_has_two_edges_on_the_outline_and_hides_half_of_the_others(name):
     """A circle meets the limb in two points, if no vertex lies on it."""
     planes = read_arrangement(name)
     solid = dual_solid(planes, (101, 37, 53), np.eye(3))
@@ -214,7 +209,7 @@ def test_each_zone_has_two_edges_on_the_outline_and_hides_half_of_the_others(nam
     assert sum(solid.vertex_hidden) == (regions - 2 * circles) // 2
 
 
-def test_hull_legend_counts_the_edges_that_differ() -> None:
+def test_hull_legend_counts_the_edges_that_differ():
     planes = read_arrangement("five-generic-planes")
     found = representative_hull(dual_polyhedron(planes))
     texts = [text.get_text() for text in draw_dual(planes, hull=True).axes[0].texts]
@@ -226,7 +221,7 @@ def test_hull_legend_counts_the_edges_that_differ() -> None:
     assert f"adjacency only: {len(found.adjacencies - found.hull.true_edges)}" in texts
 
 
-def test_evening_out_makes_room_for_labels() -> None:
+def test_evening_out_makes_room_for_labels():
     """The narrow regions of the moment curve hold hardly any."""
     plain, even = (
         scene(DRAWINGS, "stereographic", "nine-generic-planes", whole=False, coordinates=x)
@@ -241,7 +236,7 @@ def test_evening_out_makes_room_for_labels() -> None:
 
 
 @pytest.mark.parametrize("name", RANK_THREE)
-def test_faces_of_a_planar_drawing_are_convex_and_fill_the_outer_one(name: str) -> None:
+def test_faces_of_a_planar_drawing_are_convex_and_fill_the_outer_one(name):
     """Then no edges cross: regions of one orientation that fill a region once do not overlap."""
     dual = dual_polyhedron(read_arrangement(name))
     graph = planar_graph(dual.arrangement)
@@ -268,14 +263,13 @@ def test_faces_of_a_planar_drawing_are_convex_and_fill_the_outer_one(name: str) 
 
 
 @pytest.mark.parametrize("options", [{}, {"width": 88.0}, {"largest": 30}, {"largest": 4}])
-def test_labels_of_the_counts_do_not_collide(options: dict[str, Any]) -> None:
+def test_labels_of_the_counts_do_not_collide(options):
     with own_settings():
         assert offences(laid_out(draw_counts.scene(**options))) == []
 
 
-@settings(max_examples=60, deadline=None)
 @given(st.lists(st.floats(0, 6.28), min_size=1, max_size=12))
-def test_spread_angles_keep_their_cyclic_order_and_distance(angles: list[float]) -> None:
+def test_spread_angles_keep_their_cyclic_order_and_distance(angles):
     placed = spread(angles, 0.2)
     order = sorted(range(len(angles)), key=lambda k: angles[k])
     gaps = [placed[b] - placed[a] for a, b in pairwise(order)]
@@ -283,7 +277,7 @@ def test_spread_angles_keep_their_cyclic_order_and_distance(angles: list[float])
     assert placed[order[-1]] - placed[order[0]] < 2 * math.pi
 
 
-def test_segments_that_meet_a_box() -> None:
+def test_segments_that_meet_a_box():
     lines = np.array([[[0, 0], [10, 10]], [[0, 10], [4, 10]], [[5, -9], [5, 20]], [[0, 4], [3, 0]]])
     boxes = np.array([[4, 4, 6, 6], [7, 0, 9, 4]], dtype=float)
     met = [covering(keep_off([line]), boxes).tolist() for line in lines.astype(float)]
@@ -292,7 +286,7 @@ def test_segments_that_meet_a_box() -> None:
     assert covering(disc, boxes).tolist() == [True, False]
 
 
-def test_layers_are_ordered_without_crossings_where_that_is_possible() -> None:
+def test_layers_are_ordered_without_crossings_where_that_is_possible():
     covers = [[[3], [2], [1], [0]], [[], [], [], []]]
     for fixed in (0, 1):
         low, high = layered_orders([4, 4], covers, fixed)
@@ -300,7 +294,7 @@ def test_layers_are_ordered_without_crossings_where_that_is_possible() -> None:
     assert low == [0, 1, 2, 3]
 
 
-def test_the_palette_gets_darker_so_that_it_is_readable_in_grey() -> None:
+def test_the_palette_gets_darker_so_that_it_is_readable_in_grey():
     greys = [
         sum(w * int(c[i : i + 2], 16) for w, i in ((0.2126, 1), (0.7152, 3), (0.0722, 5)))
         for c in PALETTE
@@ -311,7 +305,7 @@ def test_the_palette_gets_darker_so_that_it_is_readable_in_grey() -> None:
 # Files and bad input.
 
 
-def test_extra_options_reach_their_views(tmp_path: Path) -> None:
+def test_extra_options_reach_their_views(tmp_path):
     target = str(tmp_path / "a.svg")
     assert main(["draw", "braid-a3", "-o", target, "--view", "stereographic", "--no-whole"]) == 0
     assert "limb-" in Path(target).read_text()

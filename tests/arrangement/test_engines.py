@@ -1,7 +1,5 @@
 """The facade's choice of engines, each engine against the others, and the sequence of faces."""
 
-from __future__ import annotations
-
 import gc
 import random
 import weakref
@@ -44,7 +42,7 @@ def same_faces(found: FaceSequence, expected: FaceSequence, planes: Planes) -> N
     "dimension", [1, 2, 3, *(pytest.param(n, marks=pytest.mark.campaign) for n in (4, 5))]
 )
 @pytest.mark.parametrize("affine", [False, True])
-def test_all_engines_list_the_same_faces(dimension: int, affine: bool) -> None:
+def test_all_engines_list_the_same_faces(dimension, affine):
     generator = random.Random(10 * dimension + affine)
     used = set()
     for trial in range(60):
@@ -59,7 +57,7 @@ def test_all_engines_list_the_same_faces(dimension: int, affine: bool) -> None:
 
 
 @pytest.mark.parametrize("offset", [0, 1])
-def test_entries_of_forty_digits(offset: int) -> None:
+def test_entries_of_forty_digits(offset):
     generator = random.Random(40 + offset)
     large = 10**40
     rows = [[generator.randint(-large, large) for _ in range(3)] for _ in range(5)]
@@ -67,7 +65,7 @@ def test_entries_of_forty_digits(offset: int) -> None:
     same_faces(enumerate_faces(planes), enumerate_faces(planes, "any-dimension"), planes)
 
 
-def test_more_planes_than_one_word_holds() -> None:
+def test_more_planes_than_one_word_holds():
     generator = random.Random(70)
     rows = [[generator.randint(-5, 5) for _ in range(2)] + [1] for _ in range(70)]
     planes = Planes(rows)
@@ -89,12 +87,12 @@ def test_more_planes_than_one_word_holds() -> None:
         (Arrangement(np.eye(5, dtype=int)), "any-dimension"),
     ],
 )
-def test_the_rank_chooses_the_engine(planes: Arrangement, engine: str) -> None:
+def test_the_rank_chooses_the_engine(planes, engine):
     assert planes.faces().engine == engine
     assert planes.f_vector == counts.f_vector(planes)
 
 
-def test_an_engine_that_is_unknown_or_cannot_is_refused() -> None:
+def test_an_engine_that_is_unknown_or_cannot_is_refused():
     with pytest.raises(InputError, match="known are great-circles, affine-space, any-dimension"):
         FOUR.faces(engine="fast")
     with pytest.raises(InputError, match="the engine great-circles does rank up to 3"):
@@ -103,7 +101,7 @@ def test_an_engine_that_is_unknown_or_cannot_is_refused() -> None:
         Arrangement([[1, 0, 0]]).faces(engine="affine-space")
 
 
-def test_the_sequence_looks_like_a_tuple() -> None:
+def test_the_sequence_looks_like_a_tuple():
     faces = FOUR.faces()
     listed = tuple(faces)
     assert len(faces) == len(listed) == 51
@@ -123,7 +121,7 @@ def test_the_sequence_looks_like_a_tuple() -> None:
 
 
 @pytest.mark.parametrize("planes", [FOUR, Arrangement(FOUR.normals, [0, 0, 0, 1])])
-def test_the_arrays_of_a_sequence(planes: Arrangement) -> None:
+def test_the_arrays_of_a_sequence(planes):
     faces = planes.faces()
     assert faces.signs.dtype == faces.dimensions.dtype == np.int8
     assert list(map(tuple, faces.signs.tolist())) == [face.signs for face in faces]
@@ -134,7 +132,7 @@ def test_the_arrays_of_a_sequence(planes: Arrangement) -> None:
             array[0] = 1
 
 
-def test_faces_of_one_dimension() -> None:
+def test_faces_of_one_dimension():
     faces = FOUR.faces()
     for k, number in enumerate(FOUR.f_vector):
         level = faces.of_dimension(k)
@@ -146,7 +144,7 @@ def test_faces_of_one_dimension() -> None:
         FOUR.faces(2).of_dimension(1)
 
 
-def test_no_planes_have_one_face() -> None:
+def test_no_planes_have_one_face():
     empty = Arrangement([], dimension=2)
     assert empty.f_vector == (0, 0, 1)
     assert empty.faces().signs.shape == (1, 0)
@@ -155,7 +153,7 @@ def test_no_planes_have_one_face() -> None:
     assert empty.faces(0).signs.shape == (0, 0)
 
 
-def test_faces_do_not_keep_the_arrangement_alive() -> None:
+def test_faces_do_not_keep_the_arrangement_alive():
     """Else large arrays would wait for the garbage collector."""
     planes = Arrangement([[1, 2, 3], [4, 5, 6], [7, 8, 0]])
     faces, gone = planes.faces(), weakref.ref(planes)

@@ -1,7 +1,5 @@
 """All faces of every dimension: known values, brute force, and laws."""
 
-from __future__ import annotations
-
 import math
 from itertools import combinations
 
@@ -92,23 +90,23 @@ KNOWN: dict[str, tuple[Arrangement, tuple[int, ...]]] = {
 
 
 @pytest.mark.parametrize(("planes", "expected"), KNOWN.values(), ids=KNOWN.keys())
-def test_known_f_vectors(planes: Arrangement, expected: tuple[int, ...]) -> None:
+def test_known_f_vectors(planes, expected):
     assert planes.f_vector == expected
     assert tuple(len(planes.faces(k)) for k in range(planes.dimension + 1)) == expected
 
 
-@settings(max_examples=140, deadline=None)
+@settings(max_examples=140)
 @given(
     arrangements(dimensions=(1, 3), planes=(0, 5)) | arrangements(dimensions=(4, 5), planes=(0, 5))
 )
-def test_sign_vectors_are_those_of_brute_force(planes: Arrangement) -> None:
+def test_sign_vectors_are_those_of_brute_force(planes):
     assert sign_vectors(planes) == oracle.sign_vectors(planes)
 
 
 @pytest.mark.campaign
-@settings(max_examples=100, deadline=None)
+@settings(max_examples=100)
 @given(arrangements(dimensions=(1, 5), planes=(0, 7)))
-def test_every_face_is_where_it_says(planes: Arrangement) -> None:
+def test_every_face_is_where_it_says(planes):
     """No sign vector twice, the witness has these signs, the dimension is d minus a rank."""
     faces = planes.faces()
     assert len({face.signs for face in faces}) == len(faces)
@@ -122,9 +120,8 @@ def test_every_face_is_where_it_says(planes: Arrangement) -> None:
         assert face.dimension == planes.dimension - oracle.rank(on)
 
 
-@settings(max_examples=60, deadline=None)
 @given(st.data(), arrangements(dimensions=(1, 4), planes=(1, 6)))
-def test_permutation_sign_change_and_scaling(data: st.DataObject, planes: Arrangement) -> None:
+def test_permutation_sign_change_and_scaling(data, planes):
     m = len(planes)
     order = data.draw(st.permutations(range(m)))
     factors = [data.draw(NONZERO_RATIONALS) for _ in range(m)]
@@ -141,9 +138,8 @@ def test_permutation_sign_change_and_scaling(data: st.DataObject, planes: Arrang
     assert changed.f_vector == planes.f_vector
 
 
-@settings(max_examples=60, deadline=None)
 @given(st.data(), arrangements(dimensions=(1, 4), planes=(1, 6)))
-def test_affine_change_of_coordinates(data: st.DataObject, planes: Arrangement) -> None:
+def test_affine_change_of_coordinates(data, planes):
     """With x = M y + t the planes of y have normals n M and offsets b - n . t."""
     d = planes.dimension
     matrix = data.draw(invertible_matrices(d))
@@ -159,9 +155,9 @@ def test_affine_change_of_coordinates(data: st.DataObject, planes: Arrangement) 
     }
 
 
-@settings(max_examples=80, deadline=None)
+@settings(max_examples=80)
 @given(st.data(), arrangements(dimensions=(1, 4), planes=(1, 6)))
-def test_deletion_and_restriction(data: st.DataObject, planes: Arrangement) -> None:
+def test_deletion_and_restriction(data, planes):
     """Forgetting a plane projects the sign vectors; those that vanish on it live in the plane."""
     i = data.draw(st.integers(0, len(planes) - 1))
     d, signs = planes.dimension, sign_vectors(planes)
@@ -190,13 +186,11 @@ HUGE = 10**30
     ("last", "expected"),
     [((1, 1, 2 * HUGE), (0, 1, 6, 6)), ((1, 1, 2 * HUGE + 1), (1, 6, 12, 8))],
 )
-def test_a_difference_of_one_in_thirty_digits_counts(
-    last: tuple[int, int, int], expected: tuple[int, ...]
-) -> None:
+def test_a_difference_of_one_in_thirty_digits_counts(last, expected):
     assert Arrangement([(1, 0, HUGE), (0, 1, HUGE), last]).f_vector == expected
 
 
-def test_faces_come_lowest_dimension_first_and_regions_last() -> None:
+def test_faces_come_lowest_dimension_first_and_regions_last():
     planes = Arrangement(moment_curve(4, 3))
     dimensions = [face.dimension for face in planes.iter_faces()]
     assert dimensions == sorted(dimensions)

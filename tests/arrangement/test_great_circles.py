@@ -1,7 +1,5 @@
 """Great circles: known arrangements, brute force, every rank, and faults that `validate` names."""
 
-from __future__ import annotations
-
 import random
 from collections import Counter
 from collections.abc import Callable
@@ -11,7 +9,7 @@ from typing import Any
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 
 from arrangement import Arrangement, ArrangementError, InputError
 from arrangement.counts import f_vector
@@ -197,7 +195,6 @@ def test_the_arrays_cannot_be_changed():
         made.rays[0] = 0
 
 
-@settings(max_examples=60, deadline=None)
 @given(arrangements(dimensions=(3, 3), planes=(0, 9), central=True))
 def test_every_pair_of_circles_meets_in_one_pair_of_vertices(planes):
     incidence = sphere_arrangement(planes).incidence

@@ -1,7 +1,5 @@
 """Inscribability: known graphs, an oracle with all cutsets, changed certificates refused."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from dataclasses import replace
 from fractions import Fraction
@@ -80,7 +78,7 @@ KNOWN = {
 
 
 @pytest.mark.parametrize("name", KNOWN)
-def test_known_graphs(name: str) -> None:
+def test_known_graphs(name):
     graph, expected = KNOWN[name]
     certificate = decide(polyhedral(graph))
     certificate.verify()
@@ -132,26 +130,25 @@ def polyhedral_graphs(draw: st.DrawFn) -> PolyhedralGraph:
     return polyhedral(graph)
 
 
-@settings(max_examples=30, deadline=None)
 @given(polyhedral_graphs())
-def test_answers_agree_with_all_cutsets_written_out(graph: PolyhedralGraph) -> None:
+def test_answers_agree_with_all_cutsets_written_out(graph):
     assert decide(graph).inscribable == (largest_margin(graph) > 0)
 
 
-@settings(max_examples=12, deadline=None)
+@settings(max_examples=12)
 @given(rank_three)
-def test_every_answer_about_an_arrangement_verifies(planes: Arrangement) -> None:
+def test_every_answer_about_an_arrangement_verifies(planes):
     answer = inscribability(rank_three_only(planes))
     answer.verify()
     assert bool(answer) is answer.inscribable
 
 
-def test_three_four_and_five_generic_planes() -> None:
+def test_three_four_and_five_generic_planes():
     kinds = [inscribability(generic(m)).certificate.kind for m in (3, 4, 5)]
     assert kinds == ["weights", "parity", "Farkas"]
 
 
-def test_six_planes_in_general_position_may_pass_or_not() -> None:
+def test_six_planes_in_general_position_may_pass_or_not():
     passing = Arrangement([*SQUARE_AXES, [1, -1, 1], [-1, 3, -2], [-2, 1, 1]])
     assert passing.is_simple
     assert generic(6).is_simple
@@ -170,7 +167,7 @@ SIMPLICIAL = {
 
 
 @pytest.mark.parametrize("name", SIMPLICIAL)
-def test_equal_weights_inscribe_every_simplicial_arrangement(name: str) -> None:
+def test_equal_weights_inscribe_every_simplicial_arrangement(name):
     """Three edges at each vertex and no cutset of three edges but the stars: 1/3 everywhere.
 
     Three regions' borders that close up around more than one ray would be a triangle of arcs, and
@@ -193,18 +190,18 @@ def test_equal_weights_inscribe_every_simplicial_arrangement(name: str) -> None:
         nx.disjoint_union(nx.complete_graph(4), nx.complete_graph(4)),
     ],
 )
-def test_graphs_of_no_polyhedron_are_refused(graph: nx.Graph) -> None:
+def test_graphs_of_no_polyhedron_are_refused(graph):
     with pytest.raises(ArrangementError):
         decide(polyhedral(graph))
 
 
-def test_graphs_must_be_simple() -> None:
+def test_graphs_must_be_simple():
     for edges in ([(0, 0)], [(0, 1), (1, 0)], [(0, 7)], [(-1, 0)]):
         with pytest.raises(InputError):
             PolyhedralGraph.of(4, edges)
 
 
-def test_an_answer_about_other_regions_is_refused() -> None:
+def test_an_answer_about_other_regions_is_refused():
     answer = inscribability(Arrangement(A3))
     other = inscribability(type_b(3))
     doubled = (answer.points[1], *answer.points[1:])
@@ -222,7 +219,7 @@ def test_an_answer_about_other_regions_is_refused() -> None:
             wrong.verify()
 
 
-def test_equal_weights_with_a_light_cutset_are_refused() -> None:
+def test_equal_weights_with_a_light_cutset_are_refused():
     """Every vertex of the cut cube has sum 1; the edges at the triangle weigh 1, not more."""
     graph = polyhedral(truncated_cube())
     certificate = WeightCertificate(graph, (Fraction(1, 3),) * len(graph.edges))
@@ -230,7 +227,7 @@ def test_equal_weights_with_a_light_cutset_are_refused() -> None:
         certificate.verify()
 
 
-def test_any_changed_weight_is_refused() -> None:
+def test_any_changed_weight_is_refused():
     certificate = inscribability(Arrangement(A3)).certificate
     assert isinstance(certificate, WeightCertificate)
     for e, weight in enumerate(certificate.weights):
@@ -242,7 +239,7 @@ def test_any_changed_weight_is_refused() -> None:
         replace(certificate, weights=certificate.weights[1:]).verify()
 
 
-def test_weights_of_exactly_0_or_a_half_are_refused_where_all_else_holds() -> None:
+def test_weights_of_exactly_0_or_a_half_are_refused_where_all_else_holds():
     """A diagonal of the cube that weighs nothing; halves on two edges of the tetrahedron."""
     cube = nx.convert_node_labels_to_integers(nx.hypercube_graph(3))
     for graph, changed, weight, others in (
@@ -262,7 +259,7 @@ def farkas() -> FarkasCertificate:
     return certificate
 
 
-def test_any_changed_multiplier_is_refused() -> None:
+def test_any_changed_multiplier_is_refused():
     certificate = farkas()
     tiny = Fraction(1, 10**30)
     y = certificate.vertex_multipliers
@@ -298,7 +295,7 @@ def test_any_changed_multiplier_is_refused() -> None:
     certificate.verify()
 
 
-def test_a_negative_multiplier_is_refused_even_if_the_sum_is_right() -> None:
+def test_a_negative_multiplier_is_refused_even_if_the_sum_is_right():
     """-1 at both ends of an edge, +1 for the edge, would prove anything."""
     graph = polyhedral(nx.tetrahedral_graph())
     ones = (Fraction(1),) * 4
@@ -311,7 +308,7 @@ def test_a_negative_multiplier_is_refused_even_if_the_sum_is_right() -> None:
         ).verify()
 
 
-def test_cutsets_must_be_minimal_and_no_vertex_stars() -> None:
+def test_cutsets_must_be_minimal_and_no_vertex_stars():
     """The star of a vertex, taken as a cutset, would refute every graph."""
     tetrahedron = polyhedral(nx.tetrahedral_graph())
     minus = (Fraction(-1), Fraction(0), Fraction(0), Fraction(0))
@@ -332,7 +329,7 @@ def test_cutsets_must_be_minimal_and_no_vertex_stars() -> None:
         wrong.verify()
 
 
-def test_independent_sets_are_checked() -> None:
+def test_independent_sets_are_checked():
     graph = polyhedral(rhombic_dodecahedron())
     certificate = decide(graph)
     assert isinstance(certificate, IndependentSetCertificate)

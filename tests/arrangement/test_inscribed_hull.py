@@ -1,12 +1,9 @@
 """Points on the unit sphere, their exact hulls, and inscribed zonotopes."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from dataclasses import replace
 from fractions import Fraction
 from itertools import combinations, permutations, product
-from typing import Any
 
 import pytest
 from hypothesis import assume, given, settings, strategies as st
@@ -53,9 +50,7 @@ def edges_by_brute_force(points: Sequence[Point]) -> set[tuple[int, int]]:
     st.tuples(*[st.integers(-(10**40), 10**40)] * 3).filter(any),
     st.integers(4, 60),
 )
-def test_rational_directions_are_on_the_sphere_near_and_odd(
-    vector: tuple[int, ...], bits: int
-) -> None:
+def test_rational_directions_are_on_the_sphere_near_and_odd(vector, bits):
     *point, length = rational_direction(vector, bits)
     assert dot(point, point) == length * length
     assert length > 0
@@ -66,9 +61,8 @@ def test_rational_directions_are_on_the_sphere_near_and_odd(
     assert 1 - cosine <= Fraction(16, 4**bits)
 
 
-@settings(max_examples=30, deadline=None)
 @given(rank_three)
-def test_each_region_has_its_point_and_opposite_regions_opposite_ones(planes: Arrangement) -> None:
+def test_each_region_has_its_point_and_opposite_regions_opposite_ones(planes):
     dual = dual_polyhedron(rank_three_only(planes))
     points = sphere_points(dual)
     by_signs = {}
@@ -80,7 +74,7 @@ def test_each_region_has_its_point_and_opposite_regions_opposite_ones(planes: Ar
         assert by_signs[tuple(-s for s in signs)] == tuple(-x for x in point)
 
 
-def test_thin_regions_get_points_too() -> None:
+def test_thin_regions_get_points_too():
     huge = 10**30
     planes = Arrangement([[1, 0, 0], [huge, 1, 0], [huge + 1, 1, 1], [0, 0, 1], [1, 1, huge]])
     dual = dual_polyhedron(planes)
@@ -89,9 +83,9 @@ def test_thin_regions_get_points_too() -> None:
 
 
 @pytest.mark.campaign
-@settings(max_examples=20, deadline=None)
+@settings(max_examples=20)
 @given(rank_three)
-def test_hull_agrees_with_brute_force(planes: Arrangement) -> None:
+def test_hull_agrees_with_brute_force(planes):
     dual = dual_polyhedron(rank_three_only(planes))
     assume(len(dual.signs) <= 20)
     hull = representative_hull(dual).hull
@@ -111,13 +105,11 @@ def box(a: int, b: int, c: int) -> list[Point]:
 
 
 @pytest.mark.parametrize("proposal", ["none", "wrong", "right"])
-def test_a_bad_proposal_of_the_float_hull_changes_nothing(
-    proposal: str, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_a_bad_proposal_of_the_float_hull_changes_nothing(proposal, monkeypatch):
     points = [*box(2, 3, 6), *box(1, 2, 2)]
     right = hull_module._qhull
 
-    def wrong(homogeneous: list[Any]) -> list[Any]:
+    def wrong(homogeneous):
         return [(a, c, b) for a, b, c in right(homogeneous)][1:]
 
     replacement = {"none": lambda _: [], "wrong": wrong, "right": right}[proposal]
@@ -125,7 +117,7 @@ def test_a_bad_proposal_of_the_float_hull_changes_nothing(
     assert sphere_hull(points).true_edges == edges_by_brute_force(points)
 
 
-def test_a_proposal_with_a_flipped_edge_is_refused() -> None:
+def test_a_proposal_with_a_flipped_edge_is_refused():
     points = [hull_module._homogeneous(0, p) for p in sphere_points(dual_polyhedron(generic(4)))]
     triangles = hull_module._qhull(points)
     assert hull_module._flat_edges_if_hull(points, triangles) is not None
@@ -135,7 +127,7 @@ def test_a_proposal_with_a_flipped_edge_is_refused() -> None:
     assert hull_module._flat_edges_if_hull(points, flipped) is None
 
 
-def test_a_surface_that_winds_twice_around_is_refused() -> None:
+def test_a_surface_that_winds_twice_around_is_refused():
     """A pyramid over a pentagram, on both sides: closed, oriented and convex at every edge."""
     half_angles = [Fraction(0), Fraction(3, 4), Fraction(3), Fraction(-3), Fraction(-3, 4)]
     ring = [((1 - t * t) / (1 + t * t), 2 * t / (1 + t * t), Fraction(0)) for t in half_angles]
@@ -158,7 +150,7 @@ def reflection_orbit(dual: DualPolyhedron, point: tuple[int, ...], length: int) 
     return [images[tuple(signs)] for signs in dual.signs.tolist()]
 
 
-def test_orbits_of_reflection_groups_are_inscribed_duals() -> None:
+def test_orbits_of_reflection_groups_are_inscribed_duals():
     b3 = dual_polyhedron(type_b(3))
     assert representative_hull(b3, reflection_orbit(b3, (2, 3, 6), 7)).is_dual
     cube = dual_polyhedron(Arrangement(SQUARE_AXES))
@@ -169,14 +161,14 @@ def test_orbits_of_reflection_groups_are_inscribed_duals() -> None:
 
 
 @pytest.mark.parametrize("m", [4, 5, 6])
-def test_representatives_of_generic_planes_do_not_span_the_dual(m: int) -> None:
+def test_representatives_of_generic_planes_do_not_span_the_dual(m):
     """The hull is convex with 3V - 6 edges; the dual has 2V - 4, and others."""
     report = representative_hull(dual_polyhedron(generic(m)))
     assert not report.is_dual
     assert len(report.hull.true_edges) > len(report.adjacencies)
 
 
-def test_representatives_must_be_on_the_sphere_and_inside_their_regions() -> None:
+def test_representatives_must_be_on_the_sphere_and_inside_their_regions():
     cube = dual_polyhedron(Arrangement(SQUARE_AXES))
     points = list(sphere_points(cube))
     with pytest.raises(InputError, match="not inside the region"):
@@ -187,7 +179,7 @@ def test_representatives_must_be_on_the_sphere_and_inside_their_regions() -> Non
         representative_hull(cube, points[:7])
 
 
-def test_hulls_without_the_origin_inside_are_refused() -> None:
+def test_hulls_without_the_origin_inside_are_refused():
     half = [p for p in [*box(2, 3, 6), *box(1, 2, 2)] if p[2] > 0]
     for points in (half, half[:4], half[:3]):
         with pytest.raises(InputError, match="origin"):
@@ -203,7 +195,7 @@ B3_AND_DIAGONALS = Arrangement([*type_b(3).normals, (1, 1, 1), (1, 1, -1), (1, -
 @pytest.mark.parametrize(
     "planes", [Arrangement(SQUARE_AXES), Arrangement(A3), type_b(3), B3_AND_DIAGONALS]
 )
-def test_inscribed_zonotopes_have_their_vertices_in_their_regions(planes: Arrangement) -> None:
+def test_inscribed_zonotopes_have_their_vertices_in_their_regions(planes):
     answer = inscribed_zonotope(planes)
     answer.verify()
     assert answer.lengths is not None
@@ -213,9 +205,9 @@ def test_inscribed_zonotopes_have_their_vertices_in_their_regions(planes: Arrang
         assert planes.signs_at(vertex) == tuple(signs)
 
 
-@settings(max_examples=20, deadline=None)
+@settings(max_examples=20)
 @given(rank_three)
-def test_zonotopes_of_simplicial_arrangements_alone_are_inscribed(planes: Arrangement) -> None:
+def test_zonotopes_of_simplicial_arrangements_alone_are_inscribed(planes):
     """Manecke and Sanyal, Inscribable fans II."""
     answer = inscribed_zonotope(rank_three_only(planes))
     answer.verify()
@@ -224,7 +216,7 @@ def test_zonotopes_of_simplicial_arrangements_alone_are_inscribed(planes: Arrang
         assert 2 * e == 3 * v
 
 
-def test_changed_proofs_about_zonotopes_are_refused() -> None:
+def test_changed_proofs_about_zonotopes_are_refused():
     yes = inscribed_zonotope(type_b(3))
     assert yes.lengths is not None
     lengths = (yes.lengths[0] + 1, *yes.lengths[1:])

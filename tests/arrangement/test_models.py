@@ -1,7 +1,5 @@
 """Cells as models: cut exactly, closed, of the stated size, and together as large as the body."""
 
-from __future__ import annotations
-
 import json
 import math
 import struct
@@ -54,9 +52,8 @@ def volume(points: list[tuple[Fraction, ...]], faces: Any) -> Fraction:
     return total / 6
 
 
-@settings(max_examples=40, deadline=None)
 @given(spatial)
-def test_cells_of_a_cube_are_closed_convex_and_fill_it_exactly(planes: Arrangement) -> None:
+def test_cells_of_a_cube_are_closed_convex_and_fill_it_exactly(planes):
     cells = cut_cells(planes, "cube")
     points = corners(cells)
     volumes = [volume(points, cell.faces) for cell in cells.cells]
@@ -81,7 +78,7 @@ def side(points: Any, face: tuple[int, ...], i: int) -> int:
     return -sign(determinant([points[k] for k in (*face[:3], i)]))
 
 
-def test_the_ball_is_convex_and_its_corners_lie_on_the_sphere_exactly() -> None:
+def test_the_ball_is_convex_and_its_corners_lie_on_the_sphere_exactly():
     body = body_around(Arrangement([], dimension=3), "ball")
     assert all(x * x + y * y + z * z == w * w for x, y, z, w in body.corners)
     across: dict[tuple[int, int], int] = {}
@@ -95,9 +92,9 @@ def test_the_ball_is_convex_and_its_corners_lie_on_the_sphere_exactly() -> None:
         assert determinant(rows) > 0
 
 
-@settings(max_examples=15, deadline=None)
+@settings(max_examples=15)
 @given(spatial, st.sampled_from(["ball", "cube"]))
-def test_the_body_contains_every_lowest_face(planes: Arrangement, kind: str) -> None:
+def test_the_body_contains_every_lowest_face(planes, kind):
     body = body_around(planes, kind)
     cells = cut_cells(planes, kind)
     assert len(cells.cells) == region_count(planes)
@@ -118,9 +115,7 @@ def shells(path: Path) -> list[Any]:
 @pytest.mark.campaign
 @pytest.mark.parametrize("body", ["ball", "cube"])
 @pytest.mark.parametrize("name", CASES)
-def test_the_shells_of_an_stl_are_closed_and_together_as_large_as_the_body(
-    name: str, body: str, tmp_path: Path
-) -> None:
+def test_the_shells_of_an_stl_are_closed_and_together_as_large_as_the_body(name, body, tmp_path):
     path = tmp_path / "cells.stl"
     write_drawing(CASES[name], path, model="cells", body=body, size=40, explode=1.5)
     parts = shells(path)
@@ -150,7 +145,7 @@ def glb(path: Path) -> dict[str, Any]:
     return document
 
 
-def test_glb_has_a_named_node_for_each_region_in_metres(tmp_path: Path) -> None:
+def test_glb_has_a_named_node_for_each_region_in_metres(tmp_path):
     planes = CASES["affine"]
     path = tmp_path / "cells.glb"
     write_drawing(planes, path, model="cells", body="cube", size=80, explode=1)
@@ -166,7 +161,7 @@ def test_glb_has_a_named_node_for_each_region_in_metres(tmp_path: Path) -> None:
     assert len(used) == len(planes.distinct) + 1
 
 
-def test_glb_and_stl_hold_the_same_solids_the_first_with_y_upward(tmp_path: Path) -> None:
+def test_glb_and_stl_hold_the_same_solids_the_first_with_y_upward(tmp_path):
     for suffix in ("glb", "stl", "obj"):
         write_drawing(CASES["A3"], tmp_path / f"cells.{suffix}", model="cells", body="cube")
     stl, open_parts = loaded(tmp_path / "cells.stl"), loaded(tmp_path / "cells.glb")
@@ -183,7 +178,7 @@ def test_glb_and_stl_hold_the_same_solids_the_first_with_y_upward(tmp_path: Path
     assert gaps.max() < 1e-3
 
 
-def test_parts_move_outward_by_the_stated_factor(tmp_path: Path) -> None:
+def test_parts_move_outward_by_the_stated_factor(tmp_path):
     planes = read_arrangement("coordinate-planes")
     centres: dict[float, Any] = {}
     for explode in (1.5, 2):
@@ -198,14 +193,14 @@ def test_parts_move_outward_by_the_stated_factor(tmp_path: Path) -> None:
 @pytest.mark.campaign
 @pytest.mark.parametrize("model", ["cells", "dual"])
 @pytest.mark.parametrize("suffix", [".stl", ".glb", ".obj"])
-def test_models_repeat_byte_for_byte(model: str, suffix: str, tmp_path: Path) -> None:
+def test_models_repeat_byte_for_byte(model, suffix, tmp_path):
     for name in "ab":
         write_drawing(CASES["A3"], tmp_path / f"{name}{suffix}", model=model, size=50)
     assert (tmp_path / f"a{suffix}").read_bytes() == (tmp_path / f"b{suffix}").read_bytes()
 
 
 @pytest.mark.parametrize("model", ["cells", "dual"])
-def test_stl_and_obj_say_that_they_are_in_millimetres(model: str, tmp_path: Path) -> None:
+def test_stl_and_obj_say_that_they_are_in_millimetres(model, tmp_path):
     for suffix in (".stl", ".obj"):
         path = tmp_path / f"a{suffix}"
         assert main(["draw", "braid-a3", "-o", str(path), "--model", model, "--size", "25.5"]) == 0
@@ -214,7 +209,7 @@ def test_stl_and_obj_say_that_they_are_in_millimetres(model: str, tmp_path: Path
     assert not header.startswith(b"solid")
 
 
-def test_faces_of_the_dual_have_the_colour_of_their_number_of_corners(tmp_path: Path) -> None:
+def test_faces_of_the_dual_have_the_colour_of_their_number_of_corners(tmp_path):
     """The dual of A3 has 6 squares and 8 hexagons: 12 and 32 triangles."""
     path = tmp_path / "dual.glb"
     write_drawing(CASES["A3"], path, size=25.5)
@@ -227,13 +222,13 @@ def test_faces_of_the_dual_have_the_colour_of_their_number_of_corners(tmp_path: 
     assert max(loaded(path).extents) == pytest.approx(0.0255)
 
 
-def test_colours_of_models_are_hexadecimal(tmp_path: Path) -> None:
+def test_colours_of_models_are_hexadecimal(tmp_path):
     with pytest.raises(InputError, match="#rrggbb"):
         write_drawing(CASES["A3"], tmp_path / "a.glb", model="cells", colour=lambda _: "red")
     assert list(tmp_path.iterdir()) == []
 
 
-def test_points_that_rounding_joins_leave_a_closed_surface_or_are_refused() -> None:
+def test_points_that_rounding_joins_leave_a_closed_surface_or_are_refused():
     corner = np.array([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1.0]])
     split = np.concatenate([corner, [[1e-12, 0, 0]]])
     faces = ((0, 2, 1), (4, 1, 3), (1, 2, 3), (2, 0, 3), (0, 1, 4), (0, 4, 3))

@@ -109,7 +109,6 @@ def test_a_contact_without_friction_resists_a_ray():
     assert resisted_region(Grasp()).outline.points == ((0, 0),)
 
 
-@settings(max_examples=50)
 @given(grasps(), st.sampled_from([FORCES, ((1, 0, 2), (0, 1, -1))]), wrenches, planar)
 def test_membership_is_the_verdict_of_the_solver(grasp, spans, origin, point):
     a, b = point
@@ -133,7 +132,6 @@ def test_resistance_ends_at_the_border_and_nowhere_else(grasp):
         assert not solve(grasp, (*outside, 0)).stable
 
 
-@settings(max_examples=25)
 @given(grasps(least=2), planar, planar.filter(any))
 def test_every_end_along_a_line_lies_on_the_outline(grasp, start, direction):
     """Between the outline's parts the region does not change, seen along any line."""
@@ -144,7 +142,6 @@ def test_every_end_along_a_line_lies_on_the_outline(grasp, start, direction):
         assert _on_outline(region.outline, point)
 
 
-@settings(max_examples=25)
 @given(grasps(), planar.filter(any))
 def test_unlimited_directions_have_an_interval_without_end(grasp, direction):
     region = resisted_region(grasp)
@@ -153,7 +150,6 @@ def test_unlimited_directions_have_an_interval_without_end(grasp, direction):
     assert any(_in_sector(sector, direction) for sector in region.unlimited) == unlimited
 
 
-@settings(max_examples=25)
 @given(grasps(least=2))
 def test_cycles_turn_left(grasp):
     for piece in resisted_region(grasp).polygons:

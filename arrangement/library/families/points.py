@@ -1,4 +1,4 @@
-"""Planes of points and sets: how points can be separated, what they span, thresholds, subset sums."""
+"""Planes of points and sets: separations, what points span, thresholds, subset sums."""
 
 from __future__ import annotations
 
