@@ -155,27 +155,6 @@ def test_bounds_are_met_by_generic_planes_from_three_on(capsys, tmp_path):
     assert "m 4  rays 12  facets 24  regions 14  states 51" in capsys.readouterr().out
 
 
-def test_polynomial_of_a_family_member(capsys, tmp_path):
-    path = str(tmp_path / "shi.json")
-    assert call(capsys, "make", "shi", "--type", "D4", "-o", path) == (0, "", "")
-    code, out, err = call(capsys, "polynomial", path)
-    assert (code, err) == (0, "")
-    rows = dict(line.split("  ", 1) for line in out.splitlines()[1:])
-    assert {name: value.strip() for name, value in rows.items()} == {
-        "factors": "(t - 6)**4",
-        "regions": "2401",
-        "bounded regions": "625",
-        "relatively bounded": "625",
-    }
-    code, out, _ = call(capsys, "polynomial", path, "--json")
-    assert json.loads(out) == {
-        "first_whitney_numbers": [1, -24, 216, -864, 1296],
-        "regions": 2401,
-        "bounded_regions": 625,
-        "relatively_bounded_regions": 625,
-    }
-
-
 def test_regions_bounded_in_the_span_of_the_normals_are_counted(capsys, tmp_path):
     path = str(tmp_path / "linial.json")
     call(capsys, "make", "linial", "--type", "4", "-o", path)

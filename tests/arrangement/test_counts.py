@@ -1,11 +1,10 @@
 """Characteristic polynomial, Whitney numbers, face counts: known values, oracles and laws."""
 
-from itertools import combinations, product as iter_product
+from itertools import product as iter_product
 
 import numpy as np
 import pytest
-import sympy
-from hypothesis import given, settings, strategies as st
+from hypothesis import given, settings
 from sympy import sqrt
 
 from arrangement import Arrangement, InputError, counts
@@ -14,48 +13,7 @@ from arrangement.counts.configuration import configuration
 from arrangement.library import families
 
 from . import oracle
-from .strategies import arrangements, invertible_matrices, product
-
-T = oracle.T
-
-# name: arrangement, chi (factors as printed in the source), regions, bounded regions
-KNOWN: dict[str, tuple[Arrangement, sympy.Expr, int, int]] = {
-    # Stanley, An Introduction to Hyperplane Arrangements (2007), lecture 1
-    "no planes": (Arrangement([], dimension=2), T**2, 1, 0),
-    "one plane": (Arrangement([[1, 0]]), T * (T - 1), 2, 0),
-    "one plane twice": (Arrangement([[1, 0], [-2, 0]]), T * (T - 1), 2, 0),
-    "two points of a line": (Arrangement([[1], [1]], [0, 1]), T - 2, 3, 1),
-    "parallel lines": (Arrangement([[1, 0]] * 3, [0, 1, 2]), T * (T - 3), 4, 0),
-    "triangle": (Arrangement([[1, 0], [0, 1], [1, 1]], [0, 0, 1]), T**2 - 3 * T + 3, 7, 1),
-    "four lines through a point": (
-        Arrangement([[1, 0], [0, 1], [1, 1], [1, -1]], [1, 1, 2, 0]),
-        (T - 1) * (T - 3),
-        8,
-        0,
-    ),
-    # all nonzero 0-1 normals of R^3, the simplicial A(7,1): Cuntz, Elia, Labbe (2022), table 5
-    "A(7,1)": (
-        Arrangement([p for p in np.ndindex(2, 2, 2) if any(p)]),
-        (T - 1) * (T - 3) ** 2,
-        32,
-        0,
-    ),
-    # tetrahedron: four planes in general position, one bounded cell
-    "tetrahedron": (
-        Arrangement([[1, 0, 0], [0, 1, 0], [0, 0, 1], [1, 1, 1]], [0, 0, 0, 1]),
-        T**3 - 4 * T**2 + 6 * T - 4,
-        15,
-        1,
-    ),
-}
-
-
-@pytest.mark.parametrize("name", KNOWN)
-def test_known_values(name):
-    planes, chi, regions, bounded = KNOWN[name]
-    assert counts.characteristic_polynomial(planes) == sympy.Poly(chi, T, domain=sympy.ZZ)
-    assert counts.region_count(planes) == regions
-    assert counts.bounded_region_count(planes) == bounded
+from .strategies import arrangements, product
 
 
 @given(arrangements(dimensions=(1, 5), planes=(0, 7)))
@@ -135,47 +93,6 @@ def test_counts_at_the_int64_bound_equal_those_beyond(rank, limit):
     assert lowrank.whitney_matrix(near) == lowrank.whitney_matrix(beyond)
 
 
-@given(arrangements(dimensions=(1, 4), planes=(1, 7)), st.data())
-def test_deletion_restriction(planes, data):
-    chosen = data.draw(st.integers(0, len(planes) - 1))
-    members = planes.distinct[planes.class_of[chosen]]
-    chi = counts.characteristic_polynomial
-    left = chi(counts.deletion(planes, members))
-    if planes.dimension == 1:  # the restriction is a point: chi = 1
-        assert chi(planes) == left - 1
-    else:
-        assert chi(planes) == left - chi(counts.restriction(planes, chosen))
-
-
-@given(arrangements(dimensions=(1, 4), planes=(0, 7)))
-def test_cone_multiplies_by_t_minus_1(planes):
-    factor = sympy.Poly(T - 1, T, domain=sympy.ZZ)
-    chi = counts.characteristic_polynomial
-    assert chi(counts.cone(planes)) == factor * chi(planes)
-
-
-@given(arrangements(dimensions=(1, 5), planes=(0, 8)))
-def test_euler_relation(planes):
-    faces = counts.f_vector(planes)
-    # the faces partition R^d into open cells
-    assert sum((-1) ** k * f for k, f in enumerate(faces)) == (-1) ** planes.dimension
-
-
-@given(arrangements(dimensions=(1, 4), planes=(1, 7)), st.data())
-def test_order_sides_repetition_and_coordinates_do_not_matter(planes, data):
-    order = data.draw(st.permutations(range(len(planes))))
-    matrix = data.draw(invertible_matrices(planes.dimension))
-    normals = product([list(n) for n in planes.normals], matrix)
-    rows = [(normals[i], planes.offsets[i]) for i in [*order, order[0]]]
-    flipped = [data.draw(st.sampled_from((-1, 2))) for _ in rows]
-    other = Arrangement(
-        [[s * x for x in n] for s, (n, _) in zip(flipped, rows, strict=True)],
-        [s * b for s, (_, b) in zip(flipped, rows, strict=True)],
-    )
-    assert counts.whitney_numbers(other) == counts.whitney_numbers(planes)
-    assert counts.f_vector(other) == counts.f_vector(planes)
-
-
 @given(arrangements(dimensions=(1, 4), planes=(0, 8)))
 def test_no_arrangement_exceeds_the_fukuda_bound(planes):
     n, d = len(planes.distinct), planes.dimension
@@ -194,13 +111,6 @@ def test_simple_affine_arrangements_attain_the_bound(n, d):
     assert counts.f_vector(planes) == bound
 
 
-@given(arrangements(dimensions=(1, 4), planes=(1, 6), central=True))
-def test_central_arrangements_attain_the_bound_when_independent_only(planes):
-    n, d = len(planes.distinct), planes.dimension
-    bound = tuple(counts.fukuda_bound(n, d, k) for k in range(d + 1))
-    assert (counts.f_vector(planes) == bound) == (planes.rank == n)
-
-
 @pytest.mark.parametrize(("n", "d", "k"), [(-1, 3, 0), (3, 0, 0), (3, 2, 3), (3, 2, -1)])
 def test_fukuda_bound_refuses_nonsense(n, d, k):
     with pytest.raises(InputError, match="give n >= 0"):
@@ -213,14 +123,6 @@ def test_relative_bounded_regions_ignore_common_directions():
     assert counts.bounded_region_count(strip, relative=True) == 1
 
 
-def test_generic_central_planes_have_the_count_of_great_circles():
-    # [HaasHeger2018] section IV: m great circles in general position, m^2 - m + 2 regions
-    for m in range(3, 30):
-        planes = Arrangement([[1, t, t * t] for t in range(m)])
-        expected = (1, m * (m - 1), 2 * m * (m - 1), m * m - m + 2)
-        assert counts.f_vector(planes) == planes.f_vector == expected
-
-
 def test_work_is_split_without_changing_the_sums(monkeypatch):
     planes = Arrangement(
         [row for row in np.ndindex(3, 3, 3) if any(row)],
@@ -229,13 +131,6 @@ def test_work_is_split_without_changing_the_sums(monkeypatch):
     whole = counts.doubly_indexed_whitney_numbers(planes)
     monkeypatch.setattr(lowrank, "_CHUNK", 64)
     assert counts.doubly_indexed_whitney_numbers(planes) == whole
-
-
-def test_pairs_of_ranks_follow_from_subsets():
-    # V[2][3] of four generic planes through a point of R^3: every line lies in the one point
-    planes = Arrangement([[1, 0, 0], [0, 1, 0], [0, 0, 1], [1, 1, 1]])
-    lines = len(list(combinations(range(4), 2)))
-    assert counts.doubly_indexed_whitney_numbers(planes)[2] == (0, 0, lines, lines)
 
 
 @pytest.mark.parametrize(

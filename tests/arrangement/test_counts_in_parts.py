@@ -166,24 +166,3 @@ def test_the_command_counts_in_parts(tmp_path, capsys):
     code, out, err = run(str(path), "--shard", "1/2", capsys=capsys)
     assert code == 2
     assert "need --store" in err
-
-
-@pytest.mark.parametrize(
-    ("words", "code", "message"),
-    [
-        (["--primes", "5,7,11"], 0, "(t - 3)**2"),
-        (["--primes", "5,4"], 2, "4 is no prime"),
-        (["--primes", "2,3"], 2, "2 is a prime of bad reduction"),
-        (["--primes", "5"], 2, "give at least 2"),
-        (["--primes", "five"], 2, "write 5,7,11"),
-        (["--primes", "5", "--forecast"], 2, "not allowed with"),
-        (["--time-limit", "0", "--jobs", "2"], 2, "positive number"),
-    ],
-)
-def test_the_command_counts_points_and_refuses_what_is_wrong(words, code, message, capsys):
-    try:
-        found, out, err = run("shi-a2-affine", *words, capsys=capsys)
-    except SystemExit as error:  # of argparse
-        found, (out, err) = int(str(error)), capsys.readouterr()
-    assert found == code
-    assert message in out + err

@@ -41,15 +41,6 @@ def test_restriction_sees_the_signs_of_the_flat(planes, data):
     assert list(counts.restriction(planes, chosen).signs_at(y)) == crossing
 
 
-@given(arrangements(dimensions=(2, 4), planes=(1, 6)))
-def test_faces_are_the_regions_of_the_restrictions(planes):
-    faces = counts.f_vector(planes)
-    for level in counts.intersection_lattice(planes).flats:
-        if level[0].dimension:
-            regions = [counts.region_count(counts.restriction(planes, f.planes)) for f in level]
-            assert sum(regions) == faces[level[0].dimension]
-
-
 @given(arrangements(dimensions=(1, 4), planes=(1, 6)))
 def test_localization_is_the_flat_and_carries_its_moebius_value(planes):
     for flat, value in counts.moebius(planes).items():

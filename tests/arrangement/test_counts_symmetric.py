@@ -162,22 +162,6 @@ def test_few_symmetries_leave_flats_to_the_lattice():
     assert counts.f_vector(planes) == planes.f_vector
 
 
-@pytest.mark.campaign
-# Athanasiadis (2004): (mh + 1)^r regions, (mh - 1)^r of them bounded
-@pytest.mark.parametrize(
-    ("planes", "h", "rank"),
-    [
-        (families.shi("D5"), 8, 5),
-        (families.shi("E6"), 12, 6),
-        (families.shi("B4", 3), 24, 4),
-    ],
-    ids=str,
-)
-def test_affine_counts_in_print(planes, h, rank):
-    assert counts.region_count(planes) == (h + 1) ** rank
-    assert counts.bounded_region_count(planes) == (h - 1) ** rank
-
-
 # of lines, so without -1; B_n: signed permutations; E8: half the order of the Weyl group
 @pytest.mark.parametrize(
     ("planes", "order"),

@@ -142,20 +142,6 @@ def test_it_names_every_type_of_up_to_six_planes(opened):
     assert [answer["type"] for answer in answers] == [name for _, name in listed]
 
 
-def test_types_agree_with_canonical_tope_graphs(opened):
-    from arrangement.library.census.workshop.generate import canonical_form
-
-    names = {
-        canonical_form(planes): f"{m}.{k}"
-        for m in range(3, 7)
-        for k, planes in enumerate(census(m), 1)
-    }
-    listed = [a for a in arrangements(200, 3, most=7) if a.dimension == 3 and a.rank == 3]
-    for planes, answer in zip(listed, counted(opened, listed), strict=True):
-        name = names[canonical_form(planes)] if len(planes.distinct) <= 6 else None
-        assert answer["type"] == name, planes.to_dict()
-
-
 def shown(browser: Browser) -> Arrangement:
     """Return the arrangement of the address."""
     version, dimension, rows = browser.run("return location.hash.slice(1)").split("|")

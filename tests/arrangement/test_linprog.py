@@ -171,23 +171,6 @@ def test_cycling_examples_end():
     assert answer.value == Fraction(-1, 20)
 
 
-def test_klee_minty_cube():
-    """Klee and Minty 1972, d = 6: maximise sum 2^(d-j) x_j; the optimum is 5^d."""
-    d = 6
-    rows: Rows = []
-    for i in range(1, d + 1):
-        row = [Fraction(0)] * (d + 1)
-        for j in range(1, i):
-            row[j - 1] = Fraction(-(2 ** (i - j + 1)))
-        row[i - 1] = Fraction(-1)
-        row[d] = Fraction(5**i)
-        rows.append(tuple(row))
-        rows.append(tuple(Fraction(int(k == i - 1)) for k in range(d + 1)))
-    answer = minimize([Fraction(-(2 ** (d - j))) for j in range(1, d + 1)], rows)
-    assert isinstance(answer, Optimal)
-    assert answer.value == -(5**d)
-
-
 def test_a_row_of_the_wrong_length_is_refused():
     with pytest.raises(ArrangementError, match="need 3"):
         minimize([1, 1], [[1, 0]])

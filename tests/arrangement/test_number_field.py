@@ -187,13 +187,6 @@ def test_files_and_pickles_give_the_planes_back(planes):
     assert pickle.loads(pickle.dumps(planes)) == planes
 
 
-def test_equations_with_irrational_coefficients():
-    y = sympy.Symbol("y")
-    planes = Arrangement.from_equations([sqrt(5) * x - y - 1], (x, y))
-    assert planes == Arrangement([[sqrt(5), -1]], [1])
-    assert Arrangement.from_equations(planes.equations((x, y)), (x, y)) == planes
-
-
 def random_planes(seed: int, *, affine: bool) -> Arrangement:
     source = random.Random(seed)
     g = GOLDEN.root
@@ -227,13 +220,6 @@ def test_regions_over_a_field_can_be_asked():
     triangle = Arrangement([[1, 0], [0, 1], [1, g]], [0, 0, g]).region_at(["1/3", "1/3"])
     assert triangle.vertices == ((0, 0), (0, 1), (g, 0))
     assert triangle.volume == g / 2
-
-
-def test_operations_over_a_field():
-    h3 = families.h3()
-    restricted = counts.restriction(h3, 0)
-    assert len(restricted.distinct) == 6
-    assert counts.cone(counts.deletion(h3, 0)).rank == 4
 
 
 def test_the_command_names_the_field(tmp_path, capsys):

@@ -11,7 +11,7 @@ from hypothesis import given, strategies as st
 from arrangement import Arrangement, InputError, counts, read_arrangement
 
 from .oracle import rank
-from .strategies import NONZERO_RATIONALS, RATIONALS, arrangements
+from .strategies import RATIONALS, arrangements
 
 
 def test_positive_multiples_are_equal_and_opposite_ones_are_not():
@@ -163,11 +163,3 @@ def test_signs_at_a_point_are_those_of_the_definition(data, planes):
         for normal, offset in zip(planes.normals, planes.offsets, strict=True)
     ]
     assert planes.signs_at(point) == tuple((v > 0) - (v < 0) for v in values)
-
-
-@given(st.data(), arrangements(planes=(1, 5)))
-def test_scaling_by_positive_numbers_changes_nothing(data, planes):
-    factors = [abs(data.draw(NONZERO_RATIONALS)) for _ in range(len(planes))]
-    normals = [[f * x for x in n] for f, n in zip(factors, planes.normals, strict=True)]
-    offsets = [f * b for f, b in zip(factors, planes.offsets, strict=True)]
-    assert Arrangement(normals, offsets) == planes
