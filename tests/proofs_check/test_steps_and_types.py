@@ -24,7 +24,7 @@ def test_step_1_tests_the_regions_of_all_beginnings(m):
 
 def test_the_counts_grow_about_as_stated():
     cases = [case.subject for case in steps._counted_cases(Random(0))][-3:]
-    for claim in steps.CLAIMS:
+    for claim in (claim for claim in steps.CLAIMS if claim.id.endswith("-time")):
         assert claim.explain is not None
         notes = [claim.explain(planes, None) for planes in cases]
         exponents = [float(note.split("^")[1].split(" ")[0]) for note in notes]
