@@ -16,7 +16,7 @@ from arrangement.duals.zonohedron import dual_polyhedron
 from arrangement.library import families
 from arrangement.library.files.table import read_arrangement
 from arrangement.pictures import arrangement_page, cells_page
-from arrangement.pictures.page.page import MAX_CIRCLES, equation
+from arrangement.pictures.page.page import equation
 from tests.browser import Browser
 
 #: Regions, arcs and crossings, from the literature: coordinate planes (cube), A3 (permutohedron),
@@ -331,7 +331,7 @@ def test_what_cannot_be_shown_is_refused(tmp_path: Path) -> None:
     for name in ("parallel-planes-affine", "generic-lines-affine"):
         with pytest.raises(InputError):
             arrangement_page(read_arrangement(name))
-    many = Arrangement([[1, k, k * k] for k in range(MAX_CIRCLES + 1)])
+    many = Arrangement([[1, k, k * k] for k in range(31)])
     with pytest.raises(InputError, match="at most"):
         arrangement_page(many)
     with pytest.raises(InputError, match="colouring"):

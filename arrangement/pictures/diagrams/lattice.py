@@ -15,12 +15,10 @@ from arrangement.drawing.scene.items import Floats
 from arrangement.drawing.scene.layers import layered_orders
 from arrangement.drawing.scene.measuring import GAP, POINTS, checked_width
 from arrangement.drawing.scene.scene import Scene
-from arrangement.errors import InputError
+from arrangement.numbers import budget
 from arrangement.pictures.essential import RAISED
 from arrangement.pictures.sphere.disc import plane_names
 
-#: Flats of one rank beyond which a picture of one page shows nothing.
-MAX_FLATS = 500
 _INK = "#882255"
 
 
@@ -49,8 +47,7 @@ def draw_lattice(arrangement: Arrangement, *, width: float = 88.0, moebius: bool
     width = checked_width(width)
     lattice = intersection_lattice(arrangement)
     largest = max(map(len, lattice.flats))
-    if largest > MAX_FLATS:
-        raise InputError(f"{largest} flats of one rank; a picture shows at most {MAX_FLATS}")
+    budget.keep(largest, "flats of one rank in a picture")
     return _HasseDiagram(lattice, width, moebius).draw()
 
 

@@ -12,6 +12,7 @@ from arrangement.drawing.figure import picture
 from arrangement.drawing.registry import Exact
 from arrangement.drawing.scene.items import Floats
 from arrangement.drawing.scene.scene import Legend, Scene
+from arrangement.numbers import budget
 from arrangement.numbers.exact import RationalVector, rational
 from arrangement.numbers.linear.intervals import Interval
 from equilibrium.model.errors import GraspError
@@ -24,8 +25,6 @@ from equilibrium.wrench_sets.search_map import Entry
 from .panel import Panel
 from .row import explain_borders, read_extent, row_of_panels
 from .window import ROOM, Window, ends
-
-MAX_DIRECTIONS = 720
 
 
 @picture
@@ -56,8 +55,9 @@ def draw_polar(
         GraspError: a number that is out of range.
         MissingExtraError: matplotlib is absent.
     """
-    if not 1 <= directions <= MAX_DIRECTIONS:
-        raise GraspError(f"directions is {directions}; a picture shows 1 to {MAX_DIRECTIONS}")
+    if directions < 1:
+        raise GraspError(f"directions is {directions}; give at least 1")
+    budget.keep(directions, "directions in a picture")
     region = resisted_region(grasp)
     radius = read_extent(extent) or _radius(grasp, region)
     step = radius / 1000 if tolerance is None else rational(tolerance, "tolerance")
