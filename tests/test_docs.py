@@ -321,9 +321,7 @@ def test_the_limits_on_the_page_are_those_of_the_code() -> None:
     text = (DOCS / "accuracy.rst").read_text(encoding="utf-8").partition("\nLimits of size\n")[2]
     rows = re.findall(r"   \* - (.+)\n     - (.+)", text.partition("There is no other")[0])[1:]
     assert len(rows) == len(LIMITS)
-    assert set(budget.MOST) == {
-        name for names in LIMITS.values() for name in names if ":" not in name
-    }
+    assert set(budget.MOST) == {x for names in LIMITS.values() for x in names if ":" not in x}
     for what, most in rows:
         (names,) = (names for end, names in LIMITS.items() if what.endswith(end))
         stated = [
@@ -331,9 +329,6 @@ def test_the_limits_on_the_page_are_those_of_the_code() -> None:
         ]
         for limit in names:
             module, _, constant = limit.partition(":")
-            value = (
-                getattr(importlib.import_module(module), constant)
-                if constant
-                else budget.MOST[limit]
-            )
+            held = vars(importlib.import_module(module)) if constant else budget.MOST
+            value = held[constant or limit]
             assert value in stated, (what, most, limit, value)

@@ -85,7 +85,7 @@ HOSTILE: dict[str, tuple[str | bytes, str]] = {
     "too many digits": (one_number("9" * 100_001), "100001 digits"),
     "a million digits": (one_number("9" * 10**6), "digits"),
     "a lone surrogate": (one_number('"\\ud800"'), "not an exact number"),
-    "10 MB of nesting": (NESTED, "longer than"),
+    "10 MB of nesting": (NESTED, "bytes of a file"),
     "nesting within the size limit": (NESTED[: 2**22 - 10], "nested too deeply"),
     "nested objects": ('{"a":' * 100_000, "nested too deeply"),
     "nesting in place of a number": (one_number("[" * 900 + "]" * 900), "list"),
@@ -157,7 +157,7 @@ def test_an_unknown_name_points_to_the_list_of_names() -> None:
 def test_a_directory_and_an_unreadable_file_are_refused(tmp_path: Path) -> None:
     with pytest.raises(InputError, match="cannot read"):
         read_arrangement(tmp_path)
-    with pytest.raises(InputError, match="longer than"):
+    with pytest.raises(InputError, match="bytes of a file"):
         read_arrangement("/dev/zero")
 
 
