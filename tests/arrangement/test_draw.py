@@ -143,7 +143,7 @@ def test_arrows_point_to_the_positive_side_of_each_plane(name: str) -> None:
     heads = [i for i in scene.items if i.name.startswith("side") and i.kind == "polygon"]
     assert len(heads) == len(planes.distinct)
     for head in heads:
-        u = (head.points[0] - np.array(ball.centre)) / ball.radius
+        u = (head.points[3] - np.array(ball.centre)) / ball.radius
         tip = np.array([*u, np.sqrt(1 - u @ u)]) @ frame
         label = int(head.name.split("-")[1])
         assert np.array(planes.normals[planes.distinct[label][0]], dtype=float) @ tip > 0

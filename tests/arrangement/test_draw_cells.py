@@ -15,9 +15,8 @@ from hypothesis import given, settings, strategies as st
 from arrangement import Arrangement
 from arrangement.cli import main
 from arrangement.counts import f_vector
-from arrangement.drawing.scene.items import Label
 from arrangement.drawing.scene.layout import laid_out
-from arrangement.drawing.scene.scene import Scene
+from arrangement.drawing.scene.scene import Label, Scene
 from arrangement.library.files.table import read_arrangement
 from arrangement.pictures import (
     arrangement_page,
@@ -26,8 +25,8 @@ from arrangement.pictures import (
     draw_sphere,
     write_drawing,
 )
-from arrangement.pictures.duals.models import cells_model
-from arrangement.pictures.essential import SPACES, fits, in_space
+from arrangement.pictures.parts.essential import SPACES, fits, in_space
+from arrangement.pictures.space.cells import cells_model
 from arrangement.pictures.views import DRAWINGS, drawings_of
 from tests.browser import Browser
 from tests.instances import PLANAR

@@ -11,11 +11,9 @@ from hypothesis import given, settings
 
 from arrangement import Arrangement
 from arrangement.counts import bounded_region_count, f_vector
-from arrangement.drawing.scene.items import Label
 from arrangement.drawing.scene.labels import HAIR
 from arrangement.drawing.scene.layout import laid_out
-from arrangement.drawing.scene.measuring import area
-from arrangement.drawing.scene.scene import Scene
+from arrangement.drawing.scene.scene import Label, Scene, area
 from arrangement.library.files.table import read_arrangement
 from arrangement.pictures import draw_gnomonic, draw_lines
 from arrangement.pictures.diagrams.line_charts import LinesChart

@@ -17,8 +17,7 @@ from arrangement.cli import main
 from arrangement.counts import f_vector
 from arrangement.duals.cells import cut_cells
 from arrangement.library.files.table import read_arrangement
-from arrangement.pictures.space.exploded_cells import lifted_cells
-from arrangement.pictures.space.painting import Facet, Stage
+from arrangement.pictures.space.exploded_cells import Facet, Stage, lifted_cells
 from arrangement.pictures.space.planes import draw_planes
 from tests.drawn import paths
 

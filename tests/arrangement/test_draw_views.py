@@ -18,17 +18,17 @@ from arrangement.cli import main
 from arrangement.counts import f_vector, whitney_numbers
 from arrangement.drawing.colours import PALETTE
 from arrangement.drawing.output import own_settings
-from arrangement.drawing.scene.items import Label, Path as Drawn
 from arrangement.drawing.scene.labels import covering, keep_off, spread
-from arrangement.drawing.scene.layers import layered_orders
 from arrangement.drawing.scene.layout import laid_out
+from arrangement.drawing.scene.scene import Label, Path as Drawn
 from arrangement.duals.inscribed import representative_hull
 from arrangement.duals.zonohedron import dual_polyhedron
 from arrangement.library.files.table import read_arrangement
 from arrangement.pictures import draw_counts, draw_dual, draw_gnomonic, draw_stereographic
+from arrangement.pictures.diagrams.lattice import layered_orders
 from arrangement.pictures.duals.graph import planar_graph
 from arrangement.pictures.duals.solids import dual_solid
-from arrangement.pictures.essential import fits
+from arrangement.pictures.parts.essential import fits
 from arrangement.pictures.sphere.projections import CompressedChart, stereographic
 from arrangement.pictures.views import DRAWINGS
 from tests.drawn import elements, offences, paths, scene

@@ -24,15 +24,14 @@ import numpy.typing as npt
 
 from arrangement.arrangement import Arrangement
 from arrangement.console.progress import note
-from arrangement.drawing.registry import Vector
+from arrangement.drawing.registry import AxisNames, Vector
+from arrangement.drawing.scene.scene import Floats
 from arrangement.drawing.solids.sight import unit, unit_vectors
-from arrangement.errors import refusal
+from arrangement.errors import InputError, refusal
 from arrangement.numbers.exact import IntegerVector, dot, primitive, shown
 from arrangement.numbers.linear.rank import cross, rank, triple_product
 from arrangement.numbers.real_entries import real_vector
 from arrangement.planes.planes import Planes
-
-Floats = npt.NDArray[np.float64]
 
 CHOICES = ("given", "symmetric", "even")
 #: Distinct planes beyond which no group is looked for.
@@ -252,3 +251,51 @@ def _inverse_root(squares: Floats) -> Floats:
 def _normed(matrix: Floats) -> Floats:
     normed: Floats = matrix / np.cbrt(np.linalg.det(matrix))
     return normed
+
+
+#: How far an axis reaches, in radii of the body.
+REACH = 1.2
+
+
+INK = "#333333"
+
+
+def drawn_axes(
+    planes: Planes, axes: AxisNames | None, coordinates: str | None
+) -> tuple[tuple[str, ...], str | None]:
+    """Return the names of the axes, or nothing, and the coordinates in which planes are drawn.
+
+    Args:
+        planes: whose coordinates have names where they have a meaning.
+        axes: such as ``"x,y,z"``; True for those names, or else these; or "none"; if omitted, those
+            names, if there are any.
+        coordinates: see `coordinates.in_coordinates`. Axes are those of the given ones.
+
+    Raises:
+        InputError: not three names, or axes asked for in other coordinates.
+    """
+    names = planes.axes
+    if axes is True:
+        names = names or ("x", "y", "z")
+    elif axes is not None:
+        names = tuple(name.strip() for name in axes.split(",")) if isinstance(axes, str) else ()
+        if names == ("none",):
+            return (), coordinates
+        if len(names) != 3 or not all(0 < len(name) <= 12 for name in names):
+            raise InputError(f"the axes are {shown(axes)}; give three names such as x,y,z, or none")
+        if coordinates not in (None, "given"):
+            raise InputError("axes are those of the given coordinates; leave out one of the two")
+    if not names or coordinates not in (None, "given"):
+        return (), coordinates
+    return names, "given"
+
+
+def within_reach(axes: Floats, half: float, most: float) -> float:
+    """Return the radius of a body such that its axes, with names, stay in a square.
+
+    Args:
+        axes: (3, 3); the unit vectors of the coordinates, in the picture.
+        half: half of the side of the square, in points.
+        most: the radius without axes.
+    """
+    return min(most, (half - 9.0) / (REACH * float(np.abs(axes[:, :2]).max())))

@@ -15,17 +15,18 @@ from arrangement.drawing.colours import fill_colour, pale
 from arrangement.drawing.pages.html_page import BASE_SCRIPT, BASE_STYLE, Template, one_page
 from arrangement.drawing.registry import Exact, Wrench
 from arrangement.drawing.scene.labels import flattened
-from arrangement.drawing.scene.measuring import area
+from arrangement.drawing.scene.scene import area
 from arrangement.numbers.exact import RationalVector, sign, to_text
 from equilibrium.certificate.leaves import ClosedPart, works
 from equilibrium.model.grasp import Grasp
-from equilibrium.pictures.grasp.layout import layout_of, shift_at
-from equilibrium.pictures.grasp.proof_maps import MAP, TURNS, ProofMaps, proof_maps, summary_lines
-from equilibrium.pictures.style import number, vector
-from equilibrium.pictures.wrenches.window import roomiest
+from equilibrium.pictures.parts.style import SKETCH_SCRIPT, SKETCH_STYLE, number, vector
+from equilibrium.pictures.parts.window import roomiest
 
-_OWN = "equilibrium.pictures.pages"
-SCRIPTS: tuple[Template, ...] = (BASE_SCRIPT, (_OWN, "sketch.js"), (_OWN, "proof.js"))
+from .layout import layout_of, shift_at
+from .proof_maps import MAP, TURNS, ProofMaps, proof_maps, summary_lines
+
+_OWN = "equilibrium.pictures.grasp"
+SCRIPTS: tuple[Template, ...] = (BASE_SCRIPT, SKETCH_SCRIPT, (_OWN, "proof.js"))
 #: Half width and half height of a number in a region, where a map fills [-1, 1].
 _LABEL = (0.05, 0.06)
 
@@ -81,7 +82,7 @@ def proof_page(
         "parts": [_part(maps, part) for part in maps.parts],
         **_grasp_data(grasp),
     }
-    styles: list[Template] = [BASE_STYLE, (_OWN, "sketch.css"), (_OWN, "proof.css")]
+    styles: list[Template] = [BASE_STYLE, SKETCH_STYLE, (_OWN, "proof.css")]
     return one_page(heading, (_OWN, "proof.html"), styles, SCRIPTS, data, ["theme", "print"])
 
 

@@ -2,17 +2,18 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Collection, Iterable, Sequence
 from functools import cached_property
 from typing import Any
 
 from arrangement.arrangement import Arrangement
+from arrangement.console.number_form import Form, vector
 from arrangement.drawing.colours import GREY, Colouring, DrawnRegion
 from arrangement.drawing.scene.labels import sign_text
-from arrangement.drawing.scene.measuring import POINTS
-from arrangement.drawing.scene.scene import Legend, Scene, Symbol
+from arrangement.drawing.scene.scene import POINTS, Legend, Scene, Symbol
 from arrangement.errors import refusal
-from arrangement.numbers.exact import shown
+from arrangement.numbers.exact import IntegerVector, RationalVector, shown, to_text
 
 LABELS = ("signs", "numbers", "none")
 #: Planes up to which sign vectors are written of themselves.
@@ -120,3 +121,53 @@ def explain_regions(
     for fill, text in colours.keys(drawn):
         scene.legend.key(swatch(fill, ec="black", lw=0.5), text)
     names.explain(scene.legend, [region.signs for region in drawn])
+
+
+#: From so many circles on lines are thinner.
+_MANY = 15
+
+
+def thinner(count: int) -> float:
+    """Return by what lines are multiplied where so many planes are drawn."""
+    return min(1.0, math.sqrt(_MANY / max(1, count)))
+
+
+def plane_names(members: Sequence[int], count: int | None = None) -> str:
+    """Return plane numbers counted from 1, runs of four and more shortened: ``1,2,5-9``."""
+    numbers = [k + 1 for k in members if count is None or k < count]
+    parts: list[str] = []
+    while numbers:
+        run = 1
+        while run < len(numbers) and numbers[run] == numbers[0] + run:
+            run += 1
+        if run >= 4:
+            parts.append(f"{numbers[0]}\u2013{numbers[run - 1]}")
+        else:
+            parts += map(str, numbers[:run])
+        numbers = numbers[run:]
+    return ",".join(parts)
+
+
+def equation(normal: IntegerVector, offset: int = 0) -> str:
+    """Return the equation of a plane, such as ``x - 2y + z = 0`` or ``2x + (1 + a) y = 0``."""
+    text = ""
+    for entry, name in zip(normal, "xyz", strict=True):
+        if entry:
+            joint = ("-" if entry < 0 else "") if not text else (" - " if entry < 0 else " + ")
+            factor = to_text(abs(entry)) if abs(entry) != 1 else ""
+            if not isinstance(entry, int):
+                factor = factor.replace("*", "")
+                factor = f"({factor}) " if " " in factor else f"{factor} "
+            text += f"{joint}{factor}{name}"
+    return f"{text} = {to_text(offset)}"
+
+
+def point_text(point: RationalVector) -> str:
+    """Return the exact coordinates of a point, however long they are."""
+    with Form(exact=True).used():
+        return vector(point)
+
+
+def generator_text(arrangement: Arrangement) -> str:
+    """Return what the letter a in the numbers of a page is; nothing for rational planes."""
+    return "" if arrangement.field is None else f"numbers in {arrangement.field!r}"

@@ -15,8 +15,7 @@ import numpy as np
 
 from arrangement.arrangement import Arrangement
 from arrangement.counts.configuration import pivot_columns
-from arrangement.drawing.scene.items import Floats
-from arrangement.drawing.scene.scene import Scene
+from arrangement.drawing.scene.scene import Floats, Scene
 from arrangement.errors import InputError
 from arrangement.numbers.exact import IntegerVector, dot
 from arrangement.numbers.linear.rank import rank, unit_vectors
