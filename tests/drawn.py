@@ -1,7 +1,5 @@
 """Scenes of views, the paths of a figure, and what is wrong with the labels of a scene."""
 
-from __future__ import annotations
-
 import importlib
 from collections import Counter
 from typing import Any

@@ -1,7 +1,5 @@
 """Where there is no browser, the suite still runs, and says what it left out."""
 
-from __future__ import annotations
-
 import os
 import subprocess
 import sys
@@ -33,8 +31,8 @@ CAMPAIGN = pytest.mark.campaign
     ],
 )
 def test_what_is_left_out_is_said_and_what_is_demanded_must_be_there(
-    choice: str | None, present: bool, command: str, code: int, said: list[str], tmp_path: Path
-) -> None:
+    choice, present, command, code, said, tmp_path
+):
     """The path of programs has one folder, with or without a browser in it."""
     for name in ("chromium", "chromedriver") if present else ():
         (tmp_path / name).write_text("#!/bin/sh\nexit 1\n")

@@ -1,10 +1,7 @@
 """The check of the packages finds what would be wrong with them."""
 
-from __future__ import annotations
-
 import subprocess
 import sys
-from pathlib import Path
 from subprocess import CompletedProcess
 
 import pytest
@@ -17,11 +14,12 @@ WHEEL = {
     "arrangement/py.typed",
     "equilibrium/grasps/instances/contacts/a.json",
 }
-ARCHIVE = WHEEL | FILES | {"tests/test_a.py", "docs/index.rst", "PKG-INFO", ".gitignore"}
+WORKSHOP = "arrangement/library/census/workshop/build.py"
+ARCHIVE = WHEEL | FILES | {"tests/test_a.py", "docs/index.rst", "PKG-INFO", ".gitignore", WORKSHOP}
 TRACKED = WHEEL | FILES | {"tests/test_a.py", "docs/index.rst", ".ci/run"}
 
 
-def test_whole_packages_are_right() -> None:
+def test_whole_packages_are_right():
     assert wrong_files(ARCHIVE, WHEEL, TRACKED) == []
     assert wrong_files(ARCHIVE, WHEEL, set()) == []
 
@@ -39,31 +37,33 @@ def test_whole_packages_are_right() -> None:
         "sweep.sqlite",
     ],
 )
-def test_rubbish_in_the_source_archive_is_found(path: str) -> None:
+def test_rubbish_in_the_source_archive_is_found(path):
     assert f"rubbish in the source archive: {path}" in wrong_files(ARCHIVE | {path}, WHEEL, TRACKED)
 
 
 @pytest.mark.parametrize(
     "path", ["Makefile", "docs/index.rst", "equilibrium/grasps/instances/contacts/a.json"]
 )
-def test_a_file_that_the_source_archive_lacks_is_found(path: str) -> None:
+def test_a_file_that_the_source_archive_lacks_is_found(path):
     assert f"not in the source archive: {path}" in wrong_files(ARCHIVE - {path}, WHEEL, TRACKED)
 
 
 @pytest.mark.parametrize("path", sorted(WHEEL))
-def test_a_file_that_the_wheel_lacks_is_found(path: str) -> None:
+def test_a_file_that_the_wheel_lacks_is_found(path):
     assert wrong_files(ARCHIVE, WHEEL - {path}, TRACKED) == [
         f"in the source archive, not in the wheel: {path}"
     ]
 
 
-def test_a_file_that_only_the_wheel_has_is_found() -> None:
-    assert wrong_files(ARCHIVE, WHEEL | {"tests/test_a.py"}, TRACKED) == [
-        "in the wheel, not in the source archive: tests/test_a.py"
+@pytest.mark.parametrize("path", ["tests/test_a.py", WORKSHOP])
+def test_a_file_that_only_the_wheel_has_is_found(path):
+    """What makes shipped data stays in the source archive."""
+    assert wrong_files(ARCHIVE, WHEEL | {path}, TRACKED) == [
+        f"in the wheel, not in the source archive: {path}"
     ]
 
 
-def test_every_command_of_the_programs_is_tried() -> None:
+def test_every_command_of_the_programs_is_tried():
     listed = subprocess.run([sys.executable, "-c", PROGRAMS], capture_output=True, check=True)
     programs = [line.split() for line in listed.stdout.decode().splitlines()]
     assert ["equilibrium", "make", "csv"] in programs
@@ -86,9 +86,7 @@ PICTURE = Command("arrangement draw braid-a3 -o no.svg", 2, "slipstates[figures]
         (2, "slipstates[figures]", "no.svg", "leaves a file"),
     ],
 )
-def test_a_wrong_refusal_is_found(
-    tmp_path: Path, code: int, said: str, leaves: str | None, complaint: str
-) -> None:
+def test_a_wrong_refusal_is_found(tmp_path, code, said, leaves, complaint):
     right = CompletedProcess([], 2, "", "error: pip install 'slipstates[figures]'\n")
     assert complaints(PICTURE, right, tmp_path) == []
     if leaves:
@@ -97,7 +95,7 @@ def test_a_wrong_refusal_is_found(
     assert any(complaint in text for text in found)
 
 
-def test_an_absent_or_empty_file_is_found(tmp_path: Path) -> None:
+def test_an_absent_or_empty_file_is_found(tmp_path):
     command = Command("arrangement draw braid-a3 -o dual.stl", 0, writes="dual.stl")
     done = CompletedProcess([], 0, "", "")
     assert complaints(command, done, tmp_path) != []

@@ -1,7 +1,5 @@
 """The check of the documentation site finds what a reader without a network would miss."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import pytest
@@ -26,7 +24,7 @@ def check(browser: Browser, site: Path, body: str) -> list[str]:
     return check_page(browser, page, site)
 
 
-def test_a_page_that_holds_all_it_needs_is_right(browser: Browser, site: Path) -> None:
+def test_a_page_that_holds_all_it_needs_is_right(browser, site):
     (site / "own.js").write_text("document.title = 'own';", encoding="utf-8")
     body = f'<img src="{DOT}"><script src="own.js"></script>'
     assert check(browser, site, body) == []
@@ -46,5 +44,5 @@ def test_a_page_that_holds_all_it_needs_is_right(browser: Browser, site: Path) -
         (r'<span class="math">\(x^2\)</span>', "mathematics is not typeset"),
     ],
 )
-def test_each_defect_is_found(body: str, complaint: str, browser: Browser, site: Path) -> None:
+def test_each_defect_is_found(body, complaint, browser, site):
     assert any(text.startswith(complaint) for text in check(browser, site, body))

@@ -1,7 +1,5 @@
 """Contrast in both themes of the labs, from the variables of their styles (WCAG 2.1, level AA)."""
 
-from __future__ import annotations
-
 import re
 from collections.abc import Callable
 
@@ -54,13 +52,13 @@ def contrast(one: str, other: str) -> float:
     return (high + 0.05) / (low + 0.05)
 
 
-def test_black_on_white_is_21_and_a_known_grey_is_just_enough() -> None:
+def test_black_on_white_is_21_and_a_known_grey_is_just_enough():
     assert contrast("#000000", "#ffffff") == pytest.approx(21)
     assert contrast("#767676", "#ffffff") == pytest.approx(4.54, abs=0.01)
 
 
 @pytest.mark.parametrize("name", PAGES)
-def test_text_and_graphics_stand_out_in_both_themes(name: str) -> None:
+def test_text_and_graphics_stand_out_in_both_themes(name):
     page = PAGES[name]()
     found = themes(page)
     assert set(found) == {"light", "dark", "system"}

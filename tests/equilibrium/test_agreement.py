@@ -4,13 +4,11 @@ The first of the questions; ``python tests/benchmarks/agreement.py`` asks 2,000 
 mixed-integer program too.
 """
 
-from __future__ import annotations
-
 from collections import Counter
 from fractions import Fraction
 
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 
 from equilibrium import Contact, Grasp, solve
 
@@ -31,7 +29,6 @@ def test_solver_agrees_with_brute_force(chunk):
         assert disagreements(question(seed)) == [], seed
 
 
-@settings(max_examples=50, deadline=None)
 @given(grasps(), wrenches)
 def test_solver_agrees_on_a_coarse_grid(grasp, wrench):
     assert disagreements(Question(0, grasp, wrench, "grid", "free")) == []

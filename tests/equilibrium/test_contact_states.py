@@ -1,9 +1,7 @@
 """The contact states that are enough: every solution and every face has some."""
 
-from __future__ import annotations
-
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 
 from equilibrium import Grasp, Solver, contact_states, read_grasp
 from equilibrium.grasps.inputs.random import random_grasp
@@ -27,7 +25,6 @@ def fits(states: tuple[str, ...], grasp: Grasp, motion: tuple) -> bool:
     return True
 
 
-@settings(max_examples=25, deadline=None)
 @given(grasps(2), wrenches)
 def test_every_solution_has_listed_states(grasp, wrench):
     listed = contact_states(grasp)
@@ -42,7 +39,6 @@ def assert_every_face_has_states(grasp: Grasp) -> None:
         assert any(fits(states, grasp, face.witness) for states in listed)
 
 
-@settings(max_examples=30, deadline=None)
 @given(grasps(3))
 def test_every_face_has_listed_states(grasp):
     assert_every_face_has_states(grasp)

@@ -203,7 +203,6 @@ class TestPolygon:
 
 class TestCircle:
     @given(st.lists(st.floats(-720, 720), max_size=5), st.integers(1, 5))
-    @settings(max_examples=40)
     def test_points_lie_on_the_circle_exactly(self, angles, radius):
         found = on_circle(angles, 1, radius=radius, centre=(2, -1))
         for contact, angle in zip(found.grasp, angles, strict=True):

@@ -3,8 +3,6 @@
 On one wrench, and along a line of wrenches.
 """
 
-from __future__ import annotations
-
 from dataclasses import replace
 from fractions import Fraction
 
@@ -43,7 +41,6 @@ def assert_true(grasp: Grasp, wrench: tuple, direction: tuple = ()) -> float:
     return float((~possible).mean())
 
 
-@settings(max_examples=40, deadline=None)
 @given(grasps(4), wrenches, directions)
 def test_a_choice_ruled_out_has_no_equilibrium(grasp, wrench, direction):
     wrench = tuple(map(Fraction, wrench))
@@ -114,7 +111,6 @@ def test_most_choices_are_decided_in_floating_point(seed):
         assert assert_true(grasp, ZERO, W) > 0.7
 
 
-@settings(max_examples=40, deadline=None)
 @given(grasps(3), wrenches, directions)
 def test_without_floats_the_answers_are_the_same(grasp, wrench, direction):
     pieces = solve(grasp, wrench).equilibria
@@ -125,7 +121,7 @@ def test_without_floats_the_answers_are_the_same(grasp, wrench, direction):
         assert resisted_magnitudes(grasp, direction, wrench).intervals == found
 
 
-@settings(max_examples=20, deadline=None)
+@settings(max_examples=20)
 @given(directions, st.integers(1, 3))
 def test_frictionless_contacts_at_one_point_resist_their_normal_only(direction, count):
     """Contacts that only touch from one side leave their own normal direction open."""

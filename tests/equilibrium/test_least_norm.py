@@ -1,10 +1,8 @@
 """The least point of a projected polyhedron: known values, and its optimality condition."""
 
-from __future__ import annotations
-
 from fractions import Fraction
 
-from hypothesis import given, settings, strategies as st
+from hypothesis import given, strategies as st
 
 from arrangement.numbers.linear.programs import Infeasible, Optimal, feasible_point, minimize
 from equilibrium.plane.states.min_norm_point import least_point
@@ -17,7 +15,6 @@ def rows(*entries):
 row = st.tuples(*[st.integers(-3, 3)] * 3, st.integers(-4, 4))
 
 
-@settings(max_examples=60)
 @given(st.lists(row, max_size=6), st.lists(row, max_size=1))
 def test_no_point_lies_beyond_the_supporting_plane(inequalities, equalities):
     least, equal = rows(*inequalities), rows(*equalities)

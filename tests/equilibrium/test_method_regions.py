@@ -1,7 +1,5 @@
 """The regions of the methods hold exactly the wrenches that the methods accept one by one."""
 
-from __future__ import annotations
-
 from fractions import Fraction
 from itertools import pairwise
 
@@ -55,7 +53,7 @@ def probes(region: Region) -> list[RationalVector]:
     ),
     torque=0,
 )
-def test_region_and_single_verdicts_agree(method: str, grasp: Grasp, torque: Fraction) -> None:
+def test_region_and_single_verdicts_agree(method, grasp, torque):
     region = METHODS[method].region(grasp, origin=(0, 0, torque))
     for x, y in probes(region):
         load = (x, y, Fraction(torque))
@@ -63,14 +61,14 @@ def test_region_and_single_verdicts_agree(method: str, grasp: Grasp, torque: Fra
 
 
 @pytest.mark.parametrize("norm", ["L1", "Linf"])
-def test_wrench_space_region_has_the_corners_of_its_slice(norm: str) -> None:
+def test_wrench_space_region_has_the_corners_of_its_slice(norm):
     grasp = read_grasp("paper-three-contacts")
     (piece,) = METHODS[f"wrench-space-{norm}"].region(grasp).polygons
     corners = GraspWrenchSpace(grasp, "L1" if norm == "L1" else "Linf").slice()
     assert set(piece.polyhedron.points) == set(corners)
 
 
-def test_unknown_methods_and_too_many_contacts_are_refused() -> None:
+def test_unknown_methods_and_too_many_contacts_are_refused():
     with pytest.raises(GraspError, match="known are complete"):
         method_named("guess")
     with pytest.raises(GraspError, match="at most 8"):

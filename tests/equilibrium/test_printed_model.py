@@ -1,7 +1,5 @@
 """The literal readings: each option shows the difference that it is there to show."""
 
-from __future__ import annotations
-
 from fractions import Fraction
 
 import pytest
@@ -17,7 +15,6 @@ THREE = read_grasp("paper-three-contacts")
 FOUR = read_grasp("paper-four-contacts")
 
 
-@settings(max_examples=30)
 @given(grasps(), wrenches)
 def test_no_option_is_the_complete_model(grasp, wrench):
     assert solve_literal(grasp, wrench).equilibria == solve(grasp, wrench).equilibria
@@ -74,7 +71,6 @@ def test_stopping_at_the_first_solution_misses_the_second():
     assert len(solve_literal(*question, ["single-solution"]).equilibria) == 1
 
 
-@settings(max_examples=30)
 @given(grasps(), wrenches)
 def test_options_that_drop_states_accept_no_more_and_conditions_no_less(grasp, wrench):
     stable = solve(grasp, wrench).stable

@@ -1,7 +1,5 @@
 """The complete decision: known cases, laws, and brute force over all 4^m states."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 from fractions import Fraction
 from functools import partial
@@ -19,7 +17,6 @@ THREE = read_grasp("paper-three-contacts-preload-1")
 FOUR = read_grasp("paper-four-contacts-preload-1")
 
 
-@settings(max_examples=60, deadline=None)
 @given(grasps(4), wrenches)
 def test_what_is_reported_is_true_and_proved(grasp, wrench):
     verdict = solve(grasp, wrench)
@@ -30,7 +27,6 @@ def test_what_is_reported_is_true_and_proved(grasp, wrench):
     assert verdict.certificate.kind == ("resisted" if verdict.stable else "not resisted")
 
 
-@settings(max_examples=40, deadline=None)
 @given(grasps(), wrenches)
 def test_pieces_are_maximal(grasp, wrench):
     pieces = solve(grasp, wrench).equilibria
@@ -96,7 +92,7 @@ def mirrored():
         mirrored(),
     ],
 )
-@settings(max_examples=20, deadline=None)
+@settings(max_examples=20)
 @given(grasp=grasps(), wrench=wrenches)
 def test_equilibria_follow_a_change_of_units_and_frames(law, grasp, wrench):
     contact, load, motion, force = law
@@ -109,7 +105,6 @@ def test_equilibria_follow_a_change_of_units_and_frames(law, grasp, wrench):
     assert all(any(p.contains(*one) for p in after) for one in carried)
 
 
-@settings(max_examples=30, deadline=None)
 @given(grasps(), wrenches, st.randoms(use_true_random=False))
 def test_order_of_contacts_does_not_matter(grasp, wrench, random):
     order = list(range(len(grasp)))

@@ -31,7 +31,6 @@ frames = st.sampled_from(
 )
 
 
-@settings(max_examples=40, deadline=None)
 @given(grasps(most=4), frames, wrenches)
 def test_a_plane_cuts_every_state_as_if_all_its_wrenches_were_there(grasp, spans, origin):
     spans = [tuple(map(Fraction, span)) for span in spans]
@@ -45,7 +44,6 @@ def test_a_plane_cuts_every_state_as_if_all_its_wrenches_were_there(grasp, spans
         assert (None if reaching is None else reaching.cut(origin, spans)) == expected
 
 
-@settings(max_examples=40, deadline=None)
 @given(st.lists(polygons, min_size=1, max_size=6))
 def test_a_shape_that_is_surely_outside_is_not_within(shapes):
     outside = surely_outside(shapes)
@@ -56,7 +54,6 @@ def test_a_shape_that_is_surely_outside_is_not_within(shapes):
     assert not outside.diagonal().any()
 
 
-@settings(max_examples=40, deadline=None)
 @given(st.lists(polygons.filter(lambda shape: shape.dimension == 2), min_size=1, max_size=5))
 def test_edges_that_do_not_meet_a_polygon_have_no_point_in_it(shapes):
     edges, lines = [], []
@@ -77,7 +74,6 @@ def test_edges_that_do_not_meet_a_polygon_have_no_point_in_it(shapes):
                 assert not below[i, j]
 
 
-@settings(max_examples=40, deadline=None)
 @given(st.lists(polygons, max_size=7))
 def test_the_outline_is_the_same_without_the_quick_tests(shapes):
     found = outline_of(shapes)
@@ -100,7 +96,7 @@ def test_the_quick_tests_leave_little_open():
     assert surely_outside(shapes).mean() > 0.8
 
 
-@settings(max_examples=15, deadline=None)
+@settings(max_examples=15)
 @given(grasps(most=4))
 def test_the_polyhedra_are_the_same_without_the_quick_test(grasp):
     found = resisted_set(grasp)
@@ -109,7 +105,7 @@ def test_the_polyhedra_are_the_same_without_the_quick_test(grasp):
         assert resisted_set(grasp) == found
 
 
-@settings(max_examples=80, deadline=None)
+@settings(max_examples=80)
 @given(st.lists(st.tuples(entries, entries, entries, entries).filter(any), max_size=7))
 def test_a_cone_without_a_finite_point_is_given_up_and_no_other(rows):
     """With the condition in the list instead, the generators are the same or all infinite."""

@@ -1,15 +1,14 @@
 from fractions import Fraction
 
 import pytest
-from hypothesis import given, settings, strategies as st
+from hypothesis import given, strategies as st
 
 from arrangement.errors import InputError
 from equilibrium.decide.verdict import solve
 from equilibrium.grasps.files import read_grasp
 from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import Grasp
-from equilibrium.wrench_sets.gaps import gaps
-from equilibrium.wrench_sets.line import resisted_magnitudes
+from equilibrium.wrench_sets.line import gaps, resisted_magnitudes
 
 from .oracle import intervals, merged
 from .strategies import directions, loads as wrenches, wide_grasps as grasps
@@ -65,14 +64,12 @@ def test_seeded_search_finds_gaps_with_three_contacts_and_not_with_one():
     assert solve(example.grasp, scaled(example.direction, ends[-1])).stable
 
 
-@settings(max_examples=36)
 @given(st.one_of(*[grasps(most=2)] * 4, grasps(least=3)), directions, wrenches)
 def test_all_states_by_brute_force(grasp, direction, base):
     found = resisted_magnitudes(grasp, direction, base).intervals
     assert found == merged(intervals(grasp, direction, base))
 
 
-@settings(max_examples=40)
 @given(grasps(), directions, wrenches, st.fractions(0, 8, max_denominator=4))
 def test_same_answer_as_the_solver(grasp, direction, base, t):
     found = resisted_magnitudes(grasp, direction, base)

@@ -55,7 +55,6 @@ def test_the_zero_wrench_has_every_factor_or_none():
     assert margin(pushed, (0, 0, 0)).resisted == solve(pushed, (0, 0, 0)).stable
 
 
-@settings(max_examples=25)
 @given(grasps(), directions)
 def test_margin_ends_on_the_boundary(grasp, wrench):
     found = margin(grasp, wrench)
@@ -86,7 +85,6 @@ def test_more_preload_is_not_always_enough():
         assert solve(gap_grasp().with_preload(p), (-2, 0, 0)).stable == bool(stable)
 
 
-@settings(max_examples=40)
 @given(grasps(), wrenches, st.fractions(0, 6, max_denominator=4))
 def test_preloads_agree_with_the_solver(grasp, wrench, preload):
     found = sufficient_preloads(grasp, wrench)

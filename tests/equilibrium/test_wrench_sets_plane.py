@@ -11,9 +11,14 @@ from equilibrium.grasps.files import read_grasp
 from equilibrium.model.contact import Contact
 from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import Grasp
-from equilibrium.wrench_sets.directions import counter_clockwise, sectors
 from equilibrium.wrench_sets.outline import outline_of
-from equilibrium.wrench_sets.plane import FORCES, polygon_cycle, resisted_region
+from equilibrium.wrench_sets.plane import (
+    FORCES,
+    counter_clockwise,
+    polygon_cycle,
+    resisted_region,
+    sectors,
+)
 
 from .strategies import loads as wrenches, small, wide_grasps as grasps
 
@@ -104,7 +109,6 @@ def test_a_contact_without_friction_resists_a_ray():
     assert resisted_region(Grasp()).outline.points == ((0, 0),)
 
 
-@settings(max_examples=50)
 @given(grasps(), st.sampled_from([FORCES, ((1, 0, 2), (0, 1, -1))]), wrenches, planar)
 def test_membership_is_the_verdict_of_the_solver(grasp, spans, origin, point):
     a, b = point
@@ -128,7 +132,6 @@ def test_resistance_ends_at_the_border_and_nowhere_else(grasp):
         assert not solve(grasp, (*outside, 0)).stable
 
 
-@settings(max_examples=25)
 @given(grasps(least=2), planar, planar.filter(any))
 def test_every_end_along_a_line_lies_on_the_outline(grasp, start, direction):
     """Between the outline's parts the region does not change, seen along any line."""
@@ -139,7 +142,6 @@ def test_every_end_along_a_line_lies_on_the_outline(grasp, start, direction):
         assert _on_outline(region.outline, point)
 
 
-@settings(max_examples=25)
 @given(grasps(), planar.filter(any))
 def test_unlimited_directions_have_an_interval_without_end(grasp, direction):
     region = resisted_region(grasp)
@@ -148,7 +150,6 @@ def test_unlimited_directions_have_an_interval_without_end(grasp, direction):
     assert any(_in_sector(sector, direction) for sector in region.unlimited) == unlimited
 
 
-@settings(max_examples=25)
 @given(grasps(least=2))
 def test_cycles_turn_left(grasp):
     for piece in resisted_region(grasp).polygons:

@@ -36,7 +36,6 @@ def test_contradicting_conditions_have_no_polyhedron():
     assert from_conditions([(0, -1)], [], 1) is None
 
 
-@settings(max_examples=60)
 @given(rows4)
 def test_rays_are_the_tight_solutions_of_rank_three(rows):
     """Oracle for pointed cones: every extreme ray is the null space of three of the rows."""
@@ -59,7 +58,6 @@ def test_rays_are_the_tight_solutions_of_rank_three(rows):
     assert set(rays) == expected
 
 
-@settings(max_examples=60)
 @given(rows4)
 def test_polar_of_the_polar_is_the_cone(rows):
     rays, lines = generators(rows, [], 4)
@@ -67,7 +65,6 @@ def test_polar_of_the_polar_is_the_cone(rows):
     assert again == (rays, lines)
 
 
-@settings(max_examples=40)
 @given(rows4.map(lambda rows: [(*row[:3], abs(row[3])) for row in rows]))
 def test_no_condition_of_a_polyhedron_is_redundant(generating):
     shape = from_generators(generating, (), 3)
@@ -79,7 +76,6 @@ def test_no_condition_of_a_polyhedron_is_redundant(generating):
         assert isinstance(answer, programs.Unbounded) or answer.value + row[3] < 0
 
 
-@settings(max_examples=40)
 @given(grasps(), wrenches)
 def test_membership_is_the_verdict_of_the_solver(grasp, wrench):
     assert resisted_set(grasp).contains(wrench) == solve(grasp, wrench).stable
@@ -95,7 +91,6 @@ def test_vertices_are_resisted_with_the_states_of_their_piece(grasp, data):
         assert piece.states in resisted_set(grasp).states_at(vertex)
 
 
-@settings(max_examples=30)
 @given(grasps(most=5), directions, wrenches)
 def test_lines_through_the_polyhedra_are_the_intervals(grasp, direction, base):
     found = resisted_magnitudes(grasp, direction, base).intervals

@@ -6,8 +6,6 @@ Run from the top of the repository. Without npm it says so, and demands nothing;
 ``JAVASCRIPT_CHECKS=1`` that is an error.
 """
 
-from __future__ import annotations
-
 import json
 import os
 import shutil

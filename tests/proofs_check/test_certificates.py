@@ -1,7 +1,5 @@
 """The second route on proofs: it counts leaves, and refuses whatever does not hold."""
 
-from __future__ import annotations
-
 from copy import deepcopy
 from fractions import Fraction
 from typing import Any
@@ -32,12 +30,12 @@ def leaf_places(node: Any) -> list[tuple[list[Any], int]]:
     return found
 
 
-def test_the_leaves_of_a_proof_are_counted() -> None:
+def test_the_leaves_of_a_proof_are_counted():
     found = tree()
     assert leaf_count(QUESTION, found) == len(leaf_places(found)) == 12
 
 
-def test_a_tree_with_a_wrong_leaf_is_refused() -> None:
+def test_a_tree_with_a_wrong_leaf_is_refused():
     for number in range(12):
         changed = deepcopy(tree())
         children, place = leaf_places(changed)[number]
@@ -46,7 +44,7 @@ def test_a_tree_with_a_wrong_leaf_is_refused() -> None:
             leaf_count(QUESTION, changed)
 
 
-def test_a_resisted_load_has_no_proof() -> None:
+def test_a_resisted_load_has_no_proof():
     held = certificates._jaws(6, (Fraction(0), Fraction(1), Fraction(0)))
     with pytest.raises(ValueError, match="does not close"):
         leaf_count(held, tree())
@@ -60,12 +58,12 @@ def test_a_resisted_load_has_no_proof() -> None:
         {"edge": [0, 1], "children": [["0", "1", "0"], ["0", "1", "0"]]},
     ],
 )
-def test_other_nodes_are_refused(node: Any) -> None:
+def test_other_nodes_are_refused(node):
     with pytest.raises(ValueError, match="regions alone"):
         leaf_count(QUESTION, node)
 
 
-def test_an_edge_is_cut_between_two_ends() -> None:
+def test_an_edge_is_cut_between_two_ends():
     below = [["0", "1", "0"]] * 2
     for change in ({"edge": [1, 1]}, {"edge": [0, 1], "at": ["-1", "2"]}):
         node = {"orthants": [{"children": below, **change}] + [["0", "1", "0"]] * 7}
@@ -73,7 +71,7 @@ def test_an_edge_is_cut_between_two_ends() -> None:
             leaf_count(QUESTION, node)
 
 
-def test_three_equal_contacts_are_the_fewest_whose_closed_states_are_too_many() -> None:
+def test_three_equal_contacts_are_the_fewest_whose_closed_states_are_too_many():
     claim = registry()["state-tree-closed"]
     assert claim.search is not None
     counted = [

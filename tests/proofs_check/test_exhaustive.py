@@ -1,7 +1,5 @@
 """Claims that say they cover every type do, and a type that breaks a claim is found."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 from random import Random
 
@@ -26,7 +24,7 @@ ON_TYPES = [
 ]
 
 
-def test_the_combinatorial_claims_run_over_the_types() -> None:
+def test_the_combinatorial_claims_run_over_the_types():
     assert {id for id, _ in ON_TYPES} >= {
         "great-circle-regions",
         "euler",
@@ -39,7 +37,7 @@ def test_the_combinatorial_claims_run_over_the_types() -> None:
 
 
 @pytest.mark.parametrize(("id", "counts"), ON_TYPES)
-def test_a_claim_on_every_type_has_each_of_them_as_a_case(id: str, counts: range) -> None:
+def test_a_claim_on_every_type_has_each_of_them_as_a_case(id, counts):
     claim = registry()[id]
     cases = {case.subject for case in claim.cases(Random(0))}
     for m in counts:
@@ -50,7 +48,7 @@ def test_a_claim_on_every_type_has_each_of_them_as_a_case(id: str, counts: range
 
 
 @pytest.mark.parametrize("m", [3, 4, 5, 6])
-def test_cases_name_each_type_once(m: int) -> None:
+def test_cases_name_each_type_once(m):
     labels = [case.label for case in census_cases(range(m, m + 1))]
     assert len(set(labels)) == PUBLISHED[m]
     simple = list(census_cases(range(m, m + 1), simple=True))
@@ -58,7 +56,7 @@ def test_cases_name_each_type_once(m: int) -> None:
     assert all(case.subject.is_simple for case in simple)
 
 
-def test_a_claim_that_fails_on_one_type_alone_is_refuted_by_it() -> None:
+def test_a_claim_that_fails_on_one_type_alone_is_refuted_by_it():
     special = Arrangement(census(7)[100].normals)
     claim = replace(
         registry()["great-circle-regions"],

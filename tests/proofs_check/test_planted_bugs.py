@@ -1,7 +1,5 @@
 """A wrong enumerator or solver is caught: some claim loses its verdict."""
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from dataclasses import replace
 from fractions import Fraction
@@ -66,15 +64,13 @@ def unexpected(*ids: str) -> list[str]:
 
 
 @pytest.mark.campaign
-def test_without_a_bug_all_are_as_expected() -> None:
+def test_without_a_bug_all_are_as_expected():
     assert unexpected(*QUICK) == []
 
 
 @pytest.mark.campaign
 @pytest.mark.parametrize("bug", [dropped_region, flipped_sign, merged_ray])
-def test_a_wrong_enumerator_is_caught(
-    bug: Callable[[Levels], None], monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_a_wrong_enumerator_is_caught(bug, monkeypatch):
     plant(bug, monkeypatch)
     dual._faces_graph.cache_clear()
     try:
@@ -84,12 +80,12 @@ def test_a_wrong_enumerator_is_caught(
     assert caught
 
 
-def test_a_solver_that_always_says_no_is_caught(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_solver_that_always_says_no_is_caught(monkeypatch):
     class Never:
         stable = False
         equilibria = ()
 
-        def verify(self) -> bool:
+        def verify(self):
             return True
 
     monkeypatch.setattr(tables.Solver, "solve", lambda *_: Never())
@@ -99,14 +95,12 @@ def test_a_solver_that_always_says_no_is_caught(monkeypatch: pytest.MonkeyPatch)
     ]
 
 
-def test_a_substitution_that_ignores_the_cone_is_not_enough(
-    monkeypatch: pytest.MonkeyPatch,
-) -> None:
+def test_a_substitution_that_ignores_the_cone_is_not_enough(monkeypatch):
     monkeypatch.setattr(oracle, "violations", lambda question, motion, forces: ("balance",))
     assert unexpected("table-three-contacts") == ["table-three-contacts"]
 
 
-def test_a_changed_printed_number_is_caught() -> None:
+def test_a_changed_printed_number_is_caught():
     cases = registry()["table-three-contacts"].cases(Random(0))
     row = next(case.subject for case in cases if case.label.startswith("w=(0,1,0) P=1"))
     assert tables._substituted(row) == tables._solved(row) == "Yes, numbers fit"

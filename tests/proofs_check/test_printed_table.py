@@ -1,7 +1,5 @@
 """Numbers in print against computed ones: what agrees, differs, or is beyond the computer."""
 
-from __future__ import annotations
-
 import json
 from importlib.resources import files
 from pathlib import Path
@@ -14,16 +12,14 @@ from proofs_check.course.printed_table import check_table
 EXAMPLES = files("proofs_check.examples")
 
 
-def test_the_simplicial_catalogue_agrees_with_its_vectors_in_print() -> None:
+def test_the_simplicial_catalogue_agrees_with_its_vectors_in_print():
     rows = list(check_table(str(EXAMPLES / "simplicial.csv")))
     assert len(rows) == 30
     assert all(row.agrees for row in rows)
 
 
 @pytest.mark.campaign
-def test_numbers_of_types_agree_and_the_conflict_in_print_is_found(
-    capsys: pytest.CaptureFixture[str],
-) -> None:
+def test_numbers_of_types_agree_and_the_conflict_in_print_is_found(capsys):
     assert main(["table", str(EXAMPLES / "oeis.csv"), "--json"]) == 1
     rows = [json.loads(line) for line in capsys.readouterr()[0].splitlines()]
     verdicts = [row["verdict"] for row in rows]
@@ -38,9 +34,7 @@ def table(tmp_path: Path, *rows: str, first: str = "printed,arrangement,quantity
     return str(path)
 
 
-def test_both_values_are_printed_and_the_exit_code_is_no(
-    tmp_path: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_both_values_are_printed_and_the_exit_code_is_no(tmp_path, capsys):
     path = table(tmp_path, "25,braid-a3,regions", '"51,840",coxeter type=E6,regions')
     assert main(["table", path]) == 1
     out, _ = capsys.readouterr()

@@ -14,8 +14,7 @@ from equilibrium.methods.compare import ask
 from proofs_check.instances import paper_tables as printed
 from proofs_check.instances.grasps import grasp_of, paper_question
 from proofs_check.routes import oracle
-from proofs_check.routes.fourier_motzkin import Row, project
-from proofs_check.routes.oracle import Question, Touch
+from proofs_check.routes.oracle import Question, Row, Touch, project
 from proofs_check.statements.statement import (
     Case,
     Claim,

@@ -13,7 +13,7 @@ from arrangement import counts
 from arrangement.numbers.linear.rank import determinant
 from equilibrium.model.contact import Contact
 from equilibrium.model.grasp import Grasp
-from proofs_check.routes.fourier_motzkin import Row, project
+from proofs_check.routes.oracle import Row, project
 from proofs_check.statements.statement import Case, Claim, Route, Source, Verdict, proved, sampled
 
 #: Rational unit normals: multiples of 1/5, 1/13 and 1/17, turned and mirrored below.

@@ -12,8 +12,7 @@ from equilibrium.decide.verdict import Solver
 from proofs_check.instances import paper_tables as printed
 from proofs_check.instances.grasps import grasp_of, paper_question
 from proofs_check.routes import oracle
-from proofs_check.routes.fourier_motzkin import Row
-from proofs_check.routes.oracle import Question
+from proofs_check.routes.oracle import Question, Row
 from proofs_check.statements.statement import Case, Claim, Route, Verdict, View, exhaustive, sampled
 
 BRUTE_FORCE = "substitution into the model, and brute force over 4^m states by elimination"

@@ -10,8 +10,7 @@ import re
 
 from arrangement.arrangement import Arrangement
 from arrangement.errors import InputError
-from arrangement.library.files.documents import MAX_DIMENSION
-from arrangement.library.files.form import rational_planes
+from arrangement.library.files.documents import MAX_DIMENSION, rational_planes
 from arrangement.numbers.exact import shown
 
 from .linear_forms import form_text, inside, read_form, split_outside, without_remarks

@@ -47,8 +47,10 @@ from arrangement.library.census.chirotopes import (
     triples,
 )
 from arrangement.library.census.extensions import extensions
-from arrangement.library.census.final_polynomials import OrderedProducts, final_polynomial
+from arrangement.library.census.final_polynomials import OrderedProducts
 from arrangement.library.families import perles
+
+from .proofs import final_polynomial
 
 #: Products are sums of three integers; float32 gives them exactly below this.
 _EXACT_IN_FLOAT32 = 2**24

@@ -12,25 +12,22 @@ decides that.
 One representative per type need not have every extension of its type. That the numbers reach the
 published ones shows that up to 8 planes nothing is missing.
 
-Run ``python -m arrangement.library.census.making.generate --output types.json``; with
-``--progress FILE`` what is done is kept, and an interrupted run goes on from there.
+With a file for progress what is done is kept, and an interrupted run goes on from there.
 """
 
 from __future__ import annotations
 
-import argparse
 import itertools
 import json
 import math
 import sys
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from pathlib import Path
 from typing import TypeAlias
 
 import numpy as np
 
 from arrangement.arrangement import Arrangement
-from arrangement.console import terminal
 from arrangement.console.progress import watched
 from arrangement.console.writing import write_text_atomically
 from arrangement.enumeration.great_circles import SphereArrangement, sphere_arrangement
@@ -61,7 +58,7 @@ def _canonical(sphere: SphereArrangement) -> bytes:
         import igraph
     except ImportError:
         raise MissingExtraError(
-            'canonical forms of graphs need igraph; install "slipstates[igraph]"'
+            'canonical forms of graphs need igraph; install "slipstates[test]"'
         ) from None
     region = sphere.incidence.region
     edges = np.stack([region[0::2], region[1::2]], axis=1)
@@ -179,24 +176,3 @@ def document(levels: dict[int, tuple[Normals, ...]]) -> str:
         rows = ",\n".join(json.dumps(normals, separators=(",", ":")) for normals in types)
         parts.append(f'"{planes}": [\n{rows}\n]')
     return '{"schema_version": 1, "types": {\n' + ",\n".join(parts) + "\n}}\n"
-
-
-def main(argv: Iterable[str] | None = None) -> int:
-    """Write the list to a file."""
-    parser = terminal.command_parser(
-        "arrangement.library.census.making.generate", "Make the census of types."
-    )
-    parser.add_argument("--most", type=terminal.integer_argument, default=MOST_PLANES, metavar="M")
-    parser.add_argument("--output", required=True, metavar="FILE")
-    parser.add_argument("--progress", type=Path, metavar="FILE")
-    parser.set_defaults(command=_write)
-    return terminal.run(parser, None if argv is None else list(argv))
-
-
-def _write(arguments: argparse.Namespace) -> int:
-    write_text_atomically(arguments.output, generate(arguments.most, arguments.progress))
-    return terminal.YES
-
-
-if __name__ == "__main__":
-    raise SystemExit(main())
