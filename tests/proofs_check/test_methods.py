@@ -8,7 +8,7 @@ import pytest
 
 from equilibrium.methods.compare import ask as right
 from proofs_check import Verdict, evaluate, registry
-from proofs_check.claims.forces import methods
+from proofs_check.claims import methods
 
 IDS = [claim.id for claim in methods.CLAIMS]
 

@@ -9,7 +9,7 @@ from equilibrium.grasps.files import read_grasp
 from equilibrium.model.contact import Contact
 from equilibrium.model.grasp import Grasp
 from proofs_check import Verdict, evaluate, registry
-from proofs_check.claims.forces import model
+from proofs_check.claims import model
 from tests.proofs_check.test_planted_bugs import dropped_region, plant
 
 IDS = (

@@ -6,7 +6,7 @@ import pytest
 
 from equilibrium.grasps.files import read_grasp
 from proofs_check import evaluate, registry
-from proofs_check.instances import paper_tables as printed
+from proofs_check.instances import printed
 from proofs_check.instances.grasps import grasp_of, paper_question
 
 

@@ -15,8 +15,7 @@ from arrangement.enumeration import choose
 from arrangement.enumeration.sequence import Level
 from arrangement.planes.planes import Planes
 from proofs_check import evaluate, registry
-from proofs_check.claims.forces import tables
-from proofs_check.claims.planes import dual
+from proofs_check.claims import dual, tables
 from proofs_check.routes import oracle
 
 #: The signs of the faces of dimension 0, 1, ..., d, and points of them.

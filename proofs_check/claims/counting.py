@@ -1,42 +1,22 @@
-"""Claims on the number of slip states: regions, bounds, and the published row of counts."""
+"""Claims on the number of slip states, and on the running times of Steps 1 to 3.
+
+A verdict that rests on a clock would change with the machine. The stated bounds of the steps are on
+numbers of operations, and these can be counted exactly; how they grow is shown beside the bound.
+"""
 
 from __future__ import annotations
 
+import math
 import random
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from functools import partial
+from itertools import combinations
 from typing import Any
 
-from arrangement import counts
-from arrangement.arrangement import Arrangement
 from arrangement.enumeration.great_circles import sphere_arrangement
-from arrangement.enumeration.paper_steps import published_enumeration
-from arrangement.library.census.chirotopes import Signs
-from arrangement.numbers.float_filter import Booleans
-from proofs_check.instances.arrangements import (
-    TYPES,
-    arrangement_case,
-    census_cases,
-    proved_on_types,
-    random_arrangement,
-    simple_arrangement,
-    smallest_arrangements,
-)
-from proofs_check.instances.domains import domain
-from proofs_check.instances.paper_tables import STATE_COUNTS
-from proofs_check.routes.many_types import f_vectors
-from proofs_check.statements.statement import (
-    Case,
-    Claim,
-    Hypothesis,
-    ManyTypes,
-    Route,
-    Verdict,
-    View,
-    exhaustive,
-    proved,
-    sampled,
-)
+from proofs_check.instances.printed import STATE_COUNTS
+
+from .parts import *
 
 ENUMERATION = "enumeration of all faces"
 THEOREM = "Zaslavsky's theorem on the intersection lattice"
@@ -127,16 +107,96 @@ _COLUMNS = exhaustive(
     "the 8 printed columns, one arrangement in general position each", _general_position
 )
 _on_f_vectors = partial(
-    Claim,
-    quantity="f-vector",
+    stated,
     routes=(
         Route(ENUMERATION, lambda planes: planes.f_vector),
         Route(THEOREM, counts.f_vector),
     ),
 )
 
+
+def _general_f(m: int) -> tuple[int, ...]:
+    """The closed form of the f-vector in general position, m >= 3."""
+    return (1, m * (m - 1), 2 * m * (m - 1), m * m - m + 2)
+
+
+_OVER = (
+    "counted on all 167 types of 3 to 7 distinct planes of rank 3, "
+    "samples of 1 to 10 planes of every rank, and 8, 12, 16 planes in general position"
+)
+
+
+def _counted_cases(rng: random.Random) -> Iterator[Case]:
+    yield from types_and_samples(rng, range(3, 8), range(1, 11))
+    for m in (8, 12, 16):
+        yield arrangement_case(simple_arrangement(rng, m), f"m = {m}, general position")
+
+
+def _signs(planes: Arrangement) -> list[tuple[int, ...]]:
+    return [region.signs for region in planes.faces(3)]
+
+
+def _tests_by_signs(planes: Arrangement) -> int:
+    """Step 1 tests each state of i signs against plane i: all beginnings of regions' signs."""
+    signs = _signs(planes)
+    return sum(len({vector[:i] for vector in signs}) for i in range(len(planes)))
+
+
+def _tests_by_theorem(planes: Arrangement) -> int:
+    """The regions of the first i planes are the states that plane i is tested against."""
+    starts = (Arrangement(planes.normals[:i]) for i in range(1, len(planes)))
+    return 1 + sum(map(counts.region_count, starts))
+
+
+def _comparisons_by_pairs(planes: Arrangement) -> int:
+    return sum(1 for _ in combinations(_signs(planes), 2))
+
+
+def _comparisons_by_theorem(planes: Arrangement) -> int:
+    return math.comb(counts.region_count(planes), 2)
+
+
+def _graph_traced(planes: Arrangement) -> tuple[int, int]:
+    sphere = sphere_arrangement(planes)
+    return sphere.region_count, sphere.arc_count
+
+
+def _graph_by_theorem(planes: Arrangement) -> tuple[int, int]:
+    f = counts.f_vector(planes)
+    return f[3], f[2]
+
+
+def _growth(count: Callable[[int], int]) -> Callable[[Arrangement, object], str]:
+    """Show the exponent between m / 2 and m planes in general position, from closed forms."""
+
+    def explain(planes: Arrangement, _: object) -> str:
+        m = len(planes)
+        if m < 8 or not planes.is_simple:
+            return ""
+        exponent = math.log2(count(m) / count(m // 2))
+        return f"grows like m^{exponent:.2f} from {m // 2} to {m} planes in general position"
+
+    return explain
+
+
+def _most_regions(m: int) -> int:
+    return m * m - m + 2
+
+
+def _work(m: int) -> int:
+    """E^3 + V E^2 log2 V, rounded down, for planes in general position."""
+    v, e = _most_regions(m), 2 * m * (m - 1)
+    return e**3 + v * e * e * v.bit_length()
+
+
+_step = partial(
+    stated,
+    sources=proved(_OVER, _counted_cases),
+)
+
+
 CLAIMS = (
-    Claim(
+    stated(
         id="great-circle-regions",
         views=(
             View(
@@ -145,13 +205,6 @@ CLAIMS = (
                 instance=Arrangement([(1, 1, 1), (1, 1, -1), (1, -1, 1), (-1, 1, 1)]).to_dict(),
             ),
         ),
-        formula=r"f_3 \le m^2 - m + 2",
-        proof=("Great circles", "Regions"),
-        domain=domain("central"),
-        locator="Section IV-A",
-        statement="m great circles cut the sphere into at most m^2 - m + 2 regions, with equality "
-        "exactly when no two coincide and no three pass through one point.",
-        quantity="number of regions",
         routes=(
             Route(
                 "great circles: arcs traced around regions",
@@ -162,16 +215,9 @@ CLAIMS = (
         judge=_region_maximum,
         many_types=ManyTypes("regions composed from cocircuits and counted", _region_maxima),
         sources=proved_on_types(12, per_count=4),
-        meaning="The quadratic bound on slip states rests on this.",
     ),
-    Claim(
+    stated(
         id="slip-state-counts",
-        formula=r"\text{listed}(m) = 4m^2 - 4m + 2, \quad m = 2, \ldots, 9",
-        locator="Table II",
-        statement="For m = 2, ..., 9 contacts in general position the published Steps 1 to 3 list "
-        "10, 26, 50, 82, 122, 170, 226, 290 slip states.",
-        hypotheses=("the m tangential planes are in general position",),
-        quantity="number of states listed, repeats counted",
         routes=(
             Route(
                 "Steps 1 to 3 as published, run",
@@ -182,52 +228,26 @@ CLAIMS = (
         judge=lambda planes, listed: listed == STATE_COUNTS[len(planes)],
         sources=_COLUMNS,
         explain=_explain_published,
-        meaning="The printed row is what the published steps list. It is 4m^2 - 4m + 2.",
-        rows=True,
     ),
-    Claim(
+    stated(
         id="different-slip-states",
-        formula=r"f_0 + f_1 + f_2 + f_3 = 4m^2 - 4m + 2",
-        locator="Table II; Section IV-A",
-        statement="The printed numbers are the numbers of different slip states that rigid motion "
-        "allows for m = 2, ..., 9 contacts in general position.",
-        hypotheses=("the m tangential planes are in general position",),
-        quantity="number of different sign vectors",
         routes=(Route(ENUMERATION, _states_enumerated), Route(THEOREM, _states_counted)),
         judge=lambda planes, states: states == STATE_COUNTS[len(planes)],
         sources=_COLUMNS,
-        expected=Verdict.REFUTED,
         search=lambda: smallest_arrangements(range(2, 4), distinct=True),
         explain=_explain_count,
-        meaning="There are 4m^2 - 4m + 3 for m >= 3: the all-stick state is missing from the "
-        "printed count. The order of growth stays.",
-        rows=True,
     ),
     _on_f_vectors(
         id="state-formula",
-        formula=r"(f_0, f_1, f_2, f_3) = (1, m(m-1), 2m(m-1), m^2 - m + 2)",
-        proof=("Great circles", "All faces"),
-        domain=domain("simple"),
-        locator="Section IV-A",
-        statement="m >= 3 planes through the origin of R^3 in general position have "
-        "4m^2 - 4m + 3 slip states: 1 origin, m(m-1) rays, 2m(m-1) facets, m^2 - m + 2 regions.",
-        hypotheses=("m >= 3", "general position"),
         judge=lambda planes, f: f == _general_f(len(planes)),
         sources=proved(
             "checked on all 18 simple types of 3 to 7 planes; beside them one sample for each "
             "m = 8, ..., 15",
             _simple_types,
         ),
-        meaning="The number of slip states is quadratic in the number of contacts, as stated.",
     ),
     _on_f_vectors(
         id="fukuda-bound",
-        formula=r"f_k \le \binom{n}{d-k} \sum_{i=0}^{k} \binom{n-d+k}{i}",
-        proof=("Hyperplanes in any dimension", "Faces"),
-        domain=domain("affine"),
-        locator="Eq. 11",
-        statement="n planes in R^d have at most C(n, d-k) * sum_{i<=k} C(n-d+k, i) faces of "
-        "dimension k.",
         judge=_below_bound,
         sources=proved(
             "checked on central and affine arrangements in R^1 to R^4, degenerate ones included",
@@ -236,11 +256,6 @@ CLAIMS = (
     ),
     _on_f_vectors(
         id="fukuda-bound-attained",
-        formula=r"f_k = \binom{n}{d-k} \sum_{i=0}^{k} \binom{n-d+k}{i}",
-        domain=domain("simple-affine"),
-        locator="Eq. 11",
-        statement="Affine arrangements in general position attain the bound for every k.",
-        hypotheses=("affine", "general position"),
         judge=lambda planes, f: f == _bound(planes),
         sources=sampled(
             "one simple affine arrangement for each d = 1, ..., 4 and m up to 8, 8, 7, 6",
@@ -249,41 +264,49 @@ CLAIMS = (
     ),
     _on_f_vectors(
         id="bound-not-attained",
-        formula=r"\sum_k f_k \lt \sum_{k=0}^{3} \binom{m}{3-k} \sum_{i=0}^{k} \binom{m-3+k}{i}",
-        proof=("Great circles", "All faces"),
-        domain=domain("central"),
-        locator="Section IV-A, after Eq. 11",
-        statement="The upper bound is not attained by the tangential planes of m contacts.",
-        hypotheses=("the planes pass through the origin of R^3",),
         judge=lambda planes, f: sum(f) < sum(_bound(planes)),
         sources=proved_on_types(10),
-        expected=Verdict.HOLDS_UNDER_HYPOTHESIS,
         hypothesis=Hypothesis("m >= 4", lambda planes: len(planes) >= 4),
         search=lambda: smallest_arrangements(range(1, 4), 1),
-        meaning="Independent planes, of which there are at most three here, attain the bound.",
     ),
-    Claim(
+    stated(
         id="step-1-square-bound",
-        formula=r"f_3 \le m^2",
-        proof=("Great circles", "Regions"),
-        domain=domain("central"),
-        locator="Section IV-B, running time of Step 1",
-        statement="After Step 1 there are at most m^2 states.",
-        quantity="number of regions",
         routes=(
             Route(ENUMERATION, lambda planes: planes.f_vector[3]),
             Route("|chi(-1)| of the characteristic polynomial", counts.region_count),
         ),
         judge=lambda planes, regions: regions <= len(planes) ** 2,
         sources=proved_on_types(12),
-        expected=Verdict.HOLDS_UNDER_HYPOTHESIS,
         hypothesis=Hypothesis("m >= 2", lambda planes: len(planes) >= 2),
         search=lambda: smallest_arrangements(range(1, 4), 1),
-        meaning="One contact has two slip states in Step 1. The order of growth stays.",
+    ),
+    _step(
+        id="step-1-time",
+        routes=(
+            Route("beginnings of the enumerated regions' signs", _tests_by_signs),
+            Route("1 + sum of |chi(-1)| over the first i planes", _tests_by_theorem),
+        ),
+        judge=lambda planes, tests: tests <= len(planes) ** 3,
+        explain=_growth(lambda m: 1 + sum(map(_most_regions, range(1, m)))),
+    ),
+    _step(
+        id="step-2-time",
+        routes=(
+            Route("pairs of enumerated regions, one by one", _comparisons_by_pairs),
+            Route("V (V - 1) / 2 with V = |chi(-1)|", _comparisons_by_theorem),
+        ),
+        judge=lambda planes, pairs: pairs <= len(planes) ** 4,
+        explain=_growth(lambda m: math.comb(_most_regions(m), 2)),
+    ),
+    _step(
+        id="step-3-time",
+        routes=(
+            Route("great circles: regions and arcs traced", _graph_traced),
+            Route("Zaslavsky's theorem", _graph_by_theorem),
+        ),
+        judge=lambda planes, found: (
+            found[0] <= _most_regions(len(planes)) and found[1] <= 2 * len(planes) ** 2
+        ),
+        explain=_growth(_work),
     ),
 )
-
-
-def _general_f(m: int) -> tuple[int, ...]:
-    """The closed form of the f-vector in general position, m >= 3."""
-    return (1, m * (m - 1), 2 * m * (m - 1), m * m - m + 2)

@@ -8,12 +8,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 from functools import partial
 
-from equilibrium.decide.verdict import Solver
-from proofs_check.instances import paper_tables as printed
-from proofs_check.instances.grasps import grasp_of, paper_question
-from proofs_check.routes import oracle
-from proofs_check.routes.oracle import Question, Row
-from proofs_check.statements.statement import Case, Claim, Route, Verdict, View, exhaustive, sampled
+from .parts import *
 
 BRUTE_FORCE = "substitution into the model, and brute force over 4^m states by elimination"
 SOLVER = "the solver with its certificate, and its pieces of solutions"
@@ -144,15 +139,10 @@ def _downward(_rng: random.Random) -> Iterator[Case]:
 
 _ROUTES = (Route(BRUTE_FORCE, _substituted), Route(SOLVER, _solved))
 _table = partial(
-    Claim,
-    hypotheses=("the corrected model", "friction 1/2, stiffness 1"),
-    quantity="verdict, and whether the printed forces and motion satisfy the model exactly",
+    stated,
     routes=_ROUTES,
     judge=_as_printed,
     explain=_explain_row,
-    rows=True,
-    formula=r"\sum_i (c_n N_i + c_t T_i) + w = 0, \quad c_n = \max(0, q - k N_i \cdot d), \quad "
-    r"|c_t| \le \mu c_n",
 )
 
 CLAIMS = (
@@ -164,9 +154,6 @@ CLAIMS = (
             1,
             "The row w = (0, 1, 0), P = 1, with the printed forces and motion.",
         ),
-        locator="Table I",
-        statement="The three-contact grasp is stable or not as printed, and the printed forces and "
-        "motion of each stable row are an equilibrium.",
         sources=exhaustive(
             "all 7 printed rows",
             partial(_rows, printed.THREE_CONTACT_GRASP, printed.THREE_CONTACTS),
@@ -180,29 +167,17 @@ CLAIMS = (
             0,
             "The row w = (0, 0, 3), P = 0: two contacts carry the torque, two have let go.",
         ),
-        locator="Table III",
-        statement="The four-contact grasp is stable or not as printed, and the printed forces and "
-        "motion of each stable row are an equilibrium.",
         sources=exhaustive(
             "all 10 printed rows", partial(_rows, printed.FOUR_CONTACT_GRASP, printed.FOUR_CONTACTS)
         ),
-        expected=Verdict.HOLDS_UNDER_HYPOTHESIS,
-        meaning="The last row has a number with two points in it; read in the only way that "
-        "satisfies the model, it fits too.",
     ),
-    Claim(
+    stated(
         id="downward-forces",
-        formula=r"w = (0, w_y, 0), \; w_y \le 0 \Rightarrow c_2 = (-w_y, 0), \; c_1 = c_3 = 0",
-        locator="Section VI",
-        statement="For any w = (0, w_y, 0) with w_y <= 0 and no preload the three-contact grasp "
-        "has the equilibrium with force (-w_y, 0) at contact 2 and none at contacts 1 and 3.",
-        hypotheses=("the corrected model",),
-        quantity="verdict, and whether these forces satisfy the model exactly",
         routes=_ROUTES,
         judge=_as_printed,
         sources=sampled("six magnitudes from 0 to 10^6", _downward),
     ),
-    Claim(
+    stated(
         id="vertical-limits",
         views=(
             View(
@@ -214,19 +189,11 @@ CLAIMS = (
                 ).to_dict(),
             ),
         ),
-        formula=r"m = 3: \; t \le 0, \; t \le 1; \quad m = 4: \; t = 0, \; |t| \le 4 \mu = 2",
-        locator="Section VI",
-        statement="Under w = (0, t, 0) the three-contact grasp holds exactly t <= 0 without "
-        "preload and t <= 1 with preload 1; the four-contact grasp exactly t = 0 without "
-        "preload and |t| <= 4 mu = 2 with preload 1.",
-        hypotheses=("the corrected model",),
-        quantity="whether t times the wrench is held, for t around the stated ends (10^-30 beside)",
         routes=(
             Route("exact set of all t by elimination over 4^m states", _held_exactly),
             Route("the solver at each t", _held_solved),
         ),
         judge=lambda probes, held: held == probes.holds,
         sources=exhaustive("both grasps with both preloads; all t by the first route", _rays),
-        meaning="The table's 1.1 lies above the exact limit 1 of the three-contact grasp.",
     ),
 )

@@ -1,4 +1,4 @@
-"""Claims on grasps in space."""
+"""Our own claims: on grasps in space, and on the size of proofs that nothing balances a load."""
 
 from __future__ import annotations
 
@@ -11,19 +11,15 @@ from math import comb
 from random import Random
 from typing import TypeAlias
 
-from arrangement import Arrangement
-from arrangement.numbers.exact import RationalVector
 from arrangement.numbers.linear.programs import Infeasible, feasible_point
 from equilibrium.decide.spatial_verdict import solve_in_space
-from equilibrium.decide.verdict import Solver
-from equilibrium.grasps.files import read_grasp
+from equilibrium.decide.verdict import Verdict as Decision
 from equilibrium.grasps.inputs.random import random_grasp
-from equilibrium.model.contact import Contact
-from equilibrium.model.grasp import Grasp
-from proofs_check.instances.grasps import grasp_case, grasp_of, paper_question
-from proofs_check.instances.paper_tables import FOUR_CONTACT_GRASP, THREE_CONTACT_GRASP
-from proofs_check.routes.oracle import Question, stable
-from proofs_check.statements.statement import Case, Claim, Route, Verdict, exhaustive, sampled
+from proofs_check.instances.printed import FOUR_CONTACT_GRASP, FRICTION, THREE_CONTACT_GRASP
+from proofs_check.routes.leaves import leaf_count
+from proofs_check.routes.oracle import stable
+
+from .parts import *
 
 #: The verdicts in the plane and in space.
 _Pair: TypeAlias = tuple[bool, bool]
@@ -187,50 +183,73 @@ def _by_proofs(grasp: Grasp) -> tuple[bool, ...]:
     return tuple(found)
 
 
+#: Loads beyond what two jaws hold, whatever the number of their contacts: 2 along the jaws.
+_JAW_LOADS = (
+    *(tuple(map(Fraction, x)) for x in (("0", "3", "0"), ("1/2", "3", "1"), ("1", "-5/2", "1"))),
+    *((Fraction(0), 2 + Fraction(1, 10**power), Fraction(0)) for power in (3, 30)),
+)
+_COUNTS = (4, 6, 10, 20, 40, 80)
+
+
+def _jaws(m: int, load: tuple[Fraction, ...]) -> Question:
+    """Return m / 2 contacts at even distances on either jaw, of stiffness and preload 4 in all.
+
+    For m = 4 this is the four-contact grasp of the paper with preload 1.
+    """
+    n, share = m // 2, Fraction(4, m)
+    heights = [Fraction(2 * k - (n - 1), n - 1) for k in range(n)]
+    rows = tuple(
+        (Fraction(-side), height, Fraction(side), Fraction(0), FRICTION, share, share)
+        for side, height in product((1, -1), heights)
+    )
+    return Question(rows, load)
+
+
+@lru_cache(maxsize=64)
+def _decided(question: Question) -> Decision:
+    return Solver(grasp_of(question)).solve(question.wrench)
+
+
+def _checked(question: Question) -> int:
+    report = _decided(question).verify()
+    if not report or not report.leaves:
+        raise ValueError(f"the certificate is no proof: {report}")
+    return report.leaves
+
+
+def _evaluated(question: Question) -> int:
+    return leaf_count(question, _decided(question).certificate.to_dict()["tree"])
+
+
+def _jaw_cases() -> Iterator[Case]:
+    for load, m in product(_JAW_LOADS, _COUNTS):
+        label = f"m = {m}, w = ({', '.join(map(str, load))})"
+        yield grasp_case(_jaws(m, load), label)
+
+
 CLAIMS = (
-    Claim(
+    stated(
         id="more-edges-hold-no-less",
-        locator="our claim, on grasps in space",
-        statement="A wrench that is resisted with friction pyramids of 4 edges is resisted with "
-        "pyramids of 8 that contain them, and with the round cones around both.",
-        quantity="verdicts with 4 edges, with 8, with round cones",
         routes=(
             Route("the solver", _by_search),
             Route("certificates, read by the checker", _by_proofs),
         ),
         judge=lambda grasp, verdicts: list(verdicts) == sorted(verdicts),
         sources=sampled("two fingers, found by a random search", _pyramids),
-        expected=Verdict.REFUTED,
         explain=lambda grasp, verdicts: " ".join("yes" if v else "no" for v in verdicts),
-        meaning="Pyramids inside the cone let friction deviate from the slip; the round cone does "
-        "not. So verdicts of pyramids are no lower bound. One contact alone is no counterexample: "
-        "it need not slip.",
-        rows=True,
     ),
-    Claim(
+    stated(
         id="boxes-change-verdicts",
-        locator="our claim, on grasps in space",
-        statement="Bounds on the unknowns, every coordinate of the motion at most 5, every force "
-        "at most 200 and every torque at most 2,500, change no verdict.",
-        quantity="verdicts without the bounds and with them",
         routes=(
             Route("the solver; linear programs of both states", _boxed_by_programs),
             Route("the one force that balances, by hand", _boxed_by_hand),
         ),
         judge=lambda finger, verdicts: verdicts[0] == verdicts[1],
         sources=exhaustive("one instance for each of the three bounds", _fingers),
-        expected=Verdict.REFUTED,
         explain=lambda finger, verdicts: f"resisted {verdicts[0]}, within the bounds {verdicts[1]}",
-        meaning="One contact pressed along its normal has one force and one depth. Each bound "
-        "alone refuses what the contact holds.",
-        rows=True,
     ),
-    Claim(
+    stated(
         id="slip-states-in-space",
-        locator="our claim, on grasps in space",
-        statement="m contacts in space, each with two tangent planes, have no more slip states "
-        "than 2m planes in general position through the origin of six dimensions have faces.",
-        quantity="number of slip states, and of faces in general position",
         routes=(
             Route(
                 "faces listed",
@@ -250,18 +269,9 @@ CLAIMS = (
         judge=lambda grasp, numbers: numbers[0] <= numbers[1],
         sources=sampled("1 to 4 random contacts, and two known grasps", _slip_planes),
         explain=lambda grasp, numbers: f"{numbers[0]} of at most {numbers[1]}",
-        meaning="Up to three contacts every choice of signs can occur; from four on the number "
-        "grows as the fifth power of m, no longer as 9^m.",
-        rows=True,
     ),
-    Claim(
+    stated(
         id="planar-verdicts-embed",
-        formula=r"(f_x, f_y, \tau) \iff (f_x, f_y, 0, 0, 0, \tau)",
-        locator="our claim, on grasps in space",
-        statement="The contacts of a planar grasp, put into the plane z = 0 of space with round "
-        "friction cones, resist a wrench of that plane exactly when the planar grasp does.",
-        hypotheses=(),
-        quantity="verdicts in the plane and in space",
         routes=(
             Route("all states in the plane; sectors and enclosures in space", _by_states),
             Route("the planar solver; linear programs with pyramids in space", _by_solver),
@@ -269,7 +279,15 @@ CLAIMS = (
         judge=lambda question, verdicts: verdicts[0] == verdicts[1],
         sources=sampled("the paper's contacts, without preload and with preload 1", _cases),
         explain=lambda question, verdicts: f"in the plane {verdicts[0]}, in space {verdicts[1]}",
-        meaning="Nothing leaves the plane: forces along z balance, and friction that works against "
-        "a slip out of the plane would not. The page on proofs has the proof.",
+    ),
+    stated(
+        id="leaves-do-not-grow",
+        routes=(
+            Route("the checker of certificates", _checked),
+            Route("every leaf evaluated at the generators of its region", _evaluated),
+        ),
+        judge=lambda question, leaves: leaves <= _checked(_jaws(4, question.wrench)),
+        sources=sampled("five loads for m = 4, 6, 10, 20, 40, 80", lambda _: _jaw_cases()),
+        explain=lambda question, leaves: f"{leaves} leaves for {len(question.contacts)} contacts",
     ),
 )

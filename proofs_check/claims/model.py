@@ -9,12 +9,9 @@ from functools import partial
 from itertools import chain, combinations, product
 from math import comb
 
-from arrangement import counts
 from arrangement.numbers.linear.rank import determinant
-from equilibrium.model.contact import Contact
-from equilibrium.model.grasp import Grasp
-from proofs_check.routes.oracle import Row, project
-from proofs_check.statements.statement import Case, Claim, Route, Source, Verdict, proved, sampled
+
+from .parts import *
 
 #: Rational unit normals: multiples of 1/5, 1/13 and 1/17, turned and mirrored below.
 _TRIPLES = ((3, 4, 5), (5, 12, 13), (8, 15, 17), (1, 0, 1))
@@ -194,9 +191,7 @@ def _equal_contacts(most: int) -> Iterator[Case]:
 def _state_tree(closed: bool) -> partial[Claim]:
     """What the claims on trees of states share."""
     return partial(
-        Claim,
-        locator="our theorem, on proofs by states alone",
-        quantity="number of nodes",
+        stated,
         routes=(
             Route("beginnings of the states of all faces", partial(_nodes_of_faces, closed)),
             Route(
@@ -209,9 +204,7 @@ def _state_tree(closed: bool) -> partial[Claim]:
 
 
 _on_faces = partial(
-    Claim,
-    locator="our theorem, after Section IV-A",
-    quantity="f-vector",
+    stated,
     routes=(
         Route("enumeration of all faces of 2m planes", _enumerated),
         Route("Zaslavsky's theorem on the intersection lattice", _counted),
@@ -221,50 +214,21 @@ _on_faces = partial(
 CLAIMS = (
     _on_faces(
         id="model-faces-without-preload",
-        formula=r"f_0 + f_1 + f_2 + f_3 \le 16m^2 - 8m + 3",
-        proof=("The corrected model", "Theorem"),
-        statement="Without preload the m tangential and m normal planes have at most "
-        "16m^2 - 8m + 3 faces: 1 origin, 2m(2m-1) rays, 4m(2m-1) facets, 4m^2 - 2m + 2 regions; "
-        "these numbers are reached in general position for m >= 2.",
-        hypotheses=("the corrected model", "all preloads are 0"),
         judge=_within,
         sources=_random_grasps(7, False),
-        meaning="The number of states stays quadratic when contacts may let go.",
     ),
     _on_faces(
         id="model-faces-with-preload",
-        formula=r"f_3 \le m^2 - m + 2 + \sum_{j=m}^{2m-1} (1 + j + \binom{j}{2})",
-        proof=("The corrected model", "Theorem"),
-        statement="With preload the m tangential and m normal planes, m >= 3, have at most "
-        "C(2m,3) - C(m,3) + 1 points, C(m,2)(m+2) + (C(2m,2) - C(m,2))(2m-1) lines, "
-        "m(2m-2 + sum_{j=m-1}^{2m-2} (1+j)) + m(2m + C(2m-1,2)) facets and "
-        "m^2 - m + 2 + sum_{j=m}^{2m-1} (1+j+C(j,2)) regions, and these numbers are reached in "
-        "general position.",
-        hypotheses=("the corrected model", "for m < 3 the bound of Eq. 11 for 2m planes"),
         judge=_within,
         sources=_random_grasps(5, True),
-        meaning="With preload the number of states is cubic, about 28/3 m^3 at most; the planes of "
-        "the paper alone do not describe it.",
     ),
     _on_faces(
         id="model-linear-by-regions",
-        formula=r"f_k \le \binom{3}{k} f_3, \quad k = 0, 1, 2",
-        proof=("The corrected model", "Linear in the regions"),
-        statement="With V regions of the motion there are at most V points, 3V lines and 3V facets "
-        "of the 2m planes, with or without preload.",
-        hypotheses=("the corrected model",),
         judge=_linear,
         sources=_random_grasps(5, False, True),
-        meaning="The linear bound by V carries over to the corrected model.",
     ),
     _on_faces(
         id="model-states",
-        formula=r"\text{states} \le \max f_0 + \max f_1 + \max f_2 + \max f_3",
-        proof=("The corrected model", "Theorem"),
-        statement="The contacts have at most as many states (detached, slip+, slip-, stick for "
-        "each) under rigid motions as the maximal numbers of faces add up to.",
-        hypotheses=("the corrected model",),
-        quantity="number of states that some motion has",
         routes=(
             Route("signs of all faces, repeats dropped", _states_of_faces),
             Route(
@@ -274,30 +238,14 @@ CLAIMS = (
         ),
         judge=_few_states,
         sources=_random_grasps(3, False, True, what="counted on"),
-        meaning="Algorithm 2 with detachment is polynomial: quadratic, or cubic with preload.",
     ),
     _state_tree(closed=False)(
         id="state-tree",
-        formula=r"\text{nodes} \le 2m (f_0 + f_1 + f_2 + f_3)",
-        proof=("The corrected model", "Trees of states"),
-        statement="Attachment and slip of one contact after the other, without the choices that no "
-        "motion has, make a tree with at most depth times faces nodes: depth 2m, faces of the 2m "
-        "planes.",
-        hypotheses=("m >= 1",),
         sources=_random_grasps(3, False, True, what="counted on"),
-        meaning="States alone make trees of polynomial size, quartic in m at most.",
     ),
     _state_tree(closed=True)(
         id="state-tree-closed",
-        formula=r"\text{nodes} \le 2m (f_0 + f_1 + f_2 + f_3)",
-        statement="The same bound holds when the conditions of the states are closed, as those of "
-        "certificates are.",
-        hypotheses=("m >= 1",),
         sources=sampled("1 to 4 equal contacts", lambda _: _equal_contacts(4)),
-        expected=Verdict.REFUTED,
         search=lambda: _equal_contacts(3),
-        meaning="A motion on a border then has several states. Without preload d = 0 has all 4^m, "
-        "so nothing is dropped. Two contacts make at most 26 nodes, fewer than 4 times 9 faces, "
-        "so three are the fewest on which it fails.",
     ),
 )

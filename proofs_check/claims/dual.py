@@ -8,41 +8,9 @@ from functools import lru_cache, partial
 
 import networkx as nx
 
-from arrangement import counts
-from arrangement.arrangement import Arrangement
-from arrangement.enumeration.paper_steps import published_enumeration
-from arrangement.library.census.chirotopes import Signs
-from arrangement.numbers.float_filter import Booleans
-from proofs_check.instances.arrangements import (
-    EVERY_TYPE,
-    TYPES,
-    census_cases,
-    mixed_cases,
-    proved_on_types,
-    smallest_arrangements,
-    types_and_samples,
-)
-from proofs_check.instances.domains import domain
-from proofs_check.routes.dual_graph import (
-    DualGraph,
-    distances,
-    from_covectors,
-    from_signs,
-    is_sphere,
-    is_three_connected,
-    minimum_cycle_lengths,
-)
-from proofs_check.routes.many_types import cycle_bases_are_faces, f_vectors
-from proofs_check.statements.statement import (
-    Case,
-    Claim,
-    Hypothesis,
-    ManyTypes,
-    Route,
-    Verdict,
-    View,
-    proved,
-)
+from proofs_check.routes.many_types import cycle_bases_are_faces
+
+from .parts import *
 
 FACES = "enumerated faces"
 COVECTORS = "covectors composed from the chirotope"
@@ -143,43 +111,27 @@ def _horton_cycles(planes: Arrangement) -> tuple[tuple[int, ...], bool]:
 
 #: True of most planes; the smallest counterexample to the rest is looked for.
 _saved = partial(
-    Claim,
-    expected=Verdict.HOLDS_UNDER_HYPOTHESIS,
+    stated,
     search=lambda: smallest_arrangements(range(1, 4), 1),
 )
 
 CLAIMS = (
     _saved(
         id="euler",
-        formula=r"V - E + F = 2",
-        proof=("Great circles", "Euler"),
-        domain=domain("central"),
-        locator="Section IV-B, Step 3",
-        statement="V - E + F = 2 for the regions, facets and lines of the planes.",
-        quantity="(V, E, F)",
         routes=_VEF_ROUTES,
         judge=lambda planes, vef: vef[0] - vef[1] + vef[2] == 2,
         sources=proved_on_types(10, "of every rank", 4),
         hypothesis=RANK_3,
-        meaning="With fewer independent planes there is no polyhedron. The paper's own "
-        "four-contact grasp has rank 2.",
     ),
     _saved(
         id="dual-edge-and-face-bounds",
-        formula=r"E \le 3V - 6, \quad F \le 2V - 4",
-        proof=("The dual graph", "Bounds"),
-        domain=domain("central"),
-        locator="Section IV-A",
-        statement="The dual has at most 3V - 6 edges and at most 2V - 4 faces.",
-        quantity="(V, E, F)",
         routes=_VEF_ROUTES,
         judge=lambda planes, vef: vef[1] <= 3 * vef[0] - 6 and vef[2] <= 2 * vef[0] - 4,
         many_types=ManyTypes(COMPOSED, _edge_and_face_bounds),
         sources=proved_on_types(10, "of every rank", 4),
         hypothesis=Hypothesis("two planes differ", lambda planes: planes.rank >= 2),
-        meaning="The linear bound by V stands; only one plane alone is too small for it.",
     ),
-    Claim(
+    stated(
         id="dual-bipartite-bounds",
         views=(
             View(
@@ -189,14 +141,6 @@ CLAIMS = (
                 instance=Arrangement([(1, 1, 1), (1, 1, -1), (1, -1, 1), (-1, 1, 1)]).to_dict(),
             ),
         ),
-        formula=r"E \le 2V - 4, \quad F \le V - 2",
-        proof=("The dual graph", "Bounds"),
-        domain=domain("rank-3"),
-        locator="Section IV-A, sharper",
-        statement="In rank 3 the dual has at most 2V - 4 edges and at most V - 2 faces, with "
-        "equality exactly when the different planes are in general position.",
-        hypotheses=("the normals have rank 3",),
-        quantity="(V, E, F)",
         routes=_VEF_ROUTES,
         judge=lambda planes, vef: (
             vef[1] <= 2 * vef[0] - 4
@@ -209,17 +153,9 @@ CLAIMS = (
             "coincident",
             _rank_three,
         ),
-        meaning="Changing one sign changes the parity, so the graph is bipartite; a face has at "
-        "least four edges. The printed 3V - 6 and 2V - 4 can be sharpened.",
     ),
     _saved(
         id="dual-planar-3-connected",
-        formula=r"G \text{ is planar}, \quad G - \{R, S\} \text{ is connected for all } R, S",
-        proof=("The dual graph", "Convexity"),
-        domain=domain("central"),
-        locator="Section IV-A",
-        statement="The graph of regions and facets is planar and 3-connected.",
-        quantity="(planar, 3-connected)",
         routes=(
             Route(f"{FACES}; networkx planarity and node connectivity", _planar_by_networkx),
             Route(f"{COVECTORS}; faces close to a sphere, removal of pairs", _planar_by_sphere),
@@ -227,7 +163,6 @@ CLAIMS = (
         judge=lambda planes, value: value == (True, True),
         sources=proved_on_types(6, "of every rank"),
         hypothesis=RANK_3,
-        meaning="In rank 2 the graph is a cycle: planar, but not 3-connected.",
     ),
     _saved(
         id="hamming-edges",
@@ -239,13 +174,6 @@ CLAIMS = (
                 instance=Arrangement([(0, 1, -1), (0, 1, -1), (0, 1, 1), (0, 1, 1)]).to_dict(),
             ),
         ),
-        formula=r"\text{dist}(R, S) = |\{i : R_i \ne S_i\}|",
-        proof=("The dual graph", "Partial cube"),
-        domain=domain("central"),
-        locator="Section IV-B, Step 2",
-        statement="Two regions share a facet exactly when they differ in a single sign, and the "
-        "graph is a partial cube.",
-        quantity="(facets, pairs of regions that differ in one sign, distances are Hamming)",
         routes=(
             Route(FACES, lambda planes: _hamming(_faces_graph(planes))),
             Route(COVECTORS, lambda planes: _hamming(_covector_graph(planes))),
@@ -255,19 +183,9 @@ CLAIMS = (
         hypothesis=Hypothesis(
             "no two planes coincide", lambda planes: len(planes.distinct) == len(planes)
         ),
-        meaning="On the paper's four-contact grasp contacts 1, 2 and contacts 3, 4 give one plane "
-        "each, so Step 2 finds no edge. Coincident planes must be merged first.",
     ),
     _saved(
         id="cycle-basis-faces",
-        formula=r"C_1 + C_2 + \cdots + C_{F-1} = C_F \quad (\text{mod 2})",
-        proof=("Minimum cycle basis", "The basis"),
-        domain=domain("central"),
-        locator="Section IV-B, Step 3",
-        statement="A minimum cycle basis of the graph consists of F - 1 face boundaries, and the "
-        "symmetric sum of its cycles is the last face.",
-        hypotheses=("coincident planes are merged",),
-        quantity="(lengths in the basis, whether they and the last one are the faces)",
         routes=(
             Route("Steps 1 to 3 run (networkx), against enumerated faces", _published_cycles),
             Route(f"Horton's algorithm on {COVECTORS}", _horton_cycles),
@@ -283,6 +201,5 @@ CLAIMS = (
             lambda rng: types_and_samples(rng, range(3, 7), range(1, 7)),
         ),
         hypothesis=RANK_3,
-        meaning="In rank 2 the one cycle is counted twice: that is the 10 at m = 2.",
     ),
 )

@@ -11,7 +11,6 @@ from itertools import combinations, product
 
 import networkx as nx
 
-from arrangement.arrangement import Arrangement
 from arrangement.duals.inscribed import (
     FarkasCertificate,
     WeightCertificate,
@@ -19,21 +18,11 @@ from arrangement.duals.inscribed import (
     representative_hull,
 )
 from arrangement.duals.zonohedron import dual_polyhedron
-from arrangement.numbers.exact import RationalVector, to_text
-from proofs_check.instances.arrangements import census_cases, smallest_arrangements
-from proofs_check.instances.domains import domain
+from arrangement.numbers.exact import to_text
 from proofs_check.routes import rivin
-from proofs_check.routes.dual_graph import from_covectors, from_signs
 from proofs_check.routes.many_types import edges_have_weights, have_weights
-from proofs_check.statements.statement import (
-    Case,
-    Claim,
-    ManyTypes,
-    Route,
-    Verdict,
-    View,
-    exhaustive,
-)
+
+from .parts import *
 
 _answer = lru_cache(maxsize=64)(inscribability)
 
@@ -171,15 +160,8 @@ def _weights_by_flows(planes: Arrangement) -> bool:
 
 
 CLAIMS = (
-    Claim(
+    stated(
         id="sphere-dual-weights",
-        formula=r"\exists w: \; 0 \lt w_e \lt \frac{1}{2}, \quad \sum_{e \in E(R)} w_e = 1",
-        locator="Section IV-A",
-        domain=domain("distinct"),
-        statement="The facets have weights between 0 and 1/2 that sum to 1 around each region: the "
-        "first conditions of Rivin's criterion, which every inscribed polyhedron satisfies.",
-        hypotheses=("the normals have rank 3", "no two planes coincide"),
-        quantity="whether such weights exist",
         routes=(
             Route("two facets of each region, exchanged along cycles", _weights_by_hand),
             Route("a largest flow of networkx (enumerated faces)", _weights_by_flows),
@@ -189,22 +171,10 @@ CLAIMS = (
         sources=exhaustive(
             "all 24 types of 3 to 6 distinct planes of rank 3 and all 11 simple types of 7", _types
         ),
-        expected=Verdict.REFUTED,
         search=lambda: smallest_arrangements(range(3, 5), 1, distinct=True, rank=3),
-        meaning="Where there are none, no choice of points makes the dual convex. They are told "
-        "by counting alone, for all types of nine planes too.",
     ),
-    Claim(
+    stated(
         id="sphere-dual-convex",
-        domain=domain("distinct"),
-        formula=r"\exists x_R \in R, \; |x_R| = 1 : \; "
-        r"\text{edges of conv}\{x_R\} = \text{adjacent pairs}",
-        locator="Section IV-A",
-        statement="Points of the unit sphere can be chosen, one in each region, so that the dual "
-        "is convex: a polyhedron inscribed in a sphere with the regions as vertices and the "
-        "facets as edges.",
-        hypotheses=("the normals have rank 3", "no two planes coincide"),
-        quantity="whether any convex polyhedron with this graph can be inscribed in a sphere",
         routes=(
             Route("Rivin's criterion; certificate verified by maximum flows", _verified),
             Route("the certificate on the covectors' graph, cycles listed", _checked_afresh),
@@ -215,7 +185,6 @@ CLAIMS = (
             "gives an inscribed polyhedron with this graph, its vertices in the regions or not",
             _types,
         ),
-        expected=Verdict.REFUTED,
         views=(
             View(
                 "dual",
@@ -230,19 +199,9 @@ CLAIMS = (
         ),
         search=lambda: smallest_arrangements(range(3, 5), 1, distinct=True, rank=3),
         explain=_explain,
-        meaning="No choice of points at all works for four planes in general position: the classes "
-        "of 8 and 6 regions would have to be equal (Steinitz). The bounds survive, because the "
-        "zonohedron of the normals is convex and has the same graph.",
     ),
-    Claim(
+    stated(
         id="sphere-hull-edges",
-        formula=r"\forall x_R \in R, \; |x_R| = 1 : \; "
-        r"\text{edges of conv}\{x_R\} = \text{adjacent pairs}",
-        locator="Section IV-A",
-        statement="Whatever points of the unit sphere are taken, one in each region, the edges of "
-        "their convex hull are exactly the pairs of regions that share a facet.",
-        hypotheses=("the normals have rank 3", "no two planes coincide"),
-        quantity="(adjacent pairs that are no edges of the hull, edges that are no adjacent pairs)",
         routes=(
             Route("hull by Qhull, every sign checked exactly", _edge_counts_by_hull),
             Route("all planes through three points, exact", _edge_counts_by_supports),
@@ -253,7 +212,6 @@ CLAIMS = (
             "regions",
             _middle_points,
         ),
-        expected=Verdict.REFUTED,
         views=(
             View(
                 "dual",
@@ -264,7 +222,5 @@ CLAIMS = (
             ),
         ),
         search=_cube_choices,
-        meaning="The hull is convex, but it is not the dual: most choices of points give a hull "
-        "with other edges, for three planes already.",
     ),
 )

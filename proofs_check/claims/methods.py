@@ -11,20 +11,9 @@ from itertools import product
 
 from equilibrium.decide.verdict import solve
 from equilibrium.methods.compare import ask
-from proofs_check.instances import paper_tables as printed
-from proofs_check.instances.grasps import grasp_of, paper_question
-from proofs_check.routes import oracle
-from proofs_check.routes.oracle import Question, Row, Touch, project
-from proofs_check.statements.statement import (
-    Case,
-    Claim,
-    Hypothesis,
-    Route,
-    Verdict,
-    View,
-    exhaustive,
-    sampled,
-)
+from proofs_check.routes.oracle import Touch
+
+from .parts import *
 
 System = tuple[list[Row], list[Row]]
 #: At rest with preload 1 the contacts 1 and 3 carry friction (Table I, second row).
@@ -154,14 +143,9 @@ def _grips(asked: Asked) -> bool:
     return all(touch.friction > 1 for touch in asked.question.touches)
 
 
-_MODEL = ("the corrected model decides what is right", "friction 1/2, stiffness 1")
-_SPRINGS = (*_MODEL, "tangential springs as stiff as the normal ones")
-
-
 #: What the claims on methods share, unless one says otherwise.
 _method = partial(
-    Claim,
-    quantity="(verdict of the method, verdict of the corrected model)",
+    stated,
     routes=(
         Route("the method and the solver of the package", _by_packages),
         Route("Fourier-Motzkin elimination of the method's own conditions", _by_elimination),
@@ -172,8 +156,6 @@ _method = partial(
 CLAIMS = (
     _method(
         id="method-grasp-wrench-space",
-        formula=r"\forall t \ge 0 : \; (0, t, 0), \; (0, -t, 0) \in \text{cone} "
-        r"\{N_i + \mu T_i, N_i - \mu T_i\}",
         views=(
             View(
                 "methods",
@@ -183,10 +165,6 @@ CLAIMS = (
                 paper_question(_THREE, [Fraction(0)] * 3, 0).to_dict(),
             ),
         ),
-        locator="Section VI, Fig. 7",
-        statement="The Grasp Wrench Space of the three-contact grasp holds forces up and down "
-        "alike; without preload those up are not resisted.",
-        hypotheses=(*_MODEL, "any total normal force"),
         sources=sampled(
             "forces of 1 and 100, up and down",
             _three("wrench-space", {"1": "yn", "100": "yn", "-1": "yy", "-100": "yy"}),
@@ -194,30 +172,13 @@ CLAIMS = (
     ),
     _method(
         id="method-cones-only",
-        formula=r"\forall w_y \; \forall q \; \exists (d, c) : \; "
-        r"\sum_i (c_n N_i + c_t T_i) + (0, w_y, 0) = 0, \; "
-        r"c_n = \max(0, q - k N \cdot d), \; |c_t| \le \mu c_n",
-        locator="Section III, Fig. 4",
-        statement="With springs and cones alone (Eqs. 1 to 4) the four-contact grasp resists every "
-        "vertical force, whatever the preload.",
-        hypotheses=("contacts may let go", "stiffness 1"),
         judge=lambda asked, found: found[0],
         sources=sampled("forces 2, -2 and 100, preload 0 and 1, friction 1/2 and 2", _cones),
-        expected=Verdict.HOLDS_UNDER_HYPOTHESIS,
         hypothesis=Hypothesis("friction is above 1", _grips),
         explain=lambda asked, found: f"corrected model: {'Yes' if found[1] else 'No'}",
-        meaning="A rotation loads two contacts, but their normal forces turn the object back, and "
-        "friction must outweigh that turn before it can lift. With the printed friction 1/2 it "
-        "cannot. Above 1 the cones accept every force without preload, and none should be.",
     ),
     _method(
         id="method-linear-compliance",
-        formula=r"c_n = -k N \cdot d, \; c_t = -k T \cdot d, \; w = (0, w_y, 0), \; w_y \lt 0 "
-        r"\; \Rightarrow \; \exists i : \; |c_t| \gt \mu c_n",
-        locator="Section III, Fig. 3",
-        statement="Linear springs in both directions refuse every downward force on the "
-        "three-contact grasp without preload, which is resisted.",
-        hypotheses=_SPRINGS,
         sources=sampled(
             "forces -1, -2 and -100",
             _three("linear-compliance", dict.fromkeys(("-1", "-2", "-100"), "ny")),
@@ -225,13 +186,6 @@ CLAIMS = (
     ),
     _method(
         id="method-frictionless-slip-down",
-        formula=r"\forall w_y \le 0 \; \exists d : \; "
-        r"\sum_i (c_n N_i + c_t T_i) + (0, w_y, 0) = 0, \; "
-        r"c_t \in \{-k T \cdot d, 0\}, \; |c_t| \le \mu c_n",
-        locator="Section VI",
-        statement="With contacts that stick, slip without friction or detach, the three-contact "
-        "grasp withstands all forces (0, w_y, 0) with w_y <= 0.",
-        hypotheses=_SPRINGS,
         sources=sampled(
             "forces 0, -1, -2 and -100, no preload",
             _three("frictionless-slip", dict.fromkeys(("0", "-1", "-2", "-100"), "yy")),
@@ -239,16 +193,9 @@ CLAIMS = (
     ),
     _method(
         id="method-frictionless-slip-up",
-        formula=r"\neg \exists d : \; \sum_i (c_n N_i + c_t T_i) + (0, 1, 0) = 0, \; "
-        r"|c_t| \le \mu c_n, \; \text{each contact sticks, slips or lets go}",
-        locator="Section VI",
-        statement="No combination of sticking, frictionless slipping and detached contacts gives "
-        "legal forces on the preloaded three-contact grasp under (0, 1, 0), which is resisted.",
-        hypotheses=(*_SPRINGS, "at rest the friction of Table I", "detached contacts do not press"),
         sources=exhaustive(
             "all 27 combinations for this wrench",
             _three("frictionless-slip", {"1": "ny"}, preload=1),
         ),
-        meaning="The method is too cautious, as the paper says.",
     ),
 )
