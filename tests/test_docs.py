@@ -17,7 +17,7 @@ from arrangement.library.families import simplicial, simplicial_entries
 from arrangement.pictures.lab.lines import line_exercises
 from equilibrium.cli import program as equilibrium_cli
 from equilibrium.methods.registry import DECIDING
-from equilibrium.pictures.lab.exercises import slip_exercises
+from equilibrium.pictures.lab.page import slip_exercises
 from proofs_check.cli import program as claims_cli
 from tests.docpages import ROOT, Page, blocks, commands, loose_literals
 

@@ -9,7 +9,7 @@ from arrangement.library.files.table import read_arrangement
 from arrangement.pictures.lab.lines import lab_page as lines_page
 from equilibrium.cli.program import main
 from equilibrium.grasps.files import read_grasp
-from equilibrium.pictures.lab import lab_page
+from equilibrium.pictures.lab.page import lab_page
 
 PAGES: dict[str, Callable[..., str]] = {"slip": lab_page, "lines": lines_page}
 

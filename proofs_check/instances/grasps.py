@@ -13,7 +13,7 @@ from equilibrium.model.grasp import Grasp
 from proofs_check.routes.oracle import Question, Row
 from proofs_check.statements.statement import Case
 
-from . import paper_tables as printed
+from . import printed
 
 #: Unit normals along the axes.
 AXES = ((1, 0), (0, 1), (-1, 0), (0, -1))

@@ -14,7 +14,8 @@ from arrangement.duals.zonohedron import dual_polyhedron
 from arrangement.library import families
 from arrangement.library.files.table import read_arrangement
 from arrangement.pictures import arrangement_page, cells_page
-from arrangement.pictures.page.page import MAX_CIRCLES, equation
+from arrangement.pictures.page.page import MAX_CIRCLES
+from arrangement.pictures.parts.names import equation
 from tests.browser import Browser
 
 #: Regions, arcs and crossings, from the literature: coordinate planes (cube), A3 (permutohedron),

@@ -18,7 +18,7 @@ from equilibrium.cli.program import main
 from equilibrium.decide.verdict import Solver
 from equilibrium.grasps.files import read_grasp
 from equilibrium.grasps.instances import paths
-from equilibrium.pictures.lab import lab_page
+from equilibrium.pictures.lab.page import lab_page
 from equilibrium.plane.states.contact_states import contact_states
 from equilibrium.wrench_sets import resisted_set
 from tests.browser import Browser

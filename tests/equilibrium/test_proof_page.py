@@ -10,7 +10,7 @@ from equilibrium.certificate.leaves import parts, works
 from equilibrium.cli.program import main
 from equilibrium.grasps.inputs import random_grasp
 from equilibrium.pictures import proof_page
-from equilibrium.pictures.style import number, vector
+from equilibrium.pictures.parts.style import number, vector
 from tests.browser import Browser
 
 BELOW = [c for c in random_grasp(150, 7) if c.normal[1] > 0]

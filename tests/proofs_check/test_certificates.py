@@ -7,7 +7,7 @@ from typing import Any
 import pytest
 
 from equilibrium import solve
-from proofs_check.claims.forces import certificates
+from proofs_check.claims import space as certificates
 from proofs_check.instances.grasps import grasp_of
 from proofs_check.routes.leaves import leaf_count
 

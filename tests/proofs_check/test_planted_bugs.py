@@ -20,8 +20,7 @@ from equilibrium.methods.compare import ask as right
 from equilibrium.model.contact import Contact
 from equilibrium.model.grasp import Grasp
 from proofs_check import Verdict, evaluate, registry
-from proofs_check.claims.forces import methods, model, tables
-from proofs_check.claims.planes import dual
+from proofs_check.claims import dual, methods, model, tables
 from proofs_check.routes import oracle
 
 #: The signs of the faces of dimension 0, 1, ..., d, and points of them.

@@ -13,7 +13,7 @@ from equilibrium.grasps.files import read_grasp
 from proofs_check import Verdict, evaluate, registry
 from proofs_check.cli.program import main
 from proofs_check.course.printed_table import check_table
-from proofs_check.instances import paper_tables as printed
+from proofs_check.instances import printed
 from proofs_check.instances.grasps import grasp_of, paper_question
 
 EXAMPLES = files("proofs_check.examples")
