@@ -10,10 +10,11 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Sequence
+from fractions import Fraction
 from typing import Any, TypeVar
 
 from arrangement.numbers import budget
-from arrangement.numbers.exact import IntegerVector, dot, largest, reduced
+from arrangement.numbers.exact import IntegerVector, dot, largest, primitive, reduced
 
 #: Of a matrix with more entries a basis is guessed modulo this prime, and proved.
 _FEW, _PRIME = 2000, 2**31 - 1
@@ -192,3 +193,31 @@ def cut(basis: Sequence[IntegerVector], values: Sequence[int]) -> list[IntegerVe
         for j, vector in enumerate(basis)
         if j != pivot
     ]
+
+
+def gauss_jordan(
+    matrix: Sequence[Sequence[Fraction | int]],
+) -> tuple[list[list[int]], list[int], int]:
+    """Return the reduced rows times a common scale, the pivot columns, and the scale.
+
+    Row i of the result has its pivot, of the value `scale`, in column ``pivots[i]``; rows beyond
+    the pivots are zero. Rows of the input are scaled to integers first, which changes no solution.
+    """
+    rows = [list(primitive(row)) for row in matrix]
+    pivots: list[int] = []
+    scale = 1
+    for column in range(len(rows[0]) if rows else 0):
+        done = len(pivots)
+        found = next((i for i in range(done, len(rows)) if rows[i][column]), None)
+        if found is None:
+            continue
+        rows[done], rows[found] = rows[found], rows[done]
+        top = rows[done]
+        pivot = top[column]
+        for i, row in enumerate(rows):
+            if i != done:
+                factor = row[column]
+                rows[i] = [(pivot * a - factor * b) // scale for a, b in zip(row, top, strict=True)]
+        scale = pivot
+        pivots.append(column)
+    return rows, pivots, scale

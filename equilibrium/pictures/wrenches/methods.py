@@ -7,14 +7,12 @@ from collections.abc import Iterable, Sequence
 from arrangement.drawing.colours import GREY
 from arrangement.drawing.figure import picture
 from arrangement.drawing.registry import Wrench
-from arrangement.drawing.scene.measuring import POINTS, checked_width, measure
-from arrangement.drawing.scene.scene import Scene
+from arrangement.drawing.scene.scene import POINTS, Scene, checked_width, measure
 from arrangement.numbers import budget
 from equilibrium.methods import METHODS, Comparison, compare
 from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import Grasp, read_wrench
-from equilibrium.pictures.keys import MARKS, symbol
-from equilibrium.pictures.style import vector
+from equilibrium.pictures.parts.style import MARKS, symbol, vector
 
 _ROW, _SIDE, _TINT = 4.6 * POINTS, 3.0 * POINTS, "#f3c9a5"
 _ANSWERS = {True: "accepted", False: "refusal", None: "silence"}

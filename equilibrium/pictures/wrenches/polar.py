@@ -10,21 +10,17 @@ from typing import Any
 from arrangement.drawing.colours import VERMILION
 from arrangement.drawing.figure import picture
 from arrangement.drawing.registry import Exact
-from arrangement.drawing.scene.items import Floats
-from arrangement.drawing.scene.scene import Legend, Scene
+from arrangement.drawing.scene.scene import Floats, Legend, Scene
 from arrangement.numbers import budget
 from arrangement.numbers.exact import RationalVector, rational
 from arrangement.numbers.linear.intervals import Interval
 from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import Grasp
-from equilibrium.pictures.keys import MARKS, symbol
-from equilibrium.pictures.style import RIM, SHADE
+from equilibrium.pictures.parts.panel import Panel, explain_borders, read_extent, row_of_panels
+from equilibrium.pictures.parts.style import MARKS, RIM, SHADE, symbol
+from equilibrium.pictures.parts.window import ROOM, Window, ends
 from equilibrium.wrench_sets import Region, resisted_region, search_map
 from equilibrium.wrench_sets.search_map import Entry
-
-from .panel import Panel
-from .row import explain_borders, read_extent, row_of_panels
-from .window import ROOM, Window, ends
 
 
 @picture
