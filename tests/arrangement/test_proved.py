@@ -168,30 +168,30 @@ def check_forgeries(seed: str, number: int, folder: Path) -> None:
 
 
 @built
-def test_it_counts_what_engines_and_closed_forms_count(tmp_path: Path) -> None:
+def test_it_counts_what_engines_and_closed_forms_count(tmp_path):
     check_agreement("quick", 25, tmp_path)
 
 
 @built
 @pytest.mark.campaign
 @pytest.mark.parametrize("part", range(20))
-def test_it_counts_thousands_alike(part: int, tmp_path: Path) -> None:
+def test_it_counts_thousands_alike(part, tmp_path):
     check_agreement(f"campaign {part}", 1000, tmp_path)
 
 
 @built
-def test_forged_certificates_are_refused(tmp_path: Path) -> None:
+def test_forged_certificates_are_refused(tmp_path):
     check_forgeries("quick", 35, tmp_path)
 
 
 @built
 @pytest.mark.campaign
-def test_thousands_of_forged_certificates_are_refused(tmp_path: Path) -> None:
+def test_thousands_of_forged_certificates_are_refused(tmp_path):
     check_forgeries("campaign", 4000, tmp_path)
 
 
 @built
-def test_what_is_no_document_of_planes_is_malformed(tmp_path: Path) -> None:
+def test_what_is_no_document_of_planes_is_malformed(tmp_path):
     good: dict[str, Any] = {"schema_version": 1, "planes": [["1", "0"], ["0", "1"]]}
     bad: list[dict[str, Any]] = [
         {"planes": [["1", "0"], ["1"]]},
@@ -212,7 +212,7 @@ def test_what_is_no_document_of_planes_is_malformed(tmp_path: Path) -> None:
 
 
 @built
-def test_the_commands_name_the_speaker(capsys: pytest.CaptureFixture[str]) -> None:
+def test_the_commands_name_the_speaker(capsys):
     assert main(["count", "reflection-b3", "--proved"]) == 0
     proved = capsys.readouterr().out
     assert main(["count", "reflection-b3"]) == 0
@@ -223,7 +223,7 @@ def test_the_commands_name_the_speaker(capsys: pytest.CaptureFixture[str]) -> No
 
 
 @built
-def test_a_list_is_certified_by_the_program() -> None:
+def test_a_list_is_certified_by_the_program():
     planes = Arrangement([[1, 0], [0, 1], [1, 1], [2, 2]], [0, 0, 1, 2])
     evidence = planes.certify_complete(proved=True)
     assert evidence
@@ -232,16 +232,14 @@ def test_a_list_is_certified_by_the_program() -> None:
     assert not short
 
 
-def test_without_the_program_one_line_says_what_to_do(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_without_the_program_one_line_says_what_to_do(tmp_path, monkeypatch, capsys):
     monkeypatch.setattr(proved_program.sys, "executable", str(tmp_path / "python"))
     monkeypatch.setenv("PATH", str(tmp_path))
     assert main(["count", "reflection-b3", "--proved"]) == 2
     assert "run `make formal`" in capsys.readouterr().err
 
 
-def test_what_is_out_of_reach_or_irrational_is_refused_before_work() -> None:
+def test_what_is_out_of_reach_or_irrational_is_refused_before_work():
     with pytest.raises(OutOfReachError, match="by the proved program"):
         proved_f_vector(Arrangement([[1, k, k * k, k**3, k**4, k**5] for k in range(200)]))
     with pytest.raises(InputError, match="rational planes"):

@@ -1,7 +1,5 @@
 """The page of resisted forces: the slip lab, opened at its map in headless Chromium."""
 
-from __future__ import annotations
-
 import time
 from collections.abc import Callable
 from fractions import Fraction
@@ -11,11 +9,8 @@ from typing import Any
 
 import pytest
 
-from arrangement import InputError
 from equilibrium import solve
-from equilibrium.cli.program import main
 from equilibrium.grasps.files import read_grasp
-from equilibrium.model.contact import Contact
 from equilibrium.model.grasp import Grasp
 from equilibrium.pictures import resist_page
 from tests.browser import Browser
@@ -90,7 +85,7 @@ def drawn_at(browser: Browser, x: float, y: float) -> bool:
 
 
 @pytest.mark.parametrize("name", PAPER)
-def test_the_picture_agrees_with_the_solver(name: str, browser: Browser, opened: Opened) -> None:
+def test_the_picture_agrees_with_the_solver(name, browser, opened):
     """A piece is drawn at a place exactly when the force there is resisted."""
     grasp = opened(name)
     for torque in ("0", "1/2"):
@@ -104,9 +99,7 @@ def test_the_picture_agrees_with_the_solver(name: str, browser: Browser, opened:
     assert browser.outside() == []
 
 
-def test_the_exact_conditions_of_the_marked_piece_are_told(
-    browser: Browser, opened: Opened
-) -> None:
+def test_the_exact_conditions_of_the_marked_piece_are_told(browser, opened):
     opened("paper-three-contacts-preload-1", wrench=["1/10", -1, 0])
     states, *told = text_of(browser, "conditions").splitlines()
     assert states == "states: stick, stick, stick"
@@ -117,7 +110,7 @@ def test_the_exact_conditions_of_the_marked_piece_are_told(
     assert not browser.run("return document.querySelectorAll('#plane .held-piece').length")
 
 
-def test_the_slider_of_the_torque_turns_the_load(browser: Browser, opened: Opened) -> None:
+def test_the_slider_of_the_torque_turns_the_load(browser, opened):
     grasp = opened("paper-three-contacts-preload-1")
     for torque in ("1.25", "-2"):
         browser.run(
@@ -132,7 +125,7 @@ def test_the_slider_of_the_torque_turns_the_load(browser: Browser, opened: Opene
 
 
 @pytest.mark.parametrize("width", [390, 800, 1280])
-def test_the_map_stands_first_and_large(width: int, browser: Browser, opened: Opened) -> None:
+def test_the_map_stands_first_and_large(width, browser, opened):
     opened("paper-three-contacts-preload-1", width)
     assert browser.run("return document.documentElement.scrollWidth") <= width
     map_, *others = browser.run(
@@ -143,44 +136,3 @@ def test_the_map_stands_first_and_large(width: int, browser: Browser, opened: Op
     for other in others:
         assert map_[2] >= other[2]
         assert (map_[0], map_[1]) <= (other[0], other[1]) or map_[1] < other[1]
-
-
-@pytest.mark.parametrize(
-    "grasp",
-    [
-        Grasp(),
-        Grasp([Contact([0, 0], [0, 1], 0)]),
-        Grasp([Contact([10**30, 0], [-1, 0], "1/3", 1, 1), Contact([-(10**30), 0], [1, 0], 1)]),
-    ],
-    ids=["none", "frictionless", "far"],
-)
-def test_unusual_grasps_are_shown(grasp: Grasp, browser: Browser, opened: Opened) -> None:
-    opened(grasp)
-    for y in ("0", "-1/3"):
-        enter(browser, "w-y", y)
-        settled(browser)
-        stable = solve(grasp, [0, y, 0]).stable
-        assert text_of(browser, "verdict").startswith("Resisted" if stable else "Not resisted")
-        dots = browser.run("return document.querySelectorAll('#plane .here.dot').length")
-        assert dots == int(stable)
-    assert browser.messages() == []
-
-
-def test_the_command_writes_the_page(tmp_path: Path) -> None:
-    target = tmp_path / "a.html"
-    options = ["--view", "resist", "--wrench", "0", "-1", "0", "--title", "Three"]
-    assert main(["draw", "paper-three-contacts", "-o", str(target), *options]) == 0
-    text = target.read_text(encoding="utf-8")
-    assert "<title>Three</title>" in text
-    assert '"wrench":["0","-1","0"]' in text
-    assert len(text) < 300_000
-    target.unlink()
-    assert main(["draw", "paper-three-contacts", "-o", str(target), "--width", "90"]) == 2
-    assert not target.exists()
-
-
-def test_what_the_lab_cannot_take_is_refused() -> None:
-    with pytest.raises(InputError, match="at most 8"):
-        resist_page(Grasp([Contact([0, 0], [0, 1], 0)] * 9))
-    with pytest.raises(InputError, match="in space"):
-        resist_page(read_grasp("two-opposed-fingers"))
