@@ -6,7 +6,7 @@ from collections.abc import Callable
 import pytest
 
 from arrangement.pictures.lab.lines import lab_page as lines_page
-from equilibrium.pictures.lab import lab_page
+from equilibrium.pictures.lab.page import lab_page
 
 PAGES: dict[str, Callable[..., str]] = {"slip": lab_page, "lines": lines_page}
 #: Text, and graphics that tell something, with what lies behind. Names a page lacks are left out.

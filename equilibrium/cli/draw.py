@@ -58,7 +58,7 @@ def _draw(arguments: argparse.Namespace) -> int:
 
 def _lab(arguments: argparse.Namespace) -> int:
     from arrangement.console.writing import write_text_atomically
-    from equilibrium.pictures.lab import lab_page
+    from equilibrium.pictures.lab.page import lab_page
 
     grasp = None if arguments.grasp is None else grasp_of(arguments)
     wrench = force_given(arguments) or arguments.wrench

@@ -13,7 +13,7 @@ from arrangement.library.families import near_pencil, simplicial, type_b
 from arrangement.library.files.table import read_arrangement
 from arrangement.pictures import write_drawing
 from arrangement.pictures.duals.graph import planar_graph
-from arrangement.pictures.sphere.coordinates import CHOICES, even_map, in_coordinates, symmetry
+from arrangement.pictures.parts.coordinates import CHOICES, even_map, in_coordinates, symmetry
 
 from .strategies import arrangements
 

@@ -32,10 +32,9 @@ from arrangement.pictures import (
     draw_sphere,
     write_drawing,
 )
-from arrangement.pictures.duals.models import cells_model
-from arrangement.pictures.essential import fits, in_space
-from arrangement.pictures.space.exploded_cells import lifted_cells
-from arrangement.pictures.space.painting import Facet, Stage
+from arrangement.pictures.parts.essential import fits, in_space
+from arrangement.pictures.space.cells import cells_model
+from arrangement.pictures.space.exploded_cells import Facet, Stage, lifted_cells
 from arrangement.pictures.space.planes import draw_planes
 from arrangement.pictures.views import drawings_of
 from tests.drawn import paths

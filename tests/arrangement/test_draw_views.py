@@ -18,12 +18,9 @@ from arrangement.counts import bounded_region_count, f_vector, whitney_numbers
 from arrangement.drawing.colours import PALETTE, DrawnRegion, colouring
 from arrangement.drawing.figure import figure
 from arrangement.drawing.output import own_settings, picture_bytes
-from arrangement.drawing.scene.items import Label, Path as Drawn
 from arrangement.drawing.scene.labels import HAIR, spread
-from arrangement.drawing.scene.layers import layered_orders
 from arrangement.drawing.scene.layout import laid_out
-from arrangement.drawing.scene.measuring import area
-from arrangement.drawing.scene.scene import Scene
+from arrangement.drawing.scene.scene import Label, Path as Drawn, Scene, area
 from arrangement.duals.inscribed import representative_hull
 from arrangement.duals.zonohedron import dual_polyhedron
 from arrangement.library.files.table import read_arrangement
@@ -37,10 +34,11 @@ from arrangement.pictures import (
     save_figure,
     write_drawing,
 )
+from arrangement.pictures.diagrams.lattice import layered_orders
 from arrangement.pictures.diagrams.line_charts import LinesChart
 from arrangement.pictures.duals.graph import planar_graph
 from arrangement.pictures.duals.solids import dual_solid
-from arrangement.pictures.essential import fits
+from arrangement.pictures.parts.essential import fits
 from arrangement.pictures.sphere.projections import CompressedChart, stereographic
 from arrangement.pictures.views import DRAWINGS
 from tests.drawn import elements, offences, paths, scene
@@ -410,7 +408,7 @@ def test_arrows_point_to_the_positive_side_of_each_plane(name):
     heads = [i for i in scene.items if i.name.startswith("side") and i.kind == "polygon"]
     assert len(heads) == len(planes.distinct)
     for head in heads:
-        u = (head.points[0] - np.array(ball.centre)) / ball.radius
+        u = (head.points[3] - np.array(ball.centre)) / ball.radius
         tip = np.array([*u, np.sqrt(1 - u @ u)]) @ frame
         label = int(head.name.split("-")[1])
         assert np.array(planes.normals[planes.distinct[label][0]], dtype=float) @ tip > 0

@@ -11,11 +11,9 @@ import numpy as np
 import pytest
 from hypothesis import example, given, settings
 
-from arrangement.drawing.scene.items import Label
 from arrangement.drawing.scene.labels import flattened
 from arrangement.drawing.scene.layout import laid_out
-from arrangement.drawing.scene.measuring import measure
-from arrangement.drawing.scene.scene import Scene
+from arrangement.drawing.scene.scene import Label, Scene, measure
 from equilibrium import Contact, Grasp, read_grasp, solve
 from equilibrium.cli.program import main
 from equilibrium.grasps.inputs import random_grasp, star_outline
@@ -33,11 +31,11 @@ from equilibrium.pictures import (
     draw_resist,
     draw_slice,
 )
-from equilibrium.pictures.grasp.body import body, frame_of
 from equilibrium.pictures.grasp.layout import layout_of
-from equilibrium.pictures.pages.proof_page import proof_page
-from equilibrium.pictures.style import nice, number
-from equilibrium.pictures.wrenches.slices import slices
+from equilibrium.pictures.grasp.proof_page import proof_page
+from equilibrium.pictures.parts.body import body, frame_of
+from equilibrium.pictures.parts.style import nice, number
+from equilibrium.pictures.wrenches.forces import slices
 from equilibrium.wrench_sets import gaps, resisted_region, search_map
 from tests.drawn import offences
 

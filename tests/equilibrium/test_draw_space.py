@@ -10,8 +10,7 @@ import numpy as np
 import pytest
 import trimesh
 
-from arrangement.drawing.scene.items import Label, Path as Line
-from arrangement.drawing.scene.scene import Scene
+from arrangement.drawing.scene.scene import Label, Path as Line, Scene
 from equilibrium import Contact, Grasp, GraspError, Mesh, read_grasp
 from equilibrium.cli import main
 from equilibrium.decide.spatial_verdict import RESISTED, UNDECIDED
@@ -22,7 +21,7 @@ from equilibrium.pictures.space.pieces import Screw
 from equilibrium.pictures.space.solid_grasp import SolidGrasp
 from equilibrium.pictures.space.space_grasp import drawn_in_space
 from equilibrium.pictures.space.space_page import grasp_model, grasp_page
-from equilibrium.pictures.wrenches.slices import draw_slice
+from equilibrium.pictures.wrenches.forces import draw_slice
 from equilibrium.wrench_sets.spatial import SpatialMagnitudes
 from tests.drawn import offences
 

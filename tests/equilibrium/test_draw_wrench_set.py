@@ -5,14 +5,13 @@ from fractions import Fraction
 
 import pytest
 
-from arrangement.drawing.scene.items import Label
 from arrangement.drawing.scene.layout import laid_out
-from arrangement.drawing.scene.scene import Scene
+from arrangement.drawing.scene.scene import Label, Scene
 from arrangement.errors import InputError
 from equilibrium import Contact, GraspError, read_grasp
 from equilibrium.cli.program import main
 from equilibrium.model.grasp import Grasp
-from equilibrium.pictures.wrenches.window import joint_window
+from equilibrium.pictures.parts.window import joint_window
 from equilibrium.pictures.wrenches.wrench_box import WALLS, WrenchBox, wrench_box
 from equilibrium.pictures.wrenches.wrench_page import wrench_set_model, wrench_set_page
 from equilibrium.pictures.wrenches.wrench_set import draw_wrench_set

@@ -19,8 +19,7 @@ from equilibrium.certificate.checker import check
 from equilibrium.methods.contact_laws.printed_model import OPTIONS, solve_literal
 from equilibrium.methods.registry import METHODS
 from equilibrium.model.errors import CertificateError
-from equilibrium.pictures.lab import lab_page
-from equilibrium.pictures.lab.page import DECIDES
+from equilibrium.pictures.lab.page import DECIDES, lab_page
 from tests.equilibrium.test_lab import Question, questions, texts
 from tests.javascript.check import node, paths
 

@@ -9,8 +9,7 @@ import pytest
 from arrangement import InputError
 from equilibrium.certificate.checker import check
 from equilibrium.cli.program import main
-from equilibrium.pictures.lab import lab_page
-from equilibrium.pictures.lab.exercises import read_start, slip_exercises
+from equilibrium.pictures.lab.page import lab_page, read_start, slip_exercises
 from tests.browser import Browser
 from tests.labs import checked, choose, enter, problem
 

@@ -74,8 +74,6 @@ FORMATS: dict[str, Format] = {
     )
 }
 _BY_ENDING = {ending: form for form in FORMATS.values() for ending in form.endings}
-#: Largest file of many arrangements that is read.
-MAX_IMPORT_BYTES = 64 * 2**20
 
 
 def read_arrangement(source: Source) -> Arrangement:
