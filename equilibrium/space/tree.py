@@ -1,4 +1,8 @@
-"""The decision in space: a tree of contact states, and equilibria near where it does not close."""
+"""The decision in space: a tree of contact states, and equilibria near where it does not close.
+
+With pyramids for round cones the law is piecewise linear: with all states decided the relaxation of
+a node is the law, and exact programs decide what floats leave open, so the search ends.
+"""
 
 from __future__ import annotations
 
@@ -7,7 +11,7 @@ import time
 from collections.abc import Callable
 from dataclasses import dataclass
 from itertools import chain
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
 
@@ -17,12 +21,13 @@ from equilibrium.model.range import NO_RANGE, Range
 from equilibrium.plane.contacts import SpatialContacts, nearest
 
 from .balance import SpatialContinuation
+from .cones import Pyramids, RoundCones, Split, State, split_of
 from .enclosures import Enclosed
 from .equilibria import Proposal, SpatialSolution, proposals
-from .exact_parts import ExactParts
-from .leaves import exact_leaf
+from .exact_parts import ExactParts, PyramidParts
+from .leaves import Leaves
 from .plane import decide_in_plane
-from .relaxation import Point, Ray, Relaxation, Sector, State
+from .relaxation import Point, Ray, Relaxation
 from .states import States, smooth_states
 
 #: Nodes of a tree, if not told otherwise, and random starts of the first search.
@@ -35,13 +40,13 @@ _PATIENCE = 6
 _OBEYS = 1e-7
 #: The same for trying its states, and normal forces that count as none.
 _ALMOST, _LOOSE = 1e-3, 1e-6
-#: Sectors are cut down to this sine of their angle; directions are multiples of one over these.
-_NARROW, _COARSE, _DIRECTIONS = 1e-4, 8, 64
 #: Contacts this close to the law (in shares of the load) are not split; sectors of less than this
 #: sine of their angle are split last.
 _NOTHING, _THIN = 1e-9, 0.3
 #: The sharpness of contacts for a search that starts near an equilibrium.
 _NEAR = 1e-3
+#: States that are not split further.
+_DECIDED = ("detached", "stick")
 #: Parts that stay open before the search ends.
 _HOLES = 8
 
@@ -59,18 +64,11 @@ class Open:
     residual: float
 
 
-class _OpenSplit(NamedTuple):
-    """A node that splits one contact, its children still open, and their states."""
-
-    node: Any
-    children: list[Any]
-    parts: list[tuple[State, ...]]
-
-
 class SpatialSearch:
     """The search for one question.
 
     Args:
+        cones: of friction.
         accept: whether a proposal is proved to be an equilibrium.
         deadline: of `time.monotonic`.
         nodes: of a tree, at most.
@@ -85,18 +83,24 @@ class SpatialSearch:
         deadline: float = math.inf,
         nodes: int = NODES,
         within: Range = NO_RANGE,
+        cones: RoundCones | Pyramids | None = None,
     ) -> None:
-        self.within = within
+        self.within, self.cones = within, cones or RoundCones()
         self.contacts, self.wrench = contacts, wrench
         self.accept, self.deadline, self.nodes = accept, deadline, nodes
-        self.relaxation = Relaxation(contacts, wrench, within)
+        self.relaxation = Relaxation(contacts, wrench, self.cones, within)
+        self.leaves = Leaves(contacts, wrench, self.cones, within)
         if math.isfinite(deadline):
             self.relaxation.settings.time_limit = max(0.01, deadline - time.monotonic())
         self.smooth = SpatialContinuation(contacts, wrench)
         self.tried: set[object] = set()
         #: Whether exact programs are tried where floats end; other ways are tried before.
         self.exactly = False
-        self.exact = ExactParts(contacts, wrench, deadline)
+        self.exact: ExactParts | PyramidParts
+        if isinstance(self.cones, Pyramids):
+            self.exact = PyramidParts(contacts, wrench, deadline, self.cones)
+        else:
+            self.exact = ExactParts(contacts, wrench, deadline)
         #: States that an equilibrium was looked for in, the latest last.
         self.states: list[States] = []
         self.residual = 1.0
@@ -116,8 +120,8 @@ class SpatialSearch:
 
     def _decide(self) -> Proposal | Any | Open:
         root: tuple[State, ...] = ("undecided",) * len(self.contacts.grasp)
-        ray = self.relaxation.cone_ray()
-        leaf = ray and exact_leaf(self.contacts, self.wrench, root, ray)
+        ray = self.relaxation.inner_ray(["loose"] * len(root), 0.0)
+        leaf = ray and self.leaves.leaf(root, ray)
         leaf = leaf or self._leaf(root, self.relaxation.solve(root))
         if leaf is not None:
             return leaf
@@ -128,7 +132,7 @@ class SpatialSearch:
                 return near
             if not i:
                 found = self._tree(root, min(_FEW, self.nodes))
-                if isinstance(found, Open):
+                if isinstance(found, Open) and isinstance(self.cones, RoundCones):
                     question = self.contacts.grasp, self.wrench, self.deadline, self.within
                     found = decide_in_plane(*question) or found
                 if isinstance(found, Open):
@@ -164,6 +168,8 @@ class SpatialSearch:
     def _equilibrium(self, motion: Floats, states: States) -> Proposal | None:
         """Return an accepted equilibrium of given states near a motion."""
         self.states.append(states)
+        if isinstance(self.exact, PyramidParts):
+            return self._exact_equilibrium()
         for found in proposals(self.contacts, self.wrench, motion, states, self.tried):
             if self.accept(found):
                 return found
@@ -173,6 +179,10 @@ class SpatialSearch:
         """Return an equilibrium with the states of a relaxation that nearly obeys the law."""
         normal = found.forces[:, 0]
         normal = np.where(normal * np.maximum(1.0, self.contacts.friction) > _LOOSE, normal, 0.0)
+        if isinstance(self.exact, PyramidParts):
+            slips = self.relaxation.tangents @ found.motion
+            still = self.relaxation.stiffness * np.hypot(*slips.T) <= _LOOSE
+            return self.exact.near(normal, np.where(still[:, None], 0.0, slips))
         limits = np.maximum(self.contacts.friction * normal, 1e-12)
         states = States(self.contacts, normal, found.forces[:, 1:] / limits[:, None])
         return self._equilibrium(found.motion * self.relaxation.scale, states)
@@ -181,10 +191,10 @@ class SpatialSearch:
         """Return a leaf where a relaxation has no solution, or where its program failed."""
         if isinstance(found, Point):
             return None
-        leaf = found and exact_leaf(self.contacts, self.wrench, states, found, self.within)
+        leaf = found and self.leaves.leaf(states, found)
         if leaf is None:
             inner = self.relaxation.inner_ray(states)
-            leaf = inner and exact_leaf(self.contacts, self.wrench, states, inner)
+            leaf = inner and self.leaves.leaf(states, inner)
         return leaf
 
     def _tree(self, root: tuple[State, ...], most: int) -> Proposal | Any | Open:
@@ -203,7 +213,7 @@ class SpatialSearch:
             found = self._node(states)
             if isinstance(found, (SpatialSolution, Enclosed)):
                 return found
-            if isinstance(found, _OpenSplit):
+            if isinstance(found, Split):
                 parent[position] = found.node
                 waiting += reversed([(x, found.children, k) for k, x in enumerate(found.parts)])
             elif found is not None:
@@ -215,7 +225,7 @@ class SpatialSearch:
             return Open("a relaxation neither closes nor splits further", self.residual)
         return _finished(top[0])
 
-    def _node(self, states: tuple[State, ...]) -> Proposal | Any | _OpenSplit | None:
+    def _node(self, states: tuple[State, ...]) -> Proposal | Any | Split | None:
         """Return an equilibrium, a leaf, a cut, or None where there is none of them."""
         found = self.relaxation.solve(states)
         leaf = self._leaf(states, found)
@@ -243,7 +253,7 @@ class SpatialSearch:
 
     def _equilibrium_or_cut(
         self, states: tuple[State, ...], found: Point
-    ) -> Proposal | _OpenSplit | None:
+    ) -> Proposal | Split | None:
         """Return an equilibrium near a point of a relaxation, or a cut where it fails the law."""
         values = self.relaxation.violations(states, found)
         worst = float(values.max(initial=0.0))
@@ -263,15 +273,15 @@ class SpatialSearch:
         towards: Floats = -(self.contacts.tangents @ found.virtual)
         return towards
 
-    def _split(self, states: tuple[State, ...], values: Floats, found: Point) -> _OpenSplit | None:
+    def _split(self, states: tuple[State, ...], values: Floats, found: Point) -> Split | None:
         """Return the node that splits the contact furthest from the law, its children and parts."""
         order = [int(i) for i in np.argsort(-values) if values[i] > _NOTHING]
         order = [i for i in order if self._splits(states, i)]
         # Of narrow sectors more is learnt when all others are decided.
-        order.sort(key=lambda i: _sine(states[i]) < _THIN)
+        order.sort(key=lambda i: self.cones.sine(states[i]) < _THIN)
         for i in order:
             slip = self.relaxation.tangents[i] @ found.motion
-            split = _parts(states, i, slip)
+            split = self._parts(states, i, slip)
             if split is not None:
                 return split
         return None
@@ -280,64 +290,26 @@ class SpatialSearch:
         """Return whether a contact is not decided: one without friction does not slip."""
         return states[i] != "attached" or bool(self.contacts.grasp.contacts[i].friction)
 
-    def _any_split(self, states: tuple[State, ...]) -> _OpenSplit | None:
+    def _any_split(self, states: tuple[State, ...]) -> Split | None:
         """Return a split of the contact that is decided least."""
         for kind in ("undecided", "attached"):
             for i, state in enumerate(states):
                 if state == kind and self._splits(states, i):
-                    return _parts(states, i, np.array([1.0, 0.0]))
-        sectors = [(_sine(state), i) for i, state in enumerate(states) if isinstance(state, tuple)]
-        return _parts(states, max(sectors)[1], np.array([1.0, 0.0])) if sectors else None
+                    return self._parts(states, i, np.array([1.0, 0.0]))
+        sectors = [
+            (self.cones.sine(state), i)
+            for i, state in enumerate(states)
+            if isinstance(state, tuple)
+        ]
+        return self._parts(states, max(sectors)[1], np.array([1.0, 0.0])) if sectors else None
 
-
-def _parts(states: tuple[State, ...], i: int, slip: Floats) -> _OpenSplit | None:
-    """Return the node that splits one contact; None if its sector is too narrow."""
-    state = states[i]
-    parts: list[State]
-    if state == "undecided":
-        parts = ["detached", "attached"]
+    def _parts(self, states: tuple[State, ...], i: int, slip: Floats) -> Split | None:
+        """Return the split of one contact; None if its sector is too narrow."""
+        if states[i] != "undecided":
+            return None if states[i] in _DECIDED else self.cones.slips(states, i, slip)
         children: list[Any] = [None, None]
-        node: Any = {"contact": i, "attachment": children}
-    elif state == "attached":
-        ends = [_turned(slip, turn, _COARSE) for turn in (-60, 60, 180)]
-        parts = ["stick", *((ends[k - 1], ends[k]) for k in (1, 2, 0))]
-        children = [None] * 4
-        node = {"contact": i, "directions": ends, "children": children}
-    elif isinstance(state, tuple):
-        middle = _middle(state)
-        if middle is None:
-            return None
-        parts = [(state[0], middle), (middle, state[1])]
-        children = [None, None]
-        node = {"contact": i, "directions": [middle], "children": children}
-    else:
-        return None
-    return _OpenSplit(node, children, [(*states[:i], part, *states[i + 1 :]) for part in parts])
-
-
-def _turned(direction: Floats, degrees: float, size: int) -> tuple[int, int]:
-    """Return integers near a direction, turned."""
-    angle = math.atan2(direction[1], direction[0]) + math.radians(degrees)
-    return round(size * math.cos(angle)), round(size * math.sin(angle))
-
-
-def _sine(sector: State) -> float:
-    """Return the sine of the angle of a sector, 1 for wide ones and other states."""
-    if isinstance(sector, str):
-        return 1.0
-    (p, q), (u, v) = sector
-    return (p * v - q * u) / math.hypot(p, q) / math.hypot(u, v) if p * u + q * v > 0 else 1.0
-
-
-def _middle(sector: Sector) -> tuple[int, int] | None:
-    """Return integers near the middle of a sector; None if it is narrow."""
-    sine, ((p, q), (u, v)) = _sine(sector), sector
-    if sine < _NARROW:
-        return None
-    one, other = math.hypot(p, q), math.hypot(u, v)
-    x, y = p / one + u / other, q / one + v / other
-    scale = (_COARSE if sine == 1.0 else _DIRECTIONS / sine) / math.hypot(x, y)
-    return round(x * scale), round(y * scale)
+        node = {"contact": i, "attachment": children}
+        return split_of(node, children, states, i, ["detached", "attached"])
 
 
 def _finished(node: Any) -> Any:
@@ -345,8 +317,7 @@ def _finished(node: Any) -> Any:
     if isinstance(node, dict) and "attachment" in node:
         detached, attached = map(_finished, node["attachment"])
         return {**node, "attachment": {"detached": detached, "attached": attached}}
-    if isinstance(node, dict) and "directions" in node:
-        directions = [list(direction) for direction in node["directions"]]
-        children = [_finished(child) for child in node["children"]]
-        return {**node, "directions": directions, "children": children}
+    for key in ("children", "faces"):
+        if isinstance(node, dict) and key in node:
+            return {**node, key: list(map(_finished, node[key]))}
     return node
