@@ -30,7 +30,7 @@ from equilibrium.decide import (
     RESISTED as RESISTED,
     UNDECIDED as UNDECIDED,
 )
-from equilibrium.model.errors import GraspError, UndecidedError
+from equilibrium.model.errors import UndecidedError
 from equilibrium.model.grasp import Grasp, read_wrench
 from equilibrium.model.pyramid import pyramid_edges, pyramid_words
 from equilibrium.model.range import NO_RANGE, Range, usual_range, warning
@@ -182,8 +182,8 @@ def solve_in_space(
         time_limit: in seconds; when it is over the verdict is undecided.
         nodes: of a tree; when they do not do the verdict is undecided.
         pyramid: edges of a friction pyramid in place of the round cone, see `pyramid_edges`; then
-            the verdict is always decided, exactly, if there is time.
-        largest_turn, largest_force: see `equilibrium.solve`; for round cones only.
+            every verdict is decided, exactly, if nodes and time do.
+        largest_turn, largest_force: see `equilibrium.solve`.
 
     >>> from equilibrium.grasps.files import read_grasp
     >>> solve_in_space(read_grasp("two-opposed-fingers"), [0, "3/5", "4/5", 0, 0, 0]).verdict

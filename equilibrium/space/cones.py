@@ -1,4 +1,4 @@
-"""Cones of friction, round ones and pyramids: their conditions on slips and forces, and how slips split.
+"""Cones of friction, round ones and pyramids: conditions on slips and forces, and how slips split.
 
 A contact that slips is in a sector of directions. Round cones have sectors between two integer
 directions, as narrow as it takes; a pyramid has a fixed number of them, see `Slip`.
@@ -36,6 +36,8 @@ Condition: TypeAlias = tuple[str, Floats, Floats]
 
 #: Sectors are cut down to this sine of their angle; directions are multiples of one over these.
 _NARROW, _COARSE, _DIRECTIONS = 1e-4, 8, 64
+#: From this share of its limit on, smooth friction is that of a slip.
+_SLIPS = 0.9999
 
 
 class Split(NamedTuple):
@@ -81,13 +83,19 @@ class RoundCones:
         missed: Floats = np.hypot(*miss.T)
         return missed
 
+    def smooth(self, slip: Floats, eps: float) -> tuple[Floats, Floats]:
+        """Return shares of friction limits (m, 2), made smooth, and minus how they change."""
+        root = np.sqrt((slip * slip).sum(axis=1) + eps * eps)[:, None]
+        ratio = -slip / root
+        return ratio, (np.eye(2) - ratio[:, :, None] * ratio[:, None, :]) / root[:, :, None]
+
     def below(self, room: int, mu: Fraction, b: tuple[int, int], state: State) -> bool:
         """Return whether ``room >= mu x . b`` for all unit vectors x that the state allows."""
         (s, t), p, q = b, mu.numerator, mu.denominator
-        if isinstance(state, tuple):
-            (x, y), (v, w) = state
+        if ends := self.ends(state):
+            (x, y), (v, w) = ends
             if not (x * t - y * s >= 0 and s * w - t * v >= 0):
-                return all(_above(q * room, p * (x * s + y * t), x * x + y * y) for x, y in state)
+                return all(_above(q * room, p * (x * s + y * t), x * x + y * y) for x, y in ends)
         return room >= 0 and (q * room) ** 2 >= p * p * (s * s + t * t)
 
     def ends(self, state: State) -> Sequence[Any]:
@@ -99,15 +107,16 @@ class RoundCones:
 
         None if its sector is too narrow.
         """
-        state = states[i]
-        if not isinstance(state, tuple):
+        state, parts = states[i], list[State]()
+        sector: Any = self.ends(state)
+        if not sector:
             ends = [_turned(slip, turn, _COARSE) for turn in (-60, 60, 180)]
             parts = ["stick", *((ends[k - 1], ends[k]) for k in (1, 2, 0))]
         else:
-            middle = self._middle(state)
+            middle = self._middle(sector)
             if middle is None:
                 return None
-            ends, parts = [middle], [(state[0], middle), (middle, state[1])]
+            ends, parts = [middle], [(sector[0], middle), (middle, sector[1])]
         children: list[Any] = [None] * len(parts)
         node = {"contact": i, "directions": [list(end) for end in ends], "children": children}
         return split_of(node, children, states, i, parts)
@@ -190,6 +199,32 @@ class Pyramids:
         missed: Floats = power / np.maximum(np.hypot(*slip.T), 1e-300)
         return missed
 
+    def weights(self, slip: Floats, eps: float) -> Floats:
+        """Return how much of each edge is in minus the smooth friction, (m, edges)."""
+        work = slip @ self._corners.T / eps
+        found: Floats = np.exp(work - work.max(axis=1, keepdims=True))
+        found /= found.sum(axis=1, keepdims=True)
+        return found
+
+    def directions(self, slip: Floats, eps: float) -> Floats:
+        """Return the slips (m, 2) that the smooth friction shows: to a corner, a side, or none."""
+        weights = self.weights(slip, eps)
+        pairs = weights + np.roll(weights, -1, axis=1)
+        corner, side = weights.argmax(axis=1), pairs.argmax(axis=1)
+        normals = np.array(self.normals, dtype=float)
+        found = np.where((pairs.max(axis=1) > _SLIPS)[:, None], normals[side], 0.0)
+        slips: Floats = np.where(
+            (weights.max(axis=1) > _SLIPS)[:, None], self._corners[corner], found
+        )
+        return slips
+
+    def smooth(self, slip: Floats, eps: float) -> tuple[Floats, Floats]:
+        """Return shares of friction limits (m, 2), made smooth, and minus how they change."""
+        weights = self.weights(slip, eps)
+        mean = weights @ self._corners
+        squares = np.einsum("mk,ki,kj->mij", weights, self._corners, self._corners)
+        return -mean, (squares - mean[:, :, None] * mean[:, None, :]) / eps
+
     def below(self, room: int, mu: Fraction, b: tuple[int, int], state: State) -> bool:
         """Return whether ``room >= mu x . b`` for all edges x that the state allows."""
         edges = state.edges if isinstance(state, Slip) else self.edges
@@ -199,7 +234,7 @@ class Pyramids:
         """Return the directions at the ends of a slip's sector; none of other states."""
         return state.ends if isinstance(state, Slip) else ()
 
-    def slips(self, states: tuple[State, ...], i: int, slip: Floats) -> Split | None:  # noqa: ARG002
+    def slips(self, states: tuple[State, ...], i: int, slip: Floats) -> Split | None:
         """Return the split of a contact by its slip; None if that is decided."""
         if states[i] != "attached":
             return None
@@ -208,7 +243,7 @@ class Pyramids:
             {"contact": i, "faces": children}, children, states, i, ["stick", *self.all]
         )
 
-    def sine(self, state: State) -> float:  # noqa: ARG002
+    def sine(self, state: State) -> float:
         """Return 1: no sector is narrow."""
         return 1.0
 

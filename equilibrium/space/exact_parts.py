@@ -49,13 +49,14 @@ class ExactParts:
         Args:
             towards: (m, 2), directions of friction that are likely to matter.
         """
+        ends: list[Any] = list(states)
         around = [[*self.base, *_near(*pair)] for pair in towards.tolist()]
         for _ in range(_CUTS):
             cones = [
                 _outside(contact.friction, state, directions)
                 for contact, state, directions in zip(self.grasp, states, around, strict=True)
             ]
-            found = self._solve(states, cones)
+            found = self._solve(ends, cones)
             if not isinstance(found, SpatialSolution):
                 return found
             cut = False
@@ -108,7 +109,7 @@ class PyramidParts(ExactParts):
         super().__init__(contacts, wrench, deadline)
         self.cones = cones
 
-    def part(self, states: Sequence[State], towards: Floats) -> SpatialSolution | dict[str, Any]:  # noqa: ARG002
+    def part(self, states: Sequence[State], towards: Floats) -> SpatialSolution | dict[str, Any]:
         """Return a leaf, or a point that obeys the relaxed law."""
         ends: list[Ends] = [s.ends if isinstance(s, Slip) else s for s in states]
         cones = [
@@ -117,43 +118,22 @@ class PyramidParts(ExactParts):
         ]
         return self._solve(ends, cones)
 
-    def equilibrium(self, states: States) -> SpatialSolution | None:
-        """Return an equilibrium of states that round cones suggest, if there is one."""
-        slips = zip(
-            self.grasp, states.touching, states.slipping, states.ratio.tolist(), strict=True
-        )
-        return self.holds(
-            [
-                "detached"
-                if not touching
-                else self._slip(-np.array(ratio))
-                if slipping
-                else "stick"
-                if contact.friction
-                else "attached"
-                for contact, touching, slipping, ratio in slips
-            ]
-        )
-
     def holds(self, states: Sequence[State]) -> SpatialSolution | None:
         """Return an equilibrium with all states decided, if there is one."""
         found = self.part(states, np.zeros((0, 2)))
         return found if isinstance(found, SpatialSolution) else None
 
-    def near(self, normal: Floats, slips: Floats) -> SpatialSolution | None:
-        """Return an equilibrium of the states of normal forces and slips in floats."""
-        listed = zip(self.grasp, normal.tolist(), slips, strict=True)
-        return self.holds(
-            [
-                "detached"
-                if not force
-                else "attached"
-                if not contact.friction
-                else self._slip(slip)
-                if slip.any()
-                else "stick"
-                for contact, force, slip in listed
-            ]
+    def near(self, normal: Floats, slips: Floats) -> tuple[State, ...]:
+        """Return the states of normal forces and slips in floats, 0 where there is none."""
+        return tuple(
+            "detached"
+            if not force > 0
+            else "attached"
+            if not contact.friction
+            else self._slip(slip)
+            if slip.any()
+            else "stick"
+            for contact, force, slip in zip(self.grasp, normal.tolist(), slips, strict=True)
         )
 
     def _slip(self, slip: Floats) -> Slip:

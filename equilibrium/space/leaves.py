@@ -26,7 +26,7 @@ _ROOTS = 2**30
 #: Numbers are rounded to multiples of one over the first, multipliers below the second left out.
 _FINE = ((2**10, 1e-6), (2**20, 1e-6), (2**34, 1e-9), (2**48, 1e-12))
 #: So many multipliers, those with most room, mostly do for what has to cancel.
-_FIRST = 8
+_FIRST = 9
 
 
 class _Contact(NamedTuple):
@@ -178,7 +178,7 @@ def _cancelled(columns: Sequence[IntegerVector], values: list[int]) -> tuple[lis
 
     Those that come first are changed.
     """
-    for count in (_FIRST, len(columns)):
+    for count in (6, _FIRST, len(columns)):
         others = [0] * 6
         for column, value in zip(columns[count:], values[count:], strict=True):
             if value:

@@ -94,6 +94,16 @@ class _Block(NamedTuple):
     room: Floats
 
 
+class _Columns(NamedTuple):
+    """A sparse matrix by columns: what Clarabel reads of SciPy's, which is slow to make."""
+
+    data: Floats
+    indices: Any
+    indptr: Any
+    shape: tuple[int, int]
+    has_canonical_format: bool = True
+
+
 class Relaxation:
     """All relaxations of one question, in scaled units.
 
@@ -108,7 +118,7 @@ class Relaxation:
         cones: Cones,
         within: Range = NO_RANGE,
     ) -> None:
-        c, search = contacts, SpatialContinuation(contacts, wrench)
+        c, search = contacts, SpatialContinuation(contacts, wrench, cones)
         self.contacts, self.m, self.cones = c, len(c.grasp), cones
         self.arms = np.array([1.0] * 3 + [1 / c.length] * 3)
         self.force, self.step = search.size or 1.0, float(search.scale[0])
@@ -167,32 +177,32 @@ class Relaxation:
             table[:, 14],
         )
 
-    def _program(self, states: Sequence[State]) -> tuple[list[_Block], list[int], Any, Floats, Any]:
+    def _program(
+        self, states: Sequence[State]
+    ) -> tuple[list[_Block], list[int], _Columns, Floats, list[Any]]:
         """Return blocks, where they begin and the last ends, and the matrix, end and cones."""
         blocks = list(map(self._block, range(self.m), states))
         starts = [6]
         for block in blocks:
             starts.append(starts[-1] + len(block.right))
         rows = starts[-1] + len(self.turn)
-        turned = np.array([[], [], []] if not self.turn else np.arange(rows - 3, rows)[:, None])
         felt = [block.rows + start for block, start in zip(blocks, starts, strict=False)]
-        motion = np.concatenate([block.motion for block in blocks] or [np.zeros((0, 6))])
         place = np.concatenate(felt or [np.zeros(0, int)])
-        values, index, counts = [], [], []
-        for j in range(6):
-            extra = turned[j - 3] if j >= 3 else turned[0][:0]
-            values += [motion[:, j], np.full(len(extra), -1.0)]
-            index += [place, extra]
-            counts.append(len(place) + len(extra))
+        motion = np.concatenate([block.motion for block in blocks] or [np.zeros((0, 6))])
+        data, index = [motion.T.ravel()], [np.tile(place, 6)]
+        counts = [len(place)] * 6
+        if self.turn:
+            # The rotation is in a cone of its own, in the last rows.
+            data = [*motion.T[:3], *(np.append(column, -1.0) for column in motion.T[3:])]
+            index = [place] * 3 + [np.append(place, rows + k) for k in (-3, -2, -1)]
+            counts = [*counts[:3], *(count + 1 for count in counts[3:])]
         for block, start in zip(blocks, starts, strict=False):
-            values.append(block.data)
+            data.append(block.data)
             index.append(block.index + start * block.own)
             counts += block.counts
         pointer = np.concatenate([[0], np.cumsum(counts)])
-        matrix = csc_matrix(
-            (np.concatenate(values), np.concatenate(index).astype(np.int64), pointer),
-            shape=(rows, len(counts)),
-        )
+        entries = np.concatenate(data), np.concatenate(index), pointer
+        matrix = _Columns(*entries, (rows, len(counts)))
         ends = [self.load, *(block.right for block in blocks), self.turn]
         kinds = [clarabel.ZeroConeT(6), *(kind for block in blocks for kind in block.kinds)]
         kinds += [clarabel.SecondOrderConeT(4)] * bool(self.turn)
@@ -273,7 +283,9 @@ class Relaxation:
         bounds = np.eye(rows + 1)[[*range(6), rows]]
         table = np.concatenate(
             [
-                np.column_stack([matrix.toarray().T, np.zeros(columns)]),
+                np.column_stack(
+                    [csc_matrix(matrix[:3], matrix.shape).toarray().T, np.zeros(columns)]
+                ),
                 [np.append(right, 1.0)],
                 bounds,
                 -bounds[:6],

@@ -10,6 +10,7 @@ import math
 import time
 from collections.abc import Callable
 from dataclasses import dataclass
+from functools import partial
 from itertools import chain
 from typing import Any
 
@@ -47,6 +48,8 @@ _NOTHING, _THIN = 1e-9, 0.3
 _NEAR = 1e-3
 #: States that are not split further.
 _DECIDED = ("detached", "stick")
+#: Exact programs of more contacts take seconds, and are asked last.
+_SMALL = 6
 #: Parts that stay open before the search ends.
 _HOLES = 8
 
@@ -92,7 +95,7 @@ class SpatialSearch:
         self.leaves = Leaves(contacts, wrench, self.cones, within)
         if math.isfinite(deadline):
             self.relaxation.settings.time_limit = max(0.01, deadline - time.monotonic())
-        self.smooth = SpatialContinuation(contacts, wrench)
+        self.smooth = SpatialContinuation(contacts, wrench, self.cones)
         self.tried: set[object] = set()
         #: Whether exact programs are tried where floats end; other ways are tried before.
         self.exactly = False
@@ -105,7 +108,7 @@ class SpatialSearch:
         self.states: list[States] = []
         self.residual = 1.0
         #: Nodes since the last leaf, and how many of them are borne.
-        self.idle, self.patience = 0, _PATIENCE
+        self.idle, self.patience = 0, max(_PATIENCE, 2 * len(contacts.grasp))
 
     def decide(self) -> Proposal | Any | Open:
         """Return an accepted equilibrium, a tree that refutes all, or what is open."""
@@ -159,7 +162,11 @@ class SpatialSearch:
         for end, eps in self.smooth.path(motion, sharpness):
             if time.monotonic() > self.deadline:
                 break
-            found = self._equilibrium(end, smooth_states(self.contacts, end, eps))
+            found = (
+                self._smooth_pyramids(self.exact, end, eps)
+                if isinstance(self.exact, PyramidParts)
+                else self._equilibrium(end, smooth_states(self.contacts, end, eps))
+            )
             if found is not None:
                 return found
         self.residual = min(self.residual, self.smooth.reached / (self.smooth.size or 1.0))
@@ -168,12 +175,22 @@ class SpatialSearch:
     def _equilibrium(self, motion: Floats, states: States) -> Proposal | None:
         """Return an accepted equilibrium of given states near a motion."""
         self.states.append(states)
-        if isinstance(self.exact, PyramidParts):
-            return self._exact_equilibrium()
         for found in proposals(self.contacts, self.wrench, motion, states, self.tried):
             if self.accept(found):
                 return found
         return None
+
+    def _smooth_pyramids(self, exact: PyramidParts, end: Floats, eps: float) -> Proposal | None:
+        """Return an equilibrium of the states of pyramids at a motion of the smooth balance."""
+        c = self.contacts
+        normal = np.maximum(0.0, c.spring[:, 0] + c.spring[:, 1:] @ end)
+        return self._of(exact, exact.near(normal, exact.cones.directions(c.tangents @ end, eps)))
+
+    def _of(self, exact: PyramidParts, states: tuple[State, ...]) -> Proposal | None:
+        """Return the equilibrium of decided states, asked for once."""
+        found = None if states in self.tried else exact.holds(states)
+        self.tried.add(states)
+        return found if found is not None and self.accept(found) else None
 
     def _near_point(self, found: Point) -> Proposal | None:
         """Return an equilibrium with the states of a relaxation that nearly obeys the law."""
@@ -182,10 +199,12 @@ class SpatialSearch:
         if isinstance(self.exact, PyramidParts):
             slips = self.relaxation.tangents @ found.motion
             still = self.relaxation.stiffness * np.hypot(*slips.T) <= _LOOSE
-            return self.exact.near(normal, np.where(still[:, None], 0.0, slips))
+            return self._of(
+                self.exact, self.exact.near(normal, np.where(still[:, None], 0.0, slips))
+            )
         limits = np.maximum(self.contacts.friction * normal, 1e-12)
-        states = States(self.contacts, normal, found.forces[:, 1:] / limits[:, None])
-        return self._equilibrium(found.motion * self.relaxation.scale, states)
+        round_ = States(self.contacts, normal, found.forces[:, 1:] / limits[:, None])
+        return self._equilibrium(found.motion * self.relaxation.scale, round_)
 
     def _leaf(self, states: tuple[State, ...], found: Ray | Point | None) -> Any | None:
         """Return a leaf where a relaxation has no solution, or where its program failed."""
@@ -202,7 +221,7 @@ class SpatialSearch:
         top: list[Any] = [None]
         waiting: list[tuple[tuple[State, ...], list[Any], int]] = [(root, top, 0)]
         nodes, leaves, holes = 0, 0, 0
-        self.idle, self.patience = 0, _PATIENCE
+        self.idle, self.patience = 0, max(_PATIENCE, 2 * len(root))
         while waiting and holes < _HOLES:
             if nodes == most:
                 return Open(f"after {nodes} nodes the tree is not closed", self.residual)
@@ -236,14 +255,16 @@ class SpatialSearch:
             answer = self._equilibrium_or_cut(states, found)
             if answer is not None:
                 return answer
-        if not self.exactly:
-            return self._any_split(states)
+        soon = self.exactly and (len(states) <= _SMALL or self.idle >= self.patience)
+        split = None if soon else self._any_split(states, found)
+        if split is not None or not self.exactly:
+            return split
         exact = self.exact.part(states, self._towards(found))
         if not isinstance(exact, SpatialSolution):
             return exact
         point = self._point(exact)
         near = exact if self.accept(exact) else self._exact_equilibrium()
-        return near or self._equilibrium_or_cut(states, point) or self._any_split(states)
+        return near or self._equilibrium_or_cut(states, point) or self._any_split(states, point)
 
     def _point(self, found: SpatialSolution) -> Point:
         """Return a solution in scaled units."""
@@ -290,18 +311,21 @@ class SpatialSearch:
         """Return whether a contact is not decided: one without friction does not slip."""
         return states[i] != "attached" or bool(self.contacts.grasp.contacts[i].friction)
 
-    def _any_split(self, states: tuple[State, ...]) -> Split | None:
-        """Return a split of the contact that is decided least."""
-        for kind in ("undecided", "attached"):
-            for i, state in enumerate(states):
-                if state == kind and self._splits(states, i):
-                    return self._parts(states, i, np.array([1.0, 0.0]))
-        sectors = [
-            (self.cones.sine(state), i)
-            for i, state in enumerate(states)
-            if isinstance(state, tuple)
-        ]
-        return self._parts(states, max(sectors)[1], np.array([1.0, 0.0])) if sectors else None
+    def _any_split(self, states: tuple[State, ...], found: Ray | Point | None) -> Split | None:
+        """Return a split of the contact that is decided least; of a ray, with the least room."""
+        room = found.room[:, 0] if isinstance(found, Ray) else np.zeros(len(states))
+        towards = self._towards(found)
+        kinds = {"undecided": 0, "attached": 1}
+
+        def least(i: int) -> tuple[float, ...]:
+            return kinds.get(str(states[i]), 2), -self.cones.sine(states[i]), room[i]
+
+        for i in sorted(filter(partial(self._splits, states), range(len(states))), key=least):
+            slip = -towards[i] if towards[i].any() else np.array([1.0, 0.0])
+            split = self._parts(states, i, slip)
+            if split is not None:
+                return split
+        return None
 
     def _parts(self, states: tuple[State, ...], i: int, slip: Floats) -> Split | None:
         """Return the split of one contact; None if its sector is too narrow."""
