@@ -8,8 +8,9 @@ from dataclasses import asdict
 from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
+from arrangement.console.number_form import sign_text, vector
+
 from .console import terminal
-from .console.number_form import sign_text, vector
 from .errors import InputError, OutOfReachError
 from .library.files import json_files
 from .library.files.command import add_format_commands

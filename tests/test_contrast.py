@@ -1,14 +1,12 @@
 """Contrast in both themes of the labs, from the variables of their styles (WCAG 2.1, level AA)."""
 
-from __future__ import annotations
-
 import re
 from collections.abc import Callable
 
 import pytest
 
 from arrangement.pictures.lab.lines import lab_page as lines_page
-from equilibrium.pictures.lab import lab_page
+from equilibrium.pictures.lab.page import lab_page
 
 PAGES: dict[str, Callable[..., str]] = {"slip": lab_page, "lines": lines_page}
 #: Text, and graphics that tell something, with what lies behind. Names a page lacks are left out.
@@ -54,13 +52,13 @@ def contrast(one: str, other: str) -> float:
     return (high + 0.05) / (low + 0.05)
 
 
-def test_black_on_white_is_21_and_a_known_grey_is_just_enough() -> None:
+def test_black_on_white_is_21_and_a_known_grey_is_just_enough():
     assert contrast("#000000", "#ffffff") == pytest.approx(21)
     assert contrast("#767676", "#ffffff") == pytest.approx(4.54, abs=0.01)
 
 
 @pytest.mark.parametrize("name", PAGES)
-def test_text_and_graphics_stand_out_in_both_themes(name: str) -> None:
+def test_text_and_graphics_stand_out_in_both_themes(name):
     page = PAGES[name]()
     found = themes(page)
     assert set(found) == {"light", "dark", "system"}

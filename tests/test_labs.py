@@ -1,9 +1,6 @@
 """What holds of both labs: they fit, need nothing from outside, and keep texts as texts."""
 
-from __future__ import annotations
-
 from collections.abc import Callable
-from pathlib import Path
 
 import pytest
 
@@ -12,17 +9,14 @@ from arrangement.library.files.table import read_arrangement
 from arrangement.pictures.lab.lines import lab_page as lines_page
 from equilibrium.cli.program import main
 from equilibrium.grasps.files import read_grasp
-from equilibrium.pictures.lab import lab_page
-from tests.browser import Browser
+from equilibrium.pictures.lab.page import lab_page
 
 PAGES: dict[str, Callable[..., str]] = {"slip": lab_page, "lines": lines_page}
 
 
 @pytest.mark.parametrize("width", [390, 1280])
 @pytest.mark.parametrize("name", PAGES)
-def test_it_fits_and_needs_nothing_from_outside(
-    name: str, width: int, browser: Browser, tmp_path: Path
-) -> None:
+def test_it_fits_and_needs_nothing_from_outside(name, width, browser, tmp_path):
     path = tmp_path / "lab.html"
     path.write_text(PAGES[name](), encoding="utf-8")
     browser.open(path, width, 900)
@@ -34,7 +28,7 @@ def test_it_fits_and_needs_nothing_from_outside(
 
 
 @pytest.mark.parametrize("name", PAGES)
-def test_text_of_a_title_stays_text(name: str, browser: Browser, tmp_path: Path) -> None:
+def test_text_of_a_title_stays_text(name, browser, tmp_path):
     title = "</script><script>document.title = 'gone'</script>"
     path = tmp_path / "lab.html"
     path.write_text(PAGES[name](title=title), encoding="utf-8")
@@ -42,7 +36,7 @@ def test_text_of_a_title_stays_text(name: str, browser: Browser, tmp_path: Path)
     assert browser.run("return document.title") == title
 
 
-def test_the_commands_write_them(tmp_path: Path) -> None:
+def test_the_commands_write_them(tmp_path):
     path = tmp_path / "lab.html"
     command = ["lab", "several-equilibria", "-o", str(path), "--wrench", "0,-1,0", "--title", "A"]
     for run, arguments, expected in [

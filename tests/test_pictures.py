@@ -4,8 +4,6 @@ Options have forms, scenes know no format, labels cover nothing, legends have th
 keep what is told, TikZ shows the same items, and files repeat byte for byte.
 """
 
-from __future__ import annotations
-
 import contextlib
 import os
 import re
@@ -25,11 +23,17 @@ from arrangement.cli import main as draw_planes
 from arrangement.drawing.command import _KINDS
 from arrangement.drawing.figure import figure
 from arrangement.drawing.output import own_settings, picture_bytes
-from arrangement.drawing.registry import Drawings
-from arrangement.drawing.scene.items import ROLES, Ball, Item, Label, Mark, Path as Drawn
 from arrangement.drawing.scene.layout import BELOW, laid_out, picture_width
-from arrangement.drawing.scene.measuring import measure
-from arrangement.drawing.scene.scene import Scene
+from arrangement.drawing.scene.scene import (
+    ROLES,
+    Ball,
+    Item,
+    Label,
+    Mark,
+    Path as Drawn,
+    Scene,
+    measure,
+)
 from arrangement.drawing.themes import _from_oklab, _oklab, themed
 from arrangement.drawing.tikz.tex_text import tex_text
 from arrangement.drawing.tikz.tikz import tikz
@@ -50,7 +54,7 @@ EVERY_VIEW = pytest.mark.parametrize(("drawings", "view"), VIEWS)
 
 @pytest.mark.parametrize("drawings", [OF_PLANES, OF_GRASPS])
 @pytest.mark.parametrize("kind", ["view", "model", "page"])
-def test_every_option_has_a_form_on_the_command_line(drawings: Drawings, kind: str) -> None:
+def test_every_option_has_a_form_on_the_command_line(drawings, kind):
     for name in getattr(drawings, f"{kind}s"):
         for option in drawings.options(kind, name).values():
             assert option.kind in _KINDS
@@ -58,7 +62,7 @@ def test_every_option_has_a_form_on_the_command_line(drawings: Drawings, kind: s
 
 
 @EVERY_VIEW
-def test_a_view_makes_a_scene_that_knows_no_format(drawings: Drawings, view: str) -> None:
+def test_a_view_makes_a_scene_that_knows_no_format(drawings, view):
     made = scene(drawings, view)
     assert len({item.name.partition("-")[0] for item in made.items}) > 1
     for item in made.items:
@@ -81,9 +85,7 @@ def test_a_view_makes_a_scene_that_knows_no_format(drawings: Drawings, view: str
         (OF_GRASPS, "resist", {"extend": 3}, "did you mean extent"),
     ],
 )
-def test_mistakes_name_the_nearest_names(
-    drawings: Drawings, view: str, options: dict[str, Any], meant: str, tmp_path: Path
-) -> None:
+def test_mistakes_name_the_nearest_names(drawings, view, options, meant, tmp_path):
     read: Any = read_arrangement if drawings is OF_PLANES else read_grasp
     name = "braid-a3" if drawings is OF_PLANES else "paper-three-contacts-preload-1"
     with pytest.raises(InputError, match=meant):
@@ -102,9 +104,7 @@ LARGE = {
 @pytest.mark.filterwarnings("error")
 @pytest.mark.parametrize("normals", LARGE.values(), ids=LARGE)
 @pytest.mark.parametrize("kind", ["view", "page", "model"])
-def test_normals_beyond_floats_are_drawn_or_refused(
-    kind: str, normals: list[tuple[int, ...]], tmp_path: Path
-) -> None:
+def test_normals_beyond_floats_are_drawn_or_refused(kind, normals, tmp_path):
     planes = Arrangement(normals)
     drawings = drawings_of(planes)
     suffix = {"view": "svg", "page": "html", "model": "stl"}[kind]
@@ -120,13 +120,13 @@ def test_normals_beyond_floats_are_drawn_or_refused(
         assert not path.exists()
 
 
-def test_a_page_of_normals_of_five_thousand_digits(tmp_path: Path) -> None:
+def test_a_page_of_normals_of_five_thousand_digits(tmp_path):
     long = 10**5000
     write_drawing(Arrangement([(long, 1, 0), (0, 1, 1), (1, 0, 2)]), tmp_path / "a.html")
     assert "0" * 5000 in (tmp_path / "a.html").read_text(encoding="utf-8")
 
 
-def test_a_slice_takes_the_preload_of_its_last_part(tmp_path: Path) -> None:
+def test_a_slice_takes_the_preload_of_its_last_part(tmp_path):
     command = ["draw", "paper-three-contacts", "--view", "slice", "--preload", "2"]
     assert draw_grasp([*command, "-o", str(tmp_path / "a.svg")]) == 0
     made = scene(OF_GRASPS, "slice", "paper-three-contacts", preload=2)
@@ -136,7 +136,7 @@ def test_a_slice_takes_the_preload_of_its_last_part(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("planes", "names"), [("braid-a3", "xyz"), ("paper-three-contacts", "xyr")]
 )
-def test_axes_without_names_are_on(planes: str, names: str, tmp_path: Path) -> None:
+def test_axes_without_names_are_on(planes, names, tmp_path):
     words = ["draw", planes, "--text", "text", "--axes", "-o", str(tmp_path / "a.svg")]
     assert draw_planes(words) == 0
     written = re.findall(r">([xyzr])</text>", (tmp_path / "a.svg").read_text(encoding="utf-8"))
@@ -175,18 +175,18 @@ OTHER_OPTIONS: list[tuple[str, str, dict[str, Any]]] = [
 @pytest.mark.campaign
 @pytest.mark.parametrize("name", PLANAR)
 @pytest.mark.parametrize("view", OF_PLANES.views)
-def test_no_label_is_cut_off_or_covers_another_or_an_edge(view: str, name: str) -> None:
+def test_no_label_is_cut_off_or_covers_another_or_an_edge(view, name):
     with contextlib.suppress(InputError):  # some views refuse affine planes, or other spaces
         assert offences(laid_out(scene(OF_PLANES, view, name))) == []
 
 
 @pytest.mark.campaign
 @pytest.mark.parametrize(("view", "name", "options"), OTHER_OPTIONS)
-def test_nor_with_other_options(view: str, name: str, options: dict[str, Any]) -> None:
+def test_nor_with_other_options(view, name, options):
     assert offences(laid_out(scene(OF_PLANES, view, name, **options))) == []
 
 
-def test_the_check_finds_each_kind_of_offence() -> None:
+def test_the_check_finds_each_kind_of_offence():
     with own_settings():
         made = Scene(40, 40)
         made.text((50, 50), "one")
@@ -209,9 +209,7 @@ WITH_LEGENDS = pytest.mark.parametrize(
 
 
 @WITH_LEGENDS
-def test_keys_and_lines_below_take_a_sixth_of_the_height(
-    drawings: Drawings, view: str, name: str
-) -> None:
+def test_keys_and_lines_below_take_a_sixth_of_the_height(drawings, view, name):
     with own_settings():
         made = scene(drawings, view, name)
         made.legend.captions.clear()
@@ -223,9 +221,7 @@ def test_keys_and_lines_below_take_a_sixth_of_the_height(
 
 
 @WITH_LEGENDS
-def test_at_the_right_it_stands_beside_the_picture(
-    drawings: Drawings, view: str, name: str
-) -> None:
+def test_at_the_right_it_stands_beside_the_picture(drawings, view, name):
     wide = 260.0
     with own_settings():
         made = scene(drawings, view, name, width=picture_width(wide, "right"))
@@ -244,7 +240,7 @@ def test_at_the_right_it_stands_beside_the_picture(
             assert h / 2 - 1 <= item.place[1] <= sheet.height
 
 
-def test_without_a_legend_captions_stay(tmp_path: Path) -> None:
+def test_without_a_legend_captions_stay(tmp_path):
     planes = read_arrangement("braid-a3-in-r4")
     for legend, shown in (("none", False), ("below", True)):
         path = tmp_path / f"{legend}.svg"
@@ -261,7 +257,7 @@ def lightness(colour: Any) -> float:
     return float(_oklab(to_rgb(colour))[0])
 
 
-def test_in_print_wrenches_are_black_and_one_set_has_a_hatching() -> None:
+def test_in_print_wrenches_are_black_and_one_set_has_a_hatching():
     for view, wrench in (("grasp", (0, 1, 1)), ("slice", (0, 1, 0))):
         coloured = scene(OF_GRASPS, view, "paper-three-contacts-preload-1", wrench=wrench)
         made = themed(coloured, "mono").items
@@ -275,18 +271,18 @@ def test_in_print_wrenches_are_black_and_one_set_has_a_hatching() -> None:
 
 
 @given(st.tuples(*[st.floats(0, 1)] * 3))
-def test_oklab_and_back(rgb: tuple[float, float, float]) -> None:
+def test_oklab_and_back(rgb):
     light, a, b = _oklab(rgb).tolist()
     assert np.allclose(_from_oklab((light, a, b), 1.0)[:3], rgb, atol=1e-4)
 
 
-def test_greys_have_no_hue_in_oklab_and_white_has_lightness_one() -> None:
+def test_greys_have_no_hue_in_oklab_and_white_has_lightness_one():
     assert np.allclose(_oklab((1.0, 1.0, 1.0)), (1, 0, 0), atol=1e-4)
     assert np.allclose(_oklab((0.5, 0.5, 0.5))[1:], 0, atol=1e-4)
 
 
 @EVERY_VIEW
-def test_dark_letters_are_light_and_mono_has_no_colour(drawings: Drawings, view: str) -> None:
+def test_dark_letters_are_light_and_mono_has_no_colour(drawings, view):
     made = scene(drawings, view)
     dark, mono = themed(made, "dark"), themed(made, "mono")
     assert themed(made, "light") is made
@@ -302,7 +298,7 @@ def test_dark_letters_are_light_and_mono_has_no_colour(drawings: Drawings, view:
                 assert abs(_oklab(to_rgb(colour))[1:]).max() < 1e-2
 
 
-def test_mono_keeps_apart_what_colours_keep_apart() -> None:
+def test_mono_keeps_apart_what_colours_keep_apart():
     made = scene(OF_PLANES, "sphere", "five-generic-planes", antipodes="same")
     mono = themed(made, "mono")
     pairs = {
@@ -371,7 +367,7 @@ def every_kind() -> Scene:
         ("Möbius & 100% {of} ab_cd \\ ~ ^ #", None),
     ],
 )
-def test_labels_are_maths_where_they_mean_it(text: str, latex: str | None) -> None:
+def test_labels_are_maths_where_they_mean_it(text, latex):
     if latex is not None:
         assert tex_text(text) == latex
     else:
@@ -380,7 +376,7 @@ def test_labels_are_maths_where_they_mean_it(text: str, latex: str | None) -> No
 
 
 @EVERY_VIEW
-def test_styles_are_those_of_the_roles_and_all_is_plain_text(drawings: Drawings, view: str) -> None:
+def test_styles_are_those_of_the_roles_and_all_is_plain_text(drawings, view):
     """One style at the top for each role that occurs; no letter that pdflatex does not know."""
     made = scene(drawings, view)
     text = tikz(made, fragment=True)
@@ -424,7 +420,7 @@ def differences(folder: Path, scenes: list[Scene], texts: list[str]) -> Iterator
 
 @pytest.mark.campaign
 @pytest.mark.usefixtures("latex")
-def test_tikz_shows_what_our_own_pictures_show(tmp_path: Path) -> None:
+def test_tikz_shows_what_our_own_pictures_show(tmp_path):
     """What is wrong is seen: of wide, pale, shifted and missing lines and of another fill."""
     made = without_labels(scene(OF_PLANES, "sphere", "braid-a3"))
     scenes = [every_kind(), made, without_labels(scene(OF_GRASPS, "resist", "paper-four-contacts"))]
@@ -445,7 +441,7 @@ def test_tikz_shows_what_our_own_pictures_show(tmp_path: Path) -> None:
 
 @pytest.mark.campaign
 @pytest.mark.usefixtures("latex")
-def test_every_view_is_the_same_in_tikz(tmp_path: Path) -> None:
+def test_every_view_is_the_same_in_tikz(tmp_path):
     """Without letters: of these, fonts differ."""
     scenes = [without_labels(scene(d, view)) for d, view in VIEWS]
     found = list(differences(tmp_path, scenes, [tikz(made, fragment=True) for made in scenes]))
@@ -480,9 +476,7 @@ def check_letters(made: Scene, drawn: Pixels, bare: Pixels) -> None:
 
 @pytest.mark.usefixtures("latex")
 @pytest.mark.parametrize(("drawings", "view"), [(OF_PLANES, "lattice"), (OF_GRASPS, "proof")])
-def test_a_document_compiles_and_its_letters_are_where_ours_are(
-    drawings: Drawings, view: str, tmp_path: Path
-) -> None:
+def test_a_document_compiles_and_its_letters_are_where_ours_are(drawings, view, tmp_path):
     name = "reflection-b3" if drawings is OF_PLANES else "paper-four-contacts"
     made = scene(drawings, view, name)
     sheets = []
@@ -498,7 +492,7 @@ def test_a_document_compiles_and_its_letters_are_where_ours_are(
 
 @pytest.mark.campaign
 @pytest.mark.usefixtures("latex")
-def test_letters_of_every_view_are_where_ours_are(tmp_path: Path) -> None:
+def test_letters_of_every_view_are_where_ours_are(tmp_path):
     """On pages of one document, in the corner of each."""
     views = [scene(drawings, view) for drawings, view in VIEWS]
     scenes = [sheet for made in views for sheet in (made, without_labels(made))]
@@ -512,7 +506,7 @@ def test_letters_of_every_view_are_where_ours_are(tmp_path: Path) -> None:
 @pytest.mark.campaign
 @pytest.mark.usefixtures("latex")
 @pytest.mark.parametrize("name", PLANAR)
-def test_all_pictures_of_all_instances_compile(name: str, tmp_path: Path) -> None:
+def test_all_pictures_of_all_instances_compile(name, tmp_path):
     """On pages of one document; what a view refuses has no picture."""
     found = []
     for drawings, view in VIEWS:
@@ -578,7 +572,7 @@ def digests(names: Sequence[str], tried: Sequence[str], seed: str) -> list[str]:
 
 @pytest.mark.campaign
 @pytest.mark.parametrize("part", range(4))
-def test_all_pictures_of_all_instances_repeat(part: int) -> None:
+def test_all_pictures_of_all_instances_repeat(part):
     names = PLANAR[part::4]
     one, other = digests(names, ARRANGEMENTS, "3"), digests(names, [], "4")
     assert {line.split()[0] for line in one} == set(names)

@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import dataclass
 
-from arrangement.console.short_repr import Shown
+from arrangement.console.number_form import Shown
 from arrangement.numbers.linear.rank import rank
 from arrangement.planes.faces import Face
 from arrangement.planes.planes import Planes

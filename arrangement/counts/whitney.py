@@ -9,11 +9,11 @@ import math
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, NamedTuple
 
-from arrangement.console.short_repr import table
+from arrangement.console.number_form import table
+from arrangement.counts.classes.symmetric import flats_and_faces
 from arrangement.errors import InputError
 from arrangement.planes.planes import Planes
 
-from .classes.class_sums import flats_and_faces
 from .classes.symmetric import first_whitney_numbers
 from .configuration import configuration
 from .lattice import intersection_lattice

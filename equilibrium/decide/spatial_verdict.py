@@ -30,9 +30,9 @@ from equilibrium.decide import (
     RESISTED as RESISTED,
     UNDECIDED as UNDECIDED,
 )
+from equilibrium.model.contact import pyramid_edges, pyramid_words
 from equilibrium.model.errors import UndecidedError
 from equilibrium.model.grasp import Grasp, read_wrench
-from equilibrium.model.pyramid import pyramid_edges, pyramid_words
 from equilibrium.model.range import NO_RANGE, Range, usual_range, warning
 from equilibrium.plane.contacts import SpatialContacts
 from equilibrium.space.cones import Pyramids

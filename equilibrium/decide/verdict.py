@@ -15,9 +15,9 @@ from dataclasses import dataclass, field
 from functools import cached_property, partial
 from typing import TYPE_CHECKING, Any
 
+from arrangement.console.number_form import Shown
 from arrangement.console.plugins import named
 from arrangement.console.progress import watched
-from arrangement.console.short_repr import Shown
 from arrangement.numbers.exact import RationalVector, to_text, vector_text
 from equilibrium.certificate.checker import Report, check
 from equilibrium.certificate.document import Certificate, refuted_certificate, resisted_certificate
@@ -25,8 +25,8 @@ from equilibrium.model.errors import TimeLimitError
 from equilibrium.model.grasp import Grasp, read_wrench
 from equilibrium.model.range import NO_RANGE, Range, RangeArguments, usual_range, warning
 from equilibrium.plane.contacts import FloatContacts, IntegerContacts
+from equilibrium.plane.search.motion_regions import resistance
 from equilibrium.plane.search.part_program import Node
-from equilibrium.plane.search.resistance import resistance
 from equilibrium.plane.search.state_equilibrium import Solution
 from equilibrium.plane.search.units import SearchUnits
 from equilibrium.plane.states.contact_states import Codes, state_codes, states_at, states_of_code

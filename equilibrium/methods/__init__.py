@@ -6,11 +6,10 @@ is their table, `compare` asks all of them, `survey` counts how often they disag
 """
 
 from .compare import Answer, Comparison, ask, compare
-from .figure import resistance_figure
 from .friction_cones.grasp_wrench_space import GraspWrenchSpace
 from .method import Method
 from .registry import METHODS, method_named
-from .survey import smallest_examples, survey
+from .survey import resistance_figure, smallest_examples, survey
 
 __all__ = [
     "METHODS",

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any, ClassVar, TypeAlias
 
-from arrangement.console.short_repr import Shown
+from arrangement.console.number_form import Shown
 from arrangement.library.files.json_files import check_keys, check_list
 from arrangement.numbers.exact import RationalVector, rational, rational_vector, shown, to_text
 

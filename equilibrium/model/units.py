@@ -9,7 +9,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any
 
-from arrangement.console.short_repr import Shown
+from arrangement.console.number_form import Shown
 from arrangement.library.files.json_files import check_keys
 from arrangement.numbers.exact import shown
 

@@ -16,7 +16,7 @@ import numpy as np
 
 from arrangement.numbers.exact import RationalVector, dot
 from arrangement.numbers.float_filter import Floats
-from equilibrium.model.pyramid import pyramid_edges
+from equilibrium.model.contact import pyramid_edges
 from equilibrium.plane.contacts import SpatialContacts
 
 from .cones import Pyramids, Slip, State

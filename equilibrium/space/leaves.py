@@ -14,9 +14,9 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from arrangement.numbers.exact import IntegerVector, RationalVector, dot, primitive, to_text
+from arrangement.numbers.linear.rank import gauss_jordan
 from equilibrium.model.range import NO_RANGE, Range
 from equilibrium.plane.contacts import SpatialContacts
-from equilibrium.plane.elimination import gauss_jordan
 
 from .cones import Cones, State
 from .relaxation import Ray

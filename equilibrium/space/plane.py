@@ -19,7 +19,7 @@ from equilibrium.model.grasp import Grasp
 from equilibrium.model.plane import in_plane
 from equilibrium.model.range import NO_RANGE, Range
 from equilibrium.plane.contacts import IntegerContacts
-from equilibrium.plane.search.resistance import resistance
+from equilibrium.plane.search.motion_regions import resistance
 from equilibrium.plane.search.state_equilibrium import Solution
 
 from .equilibria import SpatialSolution

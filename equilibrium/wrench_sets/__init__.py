@@ -10,8 +10,7 @@
 from arrangement.numbers.linear.polyhedron import Polyhedron
 
 from .friction import FrictionBracket, least_friction
-from .gaps import Gap, gaps
-from .line import Magnitudes, resisted_magnitudes
+from .line import Gap, Magnitudes, gaps, resisted_magnitudes
 from .margin import Margin, Preloads, margin, sufficient_preloads
 from .outline import Outline, Segment
 from .plane import Region, polygon_cycle, resisted_region

@@ -14,8 +14,8 @@ from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
 
+from arrangement.console.number_form import Shown
 from arrangement.console.progress import watched
-from arrangement.console.short_repr import Shown
 from arrangement.numbers.exact import RationalVector, rational, shown
 from arrangement.numbers.linear import programs
 from arrangement.numbers.linear.intervals import end_text

@@ -13,7 +13,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
 
-from arrangement.console.short_repr import Shown
+from arrangement.console.number_form import Shown
 from arrangement.numbers.exact import RationalVector
 from arrangement.numbers.linear.intervals import Interval, end_text, holds, texts, union
 from equilibrium.decide.verdict import Solver, prepare

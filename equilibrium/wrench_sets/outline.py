@@ -14,8 +14,8 @@ from typing import Any
 
 import numpy as np
 
+from arrangement.console.number_form import Shown
 from arrangement.console.progress import watched
-from arrangement.console.short_repr import Shown
 from arrangement.numbers.exact import IntegerVector, RationalVector, dot, to_text
 from arrangement.numbers.linear.intervals import Interval, is_long, remainder, union
 from arrangement.numbers.linear.polyhedron import Polyhedron

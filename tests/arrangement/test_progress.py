@@ -1,7 +1,5 @@
 """The line of progress: what it says, and that only a terminal sees it."""
 
-from __future__ import annotations
-
 import sys
 
 import pytest
@@ -10,7 +8,7 @@ from arrangement.console import progress, terminal
 from arrangement.console.progress import Bar, shown, watched
 
 
-def test_the_bar_gives_the_rate_of_this_run_and_the_remaining_time() -> None:
+def test_the_bar_gives_the_rate_of_this_run_and_the_remaining_time():
     now = [100.0]
     bar = Bar(1000, "samples", 200, clock=lambda: now[0])
     now[0] = 110.0
@@ -21,9 +19,7 @@ def test_the_bar_gives_the_rate_of_this_run_and_the_remaining_time() -> None:
     assert Bar(None, "cases", clock=lambda: now[0]).text().startswith("0 cases")
 
 
-def test_the_bar_is_on_a_terminal_only(
-    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_the_bar_is_on_a_terminal_only(monkeypatch, capsys):
     Bar(10, "samples").update(5)
     assert capsys.readouterr() == ("", "")
     monkeypatch.setattr(sys.stderr, "isatty", lambda: True)
@@ -36,8 +32,8 @@ def test_the_bar_is_on_a_terminal_only(
 
 
 def test_in_a_pipe_a_finished_item_gets_a_line_after_two_seconds_and_then_ever_fewer(
-    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
-) -> None:
+    monkeypatch, capsys
+):
     monkeypatch.setattr(progress, "_FIRST", 2.0)
     now = [0.0]
     bar = Bar(100, "samples", clock=lambda: now[0])
@@ -62,9 +58,7 @@ def on_a_terminal(monkeypatch: pytest.MonkeyPatch) -> None:
 
 
 @pytest.mark.usefixtures("on_a_terminal")
-def test_a_bar_waits_and_says_what_is_at_work(
-    capsys: pytest.CaptureFixture[str],
-) -> None:
+def test_a_bar_waits_and_says_what_is_at_work(capsys):
     now = [0.0]
     bar = Bar(4, "claims", clock=lambda: now[0], patience=1.0)
     bar.update(1, "the first")
@@ -76,9 +70,7 @@ def test_a_bar_waits_and_says_what_is_at_work(
 
 
 @pytest.mark.usefixtures("on_a_terminal")
-def test_watched_items_are_the_items_and_the_line_is_taken_away(
-    capsys: pytest.CaptureFixture[str],
-) -> None:
+def test_watched_items_are_the_items_and_the_line_is_taken_away(capsys):
     with shown():
         assert list(watched([3, 1, 2], "things")) == [3, 1, 2]
         assert list(watched(iter("ab"), "letters", 2)) == ["a", "b"]
@@ -90,7 +82,7 @@ def test_watched_items_are_the_items_and_the_line_is_taken_away(
 
 
 @pytest.mark.usefixtures("on_a_terminal")
-def test_of_nested_loops_the_outermost_tells(capsys: pytest.CaptureFixture[str]) -> None:
+def test_of_nested_loops_the_outermost_tells(capsys):
     with shown():
         for _ in watched(range(2), "outer"):
             assert list(watched(range(3), "inner")) == [0, 1, 2]
@@ -102,9 +94,7 @@ def test_of_nested_loops_the_outermost_tells(capsys: pytest.CaptureFixture[str])
 
 
 @pytest.mark.usefixtures("on_a_terminal")
-def test_a_loop_that_breaks_off_leaves_the_next_one_its_line(
-    capsys: pytest.CaptureFixture[str],
-) -> None:
+def test_a_loop_that_breaks_off_leaves_the_next_one_its_line(capsys):
     with shown():
         loop = watched(range(5), "broken")
         for item in loop:
@@ -116,15 +106,15 @@ def test_a_loop_that_breaks_off_leaves_the_next_one_its_line(
 
 
 @pytest.mark.usefixtures("on_a_terminal")
-def test_a_program_that_does_not_ask_sees_no_line(capsys: pytest.CaptureFixture[str]) -> None:
+def test_a_program_that_does_not_ask_sees_no_line(capsys):
     items = [1, 2]
     assert watched(items, "things") is items
     assert capsys.readouterr() == ("", "")
 
 
 @pytest.mark.usefixtures("on_a_terminal")
-def test_every_command_shows_the_line_on_stderr_alone(capsys: pytest.CaptureFixture[str]) -> None:
-    def command(_: object) -> int:
+def test_every_command_shows_the_line_on_stderr_alone(capsys):
+    def command(_):
         terminal.print_json(sum(watched([1, 2], "things")))
         return terminal.YES
 

@@ -1,14 +1,11 @@
 """The plumbing that all commands share."""
 
-from __future__ import annotations
-
 import argparse
 import json
 import signal
 import subprocess
 import sys
 from fractions import Fraction
-from pathlib import Path
 from typing import Any
 
 import pytest
@@ -41,16 +38,14 @@ def parsed(*arguments: str) -> argparse.Namespace:
         (("0", "-1", "+7/3"), (Fraction(0), Fraction(-1), Fraction(7, 3))),
     ],
 )
-def test_negative_rationals_are_values(words: tuple[str, ...], numbers: tuple[Fraction]) -> None:
+def test_negative_rationals_are_values(words, numbers):
     assert parsed("--wrench", *words).wrench == list(numbers)
     assert parsed("here", "--wrench", *words, "--json").wrench == list(numbers)
     assert parsed("--wrench", *words, "here").where == "here"
 
 
 @pytest.mark.parametrize("word", ["-1e", "1e999999999", "-1/0", "nan", "-inf", "0x1", "", "1_2"])
-def test_other_numbers_are_refused_with_the_reason(
-    word: str, capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_other_numbers_are_refused_with_the_reason(word, capsys):
     with pytest.raises(SystemExit) as caught:
         parsed("--wrench", "0", "0", word)
     assert caught.value.code == 2
@@ -67,10 +62,8 @@ def test_other_numbers_are_refused_with_the_reason(
         (BrokenPipeError(), 141, 0),
     ],
 )
-def test_errors_on_purpose_are_one_line_and_interruptions_are_quiet(
-    error: BaseException, code: int, lines: int, capsys: pytest.CaptureFixture[str]
-) -> None:
-    def fails(_: argparse.Namespace) -> int:
+def test_errors_on_purpose_are_one_line_and_interruptions_are_quiet(error, code, lines, capsys):
+    def fails(_):
         raise error
 
     assert terminal.run(parser_for(fails), ["go"]) == code
@@ -80,10 +73,8 @@ def test_errors_on_purpose_are_one_line_and_interruptions_are_quiet(
 
 
 @pytest.mark.parametrize("error", [ZeroDivisionError("x" * 999), RecursionError()])
-def test_a_fault_of_the_program_is_no_answer(
-    error: Exception, capsys: pytest.CaptureFixture[str]
-) -> None:
-    def fails(_: argparse.Namespace) -> int:
+def test_a_fault_of_the_program_is_no_answer(error, capsys):
+    def fails(_):
         raise error
 
     assert terminal.run(parser_for(fails), ["go"]) == 70
@@ -95,8 +86,8 @@ def test_a_fault_of_the_program_is_no_answer(
     assert "Traceback (most recent call last)" in capsys.readouterr().err
 
 
-def test_what_memory_does_not_hold_is_refused(capsys: pytest.CaptureFixture[str]) -> None:
-    def fails(_: argparse.Namespace) -> int:
+def test_what_memory_does_not_hold_is_refused(capsys):
+    def fails(_):
         print("half an answer")
         return len(bytearray(1 << 62))
 
@@ -107,10 +98,8 @@ def test_what_memory_does_not_hold_is_refused(capsys: pytest.CaptureFixture[str]
 
 
 @pytest.mark.skipif(not hasattr(signal, "setitimer"), reason="the system has no such clock")
-def test_a_command_that_is_watched_ends_when_its_time_is_over(
-    capsys: pytest.CaptureFixture[str],
-) -> None:
-    def never_ends(_: argparse.Namespace) -> int:
+def test_a_command_that_is_watched_ends_when_its_time_is_over(capsys):
+    def never_ends(_):
         budget.watch(0.1)
         while True:
             try:
@@ -125,7 +114,7 @@ def test_a_command_that_is_watched_ends_when_its_time_is_over(
     assert signal.getitimer(signal.ITIMER_VIRTUAL) == (0, 0)
 
 
-def test_json_is_one_line_with_rationals_as_strings(capsys: pytest.CaptureFixture[str]) -> None:
+def test_json_is_one_line_with_rationals_as_strings(capsys):
     terminal.print_json({"x": [Fraction(-7, 3), Fraction(2)], "text": "ß\n", "n": 3, "none": None})
     out = capsys.readouterr().out
     assert out.count("\n") == 1
@@ -134,7 +123,7 @@ def test_json_is_one_line_with_rationals_as_strings(capsys: pytest.CaptureFixtur
 
 
 @pytest.mark.parametrize(("value", "error"), [(float("nan"), ValueError), (object(), TypeError)])
-def test_json_takes_nothing_that_json_cannot_say(value: Any, error: type[Exception]) -> None:
+def test_json_takes_nothing_that_json_cannot_say(value, error):
     with pytest.raises(error):
         terminal.print_json({"x": value})
 
@@ -143,16 +132,14 @@ def test_json_takes_nothing_that_json_cannot_say(value: Any, error: type[Excepti
     "words",
     [["--x", "1,-2"], ["--x", "1,", "-2"], ["--x", "1 -2"], ["--x=1,-2"], ["--x", "1", "-2"]],
 )
-def test_several_numbers_may_be_written_in_any_usual_way(words: list[str]) -> None:
+def test_several_numbers_may_be_written_in_any_usual_way(words):
     parser = terminal.command_parser("program", "Take two numbers.")
     parser.add_argument("--x", nargs=2, type=terminal.rational_argument)
     parser.add_argument("--y", action="store_true")
     assert parser.parse_args([*words, "--y"]).x == [1, -2]
 
 
-def test_a_fault_at_import_is_no_answer(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_a_fault_at_import_is_no_answer(tmp_path, monkeypatch, capsys):
     (tmp_path / "broken_program.py").write_text("import no_such_library\n", encoding="utf-8")
     monkeypatch.syspath_prepend(tmp_path)
     assert entry("broken_program")([]) == 70
@@ -167,7 +154,7 @@ def test_a_fault_at_import_is_no_answer(
         ("proofs_check.cli", "run euler"),
     ],
 )
-def test_a_missing_dependency_is_no_answer(module: str, words: str) -> None:
+def test_a_missing_dependency_is_no_answer(module, words):
     program = f"""
 import sys
 sys.modules["numpy"] = None

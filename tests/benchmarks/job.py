@@ -8,8 +8,6 @@ first, if it is the only one), "peak_mb" the largest resident memory of the proc
 number that others must reproduce (regions where nothing else is said).
 """
 
-from __future__ import annotations
-
 import contextlib
 import io
 import json

@@ -1,9 +1,6 @@
 """The command `equilibrium`: JSON contract, exit codes, files whole or not at all."""
 
-from __future__ import annotations
-
 import json
-from pathlib import Path
 
 import pytest
 
@@ -36,7 +33,7 @@ def test_verdicts_in_json(capsys):
     assert (code, err, document["stable"], document["equilibria"]) == (1, "", False, [])
 
 
-def test_of_many_contacts_all_equilibria_are_listed_only_when_asked_for(capsys, tmp_path: Path):
+def test_of_many_contacts_all_equilibria_are_listed_only_when_asked_for(capsys, tmp_path):
     path = tmp_path / "grasp.json"
     for contacts, complete in ((20, True), (21, False)):
         grasp = random_grasp(contacts, seed=0)
@@ -61,7 +58,7 @@ def test_preload_option_is_the_preloaded_instance(capsys):
 
 
 @pytest.mark.parametrize(("wrench", "code"), [("-1", 0), ("1", 1)])
-def test_certificate_is_written_and_verified(capsys, tmp_path: Path, wrench, code):
+def test_certificate_is_written_and_verified(capsys, tmp_path, wrench, code):
     path = tmp_path / "certificate.json"
     arguments = ("solve", THREE, "--wrench", "0", wrench, "0", "--certificate", str(path))
     assert call(capsys, *arguments)[0] == code
@@ -82,7 +79,7 @@ def test_certificate_is_written_and_verified(capsys, tmp_path: Path, wrench, cod
     assert [p.name for p in tmp_path.iterdir()] == [path.name]
 
 
-def test_a_time_limit_says_what_is_open(capsys, tmp_path: Path):
+def test_a_time_limit_says_what_is_open(capsys, tmp_path):
     grasp, wrench = hard()
     path = tmp_path / "grasp.json"
     path.write_text(json.dumps(grasp.to_dict()))
@@ -92,7 +89,7 @@ def test_a_time_limit_says_what_is_open(capsys, tmp_path: Path):
     assert "regions of motions open" in err
 
 
-def test_a_shortened_proof_is_valid_and_not_longer(capsys, tmp_path: Path):
+def test_a_shortened_proof_is_valid_and_not_longer(capsys, tmp_path):
     sizes = []
     for name, options in (("plain", ()), ("short", ("--shorten",))):
         path = tmp_path / name
@@ -103,7 +100,7 @@ def test_a_shortened_proof_is_valid_and_not_longer(capsys, tmp_path: Path):
     assert sizes[1] <= sizes[0]
 
 
-def test_a_changed_certificate_says_what_fails(capsys, tmp_path: Path):
+def test_a_changed_certificate_says_what_fails(capsys, tmp_path):
     path = tmp_path / "certificate.json"
     call(capsys, "solve", THREE, "--wrench", "0", "1", "0", "--certificate", str(path))
     document = json.loads(path.read_text())
@@ -118,7 +115,7 @@ def test_a_changed_certificate_says_what_fails(capsys, tmp_path: Path):
 
 
 def test_a_wrench_is_three_words_or_one_or_a_force_at_a_point(capsys):
-    def wrench(*words: str) -> list[str]:
+    def wrench(*words):
         code, out, _ = call(capsys, "solve", THREE, *words, "--json")
         assert code in (0, 1)
         return json.loads(out)["wrench"]
@@ -156,7 +153,7 @@ def test_literal_reading_in_json(capsys):
     assert code == (0 if json.loads(out)["stable"] else 1)
 
 
-def test_long_numbers_are_rounded_unless_they_are_wanted_exactly(capsys) -> None:
+def test_long_numbers_are_rounded_unless_they_are_wanted_exactly(capsys):
     asked = ("solve", THREE, "--wrench", "1/12345678901234567", "-1/2", "0")
     (x, y, r), *_ = (piece.motion for piece in solve(read_grasp(THREE), asked[3:]).equilibria)
     assert f"({x}, {y}, {r})" in call(capsys, *asked, "--exact")[1]
@@ -167,7 +164,7 @@ def test_long_numbers_are_rounded_unless_they_are_wanted_exactly(capsys) -> None
     assert call(capsys, *asked)[1] == call(capsys, *asked, "--digits", "6")[1]
 
 
-def test_the_least_friction_is_told_by_its_certain_digits_and_its_bounds(capsys) -> None:
+def test_the_least_friction_is_told_by_its_certain_digits_and_its_bounds(capsys):
     asked = ("margin", "paper-three-contacts-preload-1", "--wrench", "1/7", "1", "1/3")
     bounds = "between 652447/1048576 and 28/45"
     assert f"least uniform friction: 0.622222 ({bounds})" in call(capsys, *asked)[1]
@@ -177,9 +174,7 @@ def test_the_least_friction_is_told_by_its_certain_digits_and_its_bounds(capsys)
 
 @pytest.mark.parametrize("way", [("--weight", "1"), ("--force", "0", "-1"), ("--wrench=0,-1,-2",)])
 @pytest.mark.parametrize("command", ["draw", "lab"])
-def test_pictures_and_pages_take_a_load_as_verdicts_do(
-    command: str, way: tuple[str, ...], tmp_path: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_pictures_and_pages_take_a_load_as_verdicts_do(command, way, tmp_path, capsys):
     at = () if way[0].startswith("--wrench") else ("--at", "2", "0")
     made = []
     for number, load in enumerate([(*way, *at), ("--wrench", "0", "-1", "-2")]):
@@ -189,14 +184,12 @@ def test_pictures_and_pages_take_a_load_as_verdicts_do(
     assert made[0] == made[1]
 
 
-def test_magnitudes_along_a_force(capsys: pytest.CaptureFixture[str]) -> None:
+def test_magnitudes_along_a_force(capsys):
     found = call(capsys, "limit", "ladder", "--weight", "1", "--at", "2", "0")
     assert found == call(capsys, "limit", "ladder", "--direction", "0", "-1", "-2")
 
 
-def test_make_writes_the_file_that_it_prints(
-    tmp_path: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_make_writes_the_file_that_it_prints(tmp_path, capsys):
     asked = ("make", "random", "--contacts", "3")
     printed = call(capsys, *asked)[1]
     assert call(capsys, *asked, "-o", str(tmp_path / "g.json"))[1] == ""

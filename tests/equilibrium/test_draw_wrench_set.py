@@ -1,21 +1,17 @@
 """The resisted wrenches in space: the surface that is drawn is where resistance ends."""
 
-from __future__ import annotations
-
 import re
 from fractions import Fraction
-from pathlib import Path
 
 import pytest
 
-from arrangement.drawing.scene.items import Label
 from arrangement.drawing.scene.layout import laid_out
-from arrangement.drawing.scene.scene import Scene
+from arrangement.drawing.scene.scene import Label, Scene
 from arrangement.errors import InputError
 from equilibrium import Contact, GraspError, read_grasp
 from equilibrium.cli.program import main
 from equilibrium.model.grasp import Grasp
-from equilibrium.pictures.wrenches.window import joint_window
+from equilibrium.pictures.parts.window import joint_window
 from equilibrium.pictures.wrenches.wrench_box import WALLS, WrenchBox, wrench_box
 from equilibrium.pictures.wrenches.wrench_page import wrench_set_model, wrench_set_page
 from equilibrium.pictures.wrenches.wrench_set import draw_wrench_set
@@ -38,7 +34,7 @@ def beside(
 
 
 @pytest.mark.parametrize("name", GRASPS)
-def test_resistance_ends_at_every_face(name: str) -> None:
+def test_resistance_ends_at_every_face(name):
     """Decided at exact points on both sides of each face."""
     grasp = read_grasp(name)
     box, whole = wrench_box(grasp), resisted_set(grasp)
@@ -66,14 +62,14 @@ def texts(scene: Scene) -> set[str]:
 
 
 @pytest.mark.parametrize("name", [*GRASPS, "several-equilibria"])
-def test_every_grasp_is_drawn_and_the_box_is_stated(name: str) -> None:
+def test_every_grasp_is_drawn_and_the_box_is_stated(name):
     scene = scene_of(read_grasp(name), wrench=(0, 1, 0), width=110)
     assert any(text.startswith("box: $f_x$ ") for text in texts(scene))
     assert sum(item.name.startswith("box-") for item in scene.items) == 12
     assert offences(scene) == []
 
 
-def test_a_box_of_ones_own_and_a_narrow_sheet() -> None:
+def test_a_box_of_ones_own_and_a_narrow_sheet():
     grasp = read_grasp("paper-three-contacts-preload-1")
     scene = scene_of(grasp, extent="7/2", width=88)
     assert r"box: $f_x$ −7/2 to 7/2, $f_y$ −7/2 to 7/2, $\tau$ −7/2 to 7/2" in texts(scene)
@@ -82,7 +78,7 @@ def test_a_box_of_ones_own_and_a_narrow_sheet() -> None:
         draw_wrench_set(grasp, extent=0)
 
 
-def test_a_wrench_is_marked_as_resisted_or_not() -> None:
+def test_a_wrench_is_marked_as_resisted_or_not():
     grasp = read_grasp("paper-three-contacts-preload-1")
     marks = {
         tau: next(
@@ -90,11 +86,11 @@ def test_a_wrench_is_marked_as_resisted_or_not() -> None:
         )
         for tau in (1, 2)
     }
-    assert (marks[1].sign, marks[2].sign) == ("o", "x")  # type: ignore[attr-defined]
+    assert (marks[1].sign, marks[2].sign) == ("o", "x")
 
 
 @pytest.mark.parametrize("suffix", [".stl", ".obj", ".glb"])
-def test_models_have_one_closed_part_for_each_polyhedron(suffix: str) -> None:
+def test_models_have_one_closed_part_for_each_polyhedron(suffix):
     grasp = read_grasp("paper-four-contacts-preload-1")
     content = wrench_set_model(grasp, suffix)
     assert content == wrench_set_model(grasp, suffix)
@@ -104,12 +100,12 @@ def test_models_have_one_closed_part_for_each_polyhedron(suffix: str) -> None:
 
 
 @pytest.mark.parametrize("name", FLAT)
-def test_a_set_without_volume_is_no_model(name: str) -> None:
+def test_a_set_without_volume_is_no_model(name):
     with pytest.raises(InputError, match="no volume"):
         wrench_set_model(read_grasp(name), ".stl")
 
 
-def test_the_page_tells_exact_conditions(tmp_path: Path) -> None:
+def test_the_page_tells_exact_conditions(tmp_path):
     command = ["draw", "paper-three-contacts", "--view", "wrench-set"]
     assert main([*command, "-o", str(tmp_path / "a.html")]) == 0
     page = (tmp_path / "a.html").read_text(encoding="utf-8")
@@ -118,7 +114,7 @@ def test_the_page_tells_exact_conditions(tmp_path: Path) -> None:
     assert any("f_y" in text and "\\u2264 0" in text for text in conditions)
 
 
-def test_a_full_box_says_that_every_wrench_in_it_is_resisted() -> None:
+def test_a_full_box_says_that_every_wrench_in_it_is_resisted():
     x, y, u, v = Fraction(39, 89), Fraction(80, 89), Fraction(33, 65), Fraction(56, 65)
     ring = [(1, 0), (x, y), (-u, v), (-1, 0), (-u, -v), (x, -y)]
     whole = Grasp([Contact((p * Fraction(3, 2), q), (-p, -q), "1/2", 1) for p, q in ring])
@@ -129,6 +125,6 @@ def test_a_full_box_says_that_every_wrench_in_it_is_resisted() -> None:
         assert ("resisted wrenches" in texts) != full
 
 
-def test_resisted_lines_through_the_origin_stand_in_the_middle() -> None:
+def test_resisted_lines_through_the_origin_stand_in_the_middle():
     window = joint_window([resisted_region(read_grasp("single-contact"))], pieces=True)
     assert not any(window.centre)

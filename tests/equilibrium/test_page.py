@@ -1,7 +1,5 @@
 """The page of resisted forces: the slip lab, opened at its map in headless Chromium."""
 
-from __future__ import annotations
-
 import time
 from collections.abc import Callable
 from fractions import Fraction
@@ -90,7 +88,7 @@ def drawn_at(browser: Browser, x: float, y: float) -> bool:
 
 
 @pytest.mark.parametrize("name", PAPER)
-def test_the_picture_agrees_with_the_solver(name: str, browser: Browser, opened: Opened) -> None:
+def test_the_picture_agrees_with_the_solver(name, browser, opened):
     """A piece is drawn at a place exactly when the force there is resisted."""
     grasp = opened(name)
     for torque in ("0", "1/2"):
@@ -104,9 +102,7 @@ def test_the_picture_agrees_with_the_solver(name: str, browser: Browser, opened:
     assert browser.outside() == []
 
 
-def test_the_exact_conditions_of_the_marked_piece_are_told(
-    browser: Browser, opened: Opened
-) -> None:
+def test_the_exact_conditions_of_the_marked_piece_are_told(browser, opened):
     opened("paper-three-contacts-preload-1", wrench=["1/10", -1, 0])
     states, *told = text_of(browser, "conditions").splitlines()
     assert states == "states: stick, stick, stick"
@@ -117,7 +113,7 @@ def test_the_exact_conditions_of_the_marked_piece_are_told(
     assert not browser.run("return document.querySelectorAll('#plane .held-piece').length")
 
 
-def test_the_slider_of_the_torque_turns_the_load(browser: Browser, opened: Opened) -> None:
+def test_the_slider_of_the_torque_turns_the_load(browser, opened):
     grasp = opened("paper-three-contacts-preload-1")
     for torque in ("1.25", "-2"):
         browser.run(
@@ -132,7 +128,7 @@ def test_the_slider_of_the_torque_turns_the_load(browser: Browser, opened: Opene
 
 
 @pytest.mark.parametrize("width", [390, 800, 1280])
-def test_the_map_stands_first_and_large(width: int, browser: Browser, opened: Opened) -> None:
+def test_the_map_stands_first_and_large(width, browser, opened):
     opened("paper-three-contacts-preload-1", width)
     assert browser.run("return document.documentElement.scrollWidth") <= width
     map_, *others = browser.run(
@@ -154,7 +150,7 @@ def test_the_map_stands_first_and_large(width: int, browser: Browser, opened: Op
     ],
     ids=["none", "frictionless", "far"],
 )
-def test_unusual_grasps_are_shown(grasp: Grasp, browser: Browser, opened: Opened) -> None:
+def test_unusual_grasps_are_shown(grasp, browser, opened):
     opened(grasp)
     for y in ("0", "-1/3"):
         enter(browser, "w-y", y)
@@ -166,7 +162,7 @@ def test_unusual_grasps_are_shown(grasp: Grasp, browser: Browser, opened: Opened
     assert browser.messages() == []
 
 
-def test_the_command_writes_the_page(tmp_path: Path) -> None:
+def test_the_command_writes_the_page(tmp_path):
     target = tmp_path / "a.html"
     options = ["--view", "resist", "--wrench", "0", "-1", "0", "--title", "Three"]
     assert main(["draw", "paper-three-contacts", "-o", str(target), *options]) == 0
@@ -179,7 +175,7 @@ def test_the_command_writes_the_page(tmp_path: Path) -> None:
     assert not target.exists()
 
 
-def test_what_the_lab_cannot_take_is_refused() -> None:
+def test_what_the_lab_cannot_take_is_refused():
     with pytest.raises(InputError, match="at most 8"):
         resist_page(Grasp([Contact([0, 0], [0, 1], 0)] * 9))
     with pytest.raises(InputError, match="in space"):

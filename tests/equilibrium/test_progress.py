@@ -1,7 +1,5 @@
 """Every command that can take long says on a terminal how far it is, and never on stdout."""
 
-from __future__ import annotations
-
 import json
 from pathlib import Path
 
@@ -27,12 +25,7 @@ def arguments(command: str, tmp_path: Path) -> list[str]:
 
 
 @pytest.mark.parametrize("command", [*LONG, *ALONE])
-def test_the_line_is_on_stderr_of_a_terminal_only(
-    command: str,
-    tmp_path: Path,
-    capsys: pytest.CaptureFixture[str],
-    monkeypatch: pytest.MonkeyPatch,
-) -> None:
+def test_the_line_is_on_stderr_of_a_terminal_only(command, tmp_path, capsys, monkeypatch):
     words = arguments(command, tmp_path)
     main(words)
     piped = capsys.readouterr()

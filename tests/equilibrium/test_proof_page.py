@@ -1,7 +1,5 @@
 """The interactive page of a proof, in headless Chromium; its numbers are those of `works`."""
 
-from __future__ import annotations
-
 from pathlib import Path
 from typing import Any
 
@@ -12,7 +10,7 @@ from equilibrium.certificate.leaves import parts, works
 from equilibrium.cli.program import main
 from equilibrium.grasps.inputs import random_grasp
 from equilibrium.pictures import proof_page
-from equilibrium.pictures.style import number, vector
+from equilibrium.pictures.parts.style import number, vector
 from tests.browser import Browser
 
 BELOW = [c for c in random_grasp(150, 7) if c.normal[1] > 0]
@@ -69,7 +67,7 @@ def middle(browser: Browser, k: int) -> tuple[int, float, float]:
     return int(part), x, y
 
 
-def test_the_region_under_the_pointer_is_told_until_it_leaves(opened: Browser) -> None:
+def test_the_region_under_the_pointer_is_told_until_it_leaves(opened):
     first = said(opened)
     seen = set()
     for k in range(opened.run(f"return {PATHS}.length")):
@@ -84,7 +82,7 @@ def test_the_region_under_the_pointer_is_told_until_it_leaves(opened: Browser) -
     assert said(opened) == first
 
 
-def test_a_tap_keeps_a_region(opened: Browser) -> None:
+def test_a_tap_keeps_a_region(opened):
     part, x, y = middle(opened, 1)
     opened.fingers([(x, y)])
     opened.click_at(x, y)
@@ -93,7 +91,7 @@ def test_a_tap_keeps_a_region(opened: Browser) -> None:
     assert_shown(opened, part)
 
 
-def test_keys_lead_through_the_regions_and_all_parts_can_be_chosen(opened: Browser) -> None:
+def test_keys_lead_through_the_regions_and_all_parts_can_be_chosen(opened):
     assert opened.run("return document.querySelectorAll('.part[tabindex=\"0\"]').length") == 2
     opened.run("document.querySelector('#map-0 .part[tabindex=\"0\"]').focus()")
     for _ in range(2):
@@ -111,7 +109,7 @@ def test_keys_lead_through_the_regions_and_all_parts_can_be_chosen(opened: Brows
         assert_shown(opened, index)
 
 
-def test_it_needs_nothing_from_outside_and_fits_a_phone(opened: Browser, tmp_path: Path) -> None:
+def test_it_needs_nothing_from_outside_and_fits_a_phone(opened, tmp_path):
     assert opened.messages() == []
     assert opened.outside() == []
     assert opened.run("return document.getElementById('said').getAttribute('aria-live')")
@@ -123,12 +121,12 @@ def test_it_needs_nothing_from_outside_and_fits_a_phone(opened: Browser, tmp_pat
     assert opened.run("return document.documentElement.scrollWidth") <= 390
 
 
-def test_fifty_contacts_fit_in_400_kilobytes() -> None:
+def test_fifty_contacts_fit_in_400_kilobytes():
     page = proof_page(Grasp(BELOW[:50]).with_preload(1), wrench=(50, 2000, 150))
     assert len(page.encode()) < 400_000
 
 
-def test_the_command_writes_it(tmp_path: Path) -> None:
+def test_the_command_writes_it(tmp_path):
     path = tmp_path / "proof.html"
     command = ["draw", "paper-three-contacts", "--view", "proof", "-o", str(path)]
     assert main([*command, "--wrench", "0", "1", "0"]) == 0

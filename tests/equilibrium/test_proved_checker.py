@@ -1,7 +1,5 @@
 """How the proved checker is found and asked; a script stands for it. `make formal` asks itself."""
 
-from __future__ import annotations
-
 import json
 from pathlib import Path
 
@@ -29,13 +27,13 @@ def program(folder: Path, line: str, code: int) -> None:
     path.chmod(0o755)
 
 
-def test_without_the_program_the_error_says_how_to_build_it(folder: Path) -> None:
+def test_without_the_program_the_error_says_how_to_build_it(folder):
     with pytest.raises(CertificateError, match=r"not built.*make formal"):
         verify_proved("certificate.json")
 
 
 @pytest.mark.parametrize("kind", ["resisted", "not resisted"])
-def test_answers(folder: Path, kind: str) -> None:
+def test_answers(folder, kind):
     program(folder, f"accepted: {kind}", 0)
     assert verify_proved("certificate.json") == (True, kind)
     program(folder, f"refused: {kind}", 1)
@@ -52,13 +50,13 @@ def test_answers(folder: Path, kind: str) -> None:
         ("accepted: resisted", 137),
     ],
 )
-def test_no_other_answer_is_taken(folder: Path, line: str, code: int) -> None:
+def test_no_other_answer_is_taken(folder, line, code):
     program(folder, line, code)
     with pytest.raises(CertificateError, match="cannot read"):
         verify_proved("certificate.json")
 
 
-def test_a_path_is_no_option(folder: Path) -> None:
+def test_a_path_is_no_option(folder):
     (folder / PROGRAM).write_text('#!/bin/sh\necho "malformed: <$*>"\nexit 2\n')
     (folder / PROGRAM).chmod(0o755)
     with pytest.raises(CertificateError, match=r"<\./--question>"):
@@ -67,9 +65,7 @@ def test_a_path_is_no_option(folder: Path) -> None:
         verify_proved("-")
 
 
-def test_the_command_says_which_checker_spoke(
-    folder: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_the_command_says_which_checker_spoke(folder, capsys):
     path, asked = str(folder / "certificate.json"), ["--wrench", "1", "0", "0", "--grasp"]
     write_certificate(path, solve(read_grasp("single-contact"), (1, 0, 0)).certificate)
     program(folder, "accepted: not resisted", 0)

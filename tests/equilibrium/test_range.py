@@ -1,7 +1,5 @@
 """The range of small motions: only equilibria that keep the bounds count."""
 
-from __future__ import annotations
-
 import json
 import subprocess
 from fractions import Fraction

@@ -206,9 +206,6 @@ class TestUnits:
         assert hash(bare) == hash(self.grasp)
         assert "units" not in bare.to_dict()
 
-    def test_torques_are_in_force_times_length(self):
-        assert "N mm" in str(Units("mm", "N"))
-
     def test_commands_show_them(self, tmp_path, capsys):
         path = tmp_path / "grasp.json"
         path.write_text(json.dumps(self.grasp.to_dict()), encoding="utf-8")

@@ -23,10 +23,9 @@ from equilibrium.decide.verdict import Solver, solve
 from equilibrium.grasps.files import read_grasp
 from equilibrium.grasps.inputs import random_grasp, random_wrench, read_any
 from equilibrium.grasps.schemas import certificate_schema
-from equilibrium.model.contact import Contact
+from equilibrium.model.contact import Contact, pyramid_edges
 from equilibrium.model.errors import GraspError, UndecidedError
 from equilibrium.model.grasp import Grasp
-from equilibrium.model.pyramid import pyramid_edges
 from equilibrium.model.unit_normal import unit_normal
 from equilibrium.space.equilibria import SpatialSolution
 from equilibrium.space.plane import decide_in_plane

@@ -1,7 +1,5 @@
 """The Coq sources, without Coq: `make formal` compiles them."""
 
-from __future__ import annotations
-
 import re
 from pathlib import Path
 
@@ -17,16 +15,16 @@ GAPS = re.compile(
 
 
 @pytest.mark.parametrize("path", SOURCES, ids=lambda path: path.name)
-def test_no_proof_is_left_out(path: Path) -> None:
+def test_no_proof_is_left_out(path):
     assert GAPS.findall(path.read_text(encoding="utf-8")) == []
 
 
-def test_a_gap_would_be_seen() -> None:
+def test_a_gap_would_be_seen():
     assert GAPS.search("Proof. intros. Admitted.")
     assert GAPS.search("Unset Guard Checking.")
 
 
-def test_every_source_is_compiled() -> None:
+def test_every_source_is_compiled():
     script = (FOLDER / "build.sh").read_text(encoding="utf-8")
     (listed,) = re.findall(r"^for file in (.*); do$", script, re.MULTILINE)
     compiled = {*listed.split(), *re.findall(r"^coqc (\w+)\.v", script, re.MULTILINE)}
@@ -34,7 +32,7 @@ def test_every_source_is_compiled() -> None:
     assert len(SOURCES) > 5
 
 
-def test_the_axioms_of_both_theorems_are_printed() -> None:
+def test_the_axioms_of_both_theorems_are_printed():
     theorems = re.findall(r"^Theorem (\w+)", (FOLDER / "Soundness.v").read_text(), re.MULTILINE)
     printed = re.findall(r"^Print Assumptions (\w+)\.", (FOLDER / "Extract.v").read_text(), re.M)
     assert theorems == printed == ["not_resisted", "resisted"]

@@ -1,12 +1,9 @@
 """Pictures of instances, the line of progress, and the commit that a record names."""
 
-from __future__ import annotations
-
 import re
 import shutil
 import subprocess
 import xml.etree.ElementTree as ET
-from pathlib import Path
 from typing import Any
 
 import pytest
@@ -14,7 +11,7 @@ import pytest
 from arrangement import Arrangement
 from arrangement.library.families import generic
 from equilibrium.grasps.files import read_grasp
-from proofs_check.reports.pictures import pictures
+from proofs_check.reports.page import pictures
 from proofs_check.reports.report import commit
 
 
@@ -31,14 +28,14 @@ def drawn(instance: dict[str, Any] | None) -> list[str]:
     return names
 
 
-def test_planes_are_drawn_with_their_dual() -> None:
+def test_planes_are_drawn_with_their_dual():
     for planes in (generic(5), Arrangement([[3, -4, 6], [10**40, 1, 0], [0, 0, -1]])):
         (names,) = drawn(dict(planes.to_dict()))
         edges = re.findall(r"edge-\d+", names)
         assert len(edges) == planes.f_vector[2]
 
 
-def test_a_grasp_is_drawn_with_its_equilibrium_or_the_proof_that_there_is_none() -> None:
+def test_a_grasp_is_drawn_with_its_equilibrium_or_the_proof_that_there_is_none():
     document = dict(read_grasp("paper-three-contacts").to_dict())
     (alone,) = drawn(document)
     assert "cone-3" in alone
@@ -50,19 +47,17 @@ def test_a_grasp_is_drawn_with_its_equilibrium_or_the_proof_that_there_is_none()
     assert "force-2" not in refused
 
 
-def test_other_things_are_not_drawn() -> None:
+def test_other_things_are_not_drawn():
     others = (generic(3, affine=True).to_dict(), generic(3, 4).to_dict(), {"something": 1}, None)
     for instance in others:
         assert drawn(dict(instance) if instance else None) == []
 
 
 @pytest.mark.skipif(shutil.which("git") is None, reason="needs git")
-def test_the_commit_is_that_of_the_checkout_itself_and_of_no_other(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_the_commit_is_that_of_the_checkout_itself_and_of_no_other(tmp_path, monkeypatch):
     monkeypatch.delenv("GIT_DIR", raising=False)
 
-    def git(*arguments: str) -> str:
+    def git(*arguments):
         who = ["-c", "user.name=n", "-c", "user.email=e@example.org"]
         done = subprocess.run(
             ["git", "-C", str(tmp_path), *who, *arguments],

@@ -12,12 +12,12 @@ from arrangement.arrangement import Arrangement
 from arrangement.console.plugins import added, named
 from arrangement.console.writing import document_text
 from arrangement.errors import InputError
+from arrangement.library.files.documents import Format
 from arrangement.library.files.json_files import Source, parse_json, read_text
 from arrangement.numbers.exact import shown
 
 from . import documents
-from .form import Format
-from .others import chirotope, christ, graphs, macaulay2, matrix, oscar, polymake, sage
+from .others import chirotope, christ, graphs, macaulay2, matrix, polymake, sage
 
 
 def _names(program: str) -> Callable[[str], object]:
@@ -37,7 +37,7 @@ FORMATS: dict[str, Format] = {
             write=lambda arrangement: document_text(arrangement.to_dict()),
         ),
         Format("polymake", (".hyar",), _names("polymake"), polymake.read, polymake.write),
-        Format("oscar", (".mrdi",), _names("Oscar"), oscar.read, oscar.write),
+        Format("oscar", (".mrdi",), _names("Oscar"), polymake.read_oscar, polymake.write_oscar),
         Format("sage", (".sage",), sage.SAGE.search, sage.read, sage.write, loses=sage.loses),
         Format(
             "macaulay2", (".m2",), macaulay2.ARRANGEMENT.search, macaulay2.read, macaulay2.write
@@ -74,8 +74,6 @@ FORMATS: dict[str, Format] = {
     )
 }
 _BY_ENDING = {ending: form for form in FORMATS.values() for ending in form.endings}
-#: Largest file of many arrangements that is read.
-MAX_IMPORT_BYTES = 64 * 2**20
 
 
 def read_arrangement(source: Source) -> Arrangement:

@@ -14,12 +14,11 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
-from arrangement.console.short_repr import Shown
+from arrangement.console.number_form import Shown
 from arrangement.numbers.exact import RationalVector, to_text, vector_text
 from arrangement.numbers.float_filter import Floats
-from arrangement.numbers.linear.rank import rank
+from arrangement.numbers.linear.rank import gauss_jordan, rank
 from equilibrium.plane.contacts import IntegerContacts, product
-from equilibrium.plane.elimination import gauss_jordan
 
 #: Shares of the friction limit are multiples of one over this.
 _SHARES = 2**14

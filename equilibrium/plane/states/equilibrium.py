@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 from fractions import Fraction
 from typing import Any
 
-from arrangement.console.short_repr import Shown
+from arrangement.console.number_form import Shown
 from arrangement.numbers.exact import (
     RationalVector,
     dot,
@@ -17,9 +17,9 @@ from arrangement.numbers.exact import (
     vector_text,
 )
 from arrangement.numbers.linear.intervals import Interval, texts
+from arrangement.numbers.linear.rank import gauss_jordan
 from equilibrium.model.errors import GraspError
 from equilibrium.plane.contact_rows import negated, sum_row, unit_row
-from equilibrium.plane.elimination import gauss_jordan
 
 from .min_norm_point import least_point
 from .state_system import States, StateSystem, each_force, value
