@@ -9,11 +9,8 @@ from typing import Any
 
 import pytest
 
-from arrangement import InputError
 from equilibrium import solve
-from equilibrium.cli.program import main
 from equilibrium.grasps.files import read_grasp
-from equilibrium.model.contact import Contact
 from equilibrium.model.grasp import Grasp
 from equilibrium.pictures import resist_page
 from tests.browser import Browser
@@ -139,44 +136,3 @@ def test_the_map_stands_first_and_large(width, browser, opened):
     for other in others:
         assert map_[2] >= other[2]
         assert (map_[0], map_[1]) <= (other[0], other[1]) or map_[1] < other[1]
-
-
-@pytest.mark.parametrize(
-    "grasp",
-    [
-        Grasp(),
-        Grasp([Contact([0, 0], [0, 1], 0)]),
-        Grasp([Contact([10**30, 0], [-1, 0], "1/3", 1, 1), Contact([-(10**30), 0], [1, 0], 1)]),
-    ],
-    ids=["none", "frictionless", "far"],
-)
-def test_unusual_grasps_are_shown(grasp, browser, opened):
-    opened(grasp)
-    for y in ("0", "-1/3"):
-        enter(browser, "w-y", y)
-        settled(browser)
-        stable = solve(grasp, [0, y, 0]).stable
-        assert text_of(browser, "verdict").startswith("Resisted" if stable else "Not resisted")
-        dots = browser.run("return document.querySelectorAll('#plane .here.dot').length")
-        assert dots == int(stable)
-    assert browser.messages() == []
-
-
-def test_the_command_writes_the_page(tmp_path):
-    target = tmp_path / "a.html"
-    options = ["--view", "resist", "--wrench", "0", "-1", "0", "--title", "Three"]
-    assert main(["draw", "paper-three-contacts", "-o", str(target), *options]) == 0
-    text = target.read_text(encoding="utf-8")
-    assert "<title>Three</title>" in text
-    assert '"wrench":["0","-1","0"]' in text
-    assert len(text) < 300_000
-    target.unlink()
-    assert main(["draw", "paper-three-contacts", "-o", str(target), "--width", "90"]) == 2
-    assert not target.exists()
-
-
-def test_what_the_lab_cannot_take_is_refused():
-    with pytest.raises(InputError, match="at most 8"):
-        resist_page(Grasp([Contact([0, 0], [0, 1], 0)] * 9))
-    with pytest.raises(InputError, match="in space"):
-        resist_page(read_grasp("two-opposed-fingers"))

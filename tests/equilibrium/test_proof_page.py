@@ -5,9 +5,8 @@ from typing import Any
 
 import pytest
 
-from equilibrium import Grasp, GraspError, read_grasp, solve
+from equilibrium import Grasp, solve
 from equilibrium.certificate.leaves import parts, works
-from equilibrium.cli.program import main
 from equilibrium.grasps.inputs import random_grasp
 from equilibrium.pictures import proof_page
 from equilibrium.pictures.parts.style import number, vector
@@ -119,18 +118,3 @@ def test_it_needs_nothing_from_outside_and_fits_a_phone(opened, tmp_path):
     opened.open(tmp_path / "proof.html", 390, 800)
     opened.settled()
     assert opened.run("return document.documentElement.scrollWidth") <= 390
-
-
-def test_fifty_contacts_fit_in_400_kilobytes():
-    page = proof_page(Grasp(BELOW[:50]).with_preload(1), wrench=(50, 2000, 150))
-    assert len(page.encode()) < 400_000
-
-
-def test_the_command_writes_it(tmp_path):
-    path = tmp_path / "proof.html"
-    command = ["draw", "paper-three-contacts", "--view", "proof", "-o", str(path)]
-    assert main([*command, "--wrench", "0", "1", "0"]) == 0
-    grasp = read_grasp("paper-three-contacts")
-    assert path.read_text(encoding="utf-8") == proof_page(grasp, wrench=(0, 1, 0))
-    with pytest.raises(GraspError, match="is resisted"):
-        proof_page(grasp, wrench=(0, -1, 0))
