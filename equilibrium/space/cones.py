@@ -40,7 +40,7 @@ _NARROW, _COARSE, _DIRECTIONS = 1e-4, 8, 64
 _SLIPS = 0.9999
 
 
-class Split(NamedTuple):
+class OpenSplit(NamedTuple):
     """A node that splits one contact, its children still open, and their states."""
 
     node: Any
@@ -102,7 +102,7 @@ class RoundCones:
         """Return the directions at the ends of a slip's sector; none of other states."""
         return state if isinstance(state, tuple) else ()
 
-    def slips(self, states: tuple[State, ...], i: int, slip: Floats) -> Split | None:
+    def slips(self, states: tuple[State, ...], i: int, slip: Floats) -> OpenSplit | None:
         """Return the split of a contact by its slip, one part around a given one.
 
         None if its sector is too narrow.
@@ -234,7 +234,7 @@ class Pyramids:
         """Return the directions at the ends of a slip's sector; none of other states."""
         return state.ends if isinstance(state, Slip) else ()
 
-    def slips(self, states: tuple[State, ...], i: int, slip: Floats) -> Split | None:
+    def slips(self, states: tuple[State, ...], i: int, slip: Floats) -> OpenSplit | None:
         """Return the split of a contact by its slip; None if that is decided."""
         if states[i] != "attached":
             return None
@@ -253,9 +253,9 @@ Cones: TypeAlias = RoundCones | Pyramids
 
 def split_of(
     node: Any, children: list[Any], states: tuple[State, ...], i: int, parts: Sequence[State]
-) -> Split:
+) -> OpenSplit:
     """Return the split of one contact into its parts."""
-    return Split(node, children, [(*states[:i], part, *states[i + 1 :]) for part in parts])
+    return OpenSplit(node, children, [(*states[:i], part, *states[i + 1 :]) for part in parts])
 
 
 def _turned(direction: Floats, degrees: float, size: int) -> Direction:

@@ -29,7 +29,7 @@ _FINE = ((2**10, 1e-6), (2**20, 1e-6), (2**34, 1e-9), (2**48, 1e-12))
 _FIRST = 9
 
 
-class _Contact(NamedTuple):
+class _WholeContact(NamedTuple):
     """A contact in integers: wrenches of the frame times `unit`.
 
     Attributes:
@@ -81,7 +81,7 @@ class Leaves:
                 tuple(factor * x for x in row) for factor, row in zip(factors, rows, strict=True)
             ]
             preload = int(c.preload * unit)
-            self.each.append(_Contact(rows, own, tuple(columns), preload, c.friction))
+            self.each.append(_WholeContact(rows, own, tuple(columns), preload, c.friction))
 
     def leaf(self, states: Sequence[State], ray: Ray) -> Any | None:
         """Return a leaf near a dual ray, or None where rounding finds none."""

@@ -22,7 +22,7 @@ from equilibrium.model.range import NO_RANGE, Range
 from equilibrium.plane.contacts import SpatialContacts, nearest
 
 from .balance import SpatialContinuation
-from .cones import Pyramids, RoundCones, Split, State, split_of
+from .cones import OpenSplit, Pyramids, RoundCones, State, split_of
 from .enclosures import Enclosed
 from .equilibria import Proposal, SpatialSolution, proposals
 from .exact_parts import ExactParts, PyramidParts
@@ -232,7 +232,7 @@ class SpatialSearch:
             found = self._node(states)
             if isinstance(found, (SpatialSolution, Enclosed)):
                 return found
-            if isinstance(found, Split):
+            if isinstance(found, OpenSplit):
                 parent[position] = found.node
                 waiting += reversed([(x, found.children, k) for k, x in enumerate(found.parts)])
             elif found is not None:
@@ -244,7 +244,7 @@ class SpatialSearch:
             return Open("a relaxation neither closes nor splits further", self.residual)
         return _finished(top[0])
 
-    def _node(self, states: tuple[State, ...]) -> Proposal | Any | Split | None:
+    def _node(self, states: tuple[State, ...]) -> Proposal | Any | OpenSplit | None:
         """Return an equilibrium, a leaf, a cut, or None where there is none of them."""
         found = self.relaxation.solve(states)
         leaf = self._leaf(states, found)
@@ -274,7 +274,7 @@ class SpatialSearch:
 
     def _equilibrium_or_cut(
         self, states: tuple[State, ...], found: Point
-    ) -> Proposal | Split | None:
+    ) -> Proposal | OpenSplit | None:
         """Return an equilibrium near a point of a relaxation, or a cut where it fails the law."""
         values = self.relaxation.violations(states, found)
         worst = float(values.max(initial=0.0))
@@ -294,7 +294,7 @@ class SpatialSearch:
         towards: Floats = -(self.contacts.tangents @ found.virtual)
         return towards
 
-    def _split(self, states: tuple[State, ...], values: Floats, found: Point) -> Split | None:
+    def _split(self, states: tuple[State, ...], values: Floats, found: Point) -> OpenSplit | None:
         """Return the node that splits the contact furthest from the law, its children and parts."""
         order = [int(i) for i in np.argsort(-values) if values[i] > _NOTHING]
         order = [i for i in order if self._splits(states, i)]
@@ -311,7 +311,7 @@ class SpatialSearch:
         """Return whether a contact is not decided: one without friction does not slip."""
         return states[i] != "attached" or bool(self.contacts.grasp.contacts[i].friction)
 
-    def _any_split(self, states: tuple[State, ...], found: Ray | Point | None) -> Split | None:
+    def _any_split(self, states: tuple[State, ...], found: Ray | Point | None) -> OpenSplit | None:
         """Return a split of the contact that is decided least; of a ray, with the least room."""
         room = found.room[:, 0] if isinstance(found, Ray) else np.zeros(len(states))
         towards = self._towards(found)
@@ -327,7 +327,7 @@ class SpatialSearch:
                 return split
         return None
 
-    def _parts(self, states: tuple[State, ...], i: int, slip: Floats) -> Split | None:
+    def _parts(self, states: tuple[State, ...], i: int, slip: Floats) -> OpenSplit | None:
         """Return the split of one contact; None if its sector is too narrow."""
         if states[i] != "undecided":
             return None if states[i] in _DECIDED else self.cones.slips(states, i, slip)
