@@ -216,10 +216,12 @@ def test_certificates_are_read_and_checked_without_numpy():
 #: Runs where a part of the packages is gone: three planes have (1, 6, 12, 8) faces.
 REST = """
 from arrangement import Arrangement
-from arrangement.counts import f_vector
+from arrangement.counts import f_vector, region_count
 from equilibrium import read_grasp, solve
 planes = Arrangement([[1, 0, 0], [0, 1, 0], [0, 0, 1]])
 assert tuple(f_vector(planes)) == tuple(planes.f_vector) == (1, 6, 12, 8)
+five = Arrangement([[int(i == j) for i in range(5)] for j in range(5)] + [[1] * 5])
+assert tuple(f_vector(five)) == tuple(five.f_vector) and region_count(five) == 62
 grasp = read_grasp("paper-three-contacts-preload-1")
 assert solve(grasp, (0, 1, 0)) and not solve(grasp, (0, 50, 0))
 assert solve(grasp, (0, 50, 0)).certificate.verify()
@@ -235,6 +237,7 @@ ANNEXES = {
     "contact modes": ("equilibrium/modes.py",),
     "census": ("arrangement/library/census",),
     "workshop of the census": ("arrangement/library/census/workshop",),
+    "counting by classes": ("arrangement/counts/classes",),
     "families": ("arrangement/library/families",),
     "formats of others": ("arrangement/library/files/others",),
     "labs": ("arrangement/pictures/lab", "equilibrium/pictures/lab"),

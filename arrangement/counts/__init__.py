@@ -4,7 +4,6 @@ Independent of every enumerator by construction: this package works by spans of 
 imports nothing but errors, exact numbers and planes. So its counts can certify an enumeration.
 """
 
-from .classes.symmetric import first_whitney_numbers as first_whitney_numbers
 from .lattice import (
     Flat as Flat,
     IntersectionLattice as IntersectionLattice,
@@ -41,6 +40,7 @@ from .whitney import (
     characteristic_polynomial as characteristic_polynomial,
     doubly_indexed_whitney_numbers as doubly_indexed_whitney_numbers,
     f_vector as f_vector,
+    first_whitney_numbers as first_whitney_numbers,
     fukuda_bound as fukuda_bound,
     region_count as region_count,
     whitney_numbers as whitney_numbers,
