@@ -7,6 +7,7 @@ import re
 import shutil
 import subprocess
 import sys
+from graphlib import TopologicalSorter
 from pathlib import Path
 
 import pytest
@@ -216,12 +217,14 @@ def test_certificates_are_read_and_checked_without_numpy():
 #: Runs where a part of the packages is gone: three planes have (1, 6, 12, 8) faces.
 REST = """
 from arrangement import Arrangement
+from arrangement.cli import main
 from arrangement.counts import f_vector, region_count
 from equilibrium import read_grasp, solve
 planes = Arrangement([[1, 0, 0], [0, 1, 0], [0, 0, 1]])
 assert tuple(f_vector(planes)) == tuple(planes.f_vector) == (1, 6, 12, 8)
 five = Arrangement([[int(i == j) for i in range(5)] for j in range(5)] + [[1] * 5])
 assert tuple(f_vector(five)) == tuple(five.f_vector) and region_count(five) == 62
+assert main(["count", "braid-a3"]) == 0
 grasp = read_grasp("paper-three-contacts-preload-1")
 assert solve(grasp, (0, 1, 0)) and not solve(grasp, (0, 50, 0))
 assert solve(grasp, (0, 50, 0)).certificate.verify()
@@ -254,6 +257,44 @@ def test_the_rest_counts_and_decides_without(annex, tmp_path):
     command = [sys.executable, "-c", REST]
     environment = {**os.environ, "PYTHONPATH": str(tmp_path)}
     subprocess.run(command, cwd=tmp_path, env=environment, timeout=120, check=True)
+
+
+def imported_at_once(path):
+    """Yield the modules that are imported when a file is; what functions import comes later."""
+    package = path.relative_to(ROOT).parent.parts
+    waiting = [*ast.parse(path.read_text("utf-8")).body]
+    while waiting:
+        node = waiting.pop()
+        if isinstance(node, ast.ImportFrom):
+            above = package[: len(package) - node.level + 1] if node.level else ()
+            module = ".".join([*above, *filter(None, [node.module])])
+            yield from (f"{module}.{name.name}" for name in node.names)
+        elif isinstance(node, ast.Import):
+            yield from (f"{name.name}." for name in node.names)
+        elif not (isinstance(node, ast.If) and ast.unparse(node.test) == "TYPE_CHECKING"):
+            waiting += [] if isinstance(node, ast.FunctionDef) else ast.iter_child_nodes(node)
+
+
+def test_no_circles_among_the_files_and_rooms_of_a_folder():
+    arrows = 0
+    for folder in {path.parent for package in PACKAGES for path in (ROOT / package).rglob("*.py")}:
+        room = ".".join(folder.relative_to(ROOT).parts) + "."
+        files = [p for p in folder.glob("*.py") if p.stem not in ("__init__", "__main__")]
+        parts = {p.stem: [p] for p in files}
+        parts |= {p.name: [*p.rglob("*.py")] for p in folder.iterdir() if p.is_dir()}
+        above = {
+            name: {
+                module[len(room) :].split(".")[0]
+                for path in paths
+                for module in imported_at_once(path)
+                if module.startswith(room)
+            }
+            & (parts.keys() - {name})
+            for name, paths in parts.items()
+        }
+        list(TopologicalSorter(above).static_order())  # raises CycleError
+        arrows += sum(map(len, above.values()))
+    assert arrows > 400
 
 
 def test_no_folder_holds_more_than_twelve():

@@ -21,9 +21,6 @@ except ModuleNotFoundError as missing:
         return absent, list, []
 
 
-#: The packages whose modules are never missing for want of an installation.
-_OWN = ("arrangement", "equilibrium", "proofs_check")
-
 #: EX_SOFTWARE of sysexits.h: a fault must never look like a "no".
 FAULT = 70
 
@@ -53,7 +50,7 @@ def fault(error: Exception, argv: Sequence[str] | None) -> int:
         f"error: a fault of the program, no answer: {type(error).__name__}: {what}; please report "
         "it with the command, as CONTRIBUTING.md says (--traceback shows where)"
     )
-    if isinstance(error, ModuleNotFoundError) and (error.name or "").split(".")[0] not in _OWN:
+    if isinstance(error, ModuleNotFoundError):
         text = f"error: no answer: the module {error.name} is missing; install slipstates again"
     if sys.stderr is not None:
         print(text, file=sys.stderr)
