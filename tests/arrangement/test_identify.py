@@ -16,10 +16,7 @@ from arrangement.library import families
 from arrangement.library.census import PUBLISHED, catalogue, census, finschi_fukuda, identify
 from arrangement.library.census.chirotopes import canonical, chirotope_of, extended, triples
 from arrangement.library.census.extensions import extensions
-from arrangement.library.census.final_polynomials import (
-    OrderedProducts,
-    proves_no_coordinates,
-)
+from arrangement.library.census.final_polynomials import OrderedProducts, proves_no_coordinates
 from arrangement.library.census.workshop import generate
 from arrangement.library.census.workshop.proofs import final_polynomial
 

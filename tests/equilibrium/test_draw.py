@@ -288,8 +288,7 @@ def test_lines_of_resisted_forces_tell_their_states():
 
 
 @pytest.mark.parametrize(
-    "grasp",
-    [THREE, THREE.with_preload(1), FOUR, FOUR.with_preload(1), COINCIDENT, HUGE, Grasp([])],
+    "grasp", [THREE, THREE.with_preload(1), FOUR, FOUR.with_preload(1), COINCIDENT, HUGE, Grasp([])]
 )
 def test_region_elements_are_the_exact_pieces_and_borders(grasp):
     region = resisted_region(grasp)
