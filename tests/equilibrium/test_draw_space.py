@@ -12,7 +12,6 @@ import trimesh
 
 from arrangement.drawing.scene.scene import Label, Path as Line, Scene
 from equilibrium import Contact, Grasp, GraspError, Mesh, read_grasp
-from equilibrium.cli import main
 from equilibrium.decide.spatial_verdict import RESISTED, UNDECIDED
 from equilibrium.pictures.grasp.grasp import draw_grasp
 from equilibrium.pictures.grasp.proof import draw_proof
@@ -201,14 +200,3 @@ def test_degenerate_grasps_are_drawn():
     for contacts in ([one], [one, one], [one, Contact((10**30, 0, 0), (0, 1, 0), 1, preload=1)]):
         scene_of(Grasp(contacts))
         grasp_page(Grasp(contacts))
-
-
-def test_the_command_draws_every_kind_of_file(tmp_path, capsys):
-    for suffix in ("svg", "tex", "html", "glb"):
-        path = tmp_path / f"wedge.{suffix}"
-        assert main(["draw", "wedge", "--wrench", "0,0,-1,0,0,0", "-o", str(path)]) == 0
-        assert path.stat().st_size > 1000
-    assert main(["draw", "wedge", "--view", "resist", "-o", str(tmp_path / "a.svg")]) == 2
-    assert "known are" in capsys.readouterr().err
-    assert main(["draw", "wedge", "--tolerance", "1", "-o", str(tmp_path / "a.svg")]) == 2
-    assert not (tmp_path / "a.svg").exists()

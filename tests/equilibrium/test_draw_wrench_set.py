@@ -11,11 +11,10 @@ from arrangement.errors import InputError
 from equilibrium import Contact, GraspError, read_grasp
 from equilibrium.cli.program import main
 from equilibrium.model.grasp import Grasp
-from equilibrium.pictures.parts.window import joint_window
 from equilibrium.pictures.wrenches.wrench_box import WALLS, WrenchBox, wrench_box
 from equilibrium.pictures.wrenches.wrench_page import wrench_set_model, wrench_set_page
 from equilibrium.pictures.wrenches.wrench_set import draw_wrench_set
-from equilibrium.wrench_sets import resisted_region, resisted_set
+from equilibrium.wrench_sets import resisted_set
 from tests.drawn import offences
 from tests.instances import PLANAR
 
@@ -123,8 +122,3 @@ def test_a_full_box_says_that_every_wrench_in_it_is_resisted():
         texts = [item.text for item in scene.items if isinstance(item, Label)]
         assert any("every wrench in the box" in text for text in texts) == full
         assert ("resisted wrenches" in texts) != full
-
-
-def test_resisted_lines_through_the_origin_stand_in_the_middle():
-    window = joint_window([resisted_region(read_grasp("single-contact"))], pieces=True)
-    assert not any(window.centre)

@@ -47,12 +47,6 @@ def test_a_grasp_is_drawn_with_its_equilibrium_or_the_proof_that_there_is_none()
     assert "force-2" not in refused
 
 
-def test_other_things_are_not_drawn():
-    others = (generic(3, affine=True).to_dict(), generic(3, 4).to_dict(), {"something": 1}, None)
-    for instance in others:
-        assert drawn(dict(instance) if instance else None) == []
-
-
 @pytest.mark.skipif(shutil.which("git") is None, reason="needs git")
 def test_the_commit_is_that_of_the_checkout_itself_and_of_no_other(tmp_path, monkeypatch):
     monkeypatch.delenv("GIT_DIR", raising=False)
