@@ -146,8 +146,6 @@ def read_question(document: Any) -> tuple[str, Grasp, RationalVector]:
         raise CertificateError("an enclosure shows that a grasp in space resists")
     if "pyramid" in document and ("enclosure" in document or grasp.dimension != 3):
         raise CertificateError("a pyramid is for a grasp in space, and needs no enclosure")
-    if "pyramid" in document and read_range(document):
-        raise CertificateError("a pyramid has no largest turn and no largest force")
     return kind, grasp, wrench
 
 

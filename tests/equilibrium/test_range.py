@@ -11,7 +11,6 @@ from equilibrium import Contact, Grasp, Solver, check, read_grasp, solve
 from equilibrium.cli.program import main
 from equilibrium.decide.spatial_verdict import solve_in_space
 from equilibrium.grasps.inputs.random import random_grasp, random_wrench
-from equilibrium.model.errors import GraspError
 from equilibrium.model.range import Range
 from equilibrium.pictures.lab.page import DECIDES
 from equilibrium.plane.search.units import unit_of
@@ -157,8 +156,24 @@ def test_a_range_in_space_bounds_magnitudes():
     less = spatial_magnitudes(grasp, along, width="1/100", largest_force=most / 2)
     assert less.verdict == "not resisted"
     assert spatial_magnitudes(grasp, along, width="1/100", largest_force=most).borders
-    with pytest.raises(GraspError, match="round cones"):
-        solve_in_space(grasp, along, pyramid=4, largest_turn=1)
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_pyramids_have_a_range_too(seed):
+    grasp, wrench = random_grasp(3, seed, dimension=3), random_wrench(seed, dimension=3, bound=1)
+    free = solve_in_space(grasp, wrench, pyramid=4)
+    if not free.stable:
+        assert solve_in_space(grasp, wrench, pyramid=4, largest_force=9).verdict == free.verdict
+        return
+    turn = sum(x * x for x in free.solution.motion[3:])
+    force = max(x for x, *_ in free.solution.forces)
+    for largest in ({"largest_turn": turn + 1}, {"largest_force": force}):
+        assert solve_in_space(grasp, wrench, pyramid=4, **largest).stable
+    size = max(map(abs, wrench[:3]))
+    none = solve_in_space(grasp, wrench, pyramid=4, largest_force=size / 100)
+    assert none.verdict == "not resisted"
+    assert none.verify()
+    assert not check({**none.certificate.to_dict(), "largest_force": str(10 * force)})
 
 
 def test_only_large_motions_have_a_warning(capsys):

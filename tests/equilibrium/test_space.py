@@ -687,10 +687,17 @@ def test_many_verdicts_on_pyramids_are_those_of_all_states(m, seeds):
 
 
 class TestPyramids:
-    def test_six_contacts_on_a_ball_that_hold_a_load_are_decided(self):
+    @pytest.mark.parametrize("slanted", [False, True])
+    def test_six_contacts_on_a_ball_that_hold_a_load_are_decided(self, slanted):
         normals = [tuple(s * int(j == k) for j in range(3)) for k in range(3) for s in (1, -1)]
+        if slanted:
+            thirds = [(1, 2, 2), (2, -2, 1), (-2, -1, 2)]
+            normals = [(Fraction(3, 5), Fraction(4, 5), 0), (Fraction(-4, 5), Fraction(3, 5), 0)]
+            normals += [tuple(Fraction(x, 3) for x in n) for n in thirds]
+            normals.append((Fraction(2, 7), Fraction(3, 7), Fraction(-6, 7)))
         ball = Grasp(Contact([-x for x in n], n, "1/2", 1, 1) for n in normals)
-        for load in [(0, 0, -1, 0, 0, 0), ("1/2", "1/3", -1, "1/5", 0, "1/4")]:
+        loads = [(0, 0, -1, 0, 0, 0), ("1/2", "1/3", 1, 0, "1/5", 0), (1, 2, 3, "1/2", -1, 1)]
+        for load in loads:
             for edges in (4, 6, 8):
                 found = solve_in_space(ball, load, pyramid=edges)
                 assert found.stable

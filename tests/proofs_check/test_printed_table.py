@@ -126,36 +126,3 @@ def test_the_table_of_the_lesson_counts_the_verdicts_by_section():
         [section, *(str(counts[section, verdict.value]) for verdict in Verdict)]
         for section in sections
     ]
-
-
-FOLDER = Path(__file__).resolve().parents[2] / "proofs_check" / "formal"
-SOURCES = sorted(FOLDER.glob("*.v"))
-#: What leaves a gap in a proof.
-GAPS = re.compile(
-    r"\b(Admitted|admit|give_up|Abort|Axioms?|Conjectures?|Parameters?|Declare|bypass_check"
-    r"|Unset\s+\w+\s+Checking)\b"
-)
-
-
-@pytest.mark.parametrize("path", SOURCES, ids=lambda path: path.name)
-def test_no_proof_is_left_out(path):
-    assert GAPS.findall(path.read_text(encoding="utf-8")) == []
-
-
-def test_a_gap_would_be_seen():
-    assert GAPS.search("Proof. intros. Admitted.")
-    assert GAPS.search("Unset Guard Checking.")
-
-
-def test_every_source_is_compiled():
-    script = (FOLDER / "build.sh").read_text(encoding="utf-8")
-    (listed,) = re.findall(r"^for file in (.*); do$", script, re.MULTILINE)
-    compiled = {*listed.split(), *re.findall(r"^coqc (\w+)\.v", script, re.MULTILINE)}
-    assert compiled == {path.stem for path in SOURCES}
-    assert len(SOURCES) > 5
-
-
-def test_the_axioms_of_both_theorems_are_printed():
-    theorems = re.findall(r"^Theorem (\w+)", (FOLDER / "Soundness.v").read_text(), re.MULTILINE)
-    printed = re.findall(r"^Print Assumptions (\w+)\.", (FOLDER / "Extract.v").read_text(), re.M)
-    assert theorems == printed == ["not_resisted", "resisted"]
