@@ -120,11 +120,7 @@ PLANTED = [
     ),
     ("proofs_check/routes/rivin.py", "import arrangement.duals.inscribed", "Second routes"),
     ("proofs_check/routes/dual_graph.py", "import arrangement.enumeration", "Second routes"),
-    (
-        "proofs_check/routes/oracle.py",
-        "import arrangement.numbers.exact",
-        "brute-force route",
-    ),
+    ("proofs_check/routes/oracle.py", "import arrangement.numbers.exact", "brute-force route"),
 ]
 
 

@@ -27,10 +27,13 @@ class SpatialContinuation(Continuation):
         self.points, self.cones = contacts, cones
         self.load = np.array([nearest(w) for w in wrench])
         self.scale = motion_scale(contacts, self.load)
-        self.size = float(np.abs(self.load).max() + np.abs(contacts.preload).max(initial=0.0))
+        #: Torques count as forces at a typical distance.
+        self.arms = self.scale / self.scale[0]
+        most = np.abs(self.load * self.arms).max()
+        self.size = float(most + np.abs(contacts.preload).max(initial=0.0))
 
     def _balance(self, motion: Floats, eps: float) -> tuple[Floats, Floats]:
-        """Return the sum of all wrenches, and its derivative."""
+        """Return the sum of all wrenches, in units of force, and its derivative."""
         c = self.points
         force = c.spring[:, 0] + c.spring[:, 1:] @ motion
         ratio, change = self.cones.smooth(c.tangents @ motion, eps)
@@ -43,7 +46,7 @@ class SpatialContinuation(Continuation):
         value = self.load + force @ arm
         jacobian = (arm * touching[:, None]).T @ c.spring[:, 1:]
         jacobian += np.einsum("m,mij,mik->jk", -c.friction * force, c.tangents, turned)
-        return value, jacobian
+        return value * self.arms, jacobian * self.arms[:, None]
 
     def starts(self, count: int) -> Iterator[Floats]:
         """Yield motions to start from: none, then small random ones, the same on every run."""

@@ -85,7 +85,8 @@ class Leaves:
 
     def leaf(self, states: Sequence[State], ray: Ray) -> Any | None:
         """Return a leaf near a dual ray, or None where rounding finds none."""
-        largest = float(np.abs(ray.virtual).max())
+        arm = 2.0 ** round(math.log2(self.contacts.length))
+        largest = float(np.abs(ray.virtual * [1, 1, 1, arm, arm, arm]).max())
         if not 0 < largest < math.inf or not np.isfinite(ray.multipliers).all():
             return None
         turns: list[IntegerVector] = []
@@ -101,7 +102,9 @@ class Leaves:
                 columns = turns + [self.each[i].columns[j] for i, j in places]
                 pinned = self._pinned(states, ray, kept, nothing)
             unit = fine / largest
-            motion = _rounded(pinned, [float(x) * unit for x in ray.virtual])
+            # Turns are multiples of one over the length: the unit of length makes no difference.
+            unit, steps = unit * max(1.0, arm), [max(1.0, arm)] * 3 + [max(1.0, 1 / arm)] * 3
+            motion = _rounded(pinned, [x * unit for x in ray.virtual.tolist()], steps)
             listed = [*(ray.turn if turns else ()), *(ray.multipliers[place] for place in places)]
             values, scale = _cancelled(columns, [round(float(x) * unit) for x in listed])
             pushed = np.flatnonzero(ray.forces > nothing * largest).tolist()
@@ -196,9 +199,13 @@ def _cancelled(columns: Sequence[IntegerVector], values: list[int]) -> tuple[lis
     raise AssertionError("nothing is left over where all columns are in use")
 
 
-def _rounded(rows: list[IntegerVector], motion: list[float]) -> Sequence[Fraction | int]:
-    """Return a motion near a given one on which all rows are exactly 0."""
-    found: list[Fraction | int] = [round(x) for x in motion]
+def _rounded(
+    rows: list[IntegerVector], motion: list[float], steps: list[float]
+) -> Sequence[Fraction | int]:
+    """Return a motion of multiples of steps near a given one, on which all rows are exactly 0."""
+    found: list[Fraction | int] = [
+        int(step) * round(x / step) for x, step in zip(motion, steps, strict=True)
+    ]
     # Pivots go to the entries that come first: the largest stay as they are.
     order = sorted(range(6), key=lambda j: abs(motion[j]))
     reduced, pivots, scale = gauss_jordan([[row[j] for j in order] for row in rows])

@@ -171,15 +171,6 @@ def test_a_plane_taken_away_leaves_the_arrangement_of_the_others(name, browser, 
     assert browser.messages() == []
 
 
-def test_signs_of_absent_planes_are_dots(browser, opened):
-    opened("coordinate-planes", direction=(1, 1, 1))
-    untick(browser, 1)
-    browser.pointer("mouseMoved", *centre(browser, "#sphere .ball"))
-    told = facts(browser)
-    assert told["signs"] == "+·+"
-    assert vector(told["dual vertex, normals as given"]) == (1, 0, 1)
-
-
 def shapes(browser: Browser) -> list[str]:
     return [
         browser.run(f"return document.getElementById('{view}').innerHTML")

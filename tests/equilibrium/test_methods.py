@@ -68,13 +68,7 @@ def wrench_space(grasp, wrench):
             for k in ("1/1000", 1, 1000)
         ),
         # Section VI: better than linear compliance, and still too conservative.
-        (
-            frictionless_slip,
-            THREE,
-            [(0, -1, 0), (0, -100, 0), (3, -1, 0), (-7, 0, 0)],
-            {},
-            True,
-        ),
+        (frictionless_slip, THREE, [(0, -1, 0), (0, -100, 0), (3, -1, 0), (-7, 0, 0)], {}, True),
         # The refusal of the preloaded grasp needs that a pressed contact is not detached.
         (frictionless_slip, LOADED, [(0, 1, 0)], {**REST, "gap": False}, True),
         # Without friction at rest soft tangential springs hold.

@@ -227,24 +227,29 @@ def test_the_checker_of_the_page_refuses_a_range():
     assert "knows no range" in done.stdout
 
 
+@pytest.mark.parametrize("dimension", [2, 3])
 @pytest.mark.parametrize("length", [Fraction(3, 100), Fraction(1, 3), Fraction(1000)])
-def test_units_change_no_verdict_and_little_of_the_proof(length):
-    for seed in (1, 2, 7):
-        grasp, wrench = random_grasp(4, seed), random_wrench(seed)
+def test_units_change_no_verdict_and_no_size_of_the_proof(length, dimension):
+    for seed in (0, 1, 2, 7):
+        grasp = random_grasp(4 if dimension == 2 else 6, seed, dimension=dimension)
+        wrench = random_wrench(seed, dimension=dimension, bound=1)
         points = [tuple(length * x for x in c.point) for c in grasp]
         moved = Grasp(
             Contact(p, c.normal, c.friction, 100 * c.stiffness, 10 * c.preload)
             for p, c in zip(points, grasp, strict=True)
         )
-        x, y, torque = (10 * w for w in wrench)
-        one, other = solve(grasp, wrench), solve(moved, (x, y, length * torque))
+        load = [10 * w * (1 if j < dimension else length) for j, w in enumerate(wrench)]
+        one, other = solve(grasp, wrench), solve(moved, load)
         assert one.stable == other.stable
+        assert 0 <= one.verify().leaves == other.verify().leaves
         assert one.verify()
         assert other.verify()
 
 
-def test_a_unit_is_a_power_of_two():
+def test_a_unit_is_the_largest_number_or_a_power_of_two_near_a_long_one():
     for number in (Fraction(1), Fraction(3, 100), Fraction(-7, 5), Fraction(10**9, 7)):
+        assert unit_of([number, number / 3]) == abs(number)
+        number += Fraction(1, 3**50)
         unit = unit_of([number, number / 3])
         assert 1 <= abs(number) / unit < 2
         assert (

@@ -272,10 +272,7 @@ class TestPlanes:
             (lambda d: d["wrench"].__setitem__(3, "1"), "load does not lie"),
             (lambda d: d["wrench"].__setitem__(4, "1"), "load does not lie"),
             (lambda d: d["grasp"]["contacts"][0]["point"].__setitem__(2, "1"), "contacts do not"),
-            (
-                lambda d: d["grasp"]["contacts"][0].update(normal=["0", "0", "1"]),
-                "contacts do not",
-            ),
+            (lambda d: d["grasp"]["contacts"][0].update(normal=["0", "0", "1"]), "contacts do not"),
         ],
     )
     def test_a_proof_of_another_plane_is_refused(self, change, words):
@@ -562,10 +559,7 @@ def states_of_pyramid(contact, edges):
         face = (none, (mu * side @ edges[j], *side), 0)
         yield (
             [spring, (across @ along, (0, 0, 0), 0), face],
-            [
-                *attached,
-                (side @ along, (0, 0, 0), 0),
-            ],
+            [*attached, (side @ along, (0, 0, 0), 0)],
         )
         before, edge = sides[j - 1], edges[j]
         turned = [np.array([-before[1], before[0]]), np.array([side[1], -side[0]])]
