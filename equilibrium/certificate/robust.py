@@ -34,7 +34,7 @@ from functools import cache
 from itertools import product
 from typing import Any, NamedTuple
 
-from arrangement.console.short_repr import Shown
+from arrangement.console.number_form import Shown
 from arrangement.library.files.json_files import check_keys, check_list
 from arrangement.numbers.exact import (
     IntegerVector,

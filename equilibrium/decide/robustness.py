@@ -17,7 +17,7 @@ from itertools import islice
 from random import Random
 from typing import Any, TypeAlias
 
-from arrangement.console.short_repr import Shown
+from arrangement.console.number_form import Shown
 from arrangement.numbers.exact import RationalVector, to_text
 from equilibrium.certificate.document import Certificate, bounded_certificate
 from equilibrium.certificate.robust import Bounds
