@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any, TypeAlias
 from arrangement.console import terminal
 from arrangement.numbers import budget
 from arrangement.numbers.exact import RationalVector, to_text
+from equilibrium.model.data_error import AS_ROUNDED
 from equilibrium.model.errors import GraspError
 
 if TYPE_CHECKING:
@@ -260,6 +261,8 @@ def show(
         yes: None is undecided.
     """
     units = None if grasp is None else grasp.units
+    if grasp is not None and grasp.data_error and not {"within_error", "robust"} & document.keys():
+        document, lines = document | {"as_rounded": True}, [*lines, AS_ROUNDED]
     if arguments.json:
         stated = {"units": units.to_dict()} if units and "grasp" not in document else {}
         terminal.print_json({**document, **stated})

@@ -293,11 +293,6 @@ def _verify(arguments: argparse.Namespace) -> int:
     lines = [f"{said} (by the {speaker} checker)", *report.question[: _MOST_LINES * known]]
     more = len(report.grasp) + 1 - _MOST_LINES
     lines += [f"... and {more} contacts more; --json has all"] * (more > 0)
-    if report.grasp.data_error is not None and report.bounds is None:
-        lines.append(
-            "the data were converted; this is about the grasp as it was rounded, and solve asks "
-            "about other roundings"
-        )
     if not report.compared:
         lines.append("compared with no question: --grasp FILE --wrench W say what it should prove")
     shown = {**document, "checker": speaker.lower()}

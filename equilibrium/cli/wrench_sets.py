@@ -219,14 +219,18 @@ def _margin(arguments: argparse.Namespace) -> int:
     friction = least_friction(solver, wrench, arguments.width)
     remedies = {"preload": preloads.to_dict(), "friction": friction.to_dict()}
     more, again = _rounded(solver, found.magnitudes) if any(wrench) else ({}, [])
+    doubt = grasp.data_error is not None and solver.solve(wrench).doubt
+    word = "yes" if found.resisted else "no"
+    word += f", as it was rounded; it {doubt}" if doubt else ""
+    yes = None if doubt else found.resisted
     lines = [
-        f"resisted: {'yes' if found.resisted else 'no'}",
+        f"resisted: {word}",
         f"resisted when scaled by a factor in {_intervals(found.intervals)}",
         *again,
         f"resisted with a uniform preload in {_intervals(preloads.intervals)}" + _force(grasp),
         "least uniform friction: " + _friction(friction.low, friction.high),
     ]
-    return show(arguments, found.to_dict() | more | remedies, lines, found.resisted, grasp)
+    return show(arguments, found.to_dict() | more | remedies, lines, yes, grasp)
 
 
 def _map(arguments: argparse.Namespace) -> int:

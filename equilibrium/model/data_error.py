@@ -12,6 +12,9 @@ from arrangement.numbers.exact import rational, shown, to_text
 
 from .errors import GraspError
 
+#: What is said of answers about one grasp, where its data were converted.
+AS_ROUNDED = "as the data were rounded; `equilibrium solve` asks about others within their error"
+
 
 @dataclass(frozen=True, repr=False)
 class DataError(Shown):

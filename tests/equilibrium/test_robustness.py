@@ -129,6 +129,21 @@ def test_the_error_of_the_data_goes_along_in_files(tmp_path, capsys):
     assert document["within_error"]["turned"]["verdict"] == "not resisted"
 
 
+@pytest.mark.parametrize(
+    ("command", "code", "words"),
+    [
+        (["compare", "--wrench", "0", "0", "1"], 3, "depends on the rounding"),
+        (["margin", "--wrench", "0", "0", "1"], 3, "yes, as it was rounded; it depends on"),
+        (["region"], 0, "as the data were rounded"),
+    ],
+)
+def test_answers_about_converted_data_say_so(tmp_path, capsys, command, code, words):
+    path = tmp_path / "loose.json"
+    path.write_text(json.dumps(on_round(as_given=True).grasp.to_dict()))
+    assert main([command[0], str(path), *command[1:]]) == code
+    assert words in capsys.readouterr().out
+
+
 class TestRobust:
     grasp = read_grasp("paper-three-contacts-preload-1")
 

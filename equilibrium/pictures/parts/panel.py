@@ -25,6 +25,7 @@ from arrangement.drawing.scene.scene import (
     checked_width,
 )
 from arrangement.numbers.exact import RationalVector, rational, shown
+from equilibrium.model.data_error import AS_ROUNDED
 from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import Grasp, read_wrench
 from equilibrium.plane.states.state_system import States
@@ -288,6 +289,7 @@ def row_of_panels(
     side = (width * POINTS - LEFT - RIGHT - (columns - 1) * GAP) / columns
     height = rows * (side + ABOVE) + (rows - 1) * GAP / 2 + BELOW
     scene = Scene(width, height / POINTS)
+    explain_error(scene.legend, grasp)
     panels = []
     for i in range(number):
         row, column = divmod(i, columns)
@@ -297,6 +299,12 @@ def row_of_panels(
         panel.rulers(names, units, left=column == 0, below=i + columns >= number)
         panels.append(panel)
     return scene, panels
+
+
+def explain_error(legend: Legend, grasp: Grasp) -> None:
+    """Say that a picture is about one rounding of converted data."""
+    if grasp.data_error is not None:
+        legend.line(AS_ROUNDED)
 
 
 def explain_borders(legend: Legend, regions: Sequence[Region], fades: bool) -> None:

@@ -12,6 +12,7 @@ from arrangement.numbers import budget
 from equilibrium.methods import METHODS, Comparison, compare
 from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import Grasp, read_wrench
+from equilibrium.pictures.parts.panel import explain_error
 from equilibrium.pictures.parts.style import MARKS, symbol, vector
 
 _ROW, _SIDE, _TINT = 4.6 * POINTS, 3.0 * POINTS, "#f3c9a5"
@@ -47,6 +48,7 @@ def draw_methods(grasp: Grasp, *, wrenches: Iterable[Wrench], width: float = 88.
     scene = Scene(width, height / POINTS)
     _paint(scene, [METHODS[name].label for name in names], heads, answers, height - above)
     legend = scene.legend
+    explain_error(legend, grasp)
     legend.key(symbol("accepted"), "accepts")
     legend.key(symbol("refusal"), "refuses")
     if any(entry.accepts is None for answer in answers for entry in answer.answers):

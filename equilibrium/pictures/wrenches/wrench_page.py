@@ -13,6 +13,7 @@ from arrangement.drawing.solids.sight import picture_axes
 from arrangement.drawing.solids.surface import Patch, facets, rounded
 from arrangement.errors import InputError
 from arrangement.numbers.exact import IntegerVector, number_text, primitive
+from equilibrium.model.data_error import AS_ROUNDED
 from equilibrium.model.grasp import Grasp, read_wrench
 from equilibrium.pictures.parts.panel import read_extent
 
@@ -65,7 +66,7 @@ def wrench_set_page(
         title if title is not None else f"Wrenches that {number_of} resist",
         box_text(grasp, box),
         f"{counted(len(box.shapes), 'polyhedron', 'polyhedra')}, one for each choice of contact "
-        "states that is not a part of another",
+        "states that is not a part of another" + (f"; {AS_ROUNDED}" if grasp.data_error else ""),
         picture_axes(box.clear_side),
         math.sqrt(3),
         [node.drawn_as(face) for node in box.tree],

@@ -22,7 +22,7 @@ from arrangement.numbers.exact import IntegerVector, dot
 from equilibrium.model.grasp import Grasp, read_wrench
 from equilibrium.pictures.grasp.grasp import drawn
 from equilibrium.pictures.grasp.layout import layout_of
-from equilibrium.pictures.parts.panel import read_extent
+from equilibrium.pictures.parts.panel import explain_error, read_extent
 from equilibrium.pictures.parts.style import MARKS, symbol, ticks, wrench_text
 from equilibrium.pictures.parts.window import clipped
 
@@ -120,6 +120,7 @@ class _WrenchSetPicture(SolidSheet):
         return self.at(rounded(points))
 
     def _describe(self, legend: Legend, applied: Any) -> None:
+        explain_error(legend, self.grasp)
         if not self.box.shapes:
             legend.line("nothing is resisted")
         legend.line(_maths(box_text(self.grasp, self.box)))
