@@ -38,6 +38,8 @@ _LEAST = Fraction(1, 2**14)
 _AROUND = 12
 #: Sizes of the box around an equilibrium that are tried, in multiples of what its motion needs.
 _FACTORS = (1.15, 1.6, 2.5, 4.0, 8.0)
+#: The least of them, as a share of the largest force.
+_LEAST_REACH = 1e-4
 
 
 def moved(contact: Contact, signs: Iterable[float], bounds: Bounds) -> Contact:
@@ -176,7 +178,7 @@ class Closing:
         else:
             tried = self._virtual(motions / np.abs(motions).max(axis=1)[:, None], loads)
         for virtual in tried:
-            shares = [Fraction(round(2**20 * x), 2**20) for x in virtual / abs(virtual).max()]
+            shares = [Fraction(round(2**30 * x), 2**30) for x in virtual / abs(virtual).max()]
             leaf = tuple(x * Fraction(u) for x, u in zip(shares, self.units.tolist(), strict=True))
             if box.holds(leaf, ranges):
                 return _texts(leaf)
@@ -202,6 +204,7 @@ class Closing:
         rub = np.einsum("muk,mvkn->mvun", self._slips(motions), self.tangent)
         forces = (self.normal[:, :, None] - self.friction[..., None, None] * rub) * self.units
         attached = spring.min(axis=(1, 2), initial=np.inf) >= 0
+        ways = forces.shape[1] * forces.shape[2]
         spring = np.maximum(spring, 0)
         base = self.wrench * self.units * share[:, None]
         unit = np.abs(base).max() + np.abs(forces).max(initial=0) * spring.max(initial=0) or 1.0
@@ -210,7 +213,7 @@ class Closing:
         owners: list[Any] = [None] * known
         virtual, weights, each = np.ones(self.n), np.zeros(0), np.arange(m)[:, None]
         for step in range(_STEPS):
-            work = ((forces @ virtual)[..., None] * spring[:, :, None]).reshape(m, -1, len(share))
+            work = ((forces @ virtual)[..., None] * spring[:, :, None]).reshape(m, ways, len(share))
             chosen = work.argmin(axis=1)
             sample, way = np.divmod(chosen, forces.shape[2])
             used = attached[:, None] | (np.take_along_axis(work, chosen[:, None], 1)[:, 0] < 0)
@@ -302,6 +305,9 @@ class Closing:
             spring = self.preload[i] - self.stiffness[i] * (self.normal[i] @ centre)
             whole = spring[:, None] * force
             changes.append(whole - whole.mean(axis=0))
+        force = np.abs(self.wrench * units).max() + max(
+            float(max(map(abs, f))) for f in found.solution.forces
+        )
         count, scaled = len(pillars), pillars * units
         free = np.linalg.svd(scaled)[2][count:] * units if count else np.diag(units)
         axes = np.vstack([(np.linalg.pinv(scaled) * units[:, None]).T, free])
@@ -310,7 +316,8 @@ class Closing:
             ways = np.linalg.inv(loads).T
             spread = np.concatenate([np.zeros((1, n)), *changes]) @ ways[count:].T
             sizes, turned = np.linalg.eigh(spread.T @ spread)
-            turned = turned * np.sqrt(np.maximum(sizes, 1e-6 * sizes.max(initial=0) + 1e-30))
+            most = sizes.max(initial=0)
+            turned = turned * np.sqrt(np.maximum(sizes, 1e-6 * most) if most > 0 else 1.0)
             axes[count:], loads[count:] = turned.T @ axes[count:], turned.T @ loads[count:]
             ways = np.linalg.inv(loads).T
         except np.linalg.LinAlgError:
@@ -318,18 +325,13 @@ class Closing:
         self.ways = [sign * way for way in ways for sign in (1, -1)]
         axes[:count] -= (axes[:count] @ slopes.T @ ways[count:].T) @ axes[count:]
         need = sum((np.abs(change @ ways.T).max(axis=0) for change in changes), np.zeros(n))
-        force = np.abs(self.wrench * units).max() + max(
-            float(max(map(abs, f))) for f in found.solution.forces
-        )
+        least = _LEAST_REACH * force / np.linalg.norm(loads * units, axis=1)
+        pressed = np.linalg.norm(axes[:count] @ slopes.T * units, axis=1)
+        thin = 2e-5 * force / np.maximum(pressed, 1e-9)
         for factor in _FACTORS:
-            reach = factor * need + 1e-9 * force
-            soft = (
-                2e-5
-                * force
-                / np.maximum(np.linalg.norm(axes[:count] @ slopes.T * units, axis=1), 1e-9)
-            )
-            soft = np.minimum(soft, 1e-4 * reach[count:].min(initial=np.inf))
-            reach[:count] = np.maximum(factor * np.array(bent), soft)
+            reach = factor * (need + least)
+            slim = np.minimum(thin, 1e-4 * reach[count:].min(initial=np.inf))
+            reach[:count] = np.maximum(factor * np.array(bent), slim)
             yield {
                 "centre": _dyadic(centre),
                 "axes": [_dyadic(row) for row in axes * reach[:, None]],
@@ -354,7 +356,7 @@ class Closing:
         turned = np.linalg.eigh(np.einsum("mvi,mvj->ij", changes, changes))[1]
         need = np.abs(changes @ turned).max(axis=1).sum(axis=0)
         for factor in _FACTORS[:3]:
-            reach = factor * np.maximum(need, 1e-3 * max(need.max(), float(most.max())))
+            reach = factor * (need + _LEAST_REACH * float(most.max()))
             loads = (turned * reach).T
             pulls = (np.linalg.pinv(rows.T) @ loads.T).T * most
             yield {

@@ -254,7 +254,7 @@ def within_error(found: Any, solve: Solve) -> WithinError:
         GraspError: the grasp was not converted.
     """
     bounds, every = _error_bounds(found.grasp)
-    if every and not found.within and getattr(found, "pyramid", None) is None:
+    if every and found.verdict != OPEN and _may_be_proved(found):
         proof = _proof(found, Closing(found, bounds, _PROOF))
         if proof is not None:
             return WithinError(found.verdict, 0, 0, certificate=proof)
@@ -314,7 +314,7 @@ def robust(found: Any, bounds: Bounds, solve: Solve) -> Robustness:
     Raises:
         GraspError: the verdict is about a range of motions and forces, or about pyramids.
     """
-    if found.within or getattr(found, "pyramid", None) is not None:
+    if not _may_be_proved(found):
         raise GraspError(
             "whether a verdict holds for all grasps is decided without a largest turn or force, "
             "and in space for round cones; leave these out"
@@ -331,6 +331,11 @@ def robust(found: Any, bounds: Bounds, solve: Solve) -> Robustness:
         if turned is not None and turned.verdict != name:
             return Robustness(FAILS, name, bounds, *_nearest(found, turned, solve))
     return Robustness(OPEN, name, bounds)
+
+
+def _may_be_proved(found: Any) -> bool:
+    """Return whether there are proofs for all grasps about such a question."""
+    return not found.within and getattr(found, "pyramid", None) is None
 
 
 def _proof(found: Any, search: Closing) -> Certificate | None:
