@@ -273,6 +273,8 @@ class Closing:
         the others none of these slips, and the loads are the changes of all forces. The others are
         turned so that what samples change at the equilibrium is spread evenly over them.
         """
+        if not len(self.grasp):
+            return
         if not any(self.found.solution.motion):
             yield from self._rests()
         found, n, units = self.found, self.n, self.units
@@ -345,7 +347,7 @@ class Closing:
         across = np.array([c.tangential_wrenches for c in self.grasp], float).reshape(m, -1, n)
         rows = (across * limits[:, None, None]).reshape(-1, n) * units
         pressed = sum(float(c.preload) * np.array(c.normal_wrench, float) for c in self.grasp)
-        if not m or np.linalg.matrix_rank(rows) < n:
+        if np.linalg.matrix_rank(rows) < n:
             return
         most = np.repeat(limits, self.d - 1)
         shares = -np.linalg.pinv(rows.T) @ ((pressed + self.wrench) * units)

@@ -213,6 +213,10 @@ class TestRobust:
         assert pulled.answer == "holds"
         assert pulled.certificate.verify().kind == "not resisted"
 
+    def test_without_contacts_only_a_no_is_proved(self):
+        assert solve(Grasp(), (0, 1, 0)).robust(degrees=1)
+        assert solve(Grasp(), (0, 0, 0)).robust(degrees=1).answer == "undecided"
+
     def test_a_verdict_in_a_range_or_with_pyramids_is_not_asked_for_all(self):
         from equilibrium.decide.spatial_verdict import solve_in_space
 
