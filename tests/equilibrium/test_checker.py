@@ -310,6 +310,8 @@ def test_the_bounds_of_a_leaf_are_exact(cases, kinds):
         (("1/4", 0), 1, {"turn": ["1", "-1"]}, -1, True),
         (("1/4", 0), 1, {"turn": ["4/5", "1"]}, 1, False),
         (("1/4", 0), 1, {"turn": ["-1", "1"]}, 1, False),
+        (("1/4", 0), 1, {"turn": ["0", "0"], "forces": {"0": "0"}}, 1, True),
+        (("1/4", 0), 1, {"turn": ["1/2", "1/2"]}, 1, True),
         # The contacts take 1 each, unless rho makes up for it at a price of F.
         ((0, "1/7"), -1, {"forces": {"0": "1", "1": "1"}}, 1, True),
         ((0, "1/6"), -1, {"forces": {"0": "1", "1": "1"}}, 1, False),
