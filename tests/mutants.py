@@ -125,6 +125,7 @@ MAX_DEPTH = 300
     300 -> 301 | 300 -> 299 | a limit that was chosen; the tests follow it
 if given is None and (state == "detached" or (state is None and max(e) <= 0)):
     LtE -> Lt | 0 -> -1 | where max(e) is 0, kappa max(0, e) is 0 as well
+    dropped: state is None and max(e) <= 0 | where max(e) <= 0, kappa max(0, e) is 0 as well
 elif kappa < 0:
     Lt -> LtE | 0 -> 1 | kappa is an integer, and kappa = 0 adds 0
 contact, due = split.at[0], "attached" if split.kind == "slip" else "undecided"

@@ -281,6 +281,37 @@ def test_the_bound_over_a_field_is_that_of_norms() -> None:
     assert ModularVectors([(100, 0), (0, 100), (1, g)], 2).hadamard_bound >= 100**4
 
 
+@pytest.mark.parametrize("size", [1, 300, 10**6, 10**12, "sqrt 5"])
+@pytest.mark.parametrize("rank", [1, 2])
+def test_covers_are_the_flats_above_also_in_other_coordinates(rank: int, size: int | str) -> None:
+    """Small vectors, and the same ones times a matrix; the flats by ranks in floats."""
+    small = np.array([x for x in itertools.product((0, 1, -1), repeat=4) if x > (0,) * 4])[::2]
+    g = NumberField([-1, -1, 1], [1, 2]).root if size == "sqrt 5" else size
+    matrix = np.array([[1, g, 2, g], [0, 1, g, 3], [0, 0, 1, g], [0, 0, 0, 1]], dtype=object)
+    vectors = ModularVectors([tuple(row) for row in small.astype(object) @ matrix], 4)
+    bases = np.array([*itertools.combinations(range(len(small)), rank)])[:: 4**rank]
+
+    def inside(*rows: int) -> list[bool]:
+        return [np.linalg.matrix_rank(small[[*rows, k]]) == len(rows) for k in range(len(small))]
+
+    members = np.array([inside(*base) for base in bases])
+    found, due = vectors.covers(bases, members), []
+    for i, (base, has) in enumerate(zip(bases, members, strict=True)):
+        above = {tuple(np.flatnonzero(inside(*base, k) & ~has)) for k in np.flatnonzero(~has)}
+        due += [(i, planes) for planes in above]
+    for covers, listed in (
+        (found, due),
+        (found.without(2), [row for row in due if 2 not in row[1]]),
+    ):
+        rows = [[] for _ in covers.below]
+        for cover, member in zip(covers.cover, covers.member, strict=True):
+            rows[cover].append(member)
+        planes = [tuple(sorted(row)) for row in rows]
+        assert sorted(zip(covers.below.tolist(), planes, strict=True)) == sorted(listed)
+        assert covers.added.tolist() == list(map(len, planes))
+        assert covers.plane.tolist() == [row[0] for row in planes]
+
+
 @pytest.mark.parametrize("bits", [25, 26])
 def test_quotients_are_linear_where_sums_leave_doubles_and_before(bits: int) -> None:
     rank, prime = 3, sympy.prevprime(2**bits)
