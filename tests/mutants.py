@@ -191,6 +191,38 @@ used = np.flatnonzero(np.abs(found.x) > _TINY)
 swaps = sum(x > y for x, y in itertools.combinations(bracket, 2))
     Gt -> GtE | the three are distinct
     Gt -> Lt | each product has two brackets, and the sign of both changes
+[modular]
+_INT64_BITS, _DOUBLE_BITS = 63, 53
+    53 -> 52 | integers are taken where doubles would do
+bound: int = isqrt(prod(squares[: self.rank])) + 1
+    1 -> 2 | a larger bound
+lead[members] = 1
+    1 -> 2 | what members get is not read
+if len(values) < 32:
+    Lt -> LtE | 32 -> 33 | 32 -> 31 | where the recursion ends was chosen
+prime = nextprime(self.hadamard_bound) if self.hadamard_bound < largest else largest
+    Lt -> LtE | what lies beyond the largest is not taken
+while prime < largest and not self._has_image(prime):
+    Lt -> LtE | the largest is not taken
+if prime < largest:
+    Lt -> LtE | sums of the largest one fit, too
+while prod(primes) <= self.hadamard_bound:
+    LtE -> Lt | the bound is above every minor
+radix = 1
+    1 -> 2 | labels are ranked sooner by a bit
+size = prime if place else 2
+    2 -> 3 | labels are ranked sooner
+if radix * size >= 1 << (_INT64_BITS - self.index_bits):
+    GtE -> Gt | labels are below the radix
+labels = labels * size + coordinate
+    Add -> Sub | as different for different coordinates
+columns = forms.transpose(2, 0, 1).reshape(-1, rank)
+    1 -> 2 | numpy takes any negative length as the one to work out
+return _modulo(images, prime).reshape(-1, count, self.count)
+    1 -> 2 | numpy takes any negative length as the one to work out
+if rank * prime**2 < 1 << _DOUBLE_BITS:  # then sums of doubles are exact
+    Lt -> LtE | no multiple of an odd square is a power of two
+    1 -> 0 | integers are taken where doubles would do
 [lowrank]
 return _keep(_flats_only(_concatenate(groups), m), lambda g: g.first > g.row)
     Gt -> GtE | a plane is in no group of its own row

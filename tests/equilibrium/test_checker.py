@@ -323,6 +323,13 @@ def test_a_region_on_one_side_of_slip_has_one_friction_and_multipliers_their_sig
     asked = grasp, load, ["0", "1", "0"], region, dict[int, str]()
     assert leaf_holds(*asked)
     assert judge.leaf_holds(*asked)
+    # One that is undecided takes nothing where its spring would pull; another gives slip its work.
+    both = Grasp([*grasp, Contact((0, 0), (0, -1), 1, 1, 1)])
+    leaf = {"virtual_motion": ["0", "-2", "0"], "multipliers": {"1": ["0", "1"]}}
+    region = [[Fraction(x) for x in row] for row in ((1, -2, 2, 0), *[(1, 3, 0, 0)] * 3)]
+    asked = both, load, leaf, region, {1: "stick"}
+    assert not leaf_holds(*asked)
+    assert not judge.leaf_holds(*asked)
 
 
 @pytest.mark.parametrize(
@@ -333,6 +340,7 @@ def test_a_region_on_one_side_of_slip_has_one_friction_and_multipliers_their_sig
         (("1/3", 0), 1, {"turn": ["1", "1"]}, 1, False),
         (("1/4", 0), 1, {"turn": ["1", "1"]}, -1, False),
         (("1/4", 0), 1, {"turn": ["1", "-1"]}, -1, True),
+        (("1/4", 0), 1, {"turn": ["1", "-1"]}, 1, False),
         (("1/4", 0), 1, {"turn": ["4/5", "1"]}, 1, False),
         (("1/4", 0), 1, {"turn": ["-1", "1"]}, 1, False),
         (("1/4", 0), 1, {"turn": ["0", "0"], "forces": {"0": "0"}}, 1, True),
@@ -737,10 +745,13 @@ def test_another_question_is_refused(documents):
         softer = [
             replace(c, friction=c.friction + hair) if not i else c for i, c in enumerate(grasp)
         ]
+        moved = [replace(c, point=(c.point[0], c.point[1] + 1)) for c in grasp]
+        place = vector_text(next(iter(grasp)).point)
         for other, words in (
             ((grasp, (*wrench[:2], wrench[2] + 1)), "another wrench: it is ("),
             ((grasp, (*wrench[:2], wrench[2] + hair)), "(1/1" + 50 * "0" + " apart)"),
             ((Grasp(), wrench), f"{len(grasp)} contacts in 2 dimensions, and asked was one with 0"),
+            ((Grasp(moved), wrench), f"another grasp: point of contact 1 is {place}, and"),
             (
                 (Grasp(softer), wrench),
                 f"another grasp: friction of contact 1 is {next(iter(grasp)).friction}",
