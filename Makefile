@@ -1,7 +1,7 @@
 # Each target creates .venv on first use and installs again when pyproject.toml or
 # constraints.txt change. PYTHON=... picks the interpreter, ARGS=... goes to pytest.
 
-.PHONY: help install verify test campaign lint types scripts check mutants bench docs docs-check notebooks package-check formal clean
+.PHONY: help install verify test campaign lint types scripts check mutants census bench docs docs-check notebooks package-check formal clean
 .DEFAULT_GOAL := help
 .DELETE_ON_ERROR:
 
@@ -26,12 +26,13 @@ help:
 	@echo "make scripts  types and lint of the JavaScript of the pages, with tools from npm"
 	@echo "make check    all that must be true of a commit: lint, types, tests, docs"
 	@echo "make mutants  plant small faults in checker, predicates and solver; list those no test notices"
+	@echo "make census   make the lists of types again: ARGS='9 -o types9.npz'"
 	@echo "make bench    measure speed"
 	@echo "make docs     build the documentation in docs/_build/html"
 	@echo "make docs-check  build it and open every page in headless Chromium"
 	@echo "make notebooks  the lessons as notebooks in docs/_build/notebooks, each run from top to bottom"
 	@echo "make package-check  build the packages and try them in empty environments"
-	@echo "make formal   compile the Coq proofs of the certificate checker, build it and compare it"
+	@echo "make formal   compile the Coq proofs of checker and counts, build the program and compare it"
 	@echo "make clean    remove what the targets made"
 	@echo "PYTHON=python3.12 picks the interpreter, ARGS='-k faces' goes to pytest."
 	@echo "Scripts are checked where npm is; JAVASCRIPT_CHECKS=1 demands it."
@@ -57,7 +58,7 @@ $(VENV)/.stamp-run: pyproject.toml constraints.txt | $(BIN)/python
 
 $(VENV)/.stamp-install: pyproject.toml constraints.txt | $(BIN)/python
 	@echo "installing the package with the extras for pictures and large graphs"
-	@$(INSTALL) '.[figures,igraph]'
+	@$(INSTALL) '.[figures]'
 	@touch $@ $(VENV)/.stamp-run
 
 $(VENV)/.stamp-test: pyproject.toml constraints.txt | $(BIN)/python
@@ -72,7 +73,7 @@ $(VENV)/.stamp-docs: pyproject.toml constraints.txt | $(BIN)/python
 
 $(VENV)/.stamp-check: pyproject.toml constraints.txt | $(BIN)/python
 	@echo "installing the package and all of its development tools"
-	@$(INSTALL) '.[test,lint,docs,figures,igraph,package]'
+	@$(INSTALL) '.[test,lint,docs,figures,package]'
 	@touch $@ $(VENV)/.stamp-run $(VENV)/.stamp-test $(VENV)/.stamp-docs $(VENV)/.stamp-package $(VENV)/.stamp-install
 
 $(VENV)/.stamp-package: pyproject.toml constraints.txt | $(BIN)/python
@@ -116,6 +117,9 @@ check: lint types scripts
 mutants: $(VENV)/.stamp-test
 	$(BIN)/python tests/mutants.py --jobs $(JOBS) $(ARGS)
 
+census: $(VENV)/.stamp-test
+	$(BIN)/python -m arrangement.library.census.workshop $(ARGS)
+
 bench: $(VENV)/.stamp-bench
 	$(BIN)/python tests/benchmarks/run.py $(ARGS)
 
@@ -135,8 +139,9 @@ package-check: $(VENV)/.stamp-package
 formal: $(VENV)/.stamp-test
 	bash proofs_check/formal/build.sh
 	$(BIN)/python tests/formal_agreement.py proofs_check/formal/_build/proved-checker $(ARGS)
-	@cp proofs_check/formal/_build/proved-checker $(BIN)/equilibrium-proved-checker
-	@echo "$(BIN)/equilibrium-proved-checker"
+	@cp proofs_check/formal/_build/proved-checker $(BIN)/proved-checker
+	$(BIN)/python -m pytest -q tests/arrangement/test_proved.py
+	@echo "$(BIN)/proved-checker"
 
 clean:
 	rm -rf $(VENV) build dist report proofs_check/formal/_build docs/_build docs/_generated docs/reference .hypothesis .mypy_cache .pytest_cache .ruff_cache .import_linter_cache

@@ -21,9 +21,9 @@ from typing import Any, Generic, TypeAlias, TypeVar
 
 import numpy as np
 
+from arrangement.console.number_form import Shown
 from arrangement.console.progress import watched
-from arrangement.console.short_repr import Shown
-from arrangement.counts.classes.symmetric import deadline_after
+from arrangement.counts.whitney import deadline_after
 from arrangement.enumeration.fan import Fan
 from arrangement.errors import OutOfTimeError
 from arrangement.numbers.exact import IntegerVector, primitive

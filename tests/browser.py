@@ -5,8 +5,6 @@ they are missing the tests of pages are left out, and the run says so. ``BROWSER
 them: then a missing browser is a failure. ``BROWSER_TESTS=0`` leaves them out on purpose.
 """
 
-from __future__ import annotations
-
 import contextlib
 import json
 import os

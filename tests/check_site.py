@@ -6,8 +6,6 @@ pictures, and typeset its mathematics. The search page must find something.
 Run: ``python tests/check_site.py docs/_build/html``; exit code 1 when something is wrong.
 """
 
-from __future__ import annotations
-
 import sys
 from pathlib import Path
 

@@ -1,7 +1,5 @@
 """Settings for the whole suite."""
 
-from __future__ import annotations
-
 import functools
 import math
 from collections.abc import Iterator
@@ -20,6 +18,7 @@ ROOT = Path(__file__).resolve().parent.parent
 # The same examples on every run and every machine; speed is no verdict.
 settings.register_profile(
     "ci",
+    max_examples=50,
     derandomize=True,
     deadline=None,
     database=None,

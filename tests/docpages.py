@@ -11,8 +11,6 @@ Everything on a page happens in one empty directory. In outputs, ``...`` stands 
 stretches of white space are equal.
 """
 
-from __future__ import annotations
-
 import contextlib
 import doctest
 import io

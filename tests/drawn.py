@@ -1,7 +1,5 @@
 """Scenes of views, the paths of a figure, and what is wrong with the labels of a scene."""
 
-from __future__ import annotations
-
 import importlib
 from collections import Counter
 from typing import Any
@@ -12,10 +10,8 @@ import shapely
 from arrangement import read_arrangement
 from arrangement.drawing.output import own_settings
 from arrangement.drawing.registry import Drawings
-from arrangement.drawing.scene.items import Item, Label, Path
 from arrangement.drawing.scene.labels import flattened
-from arrangement.drawing.scene.measuring import measure
-from arrangement.drawing.scene.scene import Scene
+from arrangement.drawing.scene.scene import Item, Label, Path, Scene, measure
 from arrangement.pictures import DRAWINGS as OF_PLANES
 from equilibrium import read_grasp
 from equilibrium.pictures import DRAWINGS as OF_GRASPS

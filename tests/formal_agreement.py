@@ -7,8 +7,6 @@ keys or bytes. Also compared: what both read of grasp and wrench.
     python tests/formal_agreement.py PROGRAM [--documents 1000] [--mutants 4] [--seed 0]
 """
 
-from __future__ import annotations
-
 import argparse
 import json
 import subprocess

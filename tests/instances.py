@@ -1,7 +1,5 @@
 """The built-in instances by the space that their contacts or planes are in."""
 
-from __future__ import annotations
-
 import json
 from typing import Any
 

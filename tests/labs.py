@@ -1,7 +1,5 @@
 """What tests of both labs do in the browser."""
 
-from __future__ import annotations
-
 from tests.browser import Browser
 
 

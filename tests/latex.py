@@ -6,8 +6,6 @@ tests are left out, and the run says so. ``TEX_TESTS=1`` demands them: then a mi
 failure. ``TEX_TESTS=0`` leaves them out on purpose.
 """
 
-from __future__ import annotations
-
 import os
 import re
 import shutil

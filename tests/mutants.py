@@ -74,13 +74,16 @@ ENCLOSURES = SPACE[0], "tests/equilibrium/test_space.py::TestChecker"
 LOADS = tuple(
     f"tests/equilibrium/test_space.py::Test{name}" for name in ("KnownLoads", "Brackets", "Borders")
 )
-PROOFS = (
-    "pappus_has_coordinates_and_non_pappus_a_proof_that_it_has_none",
-    "a_changed_proof_is_refused",
-    "forged_proofs_are_refused_though_their_products_cancel",
-    "no_type_with_coordinates_has_a_proof_that_it_has_none",
-    "three_comparisons_of_signs_that_are_none_of_vectors_prove_it",
-    "comparisons_are_those_that_signs_of_vectors_force",
+FINAL = tuple(
+    f"tests/arrangement/test_identify.py::test_{name}"
+    for name in (
+        "pappus_has_coordinates_and_non_pappus_a_proof_that_it_has_none",
+        "a_changed_proof_is_refused",
+        "forged_proofs_are_refused_though_their_products_cancel",
+        "no_type_with_coordinates_has_a_proof_that_it_has_none",
+        "three_comparisons_of_signs_that_are_none_of_vectors_prove_it",
+        "comparisons_are_those_that_signs_of_vectors_force",
+    )
 )
 TARGETS = {
     "checker": Target("equilibrium.certificate.checker", (*CHECKER, PLANES, PYRAMIDS)),
@@ -91,10 +94,8 @@ TARGETS = {
     "robust": Target("equilibrium.certificate.robust", ("tests/equilibrium/test_robustness.py",)),
     "plane": Target("equilibrium.model.plane", (PLANES,)),
     "loads": Target("equilibrium.wrench_sets.spatial", LOADS),
-    "final": Target(
-        "arrangement.library.census.final_polynomials",
-        tuple(f"tests/arrangement/test_identify.py::test_{name}" for name in PROOFS),
-    ),
+    "final": Target("arrangement.library.census.final_polynomials", FINAL),
+    "proofs": Target("arrangement.library.census.workshop.proofs", FINAL),
     "modular": Target("arrangement.counts.modular", MODULAR),
     "lowrank": Target("arrangement.counts.low_rank", ("tests/arrangement/test_counts.py",)),
     "field": Target(
@@ -108,9 +109,9 @@ TARGETS = {
         24,
     ),
     "states": Target("equilibrium.plane.states.state_system", SOLVER, 12),
-    "elimination": Target("equilibrium.plane.elimination", SOLVER, 12),
+    "elimination": Target("arrangement.numbers.linear.rank", SOLVER, 12),
     "pieces": Target("equilibrium.plane.states.equilibrium", SOLVER, 12),
-    "leaves": Target("equilibrium.plane.search.leaf_test", SEARCH, 12),
+    "leaves": Target("equilibrium.plane.search.virtual_motions", SEARCH, 12),
     "guess": Target("equilibrium.plane.search.state_equilibrium", SEARCH, 12),
     "splits": Target("equilibrium.plane.search.state_splits", SEARCH, 12),
     "program": Target("equilibrium.plane.search.part_program", SEARCH, 12),
@@ -183,11 +184,12 @@ Interval(interval(m - r).low, interval(m + r).high)
     Lt -> LtE | Lt -> LtE (2) | 0 -> 1 (2) | 0 -> -1 (2) | squares of 0, 1 and -1 are 0 rounded down
 return Interval(_ONE * _ONE // (math.isqrt(high) + 1), _ONE * _ONE // math.isqrt(low) + 1)
     1 -> 2 | 1 -> 2 (2) | the interval is wider by a unit
-[final]
+[proofs]
 right[-1] = 1
     1 -> 2 | weights are found up to a factor
 used = np.flatnonzero(np.abs(found.x) > _TINY)
     Gt -> GtE | a bound in floating point that was chosen; weights are then found exactly
+[final]
 swaps = sum(x > y for x, y in itertools.combinations(bracket, 2))
     Gt -> GtE | the three are distinct
     Gt -> Lt | each product has two brackets, and the sign of both changes

@@ -1,7 +1,5 @@
 """What an installed package must answer without any extra: every command, and what needs one."""
 
-from __future__ import annotations
-
 from typing import NamedTuple
 
 #: Files that the commands read, written before them.

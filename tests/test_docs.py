@@ -1,7 +1,5 @@
 """Every page of the documentation does what it shows."""
 
-from __future__ import annotations
-
 import importlib
 import os
 import re
@@ -16,10 +14,11 @@ import pytest
 from arrangement import cli as arrangement_cli, read_arrangement
 from arrangement.enumeration.choose import ENGINES
 from arrangement.library.families import simplicial, simplicial_entries
+from arrangement.numbers import budget
 from arrangement.pictures.lab.lines import line_exercises
 from equilibrium.cli import program as equilibrium_cli
 from equilibrium.methods.registry import DECIDING
-from equilibrium.pictures.lab.exercises import slip_exercises
+from equilibrium.pictures.lab.page import slip_exercises
 from proofs_check.cli import program as claims_cli
 from tests.docpages import ROOT, Page, blocks, commands, loose_literals
 
@@ -63,14 +62,14 @@ def marked(page: Path) -> Any:
 
 
 @pytest.mark.parametrize("page", [*map(marked, PAGES), ROOT / "README.md"], ids=name)
-def test_a_page_read_from_top_to_bottom_does_what_it_shows(page: Path, desk: Path) -> None:
+def test_a_page_read_from_top_to_bottom_does_what_it_shows(page, desk):
     running = Page(page, page.read_text(encoding="utf-8"))
     running.run()
     assert not running.problems, "\n\n".join(running.problems)
 
 
 @pytest.mark.parametrize("page", PAGES, ids=name)
-def test_no_block_of_code_is_left_out(page: Path) -> None:
+def test_no_block_of_code_is_left_out(page):
     text = page.read_text(encoding="utf-8")
     assert loose_literals(text) == [], "use a code-block with a language"
     found = list(blocks(text))
@@ -93,7 +92,7 @@ def test_no_block_of_code_is_left_out(page: Path) -> None:
 
 
 @pytest.mark.parametrize("page", PAGES, ids=name)
-def test_every_generated_picture_has_a_script(page: Path) -> None:
+def test_every_generated_picture_has_a_script(page):
     """The script NAME.py makes the files whose names start with NAME."""
     scripts = [path.stem for path in (DOCS / "figures").glob("[!_]*.py")]
     for picture in _FIGURE.findall(page.read_text(encoding="utf-8")):
@@ -101,7 +100,7 @@ def test_every_generated_picture_has_a_script(page: Path) -> None:
         assert makers, f"{name(page)}: no script of docs/figures makes {picture}"
 
 
-def test_every_work_cited_on_a_page_is_in_the_bibliography() -> None:
+def test_every_work_cited_on_a_page_is_in_the_bibliography():
     listed = set(re.findall(r"(?m)^\.\. \[(\w+)\]", (DOCS / "bibliography.rst").read_text("utf-8")))
     assert "HaasHeger2018" in listed
     for page in PAGES:
@@ -127,7 +126,7 @@ _NAME = re.compile(r"(?<!`)`((?:arrangement|equilibrium|proofs_check|slipstates)
 _TEST = re.compile(r"``?(tests/[\w/]+\.py)(?:::(\w+))?``?")
 
 
-def test_every_dotted_name_on_a_page_is_there() -> None:
+def test_every_dotted_name_on_a_page_is_there():
     found = {
         (name(page), dotted)
         for page in [*PAGES, *ROOT.glob("*.md")]
@@ -138,7 +137,7 @@ def test_every_dotted_name_on_a_page_is_there() -> None:
     assert not known("equilibrium.plane.no_such_room")
 
 
-def test_every_test_on_a_page_is_there() -> None:
+def test_every_test_on_a_page_is_there():
     found = {
         one
         for page in [*PAGES, *ROOT.glob("*.md")]
@@ -150,14 +149,14 @@ def test_every_test_on_a_page_is_there() -> None:
         assert not function or f"def {function}(" in (ROOT / path).read_text("utf-8"), function
 
 
-def test_the_table_of_engines_is_that_of_the_code() -> None:
+def test_the_table_of_engines_is_that_of_the_code():
     text = (DOCS / "architecture.rst").read_text(encoding="utf-8")
     table = text[text.index("Which engine lists") : text.index("Exact and approximate")]
     rows = re.findall(r"(?m)^   \* - ``([\w-]+)``\n     - (.*)$", table)
     assert rows == [(key, engine.can) for key, engine in ENGINES.items()]
 
 
-def test_there_are_pages_and_code_on_them() -> None:
+def test_there_are_pages_and_code_on_them():
     assert len(PAGES) > 5
     assert {path.name for path in PAGES} >= {"index.rst", "checking.rst", "conventions.rst"}
 
@@ -172,11 +171,11 @@ def test_there_are_pages_and_code_on_them() -> None:
         ".. code-block:: console\n\n   $ arrangement count pencil > a.txt\n   planes 5\n",
     ],
 )
-def test_a_page_that_shows_something_else_is_caught(desk: Path, text: str) -> None:
+def test_a_page_that_shows_something_else_is_caught(desk, text):
     assert run(text)
 
 
-def test_names_files_and_exit_codes_pass_from_block_to_block(desk: Path) -> None:
+def test_names_files_and_exit_codes_pass_from_block_to_block(desk):
     text = """
 >>> from pathlib import Path
 >>> x = 2
@@ -208,7 +207,7 @@ Some text, and then
 
 
 @pytest.mark.parametrize("command", ["rm -r .", "pip install other", "make no-such-target"])
-def test_an_unknown_command_is_no_page(desk: Path, command: str) -> None:
+def test_an_unknown_command_is_no_page(desk, command):
     with pytest.raises(Exception, match=r"rm -r|other|non-zero"):
         run(f".. code-block:: console\n\n   $ {command}\n")
 
@@ -238,9 +237,7 @@ Path(f"one-{runs}.svg").write_text("")
 """
 
 
-def test_a_figure_is_made_once_until_its_script_is_newer(
-    draw: Callable[[str], list[str]], tmp_path: Path
-) -> None:
+def test_a_figure_is_made_once_until_its_script_is_newer(draw, tmp_path):
     assert draw(COUNTING) == ["one-0.svg"]
     assert draw(COUNTING) == ["one-0.svg"]
     os.utime(tmp_path / "figures" / "one.py", (2**32, 2**32))
@@ -248,14 +245,12 @@ def test_a_figure_is_made_once_until_its_script_is_newer(
 
 
 @pytest.mark.parametrize("script", ["1 / 0", "open('two.svg', 'w').close()", "pass"])
-def test_a_script_that_fails_or_makes_no_figure_ends_the_build(
-    draw: Callable[[str], list[str]], script: str
-) -> None:
+def test_a_script_that_fails_or_makes_no_figure_ends_the_build(draw, script):
     with pytest.raises((ZeroDivisionError, RuntimeError)):
         draw(script)
 
 
-def test_every_command_has_an_example() -> None:
+def test_every_command_has_an_example():
     page = (DOCS / "commands.rst").read_text(encoding="utf-8")
     for parser in (arrangement_cli._parser(), equilibrium_cli._parser(), claims_cli._parser()):
         (commands,) = (a.choices for a in parser._actions if isinstance(a.choices, dict))
@@ -263,7 +258,7 @@ def test_every_command_has_an_example() -> None:
             assert f"\n   $ {parser.prog} {command}" in page
 
 
-def test_numbers_on_pages_are_those_of_the_code() -> None:
+def test_numbers_on_pages_are_those_of_the_code():
     number = {4: "four", 10: "ten", 12: "twelve", 13: "thirteen"}
     planes = read_arrangement("cube-diagonals")
     known = [simplicial(*entry) for entry in simplicial_entries()]
@@ -291,38 +286,36 @@ def test_numbers_on_pages_are_those_of_the_code() -> None:
         assert text.lower() in words.lower(), (page, text)
 
 
-#: The last words of a row of the table of limits: the constants that it names.
+#: The last words of a row of the table of limits: kinds of `budget.MOST`, or constants.
 LIMITS = {
-    "CSV file)": (
-        "arrangement.library.files.json_files:MAX_BYTES",
-        "equilibrium.grasps.inputs.csv_file:MAX_BYTES",
-    ),
-    "a certificate": ("equilibrium.grasps.files:MAX_CERTIFICATE_BYTES",),
+    "CSV file)": ("bytes of a file",),
+    "a certificate": ("bytes of a certificate",),
     "one number": ("arrangement.numbers.exact:MAX_TEXT_LENGTH",),
-    "space in a file": ("arrangement.library.files.documents:MAX_DIMENSION",),
-    "interactive page": (
-        "arrangement.pictures.sphere.globe:MAX_CIRCLES",
-        "arrangement.pictures.page.page:MAX_CIRCLES",
-    ),
-    "Hasse diagram": ("arrangement.pictures.diagrams.lattice:MAX_FLATS",),
+    "space in a file": ("coordinates",),
+    "planes in a picture": ("planes in a picture",),
+    "interactive page": ("great circles in a picture", "great circles on a page"),
+    "in a ball or cube": ("planes in a body", "cells in a picture"),
+    "Hasse diagram": ("flats of one rank in a picture",),
     "slip lab": ("equilibrium.pictures.lab.page:MAX_CONTACTS",),
     "arrangement lab": ("arrangement.pictures.lab.lines:MAX_PLANES",),
-    "is exponential": ("equilibrium.methods.contact_laws.frictionless_slip:MAX_CONTACTS",),
+    "is exponential": ("contacts with a choice of three states",),
+    "of one picture": ("directions in a picture", "wrenches in a picture"),
     "combinatorial types": ("arrangement.library.census.catalogue:MOST_PLANES",),
     "tables of types": (
         "arrangement.library.files.others.chirotope:MOST_ELEMENTS",
         "proofs_check.course.printed_table:MOST_PSEUDOLINES",
     ),
-    "in ``import``": ("arrangement.library.files.table:MAX_IMPORT_BYTES",),
+    "in ``import``; a record": ("bytes of a file of many arrangements", "bytes of a record"),
     "after the other": ("proofs_check.sweep.sweep:MOST", "arrangement.console.terminal:MOST"),
     "of a proof": ("equilibrium.certificate.checker:MAX_DEPTH",),
 }
 
 
-def test_the_limits_on_the_page_are_those_of_the_code() -> None:
+def test_the_limits_on_the_page_are_those_of_the_code():
     text = (DOCS / "accuracy.rst").read_text(encoding="utf-8").partition("\nLimits of size\n")[2]
     rows = re.findall(r"   \* - (.+)\n     - (.+)", text.partition("There is no other")[0])[1:]
     assert len(rows) == len(LIMITS)
+    assert set(budget.MOST) == {x for names in LIMITS.values() for x in names if ":" not in x}
     for what, most in rows:
         (names,) = (names for end, names in LIMITS.items() if what.endswith(end))
         stated = [
@@ -330,5 +323,6 @@ def test_the_limits_on_the_page_are_those_of_the_code() -> None:
         ]
         for limit in names:
             module, _, constant = limit.partition(":")
-            value = getattr(importlib.import_module(module), constant)
+            held = vars(importlib.import_module(module)) if constant else budget.MOST
+            value = held[constant or limit]
             assert value in stated, (what, most, limit, value)

@@ -6,7 +6,6 @@ import shlex
 import pytest
 
 from arrangement import read_arrangement
-from arrangement.drawing.registry import Drawings
 from arrangement.pictures import DRAWINGS as OF_PLANES
 from arrangement.pictures.views import drawings_of
 from equilibrium.pictures import DRAWINGS as OF_GRASPS
@@ -37,9 +36,7 @@ def drawn(words: list[str]) -> str:
 
 
 @pytest.mark.parametrize(("program", "drawings"), PROGRAMS)
-def test_every_view_and_model_is_shown_and_views_as_tikz_too(
-    program: str, drawings: Drawings
-) -> None:
+def test_every_view_and_model_is_shown_and_views_as_tikz_too(program, drawings):
     own = [words for words in SHOWN if words[0] == program]
     models = [words for words in own if words[-1].endswith(MODELS)]
     flat = [words for words in own if words not in models]
@@ -51,7 +48,7 @@ def test_every_view_and_model_is_shown_and_views_as_tikz_too(
     assert {option(words, "--model", usual) for words in models} == set(drawings.models)
 
 
-def test_every_picture_that_a_command_makes_is_on_the_page() -> None:
+def test_every_picture_that_a_command_makes_is_on_the_page():
     made = {option(words, "-o", "") for words in SHOWN}
     shown = set(re.findall(r"(?:_generated|<pages)/(gallery-[\w.-]+)", TEXT))
     tikz = {path for path in shown if path.endswith(".tex")}
@@ -61,7 +58,7 @@ def test_every_picture_that_a_command_makes_is_on_the_page() -> None:
     assert {path.replace(".tex", ".svg") for path in tikz} <= made
 
 
-def test_pages_open_in_the_browser() -> None:
+def test_pages_open_in_the_browser():
     """A browser keeps what a link of the role `download` points to as a file."""
     pages = [path for path in (option(words, "-o", "") for words in SHOWN) if ".html" in path]
     assert pages

@@ -1,7 +1,5 @@
 """The exact-number tests run on both kinds of SymPy's integers and rationals."""
 
-from __future__ import annotations
-
 import os
 import subprocess
 import sys
@@ -21,7 +19,7 @@ FILES = (
 
 
 @pytest.mark.campaign
-def test_exact_numbers_pass_on_both_ground_types_of_sympy() -> None:
+def test_exact_numbers_pass_on_both_ground_types_of_sympy():
     """The exact-number tests run again with the ground types that this process does not have."""
     ground_types = "python" if GROUND_TYPES == "flint" else "flint"
     check = f"import sympy.external.gmpy as g; assert g.GROUND_TYPES == {ground_types!r}"

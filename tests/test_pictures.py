@@ -4,9 +4,7 @@ Options have forms, scenes know no format, labels cover nothing, legends have th
 keep what is told, TikZ shows the same items, and files repeat byte for byte.
 """
 
-from __future__ import annotations
-
-import contextlib
+import json
 import os
 import re
 import subprocess
@@ -25,23 +23,28 @@ from arrangement.cli import main as draw_planes
 from arrangement.drawing.command import _KINDS
 from arrangement.drawing.figure import figure
 from arrangement.drawing.output import own_settings, picture_bytes
-from arrangement.drawing.registry import Drawings
-from arrangement.drawing.scene.items import ROLES, Ball, Item, Label, Mark, Path as Drawn
 from arrangement.drawing.scene.layout import BELOW, laid_out, picture_width
-from arrangement.drawing.scene.measuring import measure
-from arrangement.drawing.scene.scene import Scene
+from arrangement.drawing.scene.scene import (
+    ROLES,
+    Ball,
+    Item,
+    Label,
+    Mark,
+    Path as Drawn,
+    Scene,
+    measure,
+)
 from arrangement.drawing.themes import _from_oklab, _oklab, themed
 from arrangement.drawing.tikz.tex_text import tex_text
 from arrangement.drawing.tikz.tikz import tikz
 from arrangement.pictures import DRAWINGS as OF_PLANES
 from arrangement.pictures.views import drawings_of, write_drawing
 from equilibrium import read_grasp
-from equilibrium.cli.program import main as draw_grasp
 from equilibrium.pictures import DRAWINGS as OF_GRASPS
 from tests.docpages import ROOT
 from tests.drawn import VIEWS, offences, scene
 from tests.instances import ARRANGEMENTS, PLANAR
-from tests.latex import RESOLUTION, Pixels, compiled, page_count, pages, unlike
+from tests.latex import RESOLUTION, Pixels, compiled, not_compiled, page_count, pages, unlike
 
 EVERY_VIEW = pytest.mark.parametrize(("drawings", "view"), VIEWS)
 
@@ -50,7 +53,7 @@ EVERY_VIEW = pytest.mark.parametrize(("drawings", "view"), VIEWS)
 
 @pytest.mark.parametrize("drawings", [OF_PLANES, OF_GRASPS])
 @pytest.mark.parametrize("kind", ["view", "model", "page"])
-def test_every_option_has_a_form_on_the_command_line(drawings: Drawings, kind: str) -> None:
+def test_every_option_has_a_form_on_the_command_line(drawings, kind):
     for name in getattr(drawings, f"{kind}s"):
         for option in drawings.options(kind, name).values():
             assert option.kind in _KINDS
@@ -58,7 +61,7 @@ def test_every_option_has_a_form_on_the_command_line(drawings: Drawings, kind: s
 
 
 @EVERY_VIEW
-def test_a_view_makes_a_scene_that_knows_no_format(drawings: Drawings, view: str) -> None:
+def test_a_view_makes_a_scene_that_knows_no_format(drawings, view):
     made = scene(drawings, view)
     assert len({item.name.partition("-")[0] for item in made.items}) > 1
     for item in made.items:
@@ -81,9 +84,7 @@ def test_a_view_makes_a_scene_that_knows_no_format(drawings: Drawings, view: str
         (OF_GRASPS, "resist", {"extend": 3}, "did you mean extent"),
     ],
 )
-def test_mistakes_name_the_nearest_names(
-    drawings: Drawings, view: str, options: dict[str, Any], meant: str, tmp_path: Path
-) -> None:
+def test_mistakes_name_the_nearest_names(drawings, view, options, meant, tmp_path):
     read: Any = read_arrangement if drawings is OF_PLANES else read_grasp
     name = "braid-a3" if drawings is OF_PLANES else "paper-three-contacts-preload-1"
     with pytest.raises(InputError, match=meant):
@@ -102,9 +103,7 @@ LARGE = {
 @pytest.mark.filterwarnings("error")
 @pytest.mark.parametrize("normals", LARGE.values(), ids=LARGE)
 @pytest.mark.parametrize("kind", ["view", "page", "model"])
-def test_normals_beyond_floats_are_drawn_or_refused(
-    kind: str, normals: list[tuple[int, ...]], tmp_path: Path
-) -> None:
+def test_normals_beyond_floats_are_drawn_or_refused(kind, normals, tmp_path):
     planes = Arrangement(normals)
     drawings = drawings_of(planes)
     suffix = {"view": "svg", "page": "html", "model": "stl"}[kind]
@@ -120,23 +119,16 @@ def test_normals_beyond_floats_are_drawn_or_refused(
         assert not path.exists()
 
 
-def test_a_page_of_normals_of_five_thousand_digits(tmp_path: Path) -> None:
+def test_a_page_of_normals_of_five_thousand_digits(tmp_path):
     long = 10**5000
     write_drawing(Arrangement([(long, 1, 0), (0, 1, 1), (1, 0, 2)]), tmp_path / "a.html")
     assert "0" * 5000 in (tmp_path / "a.html").read_text(encoding="utf-8")
 
 
-def test_a_slice_takes_the_preload_of_its_last_part(tmp_path: Path) -> None:
-    command = ["draw", "paper-three-contacts", "--view", "slice", "--preload", "2"]
-    assert draw_grasp([*command, "-o", str(tmp_path / "a.svg")]) == 0
-    made = scene(OF_GRASPS, "slice", "paper-three-contacts", preload=2)
-    assert "(c) preload 2" in {item.text for item in made.items if isinstance(item, Label)}
-
-
 @pytest.mark.parametrize(
     ("planes", "names"), [("braid-a3", "xyz"), ("paper-three-contacts", "xyr")]
 )
-def test_axes_without_names_are_on(planes: str, names: str, tmp_path: Path) -> None:
+def test_axes_without_names_are_on(planes, names, tmp_path):
     words = ["draw", planes, "--text", "text", "--axes", "-o", str(tmp_path / "a.svg")]
     assert draw_planes(words) == 0
     written = re.findall(r">([xyzr])</text>", (tmp_path / "a.svg").read_text(encoding="utf-8"))
@@ -173,20 +165,12 @@ OTHER_OPTIONS: list[tuple[str, str, dict[str, Any]]] = [
 
 
 @pytest.mark.campaign
-@pytest.mark.parametrize("name", PLANAR)
-@pytest.mark.parametrize("view", OF_PLANES.views)
-def test_no_label_is_cut_off_or_covers_another_or_an_edge(view: str, name: str) -> None:
-    with contextlib.suppress(InputError):  # some views refuse affine planes, or other spaces
-        assert offences(laid_out(scene(OF_PLANES, view, name))) == []
-
-
-@pytest.mark.campaign
 @pytest.mark.parametrize(("view", "name", "options"), OTHER_OPTIONS)
-def test_nor_with_other_options(view: str, name: str, options: dict[str, Any]) -> None:
+def test_no_label_is_cut_off_or_covers_another_or_an_edge(view, name, options):
     assert offences(laid_out(scene(OF_PLANES, view, name, **options))) == []
 
 
-def test_the_check_finds_each_kind_of_offence() -> None:
+def test_the_check_finds_each_kind_of_offence():
     with own_settings():
         made = Scene(40, 40)
         made.text((50, 50), "one")
@@ -209,9 +193,7 @@ WITH_LEGENDS = pytest.mark.parametrize(
 
 
 @WITH_LEGENDS
-def test_keys_and_lines_below_take_a_sixth_of_the_height(
-    drawings: Drawings, view: str, name: str
-) -> None:
+def test_keys_and_lines_below_take_a_sixth_of_the_height(drawings, view, name):
     with own_settings():
         made = scene(drawings, view, name)
         made.legend.captions.clear()
@@ -223,9 +205,7 @@ def test_keys_and_lines_below_take_a_sixth_of_the_height(
 
 
 @WITH_LEGENDS
-def test_at_the_right_it_stands_beside_the_picture(
-    drawings: Drawings, view: str, name: str
-) -> None:
+def test_at_the_right_it_stands_beside_the_picture(drawings, view, name):
     wide = 260.0
     with own_settings():
         made = scene(drawings, view, name, width=picture_width(wide, "right"))
@@ -244,7 +224,7 @@ def test_at_the_right_it_stands_beside_the_picture(
             assert h / 2 - 1 <= item.place[1] <= sheet.height
 
 
-def test_without_a_legend_captions_stay(tmp_path: Path) -> None:
+def test_without_a_legend_captions_stay(tmp_path):
     planes = read_arrangement("braid-a3-in-r4")
     for legend, shown in (("none", False), ("below", True)):
         path = tmp_path / f"{legend}.svg"
@@ -261,7 +241,7 @@ def lightness(colour: Any) -> float:
     return float(_oklab(to_rgb(colour))[0])
 
 
-def test_in_print_wrenches_are_black_and_one_set_has_a_hatching() -> None:
+def test_in_print_wrenches_are_black_and_one_set_has_a_hatching():
     for view, wrench in (("grasp", (0, 1, 1)), ("slice", (0, 1, 0))):
         coloured = scene(OF_GRASPS, view, "paper-three-contacts-preload-1", wrench=wrench)
         made = themed(coloured, "mono").items
@@ -275,18 +255,18 @@ def test_in_print_wrenches_are_black_and_one_set_has_a_hatching() -> None:
 
 
 @given(st.tuples(*[st.floats(0, 1)] * 3))
-def test_oklab_and_back(rgb: tuple[float, float, float]) -> None:
+def test_oklab_and_back(rgb):
     light, a, b = _oklab(rgb).tolist()
     assert np.allclose(_from_oklab((light, a, b), 1.0)[:3], rgb, atol=1e-4)
 
 
-def test_greys_have_no_hue_in_oklab_and_white_has_lightness_one() -> None:
+def test_greys_have_no_hue_in_oklab_and_white_has_lightness_one():
     assert np.allclose(_oklab((1.0, 1.0, 1.0)), (1, 0, 0), atol=1e-4)
     assert np.allclose(_oklab((0.5, 0.5, 0.5))[1:], 0, atol=1e-4)
 
 
 @EVERY_VIEW
-def test_dark_letters_are_light_and_mono_has_no_colour(drawings: Drawings, view: str) -> None:
+def test_dark_letters_are_light_and_mono_has_no_colour(drawings, view):
     made = scene(drawings, view)
     dark, mono = themed(made, "dark"), themed(made, "mono")
     assert themed(made, "light") is made
@@ -302,7 +282,7 @@ def test_dark_letters_are_light_and_mono_has_no_colour(drawings: Drawings, view:
                 assert abs(_oklab(to_rgb(colour))[1:]).max() < 1e-2
 
 
-def test_mono_keeps_apart_what_colours_keep_apart() -> None:
+def test_mono_keeps_apart_what_colours_keep_apart():
     made = scene(OF_PLANES, "sphere", "five-generic-planes", antipodes="same")
     mono = themed(made, "mono")
     pairs = {
@@ -371,7 +351,7 @@ def every_kind() -> Scene:
         ("Möbius & 100% {of} ab_cd \\ ~ ^ #", None),
     ],
 )
-def test_labels_are_maths_where_they_mean_it(text: str, latex: str | None) -> None:
+def test_labels_are_maths_where_they_mean_it(text, latex):
     if latex is not None:
         assert tex_text(text) == latex
     else:
@@ -380,7 +360,7 @@ def test_labels_are_maths_where_they_mean_it(text: str, latex: str | None) -> No
 
 
 @EVERY_VIEW
-def test_styles_are_those_of_the_roles_and_all_is_plain_text(drawings: Drawings, view: str) -> None:
+def test_styles_are_those_of_the_roles_and_all_is_plain_text(drawings, view):
     """One style at the top for each role that occurs; no letter that pdflatex does not know."""
     made = scene(drawings, view)
     text = tikz(made, fragment=True)
@@ -394,9 +374,9 @@ def test_styles_are_those_of_the_roles_and_all_is_plain_text(drawings: Drawings,
     assert r"\documentclass" not in text
 
 
-def document(folder: Path, scenes: list[Scene], texts: list[str]) -> Path:
+def document(folder: Path, papers: Sequence[Any], texts: Sequence[str]) -> Path:
     """Return a document with fragments on pages of their own."""
-    width, height = (max(s.paper[k] for s in scenes) for k in (0, 1))
+    width, height = (max(paper[k] for paper in papers) for k in (0, 1))
     paper = f"paperwidth={width}mm,paperheight={height + 1}mm,margin=0mm"
     head = [
         r"\RequirePackage{fix-cm}\documentclass{article}",
@@ -410,7 +390,7 @@ def document(folder: Path, scenes: list[Scene], texts: list[str]) -> Path:
 
 def differences(folder: Path, scenes: list[Scene], texts: list[str]) -> Iterator[float]:
     """Compile fragments on pages of one document; yield how unlike they are to our own PDF."""
-    source = document(folder, scenes, texts)
+    source = document(folder, [made.paper for made in scenes], texts)
     for k, (made, drawn) in enumerate(zip(scenes, pages(compiled(source)), strict=True)):
         own = folder / f"own-{k}.pdf"
         own.write_bytes(picture_bytes(".pdf", lambda made=made: figure(made)))
@@ -424,7 +404,7 @@ def differences(folder: Path, scenes: list[Scene], texts: list[str]) -> Iterator
 
 @pytest.mark.campaign
 @pytest.mark.usefixtures("latex")
-def test_tikz_shows_what_our_own_pictures_show(tmp_path: Path) -> None:
+def test_tikz_shows_what_our_own_pictures_show(tmp_path):
     """What is wrong is seen: of wide, pale, shifted and missing lines and of another fill."""
     made = without_labels(scene(OF_PLANES, "sphere", "braid-a3"))
     scenes = [every_kind(), made, without_labels(scene(OF_GRASPS, "resist", "paper-four-contacts"))]
@@ -445,7 +425,7 @@ def test_tikz_shows_what_our_own_pictures_show(tmp_path: Path) -> None:
 
 @pytest.mark.campaign
 @pytest.mark.usefixtures("latex")
-def test_every_view_is_the_same_in_tikz(tmp_path: Path) -> None:
+def test_every_view_is_the_same_in_tikz(tmp_path):
     """Without letters: of these, fonts differ."""
     scenes = [without_labels(scene(d, view)) for d, view in VIEWS]
     found = list(differences(tmp_path, scenes, [tikz(made, fragment=True) for made in scenes]))
@@ -480,9 +460,7 @@ def check_letters(made: Scene, drawn: Pixels, bare: Pixels) -> None:
 
 @pytest.mark.usefixtures("latex")
 @pytest.mark.parametrize(("drawings", "view"), [(OF_PLANES, "lattice"), (OF_GRASPS, "proof")])
-def test_a_document_compiles_and_its_letters_are_where_ours_are(
-    drawings: Drawings, view: str, tmp_path: Path
-) -> None:
+def test_a_document_compiles_and_its_letters_are_where_ours_are(drawings, view, tmp_path):
     name = "reflection-b3" if drawings is OF_PLANES else "paper-four-contacts"
     made = scene(drawings, view, name)
     sheets = []
@@ -498,29 +476,16 @@ def test_a_document_compiles_and_its_letters_are_where_ours_are(
 
 @pytest.mark.campaign
 @pytest.mark.usefixtures("latex")
-def test_letters_of_every_view_are_where_ours_are(tmp_path: Path) -> None:
+def test_letters_of_every_view_are_where_ours_are(tmp_path):
     """On pages of one document, in the corner of each."""
     views = [scene(drawings, view) for drawings, view in VIEWS]
     scenes = [sheet for made in views for sheet in (made, without_labels(made))]
-    source = document(tmp_path, scenes, [tikz(sheet, fragment=True) for sheet in scenes])
+    texts = [tikz(sheet, fragment=True) for sheet in scenes]
+    source = document(tmp_path, [sheet.paper for sheet in scenes], texts)
     drawn = pages(compiled(source))
     for made, sheet, bare in zip(views, drawn[::2], drawn[1::2], strict=True):
         columns, rows = (round(length / 25.4 * RESOLUTION) for length in made.paper)
         check_letters(made, sheet[:rows, :columns], bare[:rows, :columns])
-
-
-@pytest.mark.campaign
-@pytest.mark.usefixtures("latex")
-@pytest.mark.parametrize("name", PLANAR)
-def test_all_pictures_of_all_instances_compile(name: str, tmp_path: Path) -> None:
-    """On pages of one document; what a view refuses has no picture."""
-    found = []
-    for drawings, view in VIEWS:
-        with contextlib.suppress(InputError):
-            found.append(scene(drawings, view, name))
-    source = document(tmp_path, found, [tikz(made, fragment=True) for made in found])
-    assert found
-    assert page_count(compiled(source)) == len(found)
 
 
 # Repetition.
@@ -529,14 +494,16 @@ def test_all_pictures_of_all_instances_compile(name: str, tmp_path: Path) -> Non
 #: Draws views of some instances and prints a digest of each file. What the second list names is
 #: drawn in all formats: writers read scenes alone, so a scene that is the same in SVG and TikZ is
 #: the same in all; the rest is drawn in these two. What the third list names is tried in the other
-#: formats as well, in few pixels: every warning is an error.
+#: formats as well, in few pixels: every warning is an error. If a file is named, the pictures as
+#: TikZ go there, with their sizes and what is wrong with labels of planes.
 SCRIPT = """
-import hashlib, io, sys
+import hashlib, io, json, pathlib, sys
 from arrangement import InputError
 from arrangement.drawing.figure import figure
 from arrangement.drawing.output import PICTURES, own_settings, picture_bytes
+from arrangement.drawing.scene.layout import laid_out
 from arrangement.drawing.tikz.tikz import tikz
-from tests.drawn import OF_PLANES, VIEWS, scene
+from tests.drawn import OF_PLANES, VIEWS, offences, scene
 
 def draw(name, drawings, view):
     with own_settings():
@@ -544,6 +511,9 @@ def draw(name, drawings, view):
             made = scene(drawings, view, name)
         except InputError:
             return
+        if kept:
+            wrong = offences(laid_out(made)) if drawings is OF_PLANES else []
+            found.append((name, view, made.paper, tikz(made, fragment=True), wrong))
         contents = {".tex": tikz(made).encode()}
         for end in ("pdf", "png") if drawings is OF_PLANES and name in tried else ():
             figure(made).savefig(io.BytesIO(), format=end, dpi=40)
@@ -552,19 +522,22 @@ def draw(name, drawings, view):
     for end, content in contents.items():
         print(name, view, end, hashlib.sha256(content).hexdigest())
 
-names, whole, tried = (set(given.split(",")) for given in sys.argv[1:])
+names, whole, tried = (set(given.split(",")) for given in sys.argv[1:4])
+kept, found = sys.argv[4], []
 for drawings, view in VIEWS:
     for name in names:
         draw(name, drawings, view)
+if kept:
+    pathlib.Path(kept).write_text(json.dumps(found), encoding="utf-8")
 """
 WHOLE = ["braid-a3", "shi-a2-affine", "paper-three-contacts-preload-1"]
 
 
-def digests(names: Sequence[str], tried: Sequence[str], seed: str) -> list[str]:
+def digests(names: Sequence[str], tried: Sequence[str], seed: str, kept: str = "") -> list[str]:
     """Return a line for each picture that there is, drawn with a seed of hashes."""
     lists = (names, WHOLE, tried)
     done = subprocess.run(
-        [sys.executable, "-W", "error", "-c", SCRIPT, *map(",".join, lists)],
+        [sys.executable, "-W", "error", "-c", SCRIPT, *map(",".join, lists), kept],
         env={**os.environ, "PYTHONHASHSEED": seed},
         cwd=ROOT,
         capture_output=True,
@@ -578,8 +551,14 @@ def digests(names: Sequence[str], tried: Sequence[str], seed: str) -> list[str]:
 
 @pytest.mark.campaign
 @pytest.mark.parametrize("part", range(4))
-def test_all_pictures_of_all_instances_repeat(part: int) -> None:
-    names = PLANAR[part::4]
-    one, other = digests(names, ARRANGEMENTS, "3"), digests(names, [], "4")
+def test_all_pictures_of_all_instances_repeat_keep_labels_apart_and_compile(part, tmp_path):
+    """The pictures of each instance on pages of one document; what a view refuses has none."""
+    names, kept = PLANAR[part::4], tmp_path / "kept.json"
+    one = digests(names, ARRANGEMENTS, "3", str(kept))
     assert {line.split()[0] for line in one} == set(names)
-    assert one == other
+    assert one == digests(names, [], "4")
+    found = json.loads(kept.read_text(encoding="utf-8"))
+    assert [(name, view, wrong) for name, view, _, _, wrong in found if wrong] == []
+    for name in names if not_compiled() is None else ():
+        papers, texts = zip(*((x[2], x[3]) for x in found if x[0] == name), strict=True)
+        assert page_count(compiled(document(tmp_path, papers, texts))) == len(texts)

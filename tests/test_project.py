@@ -1,7 +1,5 @@
 """What must stay true of the project as a whole."""
 
-from __future__ import annotations
-
 import importlib
 import importlib.metadata
 import re
@@ -19,18 +17,18 @@ SLOW = ("dask", "igraph", "joblib", "matplotlib", "networkx", "numpy", "scipy", 
 
 
 @pytest.mark.parametrize("package", PACKAGES)
-def test_every_exported_name_loads(package: str) -> None:
+def test_every_exported_name_loads(package):
     module = importlib.import_module(package)
     assert [name for name in module.__all__ if getattr(module, name, None) is None] == []
 
 
 @pytest.mark.parametrize("package", PACKAGES)
-def test_every_package_says_that_it_is_typed(package: str) -> None:
+def test_every_package_says_that_it_is_typed(package):
     assert (ROOT / package / "py.typed").is_file()
 
 
 @pytest.mark.parametrize("package", PACKAGES)
-def test_help_and_version_need_no_slow_import(package: str) -> None:
+def test_help_and_version_need_no_slow_import(package):
     program = f"""
 import sys
 sys.argv[0] = {package!r}
@@ -52,7 +50,7 @@ print("loaded:", *sorted(set({SLOW!r}) & set(sys.modules)))
         assert result.stdout.splitlines()[-1].split() == ["loaded:"], result.stdout
 
 
-def test_the_version_is_the_same_everywhere() -> None:
+def test_the_version_is_the_same_everywhere():
     version = arrangement.__version__
     citation = (ROOT / "CITATION.cff").read_text(encoding="utf-8")
     assert importlib.metadata.version("slipstates") == version
@@ -60,7 +58,7 @@ def test_the_version_is_the_same_everywhere() -> None:
     assert f"[{version}]" in (ROOT / "CHANGELOG.md").read_text(encoding="utf-8")
 
 
-def test_every_command_of_the_project_resolves() -> None:
+def test_every_command_of_the_project_resolves():
     points = importlib.metadata.entry_points(group="console_scripts")
     own = [point for point in points if point.module.split(".")[0] in PACKAGES]
     assert len(own) == 3
@@ -68,7 +66,7 @@ def test_every_command_of_the_project_resolves() -> None:
         point.load()
 
 
-def test_built_in_names_need_no_installation(tmp_path: Path) -> None:
+def test_built_in_names_need_no_installation(tmp_path):
     for package in PACKAGES:
         (tmp_path / package).symlink_to(ROOT / package)
     program = (
@@ -81,7 +79,7 @@ def test_built_in_names_need_no_installation(tmp_path: Path) -> None:
     assert "distinct planes  2" in ended.stdout
 
 
-def test_every_cited_work_is_in_the_bibliography() -> None:
+def test_every_cited_work_is_in_the_bibliography():
     key = re.compile(r"\[([A-Z][A-Za-z]+[12]\d{3}[a-z]?)\]")
     listed = set(key.findall((ROOT / "docs" / "bibliography.rst").read_text(encoding="utf-8")))
     assert "HaasHeger2018" in listed

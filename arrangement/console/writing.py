@@ -33,11 +33,13 @@ def write_bytes_atomically(path: str | os.PathLike[str], content: bytes) -> None
     """Write a file whole or not at all, as `write_text_atomically` does."""
     try:
         target = Path(path).resolve()
+        if target.is_symlink():  # a loop of links, which Python 3.13 resolves to one of them
+            target.stat()
         if target.exists() and not target.is_file():
             target.write_bytes(content)
         else:
             _replace(target, content)
-    except (OSError, ValueError, RuntimeError) as error:  # RuntimeError: a loop of links
+    except (OSError, ValueError, RuntimeError) as error:  # RuntimeError: such a loop before 3.13
         raise InputError(f"cannot write {shown(str(path))}: {reason(error)}") from None
 
 

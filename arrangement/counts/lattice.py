@@ -19,8 +19,8 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
 
+from arrangement.console.number_form import Shown
 from arrangement.console.progress import watched
-from arrangement.console.short_repr import Shown
 from arrangement.errors import InputError
 from arrangement.numbers import budget
 from arrangement.numbers.exact import IntegerVector, bits, unoriented

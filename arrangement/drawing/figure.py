@@ -10,10 +10,8 @@ from typing import TYPE_CHECKING, Any, ParamSpec
 import numpy as np
 
 from .output import require_matplotlib
-from .scene.items import SHADES, Ball, Item, Label, Mark, Path
 from .scene.layout import laid_out
-from .scene.measuring import DPI
-from .scene.scene import Scene
+from .scene.scene import DPI, SHADES, Ball, Item, Label, Mark, Path, Scene
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure

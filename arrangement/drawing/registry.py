@@ -154,7 +154,7 @@ class Drawings:
         _check_form(kind, suffix, font_size, theme, legend, text, fragment)
         if kind == "view":
             from .scene.layout import laid_out, picture_width
-            from .scene.measuring import FONT, NarrowError
+            from .scene.scene import FONT, NarrowError
             from .themes import themed
 
             scale = 1.0 if font_size is None else points(font_size, "the font size") / FONT

@@ -22,7 +22,7 @@ from functools import cached_property
 from itertools import combinations
 from typing import TYPE_CHECKING, TypeAlias
 
-from arrangement.console.short_repr import Shown
+from arrangement.console.number_form import Shown
 from arrangement.errors import InputError
 from arrangement.numbers.exact import IntegerVector, RationalVector, dot, sign
 from arrangement.numbers.linear.programs import Infeasible, feasible_point

@@ -15,7 +15,7 @@ from typing import Any, TypeAlias, overload
 import numpy as np
 from numpy.typing import NDArray
 
-from arrangement.console.short_repr import Shown
+from arrangement.console.number_form import Shown
 from arrangement.errors import InputError
 from arrangement.numbers.coefficients import SAFE, Coefficients, Integers
 from arrangement.numbers.exact import (

@@ -1,4 +1,4 @@
-"""The commands of the census: show its numbers, check the list, build the types of nine planes.
+"""The commands of the census: show its numbers, check the list of nine planes.
 
 The census itself is imported when a command runs, so that ``--help`` answers at once.
 """
@@ -6,18 +6,16 @@ The census itself is imported when a command runs, so that ``--help`` answers at
 from __future__ import annotations
 
 import argparse
-import io
 import math
 from dataclasses import asdict
 
 from arrangement.console import terminal
-from arrangement.console.writing import write_bytes_atomically
 from arrangement.errors import InputError
 from arrangement.numbers.budget import limit
 
 
 def add_commands(parser: argparse.ArgumentParser) -> None:
-    """Add ``show``, ``check`` and ``build``."""
+    """Add ``show`` and ``check``."""
     commands = parser.add_subparsers(required=True, metavar="WHAT")
 
     show = commands.add_parser("show", help="how many types have so many regions, or such points")
@@ -35,20 +33,7 @@ def add_commands(parser: argparse.ArgumentParser) -> None:
     check.add_argument("--seed", type=terminal.count_argument, default=0, help="of their choice")
     check.set_defaults(command=_check)
 
-    build = commands.add_parser("build", help="build the list of types again")
-    build.add_argument("planes", type=terminal.integer_argument, metavar="M", help="4 to 9")
-    build.add_argument("-o", "--output", metavar="FILE.npz", help="the list (default: typesM.npz)")
-    build.add_argument(
-        "--store",
-        metavar="FOLDER",
-        help="keeps what is done; the same command goes on with it (default: typesM.parts)",
-    )
-    build.add_argument(
-        "--jobs", type=terminal.integer_argument, default=1, metavar="N", help="processes"
-    )
-    build.set_defaults(command=_build)
-
-    for command in (show, check, build):
+    for command in (show, check):
         terminal.add_common_options(command)
 
 
@@ -63,7 +48,7 @@ def _planes(arguments: argparse.Namespace, least: int) -> int:
 
 def _show(arguments: argparse.Namespace) -> int:
     from .census import PUBLISHED, PUBLISHED_SIMPLE
-    from .census.making.tables import table
+    from .census.tables import table
 
     planes = _planes(arguments, 3)
     found = table(planes)
@@ -85,7 +70,7 @@ def _show(arguments: argparse.Namespace) -> int:
 
 def _check(arguments: argparse.Namespace) -> int:
     from .census import MOST_PLANES, PUBLISHED
-    from .census.making.tables import check
+    from .census.tables import check
 
     if not 0 <= arguments.sample <= PUBLISHED[MOST_PLANES - 1]:
         raise InputError(f"--sample is {arguments.sample}; give 0 to {PUBLISHED[MOST_PLANES - 1]}")
@@ -103,25 +88,3 @@ def _check(arguments: argparse.Namespace) -> int:
             f"{found.extensions - found.listed - found.without} missing"
         )
     return terminal.YES if found.holds else terminal.NO
-
-
-def _build(arguments: argparse.Namespace) -> int:
-    import numpy as np
-
-    from .census.making.build import build
-
-    planes = _planes(arguments, 4)
-    output = arguments.output or f"types{planes}.npz"
-    with limit(math.inf):
-        arrays = build(arguments.store or f"types{planes}.parts", arguments.jobs, planes)
-    stream = io.BytesIO()
-    np.savez_compressed(stream, **arrays)  # type: ignore[arg-type]
-    write_bytes_atomically(output, stream.getvalue())
-    numbers = {"types": len(arrays["parents"]), "without_coordinates": len(arrays["without"])}
-    if arguments.json:
-        terminal.print_json(numbers)
-    else:
-        print(
-            f"{numbers['types']:,} types, {numbers['without_coordinates']} more without coordinates"
-        )
-    return terminal.YES

@@ -11,13 +11,13 @@ from functools import partial
 from typing import Any
 
 from arrangement.arrangement import Arrangement
+from arrangement.library.families.classical import coxeter
+from arrangement.library.families.points import resonance, threshold, threshold_functions
 
 from .families.classical import braid, type_b, type_d
-from .families.combinatorial import resonance, threshold, threshold_functions
 from .families.deformations import catalan, ish, ish_b, linial, semiorder, shi
 from .families.graphs import bigraphical, graphical, signed_graphical
 from .families.points import discriminantal, separations
-from .families.root_systems import coxeter
 
 
 @dataclass(frozen=True)

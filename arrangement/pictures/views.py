@@ -23,14 +23,14 @@ DRAWINGS = Drawings(
         "graph": "duals.graph:draw_graph",
         "lattice": "diagrams.lattice:draw_lattice",
     },
-    models={"dual": "duals.models:dual_model", "cells": "duals.models:cells_model"},
+    models={"dual": "duals.solids:dual_model", "cells": "space.cells:cells_model"},
     pages={"arrangement": "page.page:arrangement_page", "cells": "space.cells:cells_page"},
 )
 
 
 def drawings_of(planes: Planes) -> Drawings:
     """Return what can be drawn of planes, what suits them best as the first."""
-    from .essential import suited
+    from .parts.essential import suited
 
     kinds: dict[str, Any] = {}
     for kind in ("views", "models", "pages"):

@@ -14,7 +14,7 @@ from fractions import Fraction
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
-from arrangement.console.short_repr import Shown
+from arrangement.console.number_form import Shown
 from arrangement.errors import InputError
 from arrangement.numbers.exact import IntegerVector, RationalVector, bits, dot, quotient, shown
 from arrangement.numbers.linear.cones import Generators, generators

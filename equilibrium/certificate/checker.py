@@ -36,13 +36,12 @@ from fractions import Fraction
 from itertools import product
 from typing import Any, NamedTuple, TypeAlias
 
-from arrangement.console.short_repr import Shown
+from arrangement.console.number_form import Shown
 from arrangement.numbers.exact import IntegerVector, RationalVector, to_text, vector_text
-from equilibrium.model.contact import VALUES
+from equilibrium.model.contact import VALUES, pyramid_edges
 from equilibrium.model.errors import CertificateError, GraspError
 from equilibrium.model.grasp import Grasp, read_wrench
 from equilibrium.model.plane import in_plane
-from equilibrium.model.pyramid import pyramid_edges
 from equilibrium.model.range import NO_RANGE, Range
 
 from .enclosure import enclosure_problem

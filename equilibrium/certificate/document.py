@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
 
-from arrangement.console.short_repr import Shown
+from arrangement.console.number_form import Shown
 from arrangement.numbers.exact import RationalVector, to_text
 from equilibrium.model.grasp import Grasp
 from equilibrium.model.range import NO_RANGE, Range

@@ -21,7 +21,7 @@ A tree has states alone, so h has two numbers, and instead of "slip" there is
 of slip along the tangents, counter-clockwise and each less than half a turn from the next; the
 children are stick, and the sectors between neighbours, from the last to the first at the end.
 Below such a sector it has one direction, which cuts the sector in two. With ``"pyramid": K`` in the
-certificate the cones of friction are pyramids (`equilibrium.model.pyramid`), and the split is
+certificate the cones of friction are pyramids (`equilibrium.model.contact`), and the split is
 ``{"contact": i, "faces": [nodes]}``: stick, then by turns slip along the normal of an edge of the
 polygon, from the first, and slip between two such normals. Where contacts and load lie in one plane
 the tree may be ``{"plane": [u, v], "tree": node}`` with two axes of the plane, orthonormal, and a
@@ -146,8 +146,6 @@ def read_question(document: Any) -> tuple[str, Grasp, RationalVector]:
         raise CertificateError("an enclosure shows that a grasp in space resists")
     if "pyramid" in document and ("enclosure" in document or grasp.dimension != 3):
         raise CertificateError("a pyramid is for a grasp in space, and needs no enclosure")
-    if "pyramid" in document and read_range(document):
-        raise CertificateError("a pyramid has no largest turn and no largest force")
     return kind, grasp, wrench
 
 

@@ -21,7 +21,7 @@ from fractions import Fraction
 from itertools import product as choices
 from typing import Any, NamedTuple
 
-from arrangement.console.short_repr import Shown
+from arrangement.console.number_form import Shown
 from arrangement.numbers.exact import RationalVector, dot, rational, shown
 from equilibrium.model.contact import Contact
 from equilibrium.model.errors import GraspError

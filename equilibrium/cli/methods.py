@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 from arrangement.console import terminal
 from arrangement.console.number_form import number, vector
 from arrangement.numbers.exact import IntegerVector, rational
-from equilibrium.model.pyramid import pyramid_words
+from equilibrium.model.contact import pyramid_words
 
 from .arguments import (
     add_applied,
@@ -114,8 +114,8 @@ def _wrench_space(arguments: argparse.Namespace) -> int:
 def _edges(arguments: argparse.Namespace, grasp: Grasp) -> int:
     """Return the edges of the pyramids of a hull; refuse what would take minutes."""
     from equilibrium.methods.friction_cones.grasp_wrench_space import MOST_IN_HULL
+    from equilibrium.model.contact import FLAT, pyramid_edges
     from equilibrium.model.errors import GraspError
-    from equilibrium.model.pyramid import FLAT, pyramid_edges
 
     edges: int = arguments.cone or 4
     if grasp.dimension == 2:

@@ -12,10 +12,10 @@ from arrangement.console import terminal
 from arrangement.console.number_form import vector
 from arrangement.numbers import budget
 from arrangement.numbers.exact import dot
-from equilibrium.model.pyramid import pyramid_words
+from equilibrium.model.contact import pyramid_words
 from equilibrium.model.range import NO_RANGE, Range
 
-from . import draw, inputs, lab, methods, modes, wrench_sets
+from . import draw, inputs, methods, modes, wrench_sets
 from .arguments import (
     add_applied,
     add_command,
@@ -29,8 +29,7 @@ from .arguments import (
     show,
     usual_seconds,
 )
-from .proof_words import proof_lines
-from .spatial_words import spatial_lines
+from .proof_words import proof_lines, spatial_lines
 
 if TYPE_CHECKING:
     from arrangement.numbers.exact import RationalVector
@@ -125,7 +124,6 @@ def _parser() -> terminal.Parser:
     modes.add_commands(commands)
     inputs.add_commands(commands)
     draw.add_commands(commands)
-    lab.add_commands(commands)
     return parser
 
 
@@ -147,8 +145,8 @@ def _solve(arguments: argparse.Namespace) -> int:
     from equilibrium.decide.verdict import solve
     from equilibrium.grasps.files import write_certificate
     from equilibrium.methods.contact_laws.printed_model import solve_literal
+    from equilibrium.model.contact import FLAT
     from equilibrium.model.errors import GraspError
-    from equilibrium.model.pyramid import FLAT
 
     if arguments.literal and arguments.certificate is not None:
         raise GraspError("a literal reading has no certificate; omit one of the two options")

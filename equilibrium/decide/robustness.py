@@ -19,7 +19,7 @@ from typing import Any, TypeAlias
 
 import numpy as np
 
-from arrangement.console.short_repr import Shown
+from arrangement.console.number_form import Shown
 from arrangement.numbers.exact import RationalVector, dot, to_text
 from arrangement.numbers.linear.rank import cross
 from equilibrium.certificate.robust import Bounds, Steady, refuted_within, resisted_within

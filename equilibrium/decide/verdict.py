@@ -15,9 +15,9 @@ from dataclasses import dataclass, field
 from functools import cached_property, partial
 from typing import TYPE_CHECKING, Any
 
+from arrangement.console.number_form import Shown
 from arrangement.console.plugins import named
 from arrangement.console.progress import watched
-from arrangement.console.short_repr import Shown
 from arrangement.numbers.exact import RationalVector, to_text, vector_text
 from equilibrium.certificate.checker import Report, check
 from equilibrium.certificate.document import Certificate, refuted_certificate, resisted_certificate
@@ -25,8 +25,8 @@ from equilibrium.model.errors import TimeLimitError
 from equilibrium.model.grasp import Grasp, read_wrench
 from equilibrium.model.range import NO_RANGE, Range, RangeArguments, usual_range, warning
 from equilibrium.plane.contacts import FloatContacts, IntegerContacts
+from equilibrium.plane.search.motion_regions import resistance
 from equilibrium.plane.search.part_program import Node
-from equilibrium.plane.search.resistance import resistance
 from equilibrium.plane.search.state_equilibrium import Solution
 from equilibrium.plane.search.units import SearchUnits
 from equilibrium.plane.states.contact_states import Codes, state_codes, states_at, states_of_code
@@ -227,7 +227,7 @@ class Solver(Shown):
     def __init__(self, grasp: Grasp, largest_turn: Any = None, largest_force: Any = None) -> None:
         grasp.require_plane()
         self.grasp, self.within = grasp, Range.of(largest_turn, largest_force)
-        self._scaled: dict[SearchUnits, IntegerContacts] = {}
+        self._scaled: dict[Range, IntegerContacts] = {}
 
     @cached_property
     def _codes(self) -> Codes:
@@ -249,10 +249,13 @@ class Solver(Shown):
         """Decide one wrench; see the function `solve`."""
         applied = read_wrench(wrench)
         units = SearchUnits.of(self.grasp, applied)
-        scaled = self._scaled.get(units)
+        # Without preload no number of the contacts depends on the unit of force, with it that is
+        # the grasp's own; so all wrenches share them but for the range.
+        within = units.range(self.within)
+        scaled = self._scaled.get(within)
         if scaled is None:
-            scaled = IntegerContacts(units.grasp(self.grasp), units.range(self.within))
-            self._scaled = {units: scaled}
+            scaled = IntegerContacts(units.grasp(self.grasp), within)
+            self._scaled = {within: scaled}
         found = resistance(scaled, units.wrench(applied), time_limit, shorten)
         if isinstance(found, Solution):
             found = units.solution_back(found)

@@ -8,9 +8,9 @@ from typing import Any
 
 from arrangement.console.progress import watched
 from arrangement.numbers.exact import RationalVector, to_text
+from equilibrium.model.contact import FLAT, pyramid_edges
 from equilibrium.model.errors import GraspError, UndecidedError
 from equilibrium.model.grasp import Grasp, read_wrench
-from equilibrium.model.pyramid import FLAT, pyramid_edges
 
 from .registry import DECIDING, DECIDING_IN_SPACE, METHODS, method_named
 
@@ -115,7 +115,7 @@ def compare(grasp: Grasp, wrench: Iterable[Any], *, pyramid: int | None = None) 
         grasp: contacts.
         wrench: applied, ``(f_x, f_y, tau)``, or six numbers in space, where fewer methods answer.
         pyramid: in space, edges of friction pyramids in place of the round cones, for the complete
-            model and all methods with friction; see `equilibrium.model.pyramid`.
+            model and all methods with friction; see `equilibrium.model.contact`.
 
     Raises:
         GraspError: a wrench of the wrong length, or a pyramid in the plane or of no such number.

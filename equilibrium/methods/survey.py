@@ -8,26 +8,28 @@ What no single such step can make smaller is reported; a still smaller one may e
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, field, replace
 from fractions import Fraction
 from random import Random
 from typing import Any
 
+from arrangement.console.number_form import Documented
 from arrangement.console.progress import watched
 from arrangement.numbers.exact import RationalVector, to_text
 from equilibrium.grasps.inputs.random import random_grasp, random_wrench
+from equilibrium.methods.compare import ask
+from equilibrium.methods.friction_cones.grasp_wrench_space import GraspWrenchSpace
+from equilibrium.methods.registry import DECIDING
 from equilibrium.model.contact import Contact
 from equilibrium.model.grasp import Grasp
-
-from .compare import ask
-from .registry import DECIDING
+from equilibrium.wrench_sets.plane import FORCES, resisted_region
 
 OTHERS = DECIDING[1:]
 
 
 @dataclass(frozen=True)
-class Example:
+class Example(Documented):
     """A question on which a method and the complete model disagree.
 
     Attributes:
@@ -35,19 +37,12 @@ class Example:
         accepts: what the method says; the complete model says the opposite.
     """
 
+    in_document = ("method", "accepts", "wrench", "grasp")
+
     method: str
     accepts: bool
     grasp: Grasp
     wrench: RationalVector
-
-    def to_dict(self) -> dict[str, Any]:
-        """Return a JSON form."""
-        return {
-            "method": self.method,
-            "accepts": self.accepts,
-            "wrench": [to_text(x) for x in self.wrench],
-            "grasp": self.grasp.to_dict(),
-        }
 
 
 @dataclass
@@ -227,3 +222,28 @@ def _small_question(contacts: int, seed: str) -> tuple[Grasp, RationalVector]:
 
     grasp = Grasp(contact() for _ in range(contacts))
     return grasp, tuple(Fraction(source.randint(-2, 2)) for _ in range(3))
+
+
+def resistance_figure(
+    grasp: Grasp, spans: Sequence[Iterable[Any]] = FORCES, origin: Iterable[Any] = (0, 0, 0)
+) -> dict[str, Any]:
+    """Return the wrench-space slice, and the resisted wrenches without preload and with preload 1.
+
+    Returns:
+        A JSON form. ``grasp_wrench_space``: the corners, counter-clockwise, of the slice of the
+        space with normal forces that sum to at most 1; ``no_preload`` and ``preload_1``: as
+        `Region.to_dict`, where the border is drawn only where resistance ends.
+
+    Source: [HaasHeger2018], the figure with parts (a), (b), (c).
+    """
+    frame, start = [tuple(span) for span in spans], tuple(origin)
+    corners = GraspWrenchSpace(grasp, "L1").slice(start, *frame)
+    slice_of_space = {"norm": "L1", "corners": [[to_text(x) for x in p] for p in corners]}
+    unloaded, loaded = (
+        resisted_region(grasp.with_preload(preload), frame, start) for preload in (0, 1)
+    )
+    return {
+        "grasp_wrench_space": slice_of_space,
+        "no_preload": unloaded.to_dict(),
+        "preload_1": loaded.to_dict(),
+    }

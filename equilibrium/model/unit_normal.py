@@ -12,7 +12,7 @@ from collections.abc import Iterable
 from fractions import Fraction
 from typing import Any, NamedTuple
 
-from arrangement.console.short_repr import table
+from arrangement.console.number_form import table
 from arrangement.numbers.exact import RationalVector, dot, from_floats, shown
 from arrangement.numbers.linear.rank import cross
 

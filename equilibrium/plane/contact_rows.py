@@ -11,8 +11,7 @@ from fractions import Fraction
 from typing import TypeAlias, TypeVar
 
 from arrangement.numbers.exact import RationalVector
-from equilibrium.model.contact import Contact
-from equilibrium.model.pyramid import pyramid_edges
+from equilibrium.model.contact import Contact, pyramid_edges
 from equilibrium.model.range import Range
 
 #: Normal and tangential force.

@@ -16,8 +16,8 @@ import numpy as np
 
 from arrangement.numbers.exact import RationalVector
 from arrangement.numbers.float_filter import Floats
+from arrangement.numbers.linear.rank import gauss_jordan
 from equilibrium.plane.contacts import nearest
-from equilibrium.plane.elimination import gauss_jordan
 from equilibrium.space.states import StateBalance
 
 #: Sizes of boxes, relative to the motion, and digits of their inverses: in floats, in decimals.

@@ -17,8 +17,8 @@ import numpy as np
 
 from arrangement.numbers.exact import RationalVector
 from arrangement.numbers.float_filter import Floats
+from arrangement.numbers.linear.rank import gauss_jordan
 from equilibrium.plane.contacts import SpatialContacts
-from equilibrium.plane.elimination import gauss_jordan
 from equilibrium.space.enclosures import Enclosed, enclosures
 from equilibrium.space.states import StateBalance, States
 

@@ -9,8 +9,8 @@ import numpy as np
 
 from arrangement.numbers.exact import RationalVector
 from arrangement.numbers.float_filter import Floats
+from arrangement.numbers.linear.rank import gauss_jordan
 from equilibrium.plane.contacts import SpatialContacts, nearest
-from equilibrium.plane.elimination import gauss_jordan
 
 #: Shares of the friction limit are multiples of one over this.
 _SHARES = 2**14

@@ -2,18 +2,20 @@
 
 With the contact states fixed, the wrench stands only in the constants of the balances. So along
 ``base + t direction`` every choice of states allows one closed interval of t. Their union over all
-states is exact, and it need not be one interval that starts at 0.
+states is exact, and it need not be one interval that starts at 0. A seeded search finds small
+grasps where it is not (`gaps`): a binary search for the largest magnitude is wrong on each.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from fractions import Fraction
+from random import Random
 from typing import Any
 
+from arrangement.console.number_form import Documented, Shown
 from arrangement.console.progress import watched
-from arrangement.console.short_repr import Shown
 from arrangement.numbers.exact import RationalVector, dot
 from arrangement.numbers.linear import programs
 from arrangement.numbers.linear.intervals import (
@@ -24,26 +26,30 @@ from arrangement.numbers.linear.intervals import (
     union,
     where_positive,
 )
+from arrangement.numbers.linear.rank import gauss_jordan
 from equilibrium.decide.robustness import DEPENDS, others
 from equilibrium.decide.verdict import Solver, prepare
+from equilibrium.model.contact import Contact
 from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import Grasp, read_wrench
 from equilibrium.plane.contact_rows import sum_row
-from equilibrium.plane.elimination import gauss_jordan
 from equilibrium.plane.states.contact_states import states_of_code
 from equilibrium.plane.states.state_system import StateSystem, state_system
+from equilibrium.wrench_sets.space import resisted_set
 
 _MAGNITUDES: Interval = (Fraction(0), None)
 
 
 @dataclass(frozen=True, repr=False)
-class Magnitudes(Shown):
+class Magnitudes(Documented):
     """All t >= 0 with ``base + t direction`` resisted.
 
     Attributes:
         base, direction: wrenches ``(f_x, f_y, tau)``.
         intervals: disjoint, closed, increasing; an upper end None means no end.
     """
+
+    in_document = ("intervals",)
 
     base: RationalVector
     direction: RationalVector
@@ -62,10 +68,6 @@ class Magnitudes(Shown):
     def contains(self, magnitude: Fraction) -> bool:
         """Return whether this magnitude is resisted."""
         return holds(self.intervals, magnitude)
-
-    def to_dict(self) -> dict[str, Any]:
-        """Return ``{"intervals": [["0", "1"], ["3/2", null]]}``; null means no end."""
-        return {"intervals": list(map(texts, self.intervals))}
 
 
 def resisted_magnitudes(
@@ -197,3 +199,41 @@ def _by_programs(
         return None
     opposite = program.least([-x for x in objective])
     return least, None if opposite is None else -opposite
+
+
+_NORMALS = ((1, 0), (0, 1), (-1, 0), (0, -1))
+_FRICTIONS = (Fraction(0), Fraction(1, 2), Fraction(1))
+_AXES: tuple[RationalVector, ...] = tuple(
+    tuple(Fraction(sign * (i == j)) for j in range(3)) for i in range(3) for sign in (1, -1)
+)
+
+
+@dataclass(frozen=True)
+class Gap(Documented):
+    """A grasp with a direction along which its resisted magnitudes are not one interval from 0."""
+
+    in_document = ("grasp", "direction", "intervals")
+
+    grasp: Grasp
+    direction: RationalVector
+    intervals: tuple[Interval, ...]
+
+
+def gaps(contacts: int, seed: int, tries: int) -> Iterator[Gap]:
+    """Yield the examples among random small grasps with preload 1, along the six axes of wrenches.
+
+    Points have coordinates -1, 0, 1, normals are along the axes, friction is 0, 1/2 or 1.
+    """
+    random = Random(seed)
+    for _ in watched(range(tries), "grasps"):
+        grasp = Grasp(_contact(random) for _ in range(contacts))
+        whole = resisted_set(grasp)
+        for direction in _AXES:
+            found = whole.along(direction)
+            if found and (len(found) > 1 or found[0][0] != 0):
+                yield Gap(grasp, direction, found)
+
+
+def _contact(random: Random) -> Contact:
+    point = (random.randint(-1, 1), random.randint(-1, 1))
+    return Contact(point, random.choice(_NORMALS), random.choice(_FRICTIONS), 1, 1)

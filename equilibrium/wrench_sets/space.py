@@ -10,8 +10,8 @@ from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
 
+from arrangement.console.number_form import Shown
 from arrangement.console.progress import watched
-from arrangement.console.short_repr import Shown
 from arrangement.numbers.exact import IntegerVector, RationalVector
 from arrangement.numbers.linear.intervals import Interval, intersection, union
 from arrangement.numbers.linear.polyhedron import Polyhedron

@@ -73,7 +73,7 @@ def _parser() -> terminal.Parser:
     )
     table = command(
         "table",
-        "table.run_table",
+        "grade.run_table",
         "compare numbers in print with what is computed (exit 1 if some differ)",
     )
     table.add_argument(

@@ -131,7 +131,7 @@ def _about(asked: _Request) -> dict[str, str]:
     if asked.from_files:
         title = claim_file.heading(names[0]).rstrip(".") or Path(names[0]).name
         return {"title": title, "about": ", ".join(names), "command": command}
-    return {"title": claims.TITLE, "about": claims.SOURCE, "command": command}
+    return {**claims.paper(), "command": command}
 
 
 def new_file(arguments: argparse.Namespace) -> int:

@@ -21,7 +21,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from arrangement.arrangement import Arrangement
-from arrangement.console.short_repr import Shown
+from arrangement.console.number_form import Shown
 from arrangement.errors import InputError
 from arrangement.library.files.json_files import Source, check_keys, check_list, read_document
 from arrangement.library.files.table import read_arrangement

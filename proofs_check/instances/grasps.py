@@ -10,11 +10,10 @@ from itertools import combinations, product
 from arrangement.arrangement import Arrangement
 from arrangement.enumeration.paper_steps import published_enumeration
 from equilibrium.model.grasp import Grasp
-from proofs_check.routes.fourier_motzkin import Row
-from proofs_check.routes.oracle import Question
+from proofs_check.routes.oracle import Question, Row
 from proofs_check.statements.statement import Case
 
-from . import paper_tables as printed
+from . import printed
 
 #: Unit normals along the axes.
 AXES = ((1, 0), (0, 1), (-1, 0), (0, -1))

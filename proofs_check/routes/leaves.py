@@ -14,8 +14,7 @@ from fractions import Fraction
 from itertools import product
 from typing import Any
 
-from .fourier_motzkin import Row
-from .oracle import Question, Touch, dot
+from .oracle import Question, Row, Touch, dot
 
 Region = list[Row]
 

@@ -16,7 +16,7 @@ from itertools import chain
 from random import Random
 from typing import TYPE_CHECKING, Any
 
-from arrangement.console.short_repr import Shown
+from arrangement.console.number_form import Shown
 from arrangement.numbers.exact import shown
 from proofs_check.errors import OwnClaimError, UnknownClaimError
 

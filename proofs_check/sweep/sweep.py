@@ -2,7 +2,9 @@
 
 Instances are random, or the combinatorial types of the census, one after another. Random instance
 number k depends on the seed, the claim and k alone. So neither the number of workers, nor
-the order of the chunks, nor any interruption can change what a sweep finds.
+the order of the chunks, nor any interruption can change what a sweep finds. Every claim with a
+domain can be swept, by its name; claims on the printed tables have none, because their cases are
+the rows and nothing else.
 """
 
 from __future__ import annotations
@@ -19,16 +21,64 @@ from arrangement.console import workers
 from arrangement.library.census import MOST_PLANES, PUBLISHED, census
 from arrangement.library.census.catalogue import chirotopes
 from arrangement.numbers.exact import shown
+from proofs_check.claims import registry
 from proofs_check.errors import DamagedStoreError, SweepError
 from proofs_check.instances.domains import count, size
-from proofs_check.own_claims.claim_file import file_digest
-from proofs_check.reports.report import environment, plain
+from proofs_check.own_claims.claim_file import file_digest, load
+from proofs_check.reports.report import claim_record, environment, plain
 from proofs_check.statements.evidence import OUTCOMES, check
-from proofs_check.statements.statement import Case, Claim
+from proofs_check.statements.statement import Case, Claim, Domain
+from proofs_check.sweep import store
+from proofs_check.sweep.store import Chunk, Store
 
-from . import store
-from .store import Chunk, Store
-from .sweepable import about, domain_of, split, target
+
+def split(name: str) -> tuple[str | None, str]:
+    """Return the file (None for the registry) and the id ("" for the only claim of a file)."""
+    if name.endswith(".py"):
+        return name, ""
+    file, found, id = name.rpartition(".py:")
+    return (f"{file}.py", id) if found else (None, name)
+
+
+def target(name: str) -> Claim:
+    """Return the claim that a name means: an id of the registry, FILE.py, or FILE.py:ID.
+
+    Raises:
+        SweepError: a claim that has no random instances, or an id that the file does not have.
+        UnknownClaimError: no claim of the registry has this id.
+        OwnClaimError: the file cannot be run.
+    """
+    file, id = split(name)
+    if file is None:
+        claim = registry()[id]
+        if claim.domain is None:
+            known = ", ".join(entry.id for entry in registry() if entry.domain)
+            raise SweepError(
+                f"{id} speaks of {claim.over}, not of random instances; these can be swept: {known}"
+            )
+        return claim
+    claims = {claim.id: claim for claim in load(file)}
+    if not id and len(claims) == 1:
+        (id,) = claims
+    if id not in claims:
+        raise SweepError(f"{file} has the claims {', '.join(claims)}; name one as {file}:ID")
+    if claims[id].domain is None:
+        raise SweepError(f"{id} is about a list of instances; a sweep draws random ones")
+    return claims[id]
+
+
+def domain_of(claim: Claim) -> Domain:
+    """Return the domain of a claim that can be swept."""
+    assert claim.domain is not None
+    return claim.domain
+
+
+def about(claim: Claim) -> dict[str, Any]:
+    """Return what a report has to know of a claim, for the store of a sweep."""
+    domain = domain_of(claim)
+    found = {"record": claim_record(claim), "domain": domain.text, "unit": domain.unit}
+    return found | ({"many_types": claim.many_types.name} if claim.many_types else {})
+
 
 #: Instances in a chunk, unless another number is given.
 CHUNK = 200

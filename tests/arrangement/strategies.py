@@ -1,7 +1,5 @@
 """Random arrangements for property tests: small entries, so that degenerate ones are common."""
 
-from __future__ import annotations
-
 from fractions import Fraction
 from typing import Any
 

@@ -1,7 +1,5 @@
 """The engine for planes of rank 3: the same faces as the general engine, with exact points."""
 
-from __future__ import annotations
-
 from fractions import Fraction
 from random import Random
 
@@ -85,25 +83,22 @@ def huge(draw: st.DrawFn) -> Arrangement:
     return Arrangement([row[:3] for row in kept], [row[3] for row in kept], dimension=3)
 
 
-@settings(max_examples=80, deadline=None)
+@settings(max_examples=80)
 @given(arrangements(dimensions=(3, 3), planes=(0, 8)))
 def test_faces_equal_those_of_the_general_engine(planes):
     assert_same_as_the_general_engine(planes)
 
 
-@settings(max_examples=60, deadline=None)
 @given(degenerate())
 def test_faces_are_right_where_planes_nearly_coincide(planes):
     assert_same_as_the_general_engine(planes)
 
 
-@settings(max_examples=60, deadline=None)
 @given(huge())
 def test_faces_are_right_for_entries_of_hundreds_of_bits(planes):
     assert_same_as_the_general_engine(planes)
 
 
-@settings(max_examples=60, deadline=None)
 @given(arrangements(dimensions=(3, 3), planes=(1, 7)), st.integers(0, 2**32))
 def test_any_float_proposal_leads_to_the_same_faces(planes, seed):
     """Parameters drawn at random: only the determinants are left to find the order."""
@@ -180,9 +175,7 @@ def test_integers_decide_what_floats_cannot(exact_work, monkeypatch):
     sorted_again = []
     exact_order = PlaneTable.exact_parameters
     monkeypatch.setattr(
-        PlaneTable,
-        "exact_parameters",
-        lambda *args: sorted_again.append(1) or exact_order(*args),
+        PlaneTable, "exact_parameters", lambda *args: sorted_again.append(1) or exact_order(*args)
     )
     assert_same_as_the_general_engine(hair_apart(30))
     assert sum(exact_work) > 100
@@ -221,7 +214,6 @@ def test_different_rows_with_one_key_stay_different(monkeypatch):
     assert set(rows(found.signs)) == set(rows(expected.signs))
 
 
-@settings(max_examples=50, deadline=None)
 @given(st.lists(st.integers(-(2**40), 2**40), min_size=4, max_size=4).filter(lambda r: any(r[:3])))
 def test_a_plane_scaled_by_a_power_of_two_keeps_its_floats(row):
     first, _ = scaled_floats([tuple(row), (2**70, 1, 0, 0)])
@@ -229,15 +221,15 @@ def test_a_plane_scaled_by_a_power_of_two_keeps_its_floats(row):
     assert np.array_equal(first, second)
 
 
-def test_unit_is_the_unit_roundoff() -> None:
+def test_unit_is_the_unit_roundoff():
     assert np.finfo(np.float64).eps / 2 == UNIT
     assert float(EXACT) + 1 == EXACT
     assert np.finfo(np.float64).tiny < SMALLEST**4 * UNIT
 
 
-@settings(max_examples=200, deadline=None)
+@settings(max_examples=200)
 @given(st.lists(st.tuples(*[st.integers(-(2**80), 2**80)] * 2), min_size=1, max_size=6))
-def test_a_certain_sign_is_the_true_sign(pairs: list[tuple[int, int]]) -> None:
+def test_a_certain_sign_is_the_true_sign(pairs):
     left, right = (np.array([float(x) for x in row]) for row in zip(*pairs, strict=True))
     exact = sum(x * y for x, y in pairs)
     value, size = left @ right, np.abs(left) @ np.abs(right)
@@ -247,7 +239,7 @@ def test_a_certain_sign_is_the_true_sign(pairs: list[tuple[int, int]]) -> None:
         assert np.sign(value) == (exact > 0) - (exact < 0)
 
 
-def test_rows_with_too_small_entries_are_named() -> None:
+def test_rows_with_too_small_entries_are_named():
     floats, usable = scaled([(2**201, 1), (2**200, 3), (2**900, 0), (0, 0)])
     assert usable.tolist() == [False, True, True, True]
     assert np.abs(floats).max() < 1
@@ -279,17 +271,17 @@ def wrong_signs(size: int, cases: int = 300) -> int:
 
 
 @pytest.mark.parametrize("size", [LARGEST, LARGEST + 1, 6000, 8000, 10**4, 10**5, 10**8, 10**20])
-def test_dependent_planes_and_their_neighbours_have_the_exact_signs(size: int) -> None:
+def test_dependent_planes_and_their_neighbours_have_the_exact_signs(size):
     assert wrong_signs(size) == 0
 
 
-def test_the_bound_on_small_integers_ends_where_the_proof_does() -> None:
+def test_the_bound_on_small_integers_ends_where_the_proof_does():
     assert 24 * LARGEST**4 <= EXACT < 24 * (LARGEST + 1) ** 4
     assert scaled_floats([(LARGEST, 1, 0, 0)])[1] == 0.0
     assert scaled_floats([(LARGEST + 1, 1, 0, 0)])[1] == predicates.ERROR == 2.0**-49
 
 
-def test_with_looser_bounds_signs_are_wrong(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_with_looser_bounds_signs_are_wrong(monkeypatch):
     """The same planes tell: they have wrong signs where floats are trusted too far."""
     monkeypatch.setattr(predicates, "EXACT", 24 * 10**16)
     assert wrong_signs(10**4) > 0

@@ -1,7 +1,5 @@
 """No input is without end: hostile questions are answered, or refused soon with a forecast."""
 
-from __future__ import annotations
-
 import json
 import math
 import os
@@ -173,25 +171,25 @@ def check(number: int, folder: Path) -> None:
 
 
 @pytest.mark.parametrize("number", [2, 8, 29])
-def test_a_hostile_question_is_answered_or_refused_soon(number: int, tmp_path: Path) -> None:
+def test_a_hostile_question_is_answered_or_refused_soon(number, tmp_path):
     check(number, tmp_path)
 
 
 @pytest.mark.campaign
 @pytest.mark.parametrize("number", range(100, 1000, 11))
-def test_hostile_questions_are_answered_or_refused_soon(number: int, tmp_path: Path) -> None:
+def test_hostile_questions_are_answered_or_refused_soon(number, tmp_path):
     check(number, tmp_path)
 
 
 @pytest.mark.parametrize("m", range(6))
 @pytest.mark.parametrize("d", range(1, 5))
 @pytest.mark.parametrize("affine", [False, True])
-def test_the_bound_is_attained_in_general_position(m: int, d: int, affine: bool) -> None:
+def test_the_bound_is_attained_in_general_position(m, d, affine):
     planes = families.generic(m, d, affine=affine)
     assert most_faces(m, planes.rank, planes.is_central) == len(planes.faces())
 
 
-def test_a_list_is_refused_by_its_exact_size_and_the_limit_allows_it() -> None:
+def test_a_list_is_refused_by_its_exact_size_and_the_limit_allows_it():
     planes = families.coordinate(5)
     with budget.limit(1e-6), pytest.raises(OutOfReachError, match="243 faces") as refused:
         planes.faces()
@@ -199,7 +197,7 @@ def test_a_list_is_refused_by_its_exact_size_and_the_limit_allows_it() -> None:
     assert len(planes.faces()) == 243
 
 
-def test_planes_of_independent_parts_are_counted_part_by_part() -> None:
+def test_planes_of_independent_parts_are_counted_part_by_part():
     assert sum(counts.f_vector(families.coordinate(30))) == 3**30
     chi = counts.first_whitney_numbers(families.coordinate(200))
     assert chi == tuple((-1) ** k * math.comb(200, k) for k in range(201))
@@ -211,19 +209,14 @@ def test_planes_of_independent_parts_are_counted_part_by_part() -> None:
     assert counts.f_vector(skew) == skew.f_vector
 
 
-def test_lines_in_two_directions_fill_a_grid() -> None:
-    grid = Arrangement([[1, 0]] * 200 + [[0, 1]] * 200, [*range(200), *range(200)])
-    assert grid.f_vector == (200**2, 2 * 200 * 201, 201**2) == counts.f_vector(grid)
-
-
-def test_a_basis_of_many_rows_is_found_where_they_span_little() -> None:
+def test_a_basis_of_many_rows_is_found_where_they_span_little():
     parallel = Arrangement([[1, 0, 0]] * 2000, range(2000))
     assert counts.f_vector(parallel) == (0, 0, 2000, 2001)
     pencil = Arrangement([[1, k, 0] for k in range(300)])
     assert counts.f_vector(pencil) == (0, 1, 600, 600)
 
 
-def test_one_plane_off_the_others_is_a_factor_of_its_own() -> None:
+def test_one_plane_off_the_others_is_a_factor_of_its_own():
     flat = [[1, k, 0] for k in range(30)]
     assert [len(part) for part in counts.irreducible_factors(Arrangement([*flat, [0, 0, 1]]))] == [
         30,

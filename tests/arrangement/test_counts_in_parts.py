@@ -1,7 +1,5 @@
 """Counts in parts: however they are stopped, shared or spread, the numbers are the same."""
 
-from __future__ import annotations
-
 import json
 from functools import partial
 from pathlib import Path
@@ -43,16 +41,16 @@ def files(folder: Path) -> dict[str, bytes]:
     ],
     ids=str,
 )
-def test_parts_give_the_numbers_of_the_whole(planes: Arrangement, tmp_path: Path) -> None:
+def test_parts_give_the_numbers_of_the_whole(planes, tmp_path):
     assert in_parts(planes, tmp_path) == counts.first_whitney_numbers(planes)
 
 
-def test_flats_are_merged_in_portions_too(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_flats_are_merged_in_portions_too(tmp_path, monkeypatch):
     monkeypatch.setattr(counts_in_parts, "_MANY", 2)
     assert in_parts(RESONANCE, tmp_path) == NUMBERS
 
 
-def test_a_count_that_was_stopped_goes_on(tmp_path: Path) -> None:
+def test_a_count_that_was_stopped_goes_on(tmp_path):
     with pytest.raises(OutOfTimeError, match="run the same command again") as caught:
         in_parts(RESONANCE, tmp_path / "stopped", time_limit=1e-9)
     assert caught.value.known == (1,)
@@ -64,7 +62,7 @@ def test_a_count_that_was_stopped_goes_on(tmp_path: Path) -> None:
     assert files(tmp_path / "stopped") == files(tmp_path / "whole")
 
 
-def test_shards_do_their_parts_and_wait_for_others(tmp_path: Path) -> None:
+def test_shards_do_their_parts_and_wait_for_others(tmp_path):
     unfinished = []
     for turn in range(8):
         try:
@@ -80,7 +78,7 @@ def test_shards_do_their_parts_and_wait_for_others(tmp_path: Path) -> None:
         assert "of the 3 parts of rank" in str(error)
 
 
-def test_processes_give_the_same_files(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_processes_give_the_same_files(tmp_path, monkeypatch):
     monkeypatch.setattr(counts_in_parts, "_FEW", 10)
     planes = families.threshold_functions(3)
     assert in_parts(planes, tmp_path / "two", jobs=2) == counts.first_whitney_numbers(planes)
@@ -88,7 +86,7 @@ def test_processes_give_the_same_files(tmp_path: Path, monkeypatch: pytest.Monke
     assert files(tmp_path / "two") == files(tmp_path / "one")
 
 
-def test_what_cannot_be_used_is_refused(tmp_path: Path) -> None:
+def test_what_cannot_be_used_is_refused(tmp_path):
     in_parts(families.braid(4), tmp_path)
     with pytest.raises(InputError, match="has parts of other planes"):
         in_parts(RESONANCE, tmp_path)
@@ -108,7 +106,7 @@ def test_what_cannot_be_used_is_refused(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize("generators", [[[1, 0, 2, 3, 4, 5]], [[9]], [["a"]], 3, None])
-def test_symmetries_of_a_plan_are_checked(tmp_path: Path, generators: Any) -> None:
+def test_symmetries_of_a_plan_are_checked(tmp_path, generators):
     in_parts(families.braid(4), tmp_path)
     plan = tmp_path / "plan.json"
     plan.write_text(json.dumps(json.loads(plan.read_text()) | {"generators": generators}))
@@ -117,7 +115,7 @@ def test_symmetries_of_a_plan_are_checked(tmp_path: Path, generators: Any) -> No
 
 
 @pytest.mark.parametrize("damage", [b"", b"PK", b"no archive"])
-def test_a_damaged_part_is_named(tmp_path: Path, damage: bytes) -> None:
+def test_a_damaged_part_is_named(tmp_path, damage):
     in_parts(RESONANCE, tmp_path)
     part = tmp_path / "rank-04" / "part-01.npz"
     part.write_bytes(damage)
@@ -131,14 +129,14 @@ def test_a_damaged_part_is_named(tmp_path: Path, damage: bytes) -> None:
     assert in_parts(RESONANCE, tmp_path) == NUMBERS
 
 
-def test_a_forecast_of_few_flats_counts_them() -> None:
+def test_a_forecast_of_few_flats_counts_them():
     for planes in (RESONANCE, families.shi("B3")):
         ranks = list(forecast(planes))
         assert all(entry.exact for entry in ranks)
         assert [entry.rank for entry in ranks] == list(range(configuration(planes).rank - 1))
 
 
-def test_a_forecast_of_many_flats_is_near() -> None:
+def test_a_forecast_of_many_flats_is_near():
     planes = families.random_integer(14, 6, bound=9, seed=1)  # without symmetry a class is a flat
     flats = counts.whitney_numbers(planes).second
     for entry in forecast(planes, sample=60):
@@ -152,7 +150,7 @@ def run(*words: str, capsys: pytest.CaptureFixture[str]) -> tuple[int, Any, str]
     return code, printed.out, printed.err
 
 
-def test_the_command_counts_in_parts(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_the_command_counts_in_parts(tmp_path, capsys):
     path, store = tmp_path / "r.json", str(tmp_path / "store")
     path.write_text(json.dumps(RESONANCE.to_dict()))
     code, out, err = run(str(path), "--store", store, "--time-limit", "1/1000000", capsys=capsys)
@@ -168,26 +166,3 @@ def test_the_command_counts_in_parts(tmp_path: Path, capsys: pytest.CaptureFixtu
     code, out, err = run(str(path), "--shard", "1/2", capsys=capsys)
     assert code == 2
     assert "need --store" in err
-
-
-@pytest.mark.parametrize(
-    ("words", "code", "message"),
-    [
-        (["--primes", "5,7,11"], 0, "(t - 3)**2"),
-        (["--primes", "5,4"], 2, "4 is no prime"),
-        (["--primes", "2,3"], 2, "2 is a prime of bad reduction"),
-        (["--primes", "5"], 2, "give at least 2"),
-        (["--primes", "five"], 2, "write 5,7,11"),
-        (["--primes", "5", "--forecast"], 2, "not allowed with"),
-        (["--time-limit", "0", "--jobs", "2"], 2, "positive number"),
-    ],
-)
-def test_the_command_counts_points_and_refuses_what_is_wrong(
-    words: list[str], code: int, message: str, capsys: pytest.CaptureFixture[str]
-) -> None:
-    try:
-        found, out, err = run("shi-a2-affine", *words, capsys=capsys)
-    except SystemExit as error:  # of argparse
-        found, (out, err) = int(str(error)), capsys.readouterr()
-    assert found == code
-    assert message in out + err

@@ -1,8 +1,11 @@
 """Planes in a ball or cube: the order of painting is right, what is drawn is what is counted."""
 
-from __future__ import annotations
-
+import json
+import math
 import random
+import re
+import struct
+from collections import Counter
 from collections.abc import Sequence
 from fractions import Fraction
 from pathlib import Path
@@ -10,22 +13,36 @@ from typing import Any
 
 import numpy as np
 import pytest
+import trimesh
 from hypothesis import given, settings, strategies as st
 
-from arrangement import Arrangement
+from arrangement import Arrangement, ArrangementError, InputError
 from arrangement.cli import main
-from arrangement.counts import f_vector
-from arrangement.duals.cells import cut_cells
+from arrangement.counts import f_vector, region_count
+from arrangement.drawing.solids.meshes import ClosedSurface, model_bytes
+from arrangement.duals.body import body_around
+from arrangement.duals.cells import Cells, cut_cells
 from arrangement.library.files.table import read_arrangement
-from arrangement.pictures.space.exploded_cells import lifted_cells
-from arrangement.pictures.space.painting import Facet, Stage
+from arrangement.numbers.exact import sign
+from arrangement.numbers.linear.rank import determinant
+from arrangement.pictures import (
+    arrangement_page,
+    cells_page,
+    draw_lines,
+    draw_sphere,
+    write_drawing,
+)
+from arrangement.pictures.parts.essential import fits, in_space
+from arrangement.pictures.space.cells import cells_model
+from arrangement.pictures.space.exploded_cells import Facet, Stage, lifted_cells
 from arrangement.pictures.space.planes import draw_planes
+from arrangement.pictures.views import drawings_of
 from tests.drawn import paths
+from tests.instances import PLANAR
 
 from .strategies import arrangements
 
 Point = tuple[Fraction, ...]
-NAMES = ["braid-a3", "reflection-b3", "pencil", "coincident-planes", "parallel-planes-affine"]
 #: Five affine planes in general position, with bounded regions.
 AFFINE = Arrangement([[1, 0, 0], [0, 1, 0], [0, 0, 1], [1, 1, 1], [2, -1, 1]], [0, 0, 0, 1, "1/3"])
 DIRECTION = (5, 3, 4)
@@ -75,30 +92,27 @@ def wrong_pairs(stage: Stage, facets: Sequence[Facet], samples: random.Random) -
 
 
 @pytest.mark.campaign
-@settings(max_examples=30, deadline=None)
 @given(
     spatial,
     st.tuples(*[st.integers(-3, 3)] * 3).filter(any),
     st.sampled_from(["ball", "cube"]),
     st.randoms(use_true_random=False),
 )
-def test_no_facet_is_painted_after_one_in_front_of_it(
-    planes: Arrangement, direction: tuple[int, int, int], body: str, samples: random.Random
-) -> None:
+def test_no_facet_is_painted_after_one_in_front_of_it(planes, direction, body, samples):
     stage = Stage(cut_cells(planes, body), direction)
     assert wrong_pairs(stage, stage.facets, samples) == []
 
 
 @pytest.mark.parametrize("name", ["braid-a3", "reflection-b3"])
-def test_the_check_of_the_order_finds_a_wrong_order(name: str) -> None:
+def test_the_check_of_the_order_finds_a_wrong_order(name):
     stage = Stage(cut_cells(read_arrangement(name), "cube"), DIRECTION)
     assert wrong_pairs(stage, stage.facets, random.Random(1)) == []
     assert wrong_pairs(stage, stage.facets[::-1], random.Random(1))
 
 
-@settings(max_examples=20, deadline=None)
+@settings(max_examples=20)
 @given(spatial, st.sampled_from(["ball", "cube"]))
-def test_every_facet_and_every_region_meets_the_body(planes: Arrangement, body: str) -> None:
+def test_every_facet_and_every_region_meets_the_body(planes, body):
     """Zaslavsky's theorem counts them by another route."""
     cells = cut_cells(planes, body)
     _, _, facets, regions = f_vector(planes)
@@ -111,7 +125,7 @@ def test_every_facet_and_every_region_meets_the_body(planes: Arrangement, body: 
 
 
 @pytest.mark.parametrize("planes", [read_arrangement("braid-a3"), AFFINE], ids=["A3", "affine"])
-def test_facets_of_a_plane_fill_its_disc_in_the_ball(planes: Arrangement) -> None:
+def test_facets_of_a_plane_fill_its_disc_in_the_ball(planes):
     stage = Stage(cut_cells(planes, "ball"), DIRECTION)
     for label, (_, offset) in enumerate(stage.planes):
         found = sum(area(stage.points[list(f.corners)]) for f in stage.facets if f.label == label)
@@ -129,16 +143,6 @@ def painted(figure: Any, start: str) -> dict[str, float]:
     return {path.name: path.height for path in paths(figure) if path.name.startswith(start)}
 
 
-@pytest.mark.parametrize("body", ["ball", "cube"])
-@pytest.mark.parametrize("name", NAMES)
-def test_the_picture_has_every_facet_once_in_order(name: str, body: str) -> None:
-    planes = read_arrangement(name)
-    drawn = painted(draw_planes(planes, body=body), "facet-")
-    assert len(drawn) == f_vector(planes)[2]
-    numbers = [int(gid.split("-")[1]) for gid in sorted(drawn, key=lambda gid: drawn[gid])]
-    assert numbers == list(range(len(drawn)))
-
-
 @pytest.mark.parametrize(
     ("planes", "numbers"),
     [(read_arrangement("braid-a3"), [0, 5, 14, 23]), (AFFINE, range(0, 24, 3))],
@@ -146,8 +150,8 @@ def test_the_picture_has_every_facet_once_in_order(name: str, body: str) -> None
 )
 @pytest.mark.parametrize("direction", [(5, 3, 4), (-2, 5, 1), (1, -6, -3)])
 def test_lifted_cells_are_painted_between_what_hides_them_and_what_they_hide(
-    planes: Arrangement, numbers: Sequence[int], direction: tuple[int, int, int]
-) -> None:
+    planes, numbers, direction
+):
     """Lines of sight through the middles of facets and of lifted cells meet the rest in order."""
     chosen = [planes.regions()[number].signs for number in numbers]
     texts = ["".join("+" if s > 0 else "-" for s in signs) for signs in chosen]
@@ -192,14 +196,12 @@ def sight_through(solid: Any, point: Any) -> tuple[float, float] | None:
     return (float(low), float(high)) if high - low > 1e-9 else None
 
 
-def test_numbers_name_the_planes_and_coincident_ones_share_a_place() -> None:
+def test_numbers_name_the_planes_and_coincident_ones_share_a_place():
     axes = draw_planes(read_arrangement("paper-four-contacts"), body="cube", axes="none").axes[0]
     assert sorted(text.get_text() for text in axes.texts) == ["1,2", "3,4"]
 
 
-def test_the_command_takes_signs_that_begin_with_a_minus(
-    tmp_path: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_the_command_takes_signs_that_begin_with_a_minus(tmp_path, capsys):
     target = tmp_path / "a.svg"
     arguments = ["draw", "coordinate-planes", "-o", str(target), "--view", "planes"]
     more = ["--lift=-+-", "--lift=---", "--body", "cube", "--direction", "-1/2", "3", "0.7"]
@@ -209,16 +211,14 @@ def test_the_command_takes_signs_that_begin_with_a_minus(
     assert b"cell----" in target.read_bytes()
 
 
-@settings(max_examples=20, deadline=None)
+@settings(max_examples=20)
 @given(
     spatial,
     st.tuples(*[st.fractions(-2, 2, max_denominator=3)] * 3),
     st.fractions("1/3", 3, max_denominator=5),
     st.randoms(use_true_random=False),
 )
-def test_a_chosen_cube_shows_the_cells_that_meet_it_and_is_filled(
-    planes: Arrangement, centre: Point, radius: Fraction, samples: random.Random
-) -> None:
+def test_a_chosen_cube_shows_the_cells_that_meet_it_and_is_filled(planes, centre, radius, samples):
     cells = cut_cells(planes, "cube", centre, radius)
     stage = Stage(cells, DIRECTION)
     assert wrong_pairs(stage, stage.facets, samples) == []
@@ -230,10 +230,380 @@ def test_a_chosen_cube_shows_the_cells_that_meet_it_and_is_filled(
     assert seen <= {face.signs for face in planes.regions()}
 
 
-def test_far_vertices_can_be_left_out() -> None:
+def test_far_vertices_can_be_left_out():
     """Two of the planes meet x = 0 in lines that cross at y = 1000; near the origin they do not."""
     planes = Arrangement([[1, 0, 0], [0, 1, 1000], [0, 1, -1000]], [0, 1000, 1000])
     everything = painted(draw_planes(planes, body="cube"), "facet-")
     near = painted(draw_planes(planes, body="cube", centre=(0, 0, 0), radius=2), "facet-")
     assert len(everything) == f_vector(planes)[2] == 12
     assert len(near) == 3 + 2 * 2
+
+
+SIMPLEX = Arrangement([[1, 0, 0], [0, 1, 0], [0, 0, 1], [1, 1, 1]], [0, 0, 0, 1])
+PLANES = {
+    "simplex": SIMPLEX,
+    "parallel": read_arrangement("parallel-planes-affine"),
+    "central": read_arrangement("cube-diagonals"),
+    "coincident": read_arrangement("coincident-planes"),
+    "one": Arrangement([[1, 2, 3]], [4]),
+    "none": Arrangement([], dimension=3),
+    "lines": read_arrangement("generic-lines-affine"),
+}
+
+
+def data_of(page: str) -> dict[str, Any]:
+    found = re.search(r'id="data">(.*?)</script>', page)
+    assert found is not None
+    data: dict[str, Any] = json.loads(found[1])
+    return data
+
+
+@pytest.mark.parametrize("name", PLANES)
+def test_the_page_has_every_cell_with_its_signs(name):
+    planes = PLANES[name]
+    data = data_of(cells_page(planes))
+    signs = ["".join("+" if s > 0 else "−" for s in face.signs) for face in planes.regions()]
+    assert sorted(piece["name"] for piece in data["pieces"]) == sorted(s or "all" for s in signs)
+    pieces = [{face["piece"] for face in node["faces"]} for node in data["nodes"]]
+    assert sorted(k for found in pieces for k in found) == list(range(len(signs)))
+
+
+@given(
+    arrangements(dimensions=(3, 3), planes=(1, 4)),
+    st.floats(1, 3),
+    st.tuples(*[st.integers(-5, 5)] * 3).filter(any),
+)  # fmt: skip
+def test_no_cell_apart_is_painted_over_one_that_is_nearer(planes, explode, direction):
+    """Two cells in order are separated by a plane with the viewer on the side of the later one."""
+    data = data_of(cells_page(planes, explode=explode))
+    solids = []
+    todo = [(0, False)]
+    while todo:
+        k, ready = todo.pop()
+        if k < 0:
+            continue
+        node = data["nodes"][k]
+        if ready:
+            solids += [node["faces"]] if node["faces"] else []
+            continue
+        ahead = np.dot(node["row"], direction) > 0
+        near, far = ("front", "back") if ahead else ("back", "front")
+        todo += [(node[near], False), (k, True), (node[far], False)]
+    moved = [
+        np.array([np.array(p) + (explode - 1) * np.array(face["middle"])
+                  for face in faces for p in face["at"]])
+        for faces in solids
+    ]  # fmt: skip
+    ways = [np.array(plane[:3]) for plane in planes.integer_planes]
+    for i, behind in enumerate(moved):
+        for before in moved[i + 1 :]:
+            assert any(
+                (side * before @ way).min() >= (side * behind @ way).max() - 1e-3
+                for way in ways
+                for side in (1, -1)
+                if side * way @ np.array(direction) >= 0
+            )
+
+
+@pytest.mark.campaign
+@pytest.mark.parametrize("name", ["simplex", "one", "none"])
+def test_the_page_opens_turns_and_tells(name, browser, tmp_path):
+    (tmp_path / "a.html").write_text(cells_page(PLANES[name]), encoding="utf-8")
+    browser.open(tmp_path / "a.html")
+    browser.settled()
+    drawn = "return document.querySelectorAll('#solid .face').length"
+    assert browser.run(drawn) > 0
+    browser.run("document.getElementById('solid').dispatchEvent("
+                "new KeyboardEvent('keydown', {key: 'n'}))")  # fmt: skip
+    browser.settled()
+    chosen = browser.run("return document.getElementById('chosen-title').textContent")
+    assert chosen == data_of(cells_page(PLANES[name]))["pieces"][0]["name"]
+    assert browser.run("return document.querySelectorAll('#solid .chosen').length") > 0
+    assert browser.messages() == []
+
+
+def test_what_is_in_front_moves_with_the_pointer(browser, tmp_path):
+    """Downwards as upwards: the nearest corner goes where the drag goes."""
+    page = cells_page(PLANES["one"])
+    (tmp_path / "a.html").write_text(page, encoding="utf-8")
+    browser.open(tmp_path / "a.html")
+    browser.settled()
+    box = browser.run(
+        "const r = document.getElementById('solid').getBoundingClientRect();"
+        "return [r.x + r.width / 2, r.y + r.height / 2]"
+    )
+    # What is painted last is nearest.
+    place = (
+        "const r = [...document.querySelectorAll('#solid .face')].at(-1).getBoundingClientRect();"
+        "return r.y + r.height / 2"
+    )
+    for way in (15, -15):
+        before = browser.run(place)
+        browser.drag(tuple(box), (box[0], box[1] + way))
+        assert (browser.run(place) - before) * way > 0
+
+
+BRAID = read_arrangement("braid-a3-in-r4")
+#: An affine graphic arrangement of rank 2 in R^3, and a restriction of rank 3 in R^5.
+GRAPHIC = Arrangement([[1, -1, 0], [0, 1, -1], [1, 0, -1]], [0, 1, 0])
+RESTRICTION = Arrangement([[1, 2, 0, 0, 1], [0, 0, 1, 0, 0], [0, 0, 0, 1, 3]], [1, 0, 2])
+
+
+def texts(figure: Any) -> list[str]:
+    return [text.get_text() for text in figure.axes[0].texts]
+
+
+def test_planes_in_their_own_space_have_no_caption():
+    assert not any("arrangement" in text for text in texts(draw_sphere(read_arrangement("pencil"))))
+    assert "arrangement in R¹, times a line" in texts(draw_lines(Arrangement([[1], [2]], [0, 1])))
+
+
+@given(
+    st.lists(st.tuples(*[st.integers(-3, 3)] * 2), min_size=1, max_size=5),
+    st.tuples(*[st.tuples(*[st.integers(-2, 2)] * 4)] * 2),
+    st.lists(st.integers(-2, 2), min_size=5, max_size=5),
+)
+def test_signs_faces_and_nearly_angles_are_those_in_the_other_space(coefficients, basis, offsets):
+    normals = [[a * x + b * y for x, y in zip(*basis, strict=True)] for a, b in coefficients]
+    normals = [normal for normal in normals if any(normal)]
+    planes = Arrangement(normals, offsets[: len(normals)], dimension=4)
+    for dimension in {2, 3}:
+        moved = in_space(planes, dimension)
+        assert (moved.dimension, moved.rank) == (dimension, planes.rank)
+        assert moved.distinct == planes.distinct
+        assert {f.signs for f in moved.regions()} == {f.signs for f in planes.regions()}
+        for before, after in zip(_cosines(planes), _cosines(moved), strict=True):
+            assert math.isclose(before, after, abs_tol=2e-3)
+
+
+def _cosines(planes: Arrangement) -> list[float]:
+    units = np.array([plane[:-1] for plane in planes.integer_planes], dtype=float)
+    units = units.reshape(len(planes), planes.dimension)
+    units /= np.linalg.norm(units, axis=1, keepdims=True)
+    return [float(x) for x in (units @ units.T).ravel()]
+
+
+@pytest.mark.parametrize("planes", [BRAID, GRAPHIC, RESTRICTION])
+def test_models_and_pages_are_made_of_the_essentialisation(planes):
+    moved = in_space(planes, 3)
+    assert f_vector(moved)[-1] == f_vector(planes)[-1]
+    assert cells_model(planes, ".stl", body="cube") == cells_model(moved, ".stl", body="cube")
+    if planes.is_central:
+        assert "essentialisation of an arrangement in R\\u2074" in arrangement_page(planes)
+
+
+@pytest.mark.campaign
+@pytest.mark.parametrize("name", PLANAR)
+def test_by_default_there_is_what_suits_the_planes(name, tmp_path):
+    planes = read_arrangement(name)
+    found = drawings_of(planes)
+    view = next(iter(found.views))
+    expected = "lines" if planes.dimension == 2 else "sphere" if planes.is_central else "cells"
+    assert view == expected
+    assert write_drawing(planes, tmp_path / "a.svg") == {"view": view}
+    assert fits(next(iter(found.models)), planes)
+    assert fits(next(iter(found.pages)), planes)
+
+
+CASES = {
+    "A3": read_arrangement("braid-a3"),
+    "pencil": read_arrangement("pencil"),
+    "coincident": read_arrangement("paper-four-contacts"),
+    "affine": AFFINE,
+    "no planes": Arrangement([], dimension=3),
+}
+none_or_more = arrangements(dimensions=(3, 3), planes=(0, 5))
+TETRAHEDRON = ((0, 2, 1), (0, 1, 3), (1, 2, 3), (2, 0, 3))
+
+
+def corners(cells: Cells) -> list[tuple[Fraction, ...]]:
+    return [tuple(Fraction(x, p[3]) for x in p[:3]) for p in cells.points]
+
+
+def volume(points: list[tuple[Fraction, ...]], faces: Any) -> Fraction:
+    """Return the exact volume of a closed surface, by cones over its faces."""
+    total = Fraction(0)
+    for face in faces:
+        for k in range(1, len(face) - 1):
+            (a, b, c), (d, e, f), (g, h, i) = (points[face[j]] for j in (0, k, k + 1))
+            total += a * (e * i - f * h) - b * (d * i - f * g) + c * (d * h - e * g)
+    return total / 6
+
+
+@given(none_or_more)
+def test_cells_of_a_cube_are_closed_convex_and_fill_it_exactly(planes):
+    cells = cut_cells(planes, "cube")
+    points = corners(cells)
+    volumes = [volume(points, cell.faces) for cell in cells.cells]
+    assert min(volumes) > 0
+    assert sum(volumes) == 8 * cells.body.radius**3
+    for cell in cells.cells:
+        edges = Counter(e for f in cell.faces for e in zip(f, (*f[1:], f[0]), strict=True))
+        assert set(edges.values()) == {1}
+        assert all((b, a) in edges for a, b in edges)
+        used = {i for face in cell.faces for i in face}
+        assert len(used) - len(edges) // 2 + len(cell.faces) == 2
+        for face in cell.faces:
+            assert len(set(face)) == len(face) > 2
+            assert all(side(cells.points, face, i) == (0 if i in face else -1) for i in used)
+        for i in used:
+            signs = planes.signs_at(points[i])
+            assert all(s in (0, own) for s, own in zip(signs, cell.signs, strict=True))
+
+
+def side(points: Any, face: tuple[int, ...], i: int) -> int:
+    """Return the sign of a point on the plane of a face: 1 outside, -1 inside."""
+    return -sign(determinant([points[k] for k in (*face[:3], i)]))
+
+
+def test_the_ball_is_convex_and_its_corners_lie_on_the_sphere_exactly():
+    body = body_around(Arrangement([], dimension=3), "ball")
+    assert all(x * x + y * y + z * z == w * w for x, y, z, w in body.corners)
+    across: dict[tuple[int, int], int] = {}
+    for a, b, c in body.faces:
+        for p, q, r in ((a, b, c), (b, c, a), (c, a, b)):
+            assert (p, q) not in across
+            across[p, q] = r
+    assert len(body.corners) - len(across) // 2 + len(body.faces) == 2
+    for (p, q), r in across.items():
+        rows = [body.corners[i] for i in (p, q, r, across[q, p])]
+        assert determinant(rows) > 0
+
+
+@settings(max_examples=15)
+@given(none_or_more, st.sampled_from(["ball", "cube"]))
+def test_the_body_contains_every_lowest_face(planes, kind):
+    body = body_around(planes, kind)
+    cells = cut_cells(planes, kind)
+    assert len(cells.cells) == region_count(planes)
+    if planes.rank == 3:
+        for face in planes.faces(0):
+            apart = [x - c for x, c in zip(face.witness, body.centre, strict=True)]
+            assert sum(x * x for x in apart) * 16 <= 9 * body.radius**2
+
+
+def loaded(path: Path) -> Any:
+    return trimesh.load(path, force="mesh")
+
+
+def shells(path: Path) -> list[Any]:
+    return list(loaded(path).split(only_watertight=False))
+
+
+@pytest.mark.campaign
+@pytest.mark.parametrize("body", ["ball", "cube"])
+@pytest.mark.parametrize("name", CASES)
+def test_the_shells_of_an_stl_are_closed_and_together_as_large_as_the_body(name, body, tmp_path):
+    path = tmp_path / "cells.stl"
+    write_drawing(CASES[name], path, model="cells", body=body, size=40, explode=1.5)
+    parts = shells(path)
+    assert len(parts) == region_count(CASES[name])
+    for part in parts:
+        assert part.is_watertight
+        assert part.is_winding_consistent
+        assert part.volume > 0
+    total = math.fsum(part.volume for part in parts)
+    if body == "cube":
+        assert total == pytest.approx(40**3, rel=1e-6)
+    else:
+        ball = math.pi / 6 * 40**3
+        assert 0.997 * ball < total < ball
+        whole = cut_cells(Arrangement([], dimension=3), "ball")
+        mesh = float(volume(corners(whole), whole.cells[0].faces))
+        assert total == pytest.approx(mesh * 20**3, rel=1e-5)
+
+
+def glb(path: Path) -> dict[str, Any]:
+    content = path.read_bytes()
+    magic, version, length = struct.unpack("<4sII", content[:12])
+    assert (magic, version, length) == (b"glTF", 2, len(content))
+    (size, kind) = struct.unpack("<I4s", content[12:20])
+    assert kind == b"JSON"
+    document: dict[str, Any] = json.loads(content[20 : 20 + size])
+    return document
+
+
+def test_glb_has_a_named_node_for_each_region_in_metres(tmp_path):
+    planes = CASES["affine"]
+    path = tmp_path / "cells.glb"
+    write_drawing(planes, path, model="cells", body="cube", size=80, explode=1)
+    document = glb(path)
+    names = [node["name"] for node in document["nodes"][1:]]
+    signs = ["".join("+" if s > 0 else "-" for s in face.signs) for face in planes.regions()]
+    assert sorted(names) == sorted(signs)
+    assert all(node["extras"] == {"signs": node["name"]} for node in document["nodes"][1:])
+    assert document["asset"]["extras"]["unit"] == "metre"
+    assert loaded(path).extents == pytest.approx([0.08] * 3)
+    used = {p["material"] for mesh in document["meshes"] for p in mesh["primitives"]}
+    assert used == set(range(len(document["materials"])))
+    assert len(used) == len(planes.distinct) + 1
+
+
+def test_glb_and_stl_hold_the_same_solids_the_first_with_y_upward(tmp_path):
+    for suffix in ("glb", "stl", "obj"):
+        write_drawing(CASES["A3"], tmp_path / f"cells.{suffix}", model="cells", body="cube")
+    stl, open_parts = loaded(tmp_path / "cells.stl"), loaded(tmp_path / "cells.glb")
+    turned = trimesh.Trimesh(open_parts.vertices * 1000, open_parts.faces)
+    assert turned.is_watertight
+    obj = loaded(tmp_path / "cells.obj")
+    assert obj.bounds == pytest.approx(stl.bounds)
+    assert obj.volume == pytest.approx(stl.volume)
+    assert turned.volume == pytest.approx(stl.volume, rel=1e-4)
+    centres = [p.center_mass for p in stl.split()]
+    others = [p.center_mass for p in turned.split()]
+    back = np.array([[x, -z, y] for x, y, z in others])
+    gaps = np.linalg.norm(np.array(centres)[:, None] - back, axis=2).min(axis=1)
+    assert gaps.max() < 1e-3
+
+
+def test_parts_move_outward_by_the_stated_factor(tmp_path):
+    planes = read_arrangement("coordinate-planes")
+    centres: dict[float, Any] = {}
+    for explode in (1.5, 2):
+        path = tmp_path / "cells.stl"
+        write_drawing(planes, path, model="cells", body="cube", size=40, explode=explode)
+        centres[explode] = sorted(tuple(np.round(p.center_mass, 3)) for p in shells(path))
+    signs = [(x, y, z) for x in (-1, 1) for y in (-1, 1) for z in (-1, 1)]
+    assert centres[1.5] == sorted((15.0 * x, 15.0 * y, 15.0 * z) for x, y, z in signs)
+    assert centres[2] == sorted((20.0 * x, 20.0 * y, 20.0 * z) for x, y, z in signs)
+
+
+@pytest.mark.parametrize("model", ["cells", "dual"])
+def test_stl_and_obj_say_that_they_are_in_millimetres(model, tmp_path):
+    for suffix in (".stl", ".obj"):
+        path = tmp_path / f"a{suffix}"
+        assert main(["draw", "braid-a3", "-o", str(path), "--model", model, "--size", "25.5"]) == 0
+        assert b"unit: millimetre" in path.read_bytes()[:80]
+    header = (tmp_path / "a.stl").read_bytes()[:80]
+    assert not header.startswith(b"solid")
+
+
+def test_faces_of_the_dual_have_the_colour_of_their_number_of_corners(tmp_path):
+    """The dual of A3 has 6 squares and 8 hexagons: 12 and 32 triangles."""
+    path = tmp_path / "dual.glb"
+    write_drawing(CASES["A3"], path, size=25.5)
+    document = glb(path)
+    (mesh,) = document["meshes"]
+    counts = {
+        p["material"]: document["accessors"][p["indices"]]["count"] // 3 for p in mesh["primitives"]
+    }
+    assert sorted(counts.values()) == [12, 32]
+    assert max(loaded(path).extents) == pytest.approx(0.0255)
+
+
+def test_colours_of_models_are_hexadecimal(tmp_path):
+    with pytest.raises(InputError, match="#rrggbb"):
+        write_drawing(CASES["A3"], tmp_path / "a.glb", model="cells", colour=lambda _: "red")
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_points_that_rounding_joins_leave_a_closed_surface_or_are_refused():
+    corner = np.array([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1.0]])
+    split = np.concatenate([corner, [[1e-12, 0, 0]]])
+    faces = ((0, 2, 1), (4, 1, 3), (1, 2, 3), (2, 0, 3), (0, 1, 4), (0, 4, 3))
+    text = model_bytes([ClosedSurface("a", split, faces, ("#ffffff",) * 6)], ".obj", "t").decode()
+    assert text.count("\nv ") == 4
+    assert text.count("\nf ") == 4
+    flat = corner * [1, 1, 1e-12]
+    with pytest.raises(ArrangementError, match="too thin"):
+        model_bytes([ClosedSurface("a", flat, TETRAHEDRON, ("#ffffff",) * 4)], ".stl", "t")

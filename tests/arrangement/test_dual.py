@@ -1,11 +1,8 @@
 """The dual polyhedron: known polyhedra, laws, broken polyhedra, meshes and model files."""
 
-from __future__ import annotations
-
 from collections import Counter
 from dataclasses import replace
 from fractions import Fraction
-from itertools import product
 from pathlib import Path
 from typing import Any
 
@@ -48,7 +45,7 @@ def rank_three_only(planes: Arrangement) -> Arrangement:
 
 
 @pytest.mark.parametrize("name", KNOWN)
-def test_known_zonohedra(name: str) -> None:
+def test_known_zonohedra(name):
     normals, f_vector, sizes = KNOWN[name]
     dual = dual_polyhedron(Arrangement(normals))
     dual.validate()
@@ -56,28 +53,15 @@ def test_known_zonohedra(name: str) -> None:
     assert Counter(map(len, dual.faces)) == sizes
 
 
-def test_vertices_of_the_cube_and_of_the_rhombic_dodecahedron() -> None:
-    cube = dual_polyhedron(Arrangement(SQUARE_AXES))
-    assert set(cube.vertices) == set(product((-1, 1), repeat=3))
-    rhombic = dual_polyhedron(Arrangement(CUBE_DIAGONALS))
-    corners = {tuple(2 * x for x in corner) for corner in product((-1, 1), repeat=3)}
-    axes = {tuple(4 * s * int(i == k) for i in range(3)) for k in range(3) for s in (-1, 1)}
-    assert set(rhombic.vertices) == corners | axes
-
-
-@settings(max_examples=40, deadline=None)
 @given(rank_three)
-def test_counts_follow_zaslavsky(planes: Arrangement) -> None:
+def test_counts_follow_zaslavsky(planes):
     dual = dual_polyhedron(rank_three_only(planes))
     dual.validate()
     assert (1, *reversed(dual.f_vector)) == counts.f_vector(planes)
 
 
-@settings(max_examples=25, deadline=None)
 @given(rank_three)
-def test_vertices_and_faces_agree_with_the_enumeration_in_any_dimension(
-    planes: Arrangement,
-) -> None:
+def test_vertices_and_faces_agree_with_the_enumeration_in_any_dimension(planes):
     dual = dual_polyhedron(rank_three_only(planes))
     regions = {face.signs for face in planes.regions()}
     assert {tuple(row) for row in dual.signs.tolist()} == regions
@@ -94,11 +78,8 @@ def test_vertices_and_faces_agree_with_the_enumeration_in_any_dimension(
     assert found == expected
 
 
-@settings(max_examples=25, deadline=None)
 @given(rank_three, st.data())
-def test_lengths_change_the_shape_and_not_the_combinatorics(
-    planes: Arrangement, data: st.DataObject
-) -> None:
+def test_lengths_change_the_shape_and_not_the_combinatorics(planes, data):
     positive = st.fractions(Fraction(1, 4), 3, max_denominator=5)
     size = len(rank_three_only(planes))
     lengths = data.draw(st.lists(positive, min_size=size, max_size=size))
@@ -111,7 +92,7 @@ def test_lengths_change_the_shape_and_not_the_combinatorics(
             assert vertex[k] == sum(s * length * n[k] for s, length, n in terms)
 
 
-def test_long_near_degenerate_normals_stay_exact() -> None:
+def test_long_near_degenerate_normals_stay_exact():
     huge = 10**30
     planes = Arrangement([[huge, 1, 0], [huge, 2, 1], [0, 1, 7], [3, 3, huge], [1, 2, 3]])
     dual = dual_polyhedron(planes)
@@ -154,13 +135,13 @@ def broken(dual: DualPolyhedron) -> dict[str, DualPolyhedron]:
 
 
 @pytest.mark.parametrize("fault", broken(dual_polyhedron(Arrangement(A3))))
-def test_validate_refuses_a_broken_polyhedron(fault: str) -> None:
+def test_validate_refuses_a_broken_polyhedron(fault):
     dual = dual_polyhedron(Arrangement(A3))
     with pytest.raises(ArrangementError):
         broken(dual)[fault].validate()
 
 
-def test_rank_two_is_a_polygon_in_cyclic_order() -> None:
+def test_rank_two_is_a_polygon_in_cyclic_order():
     planes = Arrangement([[1, 0, 0], [0, 1, 0], [1, 1, 0], [2, 2, 0]])
     polygon = dual_polygon(planes)
     assert dual_zonotope(planes) == polygon
@@ -174,7 +155,7 @@ def test_rank_two_is_a_polygon_in_cyclic_order() -> None:
     assert len(turns) == 1
 
 
-def test_rank_one_is_a_segment() -> None:
+def test_rank_one_is_a_segment():
     planes = Arrangement([[1, 2], [-2, -4]])
     segment = dual_segment(planes, [1, 2])
     assert dual_zonotope(planes, [1, 2]) == segment
@@ -193,20 +174,20 @@ def test_rank_one_is_a_segment() -> None:
         (Arrangement([[int(i == j) for j in range(4)] for i in range(4)]), "dimension 4"),
     ],
 )
-def test_what_has_no_dual_polyhedron_is_told_why(planes: Arrangement, message: str) -> None:
+def test_what_has_no_dual_polyhedron_is_told_why(planes, message):
     with pytest.raises(InputError, match=message):
         dual_polyhedron(planes)
 
 
 @pytest.mark.parametrize("lengths", [[1, 1], [1, 0, 1], [1, 1, -2], [1, 1, 0.5]])
-def test_bad_lengths_are_refused(lengths: list[Any]) -> None:
+def test_bad_lengths_are_refused(lengths):
     with pytest.raises(InputError, match="length"):
         dual_polyhedron(Arrangement(SQUARE_AXES), lengths)
 
 
-@settings(max_examples=15, deadline=None)
+@settings(max_examples=15)
 @given(rank_three)
-def test_mesh_is_closed_oriented_and_of_euler_number_two(planes: Arrangement) -> None:
+def test_mesh_is_closed_oriented_and_of_euler_number_two(planes):
     mesh = dual_polyhedron(rank_three_only(planes)).to_trimesh()
     assert mesh.is_watertight
     assert mesh.is_winding_consistent
@@ -214,17 +195,9 @@ def test_mesh_is_closed_oriented_and_of_euler_number_two(planes: Arrangement) ->
     assert mesh.volume > 0
 
 
-def test_volume_of_the_mesh_is_the_sum_of_determinants() -> None:
-    """The volume of a zonotope is 8 times the sum of all |det(g_i, g_j, g_k)| (McMullen)."""
-    mesh = dual_polyhedron(Arrangement(CUBE_DIAGONALS)).to_trimesh()
-    assert mesh.volume == pytest.approx(8 * 4 * 4)
-
-
 @pytest.mark.parametrize("suffix", [".stl", ".glb", ".obj"])
 @pytest.mark.parametrize("normals", [A3, DEGENERATE], ids=["A3", "degenerate"])
-def test_model_files_come_back_closed_and_of_the_stated_size(
-    normals: list[list[int]], suffix: str, tmp_path: Path
-) -> None:
+def test_model_files_come_back_closed_and_of_the_stated_size(normals, suffix, tmp_path):
     path = tmp_path / f"model{suffix}"
     dual = dual_polyhedron(Arrangement(normals))
     dual.export(path, size=40)
@@ -239,19 +212,17 @@ def test_model_files_come_back_closed_and_of_the_stated_size(
     assert list(tmp_path.iterdir()) == [path]
 
 
-def test_obj_keeps_whole_polygons(tmp_path: Path) -> None:
+def test_obj_keeps_whole_polygons(tmp_path):
     dual_polyhedron(Arrangement(A3)).export(tmp_path / "a3.obj")
     lines = (tmp_path / "a3.obj").read_text().splitlines()
     assert Counter(len(line.split()) - 1 for line in lines if line.startswith("f ")) == {4: 6, 6: 8}
 
 
-def test_a_failed_export_leaves_the_old_file(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_a_failed_export_leaves_the_old_file(tmp_path, monkeypatch):
     path = tmp_path / "model.stl"
     path.write_bytes(b"old")
 
-    def fail(self: Path, target: Path) -> None:
+    def fail(self, target):
         raise OSError("disk full")
 
     monkeypatch.setattr(Path, "replace", fail)
@@ -262,12 +233,12 @@ def test_a_failed_export_leaves_the_old_file(
 
 
 @pytest.mark.parametrize("size", [0, -1, float("nan"), float("inf"), "40"])
-def test_a_size_must_be_a_positive_number(size: Any) -> None:
+def test_a_size_must_be_a_positive_number(size):
     with pytest.raises(InputError, match="size"):
         dual_polyhedron(Arrangement(SQUARE_AXES)).to_trimesh(size)
 
 
-def test_unknown_formats_and_missing_folders_are_refused(tmp_path: Path) -> None:
+def test_unknown_formats_and_missing_folders_are_refused(tmp_path):
     dual = dual_polyhedron(Arrangement(SQUARE_AXES))
     with pytest.raises(InputError, match=r"\.glb, \.obj, \.stl"):
         dual.export(tmp_path / "model.step")
@@ -275,7 +246,7 @@ def test_unknown_formats_and_missing_folders_are_refused(tmp_path: Path) -> None
         dual.export(tmp_path / "absent" / "model.stl")
 
 
-def test_vertices_that_rounding_would_join_are_refused() -> None:
+def test_vertices_that_rounding_would_join_are_refused():
     thin = dual_polyhedron(Arrangement(SQUARE_AXES), [1, 1, Fraction(1, 10**400)])
     thin.validate()
     with pytest.raises(ArrangementError, match="two vertices become one"):

@@ -1,17 +1,22 @@
 """The facade's choice of engines, each engine against the others, and the sequence of faces."""
 
-from __future__ import annotations
-
 import gc
 import random
 import weakref
+from dataclasses import replace
+from fractions import Fraction
 
 import numpy as np
 import pytest
+from hypothesis import given, settings, strategies as st
 
-from arrangement import Arrangement, InputError, Planes, counts, read_arrangement
+from arrangement import Arrangement, Face, InputError, Planes, counts, read_arrangement
+from arrangement.counts.completeness import certify_complete
 from arrangement.enumeration.choose import ENGINES, enumerate_faces
 from arrangement.enumeration.sequence import FaceSequence
+
+from . import oracle
+from .strategies import arrangements
 
 FOUR = Arrangement([[1, 0, 0], [0, 1, 0], [0, 0, 1], [1, 1, 1]])
 
@@ -44,7 +49,7 @@ def same_faces(found: FaceSequence, expected: FaceSequence, planes: Planes) -> N
     "dimension", [1, 2, 3, *(pytest.param(n, marks=pytest.mark.campaign) for n in (4, 5))]
 )
 @pytest.mark.parametrize("affine", [False, True])
-def test_all_engines_list_the_same_faces(dimension: int, affine: bool) -> None:
+def test_all_engines_list_the_same_faces(dimension, affine):
     generator = random.Random(10 * dimension + affine)
     used = set()
     for trial in range(60):
@@ -59,7 +64,7 @@ def test_all_engines_list_the_same_faces(dimension: int, affine: bool) -> None:
 
 
 @pytest.mark.parametrize("offset", [0, 1])
-def test_entries_of_forty_digits(offset: int) -> None:
+def test_entries_of_forty_digits(offset):
     generator = random.Random(40 + offset)
     large = 10**40
     rows = [[generator.randint(-large, large) for _ in range(3)] for _ in range(5)]
@@ -67,7 +72,7 @@ def test_entries_of_forty_digits(offset: int) -> None:
     same_faces(enumerate_faces(planes), enumerate_faces(planes, "any-dimension"), planes)
 
 
-def test_more_planes_than_one_word_holds() -> None:
+def test_more_planes_than_one_word_holds():
     generator = random.Random(70)
     rows = [[generator.randint(-5, 5) for _ in range(2)] + [1] for _ in range(70)]
     planes = Planes(rows)
@@ -89,12 +94,12 @@ def test_more_planes_than_one_word_holds() -> None:
         (Arrangement(np.eye(5, dtype=int)), "any-dimension"),
     ],
 )
-def test_the_rank_chooses_the_engine(planes: Arrangement, engine: str) -> None:
+def test_the_rank_chooses_the_engine(planes, engine):
     assert planes.faces().engine == engine
     assert planes.f_vector == counts.f_vector(planes)
 
 
-def test_an_engine_that_is_unknown_or_cannot_is_refused() -> None:
+def test_an_engine_that_is_unknown_or_cannot_is_refused():
     with pytest.raises(InputError, match="known are great-circles, affine-space, any-dimension"):
         FOUR.faces(engine="fast")
     with pytest.raises(InputError, match="the engine great-circles does rank up to 3"):
@@ -103,7 +108,7 @@ def test_an_engine_that_is_unknown_or_cannot_is_refused() -> None:
         Arrangement([[1, 0, 0]]).faces(engine="affine-space")
 
 
-def test_the_sequence_looks_like_a_tuple() -> None:
+def test_the_sequence_looks_like_a_tuple():
     faces = FOUR.faces()
     listed = tuple(faces)
     assert len(faces) == len(listed) == 51
@@ -123,7 +128,7 @@ def test_the_sequence_looks_like_a_tuple() -> None:
 
 
 @pytest.mark.parametrize("planes", [FOUR, Arrangement(FOUR.normals, [0, 0, 0, 1])])
-def test_the_arrays_of_a_sequence(planes: Arrangement) -> None:
+def test_the_arrays_of_a_sequence(planes):
     faces = planes.faces()
     assert faces.signs.dtype == faces.dimensions.dtype == np.int8
     assert list(map(tuple, faces.signs.tolist())) == [face.signs for face in faces]
@@ -134,7 +139,7 @@ def test_the_arrays_of_a_sequence(planes: Arrangement) -> None:
             array[0] = 1
 
 
-def test_faces_of_one_dimension() -> None:
+def test_faces_of_one_dimension():
     faces = FOUR.faces()
     for k, number in enumerate(FOUR.f_vector):
         level = faces.of_dimension(k)
@@ -146,7 +151,7 @@ def test_faces_of_one_dimension() -> None:
         FOUR.faces(2).of_dimension(1)
 
 
-def test_no_planes_have_one_face() -> None:
+def test_no_planes_have_one_face():
     empty = Arrangement([], dimension=2)
     assert empty.f_vector == (0, 0, 1)
     assert empty.faces().signs.shape == (1, 0)
@@ -155,7 +160,7 @@ def test_no_planes_have_one_face() -> None:
     assert empty.faces(0).signs.shape == (0, 0)
 
 
-def test_faces_do_not_keep_the_arrangement_alive() -> None:
+def test_faces_do_not_keep_the_arrangement_alive():
     """Else large arrays would wait for the garbage collector."""
     planes = Arrangement([[1, 2, 3], [4, 5, 6], [7, 8, 0]])
     faces, gone = planes.faces(), weakref.ref(planes)
@@ -166,3 +171,115 @@ def test_faces_do_not_keep_the_arrangement_alive() -> None:
         assert len(faces) == 27
     finally:
         gc.enable()
+
+
+SignVectors = set[tuple[int, ...]]
+
+
+def sign_vectors(planes: Arrangement) -> SignVectors:
+    return {face.signs for face in planes.faces()}
+
+
+def moment_curve(m: int, d: int, first: int = 0) -> list[list[int]]:
+    return [[t**k for k in range(d)] for t in range(first, first + m)]
+
+
+@settings(max_examples=140)
+@given(
+    arrangements(dimensions=(1, 3), planes=(0, 5)) | arrangements(dimensions=(4, 5), planes=(0, 5))
+)
+def test_sign_vectors_are_those_of_brute_force(planes):
+    assert sign_vectors(planes) == oracle.sign_vectors(planes)
+
+
+HUGE = 10**30
+
+
+@pytest.mark.parametrize(
+    ("last", "expected"), [((1, 1, 2 * HUGE), (0, 1, 6, 6)), ((1, 1, 2 * HUGE + 1), (1, 6, 12, 8))]
+)
+def test_a_difference_of_one_in_thirty_digits_counts(last, expected):
+    assert Arrangement([(1, 0, HUGE), (0, 1, HUGE), last]).f_vector == expected
+
+
+def test_faces_come_lowest_dimension_first_and_regions_last():
+    planes = Arrangement(moment_curve(4, 3))
+    dimensions = [face.dimension for face in planes.iter_faces()]
+    assert dimensions == sorted(dimensions)
+    assert planes.regions() == planes.faces()[-len(planes.regions()) :]
+    assert tuple(planes.iter_faces(1)) == planes.faces(1)
+
+
+@given(arrangements(dimensions=(1, 4), planes=(0, 6)))
+def test_the_enumeration_is_certified(planes):
+    evidence = planes.certify_complete()
+    assert evidence.complete
+    assert bool(evidence)
+    assert evidence.problems == ()
+    assert evidence.enumerated == evidence.theorem == counts.f_vector(planes)
+
+
+@given(arrangements(dimensions=(1, 3), planes=(1, 5)), st.data())
+def test_one_face_missing_is_noticed(planes, data):
+    faces = planes.faces()
+    gone = data.draw(st.integers(0, len(faces) - 1))
+    evidence = certify_complete(planes, faces[:gone] + faces[gone + 1 :])
+    assert not evidence.complete
+    assert f"of dimension {faces[gone].dimension}" in evidence.problems[0]
+
+
+@given(arrangements(dimensions=(1, 3), planes=(1, 5)), st.data())
+def test_one_face_twice_in_place_of_another_is_noticed(planes, data):
+    regions = [i for i, face in enumerate(planes.faces()) if face.dimension == planes.dimension]
+    gone, again = data.draw(st.permutations(regions))[:2]
+    faces = list(planes.faces())
+    faces[gone] = faces[again]
+    assert "is listed twice" in certify_complete(planes, faces).problems[0]
+
+
+@given(arrangements(dimensions=(1, 3), planes=(1, 5)), st.data())
+def test_a_flipped_sign_is_noticed(planes, data):
+    faces = list(planes.faces())
+    chosen = data.draw(st.integers(0, len(faces) - 1))
+    plane = data.draw(st.integers(0, len(planes) - 1))
+    signs = list(faces[chosen].signs)
+    signs[plane] = 1 if signs[plane] < 1 else -1
+    faces[chosen] = replace(faces[chosen], signs=tuple(signs))
+    assert "with other signs" in certify_complete(planes, faces).problems[0]
+
+
+SQUARE = Arrangement([[1, 0], [0, 1]])
+CORNER = Face((1, 1), 2, (Fraction(1), Fraction(1)), SQUARE)
+
+
+@pytest.mark.parametrize(
+    ("face", "message"),
+    [
+        (replace(CORNER, dimension=1), "has dimension 2, not 1"),
+        (replace(CORNER, witness=(Fraction(1),)), "1 coordinates"),
+        (replace(CORNER, witness=(Fraction(1), Fraction(0))), "other signs"),
+    ],
+)
+def test_a_wrong_face_says_what_is_wrong(face, message):
+    faces = [face if f.signs == (1, 1) else f for f in SQUARE.faces()]
+    evidence = certify_complete(SQUARE, faces)
+    assert not evidence
+    assert any(message in problem for problem in evidence.problems)
+
+
+def test_faces_of_huge_planes_are_checked_exactly():
+    huge = 10**30
+    planes = Arrangement([[huge, 1, 0], [huge, 0, 1], [huge + 1, 1, 0], [1, huge, -1]])
+    assert planes.certify_complete()
+    # the witness misses the third plane by one in 10^30, and claims to be on it
+    line = Face((0, 0, 0, -1), 1, (Fraction(1), Fraction(-huge), Fraction(-huge)), planes)
+    wrong = [line if f.signs[:2] == (0, 0) and f.dimension == 1 else f for f in planes.faces()]
+    assert any("other signs" in problem for problem in certify_complete(planes, wrong).problems)
+
+
+def test_a_product_that_would_wrap_around_in_64_bits_is_no_zero():
+    planes = Arrangement([[2**40, 1], [0, 1]])
+    # 2^40 * 2^24 is zero modulo 2^64, so this point only seems to be on the first plane
+    claimed = Face((0, 0), 0, (Fraction(2**24), Fraction(0)), planes)
+    faces = [claimed if face.dimension == 0 else face for face in planes.faces()]
+    assert "other signs" in certify_complete(planes, faces).problems[0]

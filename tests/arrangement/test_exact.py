@@ -1,7 +1,5 @@
 """Numbers come in exactly or not at all."""
 
-from __future__ import annotations
-
 import math
 from decimal import Decimal
 from fractions import Fraction
@@ -43,7 +41,7 @@ from arrangement.numbers.exact import MAX_TEXT_LENGTH, common_digits, number_tex
         (sympy.ZZ(-3), Fraction(-3)),
     ],
 )
-def test_exact_numbers_of_every_kind_are_accepted(value: Any, expected: Fraction) -> None:
+def test_exact_numbers_of_every_kind_are_accepted(value, expected):
     number = rational(value)
     assert type(number) is Fraction
     assert number == expected
@@ -56,83 +54,54 @@ INEXACT += [sympy.true, sympy.Float(0.5), sympy.pi, sympy.sqrt(2), sympy.nan, sy
 
 @pytest.mark.ground_types
 @pytest.mark.parametrize("value", [*INEXACT, sympy.Symbol("x"), object()])
-def test_what_is_not_an_exact_number_is_refused(value: Any) -> None:
+def test_what_is_not_an_exact_number_is_refused(value):
     with pytest.raises(InputError, match="friction"):
         rational(value, "friction")
 
 
-BAD_TEXTS = [
-    "",
-    " ",
-    "1 ",
-    " 1",
-    "1/ 2",
-    "1/0",
-    "1/-2",
-    "1//2",
-    "1/2/3",
-    "1.5/2",
-    ".",
-    "-",
-    "--1",
-    "1e",
-    "e5",
-    "1/2e3",
-    "1e+-5",
-    "1e0.5",
-    "1e10000",
-    "1e999999999",
-    "0x10",
-    "1_000",
-    "nan",
-    "inf",
-    "2**3",
-    "1+1",
-    "１２",
-    "٣",
-    "1\n",
-    "__import__('os').system('false')",
-]
+#: Between bars.
+BAD_TEXTS = " |1 | 1|1/ 2|1/0|1/-2|1//2|1/2/3|1.5/2|.|-|--1|1e|e5|1/2e3|1e+-5|1e0.5|1e10000"
+BAD_TEXTS += "|1e999999999|0x10|1_000|nan|inf|2**3|1+1|１２|٣|1\n|__import__('os').system('false')|"
 
 
 @pytest.mark.parametrize(
-    "text", [*BAD_TEXTS, "9" * (MAX_TEXT_LENGTH + 1), "0." + "3" * MAX_TEXT_LENGTH]
+    "text", [*BAD_TEXTS.split("|"), "9" * (MAX_TEXT_LENGTH + 1), "0." + "3" * MAX_TEXT_LENGTH]
 )
-def test_text_that_is_no_plain_number_is_refused(text: str) -> None:
+def test_text_that_is_no_plain_number_is_refused(text):
     with pytest.raises(InputError) as caught:
         rational(text)
     assert len(str(caught.value)) < 300
 
 
-def test_the_refusal_of_a_float_names_the_remedy() -> None:
+def test_the_refusal_of_a_float_names_the_remedy():
     with pytest.raises(InputError, match="from_floats"):
         rational(0.1)
 
 
-def test_floats_convert_to_the_binary_value_that_they_have() -> None:
+def test_floats_convert_to_the_binary_value_that_they_have():
     assert from_floats(0.1) == Fraction(3602879701896397, 2**55)
     assert from_floats(np.array([[0.5, -2.0]])) == ((Fraction(1, 2), Fraction(-2)),)
     assert from_floats([1, "1/3", 0.25]) == (Fraction(1), Fraction(1, 3), Fraction(1, 4))
 
 
 @pytest.mark.parametrize("value", [math.nan, math.inf, -math.inf, [1.0, math.nan], "x", True])
-def test_only_finite_floats_convert(value: Any) -> None:
+def test_only_finite_floats_convert(value):
     with pytest.raises(InputError):
         from_floats(value)
 
 
 @given(st.fractions())
-def test_text_and_number_are_inverse(number: Fraction) -> None:
+def test_text_and_number_are_inverse(number):
     assert rational(to_text(number)) == number
 
 
 @given(st.floats(allow_nan=False, allow_infinity=False))
-def test_conversion_of_a_float_is_exact(value: float) -> None:
+def test_conversion_of_a_float_is_exact(value):
     assert float(from_floats(value)) == value
 
 
 @pytest.mark.parametrize("digits", [600, 1000, 4299, 4301, 20_000])
-def test_integers_of_any_length_have_a_text(digits: int) -> None:
+def test_integers_of_any_length_have_a_text(digits):
     number = (10**digits - 1) // 9 * 7
     assert to_text(number) == "7" * digits
     assert to_text(-number) == "-" + "7" * digits
@@ -140,9 +109,7 @@ def test_integers_of_any_length_have_a_text(digits: int) -> None:
 
 
 @given(st.fractions() | st.integers(), st.integers(1, 30), st.integers(-5000, 5000))
-def test_a_number_for_people_is_exact_or_the_nearest_one_of_so_many_digits(
-    number: Fraction, digits: int, power: int
-) -> None:
+def test_a_number_for_people_is_exact_or_the_nearest_one_of_so_many_digits(number, digits, power):
     number *= Fraction(10) ** power
     text = number_text(number, digits)
     near = Fraction(Decimal(text.removeprefix("≈"))) if "/" not in text else rational(text)
@@ -157,7 +124,7 @@ def test_a_number_for_people_is_exact_or_the_nearest_one_of_so_many_digits(
 
 
 @given(st.fractions(), st.fractions(0, Fraction(1, 10**5)))
-def test_common_digits_are_those_of_both_ends(low: Fraction, length: Fraction) -> None:
+def test_common_digits_are_those_of_both_ends(low, length):
     high = low + length
     found = common_digits(low, high, 9)
     nearest = [
@@ -169,7 +136,7 @@ def test_common_digits_are_those_of_both_ends(low: Fraction, length: Fraction) -
 
 
 @given(st.lists(st.fractions(max_denominator=50), min_size=1, max_size=5))
-def test_primitive_is_the_coprime_positive_multiple(vector: list[Fraction]) -> None:
+def test_primitive_is_the_coprime_positive_multiple(vector):
     result = primitive(vector)
     assert all(type(x) is int for x in result)
     if not any(vector):
@@ -182,7 +149,7 @@ def test_primitive_is_the_coprime_positive_multiple(vector: list[Fraction]) -> N
     assert [factor * x for x in vector] == list(result)
 
 
-def test_error_messages_stay_short_for_huge_values() -> None:
+def test_error_messages_stay_short_for_huge_values():
     nested: list[Any] = []
     for _ in range(100_000):
         nested = [nested]

@@ -1,7 +1,5 @@
 """Faces inside a cone: listed by cutting fans, counted from flats, and taken from all faces."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from random import Random
 
@@ -35,7 +33,7 @@ def faces(fan: Fan) -> list[tuple[Row, int]]:
 
 
 @pytest.mark.parametrize("seed", range(60))
-def test_the_faces_inside_are_those_of_all_faces_on_the_right_sides(seed: int) -> None:
+def test_the_faces_inside_are_those_of_all_faces_on_the_right_sides(seed):
     rng = Random(seed)
     n = rng.randint(1, 4)
     bounds, planes = rows(rng, rng.randint(0, 4), n), rows(rng, rng.randint(0, 5), n)
@@ -49,9 +47,7 @@ def test_the_faces_inside_are_those_of_all_faces_on_the_right_sides(seed: int) -
 
 
 @pytest.mark.parametrize("seed", range(20))
-def test_the_point_of_each_face_has_its_signs_and_a_face_with_its_boundary_is_a_fan(
-    seed: int,
-) -> None:
+def test_the_point_of_each_face_has_its_signs_and_a_face_with_its_boundary_is_a_fan(seed):
     rng = Random(seed)
     n = rng.randint(1, 4)
     bounds, planes = rows(rng, 3, n), rows(rng, 3, n)
@@ -68,7 +64,7 @@ def test_the_point_of_each_face_has_its_signs_and_a_face_with_its_boundary_is_a_
 
 
 @pytest.mark.parametrize("seed", range(40))
-def test_flats_count_what_is_listed_in_the_open_cone(seed: int) -> None:
+def test_flats_count_what_is_listed_in_the_open_cone(seed):
     rng = Random(seed)
     n = rng.randint(1, 5)
     bounds, planes = rows(rng, rng.randint(0, 4), n), rows(rng, rng.randint(0, 6), n)
@@ -78,7 +74,7 @@ def test_flats_count_what_is_listed_in_the_open_cone(seed: int) -> None:
     assert f_vector_in_cone(Arrangement(planes, dimension=n), bounds) == tuple(listed)
 
 
-def test_numbers_beyond_64_bits_change_nothing() -> None:
+def test_numbers_beyond_64_bits_change_nothing():
     large = 10**25
     bounds, planes = [(1, 0, 0), (0, 1, 1)], [(1, -1, 2), (3, 1, -1), (0, 1, -2)]
     fan = inside(bounds, planes, 3)
@@ -93,7 +89,7 @@ def test_numbers_beyond_64_bits_change_nothing() -> None:
     ).all()
 
 
-def test_a_plane_that_contains_everything_has_the_sign_zero() -> None:
+def test_a_plane_that_contains_everything_has_the_sign_zero():
     line = Fan.space(2).cut((1, 0), (0,))
     assert faces(line) == [((0,), 1)]
     assert faces(line.cut((2, 0)).cut((0, 0))) == [((0, 0, 0), 1)]

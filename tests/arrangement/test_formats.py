@@ -1,12 +1,9 @@
 """Formats of others: each is read back as it was written, and read as the others write it."""
 
-from __future__ import annotations
-
 import itertools
 import json
 import re
 from pathlib import Path
-from typing import Any
 
 import networkx as nx
 import numpy as np
@@ -33,7 +30,7 @@ def one(name: str, text: str) -> Arrangement:
 
 @pytest.mark.parametrize("name", READ_BACK)
 @pytest.mark.parametrize("planes", [CENTRAL, AFFINE, FIVE, NONE], ids=str)
-def test_what_is_written_is_read_back(name: str, planes: Arrangement, tmp_path: Path) -> None:
+def test_what_is_written_is_read_back(name, planes, tmp_path):
     if name in ("matrix", "oscar") and not len(planes):
         return  # an empty matrix has no length
     if name == "oscar" and not planes.is_central:
@@ -53,9 +50,9 @@ entries = st.integers(-3, 3)
 normals = st.tuples(entries, entries, entries).filter(any)
 
 
-@settings(max_examples=10, deadline=None)
+@settings(max_examples=10)
 @given(st.lists(normals, min_size=3, max_size=7), st.sampled_from(["chirotope", "topcom"]))
-def test_a_chirotope_gets_coordinates_of_that_chirotope(rows: list[Any], name: str) -> None:
+def test_a_chirotope_gets_coordinates_of_that_chirotope(rows, name):
     planes = Arrangement(rows)
     if planes.rank < 3:
         with pytest.raises(InputError, match="chirotopes of rank 3"):
@@ -65,7 +62,7 @@ def test_a_chirotope_gets_coordinates_of_that_chirotope(rows: list[Any], name: s
     assert planes.chirotope_string() in (found, opposite(found))
 
 
-def test_reverse_lexicographic_order_has_the_last_element_last() -> None:
+def test_reverse_lexicographic_order_has_the_last_element_last():
     planes = census.census(6)[7]
     fewer = Arrangement(planes.normals[:5])
     assert planes.chirotope_string().startswith(fewer.chirotope_string())
@@ -182,7 +179,7 @@ SAMPLES = {
 
 
 @pytest.mark.parametrize(("name", "text", "planes"), SAMPLES.values(), ids=SAMPLES.keys())
-def test_what_others_write_is_read(name: str, text: str, planes: Arrangement) -> None:
+def test_what_others_write_is_read(name, text, planes):
     assert one(name, text) == planes
 
 
@@ -198,7 +195,7 @@ OTHERS = {
 
 
 @pytest.mark.parametrize(("name", "form", "regions"), [(k, *v) for k, v in OTHERS.items()])
-def test_files_of_others_have_the_regions_that_they_say(name: str, form: str, regions: int) -> None:
+def test_files_of_others_have_the_regions_that_they_say(name, form, regions):
     text = (Path(__file__).parent / "others" / name).read_text(encoding="utf-8")
     found = one(form, text)
     assert counts.region_count(found) == regions
@@ -211,7 +208,7 @@ def test_files_of_others_have_the_regions_that_they_say(name: str, form: str, re
         assert given == found.chirotope_string("lexicographic") == text.split()[1]
 
 
-def test_lists_of_finschi_are_read() -> None:
+def test_lists_of_finschi_are_read():
     """Columns are bases, read downwards; lines have names."""
     listed = list(census.census(5))
     triples = sorted(itertools.combinations("12345", 3), key=lambda row: row[::-1])
@@ -236,7 +233,7 @@ REFUSED = {
     ),
     "no ring": ("A = arrangement {x, y}", "no ring"),
     "a finite field": ("R = ZZ/7[x]\nA = arrangement {x}", "ZZ/7"),
-    "endless variables": ("R = QQ[x_1..x_999999]\nA = arrangement {x_1}", "write x, y, z"),
+    "endless variables": ("R = QQ[x_1..x_999999]\nA = arrangement {x_1}", "999,999 coordinates"),
     "ragged columns": ("A = arrangement matrix {{1,0},{1}}", "one length"),
     "a fan": (
         '{"_ns": {"polymake": []}, "_type": "fan::PolyhedralFan<Rational>"}',
@@ -278,7 +275,7 @@ REFUSED = {
 
 
 @pytest.mark.parametrize(("text", "message"), REFUSED.values(), ids=REFUSED.keys())
-def test_what_is_wrong_is_refused(text: str, message: str, tmp_path: Path) -> None:
+def test_what_is_wrong_is_refused(text, message, tmp_path):
     path = tmp_path / "wrong"
     path.write_text(text, encoding="utf-8")
     with pytest.raises(InputError, match=message) as caught:
@@ -286,7 +283,7 @@ def test_what_is_wrong_is_refused(text: str, message: str, tmp_path: Path) -> No
     assert len(str(caught.value)) < 600
 
 
-def test_signs_without_coordinates_are_refused() -> None:
+def test_signs_without_coordinates_are_refused():
     with pytest.raises(InputError, match="no planes have these signs"):
         one("chirotope", "++++++++-+")
     # Pappus's theorem puts the last three points on one line.
@@ -309,11 +306,9 @@ def lines_of_christ(planes: Arrangement, sides: list[int]) -> str:
     return "\n".join([planes.chirotope_string(), *equations, ""])
 
 
-@settings(max_examples=10, deadline=None)
+@settings(max_examples=10)
 @given(st.lists(st.sampled_from([1, -1]), min_size=4, max_size=4), st.booleans())
-def test_lines_of_christ_get_the_signs_that_the_chirotope_says(
-    sides: list[int], turned: bool
-) -> None:
+def test_lines_of_christ_get_the_signs_that_the_chirotope_says(sides, turned):
     text = lines_of_christ(AFFINE, sides)
     if turned:
         text = opposite(text[:10]) + text[10:]
@@ -322,13 +317,13 @@ def test_lines_of_christ_get_the_signs_that_the_chirotope_says(
     assert found.chirotope_string() in (text[:10], opposite(text[:10]))
 
 
-def test_points_of_christ_are_normals() -> None:
+def test_points_of_christ_are_normals():
     found = one("christ", "+++-\n0 0 1 0 0 1 5 5\n".replace("+++-", "++++"))
     assert identify(found).f_vector == (1, 12, 24, 14)
     assert found.chirotope_string() in ("++++", "----")
 
 
-def test_graphs_have_the_numbers_of_the_arrangement() -> None:
+def test_graphs_have_the_numbers_of_the_arrangement():
     planes = read_arrangement("braid-a3")
     graph = nx.parse_graphml(converted(planes, FORMATS["graphml"]))
     assert (len(graph), graph.number_of_edges()) == (24, 36)
@@ -346,9 +341,7 @@ def test_graphs_have_the_numbers_of_the_arrangement() -> None:
     assert flats.count("->") == 4 + 2 * 6
 
 
-def test_convert_goes_by_endings_and_says_what_is_lost(
-    tmp_path: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_convert_goes_by_endings_and_says_what_is_lost(tmp_path, capsys):
     for ending in (".hyar", ".mrdi", ".sage", ".m2", ".txt", ".json"):
         path = str(tmp_path / f"planes{ending}")
         assert main(["convert", "braid-a3", "-o", path]) == 0
@@ -366,7 +359,7 @@ def test_convert_goes_by_endings_and_says_what_is_lost(
     assert "lost in matrix: contacts of the file" in capsys.readouterr()[1]
 
 
-def test_import_lists_and_takes_one(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_import_lists_and_takes_one(tmp_path, capsys):
     path = tmp_path / "lines"
     other = Arrangement([[1, 0], [0, 1], [1, 1], [2, -1]], [0, 0, 1, 1])
     path.write_text(

@@ -1,7 +1,5 @@
 """Exactness: hostile float proposals, cuts at 0 and pi, overflow, long and close entries."""
 
-from __future__ import annotations
-
 import random
 
 import numpy as np

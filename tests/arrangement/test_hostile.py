@@ -92,7 +92,6 @@ ARRANGEMENT = [
     ("identify shi-a2-affine", "cone"),
     ("census show 10", "give"),
     ("census check --sample 5000", "give"),
-    ("census build 3 -o a --store no", "give"),
     ("convert braid-a3", "--to"),
     ("convert braid-a3 -o no.xyz", "'.xyz'; known are"),
     ("convert braid-a3 -o no.txt --to xyz", "xyz"),

@@ -1,7 +1,5 @@
 """What notebooks show of an arrangement: a picture where there is one, else a table."""
 
-from __future__ import annotations
-
 import html
 import sys
 from collections.abc import Callable
@@ -13,14 +11,14 @@ from xml.etree import ElementTree as ET
 import pytest
 
 from arrangement import Arrangement
-from arrangement.console.short_repr import Shown
+from arrangement.console.number_form import Shown
 from arrangement.library.files.table import read_arrangement
 
 AFFINE = Arrangement([[1, 0], [0, 1], [1, 1]], [0, 0, 1])
 
 
 @pytest.mark.parametrize("name", ["four-generic-planes", "braid-a3", "reflection-b3"])
-def test_central_planes_of_rank_three_show_their_circles(name: str) -> None:
+def test_central_planes_of_rank_three_show_their_circles(name):
     planes = read_arrangement(name)
     picture = planes._repr_svg_()
     assert picture is not None
@@ -32,7 +30,7 @@ def test_central_planes_of_rank_three_show_their_circles(name: str) -> None:
 @pytest.mark.parametrize(
     "planes", [AFFINE, read_arrangement("pencil"), Arrangement([], dimension=3)]
 )
-def test_others_show_a_table_with_their_counts(planes: Arrangement) -> None:
+def test_others_show_a_table_with_their_counts(planes):
     assert planes._repr_svg_() is None
     page = planes._repr_html_()
     assert page is not None
@@ -40,14 +38,14 @@ def test_others_show_a_table_with_their_counts(planes: Arrangement) -> None:
     assert cells[-len(planes.f_vector) :] == [str(number) for number in planes.f_vector]
 
 
-def test_many_planes_show_a_table_without_faces() -> None:
+def test_many_planes_show_a_table_without_faces():
     page = Arrangement([[1, k, k * k] for k in range(70)])._repr_html_()
     assert page is not None
     assert "70 (70 distinct), central" in page
     assert "faces" not in page
 
 
-def test_without_the_library_there_is_a_table(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_without_the_library_there_is_a_table(monkeypatch):
     monkeypatch.setitem(sys.modules, "matplotlib", None)
     planes = read_arrangement("four-generic-planes")
     assert planes._repr_svg_() is None
@@ -63,9 +61,7 @@ def test_without_the_library_there_is_a_table(monkeypatch: pytest.MonkeyPatch) -
         ((), ""),
     ],
 )
-def test_a_value_shows_its_fields_in_one_line_and_in_a_table(
-    row: tuple[Any, ...], text: str
-) -> None:
+def test_a_value_shows_its_fields_in_one_line_and_in_a_table(row, text):
     @dataclass(frozen=True, repr=False)
     class Some(Shown):
         some_row: tuple[Any, ...]

@@ -1,11 +1,9 @@
 """The published enumeration does what its text says, and how that differs from the truth."""
 
-from __future__ import annotations
-
 from collections import Counter
 
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 
 from arrangement import Arrangement, InputError, published_enumeration
 
@@ -24,13 +22,13 @@ FOUR_CONTACTS = Arrangement([(0, 1, -1), (0, 1, -1), (0, -1, -1), (0, -1, -1)])
 
 
 @pytest.mark.parametrize(("m", "states"), [(2, 10), (3, 26), (4, 50), (5, 82), (6, 122), (7, 170)])
-def test_the_published_table_of_counts(m: int, states: int) -> None:
+def test_the_published_table_of_counts(m, states):
     """[HaasHeger2018], the table with the number of slip states for 2 to 9 contacts."""
     assert len(published_enumeration(generic(m)).states) == states
 
 
 @pytest.mark.parametrize("m", [3, 4, 5, 6])
-def test_generic_planes_give_every_state_once_except_the_origin(m: int) -> None:
+def test_generic_planes_give_every_state_once_except_the_origin(m):
     found = published_enumeration(generic(m))
     assert len(found.distinct_states) == len(found.states)
     assert set(found.states) == true_states(generic(m)) - {(0,) * m}
@@ -39,26 +37,26 @@ def test_generic_planes_give_every_state_once_except_the_origin(m: int) -> None:
         assert all(dimensions[signs] == dimension for signs in part)
 
 
-def test_two_planes_list_their_line_twice() -> None:
+def test_two_planes_list_their_line_twice():
     found = published_enumeration(generic(2))
     assert found.lines == ((0, 0), (0, 0))
     assert (len(found.states), len(found.distinct_states)) == (10, 9)
     assert set(found.distinct_states) == true_states(generic(2))
 
 
-def test_one_plane_has_an_edge_and_no_cycle() -> None:
+def test_one_plane_has_an_edge_and_no_cycle():
     found = published_enumeration(generic(1))
     assert (found.regions, found.facets, found.lines) == (((1,), (-1,)), ((0,),), ())
 
 
-def test_coincident_planes_leave_no_edges_on_the_four_contact_grasp() -> None:
+def test_coincident_planes_leave_no_edges_on_the_four_contact_grasp():
     found = published_enumeration(FOUR_CONTACTS)
     assert len(found.regions) == 4
     assert found.facets == found.lines == found.cycles == ()
     assert len(true_states(FOUR_CONTACTS)) == 9
 
 
-def test_a_doubled_plane_among_generic_ones_cuts_the_graph_in_two() -> None:
+def test_a_doubled_plane_among_generic_ones_cuts_the_graph_in_two():
     """The cube loses the four edges of one direction: two squares, and their sum is both."""
     planes = Arrangement([[1, 0, 0], [0, 1, 0], [0, 0, 1], [-2, 0, 0]])
     found = published_enumeration(planes)
@@ -69,11 +67,8 @@ def test_a_doubled_plane_among_generic_ones_cuts_the_graph_in_two() -> None:
     assert missing == {signs for signs in true_states(planes) if signs[0] == 0}
 
 
-@settings(max_examples=40, deadline=None)
 @given(arrangements(dimensions=(3, 3), planes=(0, 6), central=True))
-def test_merged_the_published_steps_are_complete_except_for_the_origin(
-    planes: Arrangement,
-) -> None:
+def test_merged_the_published_steps_are_complete_except_for_the_origin(planes):
     found = published_enumeration(planes, merge=True)
     truth = true_states(planes)
     if planes.rank == 3:
@@ -84,11 +79,8 @@ def test_merged_the_published_steps_are_complete_except_for_the_origin(
     assert set(found.states) == truth
 
 
-@settings(max_examples=40, deadline=None)
 @given(arrangements(dimensions=(3, 3), planes=(0, 6), central=True))
-def test_unmerged_regions_are_true_and_edges_never_cross_coincident_planes(
-    planes: Arrangement,
-) -> None:
+def test_unmerged_regions_are_true_and_edges_never_cross_coincident_planes(planes):
     found = published_enumeration(planes)
     assert set(found.regions) == {face.signs for face in planes.regions()}
     for _, _, crossed in found.graph.edges(data="planes"):
@@ -96,9 +88,8 @@ def test_unmerged_regions_are_true_and_edges_never_cross_coincident_planes(
         assert planes.distinct[planes.class_of[crossed[0]]] == crossed
 
 
-@settings(max_examples=40, deadline=None)
 @given(arrangements(dimensions=(3, 3), planes=(0, 6), central=True))
-def test_cycles_are_closed_and_sum_to_nothing(planes: Arrangement) -> None:
+def test_cycles_are_closed_and_sum_to_nothing(planes):
     found = published_enumeration(planes, merge=True)
     total = Counter(edge for cycle in found.cycles for edge in cycle)
     assert all(times % 2 == 0 for times in total.values())
@@ -112,6 +103,6 @@ def test_cycles_are_closed_and_sum_to_nothing(planes: Arrangement) -> None:
 @pytest.mark.parametrize(
     "planes", [Arrangement([[1, 0]]), Arrangement([[1, 0, 0]], [1]), Arrangement([[1, 0, 0, 0]])]
 )
-def test_only_central_planes_of_space_are_meant(planes: Arrangement) -> None:
+def test_only_central_planes_of_space_are_meant(planes):
     with pytest.raises(InputError, match="R\\^3"):
         published_enumeration(planes)

@@ -1,7 +1,5 @@
 """Regions that can be asked: double description against the engines, counts and formulas."""
 
-from __future__ import annotations
-
 from fractions import Fraction
 from itertools import combinations
 
@@ -27,13 +25,8 @@ def below(one: Face, other: Face) -> bool:
     return all(a in (0, b) for a, b in zip(one.signs, other.signs, strict=True))
 
 
-def is_essential(planes: Arrangement) -> bool:
-    return planes.rank == planes.dimension
-
-
-@settings(max_examples=60)
-@given(arrangements(dimensions=(1, 3), planes=(0, 5)))
-def test_the_closure_of_a_face_has_the_faces_that_the_signs_say(planes: Arrangement) -> None:
+@given(arrangements(dimensions=(1, 3), planes=(0, 5)) | arrangements(dimensions=(4, 5)))
+def test_the_closure_of_a_face_has_the_faces_that_the_signs_say(planes):
     everything = tuple(planes.faces())
     for face in everything:
         within = [other for other in everything if below(other, face)]
@@ -49,27 +42,8 @@ def test_the_closure_of_a_face_has_the_faces_that_the_signs_say(planes: Arrangem
         assert planes.face_at(face.witness) == face
 
 
-@pytest.mark.parametrize(
-    "planes",
-    [
-        counts.essentialization(families.linial(5)),
-        families.resonance(4),
-        families.generic(7, 5, affine=True),
-    ],
-    ids=repr,
-)
-def test_closures_beyond_space(planes: Arrangement) -> None:
-    everything = tuple(planes.faces())
-    for face in everything[:: len(everything) // 20]:
-        within = {other for other in everything if below(other, face)}
-        assert set(face.faces()) == within
-        assert set(face.facets) == {f for f in within if f.dimension == face.dimension - 1}
-        assert set(face.vertices) == {other.witness for other in within if not other.dimension}
-
-
-@settings(max_examples=60)
 @given(arrangements(dimensions=(1, 3), planes=(0, 6)))
-def test_bounded_regions_are_as_many_as_zaslavsky_says(planes: Arrangement) -> None:
+def test_bounded_regions_are_as_many_as_zaslavsky_says(planes):
     bounded = planes.bounded_regions()
     assert len(bounded) == counts.bounded_region_count(planes)
     assert {region for region in planes.regions() if region.is_bounded} == set(bounded)
@@ -79,9 +53,8 @@ def test_bounded_regions_are_as_many_as_zaslavsky_says(planes: Arrangement) -> N
         assert sum((-1) ** k * f for k, f in enumerate(region.f_vector)) == 1
 
 
-@settings(max_examples=40)
 @given(arrangements(dimensions=(2, 4), planes=(0, 4)))
-def test_the_regions_in_a_box_fill_it(planes: Arrangement) -> None:
+def test_the_regions_in_a_box_fill_it(planes):
     d = planes.dimension
     axes = [tuple(int(i == j) for j in range(d)) for i in range(d)]
     boxed = Arrangement(
@@ -94,19 +67,8 @@ def test_the_regions_in_a_box_fill_it(planes: Arrangement) -> None:
         assert float(region.volume) == pytest.approx(hull.volume)
 
 
-def test_the_volumes_of_simplices_and_boxes() -> None:
-    for d in range(1, 6):
-        axes = [[int(i == j) for j in range(d)] for i in range(d)]
-        [simplex] = Arrangement([*axes, [1] * d], [0] * d + [1]).bounded_regions()
-        assert simplex.volume == Fraction(1, int(sympy.factorial(d)))
-        [box] = Arrangement([*axes, *axes], [0] * d + [Fraction(1, 3)] * d).bounded_regions()
-        assert box.volume == Fraction(1, 3) ** d
-        assert box.f_vector == tuple(2 ** (d - k) * int(sympy.binomial(d, k)) for k in range(d + 1))
-
-
-@settings(max_examples=60)
 @given(arrangements(dimensions=(1, 3), planes=(1, 5)), st.data())
-def test_composition_is_that_of_sign_vectors(planes: Arrangement, data: st.DataObject) -> None:
+def test_composition_is_that_of_sign_vectors(planes, data):
     faces = planes.faces()
     one, other = (faces[data.draw(st.integers(0, len(faces) - 1))] for _ in range(2))
     composed = one.compose(other)
@@ -120,9 +82,7 @@ def test_composition_is_that_of_sign_vectors(planes: Arrangement, data: st.DataO
 
 @settings(max_examples=20)
 @given(arrangements(dimensions=(1, 3), planes=(1, 4)), st.data())
-def test_the_inequalities_hold_on_the_face_and_nowhere_else(
-    planes: Arrangement, data: st.DataObject
-) -> None:
+def test_the_inequalities_hold_on_the_face_and_nowhere_else(planes, data):
     symbols = sympy.symbols("u v w")[: planes.dimension]
     faces = planes.faces()
     face = faces[data.draw(st.integers(0, len(faces) - 1))]
@@ -132,7 +92,7 @@ def test_the_inequalities_hold_on_the_face_and_nowhere_else(
 
 
 @given(arrangements(dimensions=(1, 4), planes=(0, 6)))
-def test_the_region_graph_is_that_of_the_sign_vectors(planes: Arrangement) -> None:
+def test_the_region_graph_is_that_of_the_sign_vectors(planes):
     graph = planes.region_graph()
     assert set(graph) == set(planes.regions())
     edges = {frozenset(edge) for edge in graph.edges}
@@ -144,9 +104,8 @@ def test_the_region_graph_is_that_of_the_sign_vectors(planes: Arrangement) -> No
             assert graph.edges[one, other]["planes"] == across
 
 
-@settings(max_examples=40)
 @given(arrangements(dimensions=(1, 3), planes=(0, 6)), st.data())
-def test_distances_are_those_in_the_graph(planes: Arrangement, data: st.DataObject) -> None:
+def test_distances_are_those_in_the_graph(planes, data):
     regions = planes.regions()
     base = regions[data.draw(st.integers(0, len(regions) - 1))]
     graph, poset = planes.region_graph(), planes.poset_of_regions(base)
@@ -171,9 +130,7 @@ def test_distances_are_those_in_the_graph(planes: Arrangement, data: st.DataObje
         (families.coordinate(5), (2, 2, 2, 2, 2)),
     ],
 )
-def test_mirrors_have_the_length_polynomial_of_their_group(
-    planes: Arrangement, degrees: tuple[int, ...]
-) -> None:
+def test_mirrors_have_the_length_polynomial_of_their_group(planes, degrees):
     """Solomon's product over the degrees of the group, from any base: all regions look alike."""
     product = sympy.prod(sum(T**k for k in range(degree)) for degree in degrees)
     for base in planes.regions()[:3]:
@@ -182,17 +139,8 @@ def test_mirrors_have_the_length_polynomial_of_their_group(
     assert planes.p_vector == {planes.rank: len(planes.regions())}
 
 
-def test_the_poset_of_the_braid_arrangement_is_the_weak_order() -> None:
-    braid = families.braid(4)
-    poset = braid.poset_of_regions(braid.region_at([4, 3, 2, 1]))
-    assert [n for n, k in poset.in_degree if not k] == [braid.region_at([4, 3, 2, 1])]
-    assert [n for n, k in poset.out_degree if not k] == [braid.region_at([1, 2, 3, 4])]
-    assert nx.transitive_reduction(poset).edges == poset.edges
-
-
-@settings(max_examples=60)
 @given(arrangements(dimensions=(1, 3), planes=(0, 6)))
-def test_facets_of_regions_are_counted_alike(planes: Arrangement) -> None:
+def test_facets_of_regions_are_counted_alike(planes):
     sizes = [len(region.facets) for region in planes.regions()]
     assert planes.p_vector == {k: sizes.count(k) for k in sorted(set(sizes))}
     simplicial = [region for region in planes.regions() if region.is_simplicial]
@@ -202,17 +150,8 @@ def test_facets_of_regions_are_counted_alike(planes: Arrangement) -> None:
         assert planes.is_simplicial == (set(sizes) == {planes.rank})
 
 
-def test_generic_and_simplicial_arrangements() -> None:
-    assert not families.generic(4).is_simplicial
-    assert len(families.generic(4).simplicial_regions()) == 8
-    assert not TRIANGLE.is_simplicial, "the normals of a triangle are dependent"
-    for m, k in families.simplicial_entries()[:6]:
-        assert families.simplicial(m, k).is_simplicial
-
-
-@settings(max_examples=60)
 @given(arrangements(dimensions=(3, 3), planes=(3, 8), central=True))
-def test_points_and_polygons_of_the_projective_plane(planes: Arrangement) -> None:
+def test_points_and_polygons_of_the_projective_plane(planes):
     """Pairs of lines meet once, points are half the rays; Melchior's identity."""
     assume(planes.rank == 3)
     points, polygons, m = counts.t_vector(planes), planes.p_vector, len(planes.distinct)
@@ -223,7 +162,7 @@ def test_points_and_polygons_of_the_projective_plane(planes: Arrangement) -> Non
     assert planes.is_simplicial == (excess == 0)
 
 
-def test_every_engine_gives_faces_that_answer() -> None:
+def test_every_engine_gives_faces_that_answer():
     answers: set[tuple[object, ...]] = set()
     for engine in ENGINES:
         regions = SHI.faces(3, engine=engine) if ENGINES[engine].ranks(SHI) else ()
@@ -235,7 +174,7 @@ def test_every_engine_gives_faces_that_answer() -> None:
     assert sum(answer[1] is True for answer in answers) == 27
 
 
-def test_faces_are_equal_as_sets_and_say_so_briefly() -> None:
+def test_faces_are_equal_as_sets_and_say_so_briefly():
     region = TRIANGLE.region_at([2, 2])
     assert region == TRIANGLE.region_at([3, 5])
     assert region in set(TRIANGLE.regions())
@@ -245,7 +184,7 @@ def test_faces_are_equal_as_sets_and_say_so_briefly() -> None:
     assert len(repr(families.generic(60).regions()[0])) < 70
 
 
-def test_coincident_planes_count_once() -> None:
+def test_coincident_planes_count_once():
     planes = Arrangement([[1, 0], [-2, 0], [0, 1], [1, 0]], [1, -2, 0, 1])
     base = planes.region_at([2, 1])
     assert base.walls == (0, 2)
@@ -258,17 +197,17 @@ def test_coincident_planes_count_once() -> None:
     }
 
 
-def test_a_choice_of_faces_is_a_sequence_again() -> None:
+def test_a_choice_of_faces_is_a_sequence_again():
     faces = SHI.faces()
     some = faces.where(faces.signs[:, 0] == 0)
     assert some[:] == tuple(face for face in faces if face.signs[0] == 0)
     assert sum(some.f_vector) == len(some) < len(faces)
     for wrong in ([True], faces.signs[:, 0]):
         with pytest.raises(InputError, match="one truth value for each"):
-            faces.where(wrong)  # type: ignore[arg-type]
+            faces.where(wrong)
 
 
-def test_wrong_questions_are_explained() -> None:
+def test_wrong_questions_are_explained():
     region = TRIANGLE.region_at([2, 2])
     other = families.coordinate(2).regions()[0]
     edge = TRIANGLE.face_at([0, 2])
@@ -285,10 +224,10 @@ def test_wrong_questions_are_explained() -> None:
         region.compose(other)
     for base in (other, edge, "++"):
         with pytest.raises(InputError, match="give a region of these planes"):
-            TRIANGLE.poset_of_regions(base)  # type: ignore[arg-type]
+            TRIANGLE.poset_of_regions(base)
 
 
-def test_rays_lie_on_the_walls() -> None:
+def test_rays_lie_on_the_walls():
     for region in SHI.regions():
         for ray in region.rays:
             values = [dot(plane[:-1], ray) for plane in SHI.integer_planes]

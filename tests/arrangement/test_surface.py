@@ -1,12 +1,10 @@
 """Surfaces of unions of polytopes against boxes counted cube by cube; orders of painting."""
 
-from __future__ import annotations
-
 from itertools import pairwise, product
 
 import numpy as np
 import pytest
-from hypothesis import assume, given, settings, strategies as st
+from hypothesis import assume, given, strategies as st
 
 from arrangement.drawing.solids.depth_tree import back_to_front, depth_tree
 from arrangement.drawing.solids.surface import Patch, facets, surface
@@ -45,11 +43,8 @@ def area(patch: Patch) -> float:
     return float(np.linalg.norm(np.cross(steps[:-1], steps[1:]).sum(axis=0))) / 2
 
 
-@settings(max_examples=60, deadline=None)
 @given(BOXES)
-def test_area_and_volume_are_those_of_the_unit_cubes(
-    corners: list[tuple[IntegerVector, IntegerVector]],
-) -> None:
+def test_area_and_volume_are_those_of_the_unit_cubes(corners):
     solids = [shape for shape in boxes(corners) if shape.dimension == 3]
     assume(solids)
     filled = {
@@ -79,11 +74,8 @@ def doubled(shape: Polyhedron) -> Polyhedron:
     return found
 
 
-@settings(max_examples=60, deadline=None)
 @given(BOXES)
-def test_edges_are_where_the_surface_bends(
-    corners: list[tuple[IntegerVector, IntegerVector]],
-) -> None:
+def test_edges_are_where_the_surface_bends(corners):
     """An edge is drawn from either side, so lines have twice a whole length."""
     patches = surface([shape for shape in boxes(corners) if shape.dimension == 3])
     lines: dict[tuple[float, ...], float] = {}
@@ -97,11 +89,8 @@ def test_edges_are_where_the_surface_bends(
         assert np.isclose(total / 2, round(total / 2))
 
 
-@settings(max_examples=60, deadline=None)
 @given(BOXES)
-def test_flat_parts_stay_as_far_as_they_stick_out(
-    corners: list[tuple[IntegerVector, IntegerVector]],
-) -> None:
+def test_flat_parts_stay_as_far_as_they_stick_out(corners):
     shapes = boxes(corners)
     patches = surface(shapes)
     larger = [shape for shape in shapes if shape.dimension == 3]
@@ -123,11 +112,8 @@ POINTS = st.lists(st.tuples(*[st.integers(-4, 4)] * 3), min_size=4, max_size=6)
 
 
 @pytest.mark.campaign
-@settings(max_examples=40, deadline=None)
 @given(st.lists(POINTS, min_size=1, max_size=3), st.tuples(*[st.integers(-5, 5)] * 3))
-def test_nothing_is_hidden_by_what_is_painted_before_it(
-    clouds: list[list[IntegerVector]], direction: IntegerVector
-) -> None:
+def test_nothing_is_hidden_by_what_is_painted_before_it(clouds, direction):
     """Along random lines of sight, patches come in the order of their depths."""
     assume(any(direction))
     hulls = [from_generators([(*p, 1) for p in cloud], (), 3) for cloud in clouds]
@@ -153,7 +139,7 @@ def depth(patch: Patch, start: np.ndarray, ahead: np.ndarray) -> float | None:
     return float(t) if (turns > 1e-6).all() or (turns < -1e-6).all() else None
 
 
-def test_facets_run_counter_clockwise_seen_from_outside() -> None:
+def test_facets_run_counter_clockwise_seen_from_outside():
     points, cycles, rows = facets(box((0, 0, 0), (1, 2, 3)))
     places = np.array([[x / p[3] for x in p[:3]] for p in points])
     for cycle, row in zip(cycles, rows, strict=True):

@@ -1,13 +1,10 @@
 """SymPy in and out: equations of planes, matrices and points, with both of its ground types."""
 
-from __future__ import annotations
-
 from fractions import Fraction
-from typing import Any
 
 import pytest
 import sympy
-from hypothesis import given, settings
+from hypothesis import given
 from sympy import Eq, I, Integer, Rational, pi, sin, sqrt
 from sympy.abc import a, x, y, z
 
@@ -19,7 +16,7 @@ from .strategies import arrangements
 SPACE = (x, y, z)
 
 
-def test_equations_keep_their_order_and_their_sides() -> None:
+def test_equations_keep_their_order_and_their_sides():
     planes = Arrangement.from_equations([Eq(x, y), y - z, 2 * x + 3 * z - 1], SPACE)
     assert isinstance(planes, Arrangement)
     assert planes.integer_planes == ((1, -1, 0, 0), (0, 1, -1, 0), (2, 0, 3, 1))
@@ -27,25 +24,19 @@ def test_equations_keep_their_order_and_their_sides() -> None:
     assert Planes.from_equations([Eq(y / 3, x / 2)]).integer_planes == ((-3, 2, 0),)
 
 
-def test_without_symbols_the_coordinates_are_those_that_occur_by_name() -> None:
+def test_without_symbols_the_coordinates_are_those_that_occur_by_name():
     assert Arrangement.from_equations([z - a]) == Arrangement([[-1, 1]])
     assert Arrangement.from_equations([z - a], (z, a)) == Arrangement([[1, -1]])
 
 
-def test_terms_that_cancel_are_no_terms() -> None:
-    equation = Eq((x + 1) * (x - y), x**2 - x * y + sqrt(2) * y - sqrt(2) * y)
-    assert Arrangement.from_equations([equation], (x, y)) == Arrangement([[1, -1]])
-
-
-@settings(max_examples=60, deadline=None)
 @given(arrangements())
-def test_equations_return_the_same_planes(planes: Arrangement) -> None:
+def test_equations_return_the_same_planes(planes):
     names = sympy.symbols(f"t:{planes.dimension}", positive=True)
     for symbols in (names, names[::-1]):
         assert Arrangement.from_equations(planes.equations(symbols), symbols) == planes
 
 
-def test_default_symbols_sort_as_they_are_counted() -> None:
+def test_default_symbols_sort_as_they_are_counted():
     planes = Arrangement([[*range(1, 13)]], [5])
     assert Arrangement.from_equations(planes.equations()) == planes
     assert Arrangement([[1, 0], [2, -3]], [0, 1]).equations() == (
@@ -77,9 +68,7 @@ def test_default_symbols_sort_as_they_are_counted() -> None:
         (None, "not an equation"),
     ],
 )
-def test_equations_of_no_rational_plane_are_refused_with_the_term(
-    equation: Any, message: str
-) -> None:
+def test_equations_of_no_rational_plane_are_refused_with_the_term(equation, message):
     with pytest.raises(InputError, match=rf"equations\[1\] .*{message}"):
         Arrangement.from_equations([x, equation], SPACE)
 
@@ -94,19 +83,19 @@ def test_equations_of_no_rational_plane_are_refused_with_the_term(
         (3, "symbols is 3"),
     ],
 )
-def test_bad_symbols_are_refused(symbols: Any, message: str) -> None:
+def test_bad_symbols_are_refused(symbols, message):
     planes = Arrangement([[1, 2, 3]])
     with pytest.raises(InputError, match=message):
         planes.equations(symbols)
 
 
-def test_equations_that_are_no_sequence_are_refused() -> None:
+def test_equations_that_are_no_sequence_are_refused():
     for equations in ("x = y", x - y, 5):
         with pytest.raises(InputError, match="give a sequence of SymPy equations"):
-            Arrangement.from_equations(equations)  # type: ignore[arg-type]
+            Arrangement.from_equations(equations)
 
 
-def test_matrices_of_sympy_are_read_by_rows() -> None:
+def test_matrices_of_sympy_are_read_by_rows():
     rows = sympy.Matrix([[1, Rational(1, 2)], [0, 1]])
     expected = Arrangement([[1, "1/2"], [0, 1]], [1, "2/3"])
     offsets = sympy.Matrix([1, Rational(2, 3)])
@@ -117,7 +106,7 @@ def test_matrices_of_sympy_are_read_by_rows() -> None:
         Arrangement(rows / 2.0)
 
 
-def test_the_matrix_has_the_planes_as_rows_over_the_integers() -> None:
+def test_the_matrix_has_the_planes_as_rows_over_the_integers():
     planes = Arrangement([["1/2", 1], [0, 3]], [1, 2])
     assert planes.matrix.domain == sympy.ZZ
     assert planes.matrix.to_Matrix() == sympy.Matrix([[1, 2, 2], [0, 3, 2]])
@@ -125,7 +114,7 @@ def test_the_matrix_has_the_planes_as_rows_over_the_integers() -> None:
     assert Arrangement([], dimension=2).matrix.shape == (0, 3)
 
 
-def test_points_are_columns_that_give_the_signs_back() -> None:
+def test_points_are_columns_that_give_the_signs_back():
     planes = Arrangement([[1, 2, 0], [0, 1, 3], [1, 1, 1]], [1, 0, "1/7"])
     for face in planes.faces():
         point = face.point()
@@ -135,7 +124,7 @@ def test_points_are_columns_that_give_the_signs_back() -> None:
         assert tuple(sympy.sign(value) for value in values) == face.signs
 
 
-def test_numbers_vectors_and_lists_of_vectors_go_to_sympy() -> None:
+def test_numbers_vectors_and_lists_of_vectors_go_to_sympy():
     assert to_sympy(Fraction(3, 2)) == Rational(3, 2)
     assert to_sympy(10**40) == Integer(10**40)
     cube = dual_polyhedron(Arrangement([[1, 0, 0], [0, 1, 0], [0, 0, 1]]))
@@ -144,9 +133,8 @@ def test_numbers_vectors_and_lists_of_vectors_go_to_sympy() -> None:
     assert sum(corners, sympy.zeros(3, 1)) == sympy.zeros(3, 1)
 
 
-@settings(max_examples=40, deadline=None)
 @given(arrangements())
-def test_closed_forms_return_python_numbers(planes: Arrangement) -> None:
+def test_closed_forms_return_python_numbers(planes):
     """Elements of SymPy's domains stay inside, whichever ground types it uses."""
     made = [essentialization(planes)] if len(planes) else []
     for i in range(len(planes)):

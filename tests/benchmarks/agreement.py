@@ -9,8 +9,6 @@ calculation: brute force within the program's bound on the motion, or the amount
 program's own point violates the model.
 """
 
-from __future__ import annotations
-
 import argparse
 import sys
 from collections import Counter, defaultdict

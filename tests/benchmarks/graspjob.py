@@ -15,8 +15,6 @@ exact unit normals have denominators up to 2 * 10^7, and the planes in whole num
 to 10 digits.
 """
 
-from __future__ import annotations
-
 import json
 import re
 import statistics

@@ -7,8 +7,6 @@
 Ours is a verdict with its proof; Siconos and the mixed-integer program give floats and none.
 """
 
-from __future__ import annotations
-
 import itertools
 import json
 import math

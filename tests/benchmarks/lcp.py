@@ -15,8 +15,6 @@ problem ``0 <= z | M z + h >= 0``. M is copositive, but Lemke's method may stop 
 solution exists: its "no" is no proof, and its "yes" is a float.
 """
 
-from __future__ import annotations
-
 import json
 import statistics
 import sys

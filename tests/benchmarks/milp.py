@@ -8,8 +8,6 @@ one state is an ordinary inequality in the others. There is no objective: any so
 What is lost against an exact decision: motions beyond the bound, and the tolerance of the program.
 """
 
-from __future__ import annotations
-
 import time
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass

@@ -1,7 +1,5 @@
 """Who is measured beside us: how each is found, started, and said to be absent."""
 
-from __future__ import annotations
-
 import json
 import shutil
 import subprocess

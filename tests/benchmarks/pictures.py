@@ -1,7 +1,5 @@
 """Times of pictures and pages as a user waits for them: whole commands, start to file."""
 
-from __future__ import annotations
-
 import json
 import os
 import subprocess

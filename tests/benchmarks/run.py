@@ -12,8 +12,6 @@ work on the machine still moves the times; the ratios within one run are what to
     run.py --only pictures                        pictures and pages alone
 """
 
-from __future__ import annotations
-
 import argparse
 import math
 import sys

@@ -8,8 +8,6 @@ Where a peer's verdict is not ours it is wrong: ours counts only with a proof th
 accepted. The instances and the peers are those of `spacejob.py`.
 """
 
-from __future__ import annotations
-
 import statistics
 from collections.abc import Iterable, Sequence
 

@@ -20,8 +20,6 @@ The peers answer in floats and without proof:
   load; no springs, no dissipation.
 """
 
-from __future__ import annotations
-
 import json
 import math
 import sys

@@ -1,7 +1,5 @@
 """One question, answered by the solver and by brute force: what they disagree on."""
 
-from __future__ import annotations
-
 from equilibrium import solve
 from equilibrium.decide.verdict import Verdict
 

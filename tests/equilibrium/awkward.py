@@ -4,8 +4,6 @@ Coincident planes, shared points, opposite normals, no friction, no preload or s
 (large motions); wrenches on the exact border of what a grasp resists, and 10^-30 beside it.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 from fractions import Fraction

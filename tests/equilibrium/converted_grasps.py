@@ -1,7 +1,5 @@
 """Exact grasps of common shapes, and the float data that a simulator or a table would give."""
 
-from __future__ import annotations
-
 from fractions import Fraction
 from random import Random
 from typing import Any

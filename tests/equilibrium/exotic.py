@@ -4,8 +4,6 @@ Contacts in one plane, huge friction, stiffness of all sizes, no friction or som
 on a floor, on a line, on a box, in one point, or with normals that meet in one.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from dataclasses import replace
 from fractions import Fraction

@@ -4,8 +4,6 @@ From the statement of what a leaf shows, for documents of readable form; nothing
 used. `work_at_motion` goes back behind the rows, to the law itself.
 """
 
-from __future__ import annotations
-
 import math
 from collections.abc import Iterator, Mapping, Sequence
 from fractions import Fraction

@@ -1,7 +1,5 @@
 """Changes of a JSON document, whatever its schema: of leaves, of lists, of mappings."""
 
-from __future__ import annotations
-
 import copy
 import re
 from collections import defaultdict

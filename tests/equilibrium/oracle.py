@@ -7,8 +7,6 @@ freedom, the inequalities on what is left go to an exact linear program. Either 
 verified by substitution: a point, or multipliers that combine the inequalities to ``0 > 0``.
 """
 
-from __future__ import annotations
-
 import math
 import operator
 from collections.abc import Iterator, Sequence

@@ -7,8 +7,6 @@ bounded from below by these programs and tends to the truth as sectors narrow. C
 something over are dropped, the others are cut in two.
 """
 
-from __future__ import annotations
-
 import itertools
 import math
 

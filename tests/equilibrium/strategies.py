@@ -1,7 +1,5 @@
 """Random grasps on a coarse grid, so that coincident planes and boundary wrenches are common."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 from fractions import Fraction
 

@@ -542,8 +542,8 @@ def test_the_checker_sees_no_solver_no_numpy_and_no_floats(module):
         "arrangement.library.files.json_files",
         "equilibrium.model.grasp",
     }
-    values |= {"equilibrium.model.contact", "arrangement.console.short_repr"}
-    values |= {"equilibrium.model.errors", "equilibrium.model.pyramid", "collections.abc"}
+    values |= {"equilibrium.model.contact", "arrangement.console.number_form"}
+    values |= {"equilibrium.model.errors", "equilibrium.model.contact", "collections.abc"}
     values |= {"equilibrium.model.plane", "equilibrium.model.range"}
     values |= {"enclosure", "law", "reading", "space"}
     assert imported <= standard | values

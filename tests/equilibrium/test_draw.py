@@ -1,12 +1,8 @@
 """Pictures: what is drawn is what was computed, labels keep apart, files repeat."""
 
-from __future__ import annotations
-
 import re
-import sys
 from dataclasses import replace
 from fractions import Fraction
-from pathlib import Path
 from typing import Any
 
 import matplotlib.path
@@ -14,20 +10,16 @@ import numpy as np
 import pytest
 from hypothesis import example, given, settings
 
-from arrangement.drawing.scene.items import Label
 from arrangement.drawing.scene.labels import flattened
 from arrangement.drawing.scene.layout import laid_out
-from arrangement.drawing.scene.measuring import measure
-from arrangement.drawing.scene.scene import Scene
+from arrangement.drawing.scene.scene import Label, Scene, measure
 from equilibrium import Contact, Grasp, read_grasp, solve
-from equilibrium.cli.program import main
 from equilibrium.grasps.inputs import random_grasp, star_outline
 from equilibrium.methods import METHODS, resistance_figure
 from equilibrium.methods.compare import compare
 from equilibrium.methods.registry import WITH_REGION
 from equilibrium.model.outline import Circle, Polygon
 from equilibrium.pictures import (
-    DRAWINGS,
     draw_compare,
     draw_grasp,
     draw_methods,
@@ -36,11 +28,11 @@ from equilibrium.pictures import (
     draw_resist,
     draw_slice,
 )
-from equilibrium.pictures.grasp.body import body, frame_of
 from equilibrium.pictures.grasp.layout import layout_of
-from equilibrium.pictures.pages.proof_page import proof_page
-from equilibrium.pictures.style import nice, number
-from equilibrium.pictures.wrenches.slices import slices
+from equilibrium.pictures.grasp.proof_page import proof_page
+from equilibrium.pictures.parts.body import body, frame_of
+from equilibrium.pictures.parts.style import nice
+from equilibrium.pictures.wrenches.forces import slices
 from equilibrium.wrench_sets import gaps, resisted_region, search_map
 from tests.drawn import offences
 
@@ -83,7 +75,7 @@ def texts(scene: Scene) -> list[str]:
 
 
 @pytest.mark.parametrize(("grasp", "wrench"), QUESTIONS)
-def test_every_contact_has_its_elements(grasp: Grasp, wrench: tuple[Any, ...]) -> None:
+def test_every_contact_has_its_elements(grasp, wrench):
     verdict = solve(grasp, wrench)
     figure = draw_grasp.scene(grasp, wrench=wrench)
     assert count(figure, "cone-") == count(figure, "pad-") == count(figure, "number-") == len(grasp)
@@ -95,7 +87,7 @@ def test_every_contact_has_its_elements(grasp: Grasp, wrench: tuple[Any, ...]) -
     assert count(figure, "wrench-force") == any(Fraction(x) for x in wrench[:2])
 
 
-def test_forces_are_drawn_to_one_scale_in_their_directions() -> None:
+def test_forces_are_drawn_to_one_scale_in_their_directions():
     """Table I, row (0, 1, 0) with preload 1: f1 = (1, -1/2), f3 = (1, 1/2), f2 = 0."""
     found = named(draw_grasp.scene(THREE.with_preload(1), wrench=(0, 1, 0)))
     corners = {name: found[name].points for name in ("force-1", "force-3", "wrench-force")}
@@ -115,9 +107,7 @@ def test_forces_are_drawn_to_one_scale_in_their_directions() -> None:
         (FOUR.with_preload(1), (0, 2, 0), ["stick"] * 4),
     ],
 )
-def test_marks_tell_the_states_of_the_motion_by_shape(
-    grasp: Grasp, wrench: tuple[int, ...], expected: list[str]
-) -> None:
+def test_marks_tell_the_states_of_the_motion_by_shape(grasp, wrench, expected):
     """The tables of the paper give the motions: (0, -1, 0), (0, 1, 0), (0, -1/4, 1/4) and 0."""
     drawn = named(draw_grasp.scene(grasp, wrench=wrench))
     marks = [drawn[f"mark-{i + 1}"] for i in range(len(expected))]
@@ -127,7 +117,7 @@ def test_marks_tell_the_states_of_the_motion_by_shape(
     ]
 
 
-def test_slipping_marks_point_where_the_object_slips() -> None:
+def test_slipping_marks_point_where_the_object_slips():
     """Under (0, 1, 0) the object moves up, along +t at contact 1 and along -t at contact 3."""
     found = named(draw_grasp.scene(THREE.with_preload(1), wrench=(0, 1, 0)))
     for name in ("mark-1", "mark-3"):
@@ -135,7 +125,7 @@ def test_slipping_marks_point_where_the_object_slips() -> None:
         assert all(tip[1] > corner[1] for corner in base)
 
 
-def test_a_given_outline_is_drawn_through_its_corners() -> None:
+def test_a_given_outline_is_drawn_through_its_corners():
     drawn = named(draw_grasp.scene(THREE, outline=CORNERS))
     places = [drawn[f"pad-{i}"].points.mean(axis=0) for i in (1, 2, 3)]
     points = np.array([[*map(float, c.point), 1.0] for c in THREE])
@@ -146,7 +136,7 @@ def test_a_given_outline_is_drawn_through_its_corners() -> None:
 
 
 @pytest.mark.parametrize("outline", [Polygon(CORNERS), Circle((0, 0), 1)])
-def test_the_outline_of_a_grasp_is_drawn_without_dashes(outline: Any) -> None:
+def test_the_outline_of_a_grasp_is_drawn_without_dashes(outline):
     own = THREE.with_outline(outline)
     drawn = named(draw_grasp.scene(own))["outline"]
     assert drawn.style["ls"] == "solid"
@@ -157,7 +147,7 @@ def test_the_outline_of_a_grasp_is_drawn_without_dashes(outline: Any) -> None:
 
 
 @pytest.mark.parametrize("seed", range(8))
-def test_cones_stay_inside_the_outline(seed: int) -> None:
+def test_cones_stay_inside_the_outline(seed):
     grasp = random_grasp(5, seed)
     grasp = grasp.with_friction(2).with_outline(star_outline(grasp))
     items = named(draw_grasp.scene(grasp))
@@ -173,9 +163,7 @@ def test_cones_stay_inside_the_outline(seed: int) -> None:
 
 
 @pytest.mark.parametrize(("grasp", "wrench"), QUESTIONS)
-def test_the_name_of_a_wrench_is_never_inside_the_arc_of_its_torque(
-    grasp: Grasp, wrench: tuple[Any, ...]
-) -> None:
+def test_the_name_of_a_wrench_is_never_inside_the_arc_of_its_torque(grasp, wrench):
     scene = draw_grasp.scene(grasp, wrench=wrench)
     if arc := named(scene).get("wrench-torque"):
         ends = flattened(arc.points)
@@ -184,7 +172,7 @@ def test_the_name_of_a_wrench_is_never_inside_the_arc_of_its_torque(
         assert np.linalg.norm(name.place - middle) > 0.95 * np.ptp(ends[:, 1]) / 2
 
 
-def test_units_stand_with_the_wrench_and_legends_are_short() -> None:
+def test_units_stand_with_the_wrench_and_legends_are_short():
     grasp = THREE.with_units("cm", "N").with_preload(1)
     assert "w = (0, 1/2) N, 0 N cm" in texts(draw_grasp.scene(grasp, wrench=(0, "1/2", 0)))
     for grasp in (THREE, FOUR):
@@ -196,7 +184,7 @@ def test_units_stand_with_the_wrench_and_legends_are_short() -> None:
             assert flattened(named(scene)["body"].points)[:, 1].min() > max(lowest)
 
 
-def test_a_slice_keeps_the_preloads_of_the_grasp() -> None:
+def test_a_slice_keeps_the_preloads_of_the_grasp():
     first, *others = THREE
     own = replace(THREE, contacts=(replace(first, preload=2), *others))
     for grasp, options, title in (
@@ -210,21 +198,7 @@ def test_a_slice_keeps_the_preloads_of_the_grasp() -> None:
     assert region.polygons == resisted_region(own).polygons
 
 
-@pytest.mark.parametrize("factor", [1, 1000, "1/1000"])
-def test_polar_maps_grow_with_preloads(factor: Any) -> None:
-    """Ten times the preloads, ten times all forces: the same picture but for its numbers."""
-    ends = []
-    for load in (1, Fraction(factor)):
-        items = named(draw_polar.scene(THREE.with_preload(load), directions=12))
-        ends.append(np.array([items[f"direction-{i}"].place for i in range(12)]))
-    np.testing.assert_allclose(ends[0], ends[1], atol=0.2)
-
-
-def test_a_polar_map_without_border_is_as_wide_as_the_preloads() -> None:
-    assert "1000" in texts(draw_polar.scene(COINCIDENT.with_preload(1000), directions=4))
-
-
-def test_of_many_contacts_the_one_equilibrium_found_is_shown_and_said() -> None:
+def test_of_many_contacts_the_one_equilibrium_found_is_shown_and_said():
     grasp = random_grasp(24, 4)
     verdict = solve(grasp, (0, "-1/2", 0))
     assert verdict.solution is not None
@@ -236,7 +210,7 @@ def test_of_many_contacts_the_one_equilibrium_found_is_shown_and_said() -> None:
 
 
 @pytest.mark.parametrize("grasp", [THREE, FOUR, COINCIDENT, HUGE, random_grasp(5, 2)])
-def test_indicative_outlines_touch_every_contact_along_its_tangent(grasp: Grasp) -> None:
+def test_indicative_outlines_touch_every_contact_along_its_tangent(grasp):
     frame = frame_of(grasp)
     curve = body(grasp, frame)
     assert curve is not None
@@ -251,7 +225,7 @@ def test_indicative_outlines_touch_every_contact_along_its_tangent(grasp: Grasp)
 
 
 @pytest.mark.parametrize("seed", range(12))
-def test_indicative_outlines_have_the_object_on_the_inner_side(seed: int) -> None:
+def test_indicative_outlines_have_the_object_on_the_inner_side(seed):
     """A curve run counter-clockwise has its inside on the left, where the normals point."""
     grasp = random_grasp(6, seed)
     curve = body(grasp, frame_of(grasp))
@@ -285,24 +259,21 @@ LABELLED: list[tuple[Any, Grasp, dict[str, Any]]] = [
 
 
 @pytest.mark.parametrize(("view", "grasp", "options"), LABELLED)
-def test_labels_keep_apart_on_the_sheet_and_off_lines(
-    view: Any, grasp: Grasp, options: dict[str, Any]
-) -> None:
+def test_labels_keep_apart_on_the_sheet_and_off_lines(view, grasp, options):
     found = offences(laid_out(view.scene(grasp, **options)))
     assert [text for text in found if not text.endswith(" on axis")] == []
 
 
-def test_lines_of_resisted_forces_tell_their_states() -> None:
+def test_lines_of_resisted_forces_tell_their_states():
     scene = draw_resist.scene(read_grasp("single-contact"))
     assert [item.text for item in scene.items if item.name == "code-0"] == ["●"]
     assert scene.legend.keys[0].text == "1 stick"
 
 
 @pytest.mark.parametrize(
-    "grasp",
-    [THREE, THREE.with_preload(1), FOUR, FOUR.with_preload(1), COINCIDENT, HUGE, Grasp([])],
+    "grasp", [THREE, THREE.with_preload(1), FOUR, FOUR.with_preload(1), COINCIDENT, HUGE, Grasp([])]
 )
-def test_region_elements_are_the_exact_pieces_and_borders(grasp: Grasp) -> None:
+def test_region_elements_are_the_exact_pieces_and_borders(grasp):
     region = resisted_region(grasp)
     drawn = named(draw_resist.scene(grasp))
     outline = region.outline
@@ -320,7 +291,7 @@ def test_region_elements_are_the_exact_pieces_and_borders(grasp: Grasp) -> None:
 @settings(max_examples=15)
 @given(grasp=grasps(), wrench=wrenches)
 @example(grasp=Grasp([Contact((0, 0), (0, 1), 0)]), wrench=(0, 1, 0))
-def test_the_whole_finite_border_lies_in_the_picture(grasp: Grasp, wrench: Any) -> None:
+def test_the_whole_finite_border_lies_in_the_picture(grasp, wrench):
     region = resisted_region(grasp, origin=(0, 0, wrench[2]))
     items = named(draw_resist.scene(grasp, wrench=wrench))
     mark = items["wrench"]
@@ -335,7 +306,7 @@ def test_the_whole_finite_border_lies_in_the_picture(grasp: Grasp, wrench: Any) 
             assert at_edge is np.bool_(own is None)
 
 
-def test_the_three_parts_are_the_data_of_the_paper_figure() -> None:
+def test_the_three_parts_are_the_data_of_the_paper_figure():
     data = resistance_figure(THREE)
     drawn = draw_slice.scene(THREE)
     for part, key in ((2, "no_preload"), (3, "preload_1")):
@@ -344,7 +315,7 @@ def test_the_three_parts_are_the_data_of_the_paper_figure() -> None:
     assert count(drawn, "1-border-") == len(data["grasp_wrench_space"]["corners"])
 
 
-def test_polar_marks_are_the_entries_of_the_map() -> None:
+def test_polar_marks_are_the_entries_of_the_map():
     gap = next(g for g in gaps(3, 29, 60) if g.direction[2] == 0 and len(g.intervals) > 1)
     options: dict[str, Any] = {"directions": 24, "tolerance": "1/100", "extent": 4}
     scene = draw_polar.scene(gap.grasp, **options)
@@ -361,7 +332,7 @@ def test_polar_marks_are_the_entries_of_the_map() -> None:
         assert count(scene, f"claimed-{i}-") == len(entry.wrongly_claimed)
 
 
-def test_comparison_has_a_panel_for_each_method_with_its_region() -> None:
+def test_comparison_has_a_panel_for_each_method_with_its_region():
     figure = draw_compare.scene(FOUR.with_preload(1), wrench=(0, 2, 0))
     for i, method in enumerate(WITH_REGION, 1):
         region = METHODS[method].region(FOUR.with_preload(1))
@@ -370,7 +341,7 @@ def test_comparison_has_a_panel_for_each_method_with_its_region() -> None:
         assert (named(figure)[f"{i}-wrench"].sign == "o") is region.contains((0, 2))
 
 
-def test_methods_and_wrenches_are_a_table_of_the_comparisons() -> None:
+def test_methods_and_wrenches_are_a_table_of_the_comparisons():
     loads = [(0, 1, 0), (0, -1, 0), (0, "11/10", 0)]
     grasp = THREE.with_preload(1)
     drawn = named(draw_methods.scene(grasp, wrenches=loads))
@@ -382,40 +353,14 @@ def test_methods_and_wrenches_are_a_table_of_the_comparisons() -> None:
             assert (f"differs-{i}-{j}" in drawn) == (entry.method in answer.disagreeing)
 
 
-def test_missing_library_names_the_extra(
-    monkeypatch: pytest.MonkeyPatch, tmp_path: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
-    monkeypatch.setitem(sys.modules, "matplotlib", None)
-    for view in DRAWINGS.views:
-        target = str(tmp_path / "a.svg")
-        wrench = ["--wrench", "0", "1", "0"] if view in ("methods", "proof") else []
-        assert main(["draw", "paper-three-contacts", "-o", target, "--view", view, *wrench]) == 2
-        assert "slipstates[figures]" in capsys.readouterr().err
-    assert list(tmp_path.iterdir()) == []
-
-
-def test_the_command_says_what_it_wrote(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    target = str(tmp_path / "a.svg")
-    arguments = ["draw", "paper-three-contacts", "-o", target, "--preload", "1", "--json"]
-    assert main([*arguments, "--view", "resist", "--wrench", "0", "1", "0"]) == 0
-    assert capsys.readouterr().out == f'{{"output": "{target}", "view": "resist"}}\n'
-
-
-def test_numbers_on_labels_say_when_they_are_rounded() -> None:
-    assert number(Fraction(-11, 10)) == "−11/10"
-    assert number(10**30) == "1e+30"
-    assert number(Fraction(1, 3 * 10**9)).startswith("≈3.333e")
-    assert number(Fraction(10) ** 5000) == "1e+5000"
-
-
 @pytest.mark.parametrize("value", [1.0, 1.9, 2.0, 4.999, 5.0, 9.99, 0.002, 3e7])
-def test_round_steps_are_one_two_or_five(value: float) -> None:
+def test_round_steps_are_one_two_or_five(value):
     step = nice(value)
     assert value / 2.5 - 1e-12 <= step <= value * (1 + 1e-9)
     assert str(step.numerator * 1000 // step.denominator).rstrip("0") in ("1", "2", "5")
 
 
-def test_a_wrench_about_a_far_origin_is_carried_to_the_contacts_exactly() -> None:
+def test_a_wrench_about_a_far_origin_is_carried_to_the_contacts_exactly():
     """A force at the origin has the torque -p x f about p: 10^30 / 2 is taken away exactly."""
     figure = draw_grasp.scene(HUGE, wrench=(0, "1/2", FAR // 2))
     assert "about the middle of the contacts, torque 0" in " ".join(texts(figure))
@@ -440,6 +385,6 @@ EXTREME = Grasp(
         (draw_polar, {"directions": 3}),
     ],
 )
-def test_forces_and_places_of_any_size_can_be_drawn(view: Any, options: dict[str, Any]) -> None:
+def test_forces_and_places_of_any_size_can_be_drawn(view, options):
     sheet = laid_out(view.scene(EXTREME, **options))
     assert all(measure(x.text, x.size)[0] < 2000 for x in sheet.items if isinstance(x, Label))

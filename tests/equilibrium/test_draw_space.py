@@ -1,22 +1,20 @@
 """Grasps in space on paper, on a page, and as models."""
 
-from __future__ import annotations
-
 import json
 import re
 from fractions import Fraction
 from io import BytesIO
-from pathlib import Path
 from typing import Any
 
 import numpy as np
 import pytest
 import trimesh
 
-from arrangement.drawing.scene.items import Label, Path as Line
-from arrangement.drawing.scene.scene import Scene
+from arrangement.drawing.scene.layout import laid_out
+from arrangement.drawing.scene.scene import Label, Path as Line, Scene
+from arrangement.errors import InputError
 from equilibrium import Contact, Grasp, GraspError, Mesh, read_grasp
-from equilibrium.cli import main
+from equilibrium.cli.program import main
 from equilibrium.decide.spatial_verdict import RESISTED, UNDECIDED
 from equilibrium.pictures.grasp.grasp import draw_grasp
 from equilibrium.pictures.grasp.proof import draw_proof
@@ -25,9 +23,14 @@ from equilibrium.pictures.space.pieces import Screw
 from equilibrium.pictures.space.solid_grasp import SolidGrasp
 from equilibrium.pictures.space.space_grasp import drawn_in_space
 from equilibrium.pictures.space.space_page import grasp_model, grasp_page
-from equilibrium.pictures.wrenches.slices import draw_slice
+from equilibrium.pictures.wrenches.forces import draw_slice
+from equilibrium.pictures.wrenches.wrench_box import WALLS, WrenchBox, wrench_box
+from equilibrium.pictures.wrenches.wrench_page import wrench_set_model, wrench_set_page
+from equilibrium.pictures.wrenches.wrench_set import draw_wrench_set
+from equilibrium.wrench_sets import resisted_set
 from equilibrium.wrench_sets.spatial import SpatialMagnitudes
 from tests.drawn import offences
+from tests.instances import PLANAR
 
 GRASPS = ["two-opposed-fingers", "three-fingers-on-a-ball", "wedge", "peg-in-a-hole", "box-6-walls"]
 WRENCH = (0, 0, -1, 0, 0, 0)
@@ -47,7 +50,7 @@ def length(items: list[Line]) -> float:
 
 
 @pytest.mark.parametrize("name", GRASPS)
-def test_every_contact_has_its_number_and_nothing_leaves_the_paper(name: str) -> None:
+def test_every_contact_has_its_number_and_nothing_leaves_the_paper(name):
     grasp = read_grasp(name)
     scene = scene_of(grasp)
     labels = [x.text for x in scene.items if isinstance(x, Label)]
@@ -58,7 +61,7 @@ def test_every_contact_has_its_number_and_nothing_leaves_the_paper(name: str) ->
     assert len(cones) == sum(contact.friction > 0 for contact in grasp)
 
 
-def test_three_edges_of_a_cube_are_hidden_and_nine_are_seen() -> None:
+def test_three_edges_of_a_cube_are_hidden_and_nine_are_seen():
     grasp = read_grasp("two-opposed-fingers")
     assert isinstance(grasp.outline, Mesh)
     scene = scene_of(grasp, direction=(3, -5, 4))
@@ -69,7 +72,7 @@ def test_three_edges_of_a_cube_are_hidden_and_nine_are_seen() -> None:
     assert not any("ls" in line.style for line in seen)
 
 
-def test_a_body_that_is_not_stated_is_the_hull_of_the_contacts_in_dashes() -> None:
+def test_a_body_that_is_not_stated_is_the_hull_of_the_contacts_in_dashes():
     scene = scene_of(read_grasp("peg-in-a-hole"))
     assert all("ls" in line.style for line in lines(scene, "edge"))
     flat = scene_of(read_grasp("three-fingers-on-a-ball"))
@@ -77,7 +80,7 @@ def test_a_body_that_is_not_stated_is_the_hull_of_the_contacts_in_dashes() -> No
     assert sum(x.name.startswith("link") for x in flat.items) >= 3
 
 
-def test_forces_and_motion_of_an_equilibrium_are_drawn() -> None:
+def test_forces_and_motion_of_an_equilibrium_are_drawn():
     grasp = read_grasp("two-opposed-fingers")
     scene = scene_of(grasp, wrench=WRENCH)
     kinds = {x.name.rsplit("-", 1)[0] for x in scene.items}
@@ -96,9 +99,7 @@ def test_forces_and_motion_of_an_equilibrium_are_drawn() -> None:
         ((0, 0, 10**40, 0, 0, 10**40), 1.0, (0, 0, 0)),
     ],
 )
-def test_screws(
-    motion: tuple[int, ...], pitch: float | None, point: tuple[int, ...] | None
-) -> None:
+def test_screws(motion, pitch, point):
     screw = Screw.of(tuple(map(Fraction, motion)))
     assert screw is not None
     assert screw.pitch == pitch
@@ -109,7 +110,7 @@ def test_screws(
     assert Screw.of((0,) * 6) is None
 
 
-def test_points_on_the_axis_of_a_turn_do_not_slip() -> None:
+def test_points_on_the_axis_of_a_turn_do_not_slip():
     solid = SolidGrasp(read_grasp("box-on-a-table"), (0, 0, 0, 0, 0, 1))
     corners = np.abs(solid.slips).max(axis=1)
     assert (corners > 0).all()
@@ -118,7 +119,7 @@ def test_points_on_the_axis_of_a_turn_do_not_slip() -> None:
     assert {"axis", "axis-turn"} <= {x.name.rsplit("-", 1)[0] for x in scene.items}
 
 
-def test_a_proof_shows_its_virtual_motions() -> None:
+def test_a_proof_shows_its_virtual_motions():
     grasp = read_grasp("two-opposed-fingers")
     scene: Scene = draw_proof.scene(grasp, wrench=(0, 0, -3, 0, 0, 0))
     texts = [text for text, _ in scene.legend.lines]
@@ -128,10 +129,8 @@ def test_a_proof_shows_its_virtual_motions() -> None:
         draw_proof.scene(grasp, wrench=WRENCH)
 
 
-def test_a_slice_without_a_border_ends_where_the_proofs_end(
-    monkeypatch: pytest.MonkeyPatch,
-) -> None:
-    def known(grasp: Grasp, way: list[Fraction], **_: Any) -> SpatialMagnitudes:
+def test_a_slice_without_a_border_ends_where_the_proofs_end(monkeypatch):
+    def known(grasp, way, **_):
         verdicts = [RESISTED, RESISTED, RESISTED, UNDECIDED, UNDECIDED]
         samples = zip(map(Fraction, (0, 1, 4, 16, 64)), verdicts, strict=True)
         return SpatialMagnitudes(tuple(way), (), tuple(samples), ())
@@ -147,11 +146,11 @@ def test_a_slice_without_a_border_ends_where_the_proofs_end(
         assert length(held) == pytest.approx(4 * length(undecided))  # proved to 4, shown to 5
 
 
-def test_a_slice_ends_at_the_proved_borders() -> None:
+def test_a_slice_ends_at_the_proved_borders():
     fingers = read_grasp("two-opposed-fingers")
     scene: Scene = draw_slice.scene(fingers, axes="fy,fz", directions=3)
     spokes = [x for x in scene.items if x.name.startswith("spoke")]
-    sizes = [float(np.linalg.norm(x.points[1] - x.points[0])) for x in spokes]  # type: ignore[attr-defined]
+    sizes = [float(np.linalg.norm(x.points[1] - x.points[0])) for x in spokes]
     # The fingers resist a disc of these forces.
     assert sizes == pytest.approx([sizes[0]] * 3, rel=2e-3)
     for axes in ("fx", "fx,fx", "fx,up"):
@@ -159,7 +158,7 @@ def test_a_slice_ends_at_the_proved_borders() -> None:
             draw_slice.scene(fingers, axes=axes)
 
 
-def test_what_is_for_the_plane_is_refused_in_space_and_the_other_way() -> None:
+def test_what_is_for_the_plane_is_refused_in_space_and_the_other_way():
     space, plane = read_grasp("wedge"), read_grasp("paper-three-contacts")
     for options in ({"outline": [(0, 0)]}, {"piece": 2}, {"wrench": (0, 1, 0)}):
         with pytest.raises(GraspError):
@@ -177,7 +176,7 @@ def data_of(page: str) -> dict[str, Any]:
     return document
 
 
-def test_the_page_tells_each_contact_in_exact_numbers() -> None:
+def test_the_page_tells_each_contact_in_exact_numbers():
     data = data_of(grasp_page(read_grasp("wedge"), wrench=WRENCH))
     assert [piece["name"] for piece in data["pieces"]] == [f"Contact {i}" for i in (1, 2, 3, 4)]
     assert ["friction", "1/2"] in data["pieces"][0]["facts"]
@@ -185,7 +184,7 @@ def test_the_page_tells_each_contact_in_exact_numbers() -> None:
     assert [mark["text"] for mark in data["marks"]] == ["1", "2", "3", "4"]
 
 
-def test_the_model_has_a_closed_part_for_each_arrow() -> None:
+def test_the_model_has_a_closed_part_for_each_arrow():
     content = grasp_model(read_grasp("two-opposed-fingers"), ".glb", wrench=WRENCH)
     scene = trimesh.load_scene(BytesIO(content), file_type="glb")
     assert {"body", "cone-1", "force-1", "force-2", "wrench-force"} <= set(scene.geometry)
@@ -193,7 +192,7 @@ def test_the_model_has_a_closed_part_for_each_arrow() -> None:
     assert scene.geometry["body"].visual.material.alphaMode == "BLEND"
 
 
-def test_a_body_that_is_open_or_inside_out_is_drawn_too() -> None:
+def test_a_body_that_is_open_or_inside_out_is_drawn_too():
     grasp = read_grasp("two-opposed-fingers")
     assert isinstance(grasp.outline, Mesh)
     turned = [face[::-1] for face in grasp.outline.faces]
@@ -204,21 +203,116 @@ def test_a_body_that_is_open_or_inside_out_is_drawn_too() -> None:
     assert b"body" not in grasp_model(opened, ".glb")
 
 
-def test_degenerate_grasps_are_drawn() -> None:
+def test_degenerate_grasps_are_drawn():
     one = Contact((0, 0, 0), (0, 0, 1), 0)
     for contacts in ([one], [one, one], [one, Contact((10**30, 0, 0), (0, 1, 0), 1, preload=1)]):
         scene_of(Grasp(contacts))
         grasp_page(Grasp(contacts))
 
 
-def test_the_command_draws_every_kind_of_file(
-    tmp_path: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
-    for suffix in ("svg", "tex", "html", "glb"):
-        path = tmp_path / f"wedge.{suffix}"
-        assert main(["draw", "wedge", "--wrench", "0,0,-1,0,0,0", "-o", str(path)]) == 0
-        assert path.stat().st_size > 1000
-    assert main(["draw", "wedge", "--view", "resist", "-o", str(tmp_path / "a.svg")]) == 2
-    assert "known are" in capsys.readouterr().err
-    assert main(["draw", "wedge", "--tolerance", "1", "-o", str(tmp_path / "a.svg")]) == 2
-    assert not (tmp_path / "a.svg").exists()
+PLANE_GRASPS = [
+    name for name in PLANAR if any(w in name for w in ("contact", "interrupted", "slip"))
+]
+FLAT = ["opposed-contacts", "frictionless-opposed-contacts", "single-contact"]
+
+
+def beside(
+    box: WrenchBox, corners: list[tuple[Fraction, ...]], normal: tuple[int, ...], side: int
+) -> list[Fraction]:
+    """Return the wrench a little before or behind the middle of a patch."""
+    middle = [sum(c) / len(corners) for c in zip(*corners, strict=True)]
+    step = Fraction(side, 10**12 * max(map(abs, normal)))
+    place = [x + step * a for x, a in zip(middle, normal, strict=True)]
+    return [m + h * u for m, h, u in zip(box.middle, box.half, place, strict=True)]
+
+
+@pytest.mark.parametrize("name", PLANE_GRASPS)
+def test_resistance_ends_at_every_face(name):
+    """Decided at exact points on both sides of each face."""
+    grasp = read_grasp(name)
+    box, whole = wrench_box(grasp), resisted_set(grasp)
+    patches = [p for node in box.tree for p in node.patches if len(p.corners) > 2]
+    for patch in patches:
+        corners = [tuple(Fraction(x, c[3]) for x in c[:3]) for c in patch.corners]
+        behind = whole.contains(beside(box, corners, patch.row[:3], -1))
+        before = whole.contains(beside(box, corners, patch.row[:3], 1))
+        if patch.sheet:
+            assert not behind
+            assert not before
+        else:
+            assert behind
+            assert before == (patch.row in WALLS)
+    assert bool(patches) == (name != "frictionless-opposed-contacts")
+
+
+def sheet_of(grasp: Grasp, **options: object) -> Scene:
+    scene: Scene = laid_out(draw_wrench_set.scene(grasp, **options))
+    return scene
+
+
+def texts(scene: Scene) -> set[str]:
+    return {item.text for item in scene.items if isinstance(item, Label)}
+
+
+@pytest.mark.parametrize("name", [*PLANE_GRASPS, "several-equilibria"])
+def test_every_grasp_is_drawn_and_the_box_is_stated(name):
+    scene = sheet_of(read_grasp(name), wrench=(0, 1, 0), width=110)
+    assert any(text.startswith("box: $f_x$ ") for text in texts(scene))
+    assert sum(item.name.startswith("box-") for item in scene.items) == 12
+    assert offences(scene) == []
+
+
+def test_a_box_of_ones_own_and_a_narrow_sheet():
+    grasp = read_grasp("paper-three-contacts-preload-1")
+    scene = sheet_of(grasp, extent="7/2", width=88)
+    assert r"box: $f_x$ −7/2 to 7/2, $f_y$ −7/2 to 7/2, $\tau$ −7/2 to 7/2" in texts(scene)
+    assert not any(item.name.startswith("cone-") for item in scene.items)
+    with pytest.raises(GraspError, match="above 0"):
+        draw_wrench_set(grasp, extent=0)
+
+
+def test_a_wrench_is_marked_as_resisted_or_not():
+    grasp = read_grasp("paper-three-contacts-preload-1")
+    marks = {
+        tau: next(
+            item for item in sheet_of(grasp, wrench=(0, tau, 0)).items if item.name == "wrench"
+        )
+        for tau in (1, 2)
+    }
+    assert (marks[1].sign, marks[2].sign) == ("o", "x")
+
+
+@pytest.mark.parametrize("suffix", [".stl", ".obj", ".glb"])
+def test_models_have_one_closed_part_for_each_polyhedron(suffix):
+    grasp = read_grasp("paper-four-contacts-preload-1")
+    content = wrench_set_model(grasp, suffix)
+    assert content == wrench_set_model(grasp, suffix)
+    if suffix == ".obj":
+        solid = [s for s in wrench_box(grasp).shapes if s.dimension == 3]
+        assert content.count(b"\no ") == len(solid)
+
+
+@pytest.mark.parametrize("name", FLAT)
+def test_a_set_without_volume_is_no_model(name):
+    with pytest.raises(InputError, match="no volume"):
+        wrench_set_model(read_grasp(name), ".stl")
+
+
+def test_the_page_tells_exact_conditions(tmp_path):
+    command = ["draw", "paper-three-contacts", "--view", "wrench-set"]
+    assert main([*command, "-o", str(tmp_path / "a.html")]) == 0
+    page = (tmp_path / "a.html").read_text(encoding="utf-8")
+    assert page == wrench_set_page(read_grasp("paper-three-contacts"))
+    conditions = set(re.findall(r'"condition","([^"]*)"', page))
+    assert any("f_y" in text and "\\u2264 0" in text for text in conditions)
+
+
+def test_a_full_box_says_that_every_wrench_in_it_is_resisted():
+    x, y, u, v = Fraction(39, 89), Fraction(80, 89), Fraction(33, 65), Fraction(56, 65)
+    ring = [(1, 0), (x, y), (-u, v), (-1, 0), (-u, -v), (x, -y)]
+    whole = Grasp([Contact((p * Fraction(3, 2), q), (-p, -q), "1/2", 1) for p, q in ring])
+    for grasp, full in ((whole, True), (read_grasp("ladder"), False)):
+        scene = laid_out(draw_wrench_set.scene(grasp))
+        texts = [item.text for item in scene.items if isinstance(item, Label)]
+        assert any("every wrench in the box" in text for text in texts) == full
+        assert ("resisted wrenches" in texts) != full

@@ -3,8 +3,6 @@
 They run in node where there is one, else in Chromium.
 """
 
-from __future__ import annotations
-
 import json
 import random
 import shutil
@@ -21,8 +19,7 @@ from equilibrium.certificate.checker import check
 from equilibrium.methods.contact_laws.printed_model import OPTIONS, solve_literal
 from equilibrium.methods.registry import METHODS
 from equilibrium.model.errors import CertificateError
-from equilibrium.pictures.lab import lab_page
-from equilibrium.pictures.lab.page import DECIDES
+from equilibrium.pictures.lab.page import DECIDES, lab_page
 from tests.equilibrium.test_lab import Question, questions, texts
 from tests.javascript.check import node, paths
 
@@ -105,13 +102,13 @@ def assert_agreement(asked: list[Question], ask: Ask) -> None:
         assert report["leaves"] == check(verdict.certificate.to_dict()).leaves
 
 
-def test_verdicts_agree_and_each_side_accepts_the_proofs_of_the_other(ask: Ask) -> None:
+def test_verdicts_agree_and_each_side_accepts_the_proofs_of_the_other(ask):
     assert_agreement([*questions(60, seed=21), *exotic(30, seed=22)], ask)
 
 
 @pytest.mark.campaign
 @pytest.mark.parametrize("seed", range(8))
-def test_two_thousand_verdicts_agree(seed: int, ask: Ask) -> None:
+def test_two_thousand_verdicts_agree(seed, ask):
     assert_agreement([*questions(150, 100 + seed, most=5), *exotic(100, 200 + seed)], ask)
 
 
@@ -148,7 +145,7 @@ def damaged(document: Any, rng: random.Random) -> Any:
     return copy
 
 
-def test_changed_proofs_are_refused_by_both_checkers_alike(ask: Ask) -> None:
+def test_changed_proofs_are_refused_by_both_checkers_alike(ask):
     rng = random.Random(5)
     sources = [solve(*question).certificate.to_dict() for question in questions(30, seed=24)]
     documents = [damaged(d, rng) for d in [*sources, *region_proofs()] * 6 if places_in(d)]
@@ -190,7 +187,7 @@ def places_in(document: Any) -> bool:
         ({"tree": {"orthants": [["1", "0", "0"]] * 8, "more": 1}}, 'no "more"'),
     ],
 )
-def test_what_is_no_certificate_is_explained(change: Any, why: str, ask: Ask) -> None:
+def test_what_is_no_certificate_is_explained(change, why, ask):
     contacts = [
         Contact([-1, 0], [1, 0], 1),
         Contact([1, 0], [-1, 0], 1),
@@ -202,7 +199,7 @@ def test_what_is_no_certificate_is_explained(change: Any, why: str, ask: Ask) ->
 
 
 @pytest.mark.parametrize("method", ["cones", "wrench-space", "printed"])
-def test_compared_methods_say_what_they_say_in_python(method: str, ask: Ask) -> None:
+def test_compared_methods_say_what_they_say_in_python(method, ask):
     asked = questions(60, seed=25)
     answers, _ = ask(asked, [], method)
     # The page merges coincident planes.

@@ -1,7 +1,5 @@
 """The exercises of the slip lab, solved by script, refused when wrong; and files of own ones."""
 
-from __future__ import annotations
-
 import json
 from pathlib import Path
 from typing import Any
@@ -11,8 +9,7 @@ import pytest
 from arrangement import InputError
 from equilibrium.certificate.checker import check
 from equilibrium.cli.program import main
-from equilibrium.pictures.lab import lab_page
-from equilibrium.pictures.lab.exercises import read_start, slip_exercises
+from equilibrium.pictures.lab.page import lab_page, read_start, slip_exercises
 from tests.browser import Browser
 from tests.labs import checked, choose, enter, problem
 
@@ -105,7 +102,7 @@ def answer(browser: Browser, link: str) -> str:
     return checked(browser)
 
 
-def test_there_are_twelve() -> None:
+def test_there_are_twelve():
     assert len(EXERCISES) == 12
     assert set(REFUSED) == set(SOLVED) | {"One motion is enough"} == set(EXERCISES)
     for exercise in EXERCISES.values():
@@ -114,9 +111,7 @@ def test_there_are_twelve() -> None:
 
 @pytest.mark.campaign
 @pytest.mark.parametrize("name", EXERCISES)
-def test_each_is_solved_by_an_answer_and_refuses_wrong_ones(
-    name: str, page: Path, browser: Browser
-) -> None:
+def test_each_is_solved_by_an_answer_and_refuses_wrong_ones(name, page, browser):
     start = EXERCISES[name]["start"]
     begin(browser, page, name)
     for link, why in REFUSED[name](start):
@@ -132,7 +127,7 @@ def test_each_is_solved_by_an_answer_and_refuses_wrong_ones(
     assert browser.messages() == []
 
 
-def test_a_refuting_motion_is_one_that_the_checker_takes(page: Path, browser: Browser) -> None:
+def test_a_refuting_motion_is_one_that_the_checker_takes(page, browser):
     name = "One motion is enough"
     begin(browser, page, name)
     grasp, wrench = read_start(EXERCISES[name]["start"])
@@ -149,7 +144,7 @@ def test_a_refuting_motion_is_one_that_the_checker_takes(page: Path, browser: Br
     assert any("takes work away" in text for text in said.values())
 
 
-def test_hints_come_one_by_one(page: Path, browser: Browser) -> None:
+def test_hints_come_one_by_one(page, browser):
     begin(browser, page, "Let one go")
     for expected in (0, 1, 2, 3, 3):
         assert browser.run("return document.querySelectorAll('#exercise-hints li').length") == (
@@ -172,7 +167,7 @@ OWN = {
 }
 
 
-def test_a_lecturer_brings_own_exercises(browser: Browser, tmp_path: Path) -> None:
+def test_a_lecturer_brings_own_exercises(browser, tmp_path):
     path, source = tmp_path / "lab.html", tmp_path / "own.json"
     source.write_text(json.dumps(OWN), encoding="utf-8")
     assert main(["lab", "-o", str(path), "--exercises", str(source)]) == 0
@@ -203,11 +198,9 @@ def test_a_lecturer_brings_own_exercises(browser: Browser, tmp_path: Path) -> No
         ({"extra": 1}, 'no field "extra"'),
     ],
 )
-def test_own_exercises_that_are_wrong_are_explained(
-    change: dict[str, Any], why: str, tmp_path: Path
-) -> None:
+def test_own_exercises_that_are_wrong_are_explained(change, why, tmp_path):
     path = tmp_path / "own.json"
-    path.write_text(json.dumps({**OWN, "exercises": [{**OWN["exercises"][0], **change}]}))  # type: ignore[index,dict-item]
+    path.write_text(json.dumps({**OWN, "exercises": [{**OWN["exercises"][0], **change}]}))
     with pytest.raises(InputError, match=why) as problem:
         slip_exercises(path)
     assert "exercise 1" in str(problem.value)
@@ -216,9 +209,7 @@ def test_own_exercises_that_are_wrong_are_explained(
 @pytest.mark.parametrize(
     ("text", "why"), [("{", "no JSON"), ("[]", "schema_version"), ('{"schema_version": 1}', "list")]
 )
-def test_a_file_without_exercises_is_explained_and_nothing_is_written(
-    text: str, why: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_a_file_without_exercises_is_explained_and_nothing_is_written(text, why, tmp_path, capsys):
     path = tmp_path / "own.json"
     path.write_text(text)
     page = tmp_path / "lab.html"

@@ -1,7 +1,5 @@
 """The exact test of leaves says what a second, naive evaluation says, on regions of every size."""
 
-from __future__ import annotations
-
 from fractions import Fraction
 from random import Random
 from typing import Any
@@ -9,8 +7,8 @@ from typing import Any
 import pytest
 
 from equilibrium.plane.contacts import IntegerContacts
-from equilibrium.plane.search.leaf_test import closed
 from equilibrium.plane.search.motion_regions import ORTHANTS
+from equilibrium.plane.search.virtual_motions import closed
 
 from . import judge
 from .awkward import Question, question
@@ -40,7 +38,7 @@ def answers(asked: Question, regions: list[Region], motions: list[list[int]]) ->
 
 @pytest.mark.campaign
 @pytest.mark.parametrize("size", [1, 3, 10**12])
-def test_the_answer_is_that_of_a_naive_evaluation(size: int) -> None:
+def test_the_answer_is_that_of_a_naive_evaluation(size):
     source = Random(f"leaves {size}")
     found: list[bool] = []
     for seed in range(40):

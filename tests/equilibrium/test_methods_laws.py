@@ -1,13 +1,10 @@
 """Laws of the other methods, and oracles that share no code with them."""
 
-from fractions import Fraction
 from itertools import product
 
 import numpy as np
-import pytest
 from hypothesis import given, settings, strategies as st
 from scipy.optimize import linprog
-from scipy.spatial import ConvexHull
 
 from arrangement.numbers.exact import dot
 from equilibrium.decide.verdict import solve
@@ -15,12 +12,11 @@ from equilibrium.methods.contact_laws.frictionless_slip import frictionless_slip
 from equilibrium.methods.contact_laws.linear_compliance import linear_compliance
 from equilibrium.methods.friction_cones.cones import cones
 from equilibrium.methods.friction_cones.form_closure import form_closure
-from equilibrium.methods.friction_cones.grasp_wrench_space import GraspWrenchSpace, _hull, _volume
+from equilibrium.methods.friction_cones.grasp_wrench_space import GraspWrenchSpace, _hull
 from equilibrium.methods.friction_cones.weak_strong import mass_matrix, weak_strong
-from equilibrium.model.grasp import Grasp
 from equilibrium.plane.contact_rows import friction_edges
 
-from .strategies import frictions, loads as wrenches, small, turned, wide_grasps as grasps
+from .strategies import loads as wrenches, small, wide_grasps as grasps
 
 points = st.lists(st.tuples(small, small, small), min_size=1, max_size=14)
 
@@ -58,19 +54,9 @@ class TestHull:
             inside = others and linprog(np.zeros(len(others)), A_eq=rows, b_eq=[*p, 1]).status == 0
             assert (p in hull.points) == (not inside)
 
-    @given(points)
-    @settings(max_examples=60)
-    def test_volume_is_qhulls(self, cloud):
-        hull = _hull(cloud)
-        if hull.dimension < 3:
-            assert _volume(hull) == 0
-        else:
-            assert float(_volume(hull)) == pytest.approx(ConvexHull(cloud).volume)
-
 
 class TestWrenchSpace:
     @given(grasps(), wrenches)
-    @settings(max_examples=60)
     def test_membership_by_program_is_membership_in_the_hull(self, grasp, wrench):
         for norm in ("L1", "Linf"):
             space = GraspWrenchSpace(grasp, norm)
@@ -89,7 +75,6 @@ class TestWrenchSpace:
                 assert all(dot(motion, e) >= 0 for c in grasp for e in friction_edges(c))
 
     @given(grasps())
-    @settings(max_examples=40)
     def test_hull_is_the_brute_force_sum(self, grasp):
         corners = [
             [tuple(map(sum, zip(*choice, strict=True)))]
@@ -98,7 +83,6 @@ class TestWrenchSpace:
         assert GraspWrenchSpace(grasp, "Linf").polytope == _hull(p for (p,) in corners)
 
     @given(grasps())
-    @settings(max_examples=40)
     def test_force_closure_has_three_equal_tests(self, grasp):
         expected = GraspWrenchSpace(grasp).force_closure
         assert GraspWrenchSpace(grasp, "Linf").force_closure == expected
@@ -106,26 +90,6 @@ class TestWrenchSpace:
         units = [tuple(s * (i == k) for i in range(3)) for k in range(3) for s in (1, -1)]
         space = GraspWrenchSpace(grasp)
         assert all(space.verdict(w).accepts for w in units) == expected
-
-    @given(grasps(), wrenches)
-    @settings(max_examples=40)
-    def test_a_rigid_motion_changes_no_verdict(self, grasp, wrench):
-        contact, move, *_ = turned(Fraction(3, 5), Fraction(4, 5), 2, -1)
-        moved = Grasp(map(contact, grasp))
-        one = GraspWrenchSpace(grasp).verdict(wrench)
-        assert GraspWrenchSpace(moved).verdict(move(wrench)).least_force == one.least_force
-        assert GraspWrenchSpace(moved).volume == GraspWrenchSpace(grasp).volume
-        assert form_closure(moved).accepts == form_closure(grasp).accepts
-        assert cones(moved, move(wrench)).accepts == cones(grasp, wrench).accepts
-
-    @given(grasps())
-    @settings(max_examples=30)
-    def test_slice_corners_lie_on_the_boundary(self, grasp):
-        space = GraspWrenchSpace(grasp)
-        for u, v in space.slice():
-            verdict = space.verdict((u, v, 0))
-            assert verdict.accepts
-            assert verdict.least_force <= 1
 
 
 class TestFormClosure:
@@ -147,7 +111,6 @@ class TestFormClosure:
             assert all(dot(w, found.free_motion) >= 0 for w in normals)
 
     @given(grasps(most=6), wrenches)
-    @settings(max_examples=30, deadline=None)
     def test_form_closure_holds_every_wrench_in_the_full_model(self, grasp, wrench):
         # A turn or shift presses some spring, so d . F(d) grows without bound: a zero exists.
         if form_closure(grasp).accepts:
@@ -156,7 +119,6 @@ class TestFormClosure:
 
 class TestOrderOfTheMethods:
     @given(grasps(most=3), wrenches)
-    @settings(max_examples=40, deadline=None)
     def test_each_weaker_method_accepts_too(self, grasp, wrench):
         ours = solve(grasp, wrench).stable
         compliance = linear_compliance(grasp, wrench).accepts
@@ -170,14 +132,12 @@ class TestOrderOfTheMethods:
         assert cones(grasp, wrench, printed=True).accepts <= loose
 
     @given(grasps(most=3, friction=st.just(0)), wrenches)
-    @settings(max_examples=40, deadline=None)
     def test_without_friction_the_spring_models_agree(self, grasp, wrench):
         ours = solve(grasp, wrench).stable
         assert frictionless_slip(grasp, wrench).accepts == ours
         assert cones(grasp, wrench).accepts == ours
 
     @given(grasps(most=3), wrenches)
-    @settings(max_examples=40)
     def test_accepted_forces_balance_inside_the_cones(self, grasp, wrench):
         for verdict in (
             linear_compliance(grasp, wrench),
@@ -224,14 +184,12 @@ def cones_by_brute_force(grasp, wrench):
 
 
 @given(grasps(most=3), wrenches)
-@settings(max_examples=40, deadline=None)
 def test_cones_agree_with_brute_force(grasp, wrench):
     assert cones(grasp, wrench).accepts == cones_by_brute_force(grasp, wrench)
 
 
 class TestStrongStability:
     @given(grasps(most=3), wrenches, st.integers(1, 3), st.tuples(small, small))
-    @settings(max_examples=40, deadline=None)
     def test_a_start_obeys_the_energy_balance(self, grasp, wrench, inertia, centre):
         found = weak_strong(grasp, wrench, inertia=inertia, centre=centre)
         if found.acceleration is None:
@@ -242,10 +200,3 @@ class TestStrongStability:
         matrix = mass_matrix(1, inertia, centre)
         kinetic = dot(a, [dot(row, a) for row in matrix])
         assert 0 < kinetic <= dot(wrench, a)  # friction only brakes
-
-    @given(grasps(most=3), wrenches, frictions)
-    @settings(max_examples=30, deadline=None)
-    def test_frictionless_stable_loads_are_strong_for_every_friction(self, grasp, wrench, friction):
-        other = grasp.with_friction(friction)
-        if weak_strong(grasp, wrench).frictionless:
-            assert weak_strong(other, wrench).strong

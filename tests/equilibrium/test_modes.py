@@ -1,7 +1,5 @@
 """Contact modes: tables of boxes, against all faces of all planes, and the command."""
 
-from __future__ import annotations
-
 import json
 from itertools import product
 
@@ -29,7 +27,7 @@ def recounted(modes: ContactModes) -> tuple[int, int]:
     ("walls", "contacting", "sliding"),
     [(1, 10, 196), (2, 46, 228), (3, 136, 136), (4, 10, 10), (5, 2, 2), (6, 1, 1)],
 )
-def test_boxes_at_walls(walls: int, contacting: int, sliding: int) -> None:
+def test_boxes_at_walls(walls, contacting, sliding):
     modes = ContactModes.of_grasp(read_grasp(f"box-{walls}-wall{'s' * (walls > 1)}"))
     assert counts(modes) == recounted(modes) == (contacting, sliding)
 
@@ -65,7 +63,7 @@ def box_on_a_box(walls: int) -> ContactModes:
 
 
 @pytest.mark.parametrize(("walls", "modes"), [(1, (10, 9996)), (2, (184, 11996))])
-def test_a_box_on_a_box(walls: int, modes: tuple[int, int]) -> None:
+def test_a_box_on_a_box(walls, modes):
     boxes = box_on_a_box(walls)
     assert counts(boxes) == modes
     assert recounted(boxes) == modes
@@ -107,7 +105,7 @@ def all_modes(modes: ContactModes) -> tuple[set[Row], set[tuple[Row | None, ...]
     + [Grasp([*read_grasp("wedge"), *read_grasp("wedge")][:4])],
     ids=repr,
 )
-def test_they_are_the_faces_of_all_planes_on_the_right_side(grasp: Grasp) -> None:
+def test_they_are_the_faces_of_all_planes_on_the_right_side(grasp):
     modes = ContactModes.of_grasp(grasp)
     kept, slid = all_modes(modes)
     listed = list(modes.sliding_sticking())
@@ -116,23 +114,7 @@ def test_they_are_the_faces_of_all_planes_on_the_right_side(grasp: Grasp) -> Non
     assert (len(kept), len(listed)) == counts(modes) == recounted(modes)
 
 
-def test_the_motion_of_a_mode_is_in_it() -> None:
-    modes = ContactModes.of_grasp(read_grasp("box-1-wall"))
-
-    def sign(row: Row, motion: Row) -> int:
-        value = sum(a * b for a, b in zip(row, motion, strict=True))
-        return (value > 0) - (value < 0)
-
-    for mode in modes.contacting_separating:
-        assert mode.signs == tuple(sign(row, mode.motion) for row in modes.normals)
-    for slid in modes.sliding_sticking():
-        assert slid.signs == tuple(
-            None if sign(row, slid.motion) else tuple(sign(t, slid.motion) for t in pair)
-            for row, pair in zip(modes.normals, modes.tangents, strict=True)
-        )
-
-
-def test_the_command_counts_and_lists(capsys: pytest.CaptureFixture[str]) -> None:
+def test_the_command_counts_and_lists(capsys):
     assert main(["modes", "box-1-wall", "--count", "--json", "--time-limit", "600"]) == 0
     assert json.loads(capsys.readouterr().out) == {
         "contacting_separating": 10,

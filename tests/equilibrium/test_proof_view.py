@@ -1,7 +1,5 @@
 """Proofs of a "no" for people: their parts cover all motions, and their works are lower bounds."""
 
-from __future__ import annotations
-
 import json
 from collections.abc import Sequence
 from fractions import Fraction
@@ -11,9 +9,8 @@ import numpy as np
 import pytest
 from hypothesis import given, settings, strategies as st
 
-from arrangement.drawing.scene.items import Label, Path
 from arrangement.drawing.scene.layout import laid_out
-from arrangement.drawing.scene.measuring import area
+from arrangement.drawing.scene.scene import Label, Path, area
 from arrangement.numbers.exact import dot
 from equilibrium import Contact, Grasp, GraspError, Solver, Verdict, check, read_grasp, solve
 from equilibrium.certificate.document import refuted_certificate
@@ -55,9 +52,8 @@ def meets(part: ClosedPart, grasp: Grasp, motion: Sequence[Fraction]) -> bool:
     return True
 
 
-@settings(max_examples=25, deadline=None)
 @given(st.integers(0, 10**6), st.booleans())
-def test_whatever_friction_does_the_contacts_work_at_least_as_said(seed: int, slow: bool) -> None:
+def test_whatever_friction_does_the_contacts_work_at_least_as_said(seed, slow):
     verdict, source = refuted(seed), Random(seed)
     grasp, wrench = verdict.grasp, verdict.wrench
     document = verdict.certificate.to_dict()
@@ -107,13 +103,13 @@ def assert_filled(verdict: Verdict) -> None:
         assert sum(map(area, found)) == pytest.approx(size[0] * size[1])
 
 
-@settings(max_examples=15, deadline=None)
+@settings(max_examples=15)
 @given(st.integers(0, 10**6))
-def test_the_regions_of_each_map_fill_it_once(seed: int) -> None:
+def test_the_regions_of_each_map_fill_it_once(seed):
     assert_filled(refuted(seed))
 
 
-def test_a_proof_by_states_is_drawn_and_said_by_their_planes() -> None:
+def test_a_proof_by_states_is_drawn_and_said_by_their_planes():
     aside = {"virtual_motion": ["1", "2", "0"], "multipliers": {"0": ["-2"]}}
     inner = {"contact": 2, "attachment": {"detached": ["1", "2", "0"], "attached": aside}}
     tree = {"contact": 0, "attachment": {"detached": ["-1", "2", "0"], "attached": inner}}
@@ -129,12 +125,12 @@ def test_a_proof_by_states_is_drawn_and_said_by_their_planes() -> None:
         assert {len(regions(verdict, sense)) for sense in (1, 2)} == {2}
 
 
-def test_without_preload_the_maps_are_those_of_all_sizes_of_motions() -> None:
+def test_without_preload_the_maps_are_those_of_all_sizes_of_motions():
     figure = draw_proof(THREE, wrench=(0, 1, 0))
     assert "motions of every size" in "".join(t.get_text() for t in figure.axes[0].texts)
 
 
-def test_a_resisted_wrench_has_no_proof_to_draw() -> None:
+def test_a_resisted_wrench_has_no_proof_to_draw():
     with pytest.raises(GraspError, match=r"is resisted.*the view grasp"):
         draw_proof(THREE, wrench=(0, -1, 0))
 
@@ -153,7 +149,7 @@ proof: whatever the contacts do, no forces balance
 """
 
 
-def test_solve_says_a_short_proof_in_words(capsys: pytest.CaptureFixture[str]) -> None:
+def test_solve_says_a_short_proof_in_words(capsys):
     question = ["solve", "paper-three-contacts-preload-1", "--wrench", "0", "11/10", "0"]
     assert main(question) == 1
     assert capsys.readouterr().out == WORDS
@@ -161,7 +157,7 @@ def test_solve_says_a_short_proof_in_words(capsys: pytest.CaptureFixture[str]) -
     assert "proof" not in json.loads(capsys.readouterr().out)
 
 
-def test_solve_counts_the_leaves_of_a_longer_proof(capsys: pytest.CaptureFixture[str]) -> None:
+def test_solve_counts_the_leaves_of_a_longer_proof(capsys):
     assert main(["solve", "paper-four-contacts", "--wrench", "0", "1", "0"]) == 1
     report = solve(read_grasp("paper-four-contacts"), (0, 1, 0)).verify()
     line = f"proof: {report.leaves} leaves; --certificate OUT.json writes it\n"
@@ -170,7 +166,7 @@ def test_solve_counts_the_leaves_of_a_longer_proof(capsys: pytest.CaptureFixture
 
 @pytest.mark.parametrize("name", ["paper-three-contacts", "paper-four-contacts"])
 @pytest.mark.parametrize("wrench", [(0, 1, 0), (0, 2, 1), (1, 3, 1), (0, 2, -1)])
-def test_no_label_covers_an_arrow(name: str, wrench: tuple[int, ...]) -> None:
+def test_no_label_covers_an_arrow(name, wrench):
     scene = draw_proof.scene(read_grasp(name), wrench=wrench)
     boxes = []
     for label in scene.items:
@@ -186,7 +182,7 @@ def test_no_label_covers_an_arrow(name: str, wrench: tuple[int, ...]) -> None:
         assert not inside.all(axis=1).any()
 
 
-def test_beyond_eight_contacts_the_page_is_named_for_the_numbers() -> None:
+def test_beyond_eight_contacts_the_page_is_named_for_the_numbers():
     grasp = Grasp([c for c in random_grasp(60, 7) if c.normal[1] > 0][:9])
     scene = laid_out(draw_proof.scene(grasp, wrench=(0, 50, 0)))
     texts = [item for item in scene.items if isinstance(item, Label)]

@@ -1,24 +1,23 @@
 """How the proved checker is found and asked; a script stands for it. `make formal` asks itself."""
 
-from __future__ import annotations
-
 import json
 from pathlib import Path
 
 import pytest
 
+from arrangement.console import proved_program
+from arrangement.console.proved_program import PROGRAM
 from equilibrium import read_grasp, solve
 from equilibrium.cli import main
-from equilibrium.grasps import proved_checker
 from equilibrium.grasps.files import write_certificate
-from equilibrium.grasps.proved_checker import PROGRAM, verify_proved
+from equilibrium.grasps.proved_checker import verify_proved
 from equilibrium.model.errors import CertificateError
 
 
 @pytest.fixture
 def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     """Return the only folder in which programs are looked for."""
-    monkeypatch.setattr(proved_checker.sys, "executable", str(tmp_path / "python"))
+    monkeypatch.setattr(proved_program.sys, "executable", str(tmp_path / "python"))
     monkeypatch.setenv("PATH", str(tmp_path))
     return tmp_path
 
@@ -29,13 +28,13 @@ def program(folder: Path, line: str, code: int) -> None:
     path.chmod(0o755)
 
 
-def test_without_the_program_the_error_says_how_to_build_it(folder: Path) -> None:
+def test_without_the_program_the_error_says_how_to_build_it(folder):
     with pytest.raises(CertificateError, match=r"not built.*make formal"):
         verify_proved("certificate.json")
 
 
 @pytest.mark.parametrize("kind", ["resisted", "not resisted"])
-def test_answers(folder: Path, kind: str) -> None:
+def test_answers(folder, kind):
     program(folder, f"accepted: {kind}", 0)
     assert verify_proved("certificate.json") == (True, kind)
     program(folder, f"refused: {kind}", 1)
@@ -52,13 +51,19 @@ def test_answers(folder: Path, kind: str) -> None:
         ("accepted: resisted", 137),
     ],
 )
-def test_no_other_answer_is_taken(folder: Path, line: str, code: int) -> None:
+def test_no_other_answer_is_taken(folder, line, code):
     program(folder, line, code)
     with pytest.raises(CertificateError, match="cannot read"):
         verify_proved("certificate.json")
 
 
-def test_a_path_is_no_option(folder: Path) -> None:
+def test_a_certificate_of_planes_is_none_of_a_grasp(folder):
+    program(folder, "accepted: all faces", 0)
+    with pytest.raises(CertificateError, match="all faces, not of a grasp"):
+        verify_proved("certificate.json")
+
+
+def test_a_path_is_no_option(folder):
     (folder / PROGRAM).write_text('#!/bin/sh\necho "malformed: <$*>"\nexit 2\n')
     (folder / PROGRAM).chmod(0o755)
     with pytest.raises(CertificateError, match=r"<\./--question>"):
@@ -67,9 +72,7 @@ def test_a_path_is_no_option(folder: Path) -> None:
         verify_proved("-")
 
 
-def test_the_command_says_which_checker_spoke(
-    folder: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_the_command_says_which_checker_spoke(folder, capsys):
     path, asked = str(folder / "certificate.json"), ["--wrench", "1", "0", "0", "--grasp"]
     write_certificate(path, solve(read_grasp("single-contact"), (1, 0, 0)).certificate)
     program(folder, "accepted: not resisted", 0)

@@ -1,7 +1,5 @@
 """The search for an equilibrium or a proof that there is none: one of the two, always true."""
 
-from __future__ import annotations
-
 import json
 import re
 from collections.abc import Iterator
@@ -240,7 +238,7 @@ def huge_and_tiny(seed: int) -> tuple[Grasp, Wrench]:
 
 
 @pytest.mark.parametrize("seed", range(9))
-def test_huge_beside_tiny_numbers_are_decided_soon(seed: int) -> None:
+def test_huge_beside_tiny_numbers_are_decided_soon(seed):
     grasp, wrench = huge_and_tiny(seed)
     found = solve(grasp, wrench, time_limit=20)
     assert found.verify()

@@ -25,10 +25,9 @@ from equilibrium.decide.verdict import Solver, solve
 from equilibrium.grasps.files import read_grasp
 from equilibrium.grasps.inputs import random_grasp, random_wrench, read_any
 from equilibrium.grasps.schemas import certificate_schema
-from equilibrium.model.contact import Contact
+from equilibrium.model.contact import Contact, pyramid_edges
 from equilibrium.model.errors import GraspError, UndecidedError
 from equilibrium.model.grasp import Grasp
-from equilibrium.model.pyramid import pyramid_edges
 from equilibrium.model.unit_normal import unit_normal
 from equilibrium.space.equilibria import SpatialSolution
 from equilibrium.space.plane import decide_in_plane
@@ -355,10 +354,7 @@ class TestPlanes:
             (lambda d: d["wrench"].__setitem__(3, "1"), "load does not lie"),
             (lambda d: d["wrench"].__setitem__(4, "1"), "load does not lie"),
             (lambda d: d["grasp"]["contacts"][0]["point"].__setitem__(2, "1"), "contacts do not"),
-            (
-                lambda d: d["grasp"]["contacts"][0].update(normal=["0", "0", "1"]),
-                "contacts do not",
-            ),
+            (lambda d: d["grasp"]["contacts"][0].update(normal=["0", "0", "1"]), "contacts do not"),
         ],
     )
     def test_a_proof_of_another_plane_is_refused(self, change, words):
@@ -645,10 +641,7 @@ def states_of_pyramid(contact, edges):
         face = (none, (mu * side @ edges[j], *side), 0)
         yield (
             [spring, (across @ along, (0, 0, 0), 0), face],
-            [
-                *attached,
-                (side @ along, (0, 0, 0), 0),
-            ],
+            [*attached, (side @ along, (0, 0, 0), 0)],
         )
         before, edge = sides[j - 1], edges[j]
         turned = [np.array([-before[1], before[0]]), np.array([side[1], -side[0]])]
@@ -776,10 +769,17 @@ def test_many_verdicts_on_pyramids_are_those_of_all_states(m, seeds):
 
 
 class TestPyramids:
-    def test_six_contacts_on_a_ball_that_hold_a_load_are_decided(self):
+    @pytest.mark.parametrize("slanted", [False, True])
+    def test_six_contacts_on_a_ball_that_hold_a_load_are_decided(self, slanted):
         normals = [tuple(s * int(j == k) for j in range(3)) for k in range(3) for s in (1, -1)]
+        if slanted:
+            thirds = [(1, 2, 2), (2, -2, 1), (-2, -1, 2)]
+            normals = [(Fraction(3, 5), Fraction(4, 5), 0), (Fraction(-4, 5), Fraction(3, 5), 0)]
+            normals += [tuple(Fraction(x, 3) for x in n) for n in thirds]
+            normals.append((Fraction(2, 7), Fraction(3, 7), Fraction(-6, 7)))
         ball = Grasp(Contact([-x for x in n], n, "1/2", 1, 1) for n in normals)
-        for load in [(0, 0, -1, 0, 0, 0), ("1/2", "1/3", -1, "1/5", 0, "1/4")]:
+        loads = [(0, 0, -1, 0, 0, 0), ("1/2", "1/3", 1, 0, "1/5", 0), (1, 2, 3, "1/2", -1, 1)]
+        for load in loads:
             for edges in (4, 6, 8):
                 found = solve_in_space(ball, load, pyramid=edges)
                 assert found.stable

@@ -20,10 +20,9 @@ from equilibrium.certificate.space import (
     spatial_leaf_problem,
     split_states,
 )
-from equilibrium.model.contact import Contact
+from equilibrium.model.contact import Contact, pyramid_edges
 from equilibrium.model.errors import CertificateError
 from equilibrium.model.grasp import Grasp
-from equilibrium.model.pyramid import pyramid_edges
 from equilibrium.model.range import NO_RANGE, Range
 
 F = Fraction

@@ -4,8 +4,6 @@ Each node is a leaf if the exact program of its rows has a solution. Otherwise i
 their middle or at the zero of a spring or slip, contacts by their states, whichever a seed says.
 """
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from fractions import Fraction
 from itertools import product

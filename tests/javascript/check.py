@@ -6,8 +6,6 @@ Run from the top of the repository. Without npm it says so, and demands nothing;
 ``JAVASCRIPT_CHECKS=1`` that is an error.
 """
 
-from __future__ import annotations
-
 import json
 import os
 import shutil
@@ -23,8 +21,8 @@ from arrangement.drawing.pages.html_page import BASE_SCRIPT, Template, place
 from arrangement.pictures.lab import lines
 from arrangement.pictures.lab.page import SHARED
 from arrangement.pictures.page import page as arrangement
+from equilibrium.pictures.grasp.proof_page import SCRIPTS as PROOF
 from equilibrium.pictures.lab import page as slip
-from equilibrium.pictures.pages.proof_page import SCRIPTS as PROOF
 
 HERE = Path(__file__).parent
 #: The modules of each page, in their order.

@@ -1,7 +1,5 @@
 """The verdict follows from the evidence, and from nothing else."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Iterable
 from dataclasses import replace
 from random import Random
@@ -50,10 +48,10 @@ def claim(**changes: object) -> Claim:
         sources=on(lambda rng: numbers(9)),
         judge=lambda n, square: square >= n,
     )
-    return replace(base, **changes)  # type: ignore[arg-type]
+    return replace(base, **changes)
 
 
-def test_a_planted_false_claim_is_refuted_with_its_smallest_counterexample() -> None:
+def test_a_planted_false_claim_is_refuted_with_its_smallest_counterexample():
     false = claim(judge=lambda n, square: square < 20, search=lambda: numbers(20))
     result = evaluate(false)
     assert result.verdict is Verdict.REFUTED
@@ -87,13 +85,11 @@ ASSUMED = Case("n", 3, None, assumption="3 is meant")
         ({"sources": on(lambda rng: [])}, None),
     ],
 )
-def test_the_verdict_follows_from_the_cases(
-    changes: dict[str, object], verdict: Verdict | None
-) -> None:
+def test_the_verdict_follows_from_the_cases(changes, verdict):
     assert evaluate(claim(**changes)).verdict is verdict
 
 
-def test_routes_that_disagree_give_no_verdict() -> None:
+def test_routes_that_disagree_give_no_verdict():
     broken = claim(
         routes=(Route("right", lambda n: n * n), Route("wrong", lambda n: n * n + (n == 7)))
     )
@@ -104,7 +100,7 @@ def test_routes_that_disagree_give_no_verdict() -> None:
     assert result.evidence.disagreement.label == "n = 7"
 
 
-def test_a_route_that_fails_gives_no_verdict() -> None:
+def test_a_route_that_fails_gives_no_verdict():
     broken = claim(
         routes=(Route("right", lambda n: n * n), Route("fails", lambda n: n * n * n // n))
     )
@@ -124,9 +120,7 @@ records = st.builds(
 
 @given(st.lists(records, max_size=5), st.none() | records)
 @settings(max_examples=200)
-def test_holds_needs_evidence_without_any_failure_or_disagreement(
-    checked: list[Record], extra: Record | None
-) -> None:
+def test_holds_needs_evidence_without_any_failure_or_disagreement(checked, extra):
     assert verdict_of(Evidence(0, (), ())) is None
     evidence = Evidence(0, (), tuple(checked), counterexample=extra)
     if verdict_of(evidence) is Verdict.HOLDS:
@@ -135,8 +129,8 @@ def test_holds_needs_evidence_without_any_failure_or_disagreement(
         assert extra is None or (extra.holds and extra.agree)
 
 
-def test_evaluation_depends_on_the_seed_and_the_id_alone() -> None:
-    def cases(rng: Random) -> list[Case]:
+def test_evaluation_depends_on_the_seed_and_the_id_alone():
+    def cases(rng):
         return [Case("n", rng.randrange(10**5))]
 
     values = [
@@ -147,23 +141,23 @@ def test_evaluation_depends_on_the_seed_and_the_id_alone() -> None:
     assert other != values[0]
 
 
-def test_ids_are_unique() -> None:
+def test_ids_are_unique():
     with pytest.raises(ClaimError, match="two claims have the id 'squares'"):
         Registry([claim(), claim()])
 
 
-def test_one_route_cannot_be_both() -> None:
+def test_one_route_cannot_be_both():
     route = Route("multiplication", lambda n: n * n)
     with pytest.raises(ClaimError, match="one route twice"):
         Registry([claim(routes=(route, route))])
 
 
-def test_an_unknown_id_names_the_nearest() -> None:
+def test_an_unknown_id_names_the_nearest():
     with pytest.raises(UnknownClaimError, match="the nearest are table-four-contacts"):
         registry()["table-for-contact"]
 
 
-def test_every_claim_says_what_it_states_and_where() -> None:
+def test_every_claim_says_what_it_states_and_where():
     for entry in registry():
         assert entry.statement.endswith("."), entry.id
         assert entry.locator, entry.id

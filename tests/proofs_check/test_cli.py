@@ -1,12 +1,7 @@
 """The command: output, exit codes, reports."""
 
-from __future__ import annotations
-
 import json
 from dataclasses import replace
-from pathlib import Path
-
-import pytest
 
 import proofs_check.claims
 from proofs_check import Registry, Verdict, registry
@@ -15,7 +10,7 @@ from proofs_check.cli.program import main
 QUICK = ("step-1-square-bound", "table-three-contacts")
 
 
-def test_list_names_every_claim(capsys: pytest.CaptureFixture[str]) -> None:
+def test_list_names_every_claim(capsys):
     assert main(["list"]) == 0
     text = capsys.readouterr().out
     assert all(claim.id in text for claim in registry())
@@ -25,16 +20,7 @@ def test_list_names_every_claim(capsys: pytest.CaptureFixture[str]) -> None:
     assert all(len(set(claim["routes"])) == 2 for claim in claims)
 
 
-def test_show_says_statement_routes_and_meaning(capsys: pytest.CaptureFixture[str]) -> None:
-    assert main(["show", "step-1-square-bound"]) == 0
-    text = capsys.readouterr().out
-    assert "at most m^2" in text
-    assert "holds when  m >= 2" in text
-    assert main(["show", "step-1-square-bound", "--json"]) == 0
-    assert json.loads(capsys.readouterr().out)["saving_hypothesis"] == "m >= 2"
-
-
-def test_run_prints_every_row_of_a_table(capsys: pytest.CaptureFixture[str]) -> None:
+def test_run_prints_every_row_of_a_table(capsys):
     assert main(["run", *QUICK]) == 0
     captured = capsys.readouterr()
     assert captured.out.count("Yes, numbers fit  Yes, numbers fit") == 5
@@ -42,7 +28,7 @@ def test_run_prints_every_row_of_a_table(capsys: pytest.CaptureFixture[str]) -> 
     assert captured.err == ""
 
 
-def test_run_json_has_both_values_side_by_side(capsys: pytest.CaptureFixture[str]) -> None:
+def test_run_json_has_both_values_side_by_side(capsys):
     assert main(["run", *QUICK, "--json", "--seed", "3"]) == 0
     record = json.loads(capsys.readouterr().out)
     assert record["seed"] == 3
@@ -53,9 +39,7 @@ def test_run_json_has_both_values_side_by_side(capsys: pytest.CaptureFixture[str
     assert record["results"][0]["counterexample"]["instance"]["planes"] == [["1", "0", "0"]]
 
 
-def test_processes_change_nothing_of_what_is_said(
-    tmp_path: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_processes_change_nothing_of_what_is_said(tmp_path, capsys):
     """Nor its order, though a claim that takes long comes first."""
     said, found = [], []
     for jobs in ("1", "2"):
@@ -70,9 +54,7 @@ def test_processes_change_nothing_of_what_is_said(
     assert found[0] == found[1]
 
 
-def test_claims_that_take_minutes_are_checked_when_asked_for(
-    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_claims_that_take_minutes_are_checked_when_asked_for(monkeypatch, capsys):
     known = [registry()[id] for id in QUICK]
     claims = Registry([known[0], replace(known[1], large=True)])
     monkeypatch.setattr(proofs_check.claims, "registry", lambda: claims)
@@ -82,26 +64,14 @@ def test_claims_that_take_minutes_are_checked_when_asked_for(
         assert [result["id"] for result in results] == list(ids)
 
 
-def test_exit_code_one_when_a_verdict_is_not_the_expected_one(
-    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_exit_code_one_when_a_verdict_is_not_the_expected_one(monkeypatch, capsys):
     wrong = replace(registry()["step-1-square-bound"], expected=Verdict.HOLDS)
     monkeypatch.setattr(proofs_check.claims, "registry", lambda: Registry([wrong]))
     assert main(["run"]) == 1
     assert "not as expected: step-1-square-bound" in capsys.readouterr().out
 
 
-def test_a_report_that_cannot_be_written_is_bad_input(
-    tmp_path: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
-    path = tmp_path / "nowhere" / "verdicts.json"
-    assert main(["run", "step-1-square-bound", "--report", str(path)]) == 2
-    assert "cannot write" in capsys.readouterr().err
-
-
-def test_text_keeps_to_the_width(
-    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_text_keeps_to_the_width(monkeypatch, capsys):
     monkeypatch.setenv("COLUMNS", "72")
     assert main(["run", "step-1-square-bound", "euler"]) == 0
     assert max(map(len, capsys.readouterr().out.splitlines())) <= 72

@@ -1,7 +1,5 @@
 """The dual graph: both builders agree, and the graph functions agree with networkx."""
 
-from __future__ import annotations
-
 from random import Random
 
 import networkx as nx
@@ -9,11 +7,7 @@ import pytest
 from hypothesis import given, settings, strategies as st
 
 from arrangement.arrangement import Arrangement
-from proofs_check.instances.arrangements import (
-    mixed_cases,
-    random_arrangement,
-    smallest_arrangements,
-)
+from proofs_check.instances.arrangements import mixed_cases, random_arrangement
 from proofs_check.routes.dual_graph import (
     DualGraph,
     from_covectors,
@@ -39,7 +33,7 @@ def as_networkx(graph: DualGraph) -> nx.Graph:
 
 
 @pytest.mark.parametrize("planes", SMALL, ids=repr)
-def test_both_builders_agree(planes: Arrangement) -> None:
+def test_both_builders_agree(planes):
     one, other = from_faces(planes), from_covectors(planes)
     assert one.vertices == other.vertices
     assert one.edges == other.edges
@@ -49,7 +43,7 @@ def test_both_builders_agree(planes: Arrangement) -> None:
 
 
 @pytest.mark.parametrize("planes", SMALL, ids=repr)
-def test_graph_functions_agree_with_networkx(planes: Arrangement) -> None:
+def test_graph_functions_agree_with_networkx(planes):
     graph = from_faces(planes)
     peer = as_networkx(graph)
     connected = len(peer) > 3 and nx.node_connectivity(peer) >= 3
@@ -60,9 +54,7 @@ def test_graph_functions_agree_with_networkx(planes: Arrangement) -> None:
 
 @given(st.integers(1, 8), st.sets(st.tuples(st.integers(0, 7), st.integers(0, 7)), max_size=24))
 @settings(max_examples=150)
-def test_three_connectedness_of_any_graph_agrees_with_networkx(
-    count: int, pairs: set[tuple[int, int]]
-) -> None:
+def test_three_connectedness_of_any_graph_agrees_with_networkx(count, pairs):
     kept = {frozenset([(a,), (b,)]) for a, b in pairs if a != b and max(a, b) < count}
     graph = DualGraph(frozenset((v,) for v in range(count)), frozenset(kept), ())
     expected = count > 3 and nx.node_connectivity(as_networkx(graph)) >= 3
@@ -70,17 +62,11 @@ def test_three_connectedness_of_any_graph_agrees_with_networkx(
 
 
 @pytest.mark.parametrize("planes", SMALL, ids=repr)
-def test_the_faces_close_to_a_sphere_exactly_in_rank_three(planes: Arrangement) -> None:
+def test_the_faces_close_to_a_sphere_exactly_in_rank_three(planes):
     assert is_sphere(from_faces(planes)) == (planes.rank == 3)
 
 
-def test_a_sphere_with_a_face_left_out_is_none() -> None:
+def test_a_sphere_with_a_face_left_out_is_none():
     graph = from_faces(random_arrangement(Random(1), 4))
     assert is_sphere(graph)
     assert not is_sphere(DualGraph(graph.vertices, graph.edges, graph.faces[1:]))
-
-
-def test_small_arrangements_come_in_order_of_size() -> None:
-    cases = [case.subject for case in smallest_arrangements(range(1, 4), 1)]
-    assert [len(planes) for planes in cases] == sorted(len(planes) for planes in cases)
-    assert len([p for p in cases if len(p) == 1]) == 13

@@ -1,7 +1,5 @@
 """Exercises: every form of an answer, right and wrong; files of lecturers and of students."""
 
-from __future__ import annotations
-
 import json
 from collections.abc import Callable
 from fractions import Fraction
@@ -41,12 +39,12 @@ def asked(of: str, judge: Callable[[Any], Any]) -> Any:
     return exercise("?", of=of, id="q")(judge)
 
 
-def test_every_form_has_a_case() -> None:
+def test_every_form_has_a_case():
     assert READ.keys() == FORMS.keys()
 
 
 @pytest.mark.parametrize("of", READ)
-def test_an_answer_is_read_or_refused_with_a_reason(of: str) -> None:
+def test_an_answer_is_read_or_refused_with_a_reason(of):
     good, value, bad = READ[of]
     assert asked(of, lambda given: given == value).mistake(good) == ""
     assert asked(of, lambda given: given != value).mistake(good) == "wrong"
@@ -54,12 +52,12 @@ def test_an_answer_is_read_or_refused_with_a_reason(of: str) -> None:
         assert reason in asked(of, lambda given: True).mistake(answer)
 
 
-def test_a_state_has_signs_or_words() -> None:
+def test_a_state_has_signs_or_words():
     assert "is no state" in asked("states", lambda given: True).mistake([["stick"], 3])
 
 
-def test_a_certificate_is_judged_by_its_proof_and_its_question() -> None:
-    def judge(document: Any) -> Any:
+def test_a_certificate_is_judged_by_its_proof_and_its_question():
+    def judge(document):
         return check(document, (GRASP, (Fraction(0), Fraction(0), Fraction(1))))
 
     question = asked("certificate", judge)
@@ -69,14 +67,14 @@ def test_a_certificate_is_judged_by_its_proof_and_its_question() -> None:
     assert "tree" in question.mistake({**NO, "tree": 3})
 
 
-def test_a_fault_of_the_lecturer_is_no_mistake_of_a_student() -> None:
+def test_a_fault_of_the_lecturer_is_no_mistake_of_a_student():
     with pytest.raises(OwnClaimError, match="q raised ZeroDivisionError"):
         asked("number", lambda given: given / 0).mistake(1)
     with pytest.raises(OwnClaimError, match="q returned None"):
         asked("number", lambda given: None).mistake(1)
     for wrong in ({"of": "essay"}, {"points": -1}, {"points": True}):
         with pytest.raises(OwnClaimError, match=next(iter(wrong))):
-            exercise("?", **wrong)  # type: ignore[arg-type]
+            exercise("?", **wrong)
     with pytest.raises(OwnClaimError, match="is not an id"):
         exercise("?", id="Q 1")(lambda given: True)
 
@@ -105,7 +103,7 @@ def hand_in(**answers: Any) -> str:
     return "mine.json"
 
 
-def test_points_are_for_right_answers(desk: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_points_are_for_right_answers(desk, capsys):
     assert main(["grade", "lecture.py", hand_in(one=1, somewhere=GRASP.to_dict())]) == 0
     assert capsys.readouterr().out.split()[-4:] == ["5", "of", "5", "points"]
     command = ["grade", "lecture.py", hand_in(one="1", somewhere=Grasp().to_dict()), "--json"]
@@ -117,18 +115,14 @@ def test_points_are_for_right_answers(desk: Path, capsys: pytest.CaptureFixture[
     assert capsys.readouterr().out.count("no answer") == 2
 
 
-def test_without_answers_the_questions_are_listed(
-    desk: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_without_answers_the_questions_are_listed(desk, capsys):
     assert main(["grade", "lecture.py"]) == 0
     assert "One? Answer: number" in capsys.readouterr().out
     assert main(["grade", "lecture.py", "--json"]) == 0
     assert json.loads(capsys.readouterr().out)["exercises"][1]["of"] == "grasp"
 
 
-def test_answers_to_nothing_and_other_files_are_refused(
-    desk: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_answers_to_nothing_and_other_files_are_refused(desk, capsys):
     with pytest.raises(InputError, match="two"):
         grade(load_exercises("lecture.py"), {"schema_version": 1, "answers": {"two": 2}})
     for bad in ("[]", '{"schema_version": 1, "answers": []}', "print(1)"):

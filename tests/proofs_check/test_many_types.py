@@ -1,9 +1,5 @@
 """All types of nine planes at once: dual graphs from chirotopes, against those of single planes."""
 
-from __future__ import annotations
-
-from typing import Any
-
 import numpy as np
 import pytest
 
@@ -14,18 +10,18 @@ from proofs_check.sweep.sweep import EACH, plan_sweep, run_chunk
 
 
 @pytest.mark.parametrize("planes", [3, 4, 5, 6])
-def test_faces_composed_from_cocircuits_are_those_enumerated(planes: int) -> None:
+def test_faces_composed_from_cocircuits_are_those_enumerated(planes):
     found = many_types.f_vectors(catalogue.chirotopes(planes), planes)
     assert [tuple(row) for row in found.tolist()] == [a.f_vector[1:] for a in census(planes)]
 
 
-def test_euler_and_the_points_on_the_lines_hold_for_a_sample_of_nine() -> None:
+def test_euler_and_the_points_on_the_lines_hold_for_a_sample_of_nine():
     places = np.linspace(0, PUBLISHED[9] - 1, 200).astype(int)
     rays, facets, regions = many_types.f_vectors(catalogue.chirotopes(9, places), 9).T
     assert (rays - facets + regions == 2).all()
 
 
-def test_faces_are_a_minimum_cycle_basis_as_hortons_algorithm_finds() -> None:
+def test_faces_are_a_minimum_cycle_basis_as_hortons_algorithm_finds():
     held = many_types.cycle_bases_are_faces(catalogue.chirotopes(5), 5)
     for planes, minimum in zip(census(5), held.tolist(), strict=True):
         graph = from_covectors(planes)
@@ -33,12 +29,10 @@ def test_faces_are_a_minimum_cycle_basis_as_hortons_algorithm_finds() -> None:
         assert minimum == (list(minimum_cycle_lengths(graph)) == lengths)
 
 
-def test_a_face_that_is_longer_than_the_cycles_around_it_is_seen(
-    monkeypatch: pytest.MonkeyPatch,
-) -> None:
+def test_a_face_that_is_longer_than_the_cycles_around_it_is_seen(monkeypatch):
     enclosed = many_types._enclosed
 
-    def longer(*arguments: Any) -> tuple[Any, Any]:
+    def longer(*arguments):
         lengths, crossed = enclosed(*arguments)
         return np.where(lengths > 0, lengths + 2, 0), crossed
 
@@ -55,12 +49,12 @@ def test_a_face_that_is_longer_than_the_cycles_around_it_is_seen(
         ([(a, b) for a in (0, 3, 5, 6) for b in (1, 2, 4)], False),
     ],
 )
-def test_weights_below_one_half_on_small_graphs(edges: list, exist: bool) -> None:
+def test_weights_below_one_half_on_small_graphs(edges, exist):
     assert many_types.edges_have_weights(edges) == exist
 
 
 @pytest.mark.parametrize("claim", ["cycle-basis-faces", "great-circle-regions"])
-def test_a_sweep_over_nine_planes_decides_many_types_at_once(claim: str) -> None:
+def test_a_sweep_over_nine_planes_decides_many_types_at_once(claim):
     plan = plan_sweep(claim, (8, 9), None, chunk=40)
     number = PUBLISHED[8] // 40  # the last types of eight planes are left out, for their time
     later = run_chunk(plan, number + 1).result["counts"]
@@ -68,9 +62,7 @@ def test_a_sweep_over_nine_planes_decides_many_types_at_once(claim: str) -> None
     assert not any(index % EACH == 0 for index in plan.indices(number + 1))
 
 
-def test_a_type_that_both_routes_find_otherwise_breaks_the_sweep(
-    monkeypatch: pytest.MonkeyPatch,
-) -> None:
+def test_a_type_that_both_routes_find_otherwise_breaks_the_sweep(monkeypatch):
     from proofs_check.sweep import sweep
 
     monkeypatch.setattr(

@@ -1,7 +1,5 @@
 """The brute force over contact states: known rows, laws, and agreement with the solver."""
 
-from __future__ import annotations
-
 from fractions import Fraction
 
 from hypothesis import given, settings, strategies as st
@@ -9,9 +7,15 @@ from hypothesis import given, settings, strategies as st
 from equilibrium.decide.verdict import solve
 from proofs_check.instances.domains import contact_numbers
 from proofs_check.instances.grasps import grasp_of, paper_question
-from proofs_check.instances.paper_tables import FOUR_CONTACT_GRASP, THREE_CONTACT_GRASP
-from proofs_check.routes.fourier_motzkin import project
-from proofs_check.routes.oracle import Question, normal_forces, resisted, stable, violations
+from proofs_check.instances.printed import FOUR_CONTACT_GRASP, THREE_CONTACT_GRASP
+from proofs_check.routes.oracle import (
+    Question,
+    normal_forces,
+    project,
+    resisted,
+    stable,
+    violations,
+)
 from tests.equilibrium.strategies import grasps, wrenches
 
 questions = st.builds(
@@ -24,21 +28,20 @@ questions = st.builds(
 ZERO, ONE, HALF = Fraction(0), Fraction(1), Fraction(1, 2)
 
 
-def test_a_boundary_is_decided_exactly() -> None:
+def test_a_boundary_is_decided_exactly():
     tiny = Fraction(1, 10**30)
     assert stable(paper_question(THREE_CONTACT_GRASP, (ZERO, ONE, ZERO), 1))
     assert not stable(paper_question(THREE_CONTACT_GRASP, (ZERO, ONE + tiny, ZERO), 1))
 
 
-def test_the_resisted_set_is_the_one_of_the_text() -> None:
+def test_the_resisted_set_is_the_one_of_the_text():
     up = (ZERO, ONE, ZERO)
     assert resisted(paper_question(FOUR_CONTACT_GRASP, up, 1)) == ((Fraction(-2), Fraction(2)),)
     assert resisted(paper_question(FOUR_CONTACT_GRASP, up, 0)) == ((ZERO, ZERO),)
 
 
 @given(questions)
-@settings(max_examples=40, deadline=None)
-def test_the_solver_agrees(question: Question) -> None:
+def test_the_solver_agrees(question):
     verdict = solve(grasp_of(question), question.wrench)
     assert stable(question) == verdict.stable
     for piece in verdict.equilibria:
@@ -46,14 +49,14 @@ def test_the_solver_agrees(question: Question) -> None:
 
 
 @given(questions)
-@settings(max_examples=15, deadline=None)
-def test_normal_forces_exist_exactly_when_stable(question: Question) -> None:
+@settings(max_examples=15)
+def test_normal_forces_exist_exactly_when_stable(question):
     found = normal_forces(question)
     assert all(bool(intervals) == stable(question) for intervals in found)
     assert all(low is not None and low >= 0 for values in found for low, _ in values)
 
 
-def test_every_condition_is_noticed() -> None:
+def test_every_condition_is_noticed():
     question = paper_question(THREE_CONTACT_GRASP, (ZERO, ONE, ZERO), 1)
     motion = (ZERO, ONE, ZERO)
     forces = [[ONE, -HALF], [ZERO, ZERO], [ONE, HALF]]
@@ -72,7 +75,7 @@ def test_every_condition_is_noticed() -> None:
     )
 
 
-def test_friction_opposes_slip_in_both_directions() -> None:
+def test_friction_opposes_slip_in_both_directions():
     """Contacts 1 and 3 slip in opposite directions; each may have its friction turned round."""
     question = paper_question(THREE_CONTACT_GRASP, (ZERO, -3 * ONE, ZERO), 1)
     motion = (ZERO, -ONE, ZERO)
@@ -86,8 +89,8 @@ def test_friction_opposes_slip_in_both_directions() -> None:
             assert found == (f"dissipation at contact {contact + 1}", "balance")
 
 
-def test_elimination_finds_ends_and_contradictions() -> None:
-    def row(*values: int) -> tuple[Fraction, ...]:
+def test_elimination_finds_ends_and_contradictions():
+    def row(*values):
         return tuple(map(Fraction, values))
 
     box = [row(1, 0, 0), row(-1, 0, 1), row(0, 1, 0), row(0, -1, 1)]

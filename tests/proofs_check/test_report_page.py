@@ -1,7 +1,5 @@
 """The report of verdicts in a browser: it fits, asks for nothing, can be searched and filtered."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import pytest
@@ -10,7 +8,6 @@ from proofs_check.claims import registry
 from proofs_check.reports import report
 from proofs_check.reports.page import html_page
 from proofs_check.statements.evidence import evaluate
-from tests.browser import Browser
 
 IDS = ("single-solution", "step-1-square-bound", "fukuda-bound", "method-linear-compliance")
 VISIBLE = "return [...document.querySelectorAll('article')].filter(c => !c.hidden).map(c => c.id)"
@@ -26,9 +23,7 @@ def page(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 @pytest.mark.parametrize("width", [390, 1280])
 @pytest.mark.parametrize("theme", ["light", "dark"])
-def test_the_page_fits_its_window_and_asks_for_nothing(
-    browser: Browser, page: Path, width: int, theme: str
-) -> None:
+def test_the_page_fits_its_window_and_asks_for_nothing(browser, page, width, theme):
     browser.open(page, width, 900)
     browser.run("document.documentElement.dataset.theme = arguments[0]", theme)
     assert browser.run("return document.documentElement.scrollWidth") == width
@@ -40,7 +35,7 @@ def test_the_page_fits_its_window_and_asks_for_nothing(
     assert browser.outside() == []
 
 
-def test_search_and_filters_leave_what_was_asked_for(browser: Browser, page: Path) -> None:
+def test_search_and_filters_leave_what_was_asked_for(browser, page):
     browser.open(page)
     assert browser.run(VISIBLE) == [*IDS]
     browser.run(
@@ -59,7 +54,7 @@ def test_search_and_filters_leave_what_was_asked_for(browser: Browser, page: Pat
     assert browser.run("return document.getElementById('shown').textContent") == "2 of 4"
 
 
-def test_the_page_is_complete_without_its_script(browser: Browser, page: Path) -> None:
+def test_the_page_is_complete_without_its_script(browser, page):
     bare = page.with_name("bare.html")
     text = page.read_text(encoding="utf-8")
     head, _, rest = text.rpartition("<script>")

@@ -1,7 +1,5 @@
 """Reports: the JSON record is complete, and every other form is made from it alone."""
 
-from __future__ import annotations
-
 import contextlib
 import copy
 import html
@@ -9,22 +7,26 @@ import io
 import json
 import re
 import runpy
+import shutil
+import subprocess
 import sys
+import xml.etree.ElementTree as ET
 from html.parser import HTMLParser
 from pathlib import Path
 from typing import Any
-from xml.etree import ElementTree as ET
 
 import pytest
 
 from arrangement import Arrangement
 from arrangement.errors import InputError
+from arrangement.library.families import generic
+from equilibrium.grasps.files import read_grasp
 from proofs_check.claims import registry
 from proofs_check.cli.program import main
 from proofs_check.reports import forms as pages, report
 from proofs_check.reports.formula import mathml
-from proofs_check.reports.page import python_lines
-from proofs_check.reports.pictures import pictures
+from proofs_check.reports.page import pictures, python_lines
+from proofs_check.reports.report import commit
 from proofs_check.reports.text import value_text
 from proofs_check.statements.evidence import evaluate
 from proofs_check.statements.statement import Kind
@@ -96,7 +98,7 @@ class Tags(HTMLParser):
         self.texts.append(data)
 
 
-def test_the_record_says_with_what_and_how_everything_was_found(record: dict[str, Any]) -> None:
+def test_the_record_says_with_what_and_how_everything_was_found(record):
     (environment,) = record["environments"]
     assert environment["python"] == sys.version.split()[0]
     assert {"slipstates", "numpy", "sympy"} <= set(environment["versions"])
@@ -111,24 +113,22 @@ def test_the_record_says_with_what_and_how_everything_was_found(record: dict[str
         assert all(case["instance"] for case in result["records"])
 
 
-def test_the_record_has_no_float_and_survives_a_file(record: dict[str, Any]) -> None:
-    def refuse(text: str) -> Any:
+def test_the_record_has_no_float_and_survives_a_file(record):
+    def refuse(text):
         raise AssertionError(f"a float: {text}")
 
     text = pages.FORMS[".json"](record)
     assert json.loads(text, parse_float=refuse, parse_constant=refuse) == record
 
 
-def test_the_counterexample_in_the_record_can_be_checked_again(record: dict[str, Any]) -> None:
+def test_the_counterexample_in_the_record_can_be_checked_again(record):
     refuted = record["results"][1]["counterexample"]
     planes = Arrangement(refuted["instance"]["planes"])
     assert planes.f_vector[3] == refuted["values"][0] > len(planes) ** 2
 
 
 @pytest.mark.parametrize("ending", [".md", ".html", ".tex"])
-def test_a_report_made_later_from_the_file_is_the_same(
-    tmp_path: Path, record: dict[str, Any], ending: str
-) -> None:
+def test_a_report_made_later_from_the_file_is_the_same(tmp_path, record, ending):
     source, later = tmp_path / "r.json", tmp_path / f"later{ending}"
     source.write_text(pages.FORMS[".json"](record), encoding="utf-8")
     assert main(["report", str(source), "--output", str(later)]) == 0
@@ -141,20 +141,7 @@ def test_a_report_made_later_from_the_file_is_the_same(
     assert "refuted" in plain
 
 
-@pytest.mark.parametrize("ending", [".json", ".md", ".html", ".tex", ".txt"])
-def test_run_writes_each_form(
-    tmp_path: Path, capsys: pytest.CaptureFixture[str], ending: str
-) -> None:
-    path = tmp_path / f"r{ending}"
-    assert main(["run", "step-1-square-bound", "--report", str(path)]) == 0
-    text = path.read_text(encoding="utf-8")
-    assert "step-1-square-bound" in text
-    starts = {".json": "{", ".md": "# ", ".html": "<!DOCTYPE html>", ".tex": "% "}
-    assert text.startswith(starts.get(ending, "step-1"))
-    assert "step-1-square-bound" in capsys.readouterr().out
-
-
-def test_the_page_asks_for_nothing_from_outside(record: dict[str, Any]) -> None:
+def test_the_page_asks_for_nothing_from_outside(record):
     page = pages.html_page(record)
     found = Tags(page)
     assert found.open == []
@@ -183,7 +170,7 @@ def test_the_page_asks_for_nothing_from_outside(record: dict[str, Any]) -> None:
 @pytest.mark.parametrize(
     "text", ["<script>alert(1)</script>", '"><img src=x onerror=y>', "a|b\n\n# c", "&amp;", "]]>"]
 )
-def test_texts_of_a_record_stay_texts_in_the_page(text: str) -> None:
+def test_texts_of_a_record_stay_texts_in_the_page(text):
     page = pages.html_page(hostile(text))
     found = Tags(page)
     assert found.open == []
@@ -192,7 +179,7 @@ def test_texts_of_a_record_stay_texts_in_the_page(text: str) -> None:
     assert text in "".join(found.texts)
 
 
-def test_the_bar_says_what_the_record_says(record: dict[str, Any]) -> None:
+def test_the_bar_says_what_the_record_says(record):
     page = pages.html_page(record)
     found = re.findall(r'<span class="(\w+)" style="flex-grow:(\d+)"><b>(\d+)</b>', page)
     verdicts = [result["verdict"] for result in record["results"]]
@@ -206,7 +193,7 @@ def test_the_bar_says_what_the_record_says(record: dict[str, Any]) -> None:
     assert "1 has no verdict" in pages.html_page(both)
 
 
-def test_a_card_has_statement_formula_routes_picture_and_python(record: dict[str, Any]) -> None:
+def test_a_card_has_statement_formula_routes_picture_and_python(record):
     page = pages.html_page(record)
     for result in record["results"]:
         card = page.partition(f'id="{result["id"]}"')[2].partition("</article>")[0]
@@ -220,9 +207,7 @@ def test_a_card_has_statement_formula_routes_picture_and_python(record: dict[str
 
 
 @pytest.mark.campaign
-def test_the_python_of_a_card_gives_its_verdict(
-    record: dict[str, Any], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_the_python_of_a_card_gives_its_verdict(record, tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     assert main(["new", "mine"]) == 0
     assert main(["report", "mine.py", "-o", "mine.json", "--seed", "2"]) == 0
@@ -238,18 +223,14 @@ def test_the_python_of_a_card_gives_its_verdict(
         assert (counterexample.strip() == "None") == (result["counterexample"] is None)
 
 
-def test_without_matplotlib_the_page_says_what_is_missing(
-    record: dict[str, Any], monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_without_matplotlib_the_page_says_what_is_missing(record, monkeypatch):
     monkeypatch.setitem(sys.modules, "matplotlib", None)
     page = pages.html_page(record)
     assert "<svg" not in page
     assert page.count("pip install") == len(record["results"])
 
 
-def test_a_run_repeats_its_page_but_for_times(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_a_run_repeats_its_page_but_for_times(tmp_path, monkeypatch):
     made = []
     for epoch in ("0", "0", "86400"):
         monkeypatch.setenv("SOURCE_DATE_EPOCH", epoch)
@@ -262,7 +243,7 @@ def test_a_run_repeats_its_page_but_for_times(
     assert made[2] == made[0].replace("1970-01-01", "1970-01-02")
 
 
-def test_every_formula_and_every_proof_of_the_registry_is_there() -> None:
+def test_every_formula_and_every_proof_of_the_registry_is_there():
     proofs = (ROOT / "docs" / "proofs.rst").read_text(encoding="utf-8")
     for claim in registry():
         assert not claim.formula or mathml(claim.formula).startswith("<math")
@@ -273,7 +254,7 @@ def test_every_formula_and_every_proof_of_the_registry_is_there() -> None:
             assert f"**{words}" in re.split(r"^-+$", text, flags=re.MULTILINE)[0], claim.id
 
 
-def test_every_view_of_the_registry_gives_a_picture() -> None:
+def test_every_view_of_the_registry_gives_a_picture():
     for claim in registry():
         if claim.views and claim.views[0].instance:
             shown = {"id": claim.id, "views": report.claim_record(claim)["views"]}
@@ -298,7 +279,7 @@ def test_every_view_of_the_registry_gives_a_picture() -> None:
         r"\binom12",
     ],
 )
-def test_what_is_no_formula_is_refused_and_stays_text(text: str) -> None:
+def test_what_is_no_formula_is_refused_and_stays_text(text):
     with pytest.raises(InputError):
         mathml(text)
     changed = hostile("x")
@@ -307,17 +288,8 @@ def test_what_is_no_formula_is_refused_and_stays_text(text: str) -> None:
     assert f"${text}$" not in pages.markdown(changed)
 
 
-def test_a_formula_is_mathml() -> None:
-    made = mathml(r"f_k \le \sum_{i=0}^{k} \binom{n}{i}")
-    names = [element.tag.rpartition("}")[2] for element in ET.fromstring(made).iter()]
-    expected = (
-        "math mrow msub mi mi mo munderover mo mrow mi mo mn mrow mi mo mfrac mrow mi mrow mi mo"
-    )
-    assert " ".join(names) == expected
-
-
 @pytest.mark.parametrize("text", ["a|b", "a\n| b |\n\n# c", "a\\|b", "`x` <b>"])
-def test_texts_of_a_record_do_not_break_a_markdown_table(text: str) -> None:
+def test_texts_of_a_record_do_not_break_a_markdown_table(text):
     lines = pages.markdown(hostile(text)).splitlines()
     assert [k for k, line in enumerate(lines) if line.startswith("# ")] == [0]
     tables = [line for line in lines if line.startswith("|")]
@@ -328,7 +300,7 @@ def test_texts_of_a_record_do_not_break_a_markdown_table(text: str) -> None:
 
 
 @pytest.mark.parametrize("text", ["a & b", r"\input{x}", "50% of $x_1^2$ #1 ~ {", "x\ny"])
-def test_texts_of_a_record_do_not_become_latex(text: str) -> None:
+def test_texts_of_a_record_do_not_become_latex(text):
     body = pages.latex(hostile(text)).split(r"\endhead")[1].split(r"\hline")[0].strip()
     assert body.endswith(r"\\")
     cells = re.split(r"(?<!\\)&", body.removesuffix(r"\\"))
@@ -340,9 +312,7 @@ def test_texts_of_a_record_do_not_become_latex(text: str) -> None:
     assert "\n" not in body
 
 
-def test_an_unexpected_verdict_is_seen_in_every_form(
-    tmp_path: Path, record: dict[str, Any], capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_an_unexpected_verdict_is_seen_in_every_form(tmp_path, record, capsys):
     changed = json.loads(json.dumps(record))
     changed["as_expected"] = changed["results"][0]["as_expected"] = False
     for make in (pages.markdown, pages.html_page, pages.latex):
@@ -354,9 +324,7 @@ def test_an_unexpected_verdict_is_seen_in_every_form(
     assert "some verdict differs" in capsys.readouterr().out
 
 
-def test_hostile_numbers_in_a_record_are_refused_at_once(
-    tmp_path: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_hostile_numbers_in_a_record_are_refused_at_once(tmp_path, capsys):
     content = hostile("x")
     content["results"][0]["counterexample"]["instance"] = {"planes": [["1e999999999", "0", "1"]]}
     path = tmp_path / "r.json"
@@ -364,3 +332,61 @@ def test_hostile_numbers_in_a_record_are_refused_at_once(
     assert main(["report", str(path), "--output", str(tmp_path / "r.html")]) == 2
     assert capsys.readouterr().err.startswith("error: ")
     assert not (tmp_path / "r.html").exists()
+
+
+def drawn(instance: dict[str, Any] | None) -> list[str]:
+    """Return the names of the elements of each picture of a counterexample."""
+    counterexample = {"instance": instance} if instance else None
+    result = {"id": "some-id", "counterexample": counterexample}
+    names = []
+    for svg, _ in pictures(result):
+        ET.fromstring(svg.replace("xlink:", ""))
+        found = re.findall(r' id="([^"]*)"', svg)
+        assert all(name.startswith("some-id-0-") for name in found)
+        names.append(" ".join(name.removeprefix("some-id-0-") for name in found))
+    return names
+
+
+def test_planes_are_drawn_with_their_dual():
+    for planes in (generic(5), Arrangement([[3, -4, 6], [10**40, 1, 0], [0, 0, -1]])):
+        (names,) = drawn(dict(planes.to_dict()))
+        edges = re.findall(r"edge-\d+", names)
+        assert len(edges) == planes.f_vector[2]
+
+
+def test_a_grasp_is_drawn_with_its_equilibrium_or_the_proof_that_there_is_none():
+    document = dict(read_grasp("paper-three-contacts").to_dict())
+    (alone,) = drawn(document)
+    assert "cone-3" in alone
+    assert "force-" not in alone
+    (held,) = drawn({**document, "wrench": ["0", "-1", "0"]})
+    assert "force-2" in held
+    (refused,) = drawn({**document, "wrench": ["0", "1", "0"]})
+    assert "1-region-0" in refused
+    assert "force-2" not in refused
+
+
+@pytest.mark.skipif(shutil.which("git") is None, reason="needs git")
+def test_the_commit_is_that_of_the_checkout_itself_and_of_no_other(tmp_path, monkeypatch):
+    monkeypatch.delenv("GIT_DIR", raising=False)
+
+    def git(*arguments):
+        who = ["-c", "user.name=n", "-c", "user.email=e@example.org"]
+        done = subprocess.run(
+            ["git", "-C", str(tmp_path), *who, *arguments],
+            capture_output=True,
+            text=True,
+            check=True,
+        )
+        return done.stdout.strip()
+
+    assert commit(tmp_path) is None
+    git("init", "-q")
+    (tmp_path / "inside").mkdir()
+    (tmp_path / "inside" / "f").write_text("1", encoding="utf-8")
+    git("add", ".")
+    git("commit", "-q", "-m", "m")
+    assert commit(tmp_path) == git("rev-parse", "HEAD")
+    assert commit(tmp_path / "inside") is None
+    (tmp_path / "inside" / "f").write_text("2", encoding="utf-8")
+    assert commit(tmp_path) == f"{git('rev-parse', 'HEAD')}+changes"

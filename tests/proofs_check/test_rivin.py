@@ -1,7 +1,5 @@
 """The second check of certificates on inscribed polyhedra refuses what is wrong."""
 
-from __future__ import annotations
-
 from fractions import Fraction
 
 import pytest
@@ -24,19 +22,15 @@ def upright(edge: frozenset[tuple[int, ...]]) -> bool:
     return a[3] != b[3]
 
 
-def test_equal_weights_fit_the_cube() -> None:
-    assert rivin.weights_fit(CUBE, dict.fromkeys(CUBE.edges, Fraction(1, 3)))
-
-
 @pytest.mark.parametrize("change", [Fraction(1, 10**30), Fraction(-1, 3), Fraction(1, 6)])
-def test_one_changed_weight_is_refused(change: Fraction) -> None:
+def test_one_changed_weight_is_refused(change):
     for edge in CUBE.edges:
         weights = dict.fromkeys(CUBE.edges, Fraction(1, 3))
         weights[edge] += change
         assert not rivin.weights_fit(CUBE, weights)
 
 
-def test_a_cycle_that_weighs_too_little_is_refused() -> None:
+def test_a_cycle_that_weighs_too_little_is_refused():
     graph = prism()
     fine = {e: Fraction(1, 5) if upright(e) else Fraction(2, 5) for e in graph.edges}
     assert rivin.weights_fit(graph, fine)
@@ -44,7 +38,7 @@ def test_a_cycle_that_weighs_too_little_is_refused() -> None:
     assert not rivin.weights_fit(graph, light)
 
 
-def test_an_independent_set_needs_more_than_half_of_the_vertices() -> None:
+def test_an_independent_set_needs_more_than_half_of_the_vertices():
     parity = {v: list(v).count(-1) % 2 for v in DODECAHEDRON.vertices}
     sets = [frozenset(v for v, p in parity.items() if p == k) for k in (0, 1)]
     assert sorted(map(len, sets)) == [6, 8]
@@ -55,7 +49,7 @@ def test_an_independent_set_needs_more_than_half_of_the_vertices() -> None:
     assert not rivin.is_large_independent_set(CUBE, frozenset(list(CUBE.vertices)[:5]))
 
 
-def test_multipliers_of_the_unequal_classes_fit_and_changed_ones_do_not() -> None:
+def test_multipliers_of_the_unequal_classes_fit_and_changed_ones_do_not():
     """+1 at the eight vertices and -1 at the six cancel at every edge and leave -8 + 6."""
     parity = {v: list(v).count(-1) % 2 for v in DODECAHEDRON.vertices}
     large = max((0, 1), key=lambda k: list(parity.values()).count(k))
@@ -68,7 +62,7 @@ def test_multipliers_of_the_unequal_classes_fit_and_changed_ones_do_not() -> Non
         )
 
 
-def test_a_cut_of_one_vertex_is_refused() -> None:
+def test_a_cut_of_one_vertex_is_refused():
     one = frozenset(list(CUBE.vertices)[:1])
     zero = dict.fromkeys(CUBE.vertices, Fraction(0))
     zero[next(iter(one))] = Fraction(-1)

@@ -1,7 +1,5 @@
 """Sweeps that are killed, or lose a worker, end as if nothing had happened."""
 
-from __future__ import annotations
-
 import importlib.util
 import json
 import os
@@ -60,7 +58,7 @@ def wait_for(condition: Callable[[], bool], seconds: float = 60) -> None:
 
 @pytest.mark.slow
 @pytest.mark.campaign
-def test_a_sweep_killed_three_times_has_the_report_of_one_that_was_not(tmp_path: Path) -> None:
+def test_a_sweep_killed_three_times_has_the_report_of_one_that_was_not(tmp_path):
     whole, killed = tmp_path / "whole.sqlite", tmp_path / "killed.sqlite"
     assert run(swept(whole, 1500)).returncode == 0
     seen = 0
@@ -87,7 +85,7 @@ def test_a_sweep_killed_three_times_has_the_report_of_one_that_was_not(tmp_path:
 
 
 @pytest.mark.skipif(not Path("/proc/self/task").is_dir(), reason="reads the children from /proc")
-def test_workers_end_with_their_parent_however_it_ends(tmp_path: Path) -> None:
+def test_workers_end_with_their_parent_however_it_ends(tmp_path):
     path = tmp_path / "s.sqlite"
     process = subprocess.Popen(
         swept(path, 100_000, "--jobs", "2"), env=ENVIRONMENT, stdout=subprocess.DEVNULL
@@ -119,14 +117,14 @@ def cluster(tmp_path: Path) -> Iterator[tuple[Path, list[subprocess.Popen[bytes]
     dask = [sys.executable, "-m", "dask"]
     file = ["--scheduler-file", str(place)]
     options = ["--host", "127.0.0.1", "--port", "0", "--no-dashboard", "--no-show"]
-    processes = [subprocess.Popen([*dask, "scheduler", *options, *file], **quiet)]  # type: ignore[call-overload]
+    processes = [subprocess.Popen([*dask, "scheduler", *options, *file], **quiet)]
     try:
         wait_for(place.exists)
         for name in ("one", "two"):
             own = ["--nthreads", "1", "--no-nanny", "--no-dashboard", "--name", name]
             folder = ["--local-directory", str(tmp_path / name)]
             worker = [*dask, "worker", *file, *own, *folder]
-            processes.append(subprocess.Popen(worker, **quiet))  # type: ignore[call-overload]
+            processes.append(subprocess.Popen(worker, **quiet))
         yield place, processes
     finally:
         for process in processes:
@@ -136,11 +134,7 @@ def cluster(tmp_path: Path) -> Iterator[tuple[Path, list[subprocess.Popen[bytes]
 
 @pytest.mark.slow
 @pytest.mark.campaign
-def test_a_cluster_counts_flats_in_parts(
-    tmp_path: Path,
-    cluster: tuple[Path, list[subprocess.Popen[bytes]]],
-    monkeypatch: pytest.MonkeyPatch,
-) -> None:
+def test_a_cluster_counts_flats_in_parts(tmp_path, cluster, monkeypatch):
     monkeypatch.setattr(in_parts, "_FEW", 0)
     address = json.loads(cluster[0].read_text(encoding="utf-8"))["address"]
     for planes in (families.resonance(5), families.h4(), families.simplicial(35, 1)):
@@ -151,9 +145,7 @@ def test_a_cluster_counts_flats_in_parts(
 
 @pytest.mark.slow
 @pytest.mark.campaign
-def test_a_cluster_that_loses_a_worker_finds_what_one_process_finds(
-    tmp_path: Path, cluster: tuple[Path, list[subprocess.Popen[bytes]]]
-) -> None:
+def test_a_cluster_that_loses_a_worker_finds_what_one_process_finds(tmp_path, cluster):
     place, (_, first, second) = cluster
     whole, spread = tmp_path / "whole.sqlite", tmp_path / "spread.sqlite"
     assert run(swept(whole, 1500)).returncode == 0

@@ -13,24 +13,22 @@ import math
 import time
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
-from functools import partial
 from math import comb, prod
 
 import numpy as np
 from numpy.typing import NDArray
 
 from arrangement.console.progress import watched
-from arrangement.counts.configuration import Configuration, configuration
-from arrangement.counts.low_rank import MAX_RANK, whitney_matrix
+from arrangement.counts.classes.automorphisms import Automorphisms, Permutations
+from arrangement.counts.classes.images import Images, Words, groups, packed, unpacked
+from arrangement.counts.configuration import Configuration
 from arrangement.counts.modular import Integers, ModularVectors
-from arrangement.counts.operations import over_factors
+from arrangement.counts.operations import localization, restriction
+from arrangement.counts.whitney import first_whitney_numbers
 from arrangement.errors import InputError, OutOfTimeError
 from arrangement.numbers import budget
 from arrangement.numbers.exact import shown
 from arrangement.planes.planes import Planes
-
-from .automorphisms import Automorphisms, Permutations
-from .images import Images, Words, groups, packed, unpacked
 
 #: Pairs of a flat and a plane that are worked on at once.
 _CHUNK = 1 << 19
@@ -69,45 +67,14 @@ class Flats:
         return Flats(self.bases[part], self.members[part], self.images[part], self.values[:, part])
 
 
-def first_whitney_numbers(
+def first_numbers(
     arrangement: Planes,
-    *,
-    symmetry: Sequence[Sequence[int]] | None = None,
-    time_limit: float | None = None,
+    config: Configuration,
+    symmetry: Sequence[Sequence[int]] | None,
+    time_limit: float | None,
+    deadline: float,
 ) -> tuple[int, ...]:
-    """Return the sums of mu(X) over the flats X of rank 0, 1, ...: the coefficients of chi.
-
-    Linear symmetries of the normals (of the cone, if planes miss the origin) are found and used;
-    up to rank 4 (affine: 3) the formulas of `low_rank` are faster, unless symmetries are given.
-
-    Args:
-        symmetry: permutations of the planes to be used in place of those that a search finds;
-            plane i goes to entry i. An empty list means none.
-        time_limit: in seconds.
-
-    Raises:
-        InputError: a permutation that no linear map makes of the planes.
-        TimeLimitError: the time is over; its `known` has the numbers that are final.
-
-    Complexity: with m planes and c classes of flats of rank at most r - 2 (affine: r - 1), O(c m)
-    operations modulo primes, and as many images of sets as classes have covers.
-
-    Source: [Weisner1935]; [BrysiewiczEbleKuehne2023] for the use of symmetries.
-
-    >>> from arrangement.library import families
-    >>> first_whitney_numbers(families.resonance(6))
-    (1, -63, 1652, -22435, 159460, -510524, 371909)
-    """
-    deadline = deadline_after(time_limit)
-    if symmetry is None:
-        found = over_factors(arrangement, partial(first_whitney_numbers, time_limit=time_limit))
-        if found is not None:
-            return found
-    config = configuration(arrangement)
-    if config.rank <= MAX_RANK and symmetry is None:
-        return tuple((-1) ** k * value for k, value in enumerate(whitney_matrix(config)[0]))
-    if config.rank == 0:
-        return (1,)
+    """Return the first Whitney numbers of `config`; arguments: `counts.first_whitney_numbers`."""
     automorphisms = Automorphisms(config)
     if symmetry is None:
         generators = automorphisms.generators()
@@ -123,15 +90,6 @@ def first_whitney_numbers(
         message = f"after {time_limit} seconds the first Whitney numbers {known} are final"
         raise OutOfTimeError(f"{message}; give more time for the others", tuple(numbers)) from None
     return tuple(numbers)
-
-
-def deadline_after(time_limit: float | None) -> float:
-    """Return when so many seconds are over, by the monotonic clock."""
-    if time_limit is None:
-        return math.inf
-    if not time_limit > 0:
-        raise InputError(f"time_limit is {shown(time_limit)}; give a positive number of seconds")
-    return time.monotonic() + time_limit
 
 
 def _of_classes(planes: Planes, symmetry: Sequence[Sequence[int]]) -> list[list[int]]:
@@ -283,3 +241,64 @@ def moduli_above(bound: int, below: int = 1 << 31) -> list[int]:
     while prod(found) <= bound:
         found.append(int(prevprime(found[-1] if found else below)))
     return found
+
+
+#: Flats are told apart by class where the planes have at most 1 / 8 as many orbits as planes.
+_PLANES_IN_AN_ORBIT = 8
+
+
+def flats_and_faces(
+    planes: Planes, config: Configuration, *, faces: bool, below: int = 1 << 31
+) -> tuple[tuple[int, ...], tuple[int, ...]] | None:
+    """Return the numbers of flats of rank 0, 1, ..., and the numbers of faces in them.
+
+    A class P holds a part of its orbit, which need not be known: what it adds to the sum of mu is
+    m(P) (see the page on proofs), and mu is the same on an orbit, so it holds ``m(P) / mu(X)``
+    flats, for X its representative. Added up over an orbit this is the number of its flats. Times
+    the number of regions that the other planes cut out on X, it is the number of faces in them.
+
+    Args:
+        config: of the planes.
+        faces: whether they are wanted; if not, their numbers are those of the flats.
+        below: the primes that are used.
+
+    Returns:
+        None if the planes have few symmetries, or none.
+    """
+    from sympy.ntheory.modular import crt
+
+    automorphisms = Automorphisms(config)
+    generators = automorphisms.generators()
+    count = len(config.vectors)
+    if automorphisms.orbits(generators) * _PLANES_IN_AN_ORBIT > count:
+        return None
+    # each flat of rank k is met by at most as many regions of the other planes
+    regions = [sum(comb(count, i) for i in range(config.rank - k + 1)) for k in range(config.rank)]
+    moduli = moduli_above(max(comb(count, k) * number for k, number in enumerate(regions)), below)
+    sums = []
+    for rank, flats in enumerate(Classes(config, Images(generators), math.inf, moduli).levels()):
+        residues = [[0] * len(moduli), [0] * len(moduli)]
+        sets = unpacked(flats.members, automorphisms.size)
+        for place, members in enumerate(watched(sets, f"classes of rank {rank}")):
+            chosen = [planes.distinct[i][0] for i in np.flatnonzero(members)]
+            moebius = first_whitney_numbers(localization(planes, chosen))[-1] if rank else 1
+            inside = _regions(planes, chosen, rank) if faces else 1
+            for j, q in enumerate(moduli):
+                if moebius % q == 0:
+                    return flats_and_faces(planes, config, faces=faces, below=moduli[-1])
+                share = int(flats.values[j, place]) * pow(moebius, -1, q)
+                residues[0][j] += share
+                residues[1][j] += share * inside
+        sums.append([int(crt(moduli, row)[0]) for row in residues])
+    if config.infinity is None:
+        everything = list(range(len(planes)))
+        sums.append([1, _regions(planes, everything, config.rank) if faces else 1])
+    flats_of, faces_of = zip(*sums, strict=True)
+    return flats_of, faces_of
+
+
+def _regions(planes: Planes, chosen: list[int], rank: int) -> int:
+    """Return the number of regions that planes cut out on the intersection of some of them."""
+    if rank == planes.dimension:
+        return 1
+    return sum(map(abs, first_whitney_numbers(restriction(planes, chosen))))

@@ -12,8 +12,7 @@ import numpy.typing as npt
 
 from arrangement.console import number_form
 
-from .items import Box, Floats, Place
-from .scene import Scene
+from .scene import Box, Floats, Place, Scene
 
 Booleans: TypeAlias = npt.NDArray[np.bool_]
 #: Sizes of sign vectors that are tried, in points.

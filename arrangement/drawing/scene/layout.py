@@ -7,9 +7,7 @@ from typing import Any
 
 from arrangement.drawing.colours import BLACK, VERMILION
 
-from .items import moved
-from .measuring import POINTS, measure, wrapped
-from .scene import Key, Legend, Scene
+from .scene import POINTS, Key, Legend, Scene, measure, moved, wrapped
 
 #: The share of the width for a legend at the right, and of the height for keys and lines below.
 BESIDE, BELOW = 0.32, 1 / 6

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from arrangement.console.short_repr import Shown
+from arrangement.console.number_form import Shown
 from arrangement.counts import region_count
 from arrangement.duals.zonohedron import DualPolyhedron, dual_polyhedron
 from arrangement.errors import ArrangementError

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
 
-from arrangement.console.short_repr import Shown
+from arrangement.console.number_form import Shown
 from arrangement.enumeration.choose import enumerate_faces
 from arrangement.errors import InputError
 from arrangement.numbers.exact import IntegerVector, RationalVector, rational_vector, shown

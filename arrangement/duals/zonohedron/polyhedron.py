@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 import numpy.typing as npt
 
-from arrangement.console.short_repr import Shown
+from arrangement.console.number_form import Shown
 from arrangement.console.writing import write_bytes_atomically
 from arrangement.drawing.solids.meshes import KINDS, ClosedSurface, model_bytes, triangles
 from arrangement.errors import ArrangementError, InputError

@@ -12,7 +12,7 @@ from typing import TypeAlias
 
 import numpy as np
 
-from arrangement.console.short_repr import Shown
+from arrangement.console.number_form import Shown
 from arrangement.errors import InputError
 from arrangement.numbers.exact import IntegerVector, primitive, unoriented
 from arrangement.planes.planes import Planes

@@ -24,7 +24,7 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
-from arrangement.console.short_repr import Shown
+from arrangement.console.number_form import Shown
 
 Indices = NDArray[np.int32]
 

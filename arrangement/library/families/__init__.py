@@ -13,6 +13,7 @@ from arrangement.arrangement import Arrangement
 from .classical import (
     braid as braid,
     coordinate as coordinate,
+    coxeter as coxeter,
     generic as generic,
     h3 as h3,
     h4 as h4,
@@ -21,11 +22,6 @@ from .classical import (
     perles as perles,
     type_b as type_b,
     type_d as type_d,
-)
-from .combinatorial import (
-    resonance as resonance,
-    threshold as threshold,
-    threshold_functions as threshold_functions,
 )
 from .deformations import (
     catalan as catalan,
@@ -40,15 +36,23 @@ from .graphs import (
     graphical as graphical,
     signed_graphical as signed_graphical,
 )
-from .points import discriminantal as discriminantal, separations as separations
-from .polygons import regular as regular
+from .points import (
+    discriminantal as discriminantal,
+    resonance as resonance,
+    separations as separations,
+    threshold as threshold,
+    threshold_functions as threshold_functions,
+)
 from .randoms import (
     random_degenerate as random_degenerate,
     random_integer as random_integer,
     random_sphere as random_sphere,
 )
-from .root_systems import coxeter as coxeter
-from .simplicial import simplicial as simplicial, simplicial_entries as simplicial_entries
+from .simplicial import (
+    regular as regular,
+    simplicial as simplicial,
+    simplicial_entries as simplicial_entries,
+)
 
 #: By their names on the command line, in the order in which they are listed.
 FAMILIES: Mapping[str, Callable[..., Arrangement]] = {

@@ -15,9 +15,8 @@ from typing import TYPE_CHECKING
 from arrangement.arrangement import Arrangement
 
 from .checks import at_least, planned
-from .classical import differences, sums
+from .classical import differences, positive_roots, sums
 from .graphs import edge_differences
-from .root_systems import positive_roots
 
 if TYPE_CHECKING:
     import networkx as nx

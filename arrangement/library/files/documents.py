@@ -1,4 +1,4 @@
-"""Documents of arrangements, the own form of files, and their JSON Schema.
+"""What a format of files is, and the own one: documents of arrangements, with a JSON Schema.
 
 An arrangement::
 
@@ -18,15 +18,23 @@ Packages above this one add further kinds of document that stand for an arrangem
 from __future__ import annotations
 
 import json
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
 from importlib.resources import files
 from typing import Any
 
 from arrangement.arrangement import Arrangement
 from arrangement.console.plugins import added, named
 from arrangement.errors import InputError
-from arrangement.library.files.json_files import check_document, check_keys, check_list, kind_of
-from arrangement.numbers.exact import rational_vector
+from arrangement.library.files.json_files import (
+    check_document,
+    check_keys,
+    check_list,
+    kind_of,
+    parse_json,
+)
+from arrangement.numbers import budget
+from arrangement.numbers.exact import IntegerVector, rational_vector
 from arrangement.numbers.number_field import NumberField
 
 
@@ -43,8 +51,6 @@ def arrangement_schema() -> dict[str, Any]:
 
 #: Of a document of the kind "planes"; the first two are needed.
 KEYS = ("schema_version", "planes", "offsets", "dimension", "description", "field")
-#: Largest dimension that a file may name for an arrangement (rows of planes speak for themselves).
-MAX_DIMENSION = 1000
 
 
 def arrangement_of(document: Any, name: str) -> Arrangement:
@@ -106,8 +112,49 @@ def _of_field(value: Any, field: NumberField | None, where: str) -> Any:
 
 
 def _dimension(value: Any) -> int:
-    if type(value) is not int or not 0 <= value <= MAX_DIMENSION:
-        raise InputError(
-            f"dimension is {kind_of(value)}; expected an integer from 0 to {MAX_DIMENSION}"
-        )
+    most = budget.most("coordinates")
+    if type(value) is not int or not 0 <= value <= most:
+        raise InputError(f"dimension is {kind_of(value)}; expected an integer from 0 to {most}")
     return value
+
+
+@dataclass(frozen=True)
+class Format:
+    """A language in which arrangements are written.
+
+    Attributes:
+        recognises: whether a text is in it; the first format of the table that says so reads it.
+        read: the arrangement of a text; None where it is only written.
+        write: the text of an arrangement; None where it is only read.
+        split: the texts of single arrangements, where a file holds several.
+        loses: what the text of this arrangement does not say, in words; empty for nothing.
+    """
+
+    name: str
+    endings: tuple[str, ...]
+    recognises: Callable[[str], object] = lambda _: None
+    read: Callable[[str], Arrangement] | None = None
+    write: Callable[[Arrangement], str] | None = None
+    split: Callable[[str], Sequence[str]] = lambda text: [text]
+    loses: Callable[[Arrangement], str] = lambda _: ""
+
+
+def json_object(text: str) -> dict[str, Any]:
+    """Parse a JSON object, which may have floats where they are passed over."""
+    data = parse_json(text, "the file", floats=True)
+    if not isinstance(data, dict):
+        raise InputError(f"the file holds {kind_of(data)}; expected a JSON object")
+    return data
+
+
+def rational_planes(arrangement: Arrangement) -> tuple[IntegerVector, ...]:
+    """Return the planes as integers, the offset last.
+
+    Raises:
+        InputError: entries are irrational.
+    """
+    if arrangement.field is not None:
+        raise InputError(
+            f"entries are in {arrangement.field!r}, and this format holds rational ones; write json"
+        )
+    return arrangement.integer_planes

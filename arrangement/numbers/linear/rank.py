@@ -10,10 +10,11 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Sequence
+from fractions import Fraction
 from typing import Any, TypeVar
 
 from arrangement.numbers import budget
-from arrangement.numbers.exact import IntegerVector, dot, largest, reduced
+from arrangement.numbers.exact import IntegerVector, dot, largest, primitive, reduced
 
 #: Of a matrix with more entries a basis is guessed modulo this prime, and proved.
 _FEW, _PRIME = 2000, 2**31 - 1
@@ -61,26 +62,32 @@ def spanning(rows: Sequence[IntegerVector]) -> Sequence[IntegerVector]:
 
 def _independent(rows: Sequence[Sequence[int]]) -> list[int]:
     """Return which rows are independent of those before, modulo a prime."""
+    return echelon(list(zip(*rows, strict=True)))[1]
+
+
+def echelon(rows: Sequence[Sequence[int]]) -> tuple[Any, list[int]]:
+    """Return the reduced echelon form of integer rows modulo a prime, and its pivot columns.
+
+    These columns are independent over the integers too, but there may be more that are.
+    """
     import numpy as np
 
     budget.ask(
-        f"the rank of {len(rows)} rows",
+        f"elimination in a matrix of {len(rows)} rows",
         seconds=len(rows) * len(rows[0]) * min(len(rows), len(rows[0])) * 1e-8,
     )
     left = np.array([[x % _PRIME for x in row] for row in rows], dtype=np.int64)
-    found: list[int] = []
-    i = 0
-    while len(found) < left.shape[1] and left[i:].any():
-        i += int(left[i:].any(axis=1).argmax())
-        found.append(i)
-        column = int((left[i] != 0).argmax())
-        row = left[i] * pow(int(left[i, column]), -1, _PRIME) % _PRIME
-        i += 1
-        below = left[i:]
-        changed = np.flatnonzero(below[:, column])
-        factors = below[changed, column]
-        below[changed] = (below[changed] - factors[:, None] * row) % _PRIME
-    return found
+    pivots: list[int] = []
+    while len(pivots) < len(left) and (rest := left[len(pivots) :].any(axis=0)).any():
+        done, column = len(pivots), int(rest.argmax())
+        swap = done + int((left[done:, column] != 0).argmax())
+        left[[done, swap]] = left[[swap, done]]
+        left[done] = left[done] * pow(int(left[done, column]), -1, _PRIME) % _PRIME
+        changed = np.flatnonzero(left[:, column])
+        changed = changed[changed != done]
+        left[changed] = (left[changed] - left[changed, column, None] * left[done]) % _PRIME
+        pivots.append(column)
+    return left[: len(pivots)], pivots
 
 
 def ask_elimination(rows: Sequence[Sequence[Any]], width: int) -> None:
@@ -93,7 +100,7 @@ def ask_elimination(rows: Sequence[Sequence[Any]], width: int) -> None:
     budget.ask(
         f"elimination in a matrix of {len(rows)} rows with {width} entries",
         "leave out planes or coordinates",
-        seconds=3e-7 * digits * filled**2 * order / max(1, len(rows) * width),
+        seconds=6e-7 * digits * filled**2 * order / max(1, len(rows) * width),
     )
 
 
@@ -186,3 +193,31 @@ def cut(basis: Sequence[IntegerVector], values: Sequence[int]) -> list[IntegerVe
         for j, vector in enumerate(basis)
         if j != pivot
     ]
+
+
+def gauss_jordan(
+    matrix: Sequence[Sequence[Fraction | int]],
+) -> tuple[list[list[int]], list[int], int]:
+    """Return the reduced rows times a common scale, the pivot columns, and the scale.
+
+    Row i of the result has its pivot, of the value `scale`, in column ``pivots[i]``; rows beyond
+    the pivots are zero. Rows of the input are scaled to integers first, which changes no solution.
+    """
+    rows = [list(primitive(row)) for row in matrix]
+    pivots: list[int] = []
+    scale = 1
+    for column in range(len(rows[0]) if rows else 0):
+        done = len(pivots)
+        found = next((i for i in range(done, len(rows)) if rows[i][column]), None)
+        if found is None:
+            continue
+        rows[done], rows[found] = rows[found], rows[done]
+        top = rows[done]
+        pivot = top[column]
+        for i, row in enumerate(rows):
+            if i != done:
+                factor = row[column]
+                rows[i] = [(pivot * a - factor * b) // scale for a, b in zip(row, top, strict=True)]
+        scale = pivot
+        pivots.append(column)
+    return rows, pivots, scale

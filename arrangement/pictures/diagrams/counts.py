@@ -14,14 +14,12 @@ from arrangement.counts import f_vector, fukuda_bound
 from arrangement.drawing.colours import BLACK
 from arrangement.drawing.figure import picture
 from arrangement.drawing.registry import write_scene
-from arrangement.drawing.scene.items import Floats
 from arrangement.drawing.scene.layout import laid_out
-from arrangement.drawing.scene.measuring import checked_width
-from arrangement.drawing.scene.scene import Scene
+from arrangement.drawing.scene.scene import Floats, Scene, checked_width
 from arrangement.errors import InputError
 from arrangement.library.families import braid, generic, near_pencil, pencil, type_b
 from arrangement.numbers.exact import shown
-from arrangement.pictures.region_labels import dot, stroke
+from arrangement.pictures.parts.names import dot, stroke
 
 #: Room in points left of a panel, below it, above it, and right of it.
 _LEFT, _BELOW, _ABOVE, _RIGHT = 30.0, 26.0, 16.0, 8.0

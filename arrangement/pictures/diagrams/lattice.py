@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, TypeAlias
 
 import numpy as np
 
@@ -11,16 +12,11 @@ from arrangement.arrangement import Arrangement
 from arrangement.console.number_form import counted
 from arrangement.counts import Flat, IntersectionLattice, intersection_lattice
 from arrangement.drawing.figure import picture
-from arrangement.drawing.scene.items import Floats
-from arrangement.drawing.scene.layers import layered_orders
-from arrangement.drawing.scene.measuring import GAP, POINTS, checked_width
-from arrangement.drawing.scene.scene import Scene
-from arrangement.errors import InputError
-from arrangement.pictures.essential import RAISED
-from arrangement.pictures.sphere.disc import plane_names
+from arrangement.drawing.scene.scene import GAP, POINTS, Floats, Scene, checked_width
+from arrangement.numbers import budget
+from arrangement.pictures.parts.essential import RAISED
+from arrangement.pictures.parts.names import plane_names
 
-#: Flats of one rank beyond which a picture of one page shows nothing.
-MAX_FLATS = 500
 _INK = "#882255"
 
 
@@ -49,8 +45,7 @@ def draw_lattice(arrangement: Arrangement, *, width: float = 88.0, moebius: bool
     width = checked_width(width)
     lattice = intersection_lattice(arrangement)
     largest = max(map(len, lattice.flats))
-    if largest > MAX_FLATS:
-        raise InputError(f"{largest} flats of one rank; a picture shows at most {MAX_FLATS}")
+    budget.keep(largest, "flats of one rank in a picture")
     return _HasseDiagram(lattice, width, moebius).draw()
 
 
@@ -183,3 +178,74 @@ class _HasseDiagram:
 
 def _signed(value: int) -> str:
     return f"\u2212{-value}" if value < 0 else str(value)
+
+
+Covers: TypeAlias = Sequence[Sequence[Sequence[int]]]
+
+#: More edges than this between two layers are not counted for crossings.
+_COUNTED = 2500
+
+
+def layered_orders(
+    sizes: Sequence[int], covers: Covers, fixed: int = 0, sweeps: int = 16
+) -> list[list[int]]:
+    """Return an order of the nodes of every layer.
+
+    Args:
+        sizes: the number of nodes of each layer.
+        covers: for each layer and each node, its neighbours in the next layer.
+        fixed: so many layers, the first ones, keep their order.
+        sweeps: how often layers are sorted by the means of their neighbours, up and down in turn;
+            the order with the fewest crossings is kept (K. Sugiyama, S. Tagawa, M. Toda, IEEE
+            Trans. SMC 11 (1981)).
+    """
+    below = [_reversed(covers[k], sizes[k + 1]) for k in range(len(sizes) - 1)]
+    orders = [list(range(size)) for size in sizes]
+    best, fewest = orders, _crossings(orders, covers)
+    for sweep in range(sweeps):
+        orders = [list(order) for order in orders]
+        if sweep % 2:
+            for k in range(len(sizes) - 2, fixed - 1, -1):
+                orders[k] = _sorted(orders[k], orders[k + 1], covers[k])
+        else:
+            for k in range(max(1, fixed), len(sizes)):
+                orders[k] = _sorted(orders[k], orders[k - 1], below[k - 1])
+        count = _crossings(orders, covers)
+        if count < fewest:
+            best, fewest = orders, count
+    return best
+
+
+def _reversed(covers: Sequence[Sequence[int]], size: int) -> list[list[int]]:
+    found: list[list[int]] = [[] for _ in range(size)]
+    for node, above in enumerate(covers):
+        for cover in above:
+            found[cover].append(node)
+    return found
+
+
+def _sorted(
+    order: Sequence[int], beside: Sequence[int], neighbours: Sequence[Sequence[int]]
+) -> list[int]:
+    """Return a layer in the order of the mean places of its neighbours in the layer beside it."""
+    place = {node: (k + 0.5) / len(beside) for k, node in enumerate(beside)}
+    own = {node: (k + 0.5) / len(order) for k, node in enumerate(order)}
+
+    def mean(node: int) -> float:
+        around = [place[other] for other in neighbours[node]]
+        return round(sum(around) / len(around), 9) if around else own[node]
+
+    return sorted(order, key=lambda node: (mean(node), own[node]))
+
+
+def _crossings(orders: Sequence[Sequence[int]], covers: Covers) -> int:
+    """Return the number of pairs of edges that cross between neighbouring layers."""
+    total = 0
+    for k in range(len(orders) - 1):
+        low = {node: i for i, node in enumerate(orders[k])}
+        high = {node: i for i, node in enumerate(orders[k + 1])}
+        edges = [(low[u], high[v]) for u, above in enumerate(covers[k]) for v in above]
+        if len(edges) <= _COUNTED:
+            a, b = np.array(edges).reshape(-1, 2).T
+            total += int(((a[:, None] < a) & (b[:, None] > b)).sum())
+    return total

@@ -19,7 +19,6 @@ from arrangement.drawing.colours import (
     colouring,
 )
 from arrangement.drawing.figure import picture
-from arrangement.drawing.scene.items import Floats
 from arrangement.drawing.scene.labels import (
     SIZES,
     along,
@@ -28,14 +27,13 @@ from arrangement.drawing.scene.labels import (
     sign_text,
     write_beside,
 )
-from arrangement.drawing.scene.measuring import POINTS, checked_width
-from arrangement.drawing.scene.scene import Scene
+from arrangement.drawing.scene.scene import POINTS, Floats, Scene, checked_width
+from arrangement.drawing.scene.shapes import arrow
 from arrangement.errors import InputError, refusal
 from arrangement.numbers.exact import shown
-from arrangement.pictures.essential import shown_as
-from arrangement.pictures.region_labels import RegionLabels, dot, explain_regions, swatch
-from arrangement.pictures.space.axes import arrow
-from arrangement.pictures.sphere.disc import alone, label_regions, plane_names
+from arrangement.pictures.parts.essential import shown_as
+from arrangement.pictures.parts.names import RegionLabels, dot, explain_regions, plane_names, swatch
+from arrangement.pictures.sphere.disc import alone, label_regions
 
 from .line_charts import LinesChart
 
@@ -214,8 +212,8 @@ class _Sheet:
             for side in sorted(sides):
                 tip = start + 9 * side * left
                 self.arms.append(np.array([start, tip]))
-                look: dict[str, Any] = {"ec": "black", "lw": 0.7, "zorder": 4, "role": "arrow"}
-                arrow(self.scene, start, tip, gid=f"side-{label}", **look)
+                look: dict[str, Any] = {"fc": "black", "ec": "none", "zorder": 4}
+                arrow(self.scene, start, tip, 0.55, gid=f"side-{label}", **look)
 
     def plane(self, place: Floats) -> Floats:
         """Return the homogeneous point of the plane at a place on paper."""

@@ -18,17 +18,15 @@ from arrangement.drawing.colours import (
 )
 from arrangement.drawing.figure import picture
 from arrangement.drawing.registry import Vector
-from arrangement.drawing.scene.items import Box, Floats
 from arrangement.drawing.scene.labels import SIZES, keep_off, ring, tried, write_along, write_beside
-from arrangement.drawing.scene.measuring import checked_width
-from arrangement.drawing.scene.scene import Scene
+from arrangement.drawing.scene.scene import Box, Floats, Scene, checked_width
 from arrangement.drawing.solids.sight import lit, unit, unit_vectors
 from arrangement.duals.zonohedron import dual_polyhedron
 from arrangement.numbers.exact import IntegerVector
-from arrangement.pictures.essential import shown_as
-from arrangement.pictures.region_labels import RegionLabels, explain_regions, stroke
-from arrangement.pictures.sphere.coordinates import in_coordinates
-from arrangement.pictures.sphere.disc import HIDDEN, Disc, front, plane_names, rim_width
+from arrangement.pictures.parts.coordinates import in_coordinates
+from arrangement.pictures.parts.essential import shown_as
+from arrangement.pictures.parts.names import RegionLabels, explain_regions, plane_names, stroke
+from arrangement.pictures.sphere.disc import HIDDEN, Disc, front, rim_width
 from arrangement.pictures.sphere.globe import Globe, clear_direction
 from arrangement.pictures.sphere.projections import orthographic
 

@@ -10,12 +10,18 @@ from typing import TYPE_CHECKING, TypeAlias
 
 import numpy as np
 
-from arrangement.drawing.scene.items import Floats
+from arrangement.arrangement import Arrangement
+from arrangement.drawing.colours import side_colour
+from arrangement.drawing.output import millimetres
+from arrangement.drawing.scene.scene import Floats
 from arrangement.drawing.solids.sight import face_normal, unit_vectors
 from arrangement.duals.zonohedron import DualPolyhedron, dual_polygon, dual_polyhedron, dual_segment
+from arrangement.duals.zonohedron.polyhedron import content
 from arrangement.numbers.exact import IntegerVector, dot
 from arrangement.numbers.linear.rank import cycle_edges, difference, triple_product
 from arrangement.numbers.number_field import rational_near
+from arrangement.pictures.parts.coordinates import in_coordinates
+from arrangement.pictures.parts.essential import brought
 from arrangement.planes.planes import Planes
 
 if TYPE_CHECKING:
@@ -156,3 +162,24 @@ def _crossed(arrangement: Planes, left: tuple[int, ...], right: tuple[int, ...])
     """Return the class of planes between two neighbouring regions."""
     plane = next(i for i, (s, t) in enumerate(zip(left, right, strict=True)) if s != t)
     return arrangement.class_of[plane]
+
+
+def dual_model(
+    arrangement: Arrangement, suffix: str, *, size: float = 60.0, coordinates: str = "given"
+) -> bytes:
+    """Return the dual polyhedron as a file; see `DualPolyhedron.export`.
+
+    In GLB a face is coloured by its number of corners.
+
+    Args:
+        arrangement: central, of rank 3; in another space than R^3 its essentialisation.
+        suffix: ``.stl``, ``.glb`` or ``.obj``.
+        size: the largest side of the bounding box, in millimetres.
+        coordinates: "given"; or "symmetric" or "even" as for `draw_dual`, with generators of
+            length 1.
+    """
+    arrangement, _ = in_coordinates(coordinates, brought(arrangement, "dual"))
+    lengths = None if coordinates == "given" else unit_lengths(arrangement)
+    dual = dual_polyhedron(arrangement, lengths)
+    colours = tuple(side_colour(len(face)) for face in dual.faces)
+    return content(dual, suffix, millimetres(size, "size"), colours)

@@ -11,20 +11,20 @@ from typing import Any
 import numpy as np
 
 from arrangement.arrangement import Arrangement
-from arrangement.console.number_form import Form, counted, sign_text, vector
+from arrangement.console.number_form import counted, sign_text
 from arrangement.drawing.pages.html_page import BASE_SCRIPT, BASE_STYLE, Template, one_page, own
 from arrangement.drawing.registry import Vector
 from arrangement.drawing.solids.sight import picture_axes, unit, unit_vectors
 from arrangement.duals.zonohedron.incidence import dual_incidence
 from arrangement.enumeration.great_circles import SphereArrangement
-from arrangement.errors import InputError, refusal
-from arrangement.numbers.exact import IntegerVector, RationalVector, shown, to_text
-from arrangement.pictures.essential import brought, caption
-from arrangement.pictures.sphere.coordinates import CHOICES, even_map, is_narrow, symmetric_map
+from arrangement.errors import refusal
+from arrangement.numbers import budget
+from arrangement.numbers.exact import IntegerVector, shown, to_text
+from arrangement.pictures.parts.coordinates import CHOICES, even_map, is_narrow, symmetric_map
+from arrangement.pictures.parts.essential import brought, caption
+from arrangement.pictures.parts.names import equation, generator_text
 from arrangement.pictures.sphere.globe import Globe, clear_direction
 
-#: Distinct planes beyond which a page is too slow to turn by hand.
-MAX_CIRCLES = 30
 _OWN = "arrangement.pictures.page"
 SCRIPTS: tuple[Template, ...] = (
     BASE_SCRIPT,
@@ -52,7 +52,7 @@ def arrangement_page(
     point. Planes can be taken away and put back.
 
     Args:
-        arrangement: central, of rank at most 3, up to `MAX_CIRCLES` distinct planes.
+        arrangement: central, of rank at most 3, up to 30 distinct planes.
         title: a heading; if omitted, the number of planes.
         colour: of the regions at first: "sides" (by number of sides), "signs" (by number of minus
             signs), "parity" (two colours), "none"; if omitted, sides if they differ, else parity.
@@ -68,10 +68,7 @@ def arrangement_page(
         raise refusal(f"the colouring is {shown(colour)}", colour, COLOURINGS)
     summary = _summary(arrangement)
     arrangement = brought(arrangement, "arrangement")
-    if len(arrangement.distinct) > MAX_CIRCLES:
-        raise InputError(
-            f"{len(arrangement.distinct)} distinct planes; a page shows at most {MAX_CIRCLES}"
-        )
+    budget.keep(len(arrangement.distinct), "great circles on a page")
     if coordinates is not None and coordinates not in CHOICES:
         raise refusal(f"the coordinates are {shown(coordinates)}", coordinates, CHOICES)
     globe = Globe(arrangement, direction)
@@ -196,31 +193,6 @@ def _region(sphere: SphereArrangement, region: int) -> dict[str, Any]:
         "inside": _unit(witness),
         "boundary": sphere.incidence.boundary(region).tolist() if sphere.rank else [],
     }
-
-
-def equation(normal: IntegerVector, offset: int = 0) -> str:
-    """Return the equation of a plane, such as ``x - 2y + z = 0`` or ``2x + (1 + a) y = 0``."""
-    text = ""
-    for entry, name in zip(normal, "xyz", strict=True):
-        if entry:
-            joint = ("-" if entry < 0 else "") if not text else (" - " if entry < 0 else " + ")
-            factor = to_text(abs(entry)) if abs(entry) != 1 else ""
-            if not isinstance(entry, int):
-                factor = factor.replace("*", "")
-                factor = f"({factor}) " if " " in factor else f"{factor} "
-            text += f"{joint}{factor}{name}"
-    return f"{text} = {to_text(offset)}"
-
-
-def point_text(point: RationalVector) -> str:
-    """Return the exact coordinates of a point, however long they are."""
-    with Form(exact=True).used():
-        return vector(point)
-
-
-def generator_text(arrangement: Arrangement) -> str:
-    """Return what the letter a in the numbers of a page is; nothing for rational planes."""
-    return "" if arrangement.field is None else f"numbers in {arrangement.field!r}"
 
 
 def _exact(vector: IntegerVector) -> list[str]:

@@ -12,35 +12,34 @@ import numpy as np
 
 from arrangement.arrangement import Arrangement
 from arrangement.console.number_form import counted
-from arrangement.drawing.colours import SKIN, fill_colour, pale
+from arrangement.drawing.colours import SKIN, DrawnRegion, Painter, fill_colour, painter, pale
 from arrangement.drawing.figure import picture
+from arrangement.drawing.output import millimetres
 from arrangement.drawing.pages.solid_page import PageFace, SolidPage
 from arrangement.drawing.registry import Exact, Vector
-from arrangement.drawing.scene.items import Floats
-from arrangement.drawing.scene.measuring import checked_width
-from arrangement.drawing.scene.scene import Scene
+from arrangement.drawing.scene.scene import Floats, Scene, checked_width
 from arrangement.drawing.solids.depth_tree import Node
+from arrangement.drawing.solids.meshes import ClosedSurface, model_bytes, triangles
 from arrangement.drawing.solids.sight import picture_axes, view_direction
 from arrangement.duals.cells import Cell, Cells, cut_cells
 from arrangement.errors import InputError
+from arrangement.numbers import budget
 from arrangement.numbers.exact import shown
 from arrangement.numbers.linear.rank import cycle_edges
-from arrangement.pictures.duals.models import centroid
-from arrangement.pictures.essential import brought, caption, shown_as
-from arrangement.pictures.page.page import equation, generator_text, point_text
-from arrangement.pictures.region_labels import RegionLabels
-from arrangement.pictures.sphere.coordinates import in_coordinates
-from arrangement.pictures.sphere.disc import plane_names
+from arrangement.pictures.parts.coordinates import in_coordinates
+from arrangement.pictures.parts.essential import brought, caption, shown_as
+from arrangement.pictures.parts.names import (
+    RegionLabels,
+    equation,
+    generator_text,
+    plane_names,
+    point_text,
+)
 
-from .axes import StagedAxes
-from .exploded_cells import Lifted, sharp
-from .painting import Stage, unit_points, walls_of_edges
-from .plane_names import Names
-from .planesheet import PlanesSheet
+from .exploded_cells import Lifted, Stage, StagedAxes, sharp, unit_points, walls_of_edges
+from .planes import Names, PlanesSheet
 from .view_direction import clear_sight
 
-#: More cells hide each other, and are too many for a page.
-MOST = 400
 #: Up to so many cells have labels.
 _NAMED = 60
 #: The plane of a node that nothing lies before or behind.
@@ -180,11 +179,7 @@ def _cells(
     if not isinstance(explode, int | float) or not 1 <= explode <= 3:
         raise InputError(f"explode is {shown(explode)}; give a factor from 1 to 3")
     cells = cut_cells(arrangement, body, centre, radius)
-    if len(cells.cells) > MOST:
-        raise InputError(
-            f"{len(cells.cells)} cells; at most {MOST} can be told apart. A smaller radius shows a "
-            "part, the view planes shows the planes"
-        )
+    budget.keep(len(cells.cells), "cells in a picture", "a smaller radius shows fewer")
     return cells
 
 
@@ -219,3 +214,88 @@ def _faces(points: Floats, cell: Cell, number: int) -> list[PageFace]:
         lines = np.array(edges).reshape(-1, 2, 3)
         found.append(PageFace(corners, fill, normal, lines, number, middle))
     return found
+
+
+def cells_model(
+    arrangement: Arrangement,
+    suffix: str,
+    *,
+    body: str = "ball",
+    centre: Vector | None = None,
+    radius: Exact | None = None,
+    explode: float = 1.3,
+    size: float = 60.0,
+    colour: str | Painter = "planes",
+    coordinates: str = "given",
+) -> bytes:
+    """Return all cells of an arrangement in a ball or a cube as separate closed parts.
+
+    Every region of the arrangement meets the body (unless a smaller one is asked for), and gives
+    one part. The parts are cut exactly and fit together without gaps; the ball is a polyhedron of
+    5120 triangles. A part moves outward by ``explode - 1`` times the way from the centre of the
+    body to its middle.
+
+    STL has one closed shell for each part, OBJ one object, GLB one node. Objects and nodes are
+    named by the sign vector.
+
+    Args:
+        arrangement: of rank at most 3, central or not, coincident planes allowed; in another space
+            than R^3 its essentialisation.
+        suffix: ``.stl``, ``.glb`` or ``.obj``.
+        body: "ball" or "cube".
+        centre, radius: exact, of the body; see `body_around`.
+        explode: at least 1; with 1 the parts stay together.
+        size: the diameter of the ball or the edge of the cube before the parts move, in
+            millimetres.
+        colour: in GLB. "planes" (a wall has the colour of its plane), "sides" (a cell by its
+            number of walls), "signs" (by its number of minus signs), "none", or a function of a
+            `DrawnRegion`.
+        coordinates: of central planes: "given", "symmetric" or "even", as for `draw_planes`.
+
+    Raises:
+        InputError: another space, too many planes, a bad option.
+        ArrangementError: a cell is too thin for single precision; with vertices far apart, choose
+            a smaller radius.
+    """
+    if not isinstance(explode, int | float) or not 1 <= explode <= 10:
+        raise InputError(f"explode is {shown(explode)}; give a factor from 1 to 10")
+    paint = None if colour == "planes" else painter(colour)
+    half = millimetres(size, "size") / 2
+    arrangement, _ = in_coordinates(coordinates, brought(arrangement, "cells"))
+    cells = cut_cells(arrangement, body, centre, radius)
+    points = unit_points(cells) * half
+    parts = [_part(cells, cell, points, explode - 1, paint) for cell in cells.cells]
+    kind = counted(len(parts), "cell")
+    return model_bytes(parts, suffix, f"{kind} of an arrangement in a {body}")
+
+
+def _part(
+    cells: Cells, cell: Cell, points: Floats, apart: float, paint: Painter | None
+) -> ClosedSurface:
+    used = sorted({i for face in cell.faces for i in face})
+    number = {old: new for new, old in enumerate(used)}
+    own = points[used]
+    faces = tuple(tuple(number[i] for i in face) for face in cell.faces)
+    walls = {wall for wall in cell.walls if wall >= 0}
+    if paint is None:
+        colours = tuple(pale(fill_colour(w)) if w >= 0 else SKIN for w in cell.walls)
+    else:
+        colours = (paint(DrawnRegion(cell.signs, len(walls))),) * len(faces)
+    middle = centroid(own, faces) * apart
+    text = "".join("+" if s > 0 else "-" for s in cell.signs)
+    shift = (float(middle[0]), float(middle[1]), float(middle[2]))
+    return ClosedSurface(text or "all", own, faces, colours, shift, {"signs": text})
+
+
+def centroid(points: Floats, faces: tuple[tuple[int, ...], ...]) -> Floats:
+    """Return the centre of mass of a closed surface of convex faces.
+
+    Raises:
+        InputError: it is flat in floats.
+    """
+    a, b, c = (points[column] for column in triangles(faces).T)
+    volumes = np.einsum("ij,ij->i", a, np.cross(b, c))
+    if abs(volumes.sum()) < 1e-12 * abs(points).max() ** 3:
+        raise InputError("a cell is too thin for floats; try the coordinates even")
+    middle: Floats = (volumes @ (a + b + c)) / (4 * volumes.sum())
+    return middle

@@ -7,7 +7,7 @@ from itertools import combinations
 
 import numpy as np
 
-from arrangement.drawing.scene.items import Floats
+from arrangement.drawing.scene.scene import Floats
 from arrangement.drawing.solids.sight import best_view, unit_vectors, views
 from arrangement.duals.cells import Cells
 from arrangement.numbers.exact import IntegerVector, primitive, unoriented
@@ -86,7 +86,7 @@ def _apart(units: Floats, normals: Sequence[Floats]) -> Floats:
 
 def _ways(cells: Cells, lifted: Sequence[tuple[int, ...]]) -> list[Floats]:
     """Return the unit directions from the centre to the lifted cells."""
-    from .painting import unit_points
+    from .exploded_cells import unit_points
 
     points, ways = unit_points(cells), []
     for cell in cells.cells:

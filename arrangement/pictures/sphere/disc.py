@@ -10,7 +10,6 @@ from typing import Any
 import numpy as np
 
 from arrangement.drawing.colours import DrawnRegion, Painter, letter_colour
-from arrangement.drawing.scene.items import Box, Floats
 from arrangement.drawing.scene.labels import (
     SIZES,
     Leaders,
@@ -21,9 +20,9 @@ from arrangement.drawing.scene.labels import (
     turn,
     write_inside,
 )
-from arrangement.drawing.scene.scene import Scene
+from arrangement.drawing.scene.scene import Box, Floats, Scene
 from arrangement.numbers.exact import dot
-from arrangement.pictures.region_labels import RegionLabels
+from arrangement.pictures.parts.names import RegionLabels, plane_names, thinner
 
 from .globe import Globe
 from .projections import Drawn, Projection
@@ -32,8 +31,6 @@ from .projections import Drawn, Projection
 RIM = 13.0
 #: What is hidden: thinner, lighter, dashed. One rule for spheres and polyhedra.
 HIDDEN: dict[str, Any] = {"lw": 0.5, "ls": (0, (3, 3)), "alpha": 0.5, "zorder": 2, "role": "hidden"}
-#: From so many circles on lines are thinner.
-_MANY = 15
 #: More regions than this get no leader lines.
 _MOST_LEADERS = 150
 
@@ -170,11 +167,6 @@ class Disc:
                     return
 
 
-def thinner(count: int) -> float:
-    """Return by what lines are multiplied where so many planes are drawn."""
-    return min(1.0, math.sqrt(_MANY / max(1, count)))
-
-
 def _corner(scene: Scene) -> tuple[float, float]:
     return scene.width, scene.height
 
@@ -238,19 +230,3 @@ def rim_width(scene: Scene, globe: Globe, names: RegionLabels | None = None) -> 
 def front(globe: Globe, projection: Projection) -> Drawn:
     """Return the arrangement with the limb as one more circle, in a projection."""
     return Drawn(globe.cut, globe.points, globe.normals, projection)
-
-
-def plane_names(members: Sequence[int], count: int | None = None) -> str:
-    """Return plane numbers counted from 1, runs of four and more shortened: ``1,2,5-9``."""
-    numbers = [k + 1 for k in members if count is None or k < count]
-    parts: list[str] = []
-    while numbers:
-        run = 1
-        while run < len(numbers) and numbers[run] == numbers[0] + run:
-            run += 1
-        if run >= 4:
-            parts.append(f"{numbers[0]}\u2013{numbers[run - 1]}")
-        else:
-            parts += map(str, numbers[:run])
-        numbers = numbers[run:]
-    return ",".join(parts)

@@ -12,18 +12,16 @@ from arrangement.arrangement import Arrangement
 from arrangement.drawing.colours import Painter
 from arrangement.drawing.figure import picture
 from arrangement.drawing.registry import Vector
-from arrangement.drawing.scene.items import Floats
 from arrangement.drawing.scene.labels import ring
-from arrangement.drawing.scene.measuring import checked_width
-from arrangement.drawing.scene.scene import Scene
+from arrangement.drawing.scene.scene import Floats, Scene, checked_width
 from arrangement.drawing.solids.sight import best_view, picture_axes, unit_vectors, views
 from arrangement.numbers.exact import IntegerVector, dot, reduced, unoriented
 from arrangement.numbers.linear.rank import cross
-from arrangement.pictures.essential import shown_as
-from arrangement.pictures.region_labels import RegionLabels, explain_regions
+from arrangement.pictures.parts.coordinates import in_coordinates, symmetry
+from arrangement.pictures.parts.essential import shown_as
+from arrangement.pictures.parts.names import RegionLabels, explain_regions, plane_names
 
-from .coordinates import in_coordinates, symmetry
-from .disc import alone, front, plane_names
+from .disc import alone, front
 from .globe import Globe, far_direction
 from .projections import CompressedChart, Drawn, StraightChart, orthographic
 

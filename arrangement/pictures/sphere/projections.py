@@ -15,7 +15,8 @@ from typing import TypeAlias
 
 import numpy as np
 
-from arrangement.drawing.scene.items import Floats
+from arrangement.drawing.scene.scene import Floats
+from arrangement.drawing.scene.shapes import joined
 from arrangement.drawing.solids.sight import across
 from arrangement.enumeration.great_circles import SphereArrangement
 from arrangement.numbers.linear.rank import cross
@@ -216,12 +217,3 @@ def _points(normal: Floats, start: Floats, angle: float, most: float) -> tuple[F
     steps = max(1, math.ceil(angle / max(most, 1e-3) - 1e-9))
     at = np.linspace(0, angle, steps + 1)[:, None]
     return np.cos(at) * start + np.sin(at) * side, np.cos(at) * side - np.sin(at) * start
-
-
-def joined(place: Floats, handle: Floats) -> Floats:
-    """Return the control points of cubic curves through `place` with the given handles."""
-    curve = np.empty((3 * len(place) - 2, 2))
-    curve[0::3] = place
-    curve[1::3] = place[:-1] + handle[:-1]
-    curve[2::3] = place[1:] - handle[1:]
-    return curve

@@ -12,16 +12,20 @@ from arrangement.arrangement import Arrangement
 from arrangement.drawing.colours import Painter
 from arrangement.drawing.figure import picture
 from arrangement.drawing.registry import AxisNames, Vector
-from arrangement.drawing.scene.items import Floats
 from arrangement.drawing.scene.labels import keep_off, write_beside
-from arrangement.drawing.scene.measuring import checked_width
-from arrangement.drawing.scene.scene import Scene
+from arrangement.drawing.scene.scene import Floats, Scene, checked_width
+from arrangement.drawing.scene.shapes import arrow
 from arrangement.drawing.solids.sight import unit, unit_vectors
-from arrangement.pictures.essential import shown_as
-from arrangement.pictures.region_labels import RegionLabels, explain_regions
-from arrangement.pictures.space.axes import INK, REACH, arrow, drawn_axes, within_reach
+from arrangement.pictures.parts.coordinates import (
+    INK,
+    REACH,
+    drawn_axes,
+    in_coordinates,
+    within_reach,
+)
+from arrangement.pictures.parts.essential import shown_as
+from arrangement.pictures.parts.names import RegionLabels, explain_regions
 
-from .coordinates import in_coordinates
 from .disc import HIDDEN, Disc, alone, front
 from .globe import Globe
 from .projections import orthographic
@@ -104,7 +108,8 @@ def _axis(disc: Disc, k: int) -> Floats:
     hidden = {**HIDDEN, "zorder": 2.2, "gid": f"axis-{k + 1}-hidden"}
     disc.scene.line([disc.centre, start], ec=INK, **hidden)
     if out < REACH:
-        arrow(disc.scene, start, tip, zorder=3.5, gid=f"axis-{k + 1}")
+        look: dict[str, Any] = {"fc": INK, "ec": "none", "role": "axis", "zorder": 3.5}
+        arrow(disc.scene, start, tip, 0.6, gid=f"axis-{k + 1}", **look)
     return np.array([disc.centre, tip])
 
 
@@ -121,5 +126,7 @@ def _side(disc: Disc, circle: int) -> Floats:
     foot = spots[int(np.argmax(clear))]
     tip = math.cos(0.1) * foot + math.sin(0.1) * normal
     ends = disc.on_paper(np.array([foot[:2], tip[:2]]))
-    arrow(disc.scene, *ends, ec="black", lw=0.7, zorder=3.5, gid=f"side-{circle}", role="arrow")
+    arrow(
+        disc.scene, ends[0], ends[1], 0.55, fc="black", ec="none", zorder=3.5, gid=f"side-{circle}"
+    )
     return ends

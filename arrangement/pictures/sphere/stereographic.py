@@ -12,7 +12,6 @@ from arrangement.arrangement import Arrangement
 from arrangement.drawing.colours import DrawnRegion, Painter
 from arrangement.drawing.figure import picture
 from arrangement.drawing.registry import Vector
-from arrangement.drawing.scene.items import Floats
 from arrangement.drawing.scene.labels import (
     along,
     flattened,
@@ -21,16 +20,15 @@ from arrangement.drawing.scene.labels import (
     write_beside,
     write_inside,
 )
-from arrangement.drawing.scene.measuring import checked_width
-from arrangement.drawing.scene.scene import Scene
+from arrangement.drawing.scene.scene import Floats, Scene, checked_width
 from arrangement.drawing.solids.sight import unit_vectors
 from arrangement.errors import InputError
 from arrangement.numbers.exact import IntegerVector
-from arrangement.pictures.essential import shown_as
-from arrangement.pictures.region_labels import RegionLabels, explain_regions
+from arrangement.pictures.parts.coordinates import in_coordinates
+from arrangement.pictures.parts.essential import shown_as
+from arrangement.pictures.parts.names import RegionLabels, explain_regions, plane_names
 
-from .coordinates import in_coordinates
-from .disc import HIDDEN, alone, front, label_regions, plane_names, rim_width
+from .disc import HIDDEN, alone, front, label_regions, rim_width
 from .globe import Globe, far_direction
 from .projections import Drawn, stereographic
 

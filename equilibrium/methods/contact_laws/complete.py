@@ -6,8 +6,8 @@ from arrangement.numbers.exact import RationalVector
 from equilibrium.decide.spatial_verdict import solve_in_space
 from equilibrium.decide.verdict import Solver
 from equilibrium.methods.method import Method, Outcome
+from equilibrium.model.contact import pyramid_words
 from equilibrium.model.grasp import Grasp
-from equilibrium.model.pyramid import pyramid_words
 from equilibrium.wrench_sets.plane import resisted_region
 
 

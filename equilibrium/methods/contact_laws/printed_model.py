@@ -11,8 +11,8 @@ from collections.abc import Collection, Iterable
 from dataclasses import dataclass
 from typing import Any
 
+from arrangement.console.number_form import Shown
 from arrangement.console.progress import watched
-from arrangement.console.short_repr import Shown
 from arrangement.enumeration.paper_steps import published_enumeration
 from arrangement.numbers.exact import RationalVector, to_text
 from arrangement.planes.faces import Face

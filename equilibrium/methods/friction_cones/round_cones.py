@@ -17,8 +17,8 @@ from arrangement.numbers.exact import RationalVector, dot
 from arrangement.numbers.linear.programs import Infeasible, Row, feasible_point
 from equilibrium.methods.contact_laws.springs import Forces
 from equilibrium.methods.method import Accepting
+from equilibrium.model.contact import pyramid_edges
 from equilibrium.model.grasp import Grasp, read_wrench
-from equilibrium.model.pyramid import pyramid_edges
 from equilibrium.plane.contact_rows import cone_edge, unit_row
 
 from .grasp_wrench_space import GraspWrenchSpace

@@ -33,10 +33,10 @@ from arrangement.numbers.exact import RationalVector, primitive, rational, shown
 from arrangement.numbers.linear.polyhedron import Polyhedron, from_generators
 from arrangement.numbers.linear.programs import Infeasible, Unbounded, feasible_point, minimize
 from equilibrium.methods.method import Method, Outcome, cut
+from equilibrium.model.contact import pyramid_words
 from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import Grasp, read_wrench
 from equilibrium.model.outline import coordinates
-from equilibrium.model.pyramid import pyramid_words
 from equilibrium.plane.contact_rows import (
     balance_rows,
     cone_rows,

@@ -10,21 +10,28 @@ import numpy as np
 from arrangement.drawing.colours import BLACK, BLUE, GREY, PALE, VERMILION
 from arrangement.drawing.figure import picture
 from arrangement.drawing.registry import Corner, Exact, Vector, Wrench
-from arrangement.drawing.scene.items import Floats
 from arrangement.drawing.scene.labels import flattened, ring
-from arrangement.drawing.scene.measuring import checked_width
-from arrangement.drawing.scene.scene import Legend, Scene, fitted
+from arrangement.drawing.scene.scene import Floats, Legend, Scene, checked_width, fitted
+from arrangement.drawing.scene.shapes import arrow, turning_arrow
 from equilibrium.decide.verdict import Solver
 from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import Grasp
 from equilibrium.model.range import SMALL, Range
-from equilibrium.pictures.keys import bar, explain_grasp, symbol
+from equilibrium.pictures.parts.shapes import Labels, mark
+from equilibrium.pictures.parts.style import (
+    CONE_EDGE,
+    CONE_FILL,
+    bar,
+    explain_grasp,
+    nice_near,
+    number,
+    symbol,
+    vector,
+)
 from equilibrium.pictures.space.space_grasp import drawn_in_space, solved_in_space
-from equilibrium.pictures.style import CONE_EDGE, CONE_FILL, nice_near, number, vector
 from equilibrium.plane.search.state_equilibrium import Solution
 
 from .layout import ARC, FORCE, Layout, displaced, layout_of
-from .shapes import Labels, arrow, mark, turning_arrow
 
 
 @picture

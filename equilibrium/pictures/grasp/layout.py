@@ -10,20 +10,19 @@ from typing import Any
 
 import numpy as np
 
-from arrangement.drawing.scene.items import Floats
 from arrangement.drawing.scene.labels import flattened
+from arrangement.drawing.scene.scene import Floats
 from arrangement.numbers.exact import RationalVector
 from equilibrium.decide.verdict import Verdict
 from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import Grasp
 from equilibrium.model.outline import Polygon
-from equilibrium.pictures.style import nice_near, rounded
+from equilibrium.pictures.parts.body import Frame, body, frame_of, free_lengths, stated_body
+from equilibrium.pictures.parts.style import nice_near, rounded
 from equilibrium.plane.search.state_equilibrium import Solution
 from equilibrium.plane.states.contact_states import states_at
 from equilibrium.plane.states.equilibrium import Equilibrium
 from equilibrium.plane.states.state_system import States
-
-from .body import Frame, body, frame_of, free_lengths, stated_body
 
 #: Lengths on paper, where the contacts fill [-1, 1]: cones, the largest force, its torque arc.
 CONE, FORCE, ARC = 0.42, 0.65, 0.2

@@ -13,26 +13,23 @@ import numpy as np
 from arrangement.drawing.colours import BLUE, GREY, VERMILION, fill_colour, pale
 from arrangement.drawing.figure import picture
 from arrangement.drawing.registry import Exact, Wrench
-from arrangement.drawing.scene.items import Floats
 from arrangement.drawing.scene.labels import flattened
-from arrangement.drawing.scene.measuring import POINTS, area, checked_width
-from arrangement.drawing.scene.scene import Scene
+from arrangement.drawing.scene.scene import POINTS, Floats, Scene, area, checked_width
+from arrangement.drawing.scene.shapes import arc, arrow, turning_arrow
 from arrangement.numbers.exact import RationalVector
 from equilibrium.certificate.leaves import ClosedPart, works
 from equilibrium.decide.verdict import Verdict
 from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import Grasp
-from equilibrium.pictures.keys import symbol
+from equilibrium.pictures.parts.panel import ABOVE, BELOW, GAP, LEFT, RIGHT, Panel
+from equilibrium.pictures.parts.shapes import Labels
+from equilibrium.pictures.parts.style import number, symbol, vector
+from equilibrium.pictures.parts.window import roomiest
 from equilibrium.pictures.space.space_grasp import proof_in_space
-from equilibrium.pictures.style import number, vector
-from equilibrium.pictures.wrenches.panel import ABOVE, BELOW, LEFT, Panel
-from equilibrium.pictures.wrenches.row import GAP, RIGHT
-from equilibrium.pictures.wrenches.window import roomiest
 
 from .grasp import GraspPicture
 from .layout import MOVED, Layout, layout_of, shift_at
 from .proof_maps import MAP, TURNS, Shape, proof_maps, summary_lines
-from .shapes import Labels, arc, arrow, turning_arrow
 
 #: Half the side of the small grasps, where the contacts fill [-1, 1]: with numbers, and without.
 _SMALL = (2.1, 1.7)

@@ -8,8 +8,7 @@ from fractions import Fraction
 from typing import NamedTuple
 
 from arrangement.drawing.registry import Exact, Wrench
-from arrangement.drawing.scene.items import Floats
-from arrangement.drawing.scene.measuring import area
+from arrangement.drawing.scene.scene import Floats, area
 from arrangement.numbers.exact import IntegerVector, RationalVector, primitive, rational
 from arrangement.numbers.linear.cones import generators
 from arrangement.numbers.linear.polyhedron import Polyhedron, from_conditions
@@ -17,11 +16,10 @@ from equilibrium.certificate.leaves import ClosedPart, parts
 from equilibrium.decide.verdict import Solver, Verdict
 from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import Grasp
-from equilibrium.pictures.style import nice_near, number, vector
-from equilibrium.pictures.wrenches.window import Window
+from equilibrium.pictures.parts.body import Frame, frame_of
+from equilibrium.pictures.parts.style import nice_near, number, vector
+from equilibrium.pictures.parts.window import Window
 from equilibrium.plane.contact_rows import negated, normal_force_row, slip_row
-
-from .body import Frame, frame_of
 
 #: Half the side of the maps, where the contacts fill [-1, 1].
 MAP = 3

@@ -7,19 +7,48 @@ nothing with the solver here but the form of files. Its proofs are certificates 
 
 from __future__ import annotations
 
+from importlib.resources import files
 from pathlib import Path
-from typing import Any
+from typing import Any, get_args
 
+from arrangement.console.number_form import counted
 from arrangement.drawing.pages.html_page import Template
 from arrangement.drawing.registry import Wrench
 from arrangement.errors import InputError
+from arrangement.numbers.exact import shown
+from arrangement.pictures.lab.exercises import read_exercises
 from arrangement.pictures.lab.page import LINEAR, RATIONAL, lab
 from equilibrium.decide.verdict import solve
 from equilibrium.grasps.files import read_grasp
 from equilibrium.grasps.inputs.documents import question_document
-from equilibrium.model.grasp import Grasp
+from equilibrium.model.contact import Contact
+from equilibrium.model.grasp import Grasp, read_wrench
+from equilibrium.pictures.parts.style import SKETCH_SCRIPT, SKETCH_STYLE
+from equilibrium.plane.states.state_system import State
 
-from .exercises import slip_exercises
+
+def resist_page(grasp: Grasp, *, wrench: Wrench | None = None, title: str | None = None) -> str:
+    """Return one HTML page, complete in itself: the resisted forces of a grasp.
+
+    The plane of forces, at the torque of the load, shows every piece (one choice of contact
+    states). The load can be dragged there, and the contacts beside it: the page tells whether the
+    load is resisted, with which states, forces and motions, or proves that it is not.
+
+    Args:
+        grasp: as many contacts as the lab takes.
+        wrench: at first; if omitted, none.
+        title: a heading; if omitted, the number of contacts.
+
+    Raises:
+        InputError: a grasp in space, too many contacts or digits, or no wrench.
+        OverflowError: the wrench is beyond floats.
+    """
+    if title is None:
+        title = f"Forces that {counted(len(grasp), 'contact')} resist"
+    load = read_wrench((0, 0, 0) if wrench is None else wrench)
+    sum(map(float, load))  # OverflowError: beyond floats there is no place in the picture
+    return lab_page(grasp, wrench=load, title=title, first="forces")
+
 
 #: Contacts beyond which the answers of the page take more than about a second.
 MAX_CONTACTS = 8
@@ -42,7 +71,7 @@ _EXAMPLES: tuple[tuple[str, str, tuple[int | str, ...]], ...] = (
     ("Contacts at one place", "coincident-contacts", (0, -1, 0)),
     ("Opposed contacts without friction", "frictionless-opposed-contacts", (0, -1, 0)),
 )
-_OWN, _DRAW = "equilibrium.pictures.lab", "equilibrium.pictures.pages"
+_OWN = "equilibrium.pictures.lab"
 _DECIDES = (
     *("background", "law", "model", "check", "guide", "solve", "motions", "forces", "methods"),
     "questions",
@@ -51,14 +80,13 @@ _DECIDES = (
 DECIDES: tuple[Template, ...] = (
     RATIONAL,
     LINEAR,
-    (_DRAW, "resisted.js"),
-    *((_OWN, f"{name}.js") for name in _DECIDES),
+    *((_OWN, f"{name}.js") for name in ("resisted", *_DECIDES)),
 )
 _VIEWS = ("grasp_view", "motion_view", "map_view", "answer", "steps")
 _SHOWS = ("state", *_VIEWS, "fields", "controls", "judge", "lab")
 SCRIPTS: tuple[Template, ...] = (
-    *((_DRAW, f"{name}.js") for name in ("sketch", "plane")),
-    *((_OWN, f"{name}.js") for name in _SHOWS),
+    SKETCH_SCRIPT,
+    *((_OWN, f"{name}.js") for name in ("plane", *_SHOWS)),
 )
 
 
@@ -113,5 +141,85 @@ def lab_page(
         "origin": [0, 0],
         "exercises": slip_exercises(exercises),
     }
-    styles = [(_DRAW, "sketch.css"), (_DRAW, "plane.css"), (_OWN, "lab.css")]
+    styles = [SKETCH_STYLE, (_OWN, "plane.css"), (_OWN, "lab.css")]
     return lab(heading, (_OWN, "lab.html"), styles, SCRIPTS, data, DECIDES)
+
+
+#: What an exercise may ask to stay as it starts.
+FIXED = (
+    *("number", "points", "normals", "friction", "stiffness", "preload", "contacts"),
+    *("wrench", "direction"),
+)
+#: Methods that the page compares with.
+METHODS = ("printed", "cones", "wrench-space")
+
+
+def slip_exercises(path: str | Path | None = None) -> list[dict[str, Any]]:
+    """Return the exercises of a file, or those that come with the lab.
+
+    Raises:
+        InputError: the file holds no exercises; the message says which, and why.
+    """
+    own = files(__package__).joinpath("exercises.json")
+    return read_exercises(own if path is None else path, GOALS, FIXED, read_start)
+
+
+def read_start(text: str) -> tuple[Grasp, Any]:
+    """Return grasp and wrench of a link of the page, as it is after ``#``.
+
+    Raises:
+        InputError: no such link, or its numbers are out of range.
+    """
+    version, *parts = text.split("|")
+    if version != "1" or len(parts) not in (2, 3):
+        raise InputError(
+            f"{shown(text)} is not what a link of the lab has after #: 1|contacts|wrench"
+        )
+    contacts = []
+    for one in filter(None, parts[0].split(";")):
+        numbers = one.split(",")
+        if len(numbers) != 7:
+            raise InputError(f"contact {shown(one)} needs seven numbers, with commas between them")
+        contacts.append(Contact(numbers[:2], numbers[2:4], *numbers[4:]))
+    return Grasp(contacts), read_wrench(parts[1].split(","))
+
+
+def _yes_or_no(value: Any) -> None:
+    if type(value) is not bool:
+        raise InputError(f"{shown(value)} must be true or false")
+
+
+def _true(value: Any) -> None:
+    if value is not True:
+        raise InputError(f"{shown(value)} must be true")
+
+
+def _above_zero(value: Any) -> None:
+    if type(value) is not int or value < 1:
+        raise InputError(f"{shown(value)} must be an integer above 0")
+
+
+def _states(value: Any) -> None:
+    known = (*get_args(State), "any")
+    if not isinstance(value, list) or not all(state in known for state in value):
+        raise InputError(f"{shown(value)} must be a list of {', '.join(known)}")
+
+
+def _method(value: Any) -> None:
+    if not isinstance(value, dict) or set(value) != {"name", "says"}:
+        raise InputError(f'{shown(value)} must be an object with "name" and "says"')
+    if value["name"] not in METHODS:
+        raise InputError(f"method {shown(value['name'])}; known are {', '.join(METHODS)}")
+    _yes_or_no(value["says"])
+
+
+GOALS = {
+    "resisted": _yes_or_no,
+    "equilibria": _above_zero,
+    "states": _states,
+    "gap": _true,
+    "border": _true,
+    "method": _method,
+    "refutes": _true,
+    "regions": _above_zero,
+}

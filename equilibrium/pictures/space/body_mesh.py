@@ -8,7 +8,7 @@ from typing import TypeAlias
 
 import numpy as np
 
-from arrangement.drawing.scene.items import Floats
+from arrangement.drawing.scene.scene import Floats
 from arrangement.drawing.solids.sight import face_normal
 from arrangement.numbers.linear.rank import cycle_edges
 

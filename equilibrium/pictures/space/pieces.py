@@ -10,7 +10,7 @@ from itertools import pairwise
 
 import numpy as np
 
-from arrangement.drawing.scene.items import Floats
+from arrangement.drawing.scene.scene import Floats
 from arrangement.drawing.solids.sight import across, unit, unit_vectors
 from arrangement.drawing.solids.surface import Patch
 from arrangement.numbers.exact import IntegerVector, dot, primitive

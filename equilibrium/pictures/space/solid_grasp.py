@@ -15,7 +15,7 @@ from functools import cached_property
 import numpy as np
 
 from arrangement.drawing.colours import BLACK, BLUE, GREY, VERMILION
-from arrangement.drawing.scene.items import Floats
+from arrangement.drawing.scene.scene import Floats
 from arrangement.drawing.solids.depth_tree import Node, depth_tree
 from arrangement.drawing.solids.meshes import volume
 from arrangement.drawing.solids.sight import unit
@@ -24,7 +24,7 @@ from arrangement.numbers.exact import RationalVector
 from arrangement.numbers.linear.rank import cycle_edges
 from equilibrium.model.grasp import Grasp
 from equilibrium.model.outline import Mesh
-from equilibrium.pictures.grasp.body import Frame, frame_of
+from equilibrium.pictures.parts.body import Frame, frame_of
 
 from .body_mesh import convex_hull, drawn_edges, merged
 from .pieces import Arrow, Screw, arc, arrow_pieces, flat, segment

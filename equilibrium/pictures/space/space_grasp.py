@@ -10,10 +10,8 @@ import numpy as np
 
 from arrangement.drawing.colours import BLACK, GREY, PALE
 from arrangement.drawing.registry import Vector, Wrench
-from arrangement.drawing.scene.items import Floats
-from arrangement.drawing.scene.measuring import checked_width
-from arrangement.drawing.scene.scene import Key, Legend, Scene
-from arrangement.drawing.solids.sheet import SolidSheet
+from arrangement.drawing.scene.scene import Floats, Key, Legend, Scene, checked_width
+from arrangement.drawing.solids.depth_tree import SolidSheet
 from arrangement.drawing.solids.sight import best_view, unit, unit_vectors, view_direction, views
 from arrangement.drawing.solids.surface import Patch, rounded
 from arrangement.numbers.exact import IntegerVector
@@ -22,9 +20,8 @@ from equilibrium.decide.spatial_verdict import NOT_RESISTED, solve_in_space
 from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import Grasp
 from equilibrium.model.range import NO_RANGE, SMALL, Range
-from equilibrium.pictures.grasp.shapes import Labels
-from equilibrium.pictures.keys import explain_grasp, symbol
-from equilibrium.pictures.style import CONE_EDGE, CONE_FILL, number
+from equilibrium.pictures.parts.shapes import Labels
+from equilibrium.pictures.parts.style import CONE_EDGE, CONE_FILL, explain_grasp, number, symbol
 
 from .solid_grasp import INKS, SolidGrasp
 

@@ -12,14 +12,14 @@ from arrangement.drawing.colours import BLACK
 from arrangement.drawing.output import millimetres
 from arrangement.drawing.pages.solid_page import PageFace, SolidPage, page_face
 from arrangement.drawing.registry import Vector, Wrench
-from arrangement.drawing.scene.items import Floats
+from arrangement.drawing.scene.scene import Floats
 from arrangement.drawing.solids.meshes import ClosedSurface, model_bytes
 from arrangement.drawing.solids.sight import picture_axes, view_direction
 from arrangement.drawing.solids.surface import Patch, rounded
 from arrangement.errors import InputError
 from equilibrium.model.contact import VALUES
 from equilibrium.model.grasp import Grasp
-from equilibrium.pictures.style import CONE_EDGE, CONE_FILL, number, vector, wrench_text
+from equilibrium.pictures.parts.style import CONE_EDGE, CONE_FILL, number, vector, wrench_text
 
 from .body_mesh import open_edges
 from .pieces import Arrow, head_of

@@ -10,18 +10,15 @@ import numpy as np
 
 from arrangement.console.progress import watched
 from arrangement.drawing.colours import BLACK, VERMILION
-from arrangement.drawing.scene.items import Floats
-from arrangement.drawing.scene.scene import Legend, Scene
+from arrangement.drawing.scene.scene import Floats, Legend, Scene
 from arrangement.numbers.exact import shown
 from equilibrium.decide.spatial_verdict import NOT_RESISTED, RESISTED, UNDECIDED
 from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import Grasp
 from equilibrium.model.unit_normal import unit_normal
-from equilibrium.pictures.keys import symbol
-from equilibrium.pictures.style import SHADE
-from equilibrium.pictures.wrenches.panel import SQUARE
-from equilibrium.pictures.wrenches.row import row_of_panels
-from equilibrium.pictures.wrenches.window import ZERO, Window, clipped
+from equilibrium.pictures.parts.panel import SQUARE, row_of_panels
+from equilibrium.pictures.parts.style import SHADE, symbol
+from equilibrium.pictures.parts.window import ZERO, Window, clipped
 from equilibrium.wrench_sets.spatial import KnownLoads, SpatialMagnitudes, spatial_magnitudes
 
 NAMES = ("fx", "fy", "fz", "tx", "ty", "tz")
@@ -34,7 +31,7 @@ _HELD, _REFUTED = "#5f93bd", "#f6e3d3"
 
 
 def slice_in_space(grasp: Grasp, axes: str, directions: int, width: float) -> Scene:
-    """Return the picture; see `equilibrium.pictures.wrenches.slices.draw_slice`."""
+    """Return the picture; see `equilibrium.pictures.wrenches.forces.draw_slice`."""
     chosen = axes.split(",")
     if len(set(chosen)) != 2 or not set(chosen) <= set(NAMES):
         raise GraspError(f"the axes are {shown(axes)}; give two of {', '.join(NAMES)}, as in fx,fz")

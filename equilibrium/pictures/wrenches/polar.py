@@ -10,22 +10,17 @@ from typing import Any
 from arrangement.drawing.colours import VERMILION
 from arrangement.drawing.figure import picture
 from arrangement.drawing.registry import Exact
-from arrangement.drawing.scene.items import Floats
-from arrangement.drawing.scene.scene import Legend, Scene
+from arrangement.drawing.scene.scene import Floats, Legend, Scene
+from arrangement.numbers import budget
 from arrangement.numbers.exact import RationalVector, rational
 from arrangement.numbers.linear.intervals import Interval
 from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import Grasp
-from equilibrium.pictures.keys import MARKS, symbol
-from equilibrium.pictures.style import RIM, SHADE
+from equilibrium.pictures.parts.panel import Panel, explain_borders, read_extent, row_of_panels
+from equilibrium.pictures.parts.style import MARKS, RIM, SHADE, symbol
+from equilibrium.pictures.parts.window import ROOM, Window, ends
 from equilibrium.wrench_sets import Region, resisted_region, search_map
 from equilibrium.wrench_sets.search_map import Entry
-
-from .panel import Panel
-from .row import explain_borders, read_extent, row_of_panels
-from .window import ROOM, Window, ends
-
-MAX_DIRECTIONS = 720
 
 
 @picture
@@ -56,8 +51,9 @@ def draw_polar(
         GraspError: a number that is out of range.
         MissingExtraError: matplotlib is absent.
     """
-    if not 1 <= directions <= MAX_DIRECTIONS:
-        raise GraspError(f"directions is {directions}; a picture shows 1 to {MAX_DIRECTIONS}")
+    if directions < 1:
+        raise GraspError(f"directions is {directions}; give at least 1")
+    budget.keep(directions, "directions in a picture")
     region = resisted_region(grasp)
     radius = read_extent(extent) or _radius(grasp, region)
     step = radius / 1000 if tolerance is None else rational(tolerance, "tolerance")

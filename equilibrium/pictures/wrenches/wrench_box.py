@@ -11,7 +11,7 @@ from statistics import median
 
 import numpy as np
 
-from arrangement.drawing.scene.items import Floats
+from arrangement.drawing.scene.scene import Floats
 from arrangement.drawing.solids.depth_tree import Node, depth_tree
 from arrangement.drawing.solids.sight import best_view, views
 from arrangement.drawing.solids.surface import Patch, surface
@@ -19,7 +19,7 @@ from arrangement.numbers.exact import IntegerVector, RationalVector, dot, primit
 from arrangement.numbers.linear.polyhedron import Polyhedron, from_conditions
 from equilibrium.grasps.inputs.conversion import simplest_between
 from equilibrium.model.grasp import Grasp
-from equilibrium.pictures.style import number, rounded
+from equilibrium.pictures.parts.style import number, rounded
 from equilibrium.wrench_sets import Piece, resisted_set
 
 #: How far the box reaches beyond the corners of the set, as a share of the largest extent.

@@ -14,8 +14,8 @@ from arrangement.drawing.solids.surface import Patch, facets, rounded
 from arrangement.errors import InputError
 from arrangement.numbers.exact import IntegerVector, number_text, primitive
 from equilibrium.model.grasp import Grasp, read_wrench
+from equilibrium.pictures.parts.panel import read_extent
 
-from .row import read_extent
 from .wrench_box import CUT, NAMES, SOLID, WALLS, WrenchBox, box_edges, box_text, wrench_box
 
 

@@ -14,21 +14,18 @@ import numpy as np
 from arrangement.drawing.colours import BLACK, GREY, VERMILION, pale
 from arrangement.drawing.figure import picture
 from arrangement.drawing.registry import Exact, Vector, Wrench
-from arrangement.drawing.scene.items import Floats
-from arrangement.drawing.scene.measuring import checked_width
-from arrangement.drawing.scene.scene import Legend, Scene
-from arrangement.drawing.solids.sheet import SolidSheet
+from arrangement.drawing.scene.scene import Floats, Legend, Scene, checked_width
+from arrangement.drawing.solids.depth_tree import SolidSheet
 from arrangement.drawing.solids.sight import light, unit_vectors, view_direction
 from arrangement.drawing.solids.surface import Patch, rounded
 from arrangement.numbers.exact import IntegerVector, dot
 from equilibrium.model.grasp import Grasp, read_wrench
 from equilibrium.pictures.grasp.grasp import drawn
 from equilibrium.pictures.grasp.layout import layout_of
-from equilibrium.pictures.keys import MARKS, symbol
-from equilibrium.pictures.style import ticks, wrench_text
+from equilibrium.pictures.parts.panel import read_extent
+from equilibrium.pictures.parts.style import MARKS, symbol, ticks, wrench_text
+from equilibrium.pictures.parts.window import clipped
 
-from .row import read_extent
-from .window import clipped
 from .wrench_box import CUT, NAMES, SOLID, WALLS, WrenchBox, box_edges, box_text, wrench_box
 
 #: Room around the box for numbers and names, in points.

@@ -1,8 +1,8 @@
-"""Which virtual motions may close regions of motions: many at once, in floating point.
+"""Which virtual motions close regions of motions: many at once, guessed in floats, then exactly.
 
 A virtual motion lambda closes a simplicial region when at each of its four generators the work of
 the load and the least work of the contacts add up to something positive. What is found here is a
-guess with small integers; `leaf_test` decides.
+guess with small integers; `closed` decides, exactly.
 """
 
 from __future__ import annotations
@@ -14,9 +14,9 @@ from collections.abc import Sequence
 import numpy as np
 import numpy.typing as npt
 
-from arrangement.numbers.exact import RationalVector
+from arrangement.numbers.exact import IntegerVector, RationalVector, primitive
 from arrangement.numbers.float_filter import Floats
-from equilibrium.plane.contacts import FloatContacts, IntegerContacts, nearest
+from equilibrium.plane.contacts import FloatContacts, IntegerContacts, nearest, product, whole
 
 #: Entries of the virtual motions tried first.
 _RANGE = 2
@@ -137,3 +137,39 @@ class Regions:
         for name, value in self.__dict__.items():
             setattr(part, name, value[rows])
         return part
+
+
+def closed(
+    contacts: IntegerContacts,
+    wrench: RationalVector,
+    regions: Sequence[Sequence[IntegerVector]],
+    motions: Sequence[Sequence[int]],
+) -> list[bool]:
+    """Return for each region whether the virtual motion beside it closes it, exactly.
+
+    With ``a = lambda . N``, ``b = lambda . T``, the contacts' least work for the spring force e is
+    ``kappa e``: kappa = a - mu b where the contact surely slips +, a + mu b where it slips -, else
+    a - mu |b|. Where e changes sign in the region it is 0, or ``kappa max(0, e)`` for kappa < 0. A
+    virtual motion closes a region if at each generator the work of the load and all these add up to
+    a positive number, or to 0 or more at motions without end (d_0 = 0).
+    """
+    count, m = len(regions), len(contacts)
+    generators = whole(regions, (count, 4, 4))
+    chosen = whole(motions, (count, 3))
+    spring = product(generators.reshape(-1, 4), contacts.spring.T).reshape(count, 4, m)
+    slip = product(generators[:, :, 1:].reshape(-1, 3), contacts.tangent.T).reshape(count, 4, m)
+    along = product(chosen, contacts.normal.T)
+    across = product(chosen, contacts.tangent.T) * contacts.friction
+    along = along * contacts.friction_unit
+    sliding = np.where((slip > 0).all(axis=1), 1, 0) - np.where((slip < 0).all(axis=1), 1, 0)
+    kappa = along - np.where(sliding == 0, np.abs(across), sliding * across)
+    low, high = spring.min(axis=1, initial=0), spring.max(axis=1, initial=0)
+    mixed = (low < 0) & (high > 0)
+    kappa = np.where((high <= 0) | (mixed & (kappa > 0)), 0, kappa)
+    terms = kappa[:, None, :] * np.where(spring > 0, spring, 0)
+    unit = contacts.common_unit
+    load = primitive([*wrench, 1])
+    work = terms.astype(object).dot(contacts.shares) * load[3]
+    work = work + (chosen.dot(whole([load[:3]], (3,))) * unit)[:, None] * generators[:, :, 0]
+    passed = np.where(generators[:, :, 0] > 0, work > 0, work >= 0)
+    return [bool(x) for x in passed.all(axis=1)]

@@ -18,7 +18,7 @@ from typing import TypeAlias
 
 from arrangement.numbers.exact import RationalVector, dot
 from arrangement.numbers.linear import programs
-from equilibrium.plane.elimination import gauss_jordan
+from arrangement.numbers.linear.rank import gauss_jordan
 
 Rows: TypeAlias = Sequence[RationalVector]
 

@@ -10,7 +10,7 @@ import re
 
 from arrangement.arrangement import Arrangement
 from arrangement.errors import InputError
-from arrangement.library.files.form import rational_planes
+from arrangement.library.files.documents import rational_planes
 from arrangement.numbers.exact import shown
 
 _REMARK = re.compile(r"#.*")

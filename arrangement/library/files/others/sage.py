@@ -12,7 +12,7 @@ from typing import Any, TypeAlias
 
 from arrangement.arrangement import Arrangement
 from arrangement.errors import InputError
-from arrangement.library.files.form import rational_planes
+from arrangement.library.files.documents import rational_planes
 from arrangement.numbers.exact import rational, shown
 
 from .linear_forms import form_text, inside, read_form, split_outside, without_remarks

@@ -1,1 +1,0 @@
-"""How the lists of types were made, and what they say in numbers."""

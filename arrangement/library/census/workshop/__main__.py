@@ -1,0 +1,67 @@
+"""The command of the workshop: make the lists of types again.
+
+make census ARGS="8 -o types.json"     types of 3 to 8 planes, byte for byte as they are shipped
+make census ARGS="9 -o types9.npz"     types of nine planes (32 minutes of processor time)
+"""
+
+from __future__ import annotations
+
+import argparse
+import io
+import math
+from pathlib import Path
+
+import numpy as np
+
+from arrangement.console import terminal
+from arrangement.console.writing import write_bytes_atomically, write_text_atomically
+from arrangement.errors import InputError
+from arrangement.library.census import MOST_PLANES
+from arrangement.numbers.budget import limit
+
+from .build import build
+from .generate import generate
+
+
+def main(argv: list[str] | None = None) -> int:
+    """Make a list of types and write it to a file."""
+    parser = terminal.command_parser("make census", "Make the census of types again.")
+    parser.add_argument("planes", type=terminal.integer_argument, metavar="M", help="4 to 9")
+    parser.add_argument(
+        "-o",
+        "--output",
+        required=True,
+        metavar="FILE",
+        help=".json: the types of 3 to M planes; .npz: those of M, found without coordinates first",
+    )
+    parser.add_argument(
+        "--store",
+        metavar="PATH",
+        help="keeps what is done; the same command goes on with it (default: OUTPUT.parts)",
+    )
+    parser.add_argument(
+        "--jobs", type=terminal.integer_argument, default=1, metavar="N", help="processes"
+    )
+    parser.set_defaults(command=_write)
+    return terminal.run(parser, argv)
+
+
+def _write(arguments: argparse.Namespace) -> int:
+    planes, output = arguments.planes, arguments.output
+    if not 4 <= planes <= MOST_PLANES:
+        raise InputError(f"M is {planes}; give 4 to {MOST_PLANES} planes")
+    store = arguments.store or f"{output}.parts"
+    with limit(math.inf):  # whoever asks for it waits, and is told how far it is
+        if output.endswith(".json"):
+            write_text_atomically(output, generate(planes, Path(store)))
+            return terminal.YES
+        arrays = build(store, arguments.jobs, planes)
+    stream = io.BytesIO()
+    np.savez_compressed(stream, **arrays)  # type: ignore[arg-type]
+    write_bytes_atomically(output, stream.getvalue())
+    print(f"{len(arrays['parents']):,} types, {len(arrays['without'])} more without coordinates")
+    return terminal.YES
+
+
+if __name__ == "__main__":
+    raise SystemExit(main())

@@ -1,0 +1,1 @@
+"""What several views of planes share: their space, coordinates, names and axes."""

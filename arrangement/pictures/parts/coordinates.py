@@ -1,0 +1,301 @@
+"""Linear changes of coordinates for pictures: symmetric arrangements look it, narrow ones open up.
+
+Such a map changes no sign vector and no incidence. It is found in floats, rounded to rationals and
+applied exactly.
+
+*Symmetric.* The group of an arrangement is that of the linear maps that permute its planes, up to
+sign and scale of the normals. The inner product of the given coordinates, averaged over the group,
+is one that all of these maps keep: in its orthonormal coordinates they are rotations and mirrors.
+The group itself is read off the angles in a position that depends on the planes alone: the one in
+which unit normals, each weighted by the share of bases that it is in, have the same sum of squares
+in every direction. It exists and is unique, up to the scales of independent parts [Barthe1998]:
+the weights are a mean of all bases, so they lie inside the polytope of bases.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from itertools import combinations
+from typing import Any
+
+import numpy as np
+import numpy.typing as npt
+
+from arrangement.arrangement import Arrangement
+from arrangement.console.progress import note
+from arrangement.drawing.registry import AxisNames, Vector
+from arrangement.drawing.scene.scene import Floats
+from arrangement.drawing.solids.sight import unit, unit_vectors
+from arrangement.errors import InputError, refusal
+from arrangement.numbers.exact import IntegerVector, dot, primitive, shown
+from arrangement.numbers.linear.rank import cross, rank, triple_product
+from arrangement.numbers.real_entries import real_vector
+from arrangement.planes.planes import Planes
+
+CHOICES = ("given", "symmetric", "even")
+#: Distinct planes beyond which no group is looked for.
+MOST_PLANES = 60
+#: Mean squares of unit normals below this, in some direction, make slivers.
+NARROW = 0.08
+_EVEN_ROUNDS, _ROUNDS = 12, 3000
+_PULL = 0.1
+#: The fewest maps of a group that is shown.
+_LEAST = 3
+#: Angles that differ by less are taken for equal.
+_CLOSE = 1e-6
+#: Below this, sums of squares are singular in floats.
+_FLAT = 1e-12
+
+
+@dataclass(frozen=True)
+class Symmetry:
+    """The linear maps that permute some lines, as matrices in a common orthonormal frame.
+
+    Attributes:
+        frame: normals n become ``frame n`` in it, points x ``frame^-T x``.
+        group: (g, 3, 3) orthogonal matrices, one of each pair A, -A.
+        shape: normals n become ``shape n`` in symmetric coordinates, the nearest to the given ones.
+    """
+
+    frame: Floats
+    group: Floats
+    shape: Floats
+
+    def stabilizers(self, points: Floats) -> npt.NDArray[np.int64]:
+        """Return for each line through a point how many maps of the group keep it."""
+        framed = unit(points @ np.linalg.inv(self.frame))
+        kept = np.abs(np.einsum("pi,gij,pj->pg", framed, self.group, framed)) > 1 - _CLOSE
+        return np.asarray(kept.sum(axis=1))
+
+
+def in_coordinates(
+    coordinates: str | None, arrangement: Arrangement, direction: Vector | None = None
+) -> tuple[Arrangement, Vector | None]:
+    """Return planes in the coordinates in which they are drawn, and a direction in the same.
+
+    Args:
+        coordinates: "given"; "symmetric", in which the maps that permute the planes are rotations
+            and mirrors (where they are few, the given ones); "even", with normals spread evenly.
+            None: given if they have a meaning (`Planes.axes`), else symmetric, or even for narrow
+            planes that have no other symmetric ones.
+        arrangement: central planes in R^3; other ones are returned as they are.
+        direction: of points, in given coordinates.
+
+    >>> skew = Arrangement([[1, 0, 0], [1, 1, 0], [1, 1, 1]])
+    >>> in_coordinates("symmetric", skew)[0].f_vector == skew.f_vector
+    True
+    """
+    chosen = coordinates or ("given" if arrangement.axes else "symmetric")
+    if chosen not in CHOICES:
+        raise refusal(f"the coordinates are {shown(chosen)}", chosen, CHOICES)
+    matrix = None
+    if arrangement.dimension == 3 and arrangement.is_central and chosen != "given":
+        matrix = (symmetric_map if chosen == "symmetric" else _even_map)(arrangement)
+        if matrix is None and coordinates is None and _is_narrow(arrangement):
+            matrix = _even_map(arrangement)
+            note(
+                "the planes are narrow: drawn with normals spread evenly, unless coordinates "
+                "given are asked for"
+            )
+    if matrix is None:
+        return arrangement, direction
+    rows = _rational(matrix)
+    moved = Arrangement(
+        [[dot(row, plane[:3]) for row in rows] for plane in arrangement.integer_planes]
+    )
+    if direction is not None:
+        given = real_vector(direction, "direction")
+        if len(given) == 3:
+            one, two, three = rows
+            cofactors = (cross(two, three), cross(three, one), cross(one, two))
+            direction = [dot(row, given) for row in cofactors]
+    return moved, direction
+
+
+def symmetric_map(arrangement: Arrangement) -> Floats | None:
+    """Return the matrix for normals that makes planes symmetric; None where it changes nothing."""
+    found = symmetry(arrangement)
+    return None if found is None or np.allclose(found.shape, np.eye(3), atol=1e-6) else found.shape
+
+
+def symmetry(arrangement: Planes) -> Symmetry | None:
+    """Return the group of central planes of rank 2 or 3 in R^3; None if it is small.
+
+    Small: the identity and one more map at most, up to sign; one mirror alone says too little about
+    good coordinates. In rank 2 the common line of the planes counts as one more normal.
+    """
+    firsts = [plane[:3] for plane in arrangement.distinct_planes]
+    if arrangement.rank == 2:
+        firsts.append(primitive(cross(firsts[0], firsts[1])))
+    elif arrangement.rank < 2:
+        return None
+    if len(firsts) > MOST_PLANES:
+        note(f"no symmetry is looked for beyond {MOST_PLANES} planes; given coordinates are drawn")
+        return None
+    normals = unit_vectors(firsts)
+    frame = _balanced(normals, _base_shares(firsts))
+    if frame is None:
+        note("the symmetry of the planes was not found; given coordinates are drawn")
+        return None
+    group = _group(unit(normals @ frame.T))
+    if len(group) < _LEAST:
+        return None
+    back = np.linalg.inv(frame)
+    mean: Floats = np.einsum("gki,kl,glj->ij", group, back.T @ back, group) / len(group)
+    sizes, axes = np.linalg.eigh(frame.T @ mean @ frame)
+    return Symmetry(frame, group, _normed((axes * np.sqrt(sizes)) @ axes.T))
+
+
+def _base_shares(normals: Sequence[IntegerVector]) -> Floats:
+    """Return the share of the bases that have each normal; exact counts, their sum is 3."""
+    counts = np.zeros(len(normals))
+    for chosen in combinations(range(len(normals)), 3):
+        if triple_product(*(normals[i] for i in chosen)):
+            counts[list(chosen)] += 1
+    shares: Floats = counts * (3 / counts.sum())
+    return shares
+
+
+def _balanced(normals: Floats, weights: Floats) -> Floats | None:
+    """Return a matrix after which weighted unit normals have the identity as sum of squares."""
+    frame = np.eye(3)
+    for _ in range(_ROUNDS):
+        moved = unit(normals @ frame.T)
+        squares = (moved.T * weights) @ moved
+        if np.abs(squares - np.eye(3)).max() < _CLOSE / 100:
+            return frame
+        if np.linalg.eigvalsh(squares)[0] < _FLAT:
+            return None
+        frame = _inverse_root(squares) @ frame
+        if np.linalg.cond(frame) > 1 / _FLAT:
+            return None
+        frame = _normed(frame)
+    return None
+
+
+def _group(units: Floats) -> Floats:
+    """Return the orthogonal maps that permute lines, (g, 3, 3), one of each pair A, -A.
+
+    A map is known by what it does to three independent lines; all triples with the same angles are
+    tried, with all signs.
+    """
+    angles = np.abs(units @ units.T)
+    i = 0
+    j = int(np.argmin(angles[i]))
+    k = int(np.argmax(np.abs(units @ np.cross(units[i], units[j]))))
+    alike = [np.abs(angles - angles[pair]) < _CLOSE for pair in ((i, j), (i, k), (j, k))]
+    triples = np.argwhere(alike[0][:, :, None] & alike[1][:, None, :] & alike[2][None])
+    back = np.linalg.inv(units[[i, j, k]].T)
+    found = []
+    for signs in ((1, 1, 1), (1, 1, -1), (1, -1, 1), (1, -1, -1)):
+        maps = (units[triples] * np.array(signs)[:, None]).transpose(0, 2, 1) @ back
+        square = maps.transpose(0, 2, 1) @ maps
+        maps = maps[np.abs(square - np.eye(3)).max(axis=(1, 2), initial=0) < 10 * _CLOSE]
+        images = np.abs(units @ maps @ units.T).max(axis=1, initial=0)
+        found.append(maps[images.min(axis=1, initial=1) > 1 - _CLOSE])
+    return np.concatenate(found)
+
+
+def even_map(normals: Floats) -> Floats:
+    """Return a matrix W of determinant 1 such that the directions of ``W n`` are spread evenly.
+
+    Normals n become ``W n`` and points x become ``W^-T x``. The rounds are those of Tyler's
+    estimator of scatter, pulled towards the identity, so that they end for every input.
+
+    Args:
+        normals: (c, 3) unit vectors of distinct planes, of rank 3.
+    """
+    whole = np.eye(3)
+    for _ in range(_EVEN_ROUNDS):
+        moved = unit(normals @ whole.T)
+        scatter = (1 - _PULL) * 3 * moved.T @ moved / len(moved) + _PULL * np.eye(3)
+        whole = _inverse_root(scatter) @ whole
+    return _normed(whole)
+
+
+def _even_map(arrangement: Arrangement) -> Floats | None:
+    return even_map(_normals(arrangement)) if arrangement.rank == 3 else None
+
+
+def _is_narrow(arrangement: Arrangement) -> bool:
+    return arrangement.rank == 3 and is_narrow(_normals(arrangement))
+
+
+def _normals(arrangement: Arrangement) -> Floats:
+    """Return a unit normal of each distinct plane."""
+    return unit_vectors([arrangement.integer_planes[c[0]][:3] for c in arrangement.distinct])
+
+
+def is_narrow(normals: Floats) -> bool:
+    """Return whether unit normals leave some direction nearly empty."""
+    return bool(np.linalg.eigvalsh(normals.T @ normals / len(normals))[0] < NARROW)
+
+
+def _rational(matrix: Floats) -> list[IntegerVector]:
+    """Return an invertible integer matrix that is nearly a multiple of a float one."""
+    scale = 1 << 10
+    rows: list[Any] = []
+    while rank(rows) < 3:
+        scale *= 8
+        rows = [tuple(round(x * scale) for x in row) for row in matrix.tolist()]
+    return rows
+
+
+def _inverse_root(squares: Floats) -> Floats:
+    sizes, axes = np.linalg.eigh(squares)
+    root: Floats = (axes / np.sqrt(sizes)) @ axes.T
+    return root
+
+
+def _normed(matrix: Floats) -> Floats:
+    normed: Floats = matrix / np.cbrt(np.linalg.det(matrix))
+    return normed
+
+
+#: How far an axis reaches, in radii of the body.
+REACH = 1.2
+
+
+INK = "#333333"
+
+
+def drawn_axes(
+    planes: Planes, axes: AxisNames | None, coordinates: str | None
+) -> tuple[tuple[str, ...], str | None]:
+    """Return the names of the axes, or nothing, and the coordinates in which planes are drawn.
+
+    Args:
+        planes: whose coordinates have names where they have a meaning.
+        axes: such as ``"x,y,z"``; True for those names, or else these; or "none"; if omitted, those
+            names, if there are any.
+        coordinates: see `coordinates.in_coordinates`. Axes are those of the given ones.
+
+    Raises:
+        InputError: not three names, or axes asked for in other coordinates.
+    """
+    names = planes.axes
+    if axes is True:
+        names = names or ("x", "y", "z")
+    elif axes is not None:
+        names = tuple(name.strip() for name in axes.split(",")) if isinstance(axes, str) else ()
+        if names == ("none",):
+            return (), coordinates
+        if len(names) != 3 or not all(0 < len(name) <= 12 for name in names):
+            raise InputError(f"the axes are {shown(axes)}; give three names such as x,y,z, or none")
+        if coordinates not in (None, "given"):
+            raise InputError("axes are those of the given coordinates; leave out one of the two")
+    if not names or coordinates not in (None, "given"):
+        return (), coordinates
+    return names, "given"
+
+
+def within_reach(axes: Floats, half: float, most: float) -> float:
+    """Return the radius of a body such that its axes, with names, stay in a square.
+
+    Args:
+        axes: (3, 3); the unit vectors of the coordinates, in the picture.
+        half: half of the side of the square, in points.
+        most: the radius without axes.
+    """
+    return min(most, (half - 9.0) / (REACH * float(np.abs(axes[:, :2]).max())))

@@ -1,0 +1,150 @@
+"""The space in which planes are drawn: their own, or that of their essentialisation.
+
+Planes of rank r in R^d are those of an arrangement in R^r, times a linear space. Every view is
+made for one space, R^2 or R^3. This module brings planes there, says so below the picture, and
+refuses what cannot be brought there by naming the views that can show it.
+"""
+
+from __future__ import annotations
+
+import functools
+from collections.abc import Callable, Sequence
+from typing import Concatenate, ParamSpec
+
+import numpy as np
+
+from arrangement.arrangement import Arrangement
+from arrangement.counts.configuration import pivot_columns
+from arrangement.drawing.scene.scene import Floats, Scene
+from arrangement.errors import InputError
+from arrangement.numbers import budget
+from arrangement.numbers.exact import IntegerVector, dot
+from arrangement.numbers.linear.rank import rank, unit_vectors
+from arrangement.planes.planes import Planes
+
+P = ParamSpec("P")
+#: For each view the dimension of its space, and whether planes must be central.
+SPACES: dict[str, tuple[int, bool]] = {
+    "sphere": (3, True),
+    "planes": (3, False),
+    "cells": (3, False),
+    "lines": (2, False),
+    "stereographic": (3, True),
+    "gnomonic": (3, True),
+    "dual": (3, True),
+    "graph": (3, True),
+}
+#: The same for pages.
+_PAGES = {"arrangement": (3, True)}
+RAISED = str.maketrans("0123456789", "⁰¹²³⁴⁵⁶⁷⁸⁹")
+#: A linear map is rounded to multiples of 1 over this, or of a fraction of it.
+_SCALE = 1 << 12
+
+
+def fits(view: str, planes: Planes) -> bool:
+    """Return whether a view can show planes; the lattice can show all."""
+    dimension, central = (SPACES | _PAGES).get(view, (planes.rank, False))
+    return planes.rank <= dimension and (planes.is_central or not central)
+
+
+def suited(views: Sequence[str], planes: Planes) -> list[str]:
+    """Return views in the order in which they suit planes, those that cannot show them last."""
+
+    flat = planes.rank <= 2 and planes.dimension != 3
+    first = "lines" if flat else "sphere" if planes.is_central else "cells"
+    return sorted(views, key=lambda view: (not fits(view, planes), view != first))
+
+
+def shown_as(
+    name: str,
+) -> Callable[
+    [Callable[Concatenate[Arrangement, P], Scene]], Callable[Concatenate[Arrangement, P], Scene]
+]:
+    """Return a decorator: the view `name` draws planes of any space, with a caption.
+
+    Raises:
+        InputError: the view cannot show the planes; others that can are named.
+    """
+
+    def decorate(
+        view: Callable[Concatenate[Arrangement, P], Scene],
+    ) -> Callable[Concatenate[Arrangement, P], Scene]:
+        @functools.wraps(view)
+        def draw(arrangement: Arrangement, /, *args: P.args, **options: P.kwargs) -> Scene:
+            scene = view(brought(arrangement, name), *args, **options)
+            if text := caption(arrangement, SPACES[name][0]):
+                scene.legend.captions.append(text)
+            return scene
+
+        return draw
+
+    return decorate
+
+
+def brought(arrangement: Arrangement, view: str) -> Arrangement:
+    """Return planes in the space of a view.
+
+    Raises:
+        InputError: the view cannot show them.
+    """
+    budget.keep(len(arrangement), "planes in a picture")
+    dimension, central = (SPACES | _PAGES)[view]
+    if not fits(view, arrangement):
+        kind = "central" if arrangement.is_central else "affine"
+        others = [name for name in SPACES if fits(name, arrangement)]
+        raise InputError(
+            f"{view} shows {'central ' * central}planes of rank at most {dimension}; these are "
+            f"{kind}, of rank {arrangement.rank} in R^{arrangement.dimension}: for them there "
+            f"{'are' if others else 'is'} {', '.join([*others, 'lattice'])}"
+        )
+    return in_space(arrangement, dimension)
+
+
+def caption(planes: Planes, dimension: int) -> str:
+    """Return what is said below a picture of planes in R^dimension; nothing in their own space."""
+    if planes.dimension == dimension:
+        return ""
+    essential = "essentialisation of an " * (planes.dimension > planes.rank)
+    space = f"arrangement in R{str(planes.dimension).translate(RAISED)}"
+    return (
+        f"{essential}{space}"
+        + ("", ", times a line", ", times a plane", ", times R³")[dimension - planes.rank]
+    )
+
+
+def in_space(arrangement: Arrangement, dimension: int) -> Arrangement:
+    """Return planes of rank r in R^n, n >= r, with the same signs, faces and offsets.
+
+    The first r coordinates are orthonormal ones of the span of the normals, rounded: angles stay
+    what they were but for less than 10^-3. The map is invertible, and applied exactly.
+
+    >>> braid = Arrangement([[1, -1, 0, 0], [0, 1, -1, 0], [0, 0, 1, -1]])
+    >>> in_space(braid, 3).rank
+    3
+    """
+    if arrangement.dimension == dimension:
+        return arrangement
+    normals = [plane[:-1] for plane in arrangement.integer_planes]
+    columns = pivot_columns(normals, arrangement.dimension)
+    scale, rows = 1, unit_vectors(len(columns))
+    if len(columns) < arrangement.dimension and columns:
+        isometry, scale, rows = _isometry(normals, columns), _SCALE // 8, []
+        while rank(rows) < len(columns):
+            scale *= 8
+            rows = [tuple(round(x * scale) for x in row) for row in isometry.tolist()]
+    zeros = (0,) * (dimension - len(columns))
+    chosen = ([normal[j] for j in columns] for normal in normals)
+    return Arrangement(
+        [(*(dot(row, normal) for row in rows), *zeros) for normal in chosen],
+        [offset * scale for offset in arrangement.offsets],
+        dimension=dimension,
+    )
+
+
+def _isometry(normals: Sequence[IntegerVector], columns: Sequence[int]) -> Floats:
+    """Return the symmetric matrix that makes chosen coordinates of normals orthonormal ones."""
+    scaled = np.array([[x / max(map(abs, normal)) for x in normal] for normal in normals])
+    span = np.linalg.svd(scaled)[2][: len(columns), columns]
+    sizes, axes = np.linalg.eigh(span.T @ span)
+    isometry: Floats = (axes / np.sqrt(np.maximum(sizes, 1e-12))) @ axes.T
+    return isometry

@@ -1,0 +1,173 @@
+"""What regions are called in a picture, and the legend that says it."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Collection, Iterable, Sequence
+from functools import cached_property
+from typing import Any
+
+from arrangement.arrangement import Arrangement
+from arrangement.console.number_form import Form, vector
+from arrangement.drawing.colours import GREY, Colouring, DrawnRegion
+from arrangement.drawing.scene.labels import sign_text
+from arrangement.drawing.scene.scene import POINTS, Legend, Scene, Symbol
+from arrangement.errors import refusal
+from arrangement.numbers.exact import IntegerVector, RationalVector, shown, to_text
+
+LABELS = ("signs", "numbers", "none")
+#: Planes up to which sign vectors are written of themselves.
+SHORT = 4
+#: Regions up to which they are numbered of themselves.
+MOST = 150
+#: A space as wide as a digit.
+FIGURE = "\u2007"
+
+
+class RegionLabels:
+    """The names of regions, and the table that explains numbers.
+
+    Numbers are 1, 2, ... in the order of `Arrangement.regions`.
+
+    Attributes:
+        kind: "signs", "numbers" or "none".
+        left_out: how many regions were too small for a label.
+    """
+
+    def __init__(
+        self,
+        arrangement: Arrangement,
+        labels: str | None,
+        count: int | None = None,
+        most: int = MOST,
+    ) -> None:
+        """Take the number of regions drawn, if not all, and that up to which they have labels."""
+        if labels is not None and labels not in LABELS:
+            raise refusal(f"the labels are {shown(labels)}", labels, LABELS)
+        self.kind = labels or ("signs" if len(arrangement) <= SHORT else "numbers")
+        self._too_many = 0
+        if labels is None and self.kind == "numbers":
+            count = len(arrangement.regions()) if count is None else count
+            if count > most:
+                self.kind, self._too_many = "none", count
+        self.left_out = 0
+        self._arrangement = arrangement
+
+    @cached_property
+    def _numbers(self) -> dict[tuple[int, ...], int]:
+        return {face.signs: k + 1 for k, face in enumerate(self._arrangement.regions())}
+
+    def forms(self, signs: Sequence[int]) -> list[str]:
+        """Return the name of a region, four signs also in two rows; nothing if it has none."""
+        if self.kind == "numbers":
+            return [str(self._numbers[tuple(signs)])]
+        if self.kind == "none" or not signs:
+            return []
+        square = [f"{sign_text(signs[:2])}\n{sign_text(signs[2:])}"] * (len(signs) == 4)
+        return [sign_text(signs), *square]
+
+    def explain(self, legend: Legend, drawn: Iterable[Sequence[int]]) -> None:
+        """Add to a legend what the numbers of the regions drawn mean, and say what was left out."""
+        listed = [tuple(signs) for signs in drawn]
+        if self.kind == "numbers" and listed:
+            legend.line("regions by number; numbers of planes are italic")
+            named = sorted((self._numbers[signs], sign_text(signs)) for signs in listed)
+            digits = len(str(named[-1][0]))
+            legend.table += [f"{str(k).rjust(digits, FIGURE)} {text}" for k, text in named]
+        if self._too_many:
+            legend.captions.append(
+                f"{self._too_many} regions, too many for labels; --labels numbers tries"
+            )
+        if self.left_out:
+            many = "regions are" if self.left_out > 1 else "region is"
+            legend.captions.append(f"{self.left_out} {many} too small for a label")
+
+
+#: Width and half the height of a symbol, in points.
+WIDTH, HALF = 5.5 * POINTS, 1.2 * POINTS
+
+
+def canvas() -> Scene:
+    """Return a scene in which to draw a symbol about the left end of the horizontal axis."""
+    return Scene(WIDTH / POINTS, 2 * HALF / POINTS)
+
+
+def swatch(fill: str, **style: Any) -> Symbol:
+    """Return a filled rectangle."""
+    scene = canvas()
+    corners = [(0, -HALF), (WIDTH, -HALF), (WIDTH, HALF), (0, HALF)]
+    scene.polygon(corners, **{"fc": fill, "ec": GREY, "lw": 0.4, **style})
+    return scene.items, WIDTH
+
+
+def stroke(**style: Any) -> Symbol:
+    """Return a line."""
+    scene = canvas()
+    scene.line([(0, 0), (WIDTH, 0)], **style)
+    return scene.items, WIDTH
+
+
+def dot(shape: str, **style: Any) -> Symbol:
+    """Return a vertex, "round" or "square"."""
+    scene = canvas()
+    scene.marker((WIDTH / 2, 0), 2.8, shape, **{"ec": "black", **style})
+    return scene.items, WIDTH
+
+
+def explain_regions(
+    scene: Scene, colours: Colouring, names: RegionLabels, drawn: Collection[DrawnRegion]
+) -> None:
+    """Add to the legend of a scene the colours of the regions drawn, and their numbers."""
+    for fill, text in colours.keys(drawn):
+        scene.legend.key(swatch(fill, ec="black", lw=0.5), text)
+    names.explain(scene.legend, [region.signs for region in drawn])
+
+
+#: From so many circles on lines are thinner.
+_MANY = 15
+
+
+def thinner(count: int) -> float:
+    """Return by what lines are multiplied where so many planes are drawn."""
+    return min(1.0, math.sqrt(_MANY / max(1, count)))
+
+
+def plane_names(members: Sequence[int], count: int | None = None) -> str:
+    """Return plane numbers counted from 1, runs of four and more shortened: ``1,2,5-9``."""
+    numbers = [k + 1 for k in members if count is None or k < count]
+    parts: list[str] = []
+    while numbers:
+        run = 1
+        while run < len(numbers) and numbers[run] == numbers[0] + run:
+            run += 1
+        if run >= 4:
+            parts.append(f"{numbers[0]}\u2013{numbers[run - 1]}")
+        else:
+            parts += map(str, numbers[:run])
+        numbers = numbers[run:]
+    return ",".join(parts)
+
+
+def equation(normal: IntegerVector, offset: int = 0) -> str:
+    """Return the equation of a plane, such as ``x - 2y + z = 0`` or ``2x + (1 + a) y = 0``."""
+    text = ""
+    for entry, name in zip(normal, "xyz", strict=True):
+        if entry:
+            joint = ("-" if entry < 0 else "") if not text else (" - " if entry < 0 else " + ")
+            factor = to_text(abs(entry)) if abs(entry) != 1 else ""
+            if not isinstance(entry, int):
+                factor = factor.replace("*", "")
+                factor = f"({factor}) " if " " in factor else f"{factor} "
+            text += f"{joint}{factor}{name}"
+    return f"{text} = {to_text(offset)}"
+
+
+def point_text(point: RationalVector) -> str:
+    """Return the exact coordinates of a point, however long they are."""
+    with Form(exact=True).used():
+        return vector(point)
+
+
+def generator_text(arrangement: Arrangement) -> str:
+    """Return what the letter a in the numbers of a page is; nothing for rational planes."""
+    return "" if arrangement.field is None else f"numbers in {arrangement.field!r}"

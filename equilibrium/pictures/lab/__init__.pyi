@@ -1,1 +1,0 @@
-from .page import MAX_CONTACTS as MAX_CONTACTS, lab_page as lab_page

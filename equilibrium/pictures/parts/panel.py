@@ -1,0 +1,322 @@
+"""Squares of a plane of wrenches, in rows: axes with numbers, a region, its border, a fade."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+from typing import Any
+
+import numpy as np
+
+from arrangement.drawing.colours import BLACK, GREY
+from arrangement.drawing.registry import Exact, Wrench
+from arrangement.drawing.scene.labels import covering, keep_off
+from arrangement.drawing.scene.scene import (
+    FONT,
+    POINTS,
+    Box,
+    Floats,
+    Legend,
+    Place,
+    Scene,
+    area,
+    checked_width,
+)
+from arrangement.numbers.exact import RationalVector, rational, shown
+from equilibrium.model.errors import GraspError
+from equilibrium.model.grasp import Grasp, read_wrench
+from equilibrium.plane.states.state_system import States
+from equilibrium.wrench_sets import Region
+
+from .shapes import Labels
+from .style import FILLS, MARKS, SHADE, SYMBOLS, rounded, symbol, ticks
+from .window import ZERO, Window, roomiest
+
+#: Space in points beside and below a panel, for numbers and names of the axes.
+LEFT, BELOW, ABOVE = 12.0 * POINTS, 9.0 * POINTS, 5.0 * POINTS
+HATCH = "//////"
+_RAISED = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
+_FADE = 0.16
+#: The corners of a panel in the window.
+SQUARE = np.array([[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]])
+
+
+@dataclass
+class Panel:
+    """A square of a scene that shows a window.
+
+    Args:
+        corner: left and lower end in points.
+        side: its length in points.
+        name: a prefix for the names of its elements.
+    """
+
+    scene: Scene
+    window: Window
+    corner: tuple[float, float]
+    side: float
+    name: str = ""
+
+    def at(self, places: Any) -> Floats:
+        """Return points of the scene for places in the window, from -1 to 1."""
+        points: Floats = np.array(self.corner) + (np.asarray(places) + 1) * (self.side / 2)
+        return points
+
+    @property
+    def box(self) -> Box:
+        """The square, in points of the scene."""
+        x, y = self.corner
+        return x, y, x + self.side, y + self.side
+
+    @property
+    def zero(self) -> Floats:
+        """The place of the origin."""
+        return self.window.paper(ZERO)
+
+    def gid(self, kind: str, index: int) -> str:
+        """Return the name of an element."""
+        return f"{self.name}{kind}-{index}"
+
+    def axes(self) -> list[Floats]:
+        """Return the lines through the origin, as far as they are in the window."""
+        return [
+            self.at(np.array([[at, -1.0], [at, 1.0]])[:, :: -1 if k else 1])
+            for k, at in enumerate(self.zero)
+            if abs(at) < 1
+        ]
+
+    def rulers(
+        self, names: Sequence[str], units: Sequence[str], *, left: bool = True, below: bool = True
+    ) -> None:
+        """Draw lines through the origin, and numbers and names at the left and lower edges.
+
+        A power of ten goes to the names where the numbers would be long.
+        """
+        for axis in self.axes():
+            self.scene.line(axis, ec=GREY, lw=0.4, zorder=1.5, role="axis")
+        half, power = rounded(self.window.half), 0
+        if half and math.isfinite(half):
+            power = math.floor(math.log10(half))
+            power = power if not -3 < power < 4 else 0
+            for k, wanted in enumerate((below, left)):
+                if wanted:
+                    self._numbers(k, Fraction(10) ** power)
+        factor = f"10{str(power).translate(_RAISED)}" if power else ""
+        notes = [" ".join(filter(None, (factor, unit))) for unit in units]
+        first, second = (
+            f"{name} ({note})" if note else name for name, note in zip(names, notes, strict=True)
+        )
+        if below:
+            self.scene.text(self.at((0, -1)) - np.array((0, 19)), first)
+        if left:
+            self.scene.text(self.at((-1, 0)) - np.array((26, 0)), second, rotation=90)
+
+    def _numbers(self, k: int, factor: Fraction) -> None:
+        out = np.array([(0, -1), (-1, 0)][k])
+        for at, text in ticks(self.window.centre[k], self.window.half, factor):
+            tick = self.at((at, -1.0) if k == 0 else (-1.0, at))
+            beyond = (abs(at) - 1) * self.side / 2 + self.scene.measure(text)[0] / 2
+            if k == 0 and beyond > 5:
+                continue
+            self.scene.line([tick, tick + 2 * out], ec=GREY, lw=0.4)
+            place, ha = (tick + 8 * out, "center") if k == 0 else (tick + 4 * out, "right")
+            self.scene.text(place, text, ha=ha)
+
+    def title(self, text: str, above: float = 5.0) -> None:
+        """Write a title above, from the left edge; its middle is so many points above the top."""
+        place = self.at((-1, 1)) + np.array((0, above))
+        self.scene.text(place, text, ha="left", va="center_baseline")
+
+    def region(
+        self, region: Region, by_states: bool = True, clip: Box | tuple[Place, float] | None = None
+    ) -> list[States]:
+        """Fill the polygons, small ones on top, and draw the outline of their union.
+
+        Lines of resisted forces that no polygon holds are drawn wide. Returned are the states of
+        all that has a fill.
+        """
+        parts = []
+        for i, piece in enumerate(region.polygons):
+            shape = self.window.inside(piece.polyhedron)
+            if shape is not None:
+                parts.append((area(shape), i, shape, piece.states))
+        parts.sort(key=lambda part: (-part[0], part[1]))
+        found = map(self.window.stretch, region.outline.whiskers)
+        whiskers = np.array([line for line in found if line is not None]).reshape(-1, 2, 2)
+        alone = set()
+        for _, i, shape, _ in parts:
+            middle = np.tile(shape.mean(axis=0), (1, 2))
+            if len(shape) == 2 and covering(keep_off(whiskers), middle, 1e-9).any():
+                alone.add(i)
+        with self.scene.clipped(clip or self.box):
+            for _, i, shape, states in parts:
+                self._piece(i, self.at(shape), states, by_states, i in alone)
+            self._outline(region)
+        filled = [(i, shape, states) for size, i, shape, states in parts if size or i in alone]
+        if by_states:
+            self._codes([(shape, states) for i, shape, states in filled if i not in alone])
+            labels = Labels(self.scene)
+            labels.avoid(*self.axes(), *self.at(whiskers))
+            for i, shape, states in filled:
+                if i in alone:
+                    middle, along = self.at(shape.mean(axis=0)), shape[1] - shape[0]
+                    side = np.array([-along[1], along[0]]) * (1 if along[0] > 0 else -1)
+                    labels.beside(code(states), middle, side, zorder=1.6, gid=self.gid("code", i))
+        return [states for _, _, states in filled]
+
+    def _piece(
+        self, index: int, shape: Floats, states: States, by_states: bool, alone: bool
+    ) -> None:
+        gid, fill = self.gid("polygon", index), fill_of(states) if by_states else SHADE
+        thin = GREY if by_states else SHADE
+        if len(shape) == 1:
+            self.scene.mark(shape[0], "o", 2, color=thin, gid=gid, zorder=1.2)
+        elif len(shape) == 2:
+            wide = {"ec": fill, "lw": 5.0} if alone else {"ec": thin, "lw": 0.6}
+            self.scene.line(shape, gid=gid, zorder=1.2, capstyle="butt", **wide)
+        else:
+            line = {"ec": "#404040", "lw": 0.4} if by_states else {"ec": fill, "lw": 0.5}
+            style = {"zorder": 1, "joinstyle": "bevel"}
+            self.scene.polygon(shape, fc=fill, gid=gid, **line, **style)
+            if by_states and "detached" in states:
+                self.scene.polygon(shape, fc="none", ec="#7d7d7d", lw=0, hatch=HATCH, **style)
+
+    def _codes(self, parts: Sequence[tuple[Floats, States]]) -> None:
+        """Write the states into the polygons where they fit and nothing later covers them."""
+        from matplotlib.path import Path
+
+        paths, unit = [Path(shape) for shape, _ in parts], 2 / self.side
+        for i, (shape, states) in enumerate(parts):
+            text = code(states)
+            wide = self.scene.measure(text)[0]
+            half = ((wide / 2 + 1.5) * unit, (FONT / 2 + 0.5) * unit)
+            if not text or (np.ptp(shape, axis=0) < 2 * np.array(half)).any():
+                continue
+            place, room = roomiest(shape, half, 1 - _FADE, self.zero)
+            if room <= 1:
+                continue
+            box = [
+                place + np.array([a * half[0], b * half[1]]) for a in (-1, 0, 1) for b in (-1, 0, 1)
+            ]
+            covered = any(path.contains_points(box).any() for path in paths[i + 1 :])
+            if not covered:
+                plate = {"boxstyle": "square,pad=0.12", "fc": fill_of(states), "ec": "none"}
+                look: dict[str, Any] = {"zorder": 1.6, "plate": plate, "gid": self.gid("code", i)}
+                self.scene.text(self.at(place), text, va="center_baseline", **look)
+
+    def _outline(self, region: Region) -> None:
+        outline = region.outline
+        for kind, segments in (("border", outline.border), ("whisker", outline.whiskers)):
+            for i, segment in enumerate(segments):
+                found = self.window.stretch(segment)
+                if found is not None:
+                    look: dict[str, Any] = {"ec": BLACK, "lw": 1.3, "gid": self.gid(kind, i)}
+                    self.scene.line(self.at(found), zorder=2, capstyle="round", **look)
+        for i, point in enumerate(outline.points):
+            place = self.at(self.window.paper(point))
+            self.scene.mark(place, "o", 3.5, color=BLACK, gid=self.gid("point", i), zorder=3)
+
+    def fade(self) -> None:
+        """Let what reaches the edge go pale: it has no end."""
+        rings, closed = 12, np.vstack([SQUARE, SQUARE[:1]])
+        with self.scene.clipped(self.box):
+            for k in range(rings):
+                inner = 1 - _FADE * (rings - k) / rings
+                ring = np.concatenate([1.01 * closed, inner * closed[::-1]])
+                self.scene.polygon(self.at(ring), fc="white", ec="none", alpha=0.16, zorder=4)
+
+    def wrench(self, point: RationalVector, resisted: bool) -> None:
+        """Mark a wrench: a full disc when it is resisted, a cross when not."""
+        sign, size, style = MARKS["resisted" if resisted else "refused"]
+        edge = {"mec": "white", "mew": 0.7} if resisted else {}
+        place = self.at(self.window.paper(point))
+        self.scene.mark(place, sign, size, zorder=6, gid=f"{self.name}wrench", **style, **edge)
+
+
+def fill_of(states: States) -> str:
+    """Return the colour of a choice of states, by the number of sticking contacts."""
+    return FILLS[min(states.count("stick"), len(FILLS) - 1)]
+
+
+def code(states: States) -> str:
+    """Return the states of all contacts as one character each."""
+    return "\u200a".join(SYMBOLS[state] for state in states)
+
+
+#: Space in points between panels, and right of the last.
+GAP, RIGHT = 4.0 * POINTS, 3.0 * POINTS
+FORCE_NAMES = ("$f_x$", "$f_y$")
+
+
+class PlaneQuestion:
+    """What a picture of a plane of forces is asked: a wrench to be marked, and half its side.
+
+    Raises:
+        GraspError: no wrench, or an extent that is not above 0.
+    """
+
+    def __init__(self, wrench: Wrench | None, extent: Exact | None) -> None:
+        self.wrench = None if wrench is None else read_wrench(wrench)
+        self.half = read_extent(extent)
+
+    @property
+    def torque(self) -> Fraction:
+        """The torque of the plane."""
+        return Fraction(0) if self.wrench is None else self.wrench[2]
+
+    @property
+    def marked(self) -> list[RationalVector]:
+        """The force to be marked, if there is one."""
+        return [] if self.wrench is None else [self.wrench[:2]]
+
+
+def row_of_panels(
+    number: int,
+    window: Window,
+    width: float,
+    grasp: Grasp,
+    columns: int | None = None,
+    names: Sequence[str] = FORCE_NAMES,
+) -> tuple[Scene, list[Panel]]:
+    """Return a scene with empty panels of planes of wrenches; only outer ones have rulers."""
+    given, width = grasp.units, checked_width(width, 20.0)
+    units = [(given.force if "f" in name else given.torque) if given else "" for name in names]
+    columns = min(number, columns or number)
+    rows = -(-number // columns)
+    side = (width * POINTS - LEFT - RIGHT - (columns - 1) * GAP) / columns
+    height = rows * (side + ABOVE) + (rows - 1) * GAP / 2 + BELOW
+    scene = Scene(width, height / POINTS)
+    panels = []
+    for i in range(number):
+        row, column = divmod(i, columns)
+        x = LEFT + column * (side + GAP)
+        y = height - (row + 1) * (side + ABOVE) - row * GAP / 2
+        panel = Panel(scene, window, (x, y), side, "" if number == 1 else f"{i + 1}-")
+        panel.rulers(names, units, left=column == 0, below=i + columns >= number)
+        panels.append(panel)
+    return scene, panels
+
+
+def explain_borders(legend: Legend, regions: Sequence[Region], fades: bool) -> None:
+    """Say what lines, points and faded edges of regions mean."""
+    outlines = [region.outline for region in regions]
+    if any(outline.border or outline.whiskers for outline in outlines):
+        legend.key(symbol("border"), "resistance ends")
+    if any(outline.points for outline in outlines):
+        legend.key(symbol("accepted"), "resisted: this alone")
+    if fades and not all(p.polyhedron.bounded for region in regions for p in region.polygons):
+        legend.key(symbol("fade"), "without end")
+
+
+def read_extent(extent: Exact | None) -> Fraction | None:
+    """Return half the side of a picture, if it is given.
+
+    Raises:
+        GraspError: it is not above 0.
+    """
+    half = None if extent is None else rational(extent, "extent")
+    if half is not None and half <= 0:
+        raise GraspError(f"extent is {shown(half)}; it must be above 0")
+    return half

@@ -1,0 +1,221 @@
+"""Forces that are resisted, in planes of one torque: by states, by method, in three parts."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from fractions import Fraction
+
+from arrangement.console.progress import watched
+from arrangement.drawing.figure import picture
+from arrangement.drawing.registry import Exact, Wrench
+from arrangement.drawing.scene.scene import Legend, Scene
+from arrangement.numbers.exact import rational
+from equilibrium.methods.registry import METHODS, WITH_REGION, method_named
+from equilibrium.model.errors import GraspError
+from equilibrium.model.grasp import Grasp
+from equilibrium.pictures.parts.panel import PlaneQuestion, explain_borders, fill_of, row_of_panels
+from equilibrium.pictures.parts.style import FILLS, SHADE, SYMBOLS, number, symbol, wrench_text
+from equilibrium.pictures.parts.window import joint_window
+from equilibrium.pictures.space.space_slice import slice_in_space
+from equilibrium.plane.states.state_system import States
+from equilibrium.wrench_sets import Region, resisted_region
+
+
+@picture
+def draw_resist(
+    grasp: Grasp, *, wrench: Wrench | None = None, extent: Exact | None = None, width: float = 88.0
+) -> Scene:
+    """Draw which forces are resisted, at zero torque or at the torque of a wrench.
+
+    Every polygon is exact and stands for one choice of contact states: its colour tells how many
+    contacts stick, hatching that some contact is detached; where there is room, one character for
+    each contact tells its state. Polygons may overlap (several equilibria exist); smaller ones lie
+    on top. Lines that no polygon holds are drawn wide. The black border is drawn only where
+    resistance ends. What reaches the edge of the picture has no end, and fades.
+
+    Args:
+        grasp: contacts.
+        wrench: marked: a disc when it is resisted, a cross when not; the plane has its torque.
+        extent: half the side of the picture, about the origin; then nothing fades, as what
+            reaches the edge may end beyond; if omitted, the whole border is shown.
+        width: of the figure, in millimetres.
+
+    Raises:
+        GraspError: an extent that is not above 0.
+        MissingExtraError: matplotlib is absent.
+    """
+    question = PlaneQuestion(wrench, extent)
+    half, torque = question.half, question.torque
+    region = resisted_region(grasp, origin=(0, 0, torque))
+    window = joint_window([region], question.marked, half, pieces=True)
+    scene, (panel,) = row_of_panels(1, window, width, grasp)
+    unit = f" {grasp.units.torque}" if grasp.units else ""
+    panel.title(f"resisted forces at torque {number(torque)}{unit}")
+    states = panel.region(region)
+    _describe(grasp, region, states, question, scene.legend)
+    if half is None:
+        panel.fade()
+    for point in question.marked:
+        panel.wrench(point, region.contains(point))
+    return scene
+
+
+def _describe(
+    grasp: Grasp, region: Region, states: list[States], question: PlaneQuestion, legend: Legend
+) -> None:
+    applied = question.wrench
+    if not region.polygons:
+        legend.line("nothing in this plane is resisted")
+    if applied is not None:
+        held = region.contains(applied[:2])
+        legend.key(symbol("resisted" if held else "refused"), wrench_text(applied, grasp.units))
+    counts = sorted({min(s.count("stick"), len(FILLS) - 1) for s in states})
+    for count in counts:
+        example = next(s for s in states if min(s.count("stick"), len(FILLS) - 1) == count)
+        more = any(s.count("stick") > count for s in states) and count == len(FILLS) - 1
+        legend.key(symbol(fill_of(example)), f"{count}{' or more' if more else ''} stick")
+    if any("detached" in p.states for p in region.polygons if p.polyhedron.dimension == 2):
+        legend.key(symbol("#ffffff hatched"), "some detached")
+    explain_borders(legend, [region], question.half is None)
+    if states and len(grasp):
+        found = [s for s in SYMBOLS if any(s in x for x in states)]
+        shown = ", ".join(f"{SYMBOLS[s]} {s.replace('-', '−')}" for s in found)
+        which = "contact 1" if len(grasp) == 1 else f"contacts 1 to {len(grasp)}"
+        legend.line(f"{which}: {shown}")
+
+
+@picture
+def draw_compare(
+    grasp: Grasp,
+    *,
+    wrench: Wrench | None = None,
+    methods: Iterable[str] | None = None,
+    extent: Exact | None = None,
+    width: float = 180.0,
+) -> Scene:
+    """Draw the forces that each method accepts, as exact polygons: small multiples in one plane.
+
+    Args:
+        grasp: contacts; springs and preload count where a method knows of them.
+        wrench: marked in every panel: a disc where the method accepts it, a cross where it does
+            not; the plane has its torque.
+        methods: keys of `equilibrium.methods.METHODS`; if omitted, all that have a region (without
+            those for which the contacts are too many).
+        extent: half the side of each panel, about the origin; if omitted, all borders are shown.
+        width: of the figure, in millimetres.
+
+    Raises:
+        GraspError: an unknown method or none, too many contacts, an extent that is not above 0.
+        MissingExtraError: matplotlib is absent.
+    """
+    question = PlaneQuestion(wrench, extent)
+    chosen = [method_named(name) for name in _names(grasp, methods)]
+    parts = [
+        (method.label, method.region(grasp, origin=(0, 0, question.torque)))
+        for method in watched(chosen, "methods")
+    ]
+    return draw_parts(grasp, parts, question, width, columns=max(1, int(width / 44)))
+
+
+def _names(grasp: Grasp, methods: Iterable[str] | None) -> list[str]:
+    if methods is None:
+        return [name for name in WITH_REGION if METHODS[name].tries(grasp)]
+    names = list(methods)
+    if not names:
+        raise GraspError(f"no method is given; known are {', '.join(WITH_REGION)}")
+    return names
+
+
+@picture
+def draw_slice(
+    grasp: Grasp,
+    *,
+    wrench: Wrench | None = None,
+    preload: Exact | None = None,
+    extent: Exact | None = None,
+    axes: str = "",
+    directions: int = 16,
+    width: float = 180.0,
+) -> Scene:
+    """Draw the resisted forces three times in the same plane, with the same axes.
+
+    (a) The slice of the Grasp Wrench Space with normal forces that sum to at most 1: it knows
+    neither springs nor preload. (b) The exact set without preload. (c) The same with the grasp's
+    own preloads or, where it has none or one is given, with one preload at every contact. The
+    border is drawn only where resistance ends; what reaches the edge has no end, and fades.
+
+    In space, one picture: the wrenches along directions of a plane of two coordinates, as far as
+    they are proved to be resisted, with both ends of each bracket of a border; thick where the
+    magnitudes that were tried stayed undecided, up to the edge if no proof was found beyond.
+    Shaded outside is all that the proofs found refute: each refutes a convex part of the plane.
+
+    Args:
+        grasp: contacts.
+        wrench: marked in every part; the plane has its torque.
+        preload: at every contact of part (c); if omitted, the grasp's own preloads, or 1 where it
+            has none.
+        extent: half the side of each part, about the origin; if omitted, all borders are shown.
+        axes: in space, two of fx, fy, fz, tx, ty, tz; "fx,fy" if omitted.
+        directions: how many, in space.
+        width: of the figure, in millimetres.
+
+    Raises:
+        GraspError: an extent that is not above 0.
+        MissingExtraError: matplotlib is absent.
+    """
+    if grasp.dimension == 3:
+        if not (wrench is preload is extent is None):
+            raise GraspError("wrench, preload and extent are for slices in the plane")
+        return slice_in_space(grasp, axes or "fx,fy", directions, min(width, 88.0))
+    if axes:
+        raise GraspError("axes are for grasps in space; leave them out")
+    question = PlaneQuestion(wrench, extent)
+    given = None if preload is None else rational(preload, "preload")
+    parts = slices(grasp, question.torque, given)
+    return draw_parts(grasp, parts, question, width)
+
+
+def draw_parts(
+    grasp: Grasp,
+    parts: Sequence[tuple[str, Region]],
+    question: PlaneQuestion,
+    width: float,
+    columns: int | None = None,
+) -> Scene:
+    """Return panels of one window with a region each, in one colour."""
+    marked, fades = question.marked, question.half is None
+    found = [region for _, region in parts]
+    window = joint_window(found, marked, question.half)
+    scene, panels = row_of_panels(len(parts), window, width, grasp, columns)
+    legend = scene.legend
+    if any(region.polygons for region in found):
+        legend.key(symbol(SHADE), f"resisted forces at torque {number(question.torque)}")
+    else:
+        legend.line(f"nothing is resisted at torque {number(question.torque)}")
+    explain_borders(legend, found, fades)
+    if question.wrench is not None:
+        legend.key(symbol("wrench-points"), f"{wrench_text(question.wrench, grasp.units)}: yes, no")
+    for panel, (title, region) in zip(panels, parts, strict=True):
+        panel.title(title)
+        panel.region(region, by_states=False)
+        if fades:
+            panel.fade()
+        for point in marked:
+            panel.wrench(point, region.contains(point))
+    return scene
+
+
+def slices(grasp: Grasp, torque: Fraction, preload: Fraction | None) -> list[tuple[str, Region]]:
+    """Return title and region of the three parts."""
+    origin = (0, 0, torque)
+    own = {contact.preload for contact in grasp}
+    if preload is None and len(own) > 1:
+        title, loaded = "(c) the preloads of the grasp", grasp
+    else:
+        chosen = (max(own, default=0) or 1) if preload is None else preload
+        title, loaded = f"(c) preload {number(chosen)}", grasp.with_preload(chosen)
+    return [
+        ("(a) Grasp Wrench Space, L1", METHODS["wrench-space-L1"].region(grasp, origin=origin)),
+        ("(b) no preload", resisted_region(grasp.with_preload(0), origin=origin)),
+        (title, resisted_region(loaded, origin=origin)),
+    ]

@@ -1,0 +1,312 @@
+"""Claims on the number of slip states, and on the running times of Steps 1 to 3.
+
+A verdict that rests on a clock would change with the machine. The stated bounds of the steps are on
+numbers of operations, and these can be counted exactly; how they grow is shown beside the bound.
+"""
+
+from __future__ import annotations
+
+import math
+import random
+from collections.abc import Callable, Iterator
+from functools import partial
+from itertools import combinations
+from typing import Any
+
+from arrangement.enumeration.great_circles import sphere_arrangement
+from proofs_check.instances.printed import STATE_COUNTS
+
+from .parts import *
+
+ENUMERATION = "enumeration of all faces"
+THEOREM = "Zaslavsky's theorem on the intersection lattice"
+
+
+def _states_enumerated(planes: Arrangement) -> int:
+    return len({face.signs for face in planes.faces()})
+
+
+def _states_counted(planes: Arrangement) -> int:
+    return sum(counts.f_vector(planes))
+
+
+def _published_predicted(planes: Arrangement) -> int:
+    """Regions V, facets E, and E - V + 2 cycles, from the theorem alone."""
+    _, _, edges, vertices = counts.f_vector(planes)
+    return vertices + edges + (edges - vertices + 2)
+
+
+def _general_position(rng: random.Random) -> Iterator[Case]:
+    for m in STATE_COUNTS:
+        yield arrangement_case(simple_arrangement(rng, m), f"m = {m}")
+
+
+def _simple_types(rng: random.Random) -> Iterator[Case]:
+    yield from census_cases(TYPES, simple=True)
+    yield from (arrangement_case(simple_arrangement(rng, m)) for m in range(8, 16))
+
+
+def _region_maximum(planes: Arrangement, regions: int) -> bool:
+    """At most m^2 - m + 2, with equality exactly for distinct planes in general position."""
+    m = len(planes)
+    simple = planes.is_simple and len(planes.distinct) == m
+    return regions <= m * m - m + 2 and (regions == m * m - m + 2) == simple
+
+
+def _region_maxima(signs: Signs, n: int) -> Booleans:
+    regions, most = f_vectors(signs, n)[:, 2], n * n - n + 2
+    below: Booleans = (regions <= most) & ((regions == most) == signs.all(1))
+    return below
+
+
+#: Dimension -> most planes of the samples.
+_MOST_PLANES = {1: 8, 2: 8, 3: 7, 4: 6}
+
+
+def _bound_cases(rng: random.Random) -> Iterator[Case]:
+    for d, most in _MOST_PLANES.items():
+        for m in range(1, most + 1):
+            for size in (1, 2, 9):
+                for affine in (False, True):
+                    planes = random_arrangement(rng, m, d, size, affine=affine)
+                    yield arrangement_case(planes, f"d = {d}, {planes!r}")
+
+
+def _simple_affine(rng: random.Random) -> Iterator[Case]:
+    for d, most in _MOST_PLANES.items():
+        for m in range(2, most + 1):
+            planes = simple_arrangement(rng, m, d, affine=True)
+            yield arrangement_case(planes, f"d = {d}, m = {m}, simple affine")
+
+
+def _bound(planes: Arrangement) -> tuple[int, ...]:
+    d, m = planes.dimension, len(planes)
+    return tuple(counts.fukuda_bound(m, d, k) for k in range(d + 1))
+
+
+def _below_bound(planes: Arrangement, f: tuple[int, ...]) -> bool:
+    return all(number <= bound for number, bound in zip(f, _bound(planes), strict=True))
+
+
+def _explain_count(planes: Arrangement, states: Any) -> str:
+    m, printed = len(planes), STATE_COUNTS.get(len(planes))
+    if states == printed:
+        return ""
+    if m == 2:
+        return f"printed {printed}: the steps list the one line twice, once for each cycle"
+    return f"printed {printed}: the steps leave out the origin, where all contacts stick"
+
+
+def _explain_published(planes: Arrangement, listed: Any) -> str:
+    printed = STATE_COUNTS[len(planes)]
+    true = _states_counted(planes)
+    return f"printed {printed}; different states of rigid motion: {true}"
+
+
+_COLUMNS = exhaustive(
+    "the 8 printed columns, one arrangement in general position each", _general_position
+)
+_on_f_vectors = partial(
+    stated,
+    routes=(
+        Route(ENUMERATION, lambda planes: planes.f_vector),
+        Route(THEOREM, counts.f_vector),
+    ),
+)
+
+
+def _general_f(m: int) -> tuple[int, ...]:
+    """The closed form of the f-vector in general position, m >= 3."""
+    return (1, m * (m - 1), 2 * m * (m - 1), m * m - m + 2)
+
+
+_OVER = (
+    "counted on all 167 types of 3 to 7 distinct planes of rank 3, "
+    "samples of 1 to 10 planes of every rank, and 8, 12, 16 planes in general position"
+)
+
+
+def _counted_cases(rng: random.Random) -> Iterator[Case]:
+    yield from types_and_samples(rng, range(3, 8), range(1, 11))
+    for m in (8, 12, 16):
+        yield arrangement_case(simple_arrangement(rng, m), f"m = {m}, general position")
+
+
+def _signs(planes: Arrangement) -> list[tuple[int, ...]]:
+    return [region.signs for region in planes.faces(3)]
+
+
+def _tests_by_signs(planes: Arrangement) -> int:
+    """Step 1 tests each state of i signs against plane i: all beginnings of regions' signs."""
+    signs = _signs(planes)
+    return sum(len({vector[:i] for vector in signs}) for i in range(len(planes)))
+
+
+def _tests_by_theorem(planes: Arrangement) -> int:
+    """The regions of the first i planes are the states that plane i is tested against."""
+    starts = (Arrangement(planes.normals[:i]) for i in range(1, len(planes)))
+    return 1 + sum(map(counts.region_count, starts))
+
+
+def _comparisons_by_pairs(planes: Arrangement) -> int:
+    return sum(1 for _ in combinations(_signs(planes), 2))
+
+
+def _comparisons_by_theorem(planes: Arrangement) -> int:
+    return math.comb(counts.region_count(planes), 2)
+
+
+def _graph_traced(planes: Arrangement) -> tuple[int, int]:
+    sphere = sphere_arrangement(planes)
+    return sphere.region_count, sphere.arc_count
+
+
+def _graph_by_theorem(planes: Arrangement) -> tuple[int, int]:
+    f = counts.f_vector(planes)
+    return f[3], f[2]
+
+
+def _growth(count: Callable[[int], int]) -> Callable[[Arrangement, object], str]:
+    """Show the exponent between m / 2 and m planes in general position, from closed forms."""
+
+    def explain(planes: Arrangement, _: object) -> str:
+        m = len(planes)
+        if m < 8 or not planes.is_simple:
+            return ""
+        exponent = math.log2(count(m) / count(m // 2))
+        return f"grows like m^{exponent:.2f} from {m // 2} to {m} planes in general position"
+
+    return explain
+
+
+def _most_regions(m: int) -> int:
+    return m * m - m + 2
+
+
+def _work(m: int) -> int:
+    """E^3 + V E^2 log2 V, rounded down, for planes in general position."""
+    v, e = _most_regions(m), 2 * m * (m - 1)
+    return e**3 + v * e * e * v.bit_length()
+
+
+_step = partial(
+    stated,
+    sources=proved(_OVER, _counted_cases),
+)
+
+
+CLAIMS = (
+    stated(
+        id="great-circle-regions",
+        views=(
+            View(
+                "sphere",
+                "Four great circles in general position: 14 regions, half of them in front.",
+                instance=Arrangement([(1, 1, 1), (1, 1, -1), (1, -1, 1), (-1, 1, 1)]).to_dict(),
+            ),
+        ),
+        routes=(
+            Route(
+                "great circles: arcs traced around regions",
+                lambda planes: sphere_arrangement(planes).region_count,
+            ),
+            Route("|chi(-1)| of the characteristic polynomial", counts.region_count),
+        ),
+        judge=_region_maximum,
+        many_types=ManyTypes("regions composed from cocircuits and counted", _region_maxima),
+        sources=proved_on_types(12, per_count=4),
+    ),
+    stated(
+        id="slip-state-counts",
+        routes=(
+            Route(
+                "Steps 1 to 3 as published, run",
+                lambda planes: len(published_enumeration(planes).states),
+            ),
+            Route("V + E + (E - V + 2) from Zaslavsky's theorem", _published_predicted),
+        ),
+        judge=lambda planes, listed: listed == STATE_COUNTS[len(planes)],
+        sources=_COLUMNS,
+        explain=_explain_published,
+    ),
+    stated(
+        id="different-slip-states",
+        routes=(Route(ENUMERATION, _states_enumerated), Route(THEOREM, _states_counted)),
+        judge=lambda planes, states: states == STATE_COUNTS[len(planes)],
+        sources=_COLUMNS,
+        search=lambda: smallest_arrangements(range(2, 4), distinct=True),
+        explain=_explain_count,
+    ),
+    _on_f_vectors(
+        id="state-formula",
+        judge=lambda planes, f: f == _general_f(len(planes)),
+        sources=proved(
+            "checked on all 18 simple types of 3 to 7 planes; beside them one sample for each "
+            "m = 8, ..., 15",
+            _simple_types,
+        ),
+    ),
+    _on_f_vectors(
+        id="fukuda-bound",
+        judge=_below_bound,
+        sources=proved(
+            "checked on central and affine arrangements in R^1 to R^4, degenerate ones included",
+            _bound_cases,
+        ),
+    ),
+    _on_f_vectors(
+        id="fukuda-bound-attained",
+        judge=lambda planes, f: f == _bound(planes),
+        sources=sampled(
+            "one simple affine arrangement for each d = 1, ..., 4 and m up to 8, 8, 7, 6",
+            _simple_affine,
+        ),
+    ),
+    _on_f_vectors(
+        id="bound-not-attained",
+        judge=lambda planes, f: sum(f) < sum(_bound(planes)),
+        sources=proved_on_types(10),
+        hypothesis=Hypothesis("m >= 4", lambda planes: len(planes) >= 4),
+        search=lambda: smallest_arrangements(range(1, 4), 1),
+    ),
+    stated(
+        id="step-1-square-bound",
+        routes=(
+            Route(ENUMERATION, lambda planes: planes.f_vector[3]),
+            Route("|chi(-1)| of the characteristic polynomial", counts.region_count),
+        ),
+        judge=lambda planes, regions: regions <= len(planes) ** 2,
+        sources=proved_on_types(12),
+        hypothesis=Hypothesis("m >= 2", lambda planes: len(planes) >= 2),
+        search=lambda: smallest_arrangements(range(1, 4), 1),
+    ),
+    _step(
+        id="step-1-time",
+        routes=(
+            Route("beginnings of the enumerated regions' signs", _tests_by_signs),
+            Route("1 + sum of |chi(-1)| over the first i planes", _tests_by_theorem),
+        ),
+        judge=lambda planes, tests: tests <= len(planes) ** 3,
+        explain=_growth(lambda m: 1 + sum(map(_most_regions, range(1, m)))),
+    ),
+    _step(
+        id="step-2-time",
+        routes=(
+            Route("pairs of enumerated regions, one by one", _comparisons_by_pairs),
+            Route("V (V - 1) / 2 with V = |chi(-1)|", _comparisons_by_theorem),
+        ),
+        judge=lambda planes, pairs: pairs <= len(planes) ** 4,
+        explain=_growth(lambda m: math.comb(_most_regions(m), 2)),
+    ),
+    _step(
+        id="step-3-time",
+        routes=(
+            Route("great circles: regions and arcs traced", _graph_traced),
+            Route("Zaslavsky's theorem", _graph_by_theorem),
+        ),
+        judge=lambda planes, found: (
+            found[0] <= _most_regions(len(planes)) and found[1] <= 2 * len(planes) ** 2
+        ),
+        explain=_growth(_work),
+    ),
+)

@@ -1,0 +1,205 @@
+"""Claims on the dual polyhedron: its graph, its bounds, its faces as a minimum cycle basis."""
+
+from __future__ import annotations
+
+import random
+from collections.abc import Iterator
+from functools import lru_cache, partial
+
+import networkx as nx
+
+from proofs_check.routes.many_types import cycle_bases_are_faces
+
+from .parts import *
+
+FACES = "enumerated faces"
+COVECTORS = "covectors composed from the chirotope"
+#: What a slip state contributes to V, E and F of the dual.
+_VEF_ROUTES = (
+    Route("enumeration of all faces", lambda planes: _vef(planes.f_vector)),
+    Route("Zaslavsky's theorem", lambda planes: _vef(counts.f_vector(planes))),
+)
+COMPOSED = "all faces, composed from cocircuits and counted"
+RANK_3 = Hypothesis("the normals have rank 3", lambda planes: planes.rank == 3)
+
+
+def _edge_and_face_bounds(signs: Signs, n: int) -> Booleans:
+    faces, edges, vertices = f_vectors(signs, n).T
+    below: Booleans = (edges <= 3 * vertices - 6) & (faces <= 2 * vertices - 4)
+    return below
+
+
+def _bipartite_bounds(signs: Signs, n: int) -> Booleans:
+    faces, edges, vertices = f_vectors(signs, n).T
+    simple = (signs != 0).all(axis=1)
+    most = ((edges == 2 * vertices - 4) == simple) & ((faces == vertices - 2) == simple)
+    holds: Booleans = (edges <= 2 * vertices - 4) & (faces <= vertices - 2) & most
+    return holds
+
+
+@lru_cache(maxsize=256)
+def _faces_graph(planes: Arrangement) -> DualGraph:
+    return from_signs(*([face.signs for face in planes.faces(k)] for k in (3, 2, 1)))
+
+
+_covector_graph = lru_cache(maxsize=256)(from_covectors)
+
+
+def _vef(f: tuple[int, ...]) -> tuple[int, int, int]:
+    """Regions, facets and lines: vertices, edges and faces of the dual."""
+    return (f[3], f[2], f[1])
+
+
+def _rank_three(rng: random.Random) -> Iterator[Case]:
+    yield from census_cases(TYPES)
+    yield from mixed_cases(rng, range(3, 13), per_count=4, rank=3)
+
+
+def _planar_by_networkx(planes: Arrangement) -> tuple[bool, bool]:
+    graph = nx.Graph([tuple(edge) for edge in _faces_graph(planes).edges])
+    graph.add_nodes_from(_faces_graph(planes).vertices)
+    planar, _ = nx.check_planarity(graph)
+    return bool(planar), len(graph) > 3 and nx.node_connectivity(graph) >= 3
+
+
+def _planar_by_sphere(planes: Arrangement) -> tuple[bool, bool]:
+    graph = _covector_graph(planes)
+    planar = is_sphere(graph) or _cycle_or_edge(graph)
+    return planar, is_three_connected(graph)
+
+
+def _cycle_or_edge(graph: DualGraph) -> bool:
+    """In rank 1 and 2 the graph is an edge or a cycle, which is planar."""
+    return all(len(near) <= 2 for near in graph.neighbours.values())
+
+
+def _hamming(graph: DualGraph) -> tuple[int, int, bool]:
+    """Facets; pairs of regions that differ in one sign; whether distances are Hamming distances."""
+    ordered = sorted(graph.vertices)
+    pairs = sum(_differing(a, b) == 1 for i, a in enumerate(ordered) for b in ordered[:i])
+    isometric = all(
+        length == _differing(start, end)
+        for start in ordered
+        for end, length in distances(graph, start).items()
+    )
+    return len(graph.edges), pairs, isometric
+
+
+def _differing(a: tuple[int, ...], b: tuple[int, ...]) -> int:
+    return sum(x != y for x, y in zip(a, b, strict=True))
+
+
+def _published_cycles(planes: Arrangement) -> tuple[tuple[int, ...], bool]:
+    """Lengths in the basis that Step 3 finds, and whether its cycles are the face boundaries."""
+    found = published_enumeration(planes, merge=True)
+    lines = sorted(found.lines)
+    true = sorted(face.signs for face in planes.faces(1))
+    return tuple(sorted(map(len, found.cycles[:-1]))), bool(lines) and lines == true
+
+
+def _horton_cycles(planes: Arrangement) -> tuple[tuple[int, ...], bool]:
+    """The same from covectors and Horton's algorithm.
+
+    The basis consists of faces exactly when its total length is that of all faces but a longest
+    one, its size is F - 1, and the faces have the cycle space as their span.
+    """
+    graph = _covector_graph(planes)
+    lengths = minimum_cycle_lengths(graph)
+    faces = sorted(map(len, graph.faces))
+    return tuple(sorted(lengths)), len(faces) > 1 and lengths == tuple(faces[:-1])
+
+
+#: True of most planes; the smallest counterexample to the rest is looked for.
+_saved = partial(
+    stated,
+    search=lambda: smallest_arrangements(range(1, 4), 1),
+)
+
+CLAIMS = (
+    _saved(
+        id="euler",
+        routes=_VEF_ROUTES,
+        judge=lambda planes, vef: vef[0] - vef[1] + vef[2] == 2,
+        sources=proved_on_types(10, "of every rank", 4),
+        hypothesis=RANK_3,
+    ),
+    _saved(
+        id="dual-edge-and-face-bounds",
+        routes=_VEF_ROUTES,
+        judge=lambda planes, vef: vef[1] <= 3 * vef[0] - 6 and vef[2] <= 2 * vef[0] - 4,
+        many_types=ManyTypes(COMPOSED, _edge_and_face_bounds),
+        sources=proved_on_types(10, "of every rank", 4),
+        hypothesis=Hypothesis("two planes differ", lambda planes: planes.rank >= 2),
+    ),
+    stated(
+        id="dual-bipartite-bounds",
+        views=(
+            View(
+                "graph",
+                "The dual graph of four planes in general position, the rhombic dodecahedron: "
+                "14 vertices of two kinds, 24 edges, 12 faces.",
+                instance=Arrangement([(1, 1, 1), (1, 1, -1), (1, -1, 1), (-1, 1, 1)]).to_dict(),
+            ),
+        ),
+        routes=_VEF_ROUTES,
+        judge=lambda planes, vef: (
+            vef[1] <= 2 * vef[0] - 4
+            and vef[2] <= vef[0] - 2
+            and (vef[1] == 2 * vef[0] - 4) == planes.is_simple == (vef[2] == vef[0] - 2)
+        ),
+        many_types=ManyTypes(COMPOSED, _bipartite_bounds),
+        sources=proved(
+            f"checked on {EVERY_TYPE}; beside them samples of 3 to 12 planes of rank 3, some "
+            "coincident",
+            _rank_three,
+        ),
+    ),
+    _saved(
+        id="dual-planar-3-connected",
+        routes=(
+            Route(f"{FACES}; networkx planarity and node connectivity", _planar_by_networkx),
+            Route(f"{COVECTORS}; faces close to a sphere, removal of pairs", _planar_by_sphere),
+        ),
+        judge=lambda planes, value: value == (True, True),
+        sources=proved_on_types(6, "of every rank"),
+        hypothesis=RANK_3,
+    ),
+    _saved(
+        id="hamming-edges",
+        views=(
+            View(
+                "sphere",
+                "The tangential planes of the paper's four-contact grasp. Each circle is two "
+                "planes, so neighbours differ in two signs.",
+                instance=Arrangement([(0, 1, -1), (0, 1, -1), (0, 1, 1), (0, 1, 1)]).to_dict(),
+            ),
+        ),
+        routes=(
+            Route(FACES, lambda planes: _hamming(_faces_graph(planes))),
+            Route(COVECTORS, lambda planes: _hamming(_covector_graph(planes))),
+        ),
+        judge=lambda planes, value: value[0] == value[1] and value[2],
+        sources=proved_on_types(6),
+        hypothesis=Hypothesis(
+            "no two planes coincide", lambda planes: len(planes.distinct) == len(planes)
+        ),
+    ),
+    _saved(
+        id="cycle-basis-faces",
+        routes=(
+            Route("Steps 1 to 3 run (networkx), against enumerated faces", _published_cycles),
+            Route(f"Horton's algorithm on {COVECTORS}", _horton_cycles),
+        ),
+        judge=lambda planes, value: value[1],
+        many_types=ManyTypes(
+            "Horton's cycles, each at least as long as the faces that it encloses",
+            cycle_bases_are_faces,
+        ),
+        sources=proved(
+            "checked on all 24 types of 3 to 6 distinct planes of rank 3; beside them samples of "
+            "1 to 6 planes of every rank",
+            lambda rng: types_and_samples(rng, range(3, 7), range(1, 7)),
+        ),
+        hypothesis=RANK_3,
+    ),
+)

@@ -1,1 +1,0 @@
-"""Claims on grasps: the model, the tables, proofs, methods, modes, and space."""

@@ -1,0 +1,106 @@
+"""What claims are made of: one door to all that the modules beside this one share."""
+
+from __future__ import annotations
+
+import tomllib
+from collections.abc import Mapping
+from functools import cache
+from importlib.resources import files
+from typing import Any
+
+from arrangement import counts as counts
+from arrangement.arrangement import Arrangement as Arrangement
+from arrangement.enumeration.paper_steps import published_enumeration as published_enumeration
+from arrangement.library.census.chirotopes import Signs as Signs
+from arrangement.numbers.exact import RationalVector as RationalVector
+from arrangement.numbers.float_filter import Booleans as Booleans
+from equilibrium.decide.verdict import Solver as Solver
+from equilibrium.grasps.files import read_grasp as read_grasp
+from equilibrium.model.contact import Contact as Contact
+from equilibrium.model.grasp import Grasp as Grasp
+from proofs_check.instances import printed as printed
+from proofs_check.instances.arrangements import (
+    EVERY_TYPE as EVERY_TYPE,
+    TYPES as TYPES,
+    arrangement_case as arrangement_case,
+    census_cases as census_cases,
+    mixed_cases as mixed_cases,
+    proved_on_types as proved_on_types,
+    random_arrangement as random_arrangement,
+    simple_arrangement as simple_arrangement,
+    smallest_arrangements as smallest_arrangements,
+    types_and_samples as types_and_samples,
+)
+from proofs_check.instances.domains import domain
+from proofs_check.instances.grasps import (
+    grasp_case as grasp_case,
+    grasp_of as grasp_of,
+    listed_states as listed_states,
+    paper_question as paper_question,
+    smallest_questions as smallest_questions,
+)
+from proofs_check.routes import oracle as oracle
+from proofs_check.routes.dual_graph import (
+    DualGraph as DualGraph,
+    Edge as Edge,
+    distances as distances,
+    from_covectors as from_covectors,
+    from_signs as from_signs,
+    is_sphere as is_sphere,
+    is_three_connected as is_three_connected,
+    minimum_cycle_lengths as minimum_cycle_lengths,
+)
+from proofs_check.routes.many_types import f_vectors as f_vectors
+from proofs_check.routes.oracle import Question as Question, Row as Row, project as project
+from proofs_check.statements.statement import (
+    Case as Case,
+    Claim as Claim,
+    Hypothesis as Hypothesis,
+    ManyTypes as ManyTypes,
+    Route as Route,
+    Source as Source,
+    Verdict,
+    View as View,
+    exhaustive as exhaustive,
+    proved as proved,
+    sampled as sampled,
+)
+
+
+@cache
+def _document() -> dict[str, Any]:
+    return tomllib.loads(files(__package__).joinpath("claims.toml").read_text(encoding="utf-8"))
+
+
+def paper() -> dict[str, str]:
+    """Return title and source of the paper that the claims are about."""
+    return {"title": _text(_document()["title"]), "about": _text(_document()["source"])}
+
+
+@cache
+def words() -> Mapping[str, Mapping[str, Any]]:
+    """Return what is said of each claim, by its id, in the order of the paper."""
+    found = {}
+    for number, title in _document()["sections"].items():
+        heading = title if number == "beyond" else f"{number}. {title}"
+        for id, said in _document()[number].items():
+            found[id] = {key: _value(key, value) for key, value in said.items()}
+            found[id]["section"] = heading
+    return found
+
+
+def _value(key: str, value: Any) -> Any:
+    if key in ("domain", "expected"):
+        return domain(value) if key == "domain" else Verdict(value)
+    if isinstance(value, str):
+        return _text(value)
+    return tuple(map(_text, value)) if isinstance(value, list) else value
+
+
+def _text(value: str) -> str:
+    return " ".join(value.split())
+
+
+def stated(id: str, **checked: Any) -> Claim:
+    """Return the claim of that id: its words stand in ``claims.toml``, how to check it is given."""
+    return Claim(id=id, **{**words()[id], **checked})

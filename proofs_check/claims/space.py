@@ -1,0 +1,293 @@
+"""Our own claims: on grasps in space, and on the size of proofs that nothing balances a load."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from fractions import Fraction
+from functools import lru_cache
+from itertools import product
+from math import comb
+from random import Random
+from typing import TypeAlias
+
+from arrangement.numbers.linear.programs import Infeasible, feasible_point
+from equilibrium.decide.spatial_verdict import solve_in_space
+from equilibrium.decide.verdict import Verdict as Decision
+from equilibrium.grasps.inputs.random import random_grasp
+from proofs_check.instances.printed import FOUR_CONTACT_GRASP, FRICTION, THREE_CONTACT_GRASP
+from proofs_check.routes.leaves import leaf_count
+from proofs_check.routes.oracle import stable
+
+from .parts import *
+
+#: The verdicts in the plane and in space.
+_Pair: TypeAlias = tuple[bool, bool]
+_LOADS = tuple(
+    tuple(map(Fraction, w)) for w in (("0", "1", "0"), ("0", "9/8", "0"), ("1", "1/2", "1/4"))
+)
+
+
+def _in_space(question: Question, pyramid: int | None) -> bool:
+    x, y, torque = question.wrench
+    wrench = (x, y, 0, 0, 0, torque)
+    return solve_in_space(grasp_of(question).in_space(), wrench, pyramid=pyramid).stable
+
+
+@lru_cache(maxsize=64)
+def _by_states(question: Question) -> _Pair:
+    return stable(question), _in_space(question, None)
+
+
+@lru_cache(maxsize=64)
+def _by_solver(question: Question) -> _Pair:
+    return Solver(grasp_of(question)).solve(question.wrench).stable, _in_space(question, 4)
+
+
+def _cases(source: Random) -> Iterator[Case]:
+    del source
+    for contacts, preload, load in product(
+        (THREE_CONTACT_GRASP, FOUR_CONTACT_GRASP), (0, 1), _LOADS
+    ):
+        question = paper_question(contacts, load, preload)
+        label = f"{len(contacts)} contacts, P = {preload}, w = ({', '.join(map(str, load))})"
+        yield grasp_case(question, label)
+
+
+#: Bounds of the unknowns in a mixed-integer model of grasps in space: every coordinate of the
+#: motion, every force, every torque of a force.
+_MOTION, _FORCE, _TORQUE = 5, 200, 2500
+
+
+@dataclass(frozen=True)
+class _Finger:
+    """One contact without friction or preload under a load along its normal."""
+
+    contact: Contact
+    force: Fraction
+
+    @property
+    def wrench(self) -> RationalVector:
+        """The load."""
+        return tuple(-self.force * x for x in self.contact.normal_wrench)
+
+
+def _finger(reach: int, stiffness: str, force: int) -> _Finger:
+    return _Finger(Contact([reach, 0, 0], [0, 0, 1], 0, stiffness), Fraction(force))
+
+
+def _fingers(source: Random) -> Iterator[Case]:
+    del source
+    for text, finger in (
+        ("motion", _finger(0, "1", 6)),
+        ("force", _finger(0, "100", 201)),
+        ("torque", _finger(100, "26", 26)),
+    ):
+        grasp = Grasp([finger.contact])
+        yield Case(f"bound of the {text}", finger, grasp.to_dict())
+
+
+def _boxed_by_programs(finger: _Finger) -> _Pair:
+    """The verdict without bounds, and the linear programs of both states with them."""
+    contact, wrench = finger.contact, finger.wrench
+    normal, k = contact.normal_wrench, contact.stiffness
+    unit = [[Fraction(int(i == j)) for j in range(6)] for i in range(6)]
+    box = [[s * x for x in row] + [Fraction(_MOTION)] for row in unit for s in (1, -1)]
+    spring = [-k * x for x in normal]
+    found = False
+    for touches in (True, False):
+        sign = 1 if touches else -1
+        rows = [*box, [sign * x for x in spring] + [Fraction(0)]]
+        force = [*spring, Fraction(0)] if touches else [Fraction(0)] * 7
+        rows.append([-x for x in force[:-1]] + [Fraction(_FORCE)])
+        for lever in normal[3:]:
+            rows += [[s * lever * x for x in force[:-1]] + [Fraction(_TORQUE)] for s in (1, -1)]
+        balance = [
+            [along * x for x in force[:-1]] + [load]
+            for along, load in zip(normal, wrench, strict=True)
+        ]
+        found = found or not isinstance(feasible_point(6, rows, balance), Infeasible)
+    return solve_in_space(Grasp([contact]), wrench).stable, found
+
+
+def _boxed_by_hand(finger: _Finger) -> _Pair:
+    """The force is the load's; the least largest coordinate of d with N . d = s is |s|/|N|_1."""
+    normal = finger.contact.normal_wrench
+    motion = finger.force / finger.contact.stiffness / sum(map(abs, normal))
+    torque = finger.force * max(map(abs, normal[3:]))
+    return finger.force >= 0, motion <= _MOTION and finger.force <= _FORCE and torque <= _TORQUE
+
+
+def _slip_planes(source: Random) -> Iterator[Case]:
+    del source
+    for m in range(1, 5):
+        grasp = random_grasp(m, seed=1, dimension=3)
+        yield Case(f"{m} random contacts", grasp, grasp.to_dict())
+    for name in ("two-opposed-fingers", "box-on-a-table"):
+        grasp = read_grasp(name)
+        yield Case(name, grasp, grasp.to_dict())
+
+
+def _general_faces(planes: int) -> int:
+    """Return the faces of planes with normals on the moment curve, any six of them independent."""
+    curve = [[Fraction(t) ** k for k in range(6)] for t in range(planes)]
+    return sum(Arrangement(curve, dimension=6).f_vector)
+
+
+def _slip_arrangement(grasp: Grasp) -> Arrangement:
+    return Arrangement([row for c in grasp for row in c.tangential_wrenches], dimension=6)
+
+
+def _zaslavsky_bound(planes: int, rank: int = 6) -> int:
+    """Return the faces of so many planes in general position through the origin of R^rank.
+
+    A flat of k < rank planes is one of ``comb(planes, k)``, and the others cut it into regions; all
+    planes together leave the origin.
+    """
+
+    def regions(n: int, d: int) -> int:
+        total: int = 2 * sum(comb(n - 1, i) for i in range(d))
+        return total if n else 1
+
+    if planes <= rank:
+        return int(3**planes)
+    return 1 + sum(comb(planes, k) * regions(planes - k, rank - k) for k in range(rank))
+
+
+#: Two fingers and a load that pyramids of 4 edges hold, and finer ones and round cones do not.
+_TWO_FINGERS = Grasp(
+    [Contact([1, 1, 1], [0, -1, 0], 1), Contact([-1, 0, 0], [0, 0, -1], "1/2", preload=1)]
+)
+_LET_GO = (0, 1, 2, 0, 0, 1)
+#: Edges; None is the round cone.
+_FINER = (4, 8, None)
+
+
+def _pyramids(source: Random) -> Iterator[Case]:
+    del source
+    yield Case("two fingers, w = (0, 1, 2, 0, 0, 1)", _TWO_FINGERS, _TWO_FINGERS.to_dict())
+
+
+def _by_search(grasp: Grasp) -> tuple[bool, ...]:
+    return tuple(solve_in_space(grasp, _LET_GO, pyramid=edges).stable for edges in _FINER)
+
+
+def _by_proofs(grasp: Grasp) -> tuple[bool, ...]:
+    """What the checker says that the certificates prove."""
+    found = []
+    for edges in _FINER:
+        verdict = solve_in_space(grasp, _LET_GO, pyramid=edges)
+        assert verdict.verify()
+        assert verdict.certificate is not None
+        found.append(verdict.certificate.kind == "resisted")
+    return tuple(found)
+
+
+#: Loads beyond what two jaws hold, whatever the number of their contacts: 2 along the jaws.
+_JAW_LOADS = (
+    *(tuple(map(Fraction, x)) for x in (("0", "3", "0"), ("1/2", "3", "1"), ("1", "-5/2", "1"))),
+    *((Fraction(0), 2 + Fraction(1, 10**power), Fraction(0)) for power in (3, 30)),
+)
+_COUNTS = (4, 6, 10, 20, 40, 80)
+
+
+def _jaws(m: int, load: tuple[Fraction, ...]) -> Question:
+    """Return m / 2 contacts at even distances on either jaw, of stiffness and preload 4 in all.
+
+    For m = 4 this is the four-contact grasp of the paper with preload 1.
+    """
+    n, share = m // 2, Fraction(4, m)
+    heights = [Fraction(2 * k - (n - 1), n - 1) for k in range(n)]
+    rows = tuple(
+        (Fraction(-side), height, Fraction(side), Fraction(0), FRICTION, share, share)
+        for side, height in product((1, -1), heights)
+    )
+    return Question(rows, load)
+
+
+@lru_cache(maxsize=64)
+def _decided(question: Question) -> Decision:
+    return Solver(grasp_of(question)).solve(question.wrench)
+
+
+def _checked(question: Question) -> int:
+    report = _decided(question).verify()
+    if not report or not report.leaves:
+        raise ValueError(f"the certificate is no proof: {report}")
+    return report.leaves
+
+
+def _evaluated(question: Question) -> int:
+    return leaf_count(question, _decided(question).certificate.to_dict()["tree"])
+
+
+def _jaw_cases() -> Iterator[Case]:
+    for load, m in product(_JAW_LOADS, _COUNTS):
+        label = f"m = {m}, w = ({', '.join(map(str, load))})"
+        yield grasp_case(_jaws(m, load), label)
+
+
+CLAIMS = (
+    stated(
+        id="more-edges-hold-no-less",
+        routes=(
+            Route("the solver", _by_search),
+            Route("certificates, read by the checker", _by_proofs),
+        ),
+        judge=lambda grasp, verdicts: list(verdicts) == sorted(verdicts),
+        sources=sampled("two fingers, found by a random search", _pyramids),
+        explain=lambda grasp, verdicts: " ".join("yes" if v else "no" for v in verdicts),
+    ),
+    stated(
+        id="boxes-change-verdicts",
+        routes=(
+            Route("the solver; linear programs of both states", _boxed_by_programs),
+            Route("the one force that balances, by hand", _boxed_by_hand),
+        ),
+        judge=lambda finger, verdicts: verdicts[0] == verdicts[1],
+        sources=exhaustive("one instance for each of the three bounds", _fingers),
+        explain=lambda finger, verdicts: f"resisted {verdicts[0]}, within the bounds {verdicts[1]}",
+    ),
+    stated(
+        id="slip-states-in-space",
+        routes=(
+            Route(
+                "faces listed",
+                lambda grasp: (
+                    len({face.signs for face in _slip_arrangement(grasp).faces()}),
+                    _zaslavsky_bound(2 * len(grasp)),
+                ),
+            ),
+            Route(
+                "Zaslavsky's theorem, for the grasp and for powers of the moment curve",
+                lambda grasp: (
+                    sum(_slip_arrangement(grasp).f_vector),
+                    _general_faces(2 * len(grasp)),
+                ),
+            ),
+        ),
+        judge=lambda grasp, numbers: numbers[0] <= numbers[1],
+        sources=sampled("1 to 4 random contacts, and two known grasps", _slip_planes),
+        explain=lambda grasp, numbers: f"{numbers[0]} of at most {numbers[1]}",
+    ),
+    stated(
+        id="planar-verdicts-embed",
+        routes=(
+            Route("all states in the plane; sectors and enclosures in space", _by_states),
+            Route("the planar solver; linear programs with pyramids in space", _by_solver),
+        ),
+        judge=lambda question, verdicts: verdicts[0] == verdicts[1],
+        sources=sampled("the paper's contacts, without preload and with preload 1", _cases),
+        explain=lambda question, verdicts: f"in the plane {verdicts[0]}, in space {verdicts[1]}",
+    ),
+    stated(
+        id="leaves-do-not-grow",
+        routes=(
+            Route("the checker of certificates", _checked),
+            Route("every leaf evaluated at the generators of its region", _evaluated),
+        ),
+        judge=lambda question, leaves: leaves <= _checked(_jaws(4, question.wrench)),
+        sources=sampled("five loads for m = 4, 6, 10, 20, 40, 80", lambda _: _jaw_cases()),
+        explain=lambda question, leaves: f"{leaves} leaves for {len(question.contacts)} contacts",
+    ),
+)
