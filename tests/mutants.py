@@ -155,8 +155,8 @@ _SIZES = (1, 2, 3, 4, 5, 7, 10, 20, 50, 100, 1000, 10**4, 10**6)
 low, high = self.spring.min(axis=0, initial=0), self.spring.max(axis=0, initial=0)
     0 -> 1 | a contact without force in the whole region gets no row either
 [space]
-if isinstance(state, tuple) and not isinstance(state, Face):
-    dropped: not isinstance(state, Face) | faces are states of pyramids, which return before
+if isinstance(state, tuple) and not isinstance(state, SlipFace):
+    dropped: not isinstance(state, SlipFace) | faces are states of pyramids, which return before
 if square < 0:
     Lt -> LtE | where the square is 0 both bounds ask for room >= 0
 contact, ends = split.at[0], list(split.directions)
@@ -170,11 +170,6 @@ return "" if room >= 0 or room * room * size <= friction**2 * -square else _LARG
 [plane]
 height = heights.pop() if heights else Fraction(0)
     0 -> 1 | 0 -> -1 | a grasp without contacts is one in the plane
-[robust]
-near = Interval(interval(1 - turn * turn / 2).low, near.high)
-    high -> low | both ends are 1
-if not pillars <= sticking or (pillars != sticking and len(pillars) != n):
-    dropped: not pillars <= sticking | more unknowns than equations: no box is mapped into itself
 [enclosure]
 if square.low <= 0:
     0 -> 1 | slips below 2^-96 are refused too: fewer enclosures hold

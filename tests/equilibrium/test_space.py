@@ -271,7 +271,7 @@ def test_planar_grasps_answer_as_in_the_plane():
 
 @pytest.mark.campaign
 def test_many_planar_grasps_answer_as_in_the_plane():
-    assert embedded(range(1000, 1120)) == 120
+    assert embedded(range(1000, 1060)) == 60
 
 
 def decided(kind, seeds):
@@ -307,9 +307,8 @@ def test_what_floats_leave_open_is_decided(kind, seed):
 @pytest.mark.campaign
 @pytest.mark.parametrize("kind", exotic.KINDS)
 def test_most_questions_that_are_not_in_general_position_are_decided(kind):
-    harder = {"huge friction": 95, "unequal stiffness": 95, "line": 95, "box": 95}
-    share = harder.get(kind, 98)
-    assert decided(kind, range(100, 200)) >= share
+    harder = ("huge friction", "unequal stiffness", "line", "box")
+    assert decided(kind, range(100, 140)) >= 39 - (kind in harder)
 
 
 def test_without_friction_a_load_is_resisted_if_normals_alone_balance_it():
@@ -332,7 +331,7 @@ class TestPlanes:
 
     @pytest.mark.campaign
     def test_many_in_any_plane_of_space_answer_as_in_the_plane(self):
-        for seed in range(1000, 1200):
+        for seed in range(1000, 1080):
             self.test_in_any_plane_of_space_they_answer_as_in_the_plane(seed)
 
     def proof(self):
@@ -730,15 +729,15 @@ def test_verdicts_on_round_cones_are_those_of_narrow_sectors():
 def test_many_verdicts_on_round_cones_are_those_of_narrow_sectors():
     found = sum(
         (
-            agrees_with_sectors(2, range(100, 230), balanced),
+            agrees_with_sectors(2, range(100, 160), balanced),
             agrees_with_sectors(2, range(230, 250), loaded),
-            agrees_with_sectors(3, range(100, 124), balanced),
-            agrees_with_sectors(3, range(124, 142), loaded),
+            agrees_with_sectors(3, range(100, 112), balanced),
+            agrees_with_sectors(3, range(124, 133), loaded),
         ),
         Counter(),
     )
-    assert min(found["resisted"], found["not resisted"]) > 20
-    assert found["undecided"] <= 4
+    assert min(found["resisted"], found["not resisted"]) > 9
+    assert found["undecided"] <= 2
 
 
 def agrees_with_all_states(contacts, seeds):
@@ -761,7 +760,7 @@ def test_verdicts_on_pyramids_are_those_of_all_states():
 
 @pytest.mark.campaign
 @pytest.mark.parametrize(
-    ("m", "seeds"), [(2, range(100, 250)), *((3, range(k, k + 10)) for k in range(0, 50, 10))]
+    ("m", "seeds"), [(2, range(100, 160)), *((3, range(k, k + 10)) for k in range(0, 30, 10))]
 )
 def test_many_verdicts_on_pyramids_are_those_of_all_states(m, seeds):
     # No load of these on two contacts is resisted.
