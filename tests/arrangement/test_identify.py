@@ -13,8 +13,13 @@ from hypothesis import given, strategies as st
 from arrangement import Arrangement, InputError, cli
 from arrangement.library import families
 from arrangement.library.census import PUBLISHED, catalogue, census, finschi_fukuda, identify
-from arrangement.library.census.chirotopes import canonical, chirotope_of, extended, triples
-from arrangement.library.census.extensions import extensions
+from arrangement.library.census.chirotopes import (
+    canonical,
+    chirotope_of,
+    extended,
+    extensions,
+    triples,
+)
 from arrangement.library.census.final_polynomials import OrderedProducts, proves_no_coordinates
 from arrangement.library.census.workshop import generate
 from arrangement.library.census.workshop.proofs import _comparisons, final_polynomial

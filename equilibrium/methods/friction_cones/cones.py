@@ -23,7 +23,7 @@ from equilibrium.methods.contact_laws.springs import Forces, force_rows, forces_
 from equilibrium.methods.method import Accepting, Method, Outcome, cut
 from equilibrium.model.grasp import Grasp, read_wrench
 from equilibrium.plane.contact_rows import Pair, balance_rows, negated, normal_force_row, unit_row
-from equilibrium.wrench_sets.images import StateImages
+from equilibrium.wrench_sets.space import StateImages
 
 
 @dataclass(frozen=True)
