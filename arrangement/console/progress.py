@@ -21,7 +21,7 @@ Item = TypeVar("Item")
 _WIDTH = 24
 _PAUSE = 0.2
 #: Seconds of the processor after which a loop is asked how long it will take.
-_MEASURED = 0.8
+_MEASURED = 0.5
 #: Loops that end sooner show no line.
 _PATIENCE = 1.0
 #: Seconds to the first line in a pipe, and the longest time between two.
