@@ -299,7 +299,7 @@ LIMITS = {
     "slip lab": ("equilibrium.pictures.lab.page:MAX_CONTACTS",),
     "arrangement lab": ("arrangement.pictures.lab.lines:MAX_PLANES",),
     "is exponential": ("contacts with a choice of three states",),
-    "of one picture": ("directions in a picture", "wrenches in a picture"),
+    "of one picture": ("contacts in a picture", "directions in a picture", "wrenches in a picture"),
     "combinatorial types": ("arrangement.library.census.catalogue:MOST_PLANES",),
     "tables of types": (
         "arrangement.library.files.others.chirotope:MOST_ELEMENTS",

@@ -33,6 +33,7 @@ MOST = {
     "cells in a picture": 400,
     "flats of one rank in a picture": 500,
     "contacts with a choice of three states": 12,
+    "contacts in a picture": 200,
     "directions in a picture": 720,
     "wrenches in a picture": 24,
 }

@@ -105,13 +105,21 @@ def _legal_rows(
             yield negated(pair[0])
 
 
+def _ask(grasp: Grasp) -> None:
+    budget.ask(
+        f"three states of each of {len(grasp)} contacts", seconds=1e-3 * budget.power(3, len(grasp))
+    )
+
+
 def _decide(grasp: Grasp, wrench: RationalVector) -> Outcome:
+    _ask(grasp)
     springs, remark = usual_springs(grasp)
     return _decided(grasp, wrench, springs).accepts, remark
 
 
 @cut
 def _region(grasp: Grasp) -> Iterator[Polyhedron | None]:
+    _ask(grasp)
     springs, _ = usual_springs(grasp)
     for states in product(STATES, repeat=len(grasp)):
         forces, rows = _forces(states, springs), _legal_rows(grasp, states, springs)
@@ -124,5 +132,4 @@ FRICTIONLESS_SLIP = Method(
     "frictionless slip",
     _decide,
     _region,
-    most_contacts=8,
 )

@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
+from contextlib import suppress
 from fractions import Fraction
 
 from arrangement.console.progress import watched
 from arrangement.drawing.figure import picture
 from arrangement.drawing.registry import Exact, Wrench
 from arrangement.drawing.scene.scene import Legend, Scene
+from arrangement.errors import OutOfReachError
 from arrangement.numbers.exact import rational
 from equilibrium.methods.registry import METHODS, WITH_REGION, method_named
 from equilibrium.model.errors import GraspError
@@ -109,21 +111,14 @@ def draw_compare(
         MissingExtraError: matplotlib is absent.
     """
     question = PlaneQuestion(wrench, extent)
-    chosen = [method_named(name) for name in _names(grasp, methods)]
-    parts = [
-        (method.label, method.region(grasp, origin=(0, 0, question.torque)))
-        for method in watched(chosen, "methods")
-    ]
-    return draw_parts(grasp, parts, question, width, columns=max(1, int(width / 44)))
-
-
-def _names(grasp: Grasp, methods: Iterable[str] | None) -> list[str]:
-    if methods is None:
-        return [name for name in WITH_REGION if METHODS[name].tries(grasp)]
-    names = list(methods)
-    if not names:
+    chosen = [method_named(name) for name in (WITH_REGION if methods is None else methods)]
+    if not chosen:
         raise GraspError(f"no method is given; known are {', '.join(WITH_REGION)}")
-    return names
+    parts = []
+    for method in watched(chosen, "methods"):
+        with suppress(*[OutOfReachError] * (methods is None)):
+            parts.append((method.label, method.region(grasp, origin=(0, 0, question.torque))))
+    return draw_parts(grasp, parts, question, width, columns=max(1, int(width / 44)))
 
 
 @picture
