@@ -64,7 +64,7 @@ def frictionless_slip(
             contact that is pressed together may be said to carry nothing.
 
     Raises:
-        GraspError: too many contacts.
+        OutOfReachError: too many contacts.
     """
     budget.keep(len(grasp), "contacts with a choice of three states")
     springs = springs_of(grasp, tangential_stiffness, rest_friction)
