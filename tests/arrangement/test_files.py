@@ -14,12 +14,7 @@ import pytest
 
 from arrangement import Arrangement, InputError, read_arrangement, write_text_atomically
 from arrangement.library.files.documents import arrangement_schema
-from arrangement.library.files.json_files import (
-    check_keys,
-    check_list,
-    instances,
-    read_document,
-)
+from arrangement.library.files.json_files import check_keys, check_list, instances, read_document
 from arrangement.library.instances import paths
 from tests.instances import is_in_space
 

@@ -13,11 +13,7 @@ from equilibrium.model.grasp import Grasp
 from equilibrium.wrench_sets.friction import least_friction
 from equilibrium.wrench_sets.margin import margin, sufficient_preloads
 from equilibrium.wrench_sets.outline import outline_of
-from equilibrium.wrench_sets.plane import (
-    FORCES,
-    resisted_region,
-    sectors,
-)
+from equilibrium.wrench_sets.plane import FORCES, resisted_region, sectors
 from equilibrium.wrench_sets.search_map import binary_search, compare, search_map
 
 from .strategies import directions, loads as wrenches, small, wide_grasps as grasps
@@ -164,9 +160,7 @@ def test_sectors_across_the_first_axis_and_open_ends():
 
 bounded = st.tuples(small, small).map(lambda p: (Fraction(min(p)), Fraction(max(p))))
 intervals = st.one_of(
-    bounded,
-    bounded.map(lambda p: (p[0], None)),
-    bounded.map(lambda p: (None, p[1])),
+    bounded, bounded.map(lambda p: (p[0], None)), bounded.map(lambda p: (None, p[1]))
 )
 
 

@@ -7,10 +7,7 @@ import pytest
 from hypothesis import given, settings, strategies as st
 
 from arrangement.arrangement import Arrangement
-from proofs_check.instances.arrangements import (
-    mixed_cases,
-    random_arrangement,
-)
+from proofs_check.instances.arrangements import mixed_cases, random_arrangement
 from proofs_check.routes.dual_graph import (
     DualGraph,
     from_covectors,

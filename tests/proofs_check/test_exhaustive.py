@@ -83,11 +83,10 @@ def test_step_1_tests_the_regions_of_all_beginnings(m):
 
 def test_the_counts_grow_about_as_stated():
     cases = [case.subject for case in steps._counted_cases(Random(0))][-3:]
-    for claim in steps.CLAIMS:
-        assert claim.explain is not None
+    for id, power in {"step-1-time": 3, "step-2-time": 4, "step-3-time": 6}.items():
+        claim = registry()[id]
         notes = [claim.explain(planes, None) for planes in cases]
         exponents = [float(note.split("^")[1].split(" ")[0]) for note in notes]
-        power = {"step-1-time": 3, "step-2-time": 4, "step-3-time": 6}[claim.id]
         assert all(power - 1 < exponent < power + 1 for exponent in exponents)
         assert abs(exponents[-1] - power) < 0.6
 

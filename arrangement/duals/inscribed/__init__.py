@@ -17,29 +17,21 @@ weights or a refutation; share no code with the checkers), `zonotope`, `report`.
 """
 
 from .certificates import (
-    FarkasCertificate,
-    IndependentSetCertificate,
-    PolyhedralGraph,
-    WeightCertificate,
+    FarkasCertificate as FarkasCertificate,
+    IndependentSetCertificate as IndependentSetCertificate,
+    PolyhedralGraph as PolyhedralGraph,
+    WeightCertificate as WeightCertificate,
 )
-from .hull import RepresentativeHull, SphereHull, representative_hull, sphere_hull, sphere_points
-from .report import Inscribability, inscribability
-from .search import decide
-from .zonotope import InscribedZonotope, inscribed_zonotope
-
-__all__ = [
-    "FarkasCertificate",
-    "IndependentSetCertificate",
-    "Inscribability",
-    "InscribedZonotope",
-    "PolyhedralGraph",
-    "RepresentativeHull",
-    "SphereHull",
-    "WeightCertificate",
-    "decide",
-    "inscribability",
-    "inscribed_zonotope",
-    "representative_hull",
-    "sphere_hull",
-    "sphere_points",
-]
+from .hull import (
+    RepresentativeHull as RepresentativeHull,
+    SphereHull as SphereHull,
+    representative_hull as representative_hull,
+    sphere_hull as sphere_hull,
+    sphere_points as sphere_points,
+)
+from .report import Inscribability as Inscribability, inscribability as inscribability
+from .search import decide as decide
+from .zonotope import (
+    InscribedZonotope as InscribedZonotope,
+    inscribed_zonotope as inscribed_zonotope,
+)

@@ -9,15 +9,14 @@ Rooms: `generators`, `polyhedron` (rank 3), `flat` (ranks 2 and 1), `incidence` 
 hands over), `validate` (the exact check), `mesh` (trimesh, files).
 """
 
-from .flat import DualPolygon, DualSegment, dual_polygon, dual_segment
-from .polyhedron import DualPolyhedron, dual_polyhedron, dual_zonotope
-
-__all__ = [
-    "DualPolygon",
-    "DualPolyhedron",
-    "DualSegment",
-    "dual_polygon",
-    "dual_polyhedron",
-    "dual_segment",
-    "dual_zonotope",
-]
+from .flat import (
+    DualPolygon as DualPolygon,
+    DualSegment as DualSegment,
+    dual_polygon as dual_polygon,
+    dual_segment as dual_segment,
+)
+from .polyhedron import (
+    DualPolyhedron as DualPolyhedron,
+    dual_polyhedron as dual_polyhedron,
+    dual_zonotope as dual_zonotope,
+)
