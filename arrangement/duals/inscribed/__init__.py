@@ -11,35 +11,4 @@ dual polyhedron with these vertices is convex. Two questions follow, and both ar
   placed in their regions is a further condition: `representative_hull` checks it for points at
   hand, and `inscribed_zonotope` finds such points by an exact linear program where a zonotope has
   them.
-
-Rooms: `points`, `hull`, `certificates` (the criterion and its checkers), `search` and `cuts` (find
-weights or a refutation; share no code with the checkers), `zonotope`, `report`.
 """
-
-from .certificates import (
-    FarkasCertificate,
-    IndependentSetCertificate,
-    PolyhedralGraph,
-    WeightCertificate,
-)
-from .hull import RepresentativeHull, SphereHull, representative_hull, sphere_hull, sphere_points
-from .report import Inscribability, inscribability
-from .search import decide
-from .zonotope import InscribedZonotope, inscribed_zonotope
-
-__all__ = [
-    "FarkasCertificate",
-    "IndependentSetCertificate",
-    "Inscribability",
-    "InscribedZonotope",
-    "PolyhedralGraph",
-    "RepresentativeHull",
-    "SphereHull",
-    "WeightCertificate",
-    "decide",
-    "inscribability",
-    "inscribed_zonotope",
-    "representative_hull",
-    "sphere_hull",
-    "sphere_points",
-]

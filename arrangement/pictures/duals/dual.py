@@ -88,7 +88,7 @@ def draw_dual(
         globe = Globe(arrangement, _oblique_direction(globe))
     colours = globe.colouring(colour, antipodes)
     if hull:
-        from arrangement.duals.inscribed import representative_hull
+        from arrangement.duals.inscribed.hull import representative_hull
 
         found = representative_hull(dual_polyhedron(arrangement))
         solid = hull_solid(found, globe.direction, globe.axes)

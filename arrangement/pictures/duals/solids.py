@@ -16,7 +16,6 @@ from arrangement.drawing.output import millimetres
 from arrangement.drawing.scene.scene import Floats
 from arrangement.drawing.solids.sight import face_normal, unit_vectors
 from arrangement.duals.zonohedron import DualPolyhedron, dual_polygon, dual_polyhedron, dual_segment
-from arrangement.duals.zonohedron.polyhedron import content
 from arrangement.numbers.exact import IntegerVector, dot
 from arrangement.numbers.linear.rank import cycle_edges, difference, triple_product
 from arrangement.numbers.number_field import rational_near
@@ -25,7 +24,7 @@ from arrangement.pictures.parts.essential import brought
 from arrangement.planes.planes import Planes
 
 if TYPE_CHECKING:
-    from arrangement.duals.inscribed import RepresentativeHull
+    from arrangement.duals.inscribed.hull import RepresentativeHull
 
 #: Vertex, vertex, and class of planes.
 Edge: TypeAlias = tuple[int, int, int]
@@ -182,4 +181,4 @@ def dual_model(
     lengths = None if coordinates == "given" else unit_lengths(arrangement)
     dual = dual_polyhedron(arrangement, lengths)
     colours = tuple(side_colour(len(face)) for face in dual.faces)
-    return content(dual, suffix, millimetres(size, "size"), colours)
+    return dual.model(suffix, millimetres(size, "size"), colours)

@@ -15,7 +15,7 @@ from arrangement.console.number_form import counted, sign_text
 from arrangement.drawing.pages.html_page import BASE_SCRIPT, BASE_STYLE, Template, one_page, own
 from arrangement.drawing.registry import Vector
 from arrangement.drawing.solids.sight import picture_axes, unit, unit_vectors
-from arrangement.duals.zonohedron.incidence import dual_incidence
+from arrangement.duals.zonohedron import around_rays
 from arrangement.enumeration.great_circles import SphereArrangement
 from arrangement.errors import InputError, refusal
 from arrangement.numbers.exact import IntegerVector, shown, to_text
@@ -158,7 +158,7 @@ def _cells(sphere: SphereArrangement) -> dict[str, Any]:
         }
         for normal, circle in zip(normals, sphere.plane_circle.tolist(), strict=True)
     ]
-    around = dual_incidence(arrangement).faces if sphere.vertex_count else ()
+    around = around_rays(topology) if sphere.vertex_count else ()
     return {
         "planes": planes,
         "classes": [list(members) for members in arrangement.distinct],
