@@ -10,19 +10,19 @@ import numpy as np
 from arrangement.drawing.colours import BLACK, BLUE, GREY, PALE, VERMILION
 from arrangement.drawing.figure import picture
 from arrangement.drawing.registry import Corner, Exact, Vector, Wrench
-from arrangement.drawing.scene.labels import flattened, ring
+from arrangement.drawing.scene.labels import Labels, flattened, ring
 from arrangement.drawing.scene.scene import Floats, Legend, Scene, checked_width, fitted
 from arrangement.drawing.scene.shapes import arrow, turning_arrow
 from equilibrium.decide.verdict import Solver
 from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import Grasp
 from equilibrium.model.range import SMALL, Range
-from equilibrium.pictures.parts.shapes import Labels, mark
 from equilibrium.pictures.parts.style import (
     CONE_EDGE,
     CONE_FILL,
     bar,
     explain_grasp,
+    mark,
     nice_near,
     number,
     symbol,

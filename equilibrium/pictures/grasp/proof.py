@@ -13,7 +13,7 @@ import numpy as np
 from arrangement.drawing.colours import BLUE, GREY, VERMILION, fill_colour, pale
 from arrangement.drawing.figure import picture
 from arrangement.drawing.registry import Exact, Wrench
-from arrangement.drawing.scene.labels import flattened
+from arrangement.drawing.scene.labels import Labels, flattened
 from arrangement.drawing.scene.scene import POINTS, Floats, Scene, area, checked_width
 from arrangement.drawing.scene.shapes import arc, arrow, turning_arrow
 from arrangement.numbers.exact import RationalVector
@@ -22,7 +22,6 @@ from equilibrium.decide.verdict import Verdict
 from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import Grasp
 from equilibrium.pictures.parts.panel import ABOVE, BELOW, GAP, LEFT, RIGHT, Panel
-from equilibrium.pictures.parts.shapes import Labels
 from equilibrium.pictures.parts.style import number, symbol, vector
 from equilibrium.pictures.parts.window import roomiest
 from equilibrium.pictures.space.space_grasp import proof_in_space

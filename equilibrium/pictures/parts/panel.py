@@ -12,7 +12,7 @@ import numpy as np
 
 from arrangement.drawing.colours import BLACK, GREY
 from arrangement.drawing.registry import Exact, Wrench
-from arrangement.drawing.scene.labels import covering, keep_off
+from arrangement.drawing.scene.labels import Labels, covering, keep_off
 from arrangement.drawing.scene.scene import (
     FONT,
     POINTS,
@@ -30,7 +30,6 @@ from equilibrium.model.grasp import Grasp, read_wrench
 from equilibrium.plane.states.state_system import States
 from equilibrium.wrench_sets import Region
 
-from .shapes import Labels
 from .style import FILLS, MARKS, SHADE, SYMBOLS, rounded, symbol, ticks
 from .window import ZERO, Window, roomiest
 

@@ -10,6 +10,7 @@ import numpy as np
 
 from arrangement.drawing.colours import BLACK, GREY, PALE
 from arrangement.drawing.registry import Vector, Wrench
+from arrangement.drawing.scene.labels import Labels
 from arrangement.drawing.scene.scene import Floats, Key, Legend, Scene, checked_width
 from arrangement.drawing.solids.depth_tree import SolidSheet
 from arrangement.drawing.solids.sight import best_view, unit, unit_vectors, view_direction, views
@@ -20,7 +21,6 @@ from equilibrium.decide.spatial_verdict import NOT_RESISTED, solve_in_space
 from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import Grasp
 from equilibrium.model.range import NO_RANGE, SMALL, Range
-from equilibrium.pictures.parts.shapes import Labels
 from equilibrium.pictures.parts.style import CONE_EDGE, CONE_FILL, explain_grasp, number, symbol
 
 from .solid_grasp import INKS, SolidGrasp
