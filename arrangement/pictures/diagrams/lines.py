@@ -28,7 +28,7 @@ from arrangement.drawing.scene.labels import (
     sign_text,
     write_beside,
 )
-from arrangement.drawing.scene.scene import FONT, POINTS, Floats, Scene, checked_width
+from arrangement.drawing.scene.scene import FONT, POINTS, Floats, Scene
 from arrangement.drawing.scene.shapes import arrow
 from arrangement.errors import InputError, refusal
 from arrangement.numbers.exact import shown
@@ -45,7 +45,7 @@ _BOUNDED, _UNBOUNDED = PALETTE[2], "#ffffff"
 _LINE: dict[str, Any] = {"ec": "black", "lw": 0.9, "zorder": 3, "role": "circle"}
 
 
-@picture
+@picture()
 @shown_as("lines")
 def draw_lines(
     arrangement: Arrangement,
@@ -77,11 +77,9 @@ def draw_lines(
             of sign vectors below; "none". If omitted, signs of up to four lines, or of all faces.
         colour: "bounded" (bounded regions are tinted), or as for `draw_sphere`.
         sides: at each line, an arrow to its positive side.
-        width: of the figure, in millimetres.
 
     Raises:
         InputError: rank 3 or more, too many lines, unknown faces, labels or colouring.
-        MissingExtraError: matplotlib is absent.
     """
     if faces not in FACES:
         raise refusal(f"the faces are {shown(faces)}", faces, FACES)
@@ -91,7 +89,7 @@ def draw_lines(
     kind = "signs" if everything and labels is None else labels
     names = RegionLabels(arrangement, kind if len(arrangement) else "none")
     sheet = (_DiscSheet if projective else _WindowSheet)(
-        LinesChart(arrangement), checked_width(width), names, colour
+        LinesChart(arrangement), width, names, colour
     )
     if sides:
         sheet.mark_sides()

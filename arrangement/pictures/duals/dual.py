@@ -19,7 +19,7 @@ from arrangement.drawing.colours import (
 from arrangement.drawing.figure import picture
 from arrangement.drawing.registry import Vector
 from arrangement.drawing.scene.labels import SIZES, keep_off, ring, tried, write_along, write_beside
-from arrangement.drawing.scene.scene import Box, Floats, Scene, checked_width
+from arrangement.drawing.scene.scene import Box, Floats, Scene
 from arrangement.drawing.solids.sight import lit, unit, unit_vectors
 from arrangement.duals.zonohedron import dual_polyhedron
 from arrangement.numbers.exact import IntegerVector
@@ -36,7 +36,7 @@ from .solids import SeenSolid, dual_solid, hull_solid
 SIDE_BY_SIDE = 120.0
 
 
-@picture
+@picture()
 @shown_as("dual")
 def draw_dual(
     arrangement: Arrangement,
@@ -77,9 +77,8 @@ def draw_dual(
     Raises:
         InputError: another space or rank, planes off the origin, too many circles, unknown
             colouring.
-        MissingExtraError: matplotlib is absent.
     """
-    width, names = checked_width(width), RegionLabels(arrangement, labels)
+    names = RegionLabels(arrangement, labels)
     if coordinates is None and hull:
         coordinates = "given"
     arrangement, direction = in_coordinates(coordinates, arrangement, direction)

@@ -17,7 +17,7 @@ from arrangement.drawing.figure import picture
 from arrangement.drawing.output import millimetres
 from arrangement.drawing.pages.solid_page import PageFace, SolidPage
 from arrangement.drawing.registry import Exact, Vector
-from arrangement.drawing.scene.scene import Floats, Scene, checked_width
+from arrangement.drawing.scene.scene import Floats, Scene
 from arrangement.drawing.solids.depth_tree import Node
 from arrangement.drawing.solids.meshes import ClosedSurface, model_bytes, triangles
 from arrangement.drawing.solids.sight import picture_axes, view_direction
@@ -47,7 +47,7 @@ _NAMED = 60
 _NOWHERE = (0, 0, 1)
 
 
-@picture
+@picture()
 @shown_as("cells")
 def draw_cells(
     arrangement: Arrangement,
@@ -78,13 +78,10 @@ def draw_cells(
         labels: of cells, as for `draw_sphere`, on faces that have room; none for more than 60 cells
             if omitted.
         coordinates: of central planes, as for `draw_planes`.
-        width: of the figure, in millimetres.
 
     Raises:
         InputError: rank above 3, too many planes or cells, unknown body, a bad factor.
-        MissingExtraError: matplotlib is absent.
     """
-    width = checked_width(width)
     if coordinates is None and not (centre is None and radius is None):
         coordinates = "given"
     arrangement, direction = in_coordinates(coordinates, arrangement, direction)

@@ -16,7 +16,7 @@ from arrangement.drawing.colours import SKIN, chosen, fill_colour, pale
 from arrangement.drawing.figure import picture
 from arrangement.drawing.registry import AxisNames, Exact, Vector
 from arrangement.drawing.scene.labels import keep_off, spread, turn, write_beside, write_inside
-from arrangement.drawing.scene.scene import POINTS, Floats, Scene, area, checked_width, measure
+from arrangement.drawing.scene.scene import POINTS, Floats, Scene, area, measure
 from arrangement.drawing.scene.shapes import arrow
 from arrangement.drawing.solids.sight import light, lit, unit, view_direction
 from arrangement.duals.cells import cut_cells, read_signs
@@ -28,7 +28,7 @@ from .exploded_cells import Facet, Key, Lifted, Stage, StagedAxes, lifted_cells
 from .view_direction import clear_sight
 
 
-@picture
+@picture()
 @shown_as("planes")
 def draw_planes(
     arrangement: Arrangement,
@@ -67,16 +67,13 @@ def draw_planes(
         axes: names of the axes; True for ``x,y,z``; or "none"; if omitted, there are some
             where the coordinates have a meaning, as x, y, r of the motions of a grasp.
         sides: mark the positive side of each plane by an arrow.
-        width: of the figure, in millimetres.
         coordinates: as for `draw_sphere`; "given" if omitted and the body has a given place.
 
     Raises:
         InputError: another space, too many planes, no such cell, lifted cells that hide each
             other in a circle, unknown body or colouring.
-        MissingExtraError: matplotlib is absent.
     """
     paint = _painter(colour)
-    paper = checked_width(width)
     texts = [lift] if isinstance(lift, str) else list(lift)
     raised = [read_signs(arrangement, text) for text in texts]
     names = RegionLabels(arrangement, labels, len(raised))
@@ -90,7 +87,7 @@ def draw_planes(
         toward = clear_sight(cells, raised)
     stage = Stage(cells, toward)
     lifted = lifted_cells(stage, raised)
-    picture = PlanesSheet(stage, lifted, paint, paper, StagedAxes(stage, shown))
+    picture = PlanesSheet(stage, lifted, paint, width, StagedAxes(stage, shown))
     writer = Names(picture, names)
     if sides:
         writer.mark_sides()

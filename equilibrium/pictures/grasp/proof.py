@@ -45,7 +45,7 @@ _EXAMPLES = (
 )
 
 
-@picture
+@picture(60.0)
 def draw_proof(
     grasp: Grasp, *, wrench: Wrench, turn: Exact | None = None, width: float = 180.0
 ) -> Scene:
@@ -64,19 +64,17 @@ def draw_proof(
         wrench: one that is not resisted.
         turn: the angle r of the rotations shown (linearised), above 0, where it matters; if
             omitted, about the largest one at which a preloaded spring still touches, and no border.
-        width: of the figure, in millimetres.
 
     Of a grasp in space, up to three leaves of the proof: each virtual motion as a screw, and the
     states of contacts against which it stands.
 
     Raises:
         GraspError: the wrench is resisted, or a turn that is not above 0.
-        MissingExtraError: matplotlib is absent.
     """
     if grasp.dimension == 3:
         if turn is not None:
             raise GraspError("turn is for grasps in the plane; leave it out")
-        return proof_in_space(grasp, wrench, checked_width(width, 60.0))
+        return proof_in_space(grasp, wrench, width)
     maps = proof_maps(grasp, wrench, turn)
     verdict, ranks = maps.verdict, maps.ranks
     layout = layout_of(grasp, verdict, None, 1)

@@ -22,7 +22,6 @@ from arrangement.drawing.scene.scene import (
     Place,
     Scene,
     area,
-    checked_width,
 )
 from arrangement.numbers.exact import RationalVector, rational, shown
 from equilibrium.model.errors import GraspError
@@ -280,7 +279,7 @@ def row_of_panels(
     names: Sequence[str] = FORCE_NAMES,
 ) -> tuple[Scene, list[Panel]]:
     """Return a scene with empty panels of planes of wrenches; only outer ones have rulers."""
-    given, width = grasp.units, checked_width(width, 20.0)
+    given = grasp.units
     units = [(given.force if "f" in name else given.torque) if given else "" for name in names]
     columns = min(number, columns or number)
     rows = -(-number // columns)

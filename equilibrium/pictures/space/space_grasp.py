@@ -11,7 +11,7 @@ import numpy as np
 from arrangement.drawing.colours import BLACK, GREY, PALE
 from arrangement.drawing.registry import Vector, Wrench
 from arrangement.drawing.scene.labels import Labels
-from arrangement.drawing.scene.scene import Floats, Key, Legend, Scene, checked_width
+from arrangement.drawing.scene.scene import Floats, Key, Legend, Scene
 from arrangement.drawing.solids.depth_tree import SolidSheet
 from arrangement.drawing.solids.sight import best_view, unit, unit_vectors, view_direction, views
 from arrangement.drawing.solids.surface import Patch, rounded
@@ -67,7 +67,7 @@ def drawn_in_space(solid: SolidGrasp, direction: Vector | None, width: float, no
         note: what is said of the answer, if anything.
     """
     towards = clear_side(solid) if direction is None else view_direction(direction)
-    return _SpatialGraspPicture(solid, towards, checked_width(width, 20.0), note).scene
+    return _SpatialGraspPicture(solid, towards, width, note).scene
 
 
 def clear_side(solid: SolidGrasp) -> IntegerVector:

@@ -21,7 +21,7 @@ from equilibrium.plane.states.state_system import States
 from equilibrium.wrench_sets import Region, resisted_region
 
 
-@picture
+@picture(20.0)
 def draw_resist(
     grasp: Grasp, *, wrench: Wrench | None = None, extent: Exact | None = None, width: float = 88.0
 ) -> Scene:
@@ -38,11 +38,9 @@ def draw_resist(
         wrench: marked: a disc when it is resisted, a cross when not; the plane has its torque.
         extent: half the side of the picture, about the origin; then nothing fades, as what
             reaches the edge may end beyond; if omitted, the whole border is shown.
-        width: of the figure, in millimetres.
 
     Raises:
         GraspError: an extent that is not above 0.
-        MissingExtraError: matplotlib is absent.
     """
     question = PlaneQuestion(wrench, extent)
     half, torque = question.half, question.torque
@@ -84,7 +82,7 @@ def _describe(
         legend.line(f"{which}: {shown}")
 
 
-@picture
+@picture(20.0)
 def draw_compare(
     grasp: Grasp,
     *,
@@ -102,11 +100,9 @@ def draw_compare(
         methods: keys of `equilibrium.methods.METHODS`; if omitted, all that have a region (without
             those for which the contacts are too many).
         extent: half the side of each panel, about the origin; if omitted, all borders are shown.
-        width: of the figure, in millimetres.
 
     Raises:
         GraspError: an unknown method or none, too many contacts, an extent that is not above 0.
-        MissingExtraError: matplotlib is absent.
     """
     question = PlaneQuestion(wrench, extent)
     chosen = [method_named(name) for name in _names(grasp, methods)]
@@ -126,7 +122,7 @@ def _names(grasp: Grasp, methods: Iterable[str] | None) -> list[str]:
     return names
 
 
-@picture
+@picture(20.0)
 def draw_slice(
     grasp: Grasp,
     *,
@@ -157,11 +153,9 @@ def draw_slice(
         extent: half the side of each part, about the origin; if omitted, all borders are shown.
         axes: in space, two of fx, fy, fz, tx, ty, tz; "fx,fy" if omitted.
         directions: how many, in space.
-        width: of the figure, in millimetres.
 
     Raises:
         GraspError: an extent that is not above 0.
-        MissingExtraError: matplotlib is absent.
     """
     if grasp.dimension == 3:
         if not (wrench is preload is extent is None):

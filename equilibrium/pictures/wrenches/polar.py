@@ -24,7 +24,7 @@ from equilibrium.wrench_sets.search_map import Entry
 MAX_DIRECTIONS = 720
 
 
-@picture
+@picture(20.0)
 def draw_polar(
     grasp: Grasp,
     *,
@@ -46,11 +46,9 @@ def draw_polar(
         tolerance: of the search; if omitted, a thousandth of the radius of the picture.
         extent: that radius; if omitted, it holds the largest preload and the ends of the border.
             The search tries magnitudes up to 1000 times as much.
-        width: of the figure, in millimetres.
 
     Raises:
         GraspError: a number that is out of range.
-        MissingExtraError: matplotlib is absent.
     """
     if not 1 <= directions <= MAX_DIRECTIONS:
         raise GraspError(f"directions is {directions}; a picture shows 1 to {MAX_DIRECTIONS}")

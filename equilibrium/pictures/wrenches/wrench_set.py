@@ -14,7 +14,7 @@ import numpy as np
 from arrangement.drawing.colours import BLACK, GREY, VERMILION, pale
 from arrangement.drawing.figure import picture
 from arrangement.drawing.registry import Exact, Vector, Wrench
-from arrangement.drawing.scene.scene import Floats, Legend, Scene, checked_width
+from arrangement.drawing.scene.scene import Floats, Legend, Scene
 from arrangement.drawing.solids.depth_tree import SolidSheet
 from arrangement.drawing.solids.sight import light, unit_vectors, view_direction
 from arrangement.drawing.solids.surface import Patch, rounded
@@ -37,7 +37,7 @@ _BOTH = 120.0
 _CUT_WHITE, _FADE, _STEPS, _VEIL = 0.8, 0.3, 8, 0.12
 
 
-@picture
+@picture()
 def draw_wrench_set(
     grasp: Grasp,
     *,
@@ -68,9 +68,7 @@ def draw_wrench_set(
 
     Raises:
         GraspError: an extent that is not above 0.
-        MissingExtraError: matplotlib is absent.
     """
-    width = checked_width(width)
     applied = None if wrench is None else read_wrench(wrench)
     box = wrench_box(grasp, read_extent(extent))
     towards = box.clear_side if direction is None else view_direction(direction)
