@@ -77,7 +77,11 @@ def flat_edges(arrangement: Planes, signs: Sequence[tuple[int, ...]]) -> tuple[E
     """Return the edges of a dual polygon, or of a segment, between regions in cyclic order."""
     count = len(signs)
     pairs = [(k, (k + 1) % count) for k in range(count if count > 2 else 1)]
-    return tuple((u, v, _crossed(arrangement, signs[u], signs[v])) for u, v in pairs)
+    crossed = (
+        next(i for i, (s, t) in enumerate(zip(signs[u], signs[v], strict=True)) if s != t)
+        for u, v in pairs
+    )
+    return tuple((*pair, arrangement.class_of[i]) for pair, i in zip(pairs, crossed, strict=True))
 
 
 def edges_of(dual: DualPolyhedron) -> tuple[Edge, ...]:
@@ -155,12 +159,6 @@ def _hidden(
             seen_edges.update(cycle_edges(cycle))
     edge_hidden = tuple((u, v) not in seen_edges and (v, u) not in seen_edges for u, v in edges)
     return edge_hidden, tuple(v not in seen_vertices for v in range(count))
-
-
-def _crossed(arrangement: Planes, left: tuple[int, ...], right: tuple[int, ...]) -> int:
-    """Return the class of planes between two neighbouring regions."""
-    plane = next(i for i, (s, t) in enumerate(zip(left, right, strict=True)) if s != t)
-    return arrangement.class_of[plane]
 
 
 def dual_model(

@@ -76,7 +76,8 @@ def arrangement_page(
     if coordinates is not None and coordinates not in CHOICES:
         raise refusal(f"the coordinates are {shown(coordinates)}", coordinates, CHOICES)
     globe = Globe(arrangement, direction)
-    heading = title if title is not None else _heading(arrangement)
+    number = counted(len(arrangement), "plane")
+    heading = title if title is not None else f"Arrangement of {number}"
     data = {
         "title": heading,
         "summary": summary,
@@ -130,11 +131,6 @@ def _integers(vectors: Any) -> list[IntegerVector]:
     return [tuple(row) for row in np.rint(unit(vectors) * 10**6).astype(int).tolist()]
 
 
-def _heading(arrangement: Arrangement) -> str:
-    number = len(arrangement)
-    return f"Arrangement of {counted(number, 'plane')}"
-
-
 def _summary(arrangement: Arrangement) -> str:
     number, distinct = len(arrangement), len(arrangement.distinct)
     planes = f"{counted(number, 'plane')} through the origin"
@@ -152,7 +148,7 @@ def _cells(sphere: SphereArrangement) -> dict[str, Any]:
         {
             "normal": _exact(normal),
             "unit": _unit(normal),
-            "length": _longest(normal) / longest * _norm(normal),
+            "length": float(np.linalg.norm([float(x / longest) for x in normal])),
             "equation": equation(normal),
             "circle": int(circle),
         }
@@ -205,11 +201,6 @@ def _exact(vector: IntegerVector) -> list[str]:
 
 def _longest(vector: IntegerVector) -> int:
     return max(map(abs, vector))
-
-
-def _norm(vector: IntegerVector) -> float:
-    """Return the Euclidean length over the largest entry."""
-    return float(np.linalg.norm([float(x / _longest(vector)) for x in vector]))
 
 
 def _unit(vector: IntegerVector) -> list[float]:

@@ -36,7 +36,7 @@ from arrangement.pictures.parts.names import (
 )
 
 from .exploded_cells import Lifted, Stage, StagedAxes, sharp, unit_points, walls_of_edges
-from .planes import Names, PlanesSheet
+from .planes import PlanesSheet
 from .view_direction import clear_sight
 
 #: More cells hide each other, and are too many for a page.
@@ -90,13 +90,13 @@ def draw_cells(
     stage = Stage(cells, towards)
     lifted = []
     for cell in cells.cells:
-        shift = _middle(stage.points, cell) * (explode - 1)
+        shift = centroid(stage.points, cell.faces) * (explode - 1)
         lifted.append(Lifted(cell, stage.points + shift, shift))
     names = RegionLabels(arrangement, labels, len(lifted), _NAMED)
     signs = [cell.signs for cell in cells.cells]
     axes = StagedAxes(stage, ())
     sheet = PlanesSheet(stage, lifted, lambda x: fill_colour(x.label), width, axes, apart=True)
-    left = 0 if names.kind == "none" else Names(sheet, names).name_cells(beside=False)
+    left = 0 if names.kind == "none" else sheet.name_cells(names, beside=False)
     legend = sheet.scene.legend
     names.explain(legend, signs)
     if left:
@@ -185,10 +185,6 @@ def _cells(
     return cells
 
 
-def _middle(points: Floats, cell: Cell) -> Floats:
-    return centroid(points, cell.faces)
-
-
 def _leaf(
     tree: list[Node[PageFace]], normals: list[tuple[int, ...]], sides: tuple[int, ...]
 ) -> int:
@@ -206,7 +202,7 @@ def _leaf(
 
 def _faces(points: Floats, cell: Cell, number: int) -> list[PageFace]:
     """Return the faces of a cell for a page."""
-    middle, walls = _middle(points, cell), walls_of_edges(cell)
+    middle, walls = centroid(points, cell.faces), walls_of_edges(cell)
     found = []
     for face, wall in zip(cell.faces, cell.walls, strict=True):
         corners = points[list(face)]
