@@ -31,7 +31,7 @@ from equilibrium.pictures.parts.style import (
 from equilibrium.pictures.space.space_grasp import drawn_in_space, solved_in_space
 from equilibrium.plane.search.state_equilibrium import Solution
 
-from .layout import ARC, FORCE, Layout, displaced, layout_of
+from .layout import ARC, FORCE, Layout, displaced
 
 
 @picture(20.0)
@@ -84,7 +84,7 @@ def draw_grasp(
     if wrench is None and piece != 1:
         raise GraspError("without a wrench nothing is solved; give one with the piece")
     verdict = None if wrench is None else Solver(grasp, largest_turn, largest_force).solve(wrench)
-    return drawn(layout_of(grasp, verdict, outline, piece), width)
+    return drawn(Layout(grasp, verdict, outline, piece), width)
 
 
 def _content(layout: Layout) -> Floats:

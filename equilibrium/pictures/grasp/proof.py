@@ -27,7 +27,7 @@ from equilibrium.pictures.parts.window import roomiest
 from equilibrium.pictures.space.space_grasp import proof_in_space
 
 from .grasp import GraspPicture
-from .layout import MOVED, Layout, layout_of, shift_at
+from .layout import MOVED, Layout, shift_at
 from .proof_maps import MAP, TURNS, Shape, proof_maps, summary_lines
 
 #: Half the side of the small grasps, where the contacts fill [-1, 1]: with numbers, and without.
@@ -77,7 +77,7 @@ def draw_proof(
         return proof_in_space(grasp, wrench, width)
     maps = proof_maps(grasp, wrench, turn)
     verdict, ranks = maps.verdict, maps.ranks
-    layout = layout_of(grasp, verdict, None, 1)
+    layout = Layout(grasp, verdict)
     width = checked_width(width, 150.0)
     side = (width * POINTS - LEFT - RIGHT - GAP) / 2
     small = 0.6 * side

@@ -21,7 +21,7 @@ from arrangement.drawing.solids.surface import Patch, rounded
 from arrangement.numbers.exact import IntegerVector, dot
 from equilibrium.model.grasp import Grasp, read_wrench
 from equilibrium.pictures.grasp.grasp import drawn
-from equilibrium.pictures.grasp.layout import layout_of
+from equilibrium.pictures.grasp.layout import Layout
 from equilibrium.pictures.parts.panel import read_extent
 from equilibrium.pictures.parts.style import MARKS, symbol, ticks, wrench_text
 from equilibrium.pictures.parts.window import clipped
@@ -75,7 +75,7 @@ def draw_wrench_set(
     if width < _BOTH:
         return _WrenchSetPicture(grasp, box, towards, applied, width).scene
     right = _WrenchSetPicture(grasp, box, towards, applied, width * 0.6).scene
-    left = drawn(layout_of(grasp, None, None, 1), width * 0.4, right.paper[1])
+    left = drawn(Layout(grasp), width * 0.4, right.paper[1])
     scene = Scene(width, max(left.paper[1], right.paper[1]))
     scene.place(left, 0.0, (scene.height - left.height) / 2)
     scene.place(right, left.width, (scene.height - right.height) / 2)
